@@ -22,6 +22,7 @@ double advance_score(const WorldModel& world, AngleDeg direction) {
   constexpr double kConeDeg = 30.0;
   double score = 1000.0;
   const Vec2 way = soccer::polar(1.0, direction);
+
   for (const PlayerState& opponent : world.opponents) {
     if (opponent.ghost() || !opponent.position_valid()) continue;
     const Vec2 relative = opponent.position - world.ball.position;
@@ -31,6 +32,7 @@ double advance_score(const WorldModel& world, AngleDeg direction) {
     score *= std::max(0.0, beside - 1.2) / along;
     if (opponent.pos_count > 3) score *= power_of(0.95, opponent.pos_count - 3);
   }
+
   return score;
 }
 
@@ -54,16 +56,19 @@ std::optional<AngleDeg> first_direction(Vec2 ball, const Visit& visit) {
     const AngleDeg direction = AngleDeg::of(point - ball);
     if (visit(direction)) return direction;
   }
+
   for (double off = 30.0; off <= 75.0; off += 5.0) {
     for (const double sign : {side, -side}) {
       if (visit(AngleDeg(sign * off))) return AngleDeg(sign * off);
     }
   }
+
   for (double off = 25.0; off >= 0.0; off -= 5.0) {
     for (const double sign : {side, -side}) {
       if (visit(AngleDeg(sign * off))) return AngleDeg(sign * off);
     }
   }
+
   return std::nullopt;
 }
 
@@ -89,6 +94,7 @@ bool opponent_within(const WorldModel& world, double radius) {
 
 bool advance_ball(const WorldModel& world, CommandSlots& slots) {
   if (!world.self.kickable) return false;
+
   AngleDeg best;
   double best_score = -1.0;
   for (double off = 0.0; off <= 65.0; off += 6.5) {
@@ -100,10 +106,12 @@ bool advance_ball(const WorldModel& world, CommandSlots& slots) {
       }
     }
   }
+
   const double max = world.server().ball_speed_max;
   const Vec2 target = world.ball.position + soccer::polar(30.0, best);
   const double one_kick =
       max_speed_along(world.ball.velocity, soccer::polar(1.0, best), kick_limit(world), max);
+
   if (world.game.mode != PlayMode::kPlayOn || one_kick >= 0.7 * max) {
     return kick_one_step(world, slots, target, max, true);
   }
@@ -117,11 +125,13 @@ bool clear_ball(const WorldModel& world, CommandSlots& slots) {
   if (world.kickable_opponent()) {
     return kick_one_step(world, slots, world.ball.position + Vec2{10.0, 0.0}, max, true);
   }
+
   const Vec2 target = world.ball.position + soccer::polar(30.0, clear_direction(world));
   if (world.game.mode == PlayMode::kPlayOn && !opponent_within(world, 1.5) &&
       smart_kick(world, slots, target, max, std::max(2.5, 0.85 * max), 2)) {
     return true;
   }
+
   return kick_one_step(world, slots, target, max, true);
 }
 
@@ -131,6 +141,7 @@ bool force_kick(const WorldModel& world, CommandSlots& slots) {
   const Vec2 here = world.self.position;
   const bool wing = std::fabs(here.y) > 10.0;
   Vec2 target{wing && here.x > 36.0 ? 45.0 : soccer::kHalfLength, 0.0};
+
   // The opponent kicks too, before our goal most likely inwards.
   if (wing && here.x < -30.0) target = {here.x + 10.0, std::copysign(soccer::kHalfWidth, here.y)};
   return kick_one_step(world, slots, target, world.server().ball_speed_max, true);

@@ -41,6 +41,7 @@ std::array<Vec2, kMaxDashes + 2> positions_while_dashing(const WorldModel& world
   Vec2 position = world.self.position;
   Vec2 velocity = world.self.velocity;
   const Vec2 push = dash_acceleration(world, power, 0.0);
+
   positions[0] = position;
   for (int cycle = 1; cycle <= dashes + 1; ++cycle) {
     if (cycle > 1) velocity = speed_limited(velocity + push, world.self_type().player_speed_max);
@@ -48,6 +49,7 @@ std::array<Vec2, kMaxDashes + 2> positions_while_dashing(const WorldModel& world
     velocity *= world.self_type().player_decay;
     positions[static_cast<std::size_t>(cycle)] = position;
   }
+
   return positions;
 }
 
@@ -64,6 +66,7 @@ KickAhead kick_ahead(const WorldModel& world, const Threats& threats, double pow
   const Vec2 ball = world.ball.position;
   const int cycles = dashes + 1;
   const double radius = collide_distance(world) + 0.45 * world.self_type().kickable_margin;
+
   KickAhead best;
   for (const double offset : kOffsets) {
     const Vec2 end = self[cycles] + soccer::polar(radius, world.self.body + offset);
@@ -72,6 +75,7 @@ KickAhead kick_ahead(const WorldModel& world, const Threats& threats, double pow
     if (length < 1e-6 || !inside_pitch(end)) continue;
     const Vec2 velocity = way * (first_speed(length, cycles, decay) / length);
     if ((velocity - world.ball.velocity).length() > kick_limit(world)) continue;
+
     double cost = 0.2 * std::fabs(offset);
     bool clean = velocity.length() <= world.server().ball_speed_max;
     for (int n = 1; n < cycles && clean; ++n) {
@@ -79,9 +83,11 @@ KickAhead kick_ahead(const WorldModel& world, const Threats& threats, double pow
       clean = distance(there, self[n]) > collide_distance(world) + kBodyGap;
       if (n <= 3) cost += threats.cost(there, n);
     }
+
     cost += threats.cost(end, std::min(cycles, 3));
     if (clean && cost < best.cost) best = {cost, velocity};
   }
+
   return best;
 }
 
@@ -92,6 +98,7 @@ bool kick_for_turn(const WorldModel& world, const Threats& threats, CommandSlots
   const int cycles = turns + 1;
   double best_cost = 1e9;
   Vec2 best;
+
   for (double offset = 0.0; offset < 360.0; offset += 20.0) {
     for (const double share : {0.25, 0.5}) {
       const double radius = collide_distance(world) + share * world.self_type().kickable_margin;
@@ -101,6 +108,7 @@ bool kick_for_turn(const WorldModel& world, const Threats& threats, CommandSlots
       const Vec2 velocity =
           length < 1e-6 ? Vec2{} : way * (first_speed(length, cycles, decay) / length);
       if ((velocity - world.ball.velocity).length() > kick_limit(world)) continue;
+
       const Vec2 next = world.ball.position + velocity;
       if (distance(next, self_after(world, 1)) < collide_distance(world) + kBodyGap) continue;
       const double cost = threats.cost(next, 1) + threats.cost(end, std::min(cycles, 3)) +
@@ -112,6 +120,7 @@ bool kick_for_turn(const WorldModel& world, const Threats& threats, CommandSlots
       }
     }
   }
+
   return best_cost < 1e9 && kick_to_velocity(world, slots, best);
 }
 
@@ -122,10 +131,12 @@ bool turn_with_ball(const WorldModel& world, const Threats& threats, CommandSlot
   if (at_feet(world, ball, self_after(world, 1), noise) && threats.cost(ball, 1) <= 150.0) {
     return slots.turn(error);
   }
+
   const double next_turn =
       world.server().maxmoment /
       turn_resistance(world.self_type(), world.self.velocity * world.self_type().player_decay);
   const int turns = std::fabs(error) > next_turn ? 2 : 1;
+
   if (kick_for_turn(world, threats, slots, world.self.body + error, turns)) return true;
   return hold_ball(world, slots, true,
                    world.self.position + soccer::polar(10.0, world.self.body + error));
@@ -136,12 +147,14 @@ bool blocked(const WorldModel& world, AngleDeg heading) {
   constexpr double kAhead = 5.0;
   constexpr double kBeside = 1.3;
   const Vec2 way = soccer::polar(1.0, heading);
+
   for (const PlayerState& opponent : world.opponents) {
     if (opponent.ghost() || opponent.pos_count > 10) continue;
     const Vec2 relative = opponent.position - world.self.position;
     const double ahead = dot(relative, way);
     if (ahead > 0.0 && ahead < kAhead && std::fabs(cross(way, relative)) < kBeside) return true;
   }
+
   return false;
 }
 
@@ -175,6 +188,7 @@ bool run_with_ball(const WorldModel& world, const Threats& threats, Intention& i
   if (at_feet(world, next_ball, next_self, noise) && threats.cost(next_ball, 1) <= 150.0) {
     return slots.dash(power);
   }
+
   KickAhead best;
   int best_dashes = 0;
   for (int dashes = std::clamp(dash_count, 1, kMaxDashes); dashes >= 1; --dashes) {
@@ -185,8 +199,10 @@ bool run_with_ball(const WorldModel& world, const Threats& threats, Intention& i
     }
     if (best.cost < 100.0) break;
   }
+
   if (best_dashes == 0 || best.cost >= 600.0) return hold_ball(world, slots, true, target);
   if (!kick_to_velocity(world, slots, best.velocity)) return false;
+
   set_intention(world, intention, target, power, best_dashes);
   return true;
 }
@@ -205,10 +221,12 @@ bool continue_dash(const WorldModel& world, Intention& intention, CommandSlots& 
                              distance(next_ball, next_self) > kickable_area(world) - 0.1 &&
                              intention.dashes <= 1;
   if (bumps || leaves_behind) return false;
+
   // Correct a noisy turn by a second one.
   constexpr double kOffCourse = 20.0;
   const double error = (intention.heading - world.self.body).degrees();
   if (std::fabs(error) > kOffCourse) return slots.turn(error);
+
   --intention.dashes;
   return slots.dash(safe_dash_power(world, intention.dash_power));
 }
@@ -221,14 +239,17 @@ bool dribble(const WorldModel& world, Intention& intention, CommandSlots& slots,
   // A ball of unknown velocity is stopped; one that needs no kick for that is at rest as far as
   // is known, and a player who waits for more might wait forever.
   if (!world.ball.velocity_valid() && stop_needs_kick(world)) return stop_ball(world, slots);
+
   const Vec2 from = self_after(world, 1);
   if (distance(from, target) < options.threshold) return hold_ball(world, slots, true, target);
   AngleDeg heading = AngleDeg::of(target - from);
   if (options.dodge) heading = free_heading(world, heading);
+
   const Threats threats(world);
   constexpr double kMargin = 12.0;
   const double error = (heading - world.self.body).degrees();
   if (std::fabs(error) > kMargin) return turn_with_ball(world, threats, slots, error);
+
   const double power = safe_dash_power(world, std::clamp(options.dash_power, 0.0, 100.0));
   return run_with_ball(world, threats, intention, slots, target, power, options.dash_count);
 }
@@ -240,18 +261,21 @@ bool continue_dribble(const WorldModel& world, Intention& intention, CommandSlot
   const bool in_possession =
       !world.kickable_opponent() && !world.kickable_teammate() &&
       world.intercept.first_opponent_steps > world.intercept.best_self_steps();
+
   const bool in_reach =
       world.ball.position_valid() && world.intercept.best_self_steps() <= left + 2;
   if (!in_time || arrived || !in_possession || !in_reach || left <= 0) {
     intention.clear();
     return false;
   }
+
   const bool continued = intention.turns > 0 ? continue_turn(world, intention, slots)
                                              : continue_dash(world, intention, slots);
   if (!continued) {
     intention.clear();
     return false;
   }
+
   intention.last = world.game.time;
   if (intention.turns + intention.dashes == 0) intention.clear();
   return true;

@@ -79,12 +79,14 @@ bool kick_to_best_position(const WorldModel& world, const Threats& threats, Comm
   const Vec2 body = soccer::polar(1.0, world.self.body);
   Vec2 best;
   double best_score = -1e9;
+
   for (const Vec2& d : directions()) {
     const Vec2 direction{d.x * body.x - d.y * body.y, d.x * body.y + d.y * body.x};
     for (const double share : kShares) {
       const double dist = collide_distance(world) + share * world.self_type().kickable_margin;
       const Vec2 position = next_self + direction * dist;
       if (!inside_pitch(position) || !within_one_kick(world, position)) continue;
+
       const double score = position_score(world, threats, position, direction * dist);
       if (score > best_score) {
         best_score = score;
@@ -92,6 +94,7 @@ bool kick_to_best_position(const WorldModel& world, const Threats& threats, Comm
       }
     }
   }
+
   return best_score > -1e9 && kick_to_position(world, slots, best);
 }
 
@@ -104,6 +107,7 @@ bool hold_ball(const WorldModel& world, CommandSlots& slots, bool do_turn,
     stop_ball(world, slots);
     return true;
   }
+
   const Threats threats(world);
   if (is_safe_without_kick(world, threats)) {
     constexpr double kFacing = 5.0;
@@ -111,6 +115,7 @@ bool hold_ball(const WorldModel& world, CommandSlots& slots, bool do_turn,
     const AngleDeg error = AngleDeg::of(front - self_after(world, 1)) - world.self.body;
     if (error.abs() > kFacing) return slots.turn(error.degrees());
   }
+
   if (kick_in_front(world, threats, slots)) return true;
   if (kick_to_best_position(world, threats, slots)) return true;
   stop_ball(world, slots);

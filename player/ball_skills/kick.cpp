@@ -36,20 +36,24 @@ bool kick_one_step(const WorldModel& world, CommandSlots& slots, Vec2 target, do
                    bool force_mode) {
   if (!world.self.kickable) return false;
   if (!world.ball.velocity_valid() && !force_mode) return stop_ball(world, slots);
+
   const Vec2 way = target - world.ball.position;
   const double length = way.length();
   const double desired = soccer::between(first_speed, 0.0, world.server().ball_speed_max);
   if (length < 1e-6 || desired < 1e-6) return stop_ball(world, slots);
+
   const Vec2 direction = way / length;
   const double limit = kick_limit(world);
   const double possible =
       max_speed_along(world.ball.velocity, direction, limit, world.server().ball_speed_max);
   const double speed = std::min(desired, possible);
+
   const bool reachable =
       speed > 0.0 && (direction * speed - world.ball.velocity).length() <= limit + 1e-9;
   if (reachable || force_mode) {
     return kick_to_velocity(world, slots, direction * (reachable ? speed : desired));
   }
+
   return hold_ball(world, slots, false, {});
 }
 
@@ -63,12 +67,14 @@ Vec2 stopping_change(const WorldModel& world) {
   const double gap =
       soccer::between(dist, collide_distance(world) + 0.1, kickable_area(world) - 0.1);
   const Vec2 outwards = dist > 1e-6 ? relative / dist : soccer::polar(1.0, world.self.body);
+
   const Vec2 next_self = self_after(world, 1);
   Vec2 desired = next_self + outwards * gap - world.ball.position;
   if ((desired - velocity).length() > kick_limit(world)) {
     // Too fast to stop: reduce the speed and let the ball come closer.
     desired = next_self + outwards * (collide_distance(world) + 0.1) - world.ball.position;
   }
+
   return desired - velocity;
 }
 
@@ -86,6 +92,7 @@ bool stop_needs_kick(const WorldModel& world) {
 
 bool stop_ball(const WorldModel& world, CommandSlots& slots) {
   if (!world.self.kickable) return false;
+
   const Vec2 needed = stopping_change(world);
   const double power = power_for(world, needed);
   if (power < kWorthwhilePower) {

@@ -46,10 +46,12 @@ Stopper stopper_of(const WorldModel& world, const PlayerState& player) {
   const soccer::PlayerType& type = world.type_of(player);
   Stopper stopper{player.position, {}, player.goalie, {}, {}, {}};
   if (player.body_count <= 1) stopper.body = soccer::polar(1.0, player.body);
+
   const Vec2 velocity = player.velocity_valid() ? player.velocity : Vec2{};
   const double control = player.goalie ? server.catchable_area_l * type.catchable_area_l_stretch
                                        : type.kickable_area(server.ball_size);
   const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
+
   double speed = 0.0;
   double run = 0.0;
   double run_before = 0.0;  // one cycle less, for a turn
@@ -58,6 +60,7 @@ Stopper stopper_of(const WorldModel& world, const PlayerState& player) {
     speed = std::min(speed * type.player_decay + push, type.player_speed_max);
     run += speed;
   };
+
   for (int unseen = std::min(kMaxCredit, player.pos_count); unseen > 0; --unseen) dash();
   for (std::size_t cycle = 0; cycle <= kMaxCycles; ++cycle) {
     stopper.positions[cycle] =
@@ -66,12 +69,14 @@ Stopper stopper_of(const WorldModel& world, const PlayerState& player) {
     stopper.aside[cycle] = control + std::max(run_before, server.side_dash_rate * run);
     dash();
   }
+
   return stopper;
 }
 
 Stoppers stoppers(const WorldModel& world) {
   constexpr int kMaxAge = 20;
   Stoppers list;
+
   for (const PlayerList* players : {&world.opponents, &world.unknowns}) {
     for (const PlayerState& player : *players) {
       if (player.ghost() || player.pos_count > kMaxAge || player.tackling) continue;
@@ -79,6 +84,7 @@ Stoppers stoppers(const WorldModel& world) {
       list.push_back(stopper_of(world, player));
     }
   }
+
   return list;
 }
 
@@ -88,6 +94,7 @@ bool unstoppable(const WorldModel& world, const Stoppers& list, Vec2 velocity, d
                  int head_start) {
   Vec2 ball = world.ball.position;
   double way = 0.0;
+
   for (int cycle = 1; cycle + head_start <= kMaxCycles; ++cycle) {
     ball += velocity;
     way += velocity.length();
@@ -98,6 +105,7 @@ bool unstoppable(const WorldModel& world, const Stoppers& list, Vec2 velocity, d
       if (stopper.gets(ball, now)) return false;
     }
   }
+
   return false;
 }
 
@@ -121,6 +129,7 @@ double shot_score(const WorldModel& world, const Stoppers& list, Vec2 target, in
   const double gap = angle_to_goalie(world, list, target) / 10.0;
   double score = kicks == 1 ? 251.0 : 201.0;
   score *= 1.0 - soccer::math::exp(-gap * gap / 2.0);
+
   const double wide = std::max(0.0, std::fabs(target.y) - 4.0) / 5.5;
   if (distance(target, world.ball.position) > 8.0) {
     score *= soccer::math::exp(-wide * wide / 2.0);
@@ -134,9 +143,11 @@ Shot shot_at(const WorldModel& world, const Stoppers& list, Vec2 target) {
   const Vec2 way = target - world.ball.position;
   const double dist = way.length();
   const Vec2 direction = way / dist;
+
   const double one_kick =
       max_speed_along(world.ball.velocity, direction, kick_limit(world), server.ball_speed_max);
   double speed = std::max({(dist + 5.0) * (1.0 - server.ball_decay), one_kick, 1.5});
+
   for (speed = std::min(speed, server.ball_speed_max);;
        speed = std::min(speed + 0.3, server.ball_speed_max)) {
     const int kicks = speed <= one_kick + 1e-6 ? 1 : 3;
@@ -164,6 +175,7 @@ bool shoot(const WorldModel& world, CommandSlots& slots, Vec2* aim) {
   if (!allowed(world) || dist > kRange || world.ball.position.x >= soccer::kHalfLength) {
     return false;
   }
+
   const Stoppers list = stoppers(world);
   const double half = world.server().goal_width / 2.0 - std::min(1.5, 0.6 + 0.042 * dist);
   Shot best;
@@ -172,6 +184,7 @@ bool shoot(const WorldModel& world, CommandSlots& slots, Vec2* aim) {
     const Shot shot = shot_at(world, list, target);
     if (shot.score > best.score) best = shot;
   }
+
   if (best.score <= 0.0) return false;
   if (aim != nullptr) *aim = best.target;
   if (best.kicks == 1) return kick_one_step(world, slots, best.target, best.speed, false);

@@ -102,14 +102,17 @@ void Search::fill(BallPositions& out, int cycle) const {
   const soccer::PlayerType& type = world_.self_type();
   const Vec2 here = self_after(world_, cycle);
   const Vec2 body = soccer::polar(1.0, world_.self.body);
+
   for (std::size_t i = 0; i < out.size(); ++i) {
     const RingPosition& point = ring_positions()[i];
     const Vec2 d = point.direction;
     const double dist = collide_ + point.share * type.kickable_margin;
     out[i].position = here + Vec2{d.x * body.x - d.y * body.y, d.x * body.y + d.y * body.x} * dist;
+
     const double rate = type.kick_power_rate * (1.0 - 0.25 * point.off_body - 0.25 * point.share);
     out[i].limit = kick_limit(world_, rate);
     out[i].slack = type.kickable_margin * std::min(point.share, 1.0 - point.share);
+
     const bool outside = std::fabs(out[i].position.x) > soccer::kHalfLength ||
                          std::fabs(out[i].position.y) > soccer::kHalfWidth;
     out[i].cost = outside ? 1e6 : threats_.cost(out[i].position, cycle);
@@ -129,18 +132,21 @@ void Search::consider(Vec2 ball, Vec2 velocity, double limit, int kicks, double 
   const Vec2 way = target_ - ball;
   const double length = way.length();
   if (length < 1e-6) return;
+
   const Vec2 direction = way / length;
   const double possible = max_speed_along(velocity, direction, limit, speed_max_);
   if (possible <= 0.0) return;
   const double speed = std::min(possible, first_speed_);
   const double needed = (direction * speed - velocity).length();
   if (needed > limit + 1e-9) return;  // too fast to decelerate
+
   static constexpr double kKickCost[] = {0.0, 0.0, 50.0, 200.0};
   double score = 1000.0 - kKickCost[kicks] - 50.0 * needed / limit - cost;
   if (speed < first_speed_ - 1e-6) {
     score -= speed < threshold_ ? 10000.0 : 1000.0;
     score += 100.0 * speed;
   }
+
   if (score <= best_.score) return;
   // A slow ball could collide with the agent.
   const Vec2 velocity_after = direction * speed;
@@ -148,6 +154,7 @@ void Search::consider(Vec2 ball, Vec2 velocity, double limit, int kicks, double 
     const Vec2 there = coast(ball, velocity_after, decay_, n);
     if (distance(there, self_after(world_, kicks - 1 + n)) < collide_ + 0.05) return;
   }
+
   best_ = {score, speed, first != nullptr ? *first : velocity_after};
 }
 
@@ -156,6 +163,7 @@ void Search::search_two_and_three_kicks(int max_steps) {
   BallPositions third;
   fill(second, 1);
   if (max_steps >= 3) fill(third, 2);
+
   for (const BallPosition& point : second) {
     const Vec2 step = point.position - world_.ball.position;
     const Vec2 push = step - velocity_;
@@ -163,6 +171,7 @@ void Search::search_two_and_three_kicks(int max_steps) {
     const double cost = point.cost + noise_cost(push, limit_, step, point.slack);
     const Vec2 velocity = step * decay_;
     consider(point.position, velocity, point.limit, 2, cost, &step);
+
     if (max_steps < 3) continue;
     for (const BallPosition& next : third) {
       const Vec2 step2 = next.position - point.position;
@@ -186,12 +195,14 @@ Plan Search::best(int max_steps) {
 bool smart_kick(const WorldModel& world, CommandSlots& slots, Vec2 target, double first_speed,
                 double speed_threshold, int max_steps) {
   if (!world.self.kickable) return false;
+
   const double desired = soccer::between(first_speed, 0.0, world.server().ball_speed_max);
   Search search(world, target, desired, std::min(speed_threshold, desired));
   const Plan plan = search.best(std::clamp(max_steps, 1, 3));
   if (plan.speed > 0.0 && plan.speed >= std::min(speed_threshold, desired) - 1e-6) {
     return kick_to_velocity(world, slots, plan.first_velocity);
   }
+
   hold_ball(world, slots, false, {});
   return false;
 }

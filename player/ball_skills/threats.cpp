@@ -14,12 +14,14 @@ Threats::Threats(const WorldModel& world)
     : tackle_dist_(world.server().tackle_dist), tackle_width_(world.server().tackle_width) {
   constexpr double kNear = 10.0;
   constexpr int kMaxAge = 10;
+
   for (const PlayerState& player : world.opponents) {
     if (player.ghost() || player.pos_count > kMaxAge || player.dist_from_self > kNear) continue;
     const soccer::PlayerType& type = world.type_of(player);
     Opponent opponent{};
     const Vec2 velocity = player.velocity_valid() ? player.velocity : Vec2{};
     const double push = world.server().max_dash_power * type.dash_power_rate * type.effort_max;
+
     double speed = 0.0;
     // Unseen motion: up to two dashes.
     double reach = 0.3 * std::min(player.pos_count, 2);
@@ -29,6 +31,7 @@ Threats::Threats(const WorldModel& world)
       speed = std::min(speed * type.player_decay + push, type.player_speed_max);
       reach += speed;
     }
+
     opponent.kickable_area = type.kickable_area(world.server().ball_size);
     if (player.body_count <= 1) opponent.body = soccer::polar(1.0, player.body);
     opponent.tackling = player.tackling;
@@ -59,6 +62,7 @@ double Threats::cost(Vec2 ball, int cycles) const {
       worst = std::max(worst, 150.0);
     }
   }
+
   return worst;
 }
 

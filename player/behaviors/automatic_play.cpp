@@ -73,6 +73,7 @@ void update_possession(const WorldModel& world, ActionMemory& memory) {
   const bool open = world.game.mode == soccer::PlayMode::kPlayOn;
   const bool lost =
       world.kickable_teammate() || world.kickable_opponent() || world.ball.dist_from_self > kNear;
+
   if (!open || (lost && !world.self.kickable)) memory.ball_since = -1;
   if (open && world.self.kickable && memory.ball_since < 0) {
     memory.ball_since = world.game.time.cycle;
@@ -109,6 +110,7 @@ bool run_intention(ActionContext& context) {
       context.neck.kind = NeckPlan::Kind::kBallOrScan;
       break;
   }
+
   ++context.report.intention;
   context.memory.trace.by = DecidedBy::kIntention;
   return true;
@@ -171,10 +173,12 @@ void decide_without_reply(ActionContext& context) {
 void finish_decision(ActionContext& context) {
   const WorldModel& world = context.world;
   if (!context.slots.view_requested()) view_tactical(world, context.slots);
+
   execute_neck_plan(context.neck, world, context.memory.view, context.slots);
   if (!context.slots.has_focus() && world.ball.position_valid()) {
     focus_to_point(world, context.slots, ball_after(world, 1));
   }
+
   communicate(context);
   record_set_play_kick(world, context.slots, context.memory.set_play_kick);
 }

@@ -26,9 +26,11 @@ double running_pace(const WorldModel& world) {
   const int cycle = world.game.time.cycle;
   const bool is_limited = server.stamina_capacity > 0.0 && world.self.capacity >= 0.0;
   if (!is_limited || half <= 0 || cycle >= server.normal_time_cycles()) return 1.0;
+
   const double remaining_time = static_cast<double>(half - cycle % half) / half;
   const double even = (server.stamina_max + server.stamina_capacity) * remaining_time;
   const double ahead = (world.self.stamina + world.self.capacity) / even - 1.0;
+
   return std::clamp(1.0 + world.planner->pace * ahead, kSlowest, kFastest);
 }
 
@@ -39,9 +41,11 @@ double normal_dash_power(const WorldModel& world, bool& recovering) {
   const PlannerParameters& parameters = *world.planner;
   if (self.stamina < parameters.tired_below * stamina_max) recovering = true;
   if (self.stamina > parameters.rested_above * stamina_max) recovering = false;
+
   const double income = world.self_type().stamina_inc_max * self.recovery;
   const InterceptTable& table = world.intercept;
   const Vec2 ball = first_reach_point(world);
+
   if (self.capacity == 0.0) {
     return std::min(max, self.stamina + world.self_type().extra_stamina);
   }
@@ -52,12 +56,14 @@ double normal_dash_power(const WorldModel& world, bool& recovering) {
   if (world.kickable_teammate() && world.ball.dist_from_self < 20.0) {
     return std::min(max, parameters.run_power_near * income);
   }
+
   if (self.position.x > world.lines.offside) return max;
   const int our_cycles = std::min(table.best_self_steps(), table.first_teammate_steps);
   if (ball.x > 25.0 && ball.x > self.position.x + 10.0 &&
       our_cycles < table.first_opponent_steps - 6) {
     return soccer::between(0.5 * income, 10.0, max);
   }
+
   return std::min(max, running_pace(world) * parameters.run_power * income);
 }
 
@@ -70,6 +76,7 @@ bool basic_move(ActionContext& c) {
     neck.kind = NeckPlan::Kind::kBall;
     return true;
   }
+
   const InterceptTable& table = world.intercept;
   const int self = table.best_self_steps();
   const bool ours_to_get =
@@ -79,12 +86,14 @@ bool basic_move(ActionContext& c) {
     neck.kind = NeckPlan::Kind::kOffensiveIntercept;
     return intercept(world, slots, true, {soccer::kHalfLength, 0.0});
   }
+
   if (const std::optional<Vec2> block = block_point(world)) {
     neck.kind = NeckPlan::Kind::kBall;
     const double max = world.server().max_dash_power;
     if (go_to_point(world, slots, *block, 0.4, max, {3, 20.0, true})) return true;
     return turn_to_ball(world, slots) || slots.has_body();
   }
+
   const TeamPoints homes = home_positions(world);
   if (const std::optional<Vec2> support = support_point(world, homes)) {
     neck.kind = NeckPlan::Kind::kBallOrScan;
@@ -92,12 +101,14 @@ bool basic_move(ActionContext& c) {
     if (!go_to_point(world, slots, *support, 1.0, power)) turn_to_ball(world, slots);
     return slots.has_body();
   }
+
   const std::optional<Mark> mark = find_mark(world, homes, marking_in_open_play(world));
   const Vec2 home = mark ? mark->point : homes[static_cast<std::size_t>(world.unum - 1)];
   const double usual_threshold = std::max(1.0, 0.1 * world.ball.dist_from_self);
   const double threshold = mark ? 0.5 : usual_threshold / std::min(1.0, running_pace(world));
   const double usual = normal_dash_power(world, c.memory.recovering);
   const double power = mark ? world.server().max_dash_power : usual;
+
   if (!go_to_point(world, slots, home, threshold, power)) turn_to_ball(world, slots);
   const bool duel = world.kickable_opponent() && world.ball.dist_from_self < 18.0;
   neck.kind = duel ? NeckPlan::Kind::kBall : NeckPlan::Kind::kBallOrScan;

@@ -51,12 +51,14 @@ SeenPlayers seen_now(const WorldModel& world) {
       const bool sure = player.seen_pos_count == 0 && player.unum != 0 &&
                         player.unum_count < kSure && !player.ghost();
       if (!sure) continue;
+
       const bool is_opponent = list == &world.opponents;
       const double near =
           60.0 / (5.0 + player.dist_from_ball) + 10.0 / (5.0 + player.dist_from_self);
       insert({&player, near * (is_opponent ? 1.5 : 1.0)}, seen);
     }
   }
+
   return seen;
 }
 
@@ -74,6 +76,7 @@ SayBall next_ball(const ActionContext& c) {
     velocity += soccer::polar(kick->power * world.self.kick_rate, direction);
     velocity = speed_limited(velocity, world.server().ball_speed_max);
   }
+
   return {world.ball.position + velocity, velocity * world.server().ball_decay};
 }
 
@@ -89,6 +92,7 @@ bool say_ball(ActionContext& c, const SeenPlayers& seen) {
     if (say(c, message)) return true;
     break;
   }
+
   return say(c, ball);
 }
 
@@ -99,6 +103,7 @@ bool say_players(ActionContext& c, const SeenPlayers& seen) {
       const PlayerState& player = *seen[i].player;
       message.players.push_back({number_of(c.world, player), player.position + player.velocity});
     }
+
     if (say(c, message)) return true;
   }
   return false;
@@ -122,11 +127,13 @@ int attention_target(const WorldModel& world) {
       world.self.kickable || table.best_self_steps() < table.first_teammate_steps;
   if (first == nullptr && !self_first) first = world.player_by_id(table.first_teammate_id);
   if (first != nullptr && first->unum != 0) return first->unum;
+
   const PlayerState* best = nullptr;
   for (const PlayerState& teammate : world.teammates) {
     if (teammate.unum == 0 || teammate.goalie || teammate.dist_from_self > 40.0) continue;
     if (best == nullptr || teammate.dist_from_ball < best->dist_from_ball) best = &teammate;
   }
+
   return best == nullptr ? 0 : best->unum;
 }
 
@@ -135,6 +142,7 @@ int attention_target(const WorldModel& world) {
 bool communicate(ActionContext& c) {
   const WorldModel& world = c.world;
   if (silent_mode(world.game.mode)) return false;
+
   bool added = false;
   const int speaker = attention_target(world);
   const bool listening =
@@ -142,6 +150,7 @@ bool communicate(ActionContext& c) {
   if (speaker != 0 && !c.slots.has_attention() && !listening) {
     added = c.slots.attention_to(world.our_side, speaker);
   }
+
   if (!world.self.position_valid() || world.game.see_time != world.game.time.cycle) return added;
   const SeenPlayers seen = seen_now(world);
   if (should_say_ball(world) && say_ball(c, seen)) added = true;

@@ -33,9 +33,11 @@ struct Shot {
 std::optional<Shot> shot_at_us(const WorldModel& world) {
   const Vec2 velocity = world.ball.velocity;
   if (!world.ball.velocity_valid() || velocity.x > -0.1) return std::nullopt;
+
   constexpr int kMaxCycles = 40;
   const double half_mouth = world.server().goal_width / 2.0 + 1.5;
   Vec2 before = world.ball.position;
+
   for (int cycle = 1; cycle <= kMaxCycles; ++cycle) {
     const Vec2 now = ball_after(world, cycle);
     if (now.x <= kGoalX) {
@@ -46,6 +48,7 @@ std::optional<Shot> shot_at_us(const WorldModel& world) {
     }
     before = now;
   }
+
   return std::nullopt;
 }
 
@@ -59,9 +62,11 @@ bool is_back_pass(const WorldModel& world) {
 /// True if the ball rolled past a teammate that has tackled since: that counts as a pass too.
 bool comes_from_tackle(const WorldModel& world) {
   if (!world.server().back_passes || !world.ball.velocity_valid()) return false;
+
   constexpr double kReach = 2.3;
   constexpr int kMaxCycles = 100;  // a faulty server may send more
   const int cycles = std::min(world.server().tackle_cycles, kMaxCycles);
+
   return std::any_of(world.teammates.begin(), world.teammates.end(),
                      [&](const PlayerState& teammate) {
                        if (!teammate.tackling || teammate.ghost()) return false;
@@ -79,16 +84,19 @@ bool comes_from_tackle(const WorldModel& world) {
 bool can_catch(const WorldModel& world) {
   constexpr double kInset = 1.0;
   constexpr double kSure = 0.8;
+
   const PlayMode mode = world.game.mode;
   const bool penalty = mode == PlayMode::kPenaltyTakenLeft || mode == PlayMode::kPenaltyTakenRight;
   if (mode != PlayMode::kPlayOn && !penalty) return false;
   if (!in_own_penalty_area(world.ball.position, kInset) && !penalty) return false;
   if (world.self.catch_probability <= 0.0 || (is_back_pass(world) && !penalty)) return false;
+
   // Unless it is a shot: it may have been the touch of an opponent.
   if (comes_from_tackle(world) && !shot_at_us(world) && !penalty) return false;
   // Maximum angle of a catch: 90 degrees plus the width of the catch area.
   constexpr double kMaxCatchAngle = 108.0;
   if ((world.ball.angle_from_self - world.self.body).abs() > kMaxCatchAngle) return false;
+
   if (world.self.catch_probability >= kSure * world.server().catch_probability) return true;
   // Last chance for a shot that passes by.
   const std::optional<Shot> shot = shot_at_us(world);
@@ -99,10 +107,12 @@ bool should_come_out(const WorldModel& world) {
   const InterceptTable& table = world.intercept;
   const int self = table.best_self_steps();
   if (self >= kNever || world.kickable_teammate()) return false;
+
   const Vec2 meeting = ball_after(world, self);
   const Vec2 next = ball_after(world, 1);
   const bool in_mouth = next.x < -44.5 && std::fabs(next.y) < 10.0;
   const int opponent = table.first_opponent_steps;
+
   // Against an opponent with the ball, coming out opens the goal.
   constexpr int kDuel = 1;
   if (in_mouth && self <= (world.kickable_opponent() ? kDuel : opponent + 1)) return true;
@@ -110,6 +120,7 @@ bool should_come_out(const WorldModel& world) {
   if (!in_own_penalty_area(meeting, 0.5)) return false;
   // Stay if a teammate gets the ball in time.
   if (table.first_teammate_steps < self && table.first_teammate_steps < opponent) return false;
+
   return self < opponent || (world.ball.dist_from_self < 3.0 && self <= opponent + 1);
 }
 
@@ -118,6 +129,7 @@ Vec2 blocking_point(const WorldModel& world, const Shot& shot) {
   const double speed = 0.8;  // running speed on short distances, meters per cycle
   Vec2 best{kGoalX + 0.5, shot.y};
   double best_margin = -1e9;
+
   for (int cycle = 1; cycle <= shot.cycles; ++cycle) {
     const Vec2 ball = ball_after(world, cycle);
     if (ball.x < kGoalX + 0.3) break;
@@ -127,22 +139,26 @@ Vec2 blocking_point(const WorldModel& world, const Shot& shot) {
       best = ball;
     }
   }
+
   return best;
 }
 
 bool chase(ActionContext& c) {
   const WorldModel& world = c.world;
   c.neck.kind = NeckPlan::Kind::kBall;
+
   constexpr double kTackle = 0.8;
   const bool dangerous = world.kickable_opponent() || shot_at_us(world).has_value();
   if (dangerous && world.self.catch_probability <= 0.0 && basic_tackle(world, c.slots, kTackle)) {
     return true;
   }
+
   const int self = world.intercept.best_self_steps();
   const std::optional<Shot> shot = shot_at_us(world);
   if (self < kNever && (!shot || self <= shot->cycles)) {
     return intercept(world, c.slots, false, {0.0, world.ball.position.y});
   }
+
   if (!shot) return false;
   // Ball outside the catch angle: turn toward it.
   const AngleDeg next_ball = AngleDeg::of(ball_after(world, 1) - self_after(world, 1));
@@ -151,6 +167,7 @@ bool chase(ActionContext& c) {
   if (distance(ball_after(world, 1), self_after(world, 1)) < kReach && std::fabs(beside) > 100.0) {
     return c.slots.turn(beside);
   }
+
   const Vec2 block = blocking_point(world, *shot);
   if (!go_to_point(world, c.slots, block, 0.2, world.server().max_dash_power, {2, 20.0, false})) {
     turn_to_ball(world, c.slots);
@@ -166,6 +183,7 @@ AngleDeg waiting_body(const WorldModel& world, Vec2 ball) {
   const bool middle = std::fabs(here.y) < 1.0;
   const double side =
       middle ? (world.self.body.degrees() >= 0.0 ? 1.0 : -1.0) : (here.y < 0.0 ? 1.0 : -1.0);
+
   constexpr double kCloseBall = 13.0;
   const double max_angle = distance(ball, here) < kCloseBall ? 15.0 : 55.0;
   const double off = (AngleDeg(90.0 * side) - to_ball).degrees();
@@ -187,10 +205,12 @@ bool go_to_position(ActionContext& c) {
   const Vec2 ball = ball_after(world, steps);
   const Vec2 position = goalie_position(world, ball);
   c.neck.kind = ball.x > 0.0 ? NeckPlan::Kind::kBallOrScan : NeckPlan::Kind::kBall;
+
   const double away = distance(position, world.self.position);
   const bool hurry = ball.x < -20.0;
   const double threshold = hurry ? 0.4 : 1.0;
   if (away < threshold) return wait_in_position(c, ball);
+
   const double power = hurry ? world.server().max_dash_power : 60.0;
   if (!go_to_point(world, c.slots, position, threshold, safe_dash_power(world, power), {4})) {
     return wait_in_position(c, ball);
@@ -241,6 +261,7 @@ Vec2 roomiest_position(const WorldModel& world) {
   static constexpr std::array<Vec2, 3> kPlaces{{{-43.0, 10.0}, {-43.0, -10.0}, {-43.0, 0.0}}};
   Vec2 best = kPlaces[0];
   double best_room = -1.0;
+
   for (const Vec2 position : kPlaces) {
     double room = 100.0;
     for (const PlayerState& opponent : world.opponents) {
@@ -251,6 +272,7 @@ Vec2 roomiest_position(const WorldModel& world) {
       best = position;
     }
   }
+
   return best;
 }
 
@@ -266,6 +288,7 @@ bool wait(ActionContext& c) {
 bool goalie_free_kick(ActionContext& c) {
   const WorldModel& world = c.world;
   if (world.self.frozen()) return false;
+
   GoalieKickMemory& memory = c.memory.goalie_kick;
   if (!holds_caught_ball(world)) {
     memory = {};
@@ -279,6 +302,7 @@ bool goalie_free_kick(ActionContext& c) {
   constexpr int kPatience = 50;  // teammates take positions meanwhile
   constexpr int kAfterMove = 5;
   const int limit = world.server().drop_ball_time - 10;
+
   if (since < kSettle) return wait(c);
   if (!memory.moved) {
     const bool rested = since >= std::min(kPatience, limit - kAfterMove);
@@ -288,6 +312,7 @@ bool goalie_free_kick(ActionContext& c) {
     c.neck.kind = NeckPlan::Kind::kScan;
     if (c.slots.move(roomiest_position(world))) return true;
   }
+
   const bool seen = world.game.see_time == world.game.time.cycle;
   const bool due = since >= limit;
   if (!due && (world.game.time.cycle - memory.move_cycle < kAfterMove || !seen)) return wait(c);

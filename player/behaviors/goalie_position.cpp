@@ -53,6 +53,7 @@ class OpenGoal {
       const double pass = distance(from, ball);
       const bool possible = distance(from, {kGoalX, 0.0}) <= kNear && pass >= 3.0 && pass <= 25.0;
       if (!possible) continue;  // nor is a place that is not a number
+
       if (flights_.size() + kTargets > flights_.capacity()) break;
       add({from, 2 + static_cast<int>(pass / kPassSpeed), 0.35}, world.server().ball_decay);
     }
@@ -71,6 +72,7 @@ class OpenGoal {
       }
       if (missing > 0.0) sum += flight.weight * (0.5 + std::min(missing, 3.0));
     }
+
     return sum;
   }
 
@@ -81,9 +83,11 @@ class OpenGoal {
       const Vec2 way = target - shooter.from;
       Vec2 velocity = soccer::with_length(way, kShotSpeed);
       Vec2 ball = shooter.from;
+
       Flight flight;
       flight.notice = shooter.notice;
       flight.weight = shooter.weight;
+
       for (int cycle = 0; cycle < kMaxCycles; ++cycle) {
         ball += velocity;
         velocity *= decay;
@@ -115,12 +119,15 @@ Vec2 goalie_position(const WorldModel& world, Vec2 ball) {
   const double far = distance(ball, {kGoalX, 0.0});
   // The farther the ball, the farther out, but within reach of the line.
   if (far > kShotRange) return point_on_bisector(world, ball, far > 40.0 ? -48.0 : -50.0);
+
   static constexpr double kOnLine = -52.2;  // at the post against shots from the goal line
   static constexpr std::array<double, 5> kLines{-50.0, -51.3, -48.8, -47.5, kOnLine};
   constexpr double kStep = 0.75;
+
   const OpenGoal goal(world, ball);
   Vec2 best = point_on_bisector(world, ball, kLines[0]);
   double best_cost = 1e9;
+
   for (const double x : kLines) {
     if (x > ball.x - 1.0 && x > kOnLine) continue;  // behind the ball
     for (double y = -6.75; y <= 6.75; y += kStep) {
@@ -134,6 +141,7 @@ Vec2 goalie_position(const WorldModel& world, Vec2 ball) {
       }
     }
   }
+
   return best;
 }
 

@@ -25,16 +25,19 @@ std::optional<Vec2> announced_point(const WorldModel& world) {
       if (pass != nullptr && pass->receiver == world.unum) return pass->point;
     }
   }
+
   return std::nullopt;
 }
 
 bool receive(ActionContext& c, Vec2 point) {
   const WorldModel& world = c.world;
   c.neck.kind = NeckPlan::Kind::kBall;
+
   const bool ball_known = world.ball.pos_count <= 1 && world.ball.vel_count <= 1;
   if (!world.kickable_teammate() && ball_known && world.intercept.best_self_steps() < 20) {
     return intercept(world, c.slots, true, {soccer::kHalfLength, 0.0});
   }
+
   if (!go_to_point(world, c.slots, point, 0.5, world.server().max_dash_power)) {
     turn_to_ball(world, c.slots);
   }
@@ -48,6 +51,7 @@ bool receive_heard_pass(ActionContext& c) {
   if (world.self.kickable || world.self.frozen()) return false;
   const std::optional<Vec2> point = announced_point(world);
   if (!point || !receive(c, *point)) return false;
+
   Intention& intention = c.memory.intention;
   intention.clear();
   intention.kind = Intention::Kind::kReceive;
@@ -64,6 +68,7 @@ bool continue_reception(ActionContext& c) {
   const bool there = distance(world.self.position, intention.target) < 0.9;
   const bool over = world.self.kickable || world.kickable_teammate() ||
                     world.ball.dist_from_self < 3.0 || there || !in_time || intention.dashes <= 0;
+
   if (over || !receive(c, intention.target)) {
     intention.clear();
     return false;

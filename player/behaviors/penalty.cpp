@@ -41,6 +41,7 @@ bool shoot_beside_goalie(ActionContext& c, double threshold) {
   const double post = world.server().goal_width / 2.0 - 1.0;
   const double goalie_y = goalie == nullptr ? 0.0 : goalie->position.y;
   const Vec2 target{soccer::kHalfLength, goalie_y > 0.0 ? -post : post};
+
   const double max = world.server().ball_speed_max;
   c.neck = {NeckPlan::Kind::kPoint, target};
   if (smart_kick(world, c.slots, target, max, threshold * max, 2)) return true;
@@ -60,9 +61,11 @@ bool wait_behind_ball(ActionContext& c) {
 bool start_kick(ActionContext& c) {
   const WorldModel& world = c.world;
   if (!world.self.kickable) return wait_behind_ball(c);
+
   const bool fit = world.self.stamina > 0.9 * world.server().stamina_max;
   const bool due = left_in_mode(world, world.server().pen_ready_wait) <= 3;
   if (!fit && !due) return wait_behind_ball(c);
+
   if (!world.server().pen_allow_mult_kicks) return shoot_beside_goalie(c, 0.9);
   // A short kick ahead to dribble.
   c.neck.kind = NeckPlan::Kind::kGoalieOrScan;
@@ -74,11 +77,13 @@ Vec2 dribble_target(const WorldModel& world) {
   const PlayerState* goalie = their_goalie(world);
   const Vec2 here = world.ball.position;
   if (goalie == nullptr) return {soccer::kHalfLength - 3.0, 0.0};
+
   const Vec2 relative = goalie->position - here;
   constexpr double kComing = 12.0;
   if (relative.x < 0.0 || relative.length() > kComing) {
     return {soccer::kHalfLength - 5.0, 0.5 * here.y};
   }
+
   const double side = relative.y > 0.0 ? -1.0 : 1.0;
   return goalie->position + Vec2{2.0, side * 7.0};
 }
@@ -91,15 +96,18 @@ bool take_kick(ActionContext& c) {
     return intercept(world, c.slots, false, {soccer::kHalfLength, 0.0});
   }
   if (!world.server().pen_allow_mult_kicks) return false;
+
   Vec2 aim;
   if (shoot(world, c.slots, &aim)) {
     c.neck = {NeckPlan::Kind::kPoint, aim};
     return true;
   }
+
   constexpr int kLastChance = 25;
   const bool late = left_in_mode(world, world.server().pen_taken_wait) < kLastChance;
   const double to_goal = distance(world.ball.position, {soccer::kHalfLength, 0.0});
   if (late || to_goal < 7.0) return shoot_beside_goalie(c, 0.85);
+
   c.neck.kind = NeckPlan::Kind::kGoalieOrScan;
   const DribbleOptions options{1.0, world.server().max_dash_power, 4, true};
   return dribble(world, c.memory.intention, c.slots, dribble_target(world), options);
@@ -122,6 +130,7 @@ bool play_penalty_goalie(ActionContext& c) {
   if (without_side(world.game.mode) == PlayMode::kPenaltyTakenLeft) {
     return play_goalie(c);
   }
+
   const double allowed = std::max(0.5, world.server().pen_max_goalie_dist_x - 1.0);
   const Vec2 position{-soccer::kHalfLength + std::min(allowed, 2.0), 0.0};
   if (go_to_point(world, c.slots, position, 0.5, safe_dash_power(world, 80.0), {10})) return true;
@@ -148,6 +157,7 @@ bool is_penalty_taker(const WorldModel& world) {
 bool play_penalty(ActionContext& c) {
   const WorldModel& world = c.world;
   if (!soccer::is_penalty_mode(world.game.mode) || world.self.frozen()) return false;
+
   const bool our_kick = world.game.penalty.taker == world.our_side;
   if (our_kick && is_penalty_taker(world)) return play_taker(c);
   if (world.goalie && !our_kick) return play_penalty_goalie(c);
@@ -155,6 +165,7 @@ bool play_penalty(ActionContext& c) {
     c.neck.kind = NeckPlan::Kind::kBall;
     return neck_body_to_ball(world, c.memory.view, c.slots, 0.0);
   }
+
   return wait_in_circle(c);
 }
 

@@ -41,6 +41,7 @@ Vec2 clear_of_ball(Vec2 position, Vec2 ball) {
   constexpr double kClearance = 11.0;
   const Vec2 relative = position - ball;
   if (relative.length() >= kClearance) return position;
+
   // Toward our goal, so that the position is not behind the ball.
   Vec2 way = relative;
   way.x = std::min(way.x, -0.5 * std::fabs(way.y) - 0.1);
@@ -50,6 +51,7 @@ Vec2 clear_of_ball(Vec2 position, Vec2 ball) {
     out.x = ball.x -
             std::sqrt(std::max(0.0, kClearance * kClearance - (out.y - ball.y) * (out.y - ball.y)));
   }
+
   // The point must not be behind the goal line.
   out.x = std::max(out.x, -soccer::kHalfLength + 0.5);
   return out;
@@ -61,6 +63,7 @@ Vec2 around_circle(Vec2 from, Vec2 to, Vec2 ball) {
   if (distance(from, ball) < kRadius) {
     return ball + soccer::with_length(from - ball, kRadius + 1.0);
   }
+
   if (distance(soccer::Segment{from, to}, ball) > kRadius) return to;
   const Vec2 way = to - from;
   const double side = cross(way, ball - from) > 0.0 ? 1.0 : -1.0;
@@ -72,6 +75,7 @@ bool their_set_play(ActionContext& c) {
   const TeamPoints homes = home_positions(world);
   Vec2 position = homes[static_cast<std::size_t>(world.unum - 1)];
   const PlayMode kind = without_side(world.game.mode);
+
   if (kind == PlayMode::kKickOffLeft) {
     position.x = std::min(position.x, -0.5);
   } else if (kind == PlayMode::kGoalKickLeft) {
@@ -88,13 +92,16 @@ bool their_set_play(ActionContext& c) {
     }
     return go_to_position(c, position);
   }
+
   std::optional<Mark> mark;
   if (kind != PlayMode::kKickOffLeft) mark = find_mark(world, homes, kSetPlayMarking);
   if (mark) position = mark->point;
+
   position = clear_of_ball(position, world.ball.position);
   if (!go_to_position(c, around_circle(world.self.position, position, world.ball.position))) {
     return false;
   }
+
   constexpr int kMaxAge = 2;  // an opponent out of sight would be forgotten
   if (mark && mark->opponent->pos_count > kMaxAge && world.ball.pos_count <= kMaxAge) {
     c.neck = {NeckPlan::Kind::kPoint, mark->opponent->position};
@@ -108,6 +115,7 @@ Vec2 shake_off(const WorldModel& world, Vec2 position) {
       std::any_of(world.opponents.begin(), world.opponents.end(), [&](const PlayerState& opponent) {
         return opponent.pos_count <= 5 && distance(opponent.position, world.self.position) < 3.0;
       });
+
   const int phase = world.game.time.cycle / 20 % 2;
   if (!marked || world.self.stamina < 0.6 * world.server().stamina_max) return position;
   position.y += phase == 0 ? 3.0 : -3.0;
@@ -124,10 +132,12 @@ bool fetch_kicked_ball(ActionContext& c) {
   const bool rolls = world.ball.vel_count <= 1 && world.ball.velocity.length() > kRolls;
   const bool own_kick =
       world.last_kick.side == world.our_side && world.last_kick.unum == world.unum;
+
   if (own_kick || !rolls || world.self.kickable || table.best_self_steps() >= kNever) return false;
   const PlayerState* first = world.player_by_id(table.first_teammate_id);
   const bool goalie_first = first != nullptr && first->goalie;
   const int others = goalie_first ? table.second_teammate_steps : table.first_teammate_steps;
+
   if (table.best_self_steps() > others) return false;
   c.neck.kind = NeckPlan::Kind::kBall;
   return intercept(world, c.slots, true, {soccer::kHalfLength, 0.0});
@@ -136,8 +146,10 @@ bool fetch_kicked_ball(ActionContext& c) {
 bool our_set_play(ActionContext& c) {
   const WorldModel& world = c.world;
   if (set_play_kicker(world) == world.unum) return kick_set_play(c);
+
   const PlayMode kind = without_side(world.game.mode);
   Vec2 position = own_home_position(world);
+
   if (kind == PlayMode::kKickOffLeft) {
     position.x = std::min(position.x, -0.5);
   } else {
@@ -146,12 +158,14 @@ bool our_set_play(ActionContext& c) {
                             kind == PlayMode::kGoalKickLeft;
     if (!no_offside) position.x = std::min(position.x, world.lines.offside - 0.5);
   }
+
   // Say "wait" to the kicker while far from the position or tired.
   const int since = world.game.time.cycle - world.game.last_set_play_start;
   const bool far = distance(world.self.position, position) > 12.0;
   const bool tired = world.self.stamina < 0.45 * world.server().stamina_max;
   constexpr int kAskUntil = 50;
   if ((far || tired) && since < kAskUntil) c.slots.say("w");
+
   return go_to_position(c, position);
 }
 
@@ -168,6 +182,7 @@ bool play_set_play(ActionContext& c) {
   const WorldModel& world = c.world;
   if (world.self.frozen()) return false;
   if (world.goalie) return goalie_in_set_play(c);
+
   const bool is_ours = is_set_play_of(world.game, world.our_side);
   if (is_ours && fetch_kicked_ball(c)) return true;
   if (is_ours && world.game.goalie_catch) return go_to_position(c, own_home_position(world));
@@ -177,6 +192,7 @@ bool play_set_play(ActionContext& c) {
   }
   if (is_ours) return our_set_play(c);
   if (is_set_play_of(world.game, world.their_side())) return their_set_play(c);
+
   return basic_move(c);
 }
 

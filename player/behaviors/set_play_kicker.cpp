@@ -43,6 +43,7 @@ bool teammates_need_time(const WorldModel& world) {
   const GameState& game = world.game;
   const int since = game.time.cycle - game.last_set_play_start;
   const PlayMode kind = without_side(game.mode);
+
   constexpr int kDropMargin = 5;
   if (since >= world.server().drop_ball_time - kDropMargin) return false;
   if (game.set_play_count < 3) return true;
@@ -50,6 +51,7 @@ bool teammates_need_time(const WorldModel& world) {
   const int patience = kind == PlayMode::kKickOffLeft    ? 20
                        : kind == PlayMode::kGoalKickLeft ? 30
                                                          : 12;
+
   return since < patience || !seen;
 }
 
@@ -68,9 +70,11 @@ bool go_behind_ball(ActionContext& c, AngleDeg direction) {
   const double gap = collide_distance(world) + 0.25;
   const Vec2 position = ball - soccer::polar(gap, direction);
   const double away = distance(world.self.position, position);
+
   c.neck.kind = world.ball.pos_count > 2 ? NeckPlan::Kind::kBall : NeckPlan::Kind::kBallOrScan;
   constexpr double kClose = 0.25;
   if (away < kClose || (world.self.kickable && away < 0.6)) return false;
+
   // Slow down: running into the ball would move it.
   const double power = away < 2.0 ? 40.0 : away < 5.0 ? 70.0 : world.server().max_dash_power;
   const AngleDeg way = AngleDeg::of(position - world.self.position);
@@ -80,6 +84,7 @@ bool go_behind_ball(ActionContext& c, AngleDeg direction) {
   if (in_the_way) {
     return go_to_point_dodge(world, c.slots, position, safe_dash_power(world, power));
   }
+
   return go_to_point(world, c.slots, position, kClose, safe_dash_power(world, power), {10});
 }
 
@@ -87,6 +92,7 @@ bool go_behind_ball(ActionContext& c, AngleDeg direction) {
 const PlayerState* unmarked_teammate(const WorldModel& world) {
   constexpr double kRoom = 3.0;
   const PlayerState* best = nullptr;
+
   for (const PlayerState& teammate : world.teammates) {
     if (teammate.pos_count > 10 || teammate.ghost() || teammate.goalie ||
         teammate.position.x < -40.0)
@@ -100,6 +106,7 @@ const PlayerState* unmarked_teammate(const WorldModel& world) {
     if (covered) continue;
     if (best == nullptr || teammate.dist_from_ball < best->dist_from_ball) best = &teammate;
   }
+
   return best;
 }
 
@@ -107,10 +114,12 @@ const PlayerState* unmarked_teammate(const WorldModel& world) {
 
 bool play_planned_pass(ActionContext& c) {
   if (!c.world.self.kickable) return false;
+
   const PlannerField field(c.world);
   PlannerOptions options;
   options.short_dribble = options.long_dribble = false;
   const Plan plan = make_plan(field, options);
+
   const int first = plan.first_of(plan.best);
   if (plan.nodes[static_cast<std::size_t>(first)].action.category != PlanCategory::kPass) {
     // Holding is impossible in a set play: take the best pass.
@@ -124,6 +133,7 @@ bool play_planned_pass(ActionContext& c) {
     }
     return best != 0 && execute_plan(c, plan, best);
   }
+
   return execute_plan(c, plan, plan.best);
 }
 
@@ -131,6 +141,7 @@ bool kick_into_play(ActionContext& c) {
   const WorldModel& world = c.world;
   if (!world.self.kickable) return false;
   if (play_planned_pass(c)) return true;
+
   c.neck.kind = NeckPlan::Kind::kScan;
   if (const PlayerState* teammate = unmarked_teammate(world)) {
     constexpr double kArrival = 1.2;
@@ -138,6 +149,7 @@ bool kick_into_play(ActionContext& c) {
     const double speed = kArrival + teammate->dist_from_ball * (1.0 - decay);
     return kick_one_step(world, c.slots, teammate->position, speed, true);
   }
+
   return advance_ball(world, c.slots);
 }
 
@@ -149,6 +161,7 @@ int set_play_kicker(const WorldModel& world) {
   const auto home_distance = [&](int unum) {
     return distance(homes[static_cast<std::size_t>(unum - 1)], ball);
   };
+
   for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
     const PlayerState* teammate = world.teammate(unum);
     const bool self = unum == world.unum;
@@ -161,6 +174,7 @@ int set_play_kicker(const WorldModel& world) {
       second = unum;
     }
   }
+
   if (second == 0 || home_distance(first) < 0.95 * home_distance(second)) return first;
   const auto real_distance = [&](int unum) {
     if (unum == world.unum) return distance(world.self.position, ball);
@@ -173,6 +187,7 @@ int set_play_kicker(const WorldModel& world) {
 bool kick_set_play(ActionContext& c) {
   const WorldModel& world = c.world;
   const AngleDeg direction = kick_direction(world);
+
   if (go_behind_ball(c, direction)) return true;
   if (!world.self.kickable) {
     // Arrived, but not kickable: the ball estimate was wrong.
@@ -181,17 +196,20 @@ bool kick_set_play(ActionContext& c) {
     if (go_to_point(world, c.slots, ball, 0.5, 30.0, {10})) return true;
     return turn_to_ball(world, c.slots) || c.slots.turn(0.0);
   }
+
   const bool wait = teammates_need_time(world) || teammate_asked_to_wait(world);
   const int since = world.game.time.cycle - world.game.last_set_play_start;
   const bool due = since >= world.server().drop_ball_time - 5;
   c.neck.kind = NeckPlan::Kind::kScan;
   if (wait && !due) return turn_to_angle(world, c.slots, waiting_direction(world, direction));
   if (without_side(world.game.mode) == PlayMode::kGoalKickLeft) return kick_outlet(c);
+
   constexpr int kPassPatience = 45;
   if (play_planned_pass(c)) return true;
   if (!due && since < kPassPatience) {
     return turn_to_angle(world, c.slots, waiting_direction(world, direction));
   }
+
   return kick_into_play(c);
 }
 

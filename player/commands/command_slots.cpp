@@ -35,11 +35,13 @@ bool CommandSlots::dash(double power, double direction) {
   const auto& server = world_->server();
   const SelfState& self = world_->self;
   if (self.frozen() || !finite(power, direction)) return false;
+
   power = soccer::between(power, server.min_dash_power, server.max_dash_power);
   direction = soccer::between(direction, server.min_dash_angle, server.max_dash_angle);
   direction = soccer::math::quantize(direction, server.dash_angle_step);
   const double payable = self.stamina + world_->self_type().extra_stamina;
   power = power >= 0.0 ? std::min(power, payable) : std::max(power, -payable / 2.0);
+
   if (!finite(power, direction)) return false;
   body_ = soccer::Dash{soccer::rounded_for_command(power), direction};
   return true;
@@ -80,12 +82,14 @@ bool CommandSlots::catch_ball() {
                        mode == soccer::PlayMode::kPenaltyTakenRight;
   if (!world_->goalie || !allowed || world_->self.frozen()) return false;
   if (!world_->ball.relative_position_valid()) return false;
+
   // The far corner of the catch rectangle has the longest reach: aim it at the ball.
   const double corner = soccer::math::to_degrees(
       soccer::math::atan2(server.catchable_area_w / 2.0, server.catchable_area_l));
   const double ball = (world_->ball.angle_from_self - world_->self.body).degrees();
   const double direction = soccer::between(ball > 0.0 ? ball - corner : ball + corner,
                                            server.min_catch_angle, server.max_catch_angle);
+
   if (!finite(direction)) return false;
   body_ = soccer::Catch{soccer::rounded_for_command(direction)};
   return true;
@@ -97,8 +101,10 @@ bool CommandSlots::move(Vec2 point) {
   const bool kick_off =
       world_->game.mode == soccer::PlayMode::kBeforeKickOff || after_goal(world_->game.mode);
   if (world_->self.frozen() || !finite(point) || !(kick_off || caught)) return false;
+
   point.x = std::clamp(point.x, -soccer::kHalfLength, soccer::kHalfLength);
   point.y = std::clamp(point.y, -soccer::kHalfWidth, soccer::kHalfWidth);
+
   if (caught) {
     constexpr double kInset = 1.0;
     const double half_width = soccer::kPenaltyAreaWidth / 2.0 - kInset;
@@ -108,6 +114,7 @@ bool CommandSlots::move(Vec2 point) {
   } else if (server.forbid_kick_off_offside && point.x > 0.0) {
     point.x = -0.1;
   }
+
   body_ = soccer::Move{soccer::rounded_for_command(point.x), soccer::rounded_for_command(point.y)};
   return true;
 }
@@ -115,11 +122,13 @@ bool CommandSlots::move(Vec2 point) {
 bool CommandSlots::turn_neck(double moment) {
   const auto& server = world_->server();
   if (!finite(moment)) return false;
+
   const double neck = world_->self.neck.degrees();
   const double target = soccer::between(neck + std::clamp(moment, -360.0, 360.0), server.minneckang,
                                         server.maxneckang);
   const double turn =
       soccer::between(std::rint(target - neck), server.minneckmoment, server.maxneckmoment);
+
   if (!finite(turn)) return false;
   turn_neck_ = soccer::TurnNeck{turn};
   return true;
@@ -138,12 +147,14 @@ bool CommandSlots::change_view(soccer::ViewWidth width) {
 bool CommandSlots::change_focus(double distance_moment, double direction_moment) {
   constexpr double kMaxFocusDistance = 40.0;
   if (!finite(distance_moment, direction_moment)) return false;
+
   const SelfState& self = world_->self;
   const double half = view_angle(world_->server(), next_view_width()) / 2.0;
   const double distance = std::clamp(self.focus_distance + distance_moment, 0.0, kMaxFocusDistance);
   const double direction = soccer::between(
       soccer::math::normalize_degrees(self.focus_direction.degrees() + direction_moment), -half,
       half);
+
   const double farther = distance - self.focus_distance;
   const double turn = direction - self.focus_direction.degrees();
   if (!finite(farther, turn)) return false;
@@ -155,6 +166,7 @@ bool CommandSlots::change_focus(double distance_moment, double direction_moment)
 bool CommandSlots::point_to(Vec2 point) {
   const SelfState& self = world_->self;
   if (self.arm.movable_in > 0 || !self.position_valid() || !finite(point)) return false;
+
   const Vec2 relative = point - self.position;
   const double direction = (AngleDeg::of(relative) - self.face()).degrees();
   if (!finite(relative.length(), direction)) return false;
@@ -193,11 +205,13 @@ bool CommandSlots::say(std::string_view text) {
 Vec2 CommandSlots::next_position() const {
   const SelfState& self = world_->self;
   if (const auto* to = std::get_if<soccer::Move>(&body_)) return {to->x, to->y};
+
   Vec2 step = self.velocity;
   if (const auto* command = std::get_if<soccer::Dash>(&body_)) {
     step = speed_limited(step + dash_acceleration(*world_, command->power, command->direction),
                          world_->self_type().player_speed_max);
   }
+
   return self.position + step;
 }
 
@@ -218,16 +232,19 @@ soccer::ViewWidth CommandSlots::next_view_width() const {
 
 void CommandSlots::compose(std::vector<soccer::PlayerCommand>& out, bool with_done) const {
   out.clear();
+
   const auto append = [&out](const auto& command) {
     if constexpr (!std::is_same_v<std::decay_t<decltype(command)>, std::monostate>) {
       out.emplace_back(command);
     }
   };
+
   if (has_body()) {
     std::visit(append, body_);
   } else if (!world_->self.frozen()) {
     out.emplace_back(soccer::Turn{0.0});
   }
+
   if (turn_neck_) out.emplace_back(*turn_neck_);
   if (change_view_) out.emplace_back(soccer::ChangeView{*change_view_, {}});
   if (change_focus_) out.emplace_back(*change_focus_);

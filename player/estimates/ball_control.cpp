@@ -34,9 +34,11 @@ double kick_rate_now(const WorldModel& world) {
 double catch_chance(const WorldModel& world) {
   if (world.self.catch_ban > 0) return 0.0;
   constexpr double kMargin = 0.055;
+
   const double distance = world.ball.dist_from_self + kMargin;
   const CatchReach reach = catch_reach(world);
   const double best = world.server().catch_probability;
+
   if (distance <= reach.sure) return best;
   if (distance >= reach.farthest) return 0.0;
   return best * (1.0 - (distance - reach.sure) / (reach.farthest - reach.sure));
@@ -49,6 +51,7 @@ double tackle_chance(const WorldModel& world, double exponent) {
       soccer::rotated_degrees(world.ball.relative_position, -world.self.body.degrees());
   const double reach = ball.x > 0.0 ? server.tackle_dist : server.tackle_back_dist;
   if (reach <= 1e-5) return 0.0;
+
   const double along = std::fabs(ball.x) / reach;
   const double across = std::fabs(ball.y) / server.tackle_width;
   if (along >= 1.0 || across >= 1.0) return 0.0;
@@ -84,6 +87,7 @@ void update_action_probabilities(WorldModel& world) {
   self.kick_rate = kMinKickRate;
   self.catch_probability = self.tackle_probability = self.foul_probability = 0.0;
   self.safety_dash_power = safe_dash_power(world, world.server().max_dash_power);
+
   if (!ball.position_valid() || ball.ghost_count > 0) return;
   const double area = world.self_type().kickable_area(world.server().ball_size);
   self.kickable = ball.dist_from_self <= area - kickable_margin(ball.seen_pos_count);
@@ -98,6 +102,7 @@ void update_last_kicker(WorldModel& world) {
     world.last_kick = {world.our_side, world.unum};
     return;
   }
+
   const PlayerState* teammate = kicking_player(world.teammates);
   const PlayerState* opponent = kicking_player(world.opponents);
   if (teammate != nullptr && opponent != nullptr) {
@@ -121,6 +126,7 @@ void update_kickable_players(WorldModel& world) {
   world.kickable_teammate_id = world.kickable_opponent_id = 0;
   const BallState& ball = world.ball;
   if (!ball.position_valid()) return;
+
   double nearest = kNever;
   for (const PlayerState& teammate : world.teammates) {
     if (teammate.ghost() || teammate.tackling || teammate.pos_count > ball.pos_count) continue;
@@ -130,6 +136,7 @@ void update_kickable_players(WorldModel& world) {
     nearest = teammate.dist_from_ball;
     world.kickable_teammate_id = teammate.id;
   }
+
   constexpr int kMaxAge = 10;
   nearest = kNever;
   for (const PlayerState& opponent : world.opponents) {

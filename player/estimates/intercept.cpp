@@ -25,15 +25,18 @@ int turns_needed(const soccer::ServerParams& server, const soccer::PlayerType& t
   if (player.body_count > player.pos_count + 1) return 0;  // unknown body: assume the best case
   const double distance = offset.length();
   if (distance <= control) return 0;
+
   const double slack = math::to_degrees(math::asin(control / distance));
   double missing = (soccer::AngleDeg::of(offset) - player.body).abs();
   double speed = player.velocity.length();
   int turns = 0;
+
   while (missing > slack && turns < 5) {
     missing -= server.maxmoment / (1.0 + type.inertia_moment * speed);
     speed *= type.player_decay;
     ++turns;
   }
+
   return turns;
 }
 
@@ -56,6 +59,7 @@ FullRun full_run(const soccer::ServerParams& server, const soccer::PlayerType& t
   run.type = &type;
   const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
   run.top_speed = std::min(push / (1.0 - type.player_decay), type.player_speed_max);
+
   double speed = 0.0;
   double fading = 1.0;
   for (std::size_t n = 1; n < run.distance.size(); ++n) {
@@ -65,6 +69,7 @@ FullRun full_run(const soccer::ServerParams& server, const soccer::PlayerType& t
     speed *= type.player_decay;
     fading *= type.player_decay;
   }
+
   return run;
 }
 
@@ -95,15 +100,18 @@ int reach_steps(const WorldModel& world, const PlayerState& player, const BallPa
   const soccer::PlayerType& type = world.type_of(player);
   const FullRun& run = runs.of(type);
   const double control = type.kickable_area(server.ball_size);
+
   // It may have run in any direction since it was seen.
   constexpr int kMaxCredit = 10;
   const double credit = 0.5 * run.top_speed * std::min(player.pos_count, kMaxCredit);
   const Vec2 velocity = player.velocity_valid() ? player.velocity : Vec2{};
+
   for (int n = 0; n <= kInterceptHorizon; ++n) {
     const auto i = static_cast<std::size_t>(n);
     const Vec2 offset = path[i] - (player.position + velocity * run.drift[i]);
     const double far = run.distance[i] + control + credit;
     if (offset.squared_length() > far * far) continue;
+
     const int dashes = n - turns_needed(server, type, player, offset, control);
     const double distance = offset.length() - control - credit;
     if (distance <= 0.0 ||
@@ -111,6 +119,7 @@ int reach_steps(const WorldModel& world, const PlayerState& player, const BallPa
       return n;
     }
   }
+
   return kNever;
 }
 
@@ -142,6 +151,7 @@ Ranking rank(const WorldModel& world, PlayerList& players, int kicker_id, int ol
     player.ball_reach_steps = player.id == kicker_id ? 0 : reach_steps(world, player, path, runs);
     if (player.ball_reach_steps < kNever) ranking.add(player.ball_reach_steps, player.id);
   }
+
   return ranking;
 }
 
@@ -152,6 +162,7 @@ BallPath ball_path(const WorldModel& world) {
   Vec2 position = world.ball.position;
   Vec2 velocity = world.ball.velocity_valid() ? world.ball.velocity : Vec2{};
   const double decay = world.server().ball_decay;
+
   for (Vec2& point : path) {
     point = position;
     position += velocity;
@@ -165,6 +176,7 @@ void update_intercept_table(WorldModel& world) {
   table.plans.clear();
   Ranking teammates;
   Ranking opponents;
+
   if (table_is_empty(world)) {
     table.self_steps = table.self_exhausting_steps = kNever;
     for (PlayerList* list : {&world.teammates, &world.opponents}) {
@@ -173,14 +185,17 @@ void update_intercept_table(WorldModel& world) {
   } else {
     const BallPath path = ball_path(world);
     if (!world.sideline) plan_self_intercept(world, path, table);
+
     FullRuns runs(world.server());
     opponents =
         rank(world, world.opponents, world.kickable_opponent_id, kMaxOpponentAge, path, runs);
+
     BallPath resting;
     resting.fill(world.ball.position);
     teammates = rank(world, world.teammates, world.kickable_teammate_id, kMaxTeammateAge,
                      world.kickable_opponent() ? resting : path, runs);
   }
+
   table.first_teammate_steps = teammates.first;
   table.second_teammate_steps = teammates.second;
   table.first_teammate_id = teammates.first_id;

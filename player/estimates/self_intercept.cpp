@@ -137,9 +137,11 @@ struct Search {
     const soccer::PlayerType& type = world.self_type();
     forward_rate = dash_rate(world.server(), 0.0);
     backward_rate = dash_rate(world.server(), 180.0);
+
     const double push = world.server().max_dash_power * type.dash_power_rate * world.self.effort;
     double speed = 0.0;
     double fading = 1.0;
+
     for (std::size_t i = 1; i < run.size(); ++i) {
       speed = std::min(speed + push, type.player_speed_max);
       run[i] = run[i - 1] + speed;
@@ -174,12 +176,14 @@ struct Search {
     plan.ball_distance =
         soccer::distance(runner.position, path[static_cast<std::size_t>(turns + dashes)]);
     plan.stamina = world.self.stamina;
+
     if (runner.dashes > 0) {
       const DashCourse::Dash& last = course.at(runner.dashes - 1);
       plan.stamina = last.stamina;
       plan.exhausting = last.exhausted;
       plan.dash_power = course.at(0).power;
     }
+
     table.plans.push_back(plan);
   }
 
@@ -191,6 +195,7 @@ struct Search {
     const double rate = dash_rate(world.server(), direction);
     const int horizon = direction == 0.0 ? kInterceptHorizon : kSideDashHorizon;
     int found = 0;
+
     for (int step = 1; step <= horizon && found < kPlansPerDirection; ++step) {
       runner.dash(heading, rate, course);
       if (!reaches(runner.position, step)) continue;
@@ -205,11 +210,13 @@ struct Search {
     const Vec2 target = path[static_cast<std::size_t>(step)];
     const double reach = control_at(step);
     const double rate = backward ? backward_rate : forward_rate;
+
     // Aim from the coasting position: the current velocity persists.
     const Vec2 offset = target - (world.self.position +
                                   world.self.velocity * drift[static_cast<std::size_t>(step)]);
     const double distance = offset.length();
     if (distance > run[static_cast<std::size_t>(step - 1)] * rate + reach) return false;
+
     const AngleDeg heading = distance > 1e-3 ? AngleDeg::of(offset) : world.self.body;
     const double desired_turn =
         ((backward ? heading + 180.0 : heading) - world.self.body).degrees();
@@ -217,6 +224,7 @@ struct Search {
     const double slack = distance > reach
                              ? std::max(kMinSlack, math::to_degrees(math::asin(reach / distance)))
                              : 180.0;
+
     Runner runner(world);
     double missing = std::fabs(desired_turn);
     int turns = 0;
@@ -226,10 +234,12 @@ struct Search {
       runner.coast();
       ++turns;
     }
+
     if (missing > slack || turns == 0) return false;  // without a turn it is an omni dash
     missing = std::max(0.0, missing);
     const double turn = desired_turn < 0.0 ? desired_turn + missing : desired_turn - missing;
     const int dashes = step - turns;
+
     const Vec2 unit = polar(1.0, world.self.body + turn + (backward ? 180.0 : 0.0));
     for (int i = 0; i < dashes; ++i) {
       // Skip a full dash that would overrun the ball; waiting reaches it too.
@@ -239,6 +249,7 @@ struct Search {
         runner.coast();
       }
     }
+
     if (!reaches(runner.position, step)) return false;
     add(runner, backward ? Kind::kTurnBackwardDash : Kind::kTurnForwardDash, turns, dashes, turn,
         backward ? 180.0 : 0.0);
@@ -262,17 +273,20 @@ void plan_self_intercept(const WorldModel& world, const BallPath& path, Intercep
     table.self_steps = 0;
     return;
   }
+
   Search search(world, path, table);
   constexpr double kDirections[] = {0.0, 45.0, -45.0, 90.0, -90.0, 135.0, -135.0, 180.0};
   for (const double direction : kDirections) search.omni(direction);
   search.turning(false);
   search.turning(true);
+
   std::sort(table.plans.begin(), table.plans.end(),
             [](const InterceptPlan& a, const InterceptPlan& b) {
               if (a.steps() != b.steps()) return a.steps() < b.steps();
               if (a.turns != b.turns) return a.turns < b.turns;
               return a.stamina > b.stamina;
             });
+
   for (const InterceptPlan& plan : table.plans) {
     int& steps = plan.exhausting ? table.self_exhausting_steps : table.self_steps;
     steps = std::min(steps, plan.steps());

@@ -55,6 +55,7 @@ double our_line(const WorldModel& world) {
   if (world.self.position_valid()) two.add(-world.self.position.x, world.self.pos_count);
   for (const PlayerState& teammate : world.teammates)
     two.add(-teammate.position.x, teammate.pos_count);
+
   const bool all = world.teammates.size() + 1 >= soccer::kPlayersPerTeam;
   double line = damped(two.second, -world.lines.our_defense, all);
   if (world.ball.position_valid()) line = std::max(line, -world.ball.position.x);
@@ -71,13 +72,16 @@ TheirLine their_line(const WorldModel& world) {
   for (const PlayerState& opponent : world.opponents) {
     two.add(opponent.position.x + run_back(world, opponent), opponent.pos_count);
   }
+
   TheirLine line{two.second, two.second_count};
   const double ball_x = world.ball.position.x;
   if (world.their_goalie_unum == 0 && ball_x > 20.0 && ball_x < 36.0 && two.last < 36.0) {
     line = {two.last, two.last_count};  // the unseen goalie is behind them
   }
+
   const bool all = world.opponents.size() >= soccer::kPlayersPerTeam;
   line.x = damped(line.x, world.lines.their_defense, all);
+
   const BallState& ball = world.ball;
   const bool counts = world.game.mode != PlayMode::kBeforeKickOff && ball.pos_count <= 3;
   const double next_ball = ball.position.x + ball.velocity.x;
@@ -117,6 +121,7 @@ bool offside_disabled(const WorldModel& world) {
 void update_team_lines(WorldModel& world) {
   TeamLines lines;
   lines.our_defense = our_line(world);
+
   const TheirLine theirs = their_line(world);
   lines.their_defense = theirs.x;
   lines.our_defense_players =
@@ -126,6 +131,7 @@ void update_team_lines(WorldModel& world) {
 
   lines.offside = theirs.x;
   lines.offside_count = theirs.count;
+
   const InterceptTable& table = world.intercept;
   const int reached =
       std::min({table.best_self_steps(), table.first_teammate_steps, table.first_opponent_steps});
@@ -137,10 +143,12 @@ void update_team_lines(WorldModel& world) {
       lines.offside_count = world.ball.pos_count;
     }
   }
+
   if (offside_disabled(world)) {
     lines.offside = soccer::kHalfLength;
     lines.offside_count = 0;
   }
+
   world.lines = lines;
 }
 

@@ -26,6 +26,7 @@ std::vector<std::array<std::size_t, 2>> hull_edges(const std::vector<Triangle>& 
       }
     }
   }
+
   return edges;
 }
 
@@ -36,6 +37,7 @@ std::vector<std::array<std::size_t, 2>> chain_edges(const std::vector<Vec2>& poi
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return points[a].x != points[b].x ? points[a].x < points[b].x : points[a].y < points[b].y;
   });
+
   std::vector<std::array<std::size_t, 2>> chain;
   for (std::size_t i = 0; i + 1 < order.size(); ++i) chain.push_back({order[i], order[i + 1]});
   return chain;
@@ -45,6 +47,7 @@ std::vector<std::array<std::size_t, 2>> chain_edges(const std::vector<Vec2>& poi
 
 base::Result<Formation> Formation::make(std::vector<FormationSample> samples) {
   if (samples.empty()) return base::Error{"no samples"};
+
   constexpr double kSame = 0.05;
   std::vector<Vec2> points;
   for (const FormationSample& sample : samples) {
@@ -55,6 +58,7 @@ base::Result<Formation> Formation::make(std::vector<FormationSample> samples) {
     }
     points.push_back(sample.ball);
   }
+
   Formation formation;
   formation.samples_ = std::move(samples);
   formation.triangles_ = triangulate(points);
@@ -78,6 +82,7 @@ TeamPoints Formation::nearest_on_hull(Vec2 ball) const {
   double least = 0.0;
   const std::array<std::size_t, 2>* nearest = nullptr;
   Vec2 foot;
+
   for (const auto& edge : hull_) {
     const Vec2 point =
         soccer::nearest_point({samples_[edge[0]].ball, samples_[edge[1]].ball}, ball);
@@ -87,6 +92,7 @@ TeamPoints Formation::nearest_on_hull(Vec2 ball) const {
     nearest = &edge;
     foot = point;
   }
+
   if (nearest == nullptr) return samples_.front().players;
   const Vec2 from = samples_[(*nearest)[0]].ball;
   const Vec2 way = samples_[(*nearest)[1]].ball - from;
@@ -103,6 +109,7 @@ TeamPoints Formation::positions(Vec2 ball) const {
     const double of_b = cross(a - c, ball - c);
     const double of_c = cross(b - a, ball - a);
     if (of_a < 0.0 || of_b < 0.0 || of_c < 0.0) continue;
+
     const double whole = of_a + of_b + of_c;
     return interpolate(t, {of_a / whole, of_b / whole, of_c / whole});
   }

@@ -53,6 +53,7 @@ class ClsFormatParser {
       mirror_ = true;
       return {};
     }
+
     if (tokens.front() == "pair") return parse_pair(tokens);
     if (tokens.front() == "ball") {
       if (const Result<void> done = finish_sample(); !done) return done;
@@ -65,16 +66,19 @@ class ClsFormatParser {
       sample_.ball = *point;
       return {};
     }
+
     const std::optional<int> unum = lines_.parse_unum(tokens.front());
     const auto point = tokens.size() == 3 ? lines_.parse_point(tokens[1], tokens[2]) : std::nullopt;
     if (!unum || !point) {
       return lines_.error("expected 'ball X Y', 'UNUM X Y', 'pair UNUM UNUM' or 'mirror'");
     }
+
     if (!open_) return lines_.error("player before the first 'ball X Y'");
     const auto index = static_cast<std::size_t>(*unum - 1);
     if (std::exchange(placed_[index], true)) {
       return lines_.error(fmt::format("duplicate player {}", *unum));
     }
+
     sample_.players[index] = *point;
     return {};
   }
@@ -83,6 +87,7 @@ class ClsFormatParser {
     const auto first = tokens.size() == 3 ? lines_.parse_unum(tokens[1]) : std::nullopt;
     const auto second = tokens.size() == 3 ? lines_.parse_unum(tokens[2]) : std::nullopt;
     if (!first || !second || *first == *second) return lines_.error("expected 'pair UNUM UNUM'");
+
     const auto a = static_cast<std::size_t>(*first - 1);
     const auto b = static_cast<std::size_t>(*second - 1);
     if (pairs_[a] != a || pairs_[b] != b) return lines_.error("player already has a partner");
@@ -121,6 +126,7 @@ Result<std::vector<FormationSample>> parse_samples(std::string_view text, const 
   TextLines lines(text, name);
   if (!lines.next()) return Error{name + ": empty"};
   const std::vector<std::string_view> tokens = lines.tokens();
+
   if (tokens.front() == kHeader) {
     if (tokens.size() != 2 || tokens[1] != "1") {
       return lines.error("unsupported version; use cls-formation 1");
@@ -142,6 +148,7 @@ Result<Formation> parse_formation(std::string_view text, const std::string& name
 
 std::string format_formation(const Formation& formation) {
   std::string text = fmt::format("{} 1\n", kHeader);
+
   for (const FormationSample& sample : formation.samples()) {
     text += fmt::format("\nball {} {}\n", sample.ball.x, sample.ball.y);
     for (std::size_t i = 0; i < sample.players.size(); ++i) {

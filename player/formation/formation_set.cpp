@@ -51,6 +51,7 @@ Result<std::shared_ptr<const FormationSet>> make_set(const Read& read) {
     if (!formation) return formation.error();
     list.push_back(std::move(*formation));
   }
+
   return std::shared_ptr<const FormationSet>(
       std::make_shared<FormationSet>(as_array(std::move(list))));
 }

@@ -46,6 +46,7 @@ std::optional<TeamPoints> team_points(const Tokens& tokens, std::size_t first) {
 std::optional<Vec2> json_point(const nlohmann::json& object, const std::string& key) {
   const auto found = object.find(key);
   if (found == object.end() || !found->is_object()) return std::nullopt;
+
   const auto x = found->find("x");
   const auto y = found->find("y");
   if (x == found->end() || y == found->end() || !x->is_number() || !y->is_number()) {
@@ -57,28 +58,34 @@ std::optional<Vec2> json_point(const nlohmann::json& object, const std::string& 
 Result<FormationSample> json_sample(const nlohmann::json& object, const std::string& where) {
   FormationSample sample;
   if (!object.is_object()) return Error{where + ": not an object"};
+
   const std::optional<Vec2> ball = json_point(object, "ball");
   if (!ball) return Error{where + ": no 'ball' with x and y"};
   sample.ball = *ball;
+
   for (std::size_t i = 0; i < sample.players.size(); ++i) {
     const std::optional<Vec2> point = json_point(object, std::to_string(i + 1));
     if (!point) return Error{fmt::format("{}: no player '{}' with x and y", where, i + 1)};
     sample.players[i] = *point;
   }
+
   return sample;
 }
 
 Result<Samples> parse_json(std::string_view text, const std::string& name) {
   const nlohmann::json document = nlohmann::json::parse(text, nullptr, false);
   if (document.is_discarded()) return Error{name + ": not valid JSON"};
+
   const auto method = document.find("method");
   const auto data = document.find("data");
   if (method == document.end() || !method->is_string() || data == document.end() ||
       !data->is_array()) {
     return Error{name + ": missing 'method' or 'data'"};
   }
+
   const auto& token = method->get_ref<const std::string&>();
   if (token != kStatic && token != kDelaunay) return unknown_method(name, token);
+
   Samples samples;
   for (const nlohmann::json& object : *data) {
     auto sample = json_sample(object, fmt::format("{}: data[{}]", name, samples.size()));
@@ -86,6 +93,7 @@ Result<Samples> parse_json(std::string_view text, const std::string& name) {
     samples.push_back(*sample);
     if (token == kStatic) break;  // independent of the ball
   }
+
   return samples;
 }
 
@@ -102,6 +110,7 @@ Result<Samples> parse_csv(TextLines& lines, const std::string& name, std::string
       if (!points) return lines.error("expected 'Position' and 22 numbers");
       return Samples{{{}, *points}};
     }
+
     if (tokens.front() == "idx") {
       data = true;
     } else if (data) {
@@ -113,6 +122,7 @@ Result<Samples> parse_csv(TextLines& lines, const std::string& name, std::string
       samples.push_back({*ball, *points});
     }
   }
+
   return samples;
 }
 
@@ -125,11 +135,13 @@ Result<Samples> parse_static(TextLines& lines) {
     const auto unum = tokens.empty() ? std::nullopt : TextLines::parse_unum(tokens.front());
     const auto point =
         tokens.size() == 4 ? TextLines::parse_point(tokens[2], tokens[3]) : std::optional<Vec2>();
+
     if (!unum || *unum != placed + 1 || !point) {
       return lines.error(fmt::format("expected '{} ROLE X Y'", placed + 1));
     }
     sample.players[static_cast<std::size_t>(placed)] = *point;
   }
+
   return Samples{sample};
 }
 
@@ -137,16 +149,19 @@ Result<Samples> parse_static(TextLines& lines) {
 Result<Samples> parse_version_1(TextLines& lines) {
   Samples samples;
   if (!lines.next()) return lines.error("expected the roles");
+
   while (lines.next()) {
     const Tokens tokens = lines.tokens();
     if (tokens.front() == "End") break;
     const auto ball = tokens.size() == kTeamNumbers + 2
                           ? TextLines::parse_point(tokens[0], tokens[1])
                           : std::nullopt;
+
     const auto points = team_points(tokens, 2);
     if (!ball || !points) return lines.error("expected ball and 11 points: 24 numbers");
     samples.push_back({*ball, *points});
   }
+
   return samples;
 }
 
@@ -162,12 +177,14 @@ Result<Samples> parse_blocks(TextLines& lines) {
       continue;
     }
     if (!inside || tokens.front().starts_with("-----")) continue;
+
     const auto point =
         tokens.size() == 3 ? TextLines::parse_point(tokens[1], tokens[2]) : std::nullopt;
     const std::string expected = next == 0 ? "Ball" : std::to_string(next);
     if (!point || tokens.front() != expected) {
       return lines.error(fmt::format("expected '{} X Y'", expected));
     }
+
     if (next == 0) {
       samples.push_back({*point, {}});
     } else {
@@ -175,6 +192,7 @@ Result<Samples> parse_blocks(TextLines& lines) {
     }
     next = next == soccer::kPlayersPerTeam ? 0 : next + 1;
   }
+
   if (next != 0) return lines.error("the last sample is incomplete");
   return samples;
 }
@@ -185,13 +203,16 @@ Result<Samples> parse_librcsc_formation(std::string_view text, const std::string
   TextLines lines(text, name);
   if (!lines.next()) return Error{name + ": empty"};
   if (lines.tokens().front().starts_with('{')) return parse_json(text, name);
+
   Tokens tokens = lines.tokens(',');
   if (tokens.front() == "Method" && tokens.size() == 2) return parse_csv(lines, name, tokens[1]);
   tokens = lines.tokens();
   if (tokens.front() != "Formation" || tokens.size() < 2)
     return lines.error("not a formation file");
+
   if (tokens[1] == kStatic) return parse_static(lines);
   if (tokens[1] != kDelaunay) return unknown_method(name, tokens[1]);
+
   const std::string_view version = tokens.size() > 2 ? tokens[2] : "1";
   if (version == "1") return parse_version_1(lines);
   if (version == "2" || version == "3") return parse_blocks(lines);

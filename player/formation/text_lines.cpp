@@ -21,6 +21,7 @@ bool TextLines::next() {
     line_ = line_.substr(0, std::min(line_.find('#'), line_.find("//")));
     if (line_.find_first_not_of(kWhitespace) != std::string_view::npos) return true;
   }
+
   line_ = {};
   return false;
 }
@@ -28,11 +29,13 @@ bool TextLines::next() {
 std::vector<std::string_view> TextLines::tokens(char separator) const {
   const std::string separators = std::string(" \t\r") + separator;
   std::vector<std::string_view> tokens;
+
   for (std::size_t at = line_.find_first_not_of(separators); at != std::string_view::npos;) {
     const std::size_t end = std::min(line_.find_first_of(separators, at), line_.size());
     tokens.push_back(line_.substr(at, end - at));
     at = line_.find_first_not_of(separators, end);
   }
+
   if (tokens.empty()) tokens.emplace_back();  // separators alone
   return tokens;
 }

@@ -37,6 +37,7 @@ std::vector<Edge> boundary(const std::vector<Triangle>& triangles) {
       }
     }
   }
+
   return edges;
 }
 
@@ -45,25 +46,30 @@ std::vector<Edge> boundary(const std::vector<Triangle>& triangles) {
 std::vector<Triangle> triangulate(const std::vector<Vec2>& points) {
   const std::size_t count = points.size();
   if (count < 3) return {};
+
   // Super-triangle around all points, far enough to act as infinity.
   constexpr double kFar = 1e5;
   std::vector<Vec2> all = points;
   all.insert(all.end(), {{-3.0 * kFar, -kFar}, {3.0 * kFar, -kFar}, {0.0, 3.0 * kFar}});
   std::vector<Triangle> triangles{{count, count + 1, count + 2}};
+
   for (std::size_t p = 0; p < count; ++p) {
     const auto unaffected =
         std::partition(triangles.begin(), triangles.end(), [&](const Triangle& t) {
           return in_circle(all[t[0]], all[t[1]], all[t[2]], all[p]) <= 0.0;
         });
+
     const std::vector<Triangle> broken(unaffected, triangles.end());
     triangles.erase(unaffected, triangles.end());
     for (const Edge& edge : boundary(broken)) triangles.push_back({edge.first, edge.second, p});
   }
+
   const auto useless = [&](const Triangle& t) {
     constexpr double kFlat = 1e-6;
     return std::any_of(t.begin(), t.end(), [&](std::size_t i) { return i >= count; }) ||
            doubled_area(all[t[0]], all[t[1]], all[t[2]]) < kFlat;
   };
+
   triangles.erase(std::remove_if(triangles.begin(), triangles.end(), useless), triangles.end());
   return triangles;
 }

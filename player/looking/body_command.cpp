@@ -40,10 +40,12 @@ bool complete_body_command(const WorldModel& world, ViewMemory& view,
   update_view_memory(view, world);
   CommandSlots slots(world);
   const bool accepted = set_body(world, body, slots);
+
   // The order of the executor for a list of the body action and Neck_TurnToBallOrScan.
   neck_turn_to_ball_or_scan(world, view, slots, 0);
   view_tactical(world, slots);
   if (world.ball.position_valid()) focus_to_point(world, slots, ball_after(world, 1));
+
   slots.compose(out, with_done);
   return accepted;
 }

@@ -42,12 +42,14 @@ bool body_neck_to_ball(const WorldModel& world, const ViewMemory& view, CommandS
 bool neck_body_to_point(const WorldModel& world, const ViewMemory& view, CommandSlots& slots,
                         Vec2 point, double angle_buf) {
   if (!is_localized(world)) return scan_field(world, view, slots);
+
   const auto& server = world.server();
   const AngleDeg direction = AngleDeg::of(point - self_after(world, 1));
   const double relative = (direction - world.self.body).degrees();
   const double buffer = std::clamp(angle_buf, 0.0, 90.0);
   const bool neck_enough =
       relative > server.minneckang + buffer && relative < server.maxneckang - buffer;
+
   const bool set = slots.turn(neck_enough ? 0.0 : relative);
   face(world, slots, direction);
   return set;
@@ -62,22 +64,26 @@ bool neck_body_to_ball(const WorldModel& world, const ViewMemory& view, CommandS
 bool scan_field(const WorldModel& world, const ViewMemory& view, CommandSlots& slots) {
   // Directions seen within this many cycles do not contain a lost ball.
   constexpr int kRecentlySeen = 8;
+
   if (!is_localized(world)) {
     // Steps of the view width show all landmarks fastest.
     slots.change_view(soccer::ViewWidth::kWide);
     return slots.turn(60.0);
   }
+
   const auto& server = world.server();
   const double width_now = view_angle(server, world.self.view_width);
   slots.change_view(soccer::ViewWidth::kWide);
   if (world.ball.position_valid() && world.ball.ghost_count == 0) {
     return slots.turn((width_now + view_angle(server, slots.next_view_width())) / 2.0);
   }
+
   const Vec2 last = world.ball.seen_pos_count < kNever ? world.ball.seen_position : Vec2{};
   const AngleDeg direction = AngleDeg::of(last - self_after(world, 1));
   if (view.ages[static_cast<std::size_t>(ViewMemory::sector_of(direction))] < kRecentlySeen) {
     return look_around(world, view, slots);
   }
+
   if (!slots.turn((direction - world.self.body).degrees())) return false;
   face(world, slots, direction);
   return true;
@@ -93,6 +99,7 @@ bool look_around(const WorldModel& world, const ViewMemory& view, CommandSlots& 
   const double half = view_angle(world.server(), slots.next_view_width()) / 2.0;
   AngleDeg best = world.self.body;
   int best_age = -1;
+
   for (double offset = -180.0; offset < 180.0; offset += kStep) {
     const AngleDeg direction = world.self.body + offset;
     const int age = view.age_around(direction, half);
@@ -101,6 +108,7 @@ bool look_around(const WorldModel& world, const ViewMemory& view, CommandSlots& 
       best = direction;
     }
   }
+
   const double relative = (best - world.self.body).degrees();
   const double neck =
       soccer::between(relative, world.server().minneckang, world.server().maxneckang);

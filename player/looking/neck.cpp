@@ -50,6 +50,7 @@ bool aim_near(const WorldModel& world, const ViewMemory& view, CommandSlots& slo
       soccer::between(relative - slack, world.server().minneckang, world.server().maxneckang);
   const double high =
       soccer::between(relative + slack, world.server().minneckang, world.server().maxneckang);
+
   const NeckSearch search(world, view, slots);
   return aim(world, slots, search.best_field(low, high));
 }
@@ -60,12 +61,14 @@ bool neck_scan_field(const WorldModel& world, const ViewMemory& view, CommandSlo
   const auto& server = world.server();
   const NeckSearch search(world, view, slots);
   const Vec2 here = slots.next_position();
+
   const bool at_edge =
       std::fabs(here.x) > soccer::kHalfLength - 5.0 || std::fabs(here.y) > soccer::kHalfWidth - 5.0;
   if (at_edge && slots.next_view_width() == soccer::ViewWidth::kWide) {
     const double inward = relative_direction(slots, {here.x * 0.3, 0.0});
     return aim(world, slots, soccer::between(inward, server.minneckang, server.maxneckang));
   }
+
   if (search.knows_all_players()) {
     return aim(world, slots, search.best_players(server.minneckang, server.maxneckang));
   }
@@ -82,9 +85,11 @@ bool neck_scan_players(const WorldModel& world, const ViewMemory& view, CommandS
 bool neck_turn_to_ball(const WorldModel& world, const ViewMemory& view, CommandSlots& slots) {
   const bool known = world.ball.position_valid() && world.ball.ghost_count == 0;
   if (!known) return neck_scan_field(world, view, slots);
+
   const double ball = relative_direction(slots, ball_after(world, 1));
   if (!can_see(world, slots, ball, kEdge)) return neck_scan_field(world, view, slots);
   if (world.intercept.first_opponent_steps <= 1) return aim(world, slots, ball);
+
   constexpr double kBallEdge = 10.0;
   constexpr double kDuelEdge = 20.0;
   const bool duel = world.kickable_opponent() || world.intercept.first_opponent_steps <= 3;
@@ -94,12 +99,14 @@ bool neck_turn_to_ball(const WorldModel& world, const ViewMemory& view, CommandS
 bool neck_turn_to_ball_or_scan(const WorldModel& world, const ViewMemory& view, CommandSlots& slots,
                                int count_threshold) {
   if (world.ball.pos_count <= count_threshold) return neck_scan_field(world, view, slots);
+
   const Vec2 ball = ball_after(world, 1);
   const bool sensed = distance(ball, slots.next_position()) < world.server().visible_distance - 0.3;
   if (count_threshold >= 0 && sensed && world.ball.position_valid() &&
       world.intercept.first_opponent_steps > 1) {
     return neck_scan_field(world, view, slots);
   }
+
   return neck_turn_to_ball(world, view, slots);
 }
 
@@ -110,12 +117,14 @@ bool neck_turn_to_ball_and_player(const WorldModel& world, const ViewMemory& vie
   if (player->seen_pos_count <= count_threshold || !world.ball.position_valid()) {
     return neck_turn_to_ball(world, view, slots);
   }
+
   const double ball = relative_direction(slots, ball_after(world, 1));
   const double other = relative_direction(slots, next_position_of(*player));
   const double gap = soccer::math::normalize_degrees(other - ball);
   const double middle = soccer::math::normalize_degrees(ball + gap / 2.0);
   const double width = 2.0 * (half_view(world, slots) - kEdge);
   const double neck = soccer::between(middle, world.server().minneckang, world.server().maxneckang);
+
   const bool fits = std::fabs(gap) / 2.0 + std::fabs(middle - neck) <= width / 2.0;
   return fits ? aim(world, slots, neck) : neck_turn_to_ball(world, view, slots);
 }
@@ -137,10 +146,12 @@ bool neck_turn_to_goalie_or_scan(const WorldModel& world, const ViewMemory& view
   if (goalie == nullptr || goalie->seen_pos_count <= count_threshold) {
     return neck_turn_to_ball_or_scan(world, view, slots, 0);
   }
+
   const double relative = relative_direction(slots, next_position_of(*goalie));
   if (!can_see(world, slots, relative, kEdge)) {
     return neck_turn_to_ball_or_scan(world, view, slots, 0);
   }
+
   // Include the goal beside the goalie: shift toward the goal center.
   const double goal = relative_direction(slots, {soccer::kHalfLength, 0.0});
   const double lean = std::clamp(soccer::math::normalize_degrees(goal - relative), -10.0, 10.0);
@@ -152,6 +163,7 @@ bool neck_turn_to_low_conf_teammate(const WorldModel& world, const ViewMemory& v
   constexpr double kFar = 40.0;
   const PlayerState* stalest = nullptr;
   double direction = 0.0;
+
   for (const PlayerState& teammate : world.teammates) {
     if (teammate.ghost() || !teammate.position_valid() || teammate.dist_from_self > kFar) continue;
     if (teammate.position.x < world.self.position.x || teammate.unum < 1) continue;
@@ -161,6 +173,7 @@ bool neck_turn_to_low_conf_teammate(const WorldModel& world, const ViewMemory& v
     stalest = &teammate;
     direction = relative;
   }
+
   if (stalest == nullptr || stalest->seen_pos_count == 0) {
     return neck_turn_to_ball_or_scan(world, view, slots, 0);
   }
@@ -185,11 +198,13 @@ bool neck_offensive_intercept(const WorldModel& world, const ViewMemory& view,
     return neck_turn_to_ball_and_player(world, view, slots,
                                         world.player_by_id(world.kickable_opponent_id), 0);
   }
+
   const Vec2 goal{soccer::kHalfLength, 0.0};
   const bool near_goal = distance(first_reach_point(world), goal) < 20.0;
   if (table.self_steps <= 1 && near_goal) {
     return neck_turn_to_goalie_or_scan(world, view, slots, 0);
   }
+
   if (world.ball.pos_count > 0 || table.first_opponent_steps <= table.self_steps + 1) {
     slots.change_view(soccer::ViewWidth::kNarrow);
     return neck_turn_to_ball(world, view, slots);
@@ -198,6 +213,7 @@ bool neck_offensive_intercept(const WorldModel& world, const ViewMemory& view,
     slots.change_view(soccer::ViewWidth::kNormal);
     return neck_turn_to_ball_or_scan(world, view, slots, 0);
   }
+
   return neck_turn_to_low_conf_teammate(world, view, slots);
 }
 

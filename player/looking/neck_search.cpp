@@ -46,14 +46,17 @@ NeckSearch::NeckSearch(const WorldModel& world, const ViewMemory& view, const Co
   constexpr double kWorthwhile = 8.0;
   const Vec2 here = slots.next_position();
   const auto& directions = sector_directions();
+
   std::array<int, ViewMemory::kSectors> field;
   for (std::size_t i = 0; i < field.size(); ++i) {
     const bool worthwhile = pitch_ahead(here, directions[i]) >= kWorthwhile;
     field[i] = worthwhile ? std::min(view.ages[i], 100) : 0;
   }
+
   for (std::size_t i = 0; i + 1 < field_before_.size(); ++i) {
     field_before_[i + 1] = field_before_[i] + field[i % field.size()];
   }
+
   all_players_ = world.teammates.size() >= soccer::kPlayersPerTeam - 1 &&
                  world.opponents.size() >= soccer::kPlayersPerTeam;
   if (!all_players_) return;
@@ -65,10 +68,12 @@ void NeckSearch::add_players(const WorldModel& world, const PlayerList& list, Ve
                              bool ours) {
   const bool attack = world.self.kickable || world.kickable_teammate() ||
                       world.intercept.first_teammate_steps < world.intercept.first_opponent_steps;
+
   FixedList<Vec2, PlayerList::capacity()> relatives;
   for (const PlayerState& player : list) relatives.push_back(player.position - here);
   std::array<double, PlayerList::capacity()> degrees;
   soccer::directions(relatives.begin(), relatives.size(), degrees.data());
+
   for (std::size_t i = 0; i < list.size(); ++i) {
     const PlayerState& player = list[i];
     const double age = std::min(player.seen_pos_count, 100) + 1.0;
@@ -100,9 +105,11 @@ double NeckSearch::best(double low, double high, const Score& score) const {
   constexpr double kHalfTurn = 180.0;  // a faulty server may send larger limits
   low = std::clamp(low, -kHalfTurn, kHalfTurn);
   high = std::clamp(high, -kHalfTurn, kHalfTurn);
+
   const int steps = static_cast<int>(std::floor((high - low) / kStep + 1e-9));
   double best_neck = low;
   double best_score = -1.0;
+
   for (int i = 0; i <= steps; ++i) {
     const double neck = low + i * kStep;
     const double value = score(neck);
@@ -113,6 +120,7 @@ double NeckSearch::best(double low, double high, const Score& score) const {
       best_neck = neck;
     }
   }
+
   return best_neck;
 }
 

@@ -58,16 +58,19 @@ ViewWidth tactical_width(const WorldModel& world) {
       world.game.mode == PlayMode::kPenaltyTakenRight) {
     return ViewWidth::kNarrow;
   }
+
   const Vec2 play = first_reach_point(world);
   const Vec2 here = self_after(world, 1);
   const double dist = distance(play, here);
   const double off_body = (AngleDeg::of(play - here) - world.self.body).abs();
+
   if (goalie_far_from_play(world, play, dist)) {
     const double reach = world.server().maxneckang;
     const double narrow = view_angle(world.server(), ViewWidth::kNarrow) / 2.0 - 3.0;
     if (off_body > reach + narrow) return ViewWidth::kWide;
     if (off_body > reach) return ViewWidth::kNormal;
   }
+
   if (dist > 40.0) return ViewWidth::kWide;
   if (dist > 20.0) return ViewWidth::kNormal;
   if (dist > 10.0 && off_body > 120.0) return ViewWidth::kWide;
@@ -87,10 +90,12 @@ bool view_tactical(const WorldModel& world, CommandSlots& slots) {
 
 bool focus_to_point(const WorldModel& world, CommandSlots& slots, Vec2 point) {
   if (!world.self.position_valid() || !world.self.face_valid()) return false;
+
   const Vec2 relative = point - slots.next_position();
   const double half = view_angle(world.server(), slots.next_view_width()) / 2.0;
   const double direction = (AngleDeg::of(relative) - slots.next_face()).degrees();
   const double inside = soccer::between(direction, -half, half);
+
   // Outside the view cone: use the nearest point on its edge.
   const double off = soccer::math::to_radians(direction - inside);
   const double reach = relative.length() * std::max(0.0, soccer::math::cos(off));

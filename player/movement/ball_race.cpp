@@ -21,10 +21,12 @@ void BallRace::add(const soccer::PlayerType& type, Runner runner) {
   const auto known = std::find(types_.begin(), types_.end(), &type);
   runner.delay = std::max(0, runner.delay);
   runner.type = static_cast<std::size_t>(known - types_.begin());
+
   if (known == types_.end()) {
     types_.push_back(&type);
     reach_.push_back(ReachTable(world_.server(), type));
   }
+
   runner.control = type.kickable_area(world_.server().ball_size);
   runners_.push_back(runner);
 }
@@ -35,6 +37,7 @@ void BallRace::add_others(const PlayerList& players, bool ours, bool foul) {
   for (const PlayerState& player : players) {
     if (player.ghost() || player.pos_count > kMaxAge || runners_.full()) continue;
     if (ours && player.goalie) continue;  // must not catch the ball
+
     const soccer::PlayerType& type = world_.type_of(player);
     const bool fouled = foul && player.dist_from_ball < type.kickable_area(server.ball_size);
     const int delay = player.tackling ? server.tackle_cycles / 2 : fouled ? server.foul_cycles : 0;
@@ -52,6 +55,7 @@ RaceResult BallRace::run(Vec2 velocity) const {
   constexpr int kHorizon = 20;
   RaceResult result{kHorizon, kHorizon};
   Vec2 ball = world_.ball.position;
+
   for (int cycle = 1; cycle < kHorizon; ++cycle) {
     ball += velocity;
     velocity *= world_.server().ball_decay;
@@ -62,6 +66,7 @@ RaceResult BallRace::run(Vec2 velocity) const {
     }
     if (result.ours < kHorizon && result.theirs < kHorizon) break;
   }
+
   return result;
 }
 

@@ -73,10 +73,12 @@ FormationKind formation_kind(const WorldModel& world) {
   const auto pick = [our_set_play](FormationKind our, FormationKind their) {
     return our_set_play ? our : their;
   };
+
   if (before_play(mode)) return FormationKind::kBeforeKickOff;
   if (world.game.goalie_catch) {
     return pick(FormationKind::kGoalieCatchOur, FormationKind::kGoalieCatchTheir);
   }
+
   switch (without_side(mode)) {
     case PlayMode::kPlayOn:
       return in_open_play(world);
@@ -102,14 +104,17 @@ FormationKind formation_kind(const WorldModel& world) {
 TeamPoints home_positions(const WorldModel& world) {
   const FormationKind kind = formation_kind(world);
   TeamPoints points = world.formations->of(kind).positions(ball_of_interest(world));
+
   if (const double shift = shift_of(kind, *world.planner); shift != 0.0) {
     for (std::size_t i = 1; i < points.size(); ++i) points[i].x += shift;
   }
+
   const double max_x = farthest_x(world);
   for (Vec2& point : points) {
     point.x = std::clamp(std::min(point.x, max_x), -soccer::kHalfLength, soccer::kHalfLength);
     point.y = std::clamp(point.y, -soccer::kHalfWidth, soccer::kHalfWidth);
   }
+
   return points;
 }
 

@@ -35,6 +35,7 @@ double race_score(const WorldModel& world, int steps) {
 double turn_score(const WorldModel& world, const InterceptPlan& plan) {
   if (plan.turns == 0) return 0.0;
   const double turn = std::fabs(plan.turn_angle);
+
   // helios penalizes turns less and oscillates between plans; prefer continuing without a turn
   // unless the turn is clearly better.
   double score = -0.4;
@@ -51,6 +52,7 @@ double slow_ball_score(const WorldModel& world, const InterceptPlan& plan, Vec2 
     const double fast = 0.8 * world.self_type().real_speed_max(world.server().max_dash_power);
     return -20.0 * std::max(0.0, fast - speed);
   }
+
   const double missing = std::max(0.0, 0.55 - speed);
   return -70.0 * missing * missing;
 }
@@ -59,24 +61,29 @@ double plan_score(const WorldModel& world, const InterceptPlan& plan) {
   const int steps = plan.steps();
   const Vec2 ball = ball_after(world, steps);
   if (outside_pitch(ball)) return -1000.0 - steps;
+
   const double area = kickable_area(world);
   const Vec2 velocity = world.ball.velocity * power_of(world.server().ball_decay, steps);
   const double dx = ball.x - 44.0;
   const double dy = ball.y / 2.0;
+
   // Cost per cycle: an earlier intercept is worth more than one farther upfield.
   constexpr double kStepCost = 0.35;
   double score = -0.2 * std::sqrt(dx * dx + dy * dy) - kStepCost * steps +
                  race_score(world, steps) + turn_score(world, plan) +
                  slow_ball_score(world, plan, velocity);
+
   const double moved = distance(plan.self_position, world.self.position);
   score -= 0.3 * moved;
   if (plan.ball_distance > area - 0.3) score -= 0.5 * moved;
   if (plan.ball_distance > area - 0.4) score -= 3.0 * (plan.ball_distance - (area - 0.4)) + 0.5;
   score += 1e-4 * (plan.stamina - world.self.stamina);
+
   const double off_body = (world.ball.angle_from_self - world.self.body).abs();
   if (world.kickable_opponent() && plan.kind != Kind::kTurnForwardDash && off_body > 40.0) {
     score -= 100.0;
   }
+
   return score;
 }
 
@@ -91,8 +98,10 @@ double goalie_score(const WorldModel& world, const InterceptPlan& plan) {
 const InterceptPlan* best_plan(const WorldModel& world, bool save_recovery) {
   const InterceptPlan* best = nullptr;
   double best_score = 0.0;
+
   const bool own_area =
       world.goalie && world.ball.position.x < -soccer::kHalfLength + soccer::kPenaltyAreaLength;
+
   for (const InterceptPlan& plan : world.intercept.plans) {
     if (save_recovery && plan.exhausting) continue;
     const double score = own_area ? goalie_score(world, plan) : plan_score(world, plan);
@@ -101,6 +110,7 @@ const InterceptPlan* best_plan(const WorldModel& world, bool save_recovery) {
       best_score = score;
     }
   }
+
   return best;
 }
 
@@ -125,10 +135,12 @@ bool intercept(const WorldModel& world, CommandSlots& slots, bool save_recovery,
     go_to_point(world, slots, rest, area - 0.2, world.server().max_dash_power);
     return slots.has_body();
   }
+
   if (plan->dashes == 0 && plan->steps() <= 1) {
     return wait_for_ball(world, slots, face_point, 1);
   }
   if (plan->turns > 0) return slots.turn(plan->turn_angle);
+
   const double threshold = world.server().recover_dec_thr * world.server().stamina_max;
   const bool tired = save_recovery && world.self.stamina - plan->dash_power < threshold;
   const bool comes_by_itself =
@@ -136,6 +148,7 @@ bool intercept(const WorldModel& world, CommandSlots& slots, bool save_recovery,
   if (tired || comes_by_itself || plan->dashes == 0) {
     return wait_for_ball(world, slots, face_point, plan->steps());
   }
+
   return slots.dash(plan->dash_power, plan->dash_direction);
 }
 

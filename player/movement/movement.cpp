@@ -27,6 +27,7 @@ Vec2 around_posts(const WorldModel& world, Vec2 from, Vec2 target) {
                   std::copysign(world.server().goal_width / 2.0 + soccer::kGoalPostRadius, from.y)};
   if (distance(post, target) < clearance || distance(post, from) > 15.0) return target;
   if (distance(soccer::Segment{from, target}, post) > clearance) return target;
+
   // Pass the post on the side of the direct path.
   const Vec2 way = target - from;
   const Vec2 left = soccer::with_length({way.y, -way.x}, clearance + 0.3);
@@ -52,6 +53,7 @@ bool omni_dash(const WorldModel& world, CommandSlots& slots, Vec2 needed, double
   const AngleDeg direction = AngleDeg::of(needed) - world.self.body;
   const double rate =
       dash_rate(world.server(), direction.degrees()) * world.self_type().dash_power_rate;
+
   const double power = needed.length() / (rate * world.self.effort);
   const double allowed = options.save_recovery ? safe_dash_power(world, max_power) : max_power;
   if (power > allowed * kMaxDashes) return false;
@@ -75,6 +77,7 @@ bool go_to_point(const WorldModel& world, CommandSlots& slots, Vec2 target, doub
     slots.turn(0.0);
     return false;
   }
+
   target = around_posts(world, self.position, target);
   const Vec2 missing = target - coasted;
   const double dist = missing.length();
@@ -82,14 +85,17 @@ bool go_to_point(const WorldModel& world, CommandSlots& slots, Vec2 target, doub
   const Vec2 needed = missing / travel;
   const double sideways = std::fabs(soccer::math::sin(direction.radians())) * dist;
   const bool beside = sideways >= threshold || direction.abs() > 90.0;
+
   if (dist < threshold + 1.0 && beside &&
       omni_dash(world, slots, needed, max_dash_power, options)) {
     return true;
   }
+
   double margin = options.turn_margin_deg;
   if (dist > threshold) {
     margin = std::max(margin, soccer::math::to_degrees(soccer::math::asin(threshold / dist)));
   }
+
   if (direction.abs() > margin) {
     if (better_backwards(world, dist, direction.abs()) &&
         omni_dash(world, slots, needed, max_dash_power, options)) {
@@ -97,6 +103,7 @@ bool go_to_point(const WorldModel& world, CommandSlots& slots, Vec2 target, doub
     }
     return slots.turn(direction.degrees());
   }
+
   const double forward = needed.length() * soccer::math::cos(direction.radians());
   constexpr double kMinAcceleration = 0.05;
   if (forward < kMinAcceleration) return false;
@@ -113,6 +120,7 @@ bool go_to_point_dodge(const WorldModel& world, CommandSlots& slots, Vec2 target
   const Vec2 way = target - from;
   const double length = way.length();
   if (length < 0.1) return go_to_point(world, slots, target, 0.1, dash_power, {3});
+
   Vec2 aim = target;
   double nearest = std::min(kNear, length);
   const auto avoid = [&](Vec2 obstacle) {
@@ -124,11 +132,13 @@ bool go_to_point_dodge(const WorldModel& world, CommandSlots& slots, Vec2 target
     const Vec2 left = soccer::with_length({way.y, -way.x}, 4.0 * size);
     aim = obstacle + left * (beside > 0.0 ? 1.0 : -1.0);
   };
+
   for (const PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
     for (const PlayerState& player : *list) {
       if (player.position_valid() && player.dist_from_self < kNear) avoid(player.position);
     }
   }
+
   if (world.game.mode != soccer::PlayMode::kPlayOn) avoid(world.ball.position);
   return go_to_point(world, slots, aim, 0.1, dash_power, {3});
 }
@@ -137,6 +147,7 @@ bool go_to_point_look_ball(const WorldModel& world, const ViewMemory& view, Comm
                            NeckPlan& neck, Vec2 target, double threshold, double max_dash_power) {
   const SelfState& self = world.self;
   const Vec2 rest = rest_point(self.position, self.velocity, world.self_type().player_decay);
+
   if (!world.ball.position_valid()) {
     return go_to_point(world, slots, target, threshold, max_dash_power);
   }
@@ -145,6 +156,7 @@ bool go_to_point_look_ball(const WorldModel& world, const ViewMemory& view, Comm
     neck.kind = NeckPlan::Kind::kBall;
     return slots.turn(0.0);
   }
+
   const AngleDeg travel = AngleDeg::of(target - rest);
   const AngleDeg ball = AngleDeg::of(ball_after(world, 1) - self_after(world, 1));
   if ((ball - travel).abs() < world.server().maxneckang - 5.0) {
@@ -155,6 +167,7 @@ bool go_to_point_look_ball(const WorldModel& world, const ViewMemory& view, Comm
     neck.kind = NeckPlan::Kind::kBall;
     return true;
   }
+
   const double margin = std::max(
       6.0, soccer::math::to_degrees(soccer::math::atan2(threshold, distance(target, rest))));
   const AngleDeg wanted_body = travel + 180.0;
@@ -166,6 +179,7 @@ bool go_to_point_look_ball(const WorldModel& world, const ViewMemory& view, Comm
     const double power = std::min(needed / (rate * self.effort), max_dash_power);
     slots.dash(safe_dash_power(world, power), 180.0);
   }
+
   neck.kind = NeckPlan::Kind::kBall;
   return slots.has_body();
 }
@@ -176,12 +190,14 @@ bool stop_dash(const WorldModel& world, CommandSlots& slots, bool save_recovery)
     slots.turn(0.0);
     return false;
   }
+
   const AngleDeg against = AngleDeg::of(-self.velocity) - self.body;
   const double rate =
       dash_rate(world.server(), against.degrees()) * world.self_type().dash_power_rate;
   double power = self.velocity.length() / (rate * self.effort);
   power = std::min(power, world.server().max_dash_power);
   if (save_recovery) power = safe_dash_power(world, power);
+
   if (power < 1.0) {
     slots.turn(0.0);
     return false;
@@ -213,16 +229,19 @@ bool before_kick_off(const WorldModel& world, const ViewMemory& view, CommandSlo
     slots.turn(0.0);
     return false;
   }
+
   if (!world.self.position_valid()) return scan_field(world, view, slots);
   const bool after_goal = game.mode != soccer::PlayMode::kBeforeKickOff;
   if (after_goal && world.self.velocity.length() > 0.05) return slots.turn(180.0);
   if (world.server().forbid_kick_off_offside) point.x = std::min(point.x, -0.01);
+
   // Only the team with the kick-off may enter the center circle.
   const double reach = soccer::kCenterCircleRadius + 0.1;
   if (!we_kick_off(world) && point.length() < reach) {
     const Vec2 outwards = point.length() < 0.1 ? Vec2{-1.0, 0.0} : point;
     point = soccer::with_length(outwards, reach + 0.4);
   }
+
   if (distance(world.self.position, point) > 1.0 && slots.move(point)) {
     slots.turn_neck(-world.self.neck.degrees());
     return true;

@@ -49,12 +49,14 @@ int cycles_to_block(const WorldModel& world, const soccer::PlayerType& type, Vec
   const Vec2 step = dribble_direction(possession.ball) * kDribbleSpeed;
   for (int cycle = 1; cycle <= kMaxBlockCycles; ++cycle) {
     const Vec2 there = possession.ball + step * std::max(0, cycle - possession.cycles);
+
     const Vec2 way = there - from;
     const double run = way.length() - kInTheWay;
     if (run <= 0.0) return cycle;
     const bool turn = body_known && (soccer::AngleDeg::of(way) - body).abs() > 25.0;
     if (cycles_to_run(world.server(), type, run) + (turn ? 1 : 0) <= cycle) return cycle;
   }
+
   return kMaxBlockCycles + 1;
 }
 
@@ -63,10 +65,12 @@ int cycles_to_block(const WorldModel& world, const soccer::PlayerType& type, Vec
 std::optional<Vec2> block_point(const WorldModel& world) {
   const std::optional<Possession> possession = possession_of_opponents(world);
   if (!possession) return std::nullopt;
+
   const Vec2 here = self_after(world, 1);
   const int own =
       cycles_to_block(world, world.self_type(), here, world.self.body, true, *possession);
   if (own > kMaxBlockCycles) return std::nullopt;
+
   for (const PlayerState& teammate : world.teammates) {
     if (teammate.goalie || teammate.ghost() || teammate.pos_count > 10 || teammate.tackling)
       continue;
@@ -76,6 +80,7 @@ std::optional<Vec2> block_point(const WorldModel& world) {
     const bool by_number = other == own && teammate.unum != 0 && teammate.unum < world.unum;
     if (other < own || by_number) return std::nullopt;
   }
+
   const Vec2 step = dribble_direction(possession->ball) * kDribbleSpeed;
   return possession->ball + step * std::max(0, own - possession->cycles);
 }
@@ -116,6 +121,7 @@ std::optional<Mark> find_mark(const WorldModel& world, const TeamPoints& home,
                               const MarkRules& rules) {
   if (!their_attack(world) || world.goalie) return std::nullopt;
   const Vec2 ball = first_reach_point(world);
+
   FixedList<const PlayerState*, 22> attackers;
   for (const PlayerState& opponent : world.opponents) {
     constexpr double kHasBall = 2.5;
@@ -124,9 +130,11 @@ std::optional<Mark> find_mark(const WorldModel& world, const TeamPoints& home,
     if (distance(opponent.position, ball) < kHasBall) continue;
     attackers.push_back(&opponent);
   }
+
   std::sort(attackers.begin(), attackers.end(), [](const PlayerState* a, const PlayerState* b) {
     return distance(a->position, kOurGoal) < distance(b->position, kOurGoal);
   });
+
   std::array<bool, soccer::kPlayersPerTeam> taken{};
   for (const PlayerState* attacker : attackers) {
     int marker = 0;
@@ -140,13 +148,16 @@ std::optional<Mark> find_mark(const WorldModel& world, const TeamPoints& home,
       best_cost = away;
       marker = unum;
     }
+
     if (marker == 0) continue;
     taken[static_cast<std::size_t>(marker - 1)] = true;
     if (marker != world.unum) continue;
+
     const Vec2 there =
         attacker->position + (attacker->velocity_valid() ? attacker->velocity * 2.0 : Vec2{});
     return Mark{there + soccer::with_length(kOurGoal - there, rules.step), attacker};
   }
+
   return std::nullopt;
 }
 
@@ -174,6 +185,7 @@ double lane_margin(const WorldModel& world, Vec2 ball, Vec2 point, double limit)
   const Vec2 way = point - ball;
   const double length = std::max(0.1, way.length());
   double margin = limit;
+
   for (const PlayerState& opponent : world.opponents) {
     if (opponent.pos_count > kMaxSupportAge || opponent.ghost()) continue;
     const Vec2 relative = opponent.position - ball;
@@ -183,6 +195,7 @@ double lane_margin(const WorldModel& world, Vec2 ball, Vec2 point, double limit)
     const double run = kRun * std::max(0.0, along / kPassSpeed - kReaction);
     margin = std::min(margin, beside - 1.0 - run);
   }
+
   return margin;
 }
 
@@ -226,6 +239,7 @@ std::optional<Vec2> support_point(const WorldModel& world, const TeamPoints& hom
   if (away > parameters.support_distance || own.x < ball.x - 12.0) return std::nullopt;
   if (world.self.stamina < parameters.support_stamina * world.server().stamina_max)
     return std::nullopt;
+
   Vec2 best = own;
   double best_score = -1e9;
   for (const double ring : kRings) {
@@ -233,6 +247,7 @@ std::optional<Vec2> support_point(const WorldModel& world, const TeamPoints& hom
       Vec2 point = own + soccer::polar_degrees(ring, 360.0 * i / kDirections);
       point.x = std::min({point.x, world.lines.offside - 0.7, soccer::kHalfLength - 1.5});
       point.y = std::clamp(point.y, -soccer::kHalfWidth + 1.5, soccer::kHalfWidth - 1.5);
+
       if (distance(point, ball) < 5.0) continue;
       const double value = support_score(world, home, ball, own, point);
       if (value <= best_score) continue;
@@ -240,6 +255,7 @@ std::optional<Vec2> support_point(const WorldModel& world, const TeamPoints& hom
       best = point;
     }
   }
+
   return best;
 }
 

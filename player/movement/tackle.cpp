@@ -21,6 +21,7 @@ Vec2 tackled_velocity(const WorldModel& world, double direction) {
   const double share = 1.0 - std::fabs(soccer::math::normalize_degrees(direction)) / 180.0;
   const double power = server.max_back_tackle_power +
                        (server.max_tackle_power - server.max_back_tackle_power) * share;
+
   const double push = power * server.tackle_power_rate * (1.0 - 0.5 * ball / 180.0);
   const Vec2 velocity =
       world.ball.velocity +
@@ -41,11 +42,13 @@ bool rolls_into_goal(const WorldModel& world, Vec2 velocity, double x) {
 double outcome(const WorldModel& world, const BallRace& race, Vec2 velocity) {
   if (rolls_into_goal(world, velocity, soccer::kHalfLength)) return 1e6;
   if (rolls_into_goal(world, velocity, -soccer::kHalfLength)) return -1e6;
+
   const Vec2 there = coast(world.ball.position, velocity, world.server().ball_decay, 5);
   const double from_goal = distance(there, {-soccer::kHalfLength, 0.0});
   const double outwards = std::fabs(there.y) - std::fabs(world.ball.position.y);
   constexpr double kPossession = 6.0;  // points per cycle of the lead
   constexpr int kMaxLead = 5;
+
   const RaceResult result = race.run(velocity);
   const int lead = std::clamp(result.theirs - result.ours, -kMaxLead, kMaxLead);
   return 2.0 * from_goal + outwards + kPossession * lead;
@@ -56,6 +59,7 @@ double best_direction(const WorldModel& world, bool foul) {
   const BallRace race(world, foul);
   double best = 0.0;
   double best_value = -1e9;
+
   for (int i = 0; i < kDirections; ++i) {
     const double direction = 360.0 * i / kDirections - 180.0;
     const double value = outcome(world, race, tackled_velocity(world, direction));
@@ -64,6 +68,7 @@ double best_direction(const WorldModel& world, bool foul) {
       best = direction;
     }
   }
+
   return best;
 }
 
@@ -71,6 +76,7 @@ bool is_tackle_needed(const WorldModel& world) {
   const InterceptTable& table = world.intercept;
   if (world.kickable_opponent()) return true;
   if (rolls_into_goal(world, world.ball.velocity, -soccer::kHalfLength)) return true;
+
   const int self = table.best_self_steps();
   const int our_cycles = std::min(self, table.first_teammate_steps);
   if (table.first_opponent_steps < our_cycles - 3) return true;
@@ -90,21 +96,25 @@ bool in_own_area(const WorldModel& world) {
 /// nevertheless.
 bool hits_back(const WorldModel& world) {
   const Vec2 to_ball = world.ball.position - world.self.position;
+
   for (const PlayerState& opponent : world.opponents) {
     const soccer::PlayerType& type = world.type_of(opponent);
     constexpr double kSightError = 0.15;
     const bool has_ball =
         opponent.dist_from_ball < type.kickable_area(world.server().ball_size) + kSightError;
     if (!has_ball || opponent.ghost() || opponent.body_count > 1) continue;
+
     const Vec2 relative = opponent.position - world.self.position;
     if (relative.length() > to_ball.length() + kSightError || dot(relative, to_ball) < 0.0)
       continue;
     const double beside = std::fabs(cross(to_ball, relative)) / std::max(0.01, to_ball.length());
     if (beside > type.player_size + world.self_type().player_size + kSightError) continue;
+
     const AngleDeg to_goal = AngleDeg::of(Vec2{-soccer::kHalfLength, 0.0} - opponent.position);
     const bool harmless = (opponent.body - to_goal).abs() > 100.0;
     if (harmless && (opponent.body - AngleDeg::of(to_ball)).abs() < 90.0) return true;
   }
+
   return false;
 }
 
@@ -119,12 +129,14 @@ bool should_foul(const WorldModel& world) {
 bool tackle_to_point(const WorldModel& world, CommandSlots& slots, Vec2 target,
                      double min_probability, double min_speed) {
   if (world.self.tackle_probability < min_probability) return false;
+
   const AngleDeg desired = AngleDeg::of(target - world.ball.position);
   const double direction = (desired - world.self.body).degrees();
   const Vec2 velocity = tackled_velocity(world, direction);
   if (velocity.length() < min_speed || (AngleDeg::of(velocity) - desired).abs() > 90.0) {
     return false;
   }
+
   return slots.tackle(direction);
 }
 

@@ -40,6 +40,7 @@ void kalman_update(ObjectEstimate& estimate, std::size_t axis, double value, dou
   h[axis] = 1.0;
   const VecN<4> gain = covariance_with(estimate, h);
   const double own = estimate.at(axis, axis);
+
   if (own <= 0.0) return;
   const double share = own / spread;
   rank_one_update(estimate, gain, own, share * (value - estimate.mean[axis]), share * own);
@@ -65,12 +66,14 @@ void hear_ball(WorldModel& world, int speaker, const SayBall& said) {
   ball.heard_velocity = said.velocity;
   ball.heard_pos_count = ball.heard_vel_count = 0;
   if (ball.seen_pos_count == 0) return;  // the current see message is more accurate
+
   const double variance = square(deviation_of(world, speaker, said.position));
   BallTracker& tracker = world.ball_tracker;
   constexpr double kContradiction = 16.0;
   constexpr int kOwnObservationAge = 3;  // cycles for which an own observation takes precedence
   const bool agrees = tracker.tracked &&
                       squared_mahalanobis(tracker.state, said.position, variance) < kContradiction;
+
   if (agrees) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const bool x = axis == 0;
@@ -86,6 +89,7 @@ void hear_ball(WorldModel& world, int speaker, const SayBall& said) {
   } else {
     return;
   }
+
   ball.pos_count = std::min(ball.pos_count, kHeardAge);
   ball.relative_pos_count = std::min(ball.relative_pos_count, kHeardAge);
   ball.vel_count = std::min(ball.vel_count, kHeardAge);
@@ -107,6 +111,7 @@ PlayerState* unconfirmed_track_at(PlayerList& list, Vec2 position, double varian
   PlayerState* best = nullptr;
   double least = 1e9;
   double second = 1e9;
+
   for (PlayerState& track : list) {
     const double squared = squared_mahalanobis(estimate_of(track), position, variance);
     if (squared < least) {
@@ -117,6 +122,7 @@ PlayerState* unconfirmed_track_at(PlayerList& list, Vec2 position, double varian
       second = std::min(second, squared);
     }
   }
+
   constexpr double kNear = 9.0;
   constexpr double kClear = 6.0;
   if (best == nullptr || least > kNear || second < least + kClear) return nullptr;
@@ -141,9 +147,11 @@ void hear_player(WorldModel& world, int speaker, const SaidPlayer& said, const d
   const bool our_team = said.number <= soccer::kPlayersPerTeam;
   const int unum = our_team ? said.number : said.number - soccer::kPlayersPerTeam;
   if (our_team && unum == world.unum) return;
+
   const Side side = our_team ? world.our_side : world.their_side();
   PlayerList& list = our_team ? world.teammates : world.opponents;
   const double variance = square(deviation_of(world, speaker, said.position));
+
   PlayerState* track = find_number(list, unum);
   constexpr double kSame = 16.0;
   if (track != nullptr &&
@@ -157,15 +165,18 @@ void hear_player(WorldModel& world, int speaker, const SaidPlayer& said, const d
     std::swap(track->goalie, heard_track->goalie);
     track = heard_track;
   }
+
   if (track == nullptr) {
     track = unconfirmed_track_at(list, said.position, variance);
     if (track != nullptr && track->unum != 0) track = nullptr;
   }
+
   if (track == nullptr) {
     track = new_player(world, side, unum);
     set_estimate(*track, make_estimate(said.position, variance, {}, 0.04));
     track->pos_count = kHeardAge;
   }
+
   track->unum = unum;
   forget_lost(world, side, unum);
   record_heard_position(*track, said.position);
@@ -174,6 +185,7 @@ void hear_player(WorldModel& world, int speaker, const SaidPlayer& said, const d
     track->body = AngleDeg(*body);
     track->body_count = kHeardAge;
   }
+
   sort_players(list);
 }
 

@@ -34,6 +34,7 @@ void set_ball(WorldModel& world, PlayMode mode) {
       soccer::side(mode) == world.our_side ? 1.0 : -1.0;  // 1: their goal, -1: our goal
   const Vec2 estimated = world.ball.position;
   const double half = estimated.y > 0.0 ? 1.0 : -1.0;
+
   switch (without_side(mode)) {
     case PlayMode::kBeforeKickOff:
     case PlayMode::kKickOffLeft:
@@ -103,14 +104,17 @@ void change_mode(WorldModel& world, PlayMode mode, int time) {
   game.goalie_catch = game.caught_side != Side::kNeutral && game.caught_time == time &&
                       without_side(mode) == PlayMode::kFreeKickLeft &&
                       soccer::side(mode) == game.caught_side;
+
   game.mode = mode;
   game.mode_start = time == game.time.cycle ? game.time : GameTime{time, 0};
+
   if (soccer::is_penalty_mode(mode)) {
     count_penalty(world, mode, time);
   } else if (mode != PlayMode::kPlayOn) {
     game.last_set_play_start = time;
     game.set_play_count = 0;
   }
+
   if (!game.goalie_catch) set_ball(world, mode);
   if (players_are_placed(mode)) forget_positions(world);
 }
@@ -120,9 +124,11 @@ void change_mode(WorldModel& world, PlayMode mode, int time) {
 bool hear_goal(WorldModel& world, std::string_view message, int time) {
   constexpr std::string_view kStart = "goal_";
   if (message.size() < 8 || !message.starts_with(kStart) || message[6] != '_') return false;
+
   const std::optional<Side> side = side_of_letter(message[5]);
   const std::optional<int> score = base::parse_int(message.substr(7));
   if (!side || !score || *score < 0 || *score > soccer::kMaxInteger) return false;
+
   (*side == world.our_side ? world.game.our_score : world.game.their_score) = *score;
   change_mode(world, soccer::for_side(PlayMode::kGoalLeft, *side), time);
   return true;
@@ -144,9 +150,11 @@ void hear_referee(WorldModel& world, int time, std::string_view message) {
     change_mode(world, *mode, time);
     return;
   }
+
   if (hear_goal(world, message, time)) return;
   const std::optional<Side> side = message.empty() ? std::nullopt : side_of_letter(message.back());
   if (!side) return;
+
   if (message.starts_with("goalie_catch_ball_")) {
     world.game.caught_side = *side;
     world.game.caught_time = time;
@@ -158,9 +166,11 @@ void hear_referee(WorldModel& world, int time, std::string_view message) {
 void hear_message(WorldModel& world, const soccer::Hear& hear) {
   using Sender = soccer::Hear::Sender;
   if (hear.partial) return;
+
   HeardMessage message;
   message.time = world.game.time;
   message.text = hear.text;
+
   switch (hear.sender) {
     case Sender::kTeammate:
       message.side = world.our_side;
@@ -189,6 +199,7 @@ void hear_message(WorldModel& world, const soccer::Hear& hear) {
     case Sender::kPlayer:
       return;
   }
+
   world.heard.push_back(message);
 }
 

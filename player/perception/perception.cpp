@@ -71,6 +71,7 @@ void update_recovery(WorldModel& world, const soccer::SenseBody& sense, int cycl
     self.recovery = server.recover_init;  // new half or substitution
     return;
   }
+
   // The rule uses the stamina before the gain of the cycle.
   const double gain =
       sense.capacity == 0.0 ? 0.0 : self.recovery * world.self_type().stamina_inc_max;
@@ -81,12 +82,14 @@ void update_recovery(WorldModel& world, const soccer::SenseBody& sense, int cycl
 /// Updates the pointing arm while the server reports it.
 void update_arm(WorldModel& world, const soccer::SenseBody& sense) {
   SelfState& self = world.self;
+
   const bool moved = sense.arm.count > self.arm.count;
   self.arm = sense.arm;
   if (sense.arm.expires_in == 0) {
     self.point_count = kNever;
     return;
   }
+
   if (moved) self.point_count = 0;
   self.point_direction = self.face() + sense.arm.target_direction;
 }
@@ -126,20 +129,24 @@ void update_distances(const WorldModel& world, PlayerList& players) {
   const soccer::Vec2 self = world.self.position;
   const soccer::Vec2 ball = world.ball.position;
   FixedList<soccer::Vec2, 2 * PlayerList::capacity()> vectors;  // from the agent, from the ball
+
   for (const PlayerState& player : players) {
     vectors.push_back(player.position - self);
     vectors.push_back(player.position - ball);
   }
+
   std::array<double, 2 * PlayerList::capacity()> degrees;
   soccer::directions(vectors.begin(), vectors.size(), degrees.data());
   for (std::size_t i = 0; i < players.size(); ++i) {
     PlayerState& player = players[i];
     player.dist_from_self = soccer::distance(player.position, self);
     player.angle_from_self = soccer::AngleDeg(degrees[2 * i]);
+
     if (world.ball.pos_count >= kNever) {
       player.dist_from_ball = kNever;
       continue;
     }
+
     player.dist_from_ball = soccer::distance(player.position, ball);
     player.angle_from_ball = soccer::AngleDeg(degrees[2 * i + 1]);
   }
@@ -174,14 +181,17 @@ void relax_kickable(WorldModel& world) {
   const InterceptTable& table = world.intercept;
   SelfState& self = world.self;
   if (self.kickable || world.ball.seen_pos_count != 0 || world.ball.ghost_count != 0) return;
+
   const double area = world.self_type().kickable_area(world.server().ball_size);
   if (world.ball.dist_from_self > area) return;
+
   constexpr int kLateIntercept = 10;
   const int own = table.best_self_steps();
   const BallPath path = ball_path(world);
   const soccer::Vec2 meeting = path[static_cast<std::size_t>(std::min(own, kInterceptHorizon))];
   const bool leaves =
       std::fabs(meeting.x) > soccer::kHalfLength || std::fabs(meeting.y) > soccer::kHalfWidth;
+
   self.kickable = own >= kLateIntercept || table.first_opponent_steps + 2 <= own || leaves;
 }
 
@@ -198,6 +208,7 @@ void on_init(WorldModel& world, const soccer::PlayerInitReply& reply, soccer::Te
 
 base::Result<void> on_parameter_message(WorldModel& world, std::string_view message) {
   base::Result<void> result;
+
   switch (soccer::message_kind(message)) {
     case soccer::MessageKind::kServerParam: {
       soccer::ServerParams params;
@@ -217,6 +228,7 @@ base::Result<void> on_parameter_message(WorldModel& world, std::string_view mess
       if (result) on_player_type(world, type);
     }
   }
+
   return result;
 }
 
@@ -224,12 +236,14 @@ void on_server_param(WorldModel& world, const soccer::ServerParams& params) {
   MatchParameters& match = mutable_parameters(world);
   match.server = params;
   match.types[0] = soccer::default_player_type(params);
+
   if (params.quantize_step_l != match.landmark_distances.step()) {
     match.landmark_distances = DistanceTable(params.quantize_step_l);
   }
   if (params.quantize_step != match.object_distances.step()) {
     match.object_distances = DistanceTable(params.quantize_step);
   }
+
   world.self.stamina = params.stamina_max;
   world.self.capacity = params.stamina_capacity;
 }
@@ -254,12 +268,15 @@ void on_change_player_type(WorldModel& world, const soccer::PlayerTypeChange& ch
         change.unum;
     return;
   }
+
   if (!change.type) {  // an opponent: the new type is not reported
     world.their_types[static_cast<std::size_t>(change.unum - 1)] = -1;
     return;
   }
+
   world.our_types[static_cast<std::size_t>(change.unum - 1)] = *change.type;
   if (change.unum != world.unum) return;
+
   // A substitute has full stamina.
   world.self.type_id = *change.type;
   world.self.recovery = 1.0;
@@ -271,14 +288,17 @@ void on_sense_body(WorldModel& world, const soccer::SenseBody& sense) {
   const int before = world.game.time.cycle;
   begin_step(world.game, sense.time);
   const int cycles = std::clamp(before < 0 ? 1 : sense.time - before, 1, kMaxLostCycles);
+
   age_self(self, cycles);
   world.ball_tracker.pushed = false;
   advance_ball(world, sense, cycles);
   advance_players(world, cycles);
   advance_self(world, sense, cycles);
+
   update_recovery(world, sense, cycles);
   update_catches(world, sense, cycles);
   copy_sense_body(world, sense);
+
   world.self_tracker.sent = {};
   publish_pose(world);
   update_arm(world, sense);
@@ -289,6 +309,7 @@ void on_see(WorldModel& world, const soccer::See& see) {
   if (see.time != world.game.time.cycle) return;
   world.game.see_time = see.time;
   world.game.last_see = world.game.time;
+
   if (localize(world, see)) {
     publish_pose(world);
     SelfState& self = world.self;
@@ -296,6 +317,7 @@ void on_see(WorldModel& world, const soccer::See& see) {
     self.seen_velocity = self.velocity;
     self.pos_count = self.seen_pos_count = self.seen_vel_count = self.body_count = 0;
   }
+
   if (!world.self_tracker.located) return;
   observe_ball(world, see);
   observe_players(world, see);
@@ -312,6 +334,7 @@ void on_hear(WorldModel& world, const soccer::Hear& hear) {
 void record_sent_commands(WorldModel& world, const std::vector<soccer::PlayerCommand>& commands) {
   SentCommands& sent = world.self_tracker.sent;
   sent = {};
+
   for (const soccer::PlayerCommand& command : commands) {
     if (const auto* turn = std::get_if<soccer::Turn>(&command)) sent.turn = *turn;
     if (const auto* dash = std::get_if<soccer::Dash>(&command)) sent.dash = *dash;
@@ -329,12 +352,15 @@ void update_derived(WorldModel& world) {
   ++world.game.set_play_count;
   update_ball(world);
   update_players(world);
+
   if (world.goalie) world.our_goalie_unum = world.unum;
   world.our_goalie_unum = goalie_of(world.teammates, world.our_goalie_unum);
   world.their_goalie_unum = goalie_of(world.opponents, world.their_goalie_unum);
+
   update_last_kicker(world);
   update_kickable_players(world);
   update_action_probabilities(world);
+
   update_intercept_table(world);
   relax_kickable(world);
   if (world.intercept.first_opponent_steps > 0) world.self.foul_probability = 0.0;

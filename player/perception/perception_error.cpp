@@ -8,21 +8,25 @@ namespace cls::player {
 void PerceptionError::add(const WorldModel& world, const GroundTruth& truth) {
   if (world.game.mode != soccer::PlayMode::kPlayOn) return;
   ++cycles_;
+
   const bool right = world.our_side == soccer::Side::kRight;
   const auto own = [right](soccer::Vec2 v) { return right ? -v : v; };
   const auto slot = [](soccer::Side side, int unum) {
     return static_cast<std::size_t>(soccer::slot_of(side, unum));
   };
+
   const GroundTruth::Player& self = truth.players[slot(world.our_side, world.unum)];
   self_.push_back(soccer::distance(world.self.position, own(self.position)));
   const soccer::AngleDeg body(right ? self.body + 180.0 : self.body);
   body_angle_.push_back((world.self.body - body).abs());
+
   if (world.ball.pos_count == 0) {
     ball_.push_back(soccer::distance(world.ball.position, own(truth.ball_position)));
   }
   if (world.ball.vel_count == 0 && truth.ball_velocity) {
     ball_velocity_.push_back(soccer::distance(world.ball.velocity, own(*truth.ball_velocity)));
   }
+
   const auto add_team = [&](const PlayerList& players, std::vector<double>& errors) {
     for (const PlayerState& player : players) {
       if (player.pos_count != 0 || player.unum == 0) continue;
@@ -30,6 +34,7 @@ void PerceptionError::add(const WorldModel& world, const GroundTruth& truth) {
       if (real.present) errors.push_back(soccer::distance(player.position, own(real.position)));
     }
   };
+
   add_team(world.teammates, teammates_);
   add_team(world.opponents, opponents_);
 }

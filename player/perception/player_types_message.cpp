@@ -47,9 +47,11 @@ std::string format_player_types(const TypeIds& types) {
 std::optional<TypeIds> parse_player_types(std::string_view text) {
   const std::size_t start = text.find(kHead);
   if (start == std::string_view::npos) return std::nullopt;
+
   Reader in(text.substr(start + kHead.size()));
   TypeIds types;
   types.fill(-1);
+
   while (in.consume('(')) {
     int unum = 0;
     int type = 0;
@@ -57,6 +59,7 @@ std::optional<TypeIds> parse_player_types(std::string_view text) {
     if (unum < 1 || unum > soccer::kPlayersPerTeam || type < -1) return std::nullopt;
     types[static_cast<std::size_t>(unum - 1)] = type;
   }
+
   if (!in.consume(')')) return std::nullopt;
   return types;
 }

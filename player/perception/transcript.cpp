@@ -27,11 +27,13 @@ class Replay {
       if (const auto* again = std::get_if<soccer::PlayerReconnect>(&request)) reconnect_ = *again;
       return;
     }
+
     if (undecided_) {
       undecided_ = false;
       update_derived(world_);
       on_decision_(world_);
     }
+
     commands_.clear();
     soccer::parse_player_commands(text, commands_);
     record_sent_commands(world_, commands_);
@@ -76,6 +78,7 @@ class Replay {
     soccer::ServerReply reply;
     Result<void> parsed = soccer::parse(text, reply);
     if (!parsed) return parsed;
+
     if (const auto* init = std::get_if<soccer::PlayerInitReply>(&reply)) {
       on_init(world_, *init, init_.team, init_.goalie);
     } else if (const auto* back = std::get_if<soccer::ReconnectReply>(&reply)) {
@@ -84,6 +87,7 @@ class Replay {
     } else if (const auto* change = std::get_if<soccer::PlayerTypeChange>(&reply)) {
       on_change_player_type(world_, *change);
     }
+
     return {};
   }
 
@@ -106,12 +110,14 @@ class Replay {
 TranscriptReplay replay_transcript(std::string_view transcript, const OnDecision& on_decision) {
   Replay replay(on_decision);
   TranscriptReplay result;
+
   for (std::size_t number = 1; !transcript.empty(); ++number) {
     const std::size_t end = transcript.find('\n');
     std::string_view line = transcript.substr(0, end);
     transcript.remove_prefix(end == std::string_view::npos ? transcript.size() : end + 1);
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.empty() || line.front() == '#') continue;
+
     const std::size_t first = line.find('\t');
     const std::size_t second = first == std::string_view::npos ? first : line.find('\t', first + 1);
     const bool sent = line.starts_with("C>S\t");
@@ -119,6 +125,7 @@ TranscriptReplay replay_transcript(std::string_view transcript, const OnDecision
       result.errors.push_back({number, "not a transcript line"});
       continue;
     }
+
     const std::string_view message = line.substr(second + 1);
     if (sent) {
       replay.sent(message);
@@ -126,6 +133,7 @@ TranscriptReplay replay_transcript(std::string_view transcript, const OnDecision
       result.errors.push_back({number, applied.error().message});
     }
   }
+
   result.world = std::move(replay).world();
   return result;
 }

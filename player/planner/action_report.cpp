@@ -17,6 +17,7 @@ void add(ActionCounts& into, const ActionCounts& from) {
 void add(ActionReport& into, const ActionReport& from) {
   for (std::size_t i = 0; i < into.actions.size(); ++i) add(into.actions[i], from.actions[i]);
   for (std::size_t i = 0; i < into.say.size(); ++i) add(into.say[i], from.say[i]);
+
   into.preprocess += from.preprocess;
   into.sure_shot += from.sure_shot;
   into.intention += from.intention;

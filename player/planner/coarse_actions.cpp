@@ -36,6 +36,7 @@ bool lane_open(const PlannerField& field, Vec2 from, Vec2 way, double length, do
     if (along <= 0.0 || along > length + 2.0) continue;
     if (std::fabs(cross(way, relative)) / length < along * tangent) return false;
   }
+
   return true;
 }
 
@@ -53,6 +54,7 @@ const std::array<Heading, 8>& eight_headings() {
     }
     return all;
   }();
+
   return headings;
 }
 
@@ -79,16 +81,20 @@ void add_simple_passes(const CoarseState& state, std::vector<PlanAction>& out) {
   for (const FieldPlayer& teammate : field.teammates) {
     if (teammate.unum == 0 || teammate.age > 10 || teammate.ghost || state.had_ball(teammate.unum))
       continue;
+
     const Vec2 way = teammate.position - now.ball;
     const double length = way.length();
     if (length < 4.0 || length > 35.0) continue;
     if (teammate.position.x > std::max(field.world.lines.offside, now.ball.x)) continue;
+
     const Vec2 to = teammate.position;
     if (to.x < -33.0 && std::fabs(to.y) < 23.0) continue;
     if (nearest_opponent(field, to) < field.parameters.later_pass_room) continue;
+
     const double speed = coarse_speed(length);
     const double angle = (teammate.goalie || way.x < 0.0 ? 17.5 : 14.5) * 2.5 / speed;
     if (!lane_open(field, now.ball, way, length, angle)) continue;
+
     PlanAction action;
     action.category = PlanCategory::kPass;
     action.tag = PlanTag::kSimplePass;
@@ -107,6 +113,7 @@ void add_simple_dribbles(const CoarseState& state, std::vector<PlanAction>& out)
   const PlanNode& now = state.now();
   const FieldPlayer* holder = field.our_player(now.holder);
   if (holder == nullptr || holder->age > 5) return;
+
   for (const auto& [heading, unit] : eight_headings()) {
     if (heading.abs() > 100.0 && now.ball.x < 16.0) continue;
     for (double far = 5.25; far > 1.0; far -= 1.75) {
@@ -115,6 +122,7 @@ void add_simple_dribbles(const CoarseState& state, std::vector<PlanAction>& out)
           std::fabs(end.y) > soccer::kHalfWidth - 1.0) {
         continue;
       }
+
       const int cycles = 2 + holder->reach->cycles(far - 0.5 * holder->control);
       const bool open = std::none_of(
           field.opponents.begin(), field.opponents.end(), [&](const FieldOpponent& opponent) {
@@ -122,6 +130,7 @@ void add_simple_dribbles(const CoarseState& state, std::vector<PlanAction>& out)
             return squared_distance(opponent.position, end) <= grasp * grasp;
           });
       if (!open) continue;
+
       PlanAction action;
       action.category = PlanCategory::kDribble;
       action.tag = PlanTag::kSimpleDribble;
@@ -140,20 +149,24 @@ bool can_shoot_from(const PlannerField& field, Vec2 ball, int holder, int max_ag
   constexpr int kDirections = 15;
   const Vec2 goal{soccer::kHalfLength, 0.0};
   const double range = field.parameters.shot_range;
+
   // A ball at no place, whose distance is not a number, is not in range.
   const bool in_range = squared_distance(ball, goal) <= range * range;
   if (!in_range || ball.x >= soccer::kHalfLength) return false;
   const FieldPlayer* player = field.our_player(holder);
   if (player == nullptr || player->age > max_age) return false;
+
   const bool self = holder == field.self.unum;
   const double min_gap = self ? field.parameters.shot_gap : field.parameters.shot_gap_teammate;
   const double post = field.world.server().goal_width / 2.0 - 0.5;
+
   const auto [low, high] =
       soccer::direction_pair(Vec2{goal.x, -post} - ball, Vec2{goal.x, post} - ball);
   struct Shadow {
     double direction;
     double half_width;
   };
+
   FixedList<Shadow, 44> shadows;
   for (const FieldOpponent& opponent : field.opponents) {
     const Vec2 relative = opponent.position - ball;
@@ -163,6 +176,7 @@ bool can_shoot_from(const PlannerField& field, Vec2 ball, int holder, int max_ag
         soccer::direction_pair(relative, {std::max(0.1, dist), opponent.control});
     shadows.push_back({direction, self ? width : 0.5 * width});
   }
+
   for (int i = 0; i < kDirections; ++i) {
     const double direction = low + (high - low) * i / (kDirections - 1);
     double gap = 180.0;
@@ -177,6 +191,7 @@ bool can_shoot_from(const PlannerField& field, Vec2 ball, int holder, int max_ag
 void add_simple_shot(const CoarseState& state, std::vector<PlanAction>& out) {
   const PlanNode& now = state.now();
   if (!can_shoot_from(state.field, now.ball, now.holder, 10)) return;
+
   PlanAction action;
   action.category = PlanCategory::kShoot;
   action.tag = PlanTag::kSimpleShoot;
@@ -186,6 +201,7 @@ void add_simple_shot(const CoarseState& state, std::vector<PlanAction>& out) {
   action.kicks = 1;
   action.duration = std::max(1, static_cast<int>(distance(now.ball, action.target_point) / 1.5));
   action.final = true;
+
   out.push_back(action);
 }
 

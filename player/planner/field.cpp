@@ -29,10 +29,12 @@ double unseen_run(int age, double speed) {
     }
     return table;
   }();
+
   double run = 0.0;
   for (int i = 1; i <= std::min(kCycles, age); ++i) {
     run += 0.8 * speed * likelihood[static_cast<std::size_t>(i)];
   }
+
   return run;
 }
 
@@ -40,6 +42,7 @@ FieldPlayer field_player(const WorldModel& world, const PlayerState& player,
                          const ReachTable& reach) {
   const soccer::PlayerType& type = world.type_of(player);
   FieldPlayer out;
+
   out.unum = player.unum;
   out.age = player.pos_count;
   out.goalie = player.goalie;
@@ -52,10 +55,12 @@ FieldPlayer field_player(const WorldModel& world, const PlayerState& player,
   out.body_known = player.body_count <= 1 + std::min(2, player.pos_count);
   out.control = type.kickable_area(world.server().ball_size);
   out.unseen_run = unseen_run(player.pos_count, reach.settled_speed());
+
   constexpr double kMaxMoment = 180.0;
   const double turn = soccer::math::to_radians(kMaxMoment / turn_resistance(type, out.velocity));
   out.turn_cos = soccer::math::cos(turn);
   out.turn_sin = soccer::math::sin(turn);
+
   out.type = &type;
   out.reach = &reach;
   return out;
@@ -70,6 +75,7 @@ double grasp(const FieldOpponent& opponent, double margin, int cycles) {
 void prepare(FieldOpponent& opponent, double margin, bool in_box_catches, double catch_reach) {
   if (opponent.goalie && in_box_catches) opponent.control = catch_reach;
   opponent.speed = opponent.velocity.length();
+
   for (int cycle = 0; cycle <= kPlannerHorizon; ++cycle) {
     const auto i = static_cast<std::size_t>(cycle);
     opponent.drift[i] =
@@ -89,19 +95,23 @@ PlannerField::PlannerField(const WorldModel& w, int cycles_held)
     left_[i] = left_[i - 1] * decay;
     roll_[i] = roll_[i - 1] + left_[i - 1];
   }
+
   reach_.reserve(world.parameters->types.size());
   for (const soccer::PlayerType& type : world.parameters->types) {
     reach_.emplace_back(world.server(), type);
   }
+
   const auto reach_of = [&](int type) -> const ReachTable& {
     const auto id = static_cast<std::size_t>(std::max(0, type));
     return reach_[id < reach_.size() ? id : 0];
   };
+
   ball = world.ball.position;
   ball_velocity = world.ball.velocity_valid() ? world.ball.velocity : Vec2{};
   kick_limit = player::kick_limit(world);
   open_play =
       world.game.mode == soccer::PlayMode::kPlayOn || soccer::is_penalty_mode(world.game.mode);
+
   PlayerState me;
   me.unum = world.unum;
   me.goalie = world.goalie;
@@ -111,10 +121,12 @@ PlannerField::PlannerField(const WorldModel& w, int cycles_held)
   me.body = world.self.body;
   me.pos_count = me.vel_count = me.body_count = 0;
   self = field_player(world, me, reach_of(me.type_id));
+
   for (const PlayerState& teammate : world.teammates) {
     if (teammate.position_valid())
       teammates.push_back(field_player(world, teammate, reach_of(teammate.type_id)));
   }
+
   const double catch_reach = world.server().catchable_area_l;
   const auto add = [&](const PlayerState& player) {
     FieldOpponent opponent;
@@ -122,6 +134,7 @@ PlannerField::PlannerField(const WorldModel& w, int cycles_held)
     prepare(opponent, parameters.opponent_margin, ball.x > 20.0, catch_reach);
     opponents.push_back(opponent);
   };
+
   for (const PlayerState& player : world.opponents) {
     if (player.pos_count <= kMaxAge && player.ghost_count < 2) add(player);
   }
@@ -187,6 +200,7 @@ bool any_opponent(const PlannerField& field, std::size_t& last, Condition holds)
     last = i;
     return true;
   }
+
   return false;
 }
 
@@ -212,10 +226,12 @@ int opponents_cycles_to(const PlannerField& field, Vec2 point, bool count_age) {
 bool opponent_gets_there(const PlannerField& field, Vec2 point, int cycles, bool count_age) {
   return any_opponent(field, field.last_arriver, [&](const FieldOpponent& opponent) {
     const int time = cycles + age_credit(field, opponent, count_age);
+
     const Vec2 way = point - opponent.rest;
     const double far = opponent.control + opponent.reach->run(time);
     const double length2 = way.squared_length();
     if (length2 > far * far) return false;  // out of reach even without a turn
+
     const double length = std::sqrt(length2);
     const double run = length - opponent.control;
     return run <= 0.0 ||
@@ -241,9 +257,11 @@ bool stops_there(const PlannerField& field, const FieldOpponent& opponent, Vec2 
   const double run =
       length - opponent.control - field.parameters.opponent_margin - unseen - rules.extra_reach;
   if (run <= 0.0) return true;
+
   constexpr double kArmsLength = 0.2;
   const Slack slack = slack_for(opponent.control + kArmsLength, length, kTwentyDegrees);
   const int turns = turns_to_face(opponent, way, length, slack);
+
   constexpr int kMaxCredit = 3;
   const int credit = rules.count_age ? std::min(kMaxCredit, opponent.age) : 0;
   return opponent.reach->run(now + credit - turns - (opponent.lying ? kGettingUp : 0)) >= run;
@@ -252,18 +270,22 @@ bool stops_there(const PlannerField& field, const FieldOpponent& opponent, Vec2 
 bool stops(const PlannerField& field, const BallRoll& roll, const StopRules& rules,
            const FieldOpponent& opponent) {
   const double way_length = roll.speed * field.roll(roll.cycles);
+
   const auto at = [&](int cycle) {
     return static_cast<std::size_t>(std::min(kPlannerHorizon, cycle + rules.head_start));
   };
+
   // Quick rejection: the whole path is out of reach.
   const Vec2 relative = opponent.drift[at(roll.cycles)] - field.ball;
   const double along = soccer::between(dot(relative, roll.direction), 0.0, way_length);
   const double far = opponent.grasp[at(roll.cycles)] + opponent.speed * 2.0 + rules.extra_reach;
   if ((relative - roll.direction * along).squared_length() > far * far) return false;
+
   // Maximum closing speed of ball and opponent; a faulty server may send types that never run.
   const double closing =
       std::max(0.0, roll.speed + opponent.speed + opponent.type->player_speed_max);
   const Vec2 step = roll.direction * roll.speed;
+
   for (int cycle = 1; cycle <= roll.cycles; ++cycle) {
     const Vec2 way = field.ball + step * field.roll(cycle) - opponent.drift[at(cycle)];
     const double length = way.length();
@@ -274,6 +296,7 @@ bool stops(const PlannerField& field, const BallRoll& roll, const StopRules& rul
       return true;
     }
   }
+
   return false;
 }
 

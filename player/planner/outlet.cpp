@@ -58,6 +58,7 @@ class OutletSearch {
       if (fastest <= 0.0) continue;
       for (const double share : kSpeedShares) consider(direction, 0.98 * fastest * share);
     }
+
     return best_;
   }
 
@@ -71,6 +72,7 @@ class OutletSearch {
   Outlet outcome(Vec2 direction, double speed) const {
     Outlet outlet;
     outlet.speed = speed;
+
     for (int cycle = 1; cycle <= kPlannerHorizon; ++cycle) {
       outlet.target = field_.ball + direction * (speed * field_.roll(cycle));
       if (!on_pitch(outlet.target)) {
@@ -78,6 +80,7 @@ class OutletSearch {
         outlet.value = value_of_loss(outlet.target) + field_.parameters.outlet_kick_in;
         return outlet;
       }
+
       if (opponent_gets(outlet.target, cycle)) break;
       if (teammate_gets(outlet.target, cycle)) {
         const int ahead = opponents_cycles_to(field_, outlet.target, true) - cycle;
@@ -86,6 +89,7 @@ class OutletSearch {
         return outlet;
       }
     }
+
     outlet.value = value_of_loss(outlet.target);
     return outlet;
   }

@@ -33,6 +33,7 @@ const std::vector<Vec2>& ring_points() {
     }
     return all;
   }();
+
   return points;
 }
 
@@ -51,6 +52,7 @@ const std::vector<Ray>& through_rays() {
     }
     return all;
   }();
+
   return rays;
 }
 
@@ -59,17 +61,20 @@ class PassSearch {
   PassSearch(const PlannerField& field, std::vector<PlanAction>& out) : field_(field), out_(out) {
     const WorldModel& world = field.world;
     const PlannerParameters& parameters = field.parameters;
+
     for (const FieldPlayer& teammate : field.teammates) {
       if (teammate.unum == 0 || teammate.age > parameters.pass_age || teammate.ghost ||
           teammate.lying) {
         continue;
       }
+
       const double dist = distance(teammate.position, field.ball);
       if (dist > parameters.pass_distance) continue;
       if (teammate.position.x > world.lines.offside && field.open_play) continue;
       if (teammate.goalie && teammate.position.x < -22.0) continue;
       receivers_.push_back(&teammate);
     }
+
     const ReachTable usual(world.server(), world.parameters->type(0));
     usual_speed_ = usual.settled_speed();
   }
@@ -88,10 +93,12 @@ class PassSearch {
     const Vec2 way = point - receiver.rest;
     double dist = way.length();
     if (!free_run) dist = 1.05 * dist + receiver.unseen_run;
+
     const int turns = dist < receiver.control
                           ? 0
                           : turns_to_face(receiver, way, way.length(),
                                           slack_for(receiver.control, dist, kFifteenDegrees));
+
     return turns + receiver.reach->cycles(dist) + (turns > 0 ? 1 : 0);
   }
 
@@ -117,21 +124,26 @@ class PassSearch {
     const Vec2 direction = way / length;
     const double max = field_.world.server().ball_speed_max;
     int theirs_from = kNever;  // an opponent is at the point from this cycle on
+
     for (int n = std::max(1, first); n <= std::min(last, kPlannerHorizon); ++n) {
       const double speed = field_.first_speed(length, n);
       if (speed > max) continue;
       if (speed < speeds.min_first) break;
+
       const double arrival = speed * field_.speed_left(n);
       if (arrival > speeds.max_arrival) continue;
       if (arrival < speeds.min_arrival) break;
+
       const int kicks = field_.kicks_for(direction, speed);
       if (!field_.open_play && !reachable_at_once(direction, speed)) continue;
+
       StopRules rules;
       rules.head_start = kicks - 1;
       rules.count_age = tag != PlanTag::kStrictThrough ||
                         (point.x < field_.world.lines.offside && point.x < 30.0);
       rules.extra_reach =
           point.x < 25.0 ? field_.parameters.pass_margin : field_.parameters.pass_margin_deep;
+
       const int arrives = n + kicks - 1;
       if (arrives >= theirs_from) continue;
       if (tag != PlanTag::kStrictDirect &&
@@ -152,6 +164,7 @@ class PassSearch {
 
   void add(const FieldPlayer& receiver, Vec2 point, double speed, int n, int kicks, PlanTag tag) {
     PlanAction action;
+
     action.category = PlanCategory::kPass;
     action.tag = tag;
     action.sender = field_.self.unum;
@@ -161,6 +174,7 @@ class PassSearch {
     action.duration = n + kicks;
     action.kicks = kicks;
     action.final = field_.ball.x <= 30.0 && point.x > field_.world.lines.their_defense_players;
+
     out_.push_back(action);
   }
 
@@ -175,15 +189,18 @@ class PassSearch {
     const Vec2 point = receiver.rest;
     const double length = distance(point, field_.ball);
     const double own_area = kickable_area(field_.world);
+
     if (length < 2.2 * own_area || length > 0.8 * field_.longest_roll()) return;
     if (!inside(point, 1.5, 5.0)) return;
     const Vec2 own_goal{-soccer::kHalfLength, 0.0};
     if (distance(point, own_goal) < 18.0 && point.x < field_.ball.x) return;
+
     const double push = 100.0 * receiver.type->dash_power_rate * receiver.type->effort_max;
     Speeds speeds;
     speeds.min_first = usual_speed_;
     speeds.min_arrival = receiver.reach->settled_speed();
     speeds.max_arrival = receiver.control + 1.8 * push;
+
     const int ready = receiver.reach->cycles(receiver.unseen_run);
     const int first = std::max({3, fewest_cycles(length), ready});
     try_ball(receiver, point, first, first + 4, speeds, PlanTag::kStrictDirect);
@@ -195,6 +212,7 @@ class PassSearch {
     speeds.min_first = usual_speed_;
     speeds.min_arrival = field_.parameters.lead_arrival_speed;
     speeds.max_arrival = receiver.control + 1.5 * push;
+
     for (std::size_t ring = 0; ring < kRings.size(); ++ring) {
       for (std::size_t i = 0; i < kRingDirections; i += ring < 2 ? 2 : 1) {
         const Vec2 point = receiver.rest + ring_points()[ring * kRingDirections + i];
@@ -202,9 +220,11 @@ class PassSearch {
         if (length < 3.0 || length > 0.8 * field_.longest_roll() || !inside(point, 2.0, 5.0)) {
           continue;
         }
+
         const Vec2 own_goal{-soccer::kHalfLength, 0.0};
         if (distance(point, own_goal) < 18.0 && point.x < field_.ball.x + 1.0) continue;
         if (!nearest_receiver(receiver, point)) continue;
+
         const int ready = receiver_cycles(receiver, point, false);
         const int first = std::max({3, fewest_cycles(length), ready});
         try_ball(receiver, point, first, first + 3, speeds, PlanTag::kStrictLead);
@@ -216,20 +236,24 @@ class PassSearch {
     const double offside = field_.world.lines.offside;
     const double min_x = std::min({std::max(10.0, field_.ball.x + 10.0), offside - 10.0, 31.0});
     if (receiver.position.x < min_x - 30.0) return;
+
     Speeds speeds;
     speeds.min_first = field_.parameters.through_first_speed;
     const double push = 100.0 * receiver.type->dash_power_rate * receiver.type->effort_max;
     speeds.max_arrival = receiver.control + 1.5 * push;
     const bool runs = receiver.velocity.length() > 0.2;
     const AngleDeg heading = runs ? AngleDeg::of(receiver.velocity) : AngleDeg();
+
     for (const Ray& ray : through_rays()) {
       const bool on_its_way = runs && (heading - ray.angle).abs() < 15.0;
       for (double far = 6.0; far <= 30.0; far += 2.0) {
         const Vec2 point = receiver.rest + ray.unit * far;
         if (point.x < min_x || !inside(point, 2.5, 5.0) || point.x > 50.0) continue;
+
         const double length = distance(point, field_.ball);
         if (length < 5.0 || length > 0.9 * field_.longest_roll()) continue;
         if (!nearest_receiver(receiver, point)) continue;
+
         const int ready = receiver_cycles(receiver, point, true) + (on_its_way ? 0 : 1);
         const int first = std::max({fewest_cycles(length), ready});
         try_ball(receiver, point, first, first + 3, speeds, PlanTag::kStrictThrough);

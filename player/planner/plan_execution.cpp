@@ -29,10 +29,12 @@ const Vec2 kTheirGoal{soccer::kHalfLength, 0.0};
 void say_pass(ActionContext& c, const PlanAction& action) {
   const Vec2 ball = c.world.ball.position;
   const Vec2 velocity = soccer::with_length(action.target_point - ball, action.first_speed);
+
   SayPass pass;
   pass.receiver = action.target;
   pass.point = action.target_point;
   pass.ball = {ball + velocity, velocity * c.world.server().ball_decay};
+
   std::string text;
   if (append_say_message(pass, c.world.server(), text)) c.slots.say(text);
 }
@@ -49,6 +51,7 @@ void look_at(ActionContext& c, int unum) {
 bool pass(ActionContext& c, const PlanAction& action) {
   const WorldModel& world = c.world;
   look_at(c, action.target);
+
   const Vec2 target = action.target_point;
   const Vec2 way = target - world.ball.position;
   const Vec2 direction = way / std::max(1e-6, way.length());
@@ -56,19 +59,23 @@ bool pass(ActionContext& c, const PlanAction& action) {
   const bool at_once = world.game.mode != PlayMode::kPlayOn ||
                        max_speed_along(world.ball.velocity, direction, kick_limit(world), max) >=
                            action.first_speed - 1e-6;
+
   const bool kicked = at_once ? kick_one_step(world, c.slots, target, action.first_speed, false)
                               : smart_kick(world, c.slots, target, action.first_speed,
                                            0.96 * action.first_speed, 3);
   if (!kicked) return c.slots.has_body();
+
   say_pass(c, action);
   return true;
 }
 
 bool dribble(ActionContext& c, const PlanAction& action) {
   const WorldModel& world = c.world;
+
   const bool open =
       world.game.mode == PlayMode::kPlayOn || soccer::is_penalty_mode(world.game.mode);
   if (!open || !kick_to_velocity(world, c.slots, action.first_velocity)) return false;
+
   Intention& intention = c.memory.intention;
   intention.kind = Intention::Kind::kDribble;
   intention.target = action.target_point;
@@ -77,10 +84,12 @@ bool dribble(ActionContext& c, const PlanAction& action) {
   intention.dash_power = world.server().max_dash_power;
   intention.dashes = action.dashes;
   intention.last = world.game.time;
+
   constexpr double kNearGoal = 18.0;
   c.neck.kind = distance(action.target_point, kTheirGoal) < kNearGoal
                     ? NeckPlan::Kind::kGoalieOrScan
                     : NeckPlan::Kind::kScan;
+
   return true;
 }
 
@@ -104,10 +113,12 @@ Gap widest_gap(const WorldModel& world) {
   constexpr int kTargets = 13;
   const double half = world.server().goal_width / 2.0 - 0.7;
   Gap best;
+
   for (int i = 0; i < kTargets; ++i) {
     const Vec2 target{soccer::kHalfLength, half * (2.0 * i / (kTargets - 1) - 1.0)};
     const Vec2 way = target - world.ball.position;
     const AngleDeg direction = AngleDeg::of(way);
+
     double gap = 90.0;
     for (const PlayerState& opponent : world.opponents) {
       if (opponent.pos_count > 10 || opponent.dist_from_ball > way.length()) continue;
@@ -115,6 +126,7 @@ Gap widest_gap(const WorldModel& world) {
           soccer::math::atan2(opponent.goalie ? 1.2 : 0.8, std::max(0.3, opponent.dist_from_ball)));
       gap = std::min(gap, (opponent.angle_from_ball - direction).abs() - width);
     }
+
     if (gap > best.degrees) best = {target, gap};
   }
   return best;
@@ -125,11 +137,13 @@ bool shoot_into_gap(ActionContext& c) {
   const WorldModel& world = c.world;
   const PlannerParameters& parameters = *world.planner;
   if (distance(world.ball.position, kTheirGoal) > parameters.late_shot_range) return false;
+
   const bool pressed = world.intercept.first_opponent_steps <= 2;
   const Gap gap = widest_gap(world);
   if (gap.degrees < (pressed ? parameters.late_shot_gap_pressed : parameters.late_shot_gap)) {
     return false;
   }
+
   const double max = world.server().ball_speed_max;
   c.neck = {NeckPlan::Kind::kPoint, gap.target};
   if (!pressed && smart_kick(world, c.slots, gap.target, max, 0.9 * max, 2)) return true;
@@ -142,14 +156,17 @@ double lane_room(const WorldModel& world, Vec2 target) {
   const Vec2 way = target - world.ball.position;
   const double length = way.length();
   double room = 10.0;
+
   for (const PlayerState& opponent : world.opponents) {
     if (opponent.pos_count > 10 || opponent.ghost()) continue;
     const Vec2 relative = opponent.position - world.ball.position;
     const double along = dot(relative, way) / length;
     if (along < 0.3 || along > length + 1.0) continue;
+
     const double beside = std::fabs(cross(way, relative)) / length;
     room = std::min(room, beside - 0.12 * along);
   }
+
   return room;
 }
 
@@ -166,9 +183,11 @@ bool is_pressed(const WorldModel& world) {
 bool lay_off(ActionContext& c) {
   const WorldModel& world = c.world;
   const int since = c.memory.ball_since;
+
   const bool long_held =
       since >= 0 && world.game.time.cycle - since >= world.planner->lay_off_cycles;
   if (!long_held && !is_pressed(world)) return false;
+
   const PlayerState* best = nullptr;
   double best_room = world.planner->lay_off_room;
   for (const PlayerState& teammate : world.teammates) {
@@ -177,12 +196,14 @@ bool lay_off(ActionContext& c) {
       continue;
     if (teammate.dist_from_ball < 4.0 || teammate.dist_from_ball > 30.0) continue;
     if (teammate.position.x > world.lines.offside) continue;
+
     const double room = lane_room(world, teammate.position);
     if (room > best_room) {
       best_room = room;
       best = &teammate;
     }
   }
+
   if (best == nullptr) return false;
   PlanAction action;
   action.target = best->unum;
@@ -191,6 +212,7 @@ bool lay_off(ActionContext& c) {
   action.first_speed =
       std::min(world.server().ball_speed_max,
                kArrival + best->dist_from_ball * (1.0 - world.server().ball_decay));
+
   return pass(c, action);
 }
 
@@ -208,6 +230,7 @@ bool hold(ActionContext& c) {
 
 bool execute_plan(ActionContext& c, const Plan& plan, int node) {
   if (!c.world.self.kickable || plan.empty()) return false;
+
   const PlanAction& action = plan.nodes[static_cast<std::size_t>(plan.first_of(node))].action;
   switch (action.category) {
     case PlanCategory::kPass:
@@ -251,16 +274,19 @@ bool kick_out_of_danger(ActionContext& c) {
   const WorldModel& world = c.world;
   const PlannerParameters& parameters = *world.planner;
   const Vec2 our_goal{-soccer::kHalfLength, 0.0};
+
   if (world.game.mode != PlayMode::kPlayOn ||
       distance(world.ball.position, our_goal) > parameters.outlet_range) {
     return false;
   }
+
   constexpr int kMaxAge = 10;
   const bool pressed =
       std::any_of(world.opponents.begin(), world.opponents.end(), [&](const PlayerState& opponent) {
         return opponent.dist_from_ball < parameters.outlet_pressure && !opponent.ghost() &&
                opponent.pos_count <= kMaxAge;
       });
+
   return pressed && kick_outlet(c);
 }
 

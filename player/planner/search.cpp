@@ -39,6 +39,7 @@ class Search {
     root.holder = field_.self.unum;
     root.ball = field_.ball;
     root.our_defense_line = field_.world.lines.our_defense;
+
     plan_.nodes.push_back(root);
     plan_.nodes[0].value = value_(field_, plan_, 0);
     open_.push({plan_.nodes[0].value, 0});
@@ -46,6 +47,7 @@ class Search {
 
   void generate(int node) {
     actions_.clear();
+
     if (node == 0) {
       if (options_.passes) add_passes(field_, actions_);
       if (options_.cross) add_crosses(field_, actions_);
@@ -53,6 +55,7 @@ class Search {
       if (options_.long_dribble) add_self_passes(field_, actions_);
       return;
     }
+
     const CoarseState state{field_, plan_, node};
     if (options_.simple_pass) add_simple_passes(state, actions_);
     if (options_.simple_dribble) add_simple_dribbles(state, actions_);
@@ -62,6 +65,7 @@ class Search {
   PlanNode child(int parent, const PlanAction& action) const {
     const PlanNode& from = plan_.nodes[static_cast<std::size_t>(parent)];
     PlanNode node;
+
     node.action = action;
     node.parent = parent;
     node.depth = from.depth + 1;
@@ -69,6 +73,7 @@ class Search {
     node.ball = action.target_point;
     node.time = from.time + action.duration;
     node.our_defense_line = std::min(from.our_defense_line, node.ball.x);
+
     return node;
   }
 
@@ -83,12 +88,14 @@ class Search {
   void prune_first_actions() {
     constexpr int kMaxPerKind = 10;
     std::vector<std::pair<double, std::size_t>> order;
+
     for (std::size_t i = 0; i < actions_.size(); ++i) {
       add(child(0, actions_[i]));
       order.emplace_back(-plan_.nodes.back().value, i);
       plan_.nodes.pop_back();
     }
     std::sort(order.begin(), order.end());
+
     std::map<std::pair<PlanTag, int>, int> taken;
     std::vector<PlanAction> best;
     const auto max_count = static_cast<std::size_t>(std::max(10, options_.max_nodes / 3));
@@ -97,12 +104,14 @@ class Search {
       if (best.size() >= max_count) break;
       if (taken[{action.tag, action.target}]++ < kMaxPerKind) best.push_back(action);
     }
+
     actions_ = std::move(best);
   }
 
   void expand(int parent) {
     generate(parent);
     if (parent == 0) prune_first_actions();
+
     for (const PlanAction& action : actions_) {
       if (count() >= options_.max_nodes) return;
       const int index = count();

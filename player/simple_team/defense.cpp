@@ -42,8 +42,10 @@ void play_without_ball(const Situation& now, ActionList& list) {
     list.search_ball();
     return;
   }
+
   const bool can_win_ball = now.opponent_kicks && !now.teammate_kicks;
   if (can_win_ball) list.tackle_towards(kTheirGoal, 0.75);
+
   const bool teammates_slower = now.own_reach() <= now.teammates_reach() && !now.teammate_kicks;
   if (teammates_slower && now.own_reach() < kNeverReached) {
     if (now.opponent_kicks) list.go_to(blocking_point(now), 0.5, 100.0);
@@ -51,6 +53,7 @@ void play_without_ball(const Situation& now, ActionList& list) {
     list.watch_ball_or_scan(0);
     return;
   }
+
   go_home(now, list);
   list.watch_ball_or_scan(now.opponents_reach() < 5 ? 1 : 2);
 }

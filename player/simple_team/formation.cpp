@@ -61,11 +61,14 @@ Vec2 home_position(const Situation& now) {
   constexpr int kFirstForward = 9;
   constexpr double kOffsideMargin = 0.3;
   constexpr double kTouchLineMargin = 1.5;
+
   const HomePosition& home = entry_of(now.unum);
   const Vec2 ball = now.ball_is_known() ? now.ball : Vec2{};
+
   double x = std::clamp(home.base.x + home.follow_x * ball.x, home.min_x, home.max_x);
   if (now.unum >= kFirstForward) x = forward_x(now, x);
   x = std::min(x, std::max(now.offside_line - kOffsideMargin, 0.0));
+
   const double widest = soccer::kHalfWidth - kTouchLineMargin;
   return {x, std::clamp(home.base.y + home.follow_y * ball.y, -widest, widest)};
 }

@@ -34,6 +34,7 @@ void keep_goal(const Situation& now, ActionList& list) {
     list.search_ball();
     return;
   }
+
   if (in_own_box(now.ball) && now.catch_probability > 0.85F) list.catch_ball();
   if (now.kickable) {
     list.clear_ball();
@@ -43,22 +44,26 @@ void keep_goal(const Situation& now, ActionList& list) {
     const Vec2 meeting = now.ball + now.ball_velocity * std::min(now.own_reach(), 8);
     if (first && in_own_box(meeting)) list.intercept({0.0, 0.0});
     if (now.opponent_kicks && in_own_box(now.ball)) list.tackle_towards({0.0, 0.0}, 0.8);
+
     const Vec2 point = keeping_point(now);
     const bool is_near = distance(now.ball, point) < 30.0;
     list.go_to(point, 0.4, is_near ? 100.0 : 60.0);
     list.turn_to_ball();
   }
+
   list.watch_ball();
 }
 
 void bring_out_caught_ball(const Situation& now, ActionList& list) {
   // Wait until teammates have moved forward, then move to the side with more room and kick.
   constexpr int kWaitCycles = 25;
+
   if (now.set_play_count < kWaitCycles) {
     list.turn_to({0.0, 0.0});
     list.scan();
     return;
   }
+
   if (now.set_play_count == kWaitCycles) {
     const double upper = now.nearest_opponent_to({-38.0, -12.0});
     const double lower = now.nearest_opponent_to({-38.0, 12.0});
@@ -66,6 +71,7 @@ void bring_out_caught_ball(const Situation& now, ActionList& list) {
     list.scan();
     return;
   }
+
   kick_set_play(now, list);
 }
 

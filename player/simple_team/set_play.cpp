@@ -27,11 +27,13 @@ void take_set_play(const Situation& now, ActionList& list) {
     list.watch_ball();
     return;
   }
+
   if (now.set_play_count < kWaitCycles) {
     list.turn_to({40.0, 0.0});
     list.scan();
     return;
   }
+
   kick_set_play(now, list);
 }
 
@@ -42,8 +44,10 @@ void play_set_play(const Situation& now, ActionList& list) {
     list.search_ball();
     return;
   }
+
   const bool in_hand = now.mode == TeamMode::kGoalieCatch ||
                        (now.mode == TeamMode::kFreeKick && now.goalie && now.kickable);
+
   if (now.our_set_play && now.goalie && in_hand) {
     bring_out_caught_ball(now, list);
   } else if (now.our_set_play && is_taker(now)) {

@@ -23,14 +23,17 @@ double Situation::lane_margin(soccer::Vec2 from, soccer::Vec2 to, double base,
   const soccer::Vec2 way = to - from;
   const double length = std::max(way.length(), 0.1);
   double margin = kFar;
+
   for (const soccer::Vec2 opponent : opponents) {
     const soccer::Vec2 relative = opponent - from;
     const double along = dot(relative, way) / length;
     if (along < 0.0) continue;
+
     const double passed = std::min(along, length);
     const double beside = distance(opponent, from + way * (passed / length));
     margin = std::min(margin, beside - base - spread * passed);
   }
+
   return margin;
 }
 

@@ -23,10 +23,12 @@ struct Solver {
     std::array<bool, CostTable::kMaxColumns> done{};
     distance.fill(kFar);
     previous.fill(kNone);
+
     std::size_t at_row = row;
     std::size_t at_column = kNone;
     double travelled = 0.0;
     std::array<double, CostTable::kMaxColumns> settled{};
+
     while (true) {
       std::size_t next = kNone;
       for (std::size_t c = 0; c < table.columns; ++c) {
@@ -39,6 +41,7 @@ struct Solver {
         }
         if (next == kNone || distance[c] < distance[next]) next = c;
       }
+
       assert(next != kNone);
       done[next] = true;
       travelled = settled[next] = distance[next];
@@ -46,12 +49,14 @@ struct Solver {
       if (row_of[next] == kNone) break;
       at_row = row_of[next];
     }
+
     row_potential[row] += travelled;
     for (std::size_t c = 0; c < table.columns; ++c) {
       if (!done[c] || row_of[c] == kNone) continue;
       row_potential[row_of[c]] += travelled - settled[c];
       column_potential[c] -= travelled - settled[c];
     }
+
     while (at_column != kNone) {
       const std::size_t from = previous[at_column];
       row_of[at_column] = from == kNone ? row : row_of[from];
@@ -66,11 +71,14 @@ std::array<std::size_t, CostTable::kMaxRows> assign(const CostTable& table) {
   assert(table.rows <= table.columns);
   Solver solver{table};
   solver.row_of.fill(kNone);
+
   for (std::size_t row = 0; row < table.rows; ++row) solver.insert(row);
   std::array<std::size_t, CostTable::kMaxRows> column_of{};
+
   for (std::size_t c = 0; c < table.columns; ++c) {
     if (solver.row_of[c] != kNone) column_of[solver.row_of[c]] = c;
   }
+
   return column_of;
 }
 

@@ -34,16 +34,20 @@ Push own_kick(const WorldModel& world, const soccer::Kick& kick) {
   const BallState& ball = world.ball;
   const soccer::ServerParams& server = world.server();
   const soccer::PlayerType& type = world.self_type();
+
   const double power = soccer::between(kick.power, server.minpower, server.maxpower);
   const double direction = soccer::between(kick.direction, server.minmoment, server.maxmoment);
+
   const Vec2 offset = ball.position - self.position;
   const double turn = (soccer::AngleDeg::of(offset) - self.body).abs() / 180.0;
   const double gap = (offset.length() - type.player_size - server.ball_size) / type.kickable_margin;
   const double effect = power * type.kick_power_rate * (1.0 - 0.25 * turn - 0.25 * gap);
+
   const double position_rate = 0.5 + 0.25 * (turn + gap);
   const double speed_rate =
       0.5 + 0.5 * ball.velocity.length() / (server.ball_speed_max * server.ball_decay);
   const double radius = type.kick_rand * power / server.maxpower * (position_rate + speed_rate);
+
   // The estimated ball position adds some uncertainty.
   const double deviation = std::fabs(radius) * kDiscDeviation + 0.02 * std::fabs(effect);
   return {soccer::polar(effect, self.body + direction), deviation};
@@ -54,10 +58,12 @@ Push own_kick(const WorldModel& world, const soccer::Kick& kick) {
 Push own_tackle(const WorldModel& world, const soccer::Tackle& tackle) {
   const soccer::ServerParams& server = world.server();
   const double p = world.self.tackle_probability;
+
   const double angle = math::normalize_degrees(tackle.angle_or_power);
   const double reach =
       server.max_back_tackle_power +
       (server.max_tackle_power - server.max_back_tackle_power) * (1.0 - std::fabs(angle) / 180.0);
+
   const double effect = reach * server.tackle_power_rate;
   return {soccer::polar(p * effect, world.self.body + angle),
           std::max(0.3, effect) * std::sqrt(std::max(p * (1.0 - p), 0.02))};
@@ -77,6 +83,7 @@ Push own_push(const WorldModel& world, const SenseBody& sense) {
 bool others_could_kick(const WorldModel& world) {
   constexpr double kReach = 1.6;  // kickable area plus one step
   const Vec2 ball = world.ball.position;
+
   for (const PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
     for (const PlayerState& player : *list) {
       if (player.pos_count > 10) continue;
@@ -84,6 +91,7 @@ bool others_could_kick(const WorldModel& world) {
       if (soccer::distance(player.position, ball) < kReach + std::min(blur, 1.5)) return true;
     }
   }
+
   return false;
 }
 
@@ -96,6 +104,7 @@ void step(ObjectEstimate& state, const soccer::ServerParams& server, const Push&
     state.mean[2] = v.x;
     state.mean[3] = v.y;
   }
+
   const double speed = Vec2{state.mean[2], state.mean[3]}.length();
   const double noise = square(server.ball_rand * speed * kDiscDeviation) + square(push.deviation);
   const double decay = server.ball_decay;
@@ -103,6 +112,7 @@ void step(ObjectEstimate& state, const soccer::ServerParams& server, const Push&
     state.mean[axis] += state.mean[axis + 2];
     state.mean[axis + 2] *= decay;
   }
+
   // z' = F z with x' = x + v, v' = decay v, and the noise in v before the move.
   const auto at = [&](std::size_t r, std::size_t c) -> double& { return state.at(r, c); };
   for (std::size_t c = 0; c < 4; ++c) {
@@ -117,6 +127,7 @@ void step(ObjectEstimate& state, const soccer::ServerParams& server, const Push&
     at(r, 2) *= decay;
     at(r, 3) *= decay;
   }
+
   for (std::size_t axis = 0; axis < 2; ++axis) {
     at(axis, axis) += noise;
     at(axis, axis + 2) += noise * decay;
@@ -130,6 +141,7 @@ void inflate_covariance(ObjectEstimate& state, int cycles) {
   constexpr double kKickDeviation = 1.3;
   const double n = std::min(cycles, 10);
   const double velocity = square(kKickDeviation);
+
   for (std::size_t axis = 0; axis < 2; ++axis) {
     state.at(axis, axis) += velocity * n * n;
     state.at(axis + 2, axis + 2) += velocity;
@@ -146,16 +158,19 @@ void drop_ball(WorldModel& world) {
 void see_ball(WorldModel& world, const Observation& seen) {
   BallState& ball = world.ball;
   BallTracker& tracker = world.ball_tracker;
+
   const Viewpoint view = viewpoint(world);
   const ObservedPosition observed =
       observed_position(view, world.parameters->object_distances, seen);
   constexpr double kSurprise = 12.0;  // squared Mahalanobis distance; about 1 in 400 by chance
   const bool has_motion = seen.detail >= soccer::ObservedDetail::kMotion;
+
   if (tracker.tracked && mahalanobis_distance(tracker.state, observed).squared > kSurprise) {
     tracker.pushed = true;
     inflate_covariance(tracker.state, std::max(1, ball.seen_pos_count));
     if (mahalanobis_distance(tracker.state, observed).squared > kSurprise) tracker.tracked = false;
   }
+
   if (tracker.tracked) {
     update_estimate(tracker.state, view, observed, seen);
   } else {
@@ -163,10 +178,12 @@ void see_ball(WorldModel& world, const Observation& seen) {
     tracker.state = initial_estimate(view, observed, seen, {}, square(kUnknownVelocity));
     tracker.tracked = true;
   }
+
   publish_ball(world);
   ball.seen_position = ball.position;
   ball.seen_relative_position = ball.relative_position;
   ball.pos_count = ball.seen_pos_count = ball.relative_pos_count = 0;
+
   if (has_motion) {
     ball.seen_velocity = ball.velocity;
     ball.vel_count = ball.seen_vel_count = 0;
@@ -199,6 +216,7 @@ void publish_ball(WorldModel& world) {
 
 void advance_ball(WorldModel& world, const SenseBody& sense, int cycles) {
   BallState& ball = world.ball;
+
   for (int* age :
        {&ball.pos_count, &ball.relative_pos_count, &ball.seen_pos_count, &ball.heard_pos_count,
         &ball.vel_count, &ball.seen_vel_count, &ball.heard_vel_count}) {
@@ -208,6 +226,7 @@ void advance_ball(WorldModel& world, const SenseBody& sense, int cycles) {
     ball.lost_count = std::min(kNever, ball.lost_count + cycles);
   }
   if (!world.ball_tracker.tracked) return;
+
   ObjectEstimate& state = world.ball_tracker.state;
   Push push = own_push(world, sense);
   if (push.acceleration.is_zero() && others_could_kick(world)) {
@@ -215,6 +234,7 @@ void advance_ball(WorldModel& world, const SenseBody& sense, int cycles) {
     push.deviation = kMaybeKicked;
   }
   for (int i = 0; i < cycles; ++i) step(state, world.server(), i == 0 ? push : Push{});
+
   if (sense.collided_with_ball) {
     constexpr double kPushedApart = 0.3;
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -223,6 +243,7 @@ void advance_ball(WorldModel& world, const SenseBody& sense, int cycles) {
       state.at(axis + 2, axis + 2) += square(0.1);
     }
   }
+
   publish_ball(world);
 }
 
@@ -231,6 +252,7 @@ void observe_ball(WorldModel& world, const soccer::See& see) {
     return (o.kind == ObservedKind::kBall || o.kind == ObservedKind::kCloseBall) &&
            o.detail != soccer::ObservedDetail::kDirection;
   });
+
   if (seen != see.objects.end()) {
     see_ball(world, *seen);
   } else {
@@ -242,11 +264,13 @@ void place_ball(WorldModel& world, Vec2 position, double deviation) {
   ObjectEstimate& state = world.ball_tracker.state;
   state = {};
   state.mean = {position.x, position.y, 0.0, 0.0};
+
   constexpr double kAtRest = 0.01;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     state.at(axis, axis) = square(deviation);
     state.at(axis + 2, axis + 2) = square(kAtRest);
   }
+
   world.ball_tracker.tracked = true;
   publish_ball(world);
 }

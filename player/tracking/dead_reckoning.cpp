@@ -40,6 +40,7 @@ Executed executed(const SelfTracker& tracker, const soccer::CommandCounts& befor
   out.unknown_turn = (after.turn > before.turn && !tracker.sent.turn) ||
                      after.turn > before.turn + 1 ||
                      (after.dash > before.dash && tracker.sent.leg_dash);
+
   return out;
 }
 
@@ -47,6 +48,7 @@ Executed executed(const SelfTracker& tracker, const soccer::CommandCounts& befor
 void turn_body(WorldModel& world, const Executed& done) {
   SelfTracker& tracker = world.self_tracker;
   Gaussian<3>& pose = tracker.pose;
+
   if (done.turn) {
     const soccer::ServerParams& server = world.server();
     const double moment =
@@ -54,6 +56,7 @@ void turn_body(WorldModel& world, const Executed& done) {
     const double turned =
         moment / (1.0 + world.self_type().inertia_moment * world.self.velocity.length());
     pose.mean[2] = math::normalize_degrees(pose.mean[2] + turned);
+
     const double half_width = server.player_rand * std::fabs(turned);
     pose.at(2, 2) += half_width * half_width / 3.0;
   }
@@ -64,18 +67,21 @@ void turn_body(WorldModel& world, const Executed& done) {
 /// On a mismatch (lost or unknown commands) uses head_angle and increases the body variance.
 AngleDeg neck_after(WorldModel& world, const Executed& done, int head_angle) {
   double neck = world.self.neck.degrees();
+
   if (done.turn_neck) {
     const soccer::ServerParams& server = world.server();
     const double moment = soccer::between(world.self_tracker.sent.turn_neck->moment,
                                           server.minneckmoment, server.maxneckmoment);
     neck = soccer::between(neck + moment, server.minneckang, server.maxneckang);
   }
+
   // Truncated toward zero: the true angle is up to one degree larger; the server's radians may
   // round to either side at the border.
   constexpr double kSlack = 1e-3;
   const double low = head_angle > 0 ? head_angle - kSlack : head_angle - 1.0 - kSlack;
   const double high = head_angle < 0 ? head_angle + kSlack : head_angle + 1.0 + kSlack;
   if (neck >= low && neck <= high) return AngleDeg(neck);
+
   // Neck angles are whole degrees; the reported one is right in about four of five cases.
   world.self_tracker.pose.at(2, 2) += 0.25;
   return AngleDeg(head_angle);
@@ -85,15 +91,18 @@ AngleDeg neck_after(WorldModel& world, const Executed& done, int head_angle) {
 Vec2 dash_acceleration(const WorldModel& world) {
   const soccer::Dash& dash = *world.self_tracker.sent.dash;
   const soccer::ServerParams& server = world.server();
+
   const double power = soccer::between(dash.power, server.min_dash_power, server.max_dash_power);
   double direction = soccer::between(dash.direction, server.min_dash_angle, server.max_dash_angle);
   if (server.dash_angle_step > math::kEps) {
     direction = math::quantize(direction, server.dash_angle_step);
   }
+
   const double rate = dash_rate(server, direction);
   const double length =
       std::fabs(world.self.effort * power * rate * world.self_type().dash_power_rate);
   const AngleDeg heading(world.self_tracker.pose.mean[2] + direction + (power < 0.0 ? 180.0 : 0.0));
+
   return polar(length, heading);
 }
 
@@ -113,17 +122,20 @@ Heading fuse_heading(Gaussian<3>& pose, double predicted, double predicted_varia
   const double high = sensed_direction < 0 ? sensed_direction : sensed_direction + 1.0;
   const double middle = 0.5 * (low + high);
   const double half = 0.5 * (high - low);
+
   // y = heading - body - neck - middle: estimated as offset +- deviation, observed within +- half.
   const double body_variance = pose.at(2, 2);
   // Without noise both can be zero, and their ratios NaN.
   const double variance = std::max(body_variance + predicted_variance, 1e-12);
   const double offset = math::normalize_degrees(predicted - pose.mean[2] - neck - middle);
   const double deviation = std::sqrt(variance);
+
   if (predicted_variance >= kNoPrediction || std::fabs(offset) > half + 5.0 * deviation) {
     // No prediction, or a wrong one (collision, unknown command): use the sensed value only.
     return {math::normalize_degrees(pose.mean[2] + neck + middle),
             body_variance + 4.0 * half * half * kUniformVariance, body_variance};
   }
+
   const Moments truncated_moments = truncated({offset, variance}, -half, half);
   const double shift = truncated_moments.mean - offset;
   const double reduction = variance - truncated_moments.variance;
@@ -149,12 +161,14 @@ Moments fuse_speed(double sensed, Moments predicted) {
   constexpr double kHalfStep = 0.005;
   const double low = std::max(0.0, sensed - kHalfStep);
   const double high = sensed + kHalfStep;
+
   const double outside = std::max(low - predicted.mean, predicted.mean - high);
   if (outside <= 0.0 && predicted.variance < 1e-10) return predicted;
   if (outside > 5.0 * std::sqrt(predicted.variance)) {
     if (sensed <= 0.0) return {0.0, kHalfStep * kHalfStep / 9.0};
     return {sensed, 4.0 * kHalfStep * kHalfStep * kUniformVariance};
   }
+
   return truncated(predicted, low, high);
 }
 
@@ -163,6 +177,7 @@ void displace(Gaussian<3>& pose, double length, double length_variance, const He
   const math::SinCos direction = math::sincos(math::to_radians(heading.degrees));
   pose.mean[0] += length * direction.cos;
   pose.mean[1] += length * direction.sin;
+
   // Across the heading: meters per degree of heading error.
   const double across = length / kDegreesPerRadian;
   const double nx = -direction.sin * across;
@@ -171,12 +186,14 @@ void displace(Gaussian<3>& pose, double length, double length_variance, const He
   pose.at(0, 0) += nx * nx * v + direction.cos * direction.cos * length_variance;
   pose.at(1, 1) += ny * ny * v + direction.sin * direction.sin * length_variance;
   const double mixed = nx * ny * v + direction.cos * direction.sin * length_variance;
+
   // The heading error correlates with the body error and, through it, with the position error.
   const double share = pose.at(2, 2) > 0.0 ? heading.body_covariance / pose.at(2, 2) : 0.0;
   const double xt = pose.at(0, 2) * share;
   const double yt = pose.at(1, 2) * share;
   pose.at(0, 0) += 2.0 * nx * xt;
   pose.at(1, 1) += 2.0 * ny * yt;
+
   const double xy = pose.at(0, 1) + mixed + nx * yt + ny * xt;
   pose.at(0, 1) = pose.at(1, 0) = xy;
   pose.at(0, 2) += nx * heading.body_covariance;
@@ -227,10 +244,12 @@ void advance_self(WorldModel& world, const soccer::SenseBody& sense, int cycles)
       pose, soccer::direction_degrees(before_noise),
       steady ? noise_degrees * noise_degrees + tracker.heading_variance : kNoPrediction,
       self.neck.degrees(), sense.speed_direction);
+
   const double expected = before_noise.length() * decay;
   const double deviation = expected * (rand + (done.dash ? 0.01 : 0.0));
   const Moments speed = fuse_speed(
       sense.speed, collided ? Moments{sense.speed, 1.0} : Moments{expected, deviation * deviation});
+
   tracker.heading_variance = heading.variance;
   tracker.heading_follows_body =
       pose.at(2, 2) > 0.0 ? heading.body_covariance / pose.at(2, 2) : 0.0;
@@ -246,6 +265,7 @@ void advance_self(WorldModel& world, const soccer::SenseBody& sense, int cycles)
   } else {
     displace(pose, speed.mean / decay, speed.variance / (decay * decay), heading);
   }
+
   for (int lost = 1; lost < cycles; ++lost) add_unknown_cycle(pose, world.self_type());
   if (done.move) set_position(tracker, {tracker.sent.move->x, tracker.sent.move->y});
 

@@ -37,14 +37,17 @@ void add_motion(const Viewpoint& view, const ObservedPosition& observed, const O
   const double d_variance = observed.along_variance;
   const Vec2 e = observed.direction;
   const Vec2 n = perpendicular(e);
+
   const double printed = std::max(seen.distance, 0.1);
   const double ratio = math::quantize(seen.distance_change / printed, kDistanceChangeStep);
+
   const double own_radial = soccer::dot(e, view.velocity);
   const double radial_half = 0.5 * kDistanceChangeStep * d;
   slabs.push_back({{0.0, 0.0, e.x, e.y},
                    own_radial + ratio * d - radial_half,
                    own_radial + ratio * d + radial_half,
                    d_variance * square(ratio)});
+
   const double turning = math::to_radians(seen.direction_change);
   const double own_across = soccer::dot(n, view.velocity);
   const double across_half = math::to_radians(0.5 * kDirectionChangeStep) * d;
@@ -59,6 +62,7 @@ void add_motion(const Viewpoint& view, const ObservedPosition& observed, const O
 Viewpoint viewpoint(const WorldModel& world) {
   const SelfState& self = world.self;
   const Gaussian<3>& pose = world.self_tracker.pose;
+
   Viewpoint view;
   view.position = self.position;
   view.velocity = self.velocity;
@@ -68,6 +72,7 @@ Viewpoint viewpoint(const WorldModel& world) {
   view.focus_distance = self.focus_distance;
   view.focus = self.position + soccer::polar_degrees(self.focus_distance,
                                                      view.face + self.focus_direction.degrees());
+
   return view;
 }
 
@@ -80,8 +85,10 @@ ObservedPosition observed_position(const Viewpoint& view, const DistanceTable& d
     observed.range =
         distances.range_along(seen.distance, view.position, observed.direction, view.focus);
   }
+
   observed.distance = observed.range.middle();
   observed.position = view.position + observed.direction * observed.distance;
+
   const double half = 0.5 * (observed.range.high - observed.range.low);
   observed.along_variance = kUniformVariance * square(half) + view.position_variance;
   observed.across_variance =
@@ -94,11 +101,13 @@ ObservedPosition observed_position(const Viewpoint& view, const DistanceTable& d
 MahalanobisDistance mahalanobis_distance(Vec2 position, const std::array<double, 16>& covariance,
                                          const ObservedPosition& observed) {
   const Vec2 e = observed.direction;
+
   const double a = observed.along_variance;
   const double c = observed.across_variance;
   const double xx = covariance[0] + a * e.x * e.x + c * e.y * e.y;
   const double yy = covariance[5] + a * e.y * e.y + c * e.x * e.x;
   const double xy = covariance[1] + (a - c) * e.x * e.y;
+
   const double determinant = std::max(xx * yy - xy * xy, 1e-12);
   const Vec2 d = observed.position - position;
   const double squared = (yy * d.x * d.x - 2.0 * xy * d.x * d.y + xx * d.y * d.y) / determinant;
@@ -113,6 +122,7 @@ void update_estimate(ObjectEstimate& estimate, const Viewpoint& view,
   const double half_across = kHalfDegree * observed.distance;
   const double own_along = soccer::dot(e, view.position);
   const double own_across = soccer::dot(n, view.position);
+
   SlabList slabs;
   slabs.push_back({{e.x, e.y, 0.0, 0.0},
                    own_along + observed.range.low,
@@ -122,6 +132,7 @@ void update_estimate(ObjectEstimate& estimate, const Viewpoint& view,
                    own_across - half_across,
                    own_across + half_across,
                    view.position_variance + face});
+
   if (has_motion(seen)) add_motion(view, observed, seen, slabs);
   constexpr int kSweeps = 3;
   condition<4>(estimate, std::span<const Slab<4>>(slabs.begin(), slabs.size()), kSweeps);
@@ -131,18 +142,22 @@ ObjectEstimate initial_estimate(const Viewpoint& view, const ObservedPosition& o
                                 const Observation& seen, Vec2 velocity, double velocity_variance) {
   ObjectEstimate estimate;
   estimate.mean = {observed.position.x, observed.position.y, velocity.x, velocity.y};
+
   const Vec2 e = observed.direction;
   const double a = observed.along_variance;
   const double c = observed.across_variance;
+
   estimate.at(0, 0) = a * e.x * e.x + c * e.y * e.y;
   estimate.at(1, 1) = a * e.y * e.y + c * e.x * e.x;
   estimate.at(0, 1) = estimate.at(1, 0) = (a - c) * e.x * e.y;
   estimate.at(2, 2) = estimate.at(3, 3) = velocity_variance;
+
   if (has_motion(seen)) {
     SlabList slabs;
     add_motion(view, observed, seen, slabs);
     for (const Slab<4>& slab : slabs) condition(estimate, slab);
   }
+
   return estimate;
 }
 

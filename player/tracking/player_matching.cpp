@@ -35,6 +35,7 @@ PlayerState* nearest_unmatched(PlayerList& list, const PlayerObservation& observ
                                double gate) {
   PlayerState* best = nullptr;
   double least = gate;
+
   for (PlayerState& track : list) {
     if (track.matched) continue;
     const double squared = squared_mahalanobis(track, observation);
@@ -43,6 +44,7 @@ PlayerState* nearest_unmatched(PlayerList& list, const PlayerObservation& observ
       best = &track;
     }
   }
+
   return best;
 }
 
@@ -74,21 +76,25 @@ PlayerState* assign_team(WorldModel& world, PlayerState* unknown, Side side) {
 /// Finds, renames or creates the track of this uniform number; never null.
 PlayerState* track_for_number(WorldModel& world, const PlayerObservation& observation) {
   PlayerList& list = list_of(world, observation.side);
+
   const int unum = observation.seen->unum;
   PlayerState* named = find_number(list, observation.side, unum);
   PlayerState* lost = find_number(world.lost, observation.side, unum);
   PlayerState* at_position = nearest_unmatched(list, observation, kStrictGate);
   if (at_position == named) at_position = nullptr;
+
   if (named == nullptr && at_position == nullptr) {
     if (PlayerState* unknown = nearest_unmatched(world.unknowns, observation, kStrictGate)) {
       at_position = assign_team(world, unknown, observation.side);
     }
   }
+
   if (at_position == nullptr) {
     if (named != nullptr) return named;
     if (lost != nullptr) return restore_lost(world, lost);
     return new_player(world, observation.side, unum);
   }
+
   // Another player was tracked at this position: the numbers were swapped.
   if (named != nullptr) {
     std::swap(named->unum, at_position->unum);
@@ -96,10 +102,12 @@ PlayerState* track_for_number(WorldModel& world, const PlayerObservation& observ
     std::swap(named->unum_count, at_position->unum_count);
     return at_position;
   }
+
   if (at_position->unum != 0) {
     PlayerState gone = *at_position;  // that player is elsewhere
     world.lost.push_back(gone);
   }
+
   forget_lost(world, observation.side, unum);
   at_position->unum = unum;
   return at_position;
@@ -108,6 +116,7 @@ PlayerState* track_for_number(WorldModel& world, const PlayerObservation& observ
 void match_numbers(WorldModel& world, const Viewpoint& view,
                    const PlayerObservationList& observations, UpdateTrack update) {
   FixedList<const PlayerObservation*, 24> open;
+
   for (const PlayerObservation& observation : observations) {
     if (observation.seen->unum == 0) continue;
     PlayerState* named =
@@ -118,6 +127,7 @@ void match_numbers(WorldModel& world, const Viewpoint& view,
       open.push_back(&observation);
     }
   }
+
   for (const PlayerObservation* observation : open) {
     update(*track_for_number(world, *observation), view, *observation);
   }
@@ -192,16 +202,19 @@ void number_the_goalie(WorldModel& world, Side side) {
   PlayerList& list = list_of(world, side);
   if (unum == 0 || (our_team && unum == world.unum) || find_number(list, side, unum) != nullptr)
     return;
+
   const double toward = our_team ? -1.0 : 1.0;
   PlayerState* last = nullptr;
   for (PlayerState& track : list) {
     if (last == nullptr || toward * track.position.x > toward * last->position.x) last = &track;
   }
+
   if (last == nullptr || last->unum != 0) return;
   const bool in_area =
       toward * last->position.x > soccer::kHalfLength - soccer::kPenaltyAreaLength &&
       std::fabs(last->position.y) < 0.5 * soccer::kPenaltyAreaWidth;
   if (!in_area) return;
+
   last->unum = unum;
   last->goalie = true;
   forget_lost(world, side, unum);
@@ -212,8 +225,10 @@ void number_the_goalie(WorldModel& world, Side side) {
 void number_the_last(WorldModel& world, Side side) {
   PlayerList& list = list_of(world, side);
   constexpr int kRecent = 15;
+
   std::array<bool, soccer::kPlayersPerTeam + 1> taken{};
   if (side == world.our_side) taken[static_cast<std::size_t>(world.unum)] = true;
+
   PlayerState* unnumbered = nullptr;
   for (PlayerState& track : list) {
     if (track.unum != 0) {
@@ -226,6 +241,7 @@ void number_the_last(WorldModel& world, Side side) {
     }
   }
   if (unnumbered == nullptr) return;
+
   int missing = 0;
   for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
     if (taken[static_cast<std::size_t>(unum)]) continue;
@@ -233,6 +249,7 @@ void number_the_last(WorldModel& world, Side side) {
     missing = unum;
   }
   if (missing == 0) return;
+
   unnumbered->unum = missing;
   forget_lost(world, side, missing);
 }
@@ -241,6 +258,7 @@ void match_anonymous(WorldModel& world, const Viewpoint& view,
                      const PlayerObservationList& observations, UpdateTrack update) {
   for (const PlayerObservation& observation : observations) {
     if (observation.side != Side::kNeutral) continue;
+
     PlayerState* best = nullptr;
     double least = kGate;
     for (PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
@@ -249,6 +267,7 @@ void match_anonymous(WorldModel& world, const Viewpoint& view,
       least = squared_mahalanobis(*track, observation);
       best = track;
     }
+
     if (best == nullptr) best = new_player(world, Side::kNeutral, 0);
     update(*best, view, observation);
   }
@@ -262,6 +281,7 @@ void match_players(WorldModel& world, const Viewpoint& view,
   match_team(world, view, observations, Side::kLeft, update);
   match_team(world, view, observations, Side::kRight, update);
   match_anonymous(world, view, observations, update);
+
   number_the_goalie(world, Side::kLeft);
   number_the_goalie(world, Side::kRight);
   number_the_last(world, Side::kLeft);

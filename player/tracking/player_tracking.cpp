@@ -31,10 +31,12 @@ void step(PlayerState& player, double decay) {
   ObjectEstimate b = estimate_of(player);
   const double carry = 1.0 + kRunOn * (1.0 / decay - 1.0);  // step length per velocity
   const double velocity_factor = carry * decay;             // velocity after per velocity before
+
   for (std::size_t axis = 0; axis < 2; ++axis) {
     b.mean[axis] += carry * b.mean[axis + 2];
     b.mean[axis + 2] *= velocity_factor;
   }
+
   for (std::size_t c = 0; c < 4; ++c) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       b.at(axis, c) += carry * b.at(axis + 2, c);
@@ -47,6 +49,7 @@ void step(PlayerState& player, double decay) {
       b.at(r, axis + 2) *= velocity_factor;
     }
   }
+
   const double noise = square(kStepDeviation);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     b.at(axis, axis) += noise;
@@ -54,6 +57,7 @@ void step(PlayerState& player, double decay) {
     b.at(axis + 2, axis) += noise * decay;
     b.at(axis + 2, axis + 2) += noise * decay * decay;
   }
+
   set_estimate(player, b);
 }
 
@@ -70,12 +74,14 @@ void age(PlayerState& player, int cycles) {
 /// Stores a numbered player as lost: known to play, position unknown.
 void move_to_lost(WorldModel& world, const PlayerState& player) {
   if (player.unum == 0) return;
+
   PlayerState lost = player;
   lost.matched = false;
   lost.covariance = {};
   lost.covariance[0] = lost.covariance[5] = square(kLostDeviation);
   lost.velocity = {};
   lost.covariance[10] = lost.covariance[15] = kUnknownVelocityVariance;
+
   world.lost.push_back(lost);
 }
 
@@ -91,6 +97,7 @@ void drop_tracks_if(WorldModel& world, PlayerList& list, Predicate gone) {
 void update_track(PlayerState& track, const Viewpoint& view, const PlayerObservation& observation) {
   const Observation& seen = *observation.seen;
   ObjectEstimate estimate = estimate_of(track);
+
   constexpr double kMaxMahalanobis = 25.0;
   const bool known = track.pos_count < kNever;
   if (known && mahalanobis_distance(estimate, observation.observed).squared < kMaxMahalanobis) {
@@ -99,11 +106,13 @@ void update_track(PlayerState& track, const Viewpoint& view, const PlayerObserva
     estimate = initial_estimate(view, observation.observed, seen, {}, kUnknownVelocityVariance);
     track.vel_count = track.seen_vel_count = kNever;
   }
+
   set_estimate(track, estimate);
   track.matched = true;
   track.ghost_count = 0;
   track.seen_position = track.position;
   track.pos_count = track.seen_pos_count = 0;
+
   if (seen.unum != 0) {
     track.unum = seen.unum;
     track.unum_count = 0;
@@ -122,6 +131,7 @@ void update_track(PlayerState& track, const Viewpoint& view, const PlayerObserva
     track.point_direction = soccer::AngleDeg(view.face + seen.point_direction);
     track.point_count = 0;
   }
+
   if (seen.mark == soccer::ActionMark::kKicked) track.kick_count = 0;
   if (seen.mark == soccer::ActionMark::kTackling) track.tackle_count = 0;
 }
@@ -129,16 +139,19 @@ void update_track(PlayerState& track, const Viewpoint& view, const PlayerObserva
 PlayerObservationList player_observations(const WorldModel& world, const soccer::See& see,
                                           const Viewpoint& view) {
   PlayerObservationList out;
+
   for (const Observation& seen : see.objects) {
     const bool player =
         seen.kind == ObservedKind::kPlayer || seen.kind == ObservedKind::kClosePlayer;
     if (!player || seen.detail == ObservedDetail::kDirection) continue;
+
     PlayerObservation observation;
     observation.seen = &seen;
     observation.observed = observed_position(view, world.parameters->object_distances, seen);
     if (!seen.team.empty()) {
       observation.side = seen.team == world.our_team_name ? world.our_side : world.their_side();
     }
+
     out.push_back(observation);
   }
   return out;
@@ -161,6 +174,7 @@ void renumber_ghosts(PlayerList& list) {
   for (std::size_t i = list.size(); i-- > 0;) {
     const PlayerState& ghost = list[i];
     if (ghost.unum == 0 || ghost.ghost_count == 0) continue;
+
     PlayerState* found = nullptr;
     int near = 0;
     for (PlayerState& other : list) {
@@ -169,6 +183,7 @@ void renumber_ghosts(PlayerList& list) {
       ++near;
       if (other.unum == 0 && other.matched) found = &other;
     }
+
     if (found == nullptr || near > 1) continue;
     found->unum = ghost.unum;
     found->unum_count = ghost.unum_count;
@@ -201,6 +216,7 @@ PlayerState* new_player(WorldModel& world, Side side, int unum) {
   track.id = world.next_player_id++;
   track.side = side;
   track.unum = unum;
+
   PlayerList& list = list_of(world, side);
   if (!list.push_back(track)) {
     // Full: replace the track observed longest ago.
@@ -211,6 +227,7 @@ PlayerState* new_player(WorldModel& world, Side side, int unum) {
     list.erase(oldest);
     list.push_back(track);
   }
+
   return &list.back();
 }
 
@@ -238,6 +255,7 @@ void advance_players(WorldModel& world, int cycles) {
     }
     drop_tracks_if(world, *list, [](const PlayerState& p) { return !p.position_valid(); });
   }
+
   for (PlayerState& player : world.lost) age(player, cycles);
 }
 
@@ -252,9 +270,11 @@ void observe_players(WorldModel& world, const soccer::See& see) {
   for (PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns, &world.lost}) {
     for (PlayerState& player : *list) player.matched = false;
   }
+
   const Viewpoint view = viewpoint(world);
   const PlayerObservationList observations = player_observations(world, see, view);
   match_players(world, view, observations, update_track);
+
   constexpr int kMaxGhostCount = 2;
   for (PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
     for (PlayerState& player : *list) {
@@ -263,6 +283,7 @@ void observe_players(WorldModel& world, const soccer::See& see) {
         ++player.ghost_count;
       }
     }
+
     renumber_ghosts(*list);
     drop_tracks_if(world, *list,
                    [](const PlayerState& p) { return p.ghost_count >= kMaxGhostCount; });

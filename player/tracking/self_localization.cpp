@@ -47,6 +47,7 @@ struct LineGeometry {
 
 LineGeometry line_geometry(std::uint8_t index, soccer::Side side) {
   LineGeometry line;
+
   switch (static_cast<PitchLine>(index)) {
     case PitchLine::kLeft:
       line = {{-soccer::kHalfLength, 0.0}, {-1.0, 0.0}};
@@ -61,6 +62,7 @@ LineGeometry line_geometry(std::uint8_t index, soccer::Side side) {
       line = {{0.0, soccer::kHalfWidth}, {0.0, 1.0}};
       break;
   }
+
   return {own_frame(line.point, side), own_frame(line.outward, side)};
 }
 
@@ -95,10 +97,12 @@ double focus_error_of(const WorldModel& world) {
 void add_landmark(const SeeContext& context, const Observation& seen, const Pose& at,
                   SlabList& slabs) {
   const Vec2 landmark = own_frame(soccer::kLandmarks[seen.index].position, context.world.our_side);
+
   const Vec2 offset = landmark - at.position;
   const double distance = offset.length();
   constexpr double kMinDistance = 0.3;  // the linearization is invalid here
   if (distance < kMinDistance) return;
+
   const Vec2 e = offset / distance;
   const double angle = soccer::direction_degrees(offset) - at.face;
   const double turn = math::normalize_degrees(seen.direction - angle);
@@ -106,6 +110,7 @@ void add_landmark(const SeeContext& context, const Observation& seen, const Pose
   slabs.push_back({{e.y * per_meter, -e.x * per_meter, -1.0},
                    turn - kHalfDegree - kSlack,
                    turn + kHalfDegree + kSlack});
+
   if (seen.detail == ObservedDetail::kDirection) return;
   const DistanceRange range = context.landmark_range(seen.distance, landmark, at);
   slabs.push_back(
@@ -117,6 +122,7 @@ void add_landmark(const SeeContext& context, const Observation& seen, const Pose
 std::optional<DistanceRange> line_of_sight_angle(int printed, double expected) {
   if (printed == -90) return DistanceRange{0.0, kHalfDegree};
   if (printed == 90) return DistanceRange{-kHalfDegree, 0.0};
+
   const double middle = printed < 0    ? printed + 90.0
                         : printed > 0  ? printed - 90.0
                         : expected < 0 ? -90.0
@@ -128,17 +134,20 @@ std::optional<DistanceRange> line_of_sight_angle(int printed, double expected) {
 /// Adds the direction and distance intervals of a border line, linearized at `at`.
 void add_line(const SeeContext& context, const Observation& seen, const Pose& at, SlabList& slabs) {
   LineGeometry line = line_geometry(seen.index, context.world.our_side);
+
   double gap = soccer::dot(line.outward, line.point - at.position);
   if (gap < 0.0) {  // the agent is outside
     line.outward = -line.outward;
     gap = -gap;
   }
+
   const double expected =
       math::normalize_degrees(soccer::direction_degrees(line.outward) - at.face);
   const std::optional<DistanceRange> angle = line_of_sight_angle(seen.direction, expected);
   if (!angle) return;
   slabs.push_back(
       {{0.0, 0.0, -1.0}, angle->low - expected - kSlack, angle->high - expected + kSlack});
+
   // At flat angles the distance carries little information and is strongly nonlinear.
   constexpr double kFlat = 75.0;
   constexpr double kMinDistance = 1.0;
@@ -146,6 +155,7 @@ void add_line(const SeeContext& context, const Observation& seen, const Pose& at
       gap < kMinDistance) {
     return;
   }
+
   const math::SinCos s = math::sincos(math::to_radians(expected));
   const double distance = gap / s.cos;
   const double per_degree = -gap * s.sin / (s.cos * s.cos) / kDegreesPerRadian;
@@ -196,12 +206,14 @@ std::optional<Pose> pose_from_scratch(const SeeContext& context, const soccer::S
     if (nearest == nullptr || seen.distance < nearest->distance) nearest = &seen;
   }
   if (nearest == nullptr) return std::nullopt;
+
   const auto landmark_position = [&](const Observation& seen) {
     return own_frame(soccer::kLandmarks[seen.index].position, context.world.our_side);
   };
   const auto seen_at = [&](const Observation& seen) {
     return soccer::polar_degrees(context.distances.range(seen.distance).middle(), seen.direction);
   };
+
   const Observation* other = nullptr;
   double longest = 5.0;
   for (const Observation& seen : see.objects) {
@@ -212,6 +224,7 @@ std::optional<Pose> pose_from_scratch(const SeeContext& context, const soccer::S
       other = &seen;
     }
   }
+
   Pose pose;
   if (other != nullptr) {
     pose.face = soccer::direction_degrees(landmark_position(*other) - landmark_position(*nearest)) -
@@ -221,6 +234,7 @@ std::optional<Pose> pose_from_scratch(const SeeContext& context, const soccer::S
   } else {
     return std::nullopt;
   }
+
   pose.position =
       landmark_position(*nearest) - soccer::rotated_degrees(seen_at(*nearest), pose.face);
   return pose;
@@ -231,22 +245,26 @@ std::optional<Pose> pose_from_scratch(const SeeContext& context, const soccer::S
 double fit(const SeeContext& context, const soccer::See& see, Gaussian<3>& estimate, int rounds) {
   const Gaussian<3> prior = estimate;
   Gaussian<3> origin = prior;  // linearization point
+
   for (int round = 0; round < rounds; ++round) {
     const Pose at{{origin.mean[0], origin.mean[1]}, origin.mean[2] + context.neck};
     const SlabList slabs = slabs_at(context, see, at);
     Gaussian<3> shift = prior;  // estimate of the offset from the origin
     for (std::size_t i = 0; i < 3; ++i) shift.mean[i] = prior.mean[i] - origin.mean[i];
+
     shift.mean[2] = math::normalize_degrees(shift.mean[2]);
     constexpr int kSweeps = 4;
     condition<3>(shift, std::span<const Slab<3>>(slabs.begin(), slabs.size()), kSweeps);
     estimate.covariance = shift.covariance;
     for (std::size_t i = 0; i < 3; ++i) estimate.mean[i] = origin.mean[i] + shift.mean[i];
     estimate.mean[2] = math::normalize_degrees(estimate.mean[2]);
+
     const double violation = worst_violation(slabs, shift.mean);
     const double moved = Vec2{shift.mean[0], shift.mean[1]}.length();
     if (moved < 0.1 && std::fabs(shift.mean[2]) < 0.5) return violation;
     origin.mean = estimate.mean;
   }
+
   // The estimate has not converged: evaluate the intervals at the final pose.
   const Pose at{{estimate.mean[0], estimate.mean[1]}, estimate.mean[2] + context.neck};
   return worst_violation(slabs_at(context, see, at), {});
@@ -255,11 +273,13 @@ double fit(const SeeContext& context, const soccer::See& see, Gaussian<3>& estim
 bool fit_from_scratch(const SeeContext& context, const soccer::See& see, Gaussian<3>& estimate) {
   const std::optional<Pose> start = pose_from_scratch(context, see);
   if (!start) return false;
+
   estimate = {};
   estimate.mean = {start->position.x, start->position.y,
                    math::normalize_degrees(start->face - context.neck)};
   estimate.at(0, 0) = estimate.at(1, 1) = 1.0;
   estimate.at(2, 2) = 25.0;
+
   constexpr int kRounds = 4;
   fit(context, see, estimate, kRounds);
   return true;
@@ -272,10 +292,12 @@ bool localize(WorldModel& world, const soccer::See& see) {
   SelfTracker& tracker = world.self_tracker;
   const SeeContext context{world, world.parameters->landmark_distances, self.neck.degrees(),
                            focus_error_of(world)};
+
   const double body_before = tracker.pose.mean[2];
   // Small violations are normal; a violation above one half width means that the pose is wrong.
   constexpr double kContradiction = 1.6;
   bool reinitialize = false;
+
   bool seen = std::any_of(see.objects.begin(), see.objects.end(), [](const Observation& o) {
     return o.kind == ObservedKind::kLandmark || o.kind == ObservedKind::kLine;
   });
@@ -283,6 +305,7 @@ bool localize(WorldModel& world, const soccer::See& see) {
     constexpr int kRounds = 5;  // one suffices unless messages were lost or the agent was moved
     reinitialize = fit(context, see, tracker.pose, kRounds) > kContradiction;
   }
+
   if (!tracker.located || reinitialize) {
     Gaussian<3> fresh_pose;
     // The focus point position is still unknown.
@@ -295,9 +318,11 @@ bool localize(WorldModel& world, const soccer::See& see) {
     }
   }
   if (!seen) return false;
+
   // Rounding errors bound the accuracy.
   constexpr double kMinVariance = 1e-6;
   for (std::size_t i = 0; i < 3; ++i) tracker.pose.at(i, i) += kMinVariance;
+
   const double corrected = math::normalize_degrees(tracker.pose.mean[2] - body_before);
   self.velocity = soccer::rotated_degrees(self.velocity, corrected * tracker.heading_follows_body);
   return true;

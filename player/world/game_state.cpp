@@ -16,6 +16,7 @@ bool clock_stopped(PlayMode mode) {
 bool is_set_play_of(const GameState& game, Side side) {
   if (soccer::is_set_play(game.mode)) return game.mode_side() == side;
   if (game.mode_side() == Side::kNeutral) return false;
+
   switch (soccer::for_side(game.mode, Side::kLeft)) {
     case PlayMode::kOffsideLeft:
     case PlayMode::kFoulChargeLeft:

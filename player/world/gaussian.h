@@ -60,8 +60,10 @@ template <std::size_t N>
 void rank_one_update(Gaussian<N>& estimate, const VecN<N>& gain, double variance, double shift,
                      double reduction) {
   if (variance <= 0.0) return;
+
   const double step = shift / variance;
   const double shrink = reduction / (variance * variance);
+
   for (std::size_t r = 0; r < N; ++r) {
     estimate.mean[r] += gain[r] * step;
     for (std::size_t c = 0; c < N; ++c) estimate.at(r, c) -= gain[r] * gain[c] * shrink;
@@ -99,9 +101,11 @@ void condition(Gaussian<N>& estimate, std::span<const Slab<N>> slabs, int sweeps
     double precision = 0.0;
     double shift = 0.0;
   };
+
   const std::size_t count = std::min(slabs.size(), kMaxSlabs);
   FixedList<Site, kMaxSlabs> sites;
   for (std::size_t i = 0; i < count; ++i) sites.push_back({});
+
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (std::size_t i = 0; i < count; ++i) {
       const Slab<N>& slab = slabs[i];
@@ -109,6 +113,7 @@ void condition(Gaussian<N>& estimate, std::span<const Slab<N>> slabs, int sweeps
       const VecN<N> gain = covariance_with(estimate, slab.direction);
       const double variance = dot(slab.direction, gain);
       if (variance <= 0.0) continue;
+
       const double mean = dot(slab.direction, estimate.mean);
       // A slab that contains 4 standard deviations carries no information.
       const double reach = 4.0 * std::sqrt(variance + slab.noise_variance);

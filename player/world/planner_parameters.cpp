@@ -22,6 +22,7 @@ const std::vector<PlannerParameter>& planner_parameter_table() {
 #undef CLS_PLANNER_GROUP
     return rows;
   }();
+
   return table;
 }
 
@@ -33,6 +34,7 @@ double value_of(const PlannerParameters& parameters, const PlannerParameter& row
 base::Result<void> set_planner_parameter(PlannerParameters& parameters, std::string_view name,
                                          double value) {
   const auto& table = planner_parameter_table();
+
   const auto row = std::find_if(table.begin(), table.end(),
                                 [name](const PlannerParameter& one) { return one.name == name; });
   if (row == table.end()) {
@@ -41,17 +43,20 @@ base::Result<void> set_planner_parameter(PlannerParameters& parameters, std::str
     return base::Error{
         fmt::format("unknown parameter '{}'{}", name, base::did_you_mean(name, names))};
   }
+
   const bool whole = !row->integer() || value == std::floor(value);
   if (!whole || !(value >= row->low && value <= row->high)) {
     return base::Error{fmt::format("{}: must be a {}number from {:g} to {:g} ({})", name,
                                    row->integer() ? "whole " : "", row->low, row->high, row->unit)};
   }
+
   std::visit(
       [&](auto member) {
         auto& place = parameters.*member;
         place = static_cast<std::remove_reference_t<decltype(place)>>(value);
       },
       row->member);
+
   return {};
 }
 

@@ -26,12 +26,15 @@ int cycles_to_top_speed(const soccer::ServerParams& server, const soccer::Player
   constexpr int kMaxCycles = 50;
   const double top = top_speed(server, type) - kCloseEnough;
   const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
+
   double speed = 0.0;
   int cycles = 0;
+
   while (speed < top && cycles < kMaxCycles) {
     speed = speed * type.player_decay + push;
     ++cycles;
   }
+
   return cycles;
 }
 
@@ -39,6 +42,7 @@ int cycles_to_run(const soccer::ServerParams& server, const soccer::PlayerType& 
                   double distance) {
   const double acceleration = std::min(
       server.max_dash_power * type.dash_power_rate * type.effort_max, server.player_accel_max);
+
   double speed = 0.0;
   int cycles = 0;
   // After ten cycles the speed is constant; the rest is a division.
@@ -47,6 +51,7 @@ int cycles_to_run(const soccer::ServerParams& server, const soccer::PlayerType& 
     distance -= speed;
     speed *= type.player_decay;
   }
+
   if (distance <= 0.0) return cycles;
   const double settled = std::min(speed + acceleration, type.player_speed_max);
   // Players of a faulty server may not get anywhere.
@@ -58,12 +63,14 @@ int cycles_to_run(const soccer::ServerParams& server, const soccer::PlayerType& 
 ReachTable::ReachTable(const soccer::ServerParams& server, const soccer::PlayerType& type) {
   const double push = std::min(server.max_dash_power * type.dash_power_rate * type.effort_max,
                                server.player_accel_max);
+
   double speed = 0.0;
   for (std::size_t cycle = 1; cycle < run_.size(); ++cycle) {
     // Players of a faulty server may run backwards.
     speed = std::max(0.0, std::min(speed * type.player_decay + push, type.player_speed_max));
     run_[cycle] = run_[cycle - 1] + speed;
   }
+
   settled_speed_ = speed;
 }
 
@@ -79,6 +86,7 @@ int ReachTable::cycles(double distance) const {
 void Stamina::step(const soccer::ServerParams& server, const soccer::PlayerType& type,
                    double cost) {
   stamina = std::max(0.0, stamina - cost);
+
   if (stamina <= server.recover_dec_thr * server.stamina_max) {
     recovery = std::max(server.recover_min, recovery - server.recover_dec);
   }
@@ -88,6 +96,7 @@ void Stamina::step(const soccer::ServerParams& server, const soccer::PlayerType&
   if (stamina >= server.effort_inc_thr * server.stamina_max) {
     effort = std::min(type.effort_max, effort + server.effort_inc);
   }
+
   double gain = std::min(recovery * type.stamina_inc_max, server.stamina_max - stamina);
   if (server.stamina_capacity >= 0.0) {
     gain = std::min(gain, capacity);

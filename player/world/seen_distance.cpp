@@ -34,16 +34,19 @@ DistanceTable::DistanceTable(double step)
     }
     return;
   }
+
   const int first = static_cast<int>(std::floor(math::log(1e-3) / step));
   const int last = static_cast<int>(std::ceil(math::log(0.1 * kTenths + 60.0) / step));
   for (int k = first; k <= last; ++k) {
     steps_.push_back(
         {math::exp(k * step), {math::exp((k - 0.5) * step), math::exp((k + 0.5) * step)}});
   }
+
   for (std::size_t cell = 0; cell <= kCells; ++cell) {
     const double distance = static_cast<double>(cell) / kCellsPerMeter;
     first_steps_.push_back(find_step(distance, 0, steps_.size() - 1));
   }
+
   for (DistanceRange& range : by_tenths_) range = {-1.0, -1.0};
   for (const Step& s : steps_) {
     const double tenths = math::quantize(s.rounded, 0.1) * 10.0;
@@ -52,6 +55,7 @@ DistanceTable::DistanceTable(double step)
     if (range.high < 0.0) range.low = s.ends.low;
     range.high = s.ends.high;
   }
+
   by_tenths_[0].low = 0.0;
   // The server never prints values in the gaps; use the surrounding range.
   double below = by_tenths_[0].high;
@@ -93,6 +97,7 @@ DistanceRange DistanceTable::rounding_errors(DistanceRange distance) const {
   const std::size_t last = step_index(distance.high);
   const double low = distance.low - steps_[first].rounded;
   const double high = distance.high - steps_[last].rounded;
+
   if (first == last) return {low, high};
   const Step& before = steps_[last - 1];
   const Step& after = steps_[last];
@@ -109,6 +114,7 @@ DistanceRange DistanceTable::range(double printed, double focus_distance,
       rounding_errors({std::max(0.0, focus_distance - focus_error), focus_distance + focus_error});
   const double low = printed - kHalfTenth + 0.5 * correction.low;
   const double high = printed + kHalfTenth + 0.5 * correction.high;
+
   DistanceRange found{-1.0, -1.0};
   for (std::size_t k = step_index(low * (1.0 - step_)); k < steps_.size(); ++k) {
     const Step& s = steps_[k];
@@ -119,6 +125,7 @@ DistanceRange DistanceTable::range(double printed, double focus_distance,
     if (found.high < 0.0) found.low = from;
     found.high = to;
   }
+
   if (found.high >= 0.0) return {low <= 0.0 ? 0.0 : found.low, found.high};
   const double half = kHalfTenth + 0.5 * step_ * printed;
   return {std::max(0.0, printed - half), printed + half};
@@ -174,6 +181,7 @@ DistanceRange DistanceTable::range_along(double printed, Vec2 eye, Vec2 directio
     while (from + 1 < steps_.size() && steps_[from].ends.high < distance) ++from;
     return from;
   };
+
   constexpr int kMaxPieces = 200;
   for (int piece = 0; piece < kMaxPieces && d < end; ++piece) {
     while (own + 1 < steps_.size() && d >= steps_[own].ends.high) ++own;
@@ -189,12 +197,14 @@ DistanceRange DistanceTable::range_along(double printed, Vec2 eye, Vec2 directio
       rounded += f;  // its rounding error is negligible
       next = std::min(next, ray.foot + kFine);
     }
+
     next = std::max(next, d + 1e-6);
     const double from = ray.at_difference(2.0 * (printed - kHalfTenth) - rounded, d, next);
     const double to = ray.at_difference(2.0 * (printed + kHalfTenth) - rounded, d, next);
     const auto printed_at = [&](double at) {
       return 0.5 * (at - ray.focus_distance(at) + rounded);
     };
+
     if (to >= from && printed_at(from) <= printed + kHalfTenth + 1e-9 &&
         printed_at(to) >= printed - kHalfTenth - 1e-9) {
       if (found.high < 0.0) found.low = from;

@@ -50,6 +50,7 @@ void update_view_memory(ViewMemory& view, const WorldModel& world) {
     for (int& age : view.ages) age = older(age);
     view.updated = world.game.time;
   }
+
   if (!(world.game.last_see == world.game.time)) return;
   const double half = view_angle(world.server(), world.self.view_width) / 2.0;
   for_sectors_around(world.self.face(), half, [&](int from, int to) {
@@ -67,10 +68,12 @@ double view_angle(const soccer::ServerParams& server, soccer::ViewWidth width) {
 bool must_be_visible(const WorldModel& world, soccer::Vec2 position, double deviation) {
   const soccer::Vec2 offset = position - world.self.position;
   const double distance = offset.length();
+
   constexpr double kSure = 2.5;  // standard deviations
   const double blur = kSure * deviation;
   if (distance + blur < world.server().visible_distance - 0.1) return true;
   if (distance <= blur) return false;
+
   const double angle = (soccer::AngleDeg::of(offset) - world.self.face()).abs();
   const double margin = soccer::math::to_degrees(soccer::math::asin(blur / distance)) + 1.0;
   return angle + margin < 0.5 * view_angle(world.server(), world.self.view_width);
