@@ -5,11 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
-#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "cli/check/check_output.h"
+#include "cli/support/command_line.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
@@ -43,7 +43,9 @@ int run_check_server(const Arguments& arguments) {
   }
   orchestration::checks::ServerCheckOptions options;
   options.server = *server;
-  options.own_program = std::filesystem::read_symlink("/proc/self/exe").string();
+  const auto program = own_program();
+  if (!program) return print_error(kUnavailable, program.error().message);
+  options.own_program = *program;
   options.start_timeout =
       std::chrono::milliseconds(static_cast<int>(arguments.start_timeout_s * 1000.0));
   const std::atomic<int>& signal = watch_interrupts();

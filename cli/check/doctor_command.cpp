@@ -6,11 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "base/text/wrap_text.h"
+#include "cli/support/command_line.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
@@ -95,7 +95,9 @@ int exit_code_of(const DoctorReport& report, int signal) {
 
 int run_doctor(const Arguments& arguments) {
   orchestration::checks::DoctorOptions options;
-  options.own_program = std::filesystem::read_symlink("/proc/self/exe").string();
+  const auto program = own_program();
+  if (!program) return print_error(kUnavailable, program.error().message);
+  options.own_program = *program;
   options.limit = std::chrono::milliseconds(static_cast<int>(arguments.limit_s * 1000.0));
   if (!arguments.server.empty()) {
     auto server = orchestration::match::parse_server(arguments.server);

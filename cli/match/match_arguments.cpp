@@ -2,17 +2,19 @@
 #include "cli/match/match_arguments.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <system_error>
 #include <variant>
 
 #include "base/io/whole_file.h"
 #include "base/text/byte_size.h"
-#include "base/text/number_text.h"
 #include "cli/logs/live_view.h"
 #include "cli/support/command_line.h"
 #include "cli/support/exit_code.h"
@@ -173,13 +175,17 @@ void read_formation_options(MatchArguments& arguments, std::vector<std::string>&
 
 void read_save_at(MatchArguments& arguments, std::vector<std::string>& errors) {
   if (arguments.save_at.empty()) return;
-  const auto cycle = base::parse_int(arguments.save_at.front());
-  if (!cycle) {
-    errors.push_back(
-        fmt::format("--save-at '{}': must be a cycle, then a file", arguments.save_at.front()));
+  const std::string& text = arguments.save_at.front();
+  const char* end = text.data() + text.size();
+  int cycle = 0;
+  const auto [stop, error] = std::from_chars(text.data(), end, cycle);
+  if (stop != end || error != std::errc()) {
+    const bool too_large = stop == end && error == std::errc::result_out_of_range;
+    errors.push_back(fmt::format("--save-at '{}': {}", text,
+                                 too_large ? "too large" : "must be a cycle, then a file"));
     return;
   }
-  arguments.options.save_at = *cycle;
+  arguments.options.save_at = cycle;
   arguments.options.save_file = arguments.save_at.back();
 }
 
@@ -249,7 +255,10 @@ ResolvedNames resolve_names(MatchArguments& arguments) {
   const int right = resolve_team_name(arguments.right, options.right_name, arguments.config_file);
   // Names of cls.toml need not match the names that external teams connect with.
   const bool named = !options.left_name.empty() || !options.right_name.empty();
-  if (named && !names_given) options.own_names = true;
+  if (named && !names_given) {
+    options.own_names = true;
+    arguments.origins["own_names"] = "team of cls.toml";
+  }
   const bool any = written[0] != arguments.left || written[1] != arguments.right ||
                    written[2] != arguments.trainer;
   return {right, any};
@@ -260,6 +269,12 @@ std::string setting_name(std::string option) {
   option.erase(0, option.find_first_not_of('-'));
   std::replace(option.begin(), option.end(), '-', '_');
   return option;
+}
+
+// Values of the environment count as given, although the command line lacks them.
+bool is_from_environment(const CLI::App& command, const CLI::Option* option) {
+  const std::vector<CLI::Option*>& parsed = command.parse_order();
+  return std::find(parsed.begin(), parsed.end(), option) == parsed.end();
 }
 
 void note_options(const CLI::App& command, MatchArguments& arguments) {
@@ -274,8 +289,11 @@ void note_options(const CLI::App& command, MatchArguments& arguments) {
       continue;
     }
     if (setting == "half_time") setting = "server::half_time";
-    arguments.origins[setting] = "option --" + name;
+    arguments.origins[setting] = is_from_environment(command, option)
+                                     ? "environment " + option->get_envname()
+                                     : "option --" + name;
   }
+  if (arguments.options.no_deadline) arguments.origins["rpc_deadline"] = "option --no-deadline";
   for (const std::string& setting : arguments.settings) {
     arguments.origins[setting.substr(0, setting.find('='))] = "option --set";
   }
@@ -379,6 +397,8 @@ std::string shown(const std::optional<Value>& value) {
   return value ? fmt::format("{}", *value) : std::string();
 }
 
+std::string shown(bool value) { return value ? "true" : "false"; }
+
 template <typename Params>
 void add_parameters(std::vector<SettingRow>& rows, std::string_view module, const Params& params,
                     const soccer::ParameterTable<Params>& table) {
@@ -421,28 +441,41 @@ std::vector<SettingRow> setting_rows(const MatchArguments& arguments) {
       {"right", options.right.text, ""},
       {"left_name", options.left_name, ""},
       {"right_name", options.right_name, ""},
+      {"own_names", shown(options.own_names), ""},
+      {"rated", shown(options.rated), ""},
       {"seed", options.seed ? fmt::to_string(*options.seed) : "random", ""},
       {"cycles", shown(options.cycles), ""},
       {"mode", std::string(name(mode_of(options))), ""},
       {"server", options.server_choice.text, ""},
       {"rpc_deadline", deadline ? fmt::to_string(deadline->count()) : "", ""},
+      {"no_deadline", shown(options.no_deadline), ""},
       {"on_late", arguments.on_late, ""},
       {"batch", arguments.batch, ""},
       {"max_missed", fmt::to_string(options.max_missed), ""},
       {"reconnect_within", fmt::format("{}", options.reconnect_within_s), ""},
+      {"tls_ca", arguments.tls.authorities, ""},
+      {"tls_cert", arguments.tls.certificate, ""},
+      {"tls_key", arguments.tls.key, ""},
+      {"tls_name", arguments.tls.server_name, ""},
       {"start_timeout", fmt::format("{}", options.start_timeout_s), ""},
       {"stall_after", fmt::format("{}", options.stall_after_s), ""},
       {"time_limit", shown(options.time_limit_s), ""},
       {"max_memory", memory == 0 ? "" : base::byte_size_text(memory), ""},
-      {"sandbox", options.sandbox ? "true" : "false", ""},
+      {"sandbox", shown(options.sandbox), ""},
       {"max_cpu", cpu == 0 ? "" : fmt::to_string(cpu), ""},
-      {"coach", options.coach ? "true" : "false", ""},
+      {"pin", shown(arguments.pin), ""},
+      {"coach", shown(options.coach), ""},
       {"trainer", arguments.trainer, ""},
+      {"formation", arguments.formation, ""},
+      {"left_formation", arguments.left_formation, ""},
+      {"right_formation", arguments.right_formation, ""},
       {"protocol", fmt::to_string(options.protocol), ""},
       {"speed", shown(options.speed), ""},
       {"monitor_port", shown(options.monitor_port), ""},
       {"record_rpc", options.record_rpc.string(), ""},
-      {"record_world_models", options.record_world_models ? "true" : "false", ""},
+      {"record_world_models", shown(options.record_world_models), ""},
+      {"save_at", fmt::format("{}", fmt::join(arguments.save_at, " ")), ""},
+      {"resume", arguments.resume, ""},
       {"dir", options.folder.string(), ""},
   };
   add_parameters(rows, "server", server_params(options), soccer::server_param_table());

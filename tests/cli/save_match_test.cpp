@@ -97,6 +97,8 @@ TEST_F(SaveMatch, NamesWhatIsWrong) {
   expect({"mock", "mock", "--resume", "text"}, 65, "text: not a saved match, or truncated");
   expect({"mock", "mock", "--resume", "text", "--half-time", "10"}, 2, "no --half-time");
   expect({"mock", "mock", "--save-at", "x", "f"}, 2, "--save-at 'x'");
+  expect({"mock", "mock", "--save-at", "99999999999", "f"}, 2,
+         "--save-at '99999999999': too large");
   expect({"mock", "mock", "--save-at", "0", "f"}, 2, "must be positive");
   expect({"mock", "mock", "--mode", "synch", "--save-at", "5", "f"}, 2, "lockstep");
   expect({"mock:hold", "mock:hold", "--cycles", "5", "--save-at", "50", "f"}, 74,

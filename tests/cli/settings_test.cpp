@@ -122,6 +122,25 @@ TEST_F(Settings, ConfigNamesOriginOfEachValue) {
   EXPECT_EQ(rows["time_limit"]["value"], nullptr);
 }
 
+TEST_F(Settings, ConfigHasRowsOfOptionsThatTheFileLacks) {
+  const json rows = config({"--rated", "--pin", "--save-at", "30", "saved", "--tls-name", "host"});
+  EXPECT_EQ(rows["rated"]["value"], "true");
+  EXPECT_EQ(rows["rated"]["origin"], "option --rated");
+  EXPECT_EQ(rows["own_names"]["value"], "false");
+  EXPECT_EQ(rows["own_names"]["origin"], "default");
+  EXPECT_EQ(rows["save_at"]["value"], "30 saved");
+  EXPECT_EQ(rows["tls_name"]["origin"], "option --tls-name");
+  EXPECT_TRUE(rows["resume"]["value"].is_null());
+  EXPECT_EQ(config({"RED", "BLUE"})["own_names"]["origin"], "team of cls.toml");
+}
+
+TEST_F(Settings, NoDeadlineLeavesNoDeadline) {
+  const json rows = config({"--no-deadline"});
+  EXPECT_EQ(rows["no_deadline"]["origin"], "option --no-deadline");
+  EXPECT_TRUE(rows["rpc_deadline"]["value"].is_null());
+  EXPECT_EQ(rows["rpc_deadline"]["origin"], "option --no-deadline");
+}
+
 TEST_F(Settings, LimitsOfProcessesAreReadFromFileAndOptions) {
   write("limits.toml", "[tournament]\nmax_memory = \"2G\"\nmax_cpu = 600\n");
   const json rows = config({"mock", "mock", "--config", "limits.toml", "--max-cpu", "5"});
