@@ -6,7 +6,12 @@
 
 namespace cls::tests {
 
-/// All regular files, sorted, except in build folders, hidden folders and those of packages.
+/// The regular files in `root` that git tracks, sorted, except hidden ones and those in hidden
+/// folders. Where git does not track them, as in an unpacked archive: all, except in build folders,
+/// too, and those of packages.
+std::vector<std::filesystem::path> files_of_project(const std::filesystem::path& root);
+
+/// The files of this project.
 std::vector<std::filesystem::path> source_files();
 
 }  // namespace cls::tests

@@ -1,4 +1,5 @@
 // Output of the commands: --json, folding at 80 columns, color, and errors of files.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -9,32 +10,25 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
-#include "tests/support/temporary_folder.h"
 
 namespace {
 
 using cls::tests::Command;
 using cls::tests::CommandResult;
 using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
 using Words = std::vector<std::string>;
 
-class CommandOutput : public testing::Test {
+class CommandOutput : public testing::Test, public cls::tests::ClsFolder {
  protected:
-  CommandResult run(Words arguments, Words environment = {}) const {
-    arguments.insert(arguments.begin(), cls::tests::cls_binary());
-    return Command(std::move(arguments), std::move(environment), folder_.path()).finish();
-  }
-  void put(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_.path() / name) << text;
-  }
   // A match of 20 cycles in the folder "m".
   void play() const {
     const auto played = run({"match", "mock:hold", "mock:hold", "--cycles", "20", "--dir", "m"});
     ASSERT_EQ(played.exit_code, 0) << played.err;
   }
-
-  cls::tests::TemporaryFolder folder_;
 };
 
 struct Document {
@@ -44,9 +38,9 @@ struct Document {
 
 TEST_F(CommandOutput, JsonIsOneDocumentOfItsSchema) {
   play();
-  put("cls.toml",
-      "[tournament]\ncycles = 20\n[teams.A]\nendpoint = \"mock:hold\"\n"
-      "[teams.B]\nendpoint = \"mock:hold\"\n");
+  write("cls.toml",
+        "[tournament]\ncycles = 20\n[teams.A]\nendpoint = \"mock:hold\"\n"
+        "[teams.B]\nendpoint = \"mock:hold\"\n");
   const std::vector<Document> documents = {
       {{"match", "mock:hold", "mock:hold", "--cycles", "20"}, "cls.match/1"},
       {{"match", "mock", "mock", "--dry-run"}, "cls.dry-run/1"},
@@ -106,7 +100,7 @@ TEST_F(CommandOutput, JsonOfRunningCommandsIsOneLineAtStart) {
     command.send_signal(SIGTERM);
     const CommandResult result = command.finish();
     EXPECT_EQ(result.out.find('\n'), result.out.size() - 1) << result.out;
-    EXPECT_NE(result.err.find("listening on "), std::string::npos) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("listening on ")) << result.err;
   }
 }
 
@@ -118,13 +112,13 @@ TEST_F(CommandOutput, DoctorFits80ColumnsWithoutBreakingWords) {
     const std::string last = line.substr(line.rfind(' ') + 1);
     EXPECT_TRUE(line.size() <= 80 || line.size() == 28 + last.size()) << line;
   }
-  EXPECT_NE(text.find("hint: "), std::string::npos) << text;
+  EXPECT_THAT(text, HasSubstr("hint: ")) << text;
 }
 
 TEST_F(CommandOutput, QuietDoctorPrintsOnlyWhatIsNotOk) {
   const std::string text = run({"doctor", "--quiet"}, {"PATH=/nonexistent"}).out;
-  EXPECT_EQ(text.find("ok "), std::string::npos) << text;
-  EXPECT_NE(text.find("missing "), std::string::npos) << text;
+  EXPECT_THAT(text, Not(HasSubstr("ok "))) << text;
+  EXPECT_THAT(text, HasSubstr("missing ")) << text;
 }
 
 TEST_F(CommandOutput, ColorFollowsOptionAndEnvironment) {
@@ -140,7 +134,7 @@ TEST_F(CommandOutput, ColorFollowsOptionAndEnvironment) {
 }
 
 TEST_F(CommandOutput, FileErrorsNameWhatTheUserTypedAndTheCause) {
-  put("plain", "");
+  write("plain", "");
   EXPECT_EQ(run({"init", "plain/cup"}).err, "cls: cannot create 'plain/cup': Not a directory\n");
   EXPECT_EQ(run({"test", "--export", "plain/out"}).err,
             "cls: cannot create 'plain/out': Not a directory\n");
@@ -151,7 +145,7 @@ TEST_F(CommandOutput, FileErrorsNameWhatTheUserTypedAndTheCause) {
 }
 
 TEST_F(CommandOutput, FileErrorsTellFoldersFromFiles) {
-  put("plain", "");
+  write("plain", "");
   EXPECT_EQ(run({"match", "mock", "mock", "--config", "."}).err,
             "cls: --config .: a folder, not a file\n");
   EXPECT_EQ(run({"match", "RED", "mock", "--config", "."}).err, "cls: .: a folder, not a file\n");
@@ -162,7 +156,7 @@ TEST_F(CommandOutput, FileErrorsTellFoldersFromFiles) {
   EXPECT_EQ(run({"logs", "plain"}).err, "cls: plain: a file, not a folder\n");
 }
 
-// A name that the file system refuses is no internal error.
+// A name that the file system refuses is not an internal error.
 TEST_F(CommandOutput, FileErrorsNameTheCauseOfAnUnusablePath) {
   const std::string name = std::string(300, 'x') + ".json";
   for (const Words& words :
@@ -170,15 +164,15 @@ TEST_F(CommandOutput, FileErrorsNameTheCauseOfAnUnusablePath) {
         Words{"match", "mock", "mock:" + name}}) {
     const CommandResult result = run(words);
     EXPECT_EQ(result.exit_code, 66) << result.err;
-    EXPECT_EQ(result.err.find("internal error"), std::string::npos) << result.err;
-    EXPECT_NE(result.err.find(name), std::string::npos) << result.err;
+    EXPECT_THAT(result.err, Not(HasSubstr("internal error"))) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(name)) << result.err;
   }
   std::filesystem::create_directory(folder_.path() / "folder");
   const CommandResult tls = run({"match", "mock", "tls:localhost:1", "--tls-ca", "folder"});
   EXPECT_EQ(tls.exit_code, 66);
   EXPECT_EQ(tls.err, "cls: --tls-ca: folder: cannot read\n");
   EXPECT_EQ(run({"check", "playmaker", "mock:none.json"}).exit_code, 66);
-  put("plain", "");
+  write("plain", "");
   const CommandResult replay =
       run({"test", "--replay", "plain", "run:true {port}", "--dir", "plain/runs"});
   EXPECT_EQ(replay.exit_code, 73);

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
-#include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
 namespace {
 
 using Words = std::vector<std::string>;
 
-class Completion : public testing::Test {
+class Completion : public testing::Test, public cls::tests::ClsFolder {
  protected:
   Completion() {
     std::ofstream(folder_.path() / "cls.toml")
@@ -25,8 +25,8 @@ class Completion : public testing::Test {
 
   // Lines without notes; the last of `words` is at the cursor.
   Words complete(Words words) const {
-    words.insert(words.begin(), {cls_binary(), "complete", "--"});
-    const CommandResult result = Command(words, {}, folder_.path()).finish();
+    words.insert(words.begin(), {"complete", "--"});
+    const CommandResult result = run(std::move(words));
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.err, "");
     Words lines;
@@ -38,8 +38,6 @@ class Completion : public testing::Test {
     }
     return lines;
   }
-
-  TemporaryFolder folder_;
 };
 
 bool has(const Words& words, const std::string& word) {

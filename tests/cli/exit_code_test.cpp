@@ -1,6 +1,7 @@
 // Exit codes: the table of docs/cli.md, and commands that end with each of them.
 #include "cli/support/exit_code.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -11,16 +12,16 @@
 #include <vector>
 
 #include "base/io/whole_file.h"
+#include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
-#include "tests/support/temporary_folder.h"
 
 namespace {
 
+using testing::HasSubstr;
 using namespace cls::cli;
 using cls::tests::Command;
 using cls::tests::CommandResult;
-using cls::tests::TemporaryFolder;
 
 // The two groups of `row`: code and meaning.
 std::map<int, std::string> table_in(const std::string& text, const std::regex& row) {
@@ -47,20 +48,14 @@ TEST(ExitCode, ManualHasTheTableOfTheHeader) {
   }
 }
 
-class ExitCodes : public testing::Test {
+class ExitCodes : public testing::Test, public cls::tests::ClsFolder {
  protected:
   std::string file(const std::string& name, const std::string& text) const {
     const auto path = folder_.path() / name;
     std::ofstream(path) << text;
     return path.string();
   }
-  CommandResult cls(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), cls::tests::cls_binary());
-    return Command(std::move(arguments), {}, folder_.path()).finish();
-  }
-  int code(std::vector<std::string> arguments) const { return cls(std::move(arguments)).exit_code; }
-
-  TemporaryFolder folder_;
+  int code(std::vector<std::string> arguments) const { return run(std::move(arguments)).exit_code; }
 };
 
 TEST_F(ExitCodes, OfUsageAndFiles) {
@@ -99,9 +94,9 @@ TEST_F(ExitCodes, StrictFailsOnWarningsOnly) {
   std::vector<std::string> warned = {"match", "mock:hold", "mock:" + unmet, "--cycles", "20"};
   EXPECT_EQ(code(warned), kOk);
   warned.emplace_back("--strict");
-  const CommandResult strict = cls(warned);
+  const CommandResult strict = run(warned);
   EXPECT_EQ(strict.exit_code, kFailed);
-  EXPECT_NE(strict.err.find("cls: 1 warning (--strict)\n"), std::string::npos) << strict.err;
+  EXPECT_THAT(strict.err, HasSubstr("cls: 1 warning (--strict)\n")) << strict.err;
 }
 
 }  // namespace

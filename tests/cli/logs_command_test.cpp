@@ -1,4 +1,5 @@
 // `cls logs`: finds the match, lists its files, prints what the failed process wrote last.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,30 +8,26 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
-#include "tests/support/temporary_folder.h"
 
 namespace {
 
+using testing::HasSubstr;
+using testing::Not;
+
 namespace fs = std::filesystem;
-using cls::tests::cls_binary;
 using cls::tests::CommandResult;
 using nlohmann::json;
 
-class LogsCommand : public testing::Test {
+class LogsCommand : public testing::Test, public cls::tests::ClsFolder {
  protected:
-  CommandResult run(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), cls_binary());
-    return cls::tests::Command(arguments, {}, folder_.path()).finish();
-  }
   CommandResult play(const std::string& right, const std::string& dir) {
     return run({"match", "mock:hold", right, "--cycles", "5", "--set", "server::kick_off_wait=3",
                 "--dir", dir});
   }
-  fs::path path(const std::string& name) const { return folder_.path() / name; }
 
   const std::string crash_ = "run:echo one; echo boom {port}; exit 3";
-  cls::tests::TemporaryFolder folder_;
 };
 
 TEST_F(LogsCommand, PrintsLastLinesOfFailedProcess) {
@@ -39,11 +36,11 @@ TEST_F(LogsCommand, PrintsLastLinesOfFailedProcess) {
   EXPECT_EQ(shown.exit_code, 0) << shown.err;
   for (const char* text : {"result (cls.match/1)", "right-playmaker.log",
                            "output of right Playmaker (exit code 3)", "  one\n", "  boom "}) {
-    EXPECT_NE(shown.out.find(text), std::string::npos) << text << shown.out;
+    EXPECT_THAT(shown.out, HasSubstr(text)) << text << shown.out;
   }
   const CommandResult one = run({"logs", "m", "--tail", "1"});
-  EXPECT_EQ(one.out.find("  one\n"), std::string::npos);
-  EXPECT_NE(one.out.find("  boom "), std::string::npos);
+  EXPECT_THAT(one.out, Not(HasSubstr("  one\n")));
+  EXPECT_THAT(one.out, HasSubstr("  boom "));
 }
 
 TEST_F(LogsCommand, PrintsDocument) {
@@ -75,8 +72,8 @@ TEST_F(LogsCommand, FindsMatchesOfTournament) {
   ASSERT_EQ(played.exit_code, 0) << played.err;
   const CommandResult second = run({"logs", "cup", "--match", "2"});
   EXPECT_TRUE(second.out.starts_with("cup/matches/000002-B-vs-A  (match 2)\n")) << second.out;
-  EXPECT_NE(second.out.find("match.rcg.gz"), std::string::npos);
-  EXPECT_NE(run({"logs", "cup"}).out.find("none failed"), std::string::npos);
+  EXPECT_THAT(second.out, HasSubstr("match.rcg.gz"));
+  EXPECT_THAT(run({"logs", "cup"}).out, HasSubstr("none failed"));
   const CommandResult none = run({"logs", "cup", "--match", "9"});
   EXPECT_EQ(none.exit_code, 66);
   EXPECT_EQ(none.err, "cls: cup has 2 matches, no match 9\n");
@@ -90,7 +87,7 @@ TEST_F(LogsCommand, ReportsErrors) {
   play(crash_, "m");
   const CommandResult typo = run({"logs", "m", "--process", "rigth Playmaker"});
   EXPECT_EQ(typo.exit_code, 2);
-  EXPECT_NE(typo.err.find("did you mean 'right Playmaker'?"), std::string::npos) << typo.err;
+  EXPECT_THAT(typo.err, HasSubstr("did you mean 'right Playmaker'?")) << typo.err;
 }
 
 }  // namespace

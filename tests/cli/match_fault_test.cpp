@@ -1,10 +1,12 @@
 // Faulty Playmakers: end reason, exit code and error line of each fault.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <future>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -21,6 +23,7 @@ using cls::tests::CommandResult;
 using cls::tests::GameService;
 using cls::tests::PlaymakerServer;
 using nlohmann::json;
+using testing::HasSubstr;
 
 struct Played {
   CommandResult command;
@@ -55,7 +58,7 @@ void expect_line(const Played& played, int port, const std::string& what) {
   const std::string& err = played.command.err;
   EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
   EXPECT_EQ(err.rfind("cls: brain (127.0.0.1:" + std::to_string(port) + "): ", 0), 0u) << err;
-  EXPECT_NE(err.find(what), std::string::npos) << err;
+  EXPECT_THAT(err, HasSubstr(what)) << err;
 }
 
 void expect_invalid(const Played& played, const std::string& end_reason, int exit_code) {
@@ -63,9 +66,8 @@ void expect_invalid(const Played& played, const std::string& end_reason, int exi
   EXPECT_EQ(played.result["end_reason"], end_reason);
   EXPECT_FALSE(played.result["valid"]);
   EXPECT_TRUE(played.result["winner"].is_null());
-  EXPECT_NE(played.command.out.find("invalid match: " + end_reason), std::string::npos);
-  EXPECT_NE(played.command.out.find("see docs/troubleshooting.md#" + end_reason),
-            std::string::npos);
+  EXPECT_THAT(played.command.out, HasSubstr("invalid match: " + end_reason));
+  EXPECT_THAT(played.command.out, HasSubstr("see docs/troubleshooting.md#" + end_reason));
 }
 
 TEST(MatchFaults, ReportsCrashOfPlaymaker) {
@@ -92,15 +94,18 @@ TEST(MatchFaults, ReportsCrashOfPlaymaker) {
 }
 
 TEST(MatchFaults, RefusesWithoutReplyToRegister) {
+  std::promise<void> end;
+  const std::shared_future<void> ended = end.get_future().share();
   GameService service;
-  service.on_register = [](const protos::RegisterRequest&, protos::RegisterResponse&) {
-    std::this_thread::sleep_for(std::chrono::seconds(6));
+  service.on_register = [ended](const protos::RegisterRequest&, protos::RegisterResponse&) {
+    ended.wait_for(std::chrono::seconds(30));
     return grpc::Status::OK;
   };
   PlaymakerServer server(service);
   const auto start = std::chrono::steady_clock::now();
   const Played played = play_against(server.port(), {"--start-timeout", "2"});
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  end.set_value();
   expect_invalid(played, "refused", 69);
   expect_line(played, server.port(), "");
 }

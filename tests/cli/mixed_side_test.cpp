@@ -1,4 +1,5 @@
 // `mix:` sides: one team whose agents are decided for by several Playmakers.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,17 +9,18 @@
 #include <vector>
 
 #include "tests/support/built.h"
+#include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
-#include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
 namespace {
 
 using nlohmann::json;
+using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
 
-class MixedSide : public testing::Test {
+class MixedSide : public testing::Test, public cls::tests::ClsFolder {
  protected:
   static std::string fake(const std::string& flags = "") {
     return "run:exec " + built("cls_fake_playmaker") + " --port {port} " + flags;
@@ -26,19 +28,15 @@ class MixedSide : public testing::Test {
 
   CommandResult play(const std::string& left, const std::string& folder,
                      const Arguments& more = {}) const {
-    Arguments argv = {cls_binary(), "match",        left,   "mock",    "--seed",
-                      "5",          "--left-name",  "left", "--force", "--dir",
-                      folder,       "--right-name", "right"};
+    Arguments argv = {"match",   left,    "mock", "--seed",       "5",    "--left-name", "left",
+                      "--force", "--dir", folder, "--right-name", "right"};
     argv.insert(argv.end(), more.begin(), more.end());
-    Command command(argv, {}, folder_.path());
-    return command.finish();
+    return run(argv);
   }
 
   json result(const std::string& folder) const {
     return json::parse(read_file(folder_.path() / folder / "result.json"));
   }
-
-  TemporaryFolder folder_;
 };
 
 // Who decides for whom does not show in the match.
@@ -51,7 +49,7 @@ TEST_F(MixedSide, PlaysTheMatchOfOnePlaymaker) {
   EXPECT_EQ(mixed.err, "");
   EXPECT_TRUE(read_file(folder_.path() / "one/match.rcg") ==
               read_file(folder_.path() / "three/match.rcg"));
-  EXPECT_NE(mixed.out.find("left 2-6,forwards: run:exec"), std::string::npos) << mixed.out;
+  EXPECT_THAT(mixed.out, HasSubstr("left 2-6,forwards: run:exec")) << mixed.out;
 }
 
 TEST_F(MixedSide, ReportsEachPart) {
@@ -93,8 +91,8 @@ TEST_F(MixedSide, RefusesWhenOnePartDoesNotListen) {
   const CommandResult played =
       play("mix:1-10=mock;11=" + fake("--never-listen 1"), "match", {"--start-timeout", "1"});
   EXPECT_EQ(played.exit_code, 69);
-  EXPECT_NE(played.err.find("no answer to Register of player 11"), std::string::npos) << played.err;
-  EXPECT_NE(played.err.find("it does not listen on port "), std::string::npos) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("no answer to Register of player 11")) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("it does not listen on port ")) << played.err;
 }
 
 TEST_F(MixedSide, PlaysInSynchMode) {

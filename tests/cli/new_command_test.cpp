@@ -1,4 +1,5 @@
 // `cls new`: the files of a project and what it refuses. tests/matches plays with projects.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -6,24 +7,24 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
-#include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
 namespace {
 
+using testing::HasSubstr;
+using testing::Not;
+
 namespace fs = std::filesystem;
 
-class NewCommand : public testing::Test {
+class NewCommand : public testing::Test, public cls::tests::ClsFolder {
  protected:
   CommandResult run_new(std::vector<std::string> words) const {
-    words.insert(words.begin(), {cls_binary(), "new"});
-    Command command(words, {}, folder_.path());
-    return command.finish();
+    words.insert(words.begin(), "new");
+    return run(std::move(words));
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(NewCommand, WritesProjectOfEachLanguage) {
@@ -36,11 +37,11 @@ TEST_F(NewCommand, WritesProjectOfEachLanguage) {
     for (const std::string file : document["files"]) {
       const std::string text = read_file(project / file);
       EXPECT_FALSE(text.empty()) << language << " " << file;
-      EXPECT_EQ(text.find("@NAME@"), std::string::npos) << file;
-      EXPECT_EQ(file.find("vectors"), std::string::npos) << file;
+      EXPECT_THAT(text, Not(HasSubstr("@NAME@"))) << file;
+      EXPECT_THAT(file, Not(HasSubstr("vectors"))) << file;
     }
     EXPECT_EQ(access((project / "run").c_str(), X_OK), 0);
-    EXPECT_NE(read_file(project / "cls.toml").find("[teams.ada]"), std::string::npos);
+    EXPECT_THAT(read_file(project / "cls.toml"), HasSubstr("[teams.ada]"));
     for (const char* file : {"README.md", ".gitignore", ".editorconfig", ".vscode/tasks.json",
                              ".github/workflows/test.yml", "tests/scores.json",
                              "proto/playmaker.proto", "proto/team_playmaker.proto"}) {
@@ -78,7 +79,7 @@ TEST_F(NewCommand, TemplatesAddFilesOfTheirOwn) {
     }
   }
   const std::string train = read_file(folder_.path() / "go-rl/train.py");
-  EXPECT_NE(train.find("\"cls\", \"match\", \"ada\""), std::string::npos);
+  EXPECT_THAT(train, HasSubstr("\"cls\", \"match\", \"ada\""));
 }
 
 // Debian 12 has no Go, Node.js and Rust as recent as the projects need.
@@ -87,12 +88,11 @@ TEST_F(NewCommand, WorkflowInstallsToolsOfTheLanguage) {
     run_new({language, "ada", "--dir", language});
     return read_file(folder_.path() / language / ".github/workflows/test.yml");
   };
-  EXPECT_NE(workflow("go").find("setup-go@v5\n        with: {go-version: '1.26'"),
-            std::string::npos);
-  EXPECT_NE(workflow("typescript").find("node-version: 20}"), std::string::npos);
-  EXPECT_NE(workflow("rust").find("toolchain: '1.88'}"), std::string::npos);
+  EXPECT_THAT(workflow("go"), HasSubstr("setup-go@v5\n        with: {go-version: '1.26'"));
+  EXPECT_THAT(workflow("typescript"), HasSubstr("node-version: 20}"));
+  EXPECT_THAT(workflow("rust"), HasSubstr("toolchain: '1.88'}"));
   const std::string python = workflow("python");
-  EXPECT_NE(python.find("python3-grpcio"), std::string::npos);
+  EXPECT_THAT(python, HasSubstr("python3-grpcio"));
   EXPECT_EQ(python.find('@' + std::string("SETUP")), std::string::npos);
 }
 
@@ -106,7 +106,7 @@ TEST_F(NewCommand, RefusesUnknownWordsAndExistingFiles) {
   ASSERT_EQ(run_new({"go", "ada"}).exit_code, 0);
   const CommandResult again = run_new({"go", "ada"});
   EXPECT_EQ(again.exit_code, 73);
-  EXPECT_NE(again.err.find("select a new folder with --dir"), std::string::npos) << again.err;
+  EXPECT_THAT(again.err, HasSubstr("select a new folder with --dir")) << again.err;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // Commands keep files that exist.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,23 +8,21 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
-#include "tests/support/temporary_folder.h"
 
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using cls::tests::cls_binary;
 using cls::tests::CommandResult;
 using cls::tests::read_file;
 
-class Overwrite : public testing::Test {
+class Overwrite : public testing::Test, public cls::tests::ClsFolder {
  protected:
-  CommandResult run(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), cls_binary());
-    return cls::tests::Command(arguments, {}, folder_.path()).finish();
-  }
   CommandResult match(std::vector<std::string> more) {
     std::vector<std::string> all = {
         "match",  "mock:hold", "mock:hold", "--set", "server::kick_off_wait=3",
@@ -31,13 +30,6 @@ class Overwrite : public testing::Test {
     all.insert(all.end(), more.begin(), more.end());
     return run(all);
   }
-  fs::path path(const std::string& name) const { return folder_.path() / name; }
-  void write(const std::string& name, const std::string& text) const {
-    fs::create_directories(path(name).parent_path());
-    std::ofstream(path(name)) << text;
-  }
-
-  cls::tests::TemporaryFolder folder_;
 };
 
 TEST_F(Overwrite, MatchRefusesFolderThatHoldsSomething) {
@@ -78,7 +70,7 @@ TEST_F(Overwrite, MatchKeepsRecordedCalls) {
   write("calls.rpc", "mine");
   const CommandResult refused = match({"--dir", "x", "--record-rpc", "calls.rpc"});
   EXPECT_EQ(refused.exit_code, 73);
-  EXPECT_NE(refused.err.find("calls.rpc exists"), std::string::npos) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("calls.rpc exists")) << refused.err;
   EXPECT_EQ(match({"--dir", "x", "--record-rpc", "calls.rpc", "--force"}).exit_code, 0);
   EXPECT_EQ(read_file(path("calls.rpc.old")), "mine");
 }

@@ -1,4 +1,5 @@
 // `cls package-team`: the folder plays with the start script of competitions.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,19 +8,21 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/port_lock.h"
-#include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
 namespace {
 
+using testing::HasSubstr;
+
 namespace fs = std::filesystem;
 
-class PackageTeam : public testing::Test {
+class PackageTeam : public testing::Test, public cls::tests::ClsFolder {
  protected:
-  PackageTeam() {
+  PackageTeam() : ClsFolder(std::chrono::seconds(240)) {
     fs::create_directories(folder_.path() / "runs");
     fs::create_directories(folder_.path() / "src");
     std::ofstream(folder_.path() / "src/team.txt") << "ada\n";
@@ -27,13 +30,6 @@ class PackageTeam : public testing::Test {
         << "[teams.ada]\nendpoint = \"run:../cls mock --port {port} --quiet\"\n"
            "[teams.rivals]\nendpoint = \"mock\"\n";
   }
-
-  CommandResult run(std::vector<std::string> words) const {
-    words.insert(words.begin(), cls_binary());
-    return Command(words, {}, folder_.path()).finish(std::chrono::seconds(240));
-  }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(PackageTeam, WritesScriptsProgramAndProject) {
@@ -44,8 +40,7 @@ TEST_F(PackageTeam, WritesScriptsProgramAndProject) {
   EXPECT_EQ(read_file(package / "team/src/team.txt"), "ada\n");
   EXPECT_FALSE(fs::exists(package / "team/runs"));
   EXPECT_FALSE(fs::exists(package / "team/ada-team"));
-  EXPECT_NE(read_file(package / "start").find("../cls mock --port \"$port\" --quiet"),
-            std::string::npos);
+  EXPECT_THAT(read_file(package / "start"), HasSubstr("../cls mock --port \"$port\" --quiet"));
   for (const char* script : {"start", "kill"}) {
     EXPECT_EQ(tests::run({"sh", "-n", package / script}).exit_code, 0) << script;
   }
@@ -64,15 +59,15 @@ TEST_F(PackageTeam, PlaysAsACompetitionStartsIt) {
 }
 
 TEST_F(PackageTeam, RefusesWhatCannotBeStarted) {
-  EXPECT_NE(run({"package-team", "adda"}).err.find("has no team 'adda'; did you mean 'ada'?"),
-            std::string::npos);
+  EXPECT_THAT(run({"package-team", "adda"}).err,
+              HasSubstr("has no team 'adda'; did you mean 'ada'?"));
   EXPECT_EQ(run({"package-team", "rivals"}).err,
             "cls: team 'rivals' is 'mock'; a package needs run:COMMAND, which starts the "
             "Playmaker\n");
   ASSERT_EQ(run({"package-team", "ada"}).exit_code, 0);
   const CommandResult again = run({"package-team", "ada"});
   EXPECT_EQ(again.exit_code, 73);
-  EXPECT_NE(again.err.find("select a new folder with --dir"), std::string::npos);
+  EXPECT_THAT(again.err, HasSubstr("select a new folder with --dir"));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // `planner:FILE=SIDE`: matches with other parameters of the planner.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -6,29 +7,23 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
-#include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
 namespace {
 
+using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
 
-class PlannerSide : public testing::Test {
+class PlannerSide : public testing::Test, public cls::tests::ClsFolder {
  protected:
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_.path() / name) << text;
-  }
-
-  CommandResult run_cls(Arguments arguments) const {
-    arguments.insert(arguments.begin(), cls_binary());
-    return Command(arguments, {}, folder_.path()).finish(std::chrono::seconds(180));
-  }
+  PlannerSide() : ClsFolder(std::chrono::seconds(180)) {}
 
   CommandResult match(const std::string& left, const std::string& folder) const {
-    return run_cls({"match", left, "mock:planner", "--left-name", "left", "--right-name", "right",
-                    "--seed", "7", "--cycles", "60", "--quiet", "--force", "--dir", folder});
+    return run({"match", left, "mock:planner", "--left-name", "left", "--right-name", "right",
+                "--seed", "7", "--cycles", "60", "--quiet", "--force", "--dir", folder});
   }
 
   /// The game log of a match of this side against mock:planner.
@@ -37,15 +32,13 @@ class PlannerSide : public testing::Test {
     EXPECT_EQ(played.exit_code, 0) << left << ": " << played.err;
     return read_file(folder_.path() / "match/match.rcg");
   }
-
-  TemporaryFolder folder_;
 };
 
 // The planner is at work in the first seconds: other passes, another match.
 constexpr const char* kOther = "pass_margin = 1.5\nx_weight = 0.2\nshift_normal = -8\n";
 
 TEST_F(PlannerSide, PlaysTheSameMatchWithDefaults) {
-  ASSERT_EQ(run_cls({"init", "--planner"}).exit_code, 0);
+  ASSERT_EQ(run({"init", "--planner"}).exit_code, 0);
   write("empty.toml", "");
   const std::string plain = game_log("mock:planner");
   EXPECT_TRUE(game_log("planner:planner.toml=mock:planner") == plain);
@@ -83,19 +76,18 @@ TEST_F(PlannerSide, ReportsErrorsBeforeTheMatch) {
 
 TEST_F(PlannerSide, IsRefusedWhereAMatchIsRepeated) {
   write("other.toml", kOther);
-  const CommandResult refused = run_cls({"match", "planner:other.toml=mock", "mock", "--cycles",
-                                         "20", "--save-at", "10", "x.saved", "--dir", "match"});
+  const CommandResult refused = run({"match", "planner:other.toml=mock", "mock", "--cycles", "20",
+                                     "--save-at", "10", "x.saved", "--dir", "match"});
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_NE(refused.err.find("the built-in formations and planner"), std::string::npos)
-      << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("the built-in formations and planner")) << refused.err;
 }
 
 TEST_F(PlannerSide, InitWritesAFileOnce) {
-  EXPECT_EQ(run_cls({"init", "--planner", "a"}).out, "a/planner.toml\n");
-  const CommandResult again = run_cls({"init", "--planner", "a"});
+  EXPECT_EQ(run({"init", "--planner", "a"}).out, "a/planner.toml\n");
+  const CommandResult again = run({"init", "--planner", "a"});
   EXPECT_EQ(again.exit_code, 73);
   EXPECT_EQ(again.err, "cls: a/planner.toml: exists; --force renames it to planner.toml.old\n");
-  EXPECT_EQ(run_cls({"init", "--planner", "a", "--force"}).exit_code, 0);
+  EXPECT_EQ(run({"init", "--planner", "a", "--force"}).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "a/planner.toml.old"));
 }
 
@@ -123,7 +115,7 @@ max = 20
 start = 5
 integer = true
 )");
-  const CommandResult ran = run_cls({"tune", "run", "search", "--cycles", "10", "--quiet"});
+  const CommandResult ran = run({"tune", "run", "search", "--cycles", "10", "--quiet"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   const CommandResult best = match("planner:search/best.toml=mock:planner", "match");
   EXPECT_EQ(best.exit_code, 0) << best.err;

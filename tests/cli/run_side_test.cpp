@@ -1,4 +1,5 @@
 // `run:` sides: Playmakers started by cls, working and with each kind of fault.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -17,6 +18,7 @@
 
 namespace {
 
+using testing::HasSubstr;
 using namespace std::chrono_literals;
 using cls::tests::Command;
 using cls::tests::CommandResult;
@@ -62,8 +64,8 @@ class RunSide : public testing::Test {
     EXPECT_EQ(result_["end_reason"], reason);
     EXPECT_EQ(played_.exit_code, exit_code);
     const std::string whole = result_["message"].get<std::string>();
-    EXPECT_NE(whole.find(message), std::string::npos) << whole;
-    EXPECT_NE(played_.err.find("cls: " + whole + "\n"), std::string::npos) << played_.err;
+    EXPECT_THAT(whole, HasSubstr(message)) << whole;
+    EXPECT_THAT(played_.err, HasSubstr("cls: " + whole + "\n")) << played_.err;
     EXPECT_TRUE(result_["winner"].is_null());
   }
 
@@ -73,10 +75,22 @@ class RunSide : public testing::Test {
     EXPECT_EQ(failure["process"], "right Playmaker");
     EXPECT_EQ(failure["exit"], exit);
     EXPECT_EQ(failure["output"].back().get<std::string>().find(argv), 0U) << failure;
-    EXPECT_NE(played_.err.find(argv), std::string::npos) << played_.err;
-    EXPECT_NE(log().find(argv), std::string::npos);
+    EXPECT_THAT(played_.err, HasSubstr(argv)) << played_.err;
+    EXPECT_THAT(log(), HasSubstr(argv));
   }
 
+  /// Waits until the Playmaker has printed `text`.
+  bool wait_for_log(const std::string& text) const {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto has_printed = [&] {
+      return std::filesystem::exists(folder_.path() / "right-playmaker.log") &&
+             log().find(text) != std::string::npos;
+    };
+    while (!has_printed() && std::chrono::steady_clock::now() - begin < 20s) {
+      std::this_thread::sleep_for(20ms);
+    }
+    return has_printed();
+  }
   std::string log() const { return cls::tests::read_file(folder_.path() / "right-playmaker.log"); }
 
   cls::tests::TemporaryFolder folder_;
@@ -109,10 +123,9 @@ TEST_F(RunSide, RefusesUnstartableProgram) {
   const auto played =
       cls::tests::run(arguments("run:no-such-playmaker --port {port}", {}), environment());
   EXPECT_EQ(played.exit_code, 69);
-  EXPECT_NE(played.err.find("its process ended before it answered: exit code 127"),
-            std::string::npos)
+  EXPECT_THAT(played.err, HasSubstr("its process ended before it answered: exit code 127"))
       << played.err;
-  EXPECT_NE(played.err.find("no-such-playmaker: not found"), std::string::npos) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("no-such-playmaker: not found")) << played.err;
 }
 
 TEST_F(RunSide, RefusesImmediatelyAfterExitAtStart) {
@@ -127,10 +140,10 @@ TEST_F(RunSide, NamesTheLimitThatEndedTheProgram) {
   const auto busy = cls::tests::run(
       arguments("run:while :; do :; done # {port}", {"--max-cpu", "1"}), environment());
   EXPECT_EQ(busy.exit_code, 69);
-  EXPECT_NE(busy.err.find(": its process ended before it answered: killed by SIGXCPU; a process of "
-                          "right Playmaker had used the 1 s of CPU time that --max-cpu allows: "
-                          "raise or omit the limit"),
-            std::string::npos)
+  EXPECT_THAT(busy.err,
+              HasSubstr(": its process ended before it answered: killed by SIGXCPU; a process of "
+                        "right Playmaker had used the 1 s of CPU time that --max-cpu allows: "
+                        "raise or omit the limit"))
       << busy.err;
   std::filesystem::remove_all(folder_.path());
   const auto large =
@@ -138,9 +151,9 @@ TEST_F(RunSide, NamesTheLimitThatEndedTheProgram) {
                                 {"--max-memory", "32M"}),
                       environment());
   EXPECT_EQ(large.exit_code, 69);
-  EXPECT_NE(large.err.find("exit code 3; a process of right Playmaker needed more than the 32M of "
-                           "memory that --max-memory allows: raise or omit the limit"),
-            std::string::npos)
+  EXPECT_THAT(large.err,
+              HasSubstr("exit code 3; a process of right Playmaker needed more than the 32M of "
+                        "memory that --max-memory allows: raise or omit the limit"))
       << large.err;
 }
 
@@ -189,7 +202,7 @@ TEST_F(RunSide, ReportsSignalNameBelowShell) {
   const auto played = cls::tests::run(
       arguments("run:" + fake("--signal-at-cycle 20").substr(9) + "; exit $?", {}), environment());
   EXPECT_EQ(played.exit_code, 1);
-  EXPECT_NE(played.err.find("exit code 139 (128 + SIGSEGV)"), std::string::npos) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("exit code 139 (128 + SIGSEGV)")) << played.err;
 }
 
 TEST_F(RunSide, StallsWhenProgramHangs) {
@@ -211,7 +224,7 @@ TEST_F(RunSide, ContinuesDespiteFloodOfOutput) {
   play("--flood 1");
   EXPECT_EQ(played_.exit_code, 0) << played_.err;
   EXPECT_LT(std::filesystem::file_size(folder_.path() / "right-playmaker.log"), 1000U);
-  EXPECT_NE(log().find("\n  ×"), std::string::npos);
+  EXPECT_THAT(log(), HasSubstr("\n  ×"));
 }
 
 // The limit fails writes of cls as a full disk does.
@@ -224,8 +237,8 @@ TEST_F(RunSide, WarnsOfLogThatCannotBeWritten) {
                            "' match 'run:seq 20000; exec \"" + cls::tests::cls_binary().string() +
                            "\" mock hold --port {port}' mock:hold --cycles 5 --dir '" + match +
                            "' --set server::game_logging=off --set server::text_logging=off"});
-  EXPECT_NE(played.err.find("left-playmaker.log failed: File too large; the log is incomplete"),
-            std::string::npos)
+  EXPECT_THAT(played.err,
+              HasSubstr("left-playmaker.log failed: File too large; the log is incomplete"))
       << played.err;
 }
 
@@ -250,12 +263,7 @@ TEST_F(RunSide, StopsCleanlyAfterSignal) {
   for (const auto& [signal, exit_code] : cases) {
     Arguments argv = arguments(fake("--ignore-term 1 --hang-at-cycle 30"), {});
     Command command(argv, environment());
-    const auto log_begins = std::chrono::steady_clock::now();
-    while (!std::filesystem::exists(folder_.path() / "right-playmaker.log") &&
-           std::chrono::steady_clock::now() - log_begins < 10s) {
-      std::this_thread::sleep_for(20ms);
-    }
-    std::this_thread::sleep_for(1s);
+    ASSERT_TRUE(wait_for_log("lost in thought"));
     command.send_signal(signal);
     const auto begin = std::chrono::steady_clock::now();
     const CommandResult ended = command.finish();

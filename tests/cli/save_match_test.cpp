@@ -1,4 +1,5 @@
 // `cls match --save-at` and `--resume`: the same bytes, or another course with another seed.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,28 +7,26 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
-#include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
 namespace {
 
+using testing::HasSubstr;
 using Words = std::vector<std::string>;
 
-class SaveMatch : public testing::Test {
+class SaveMatch : public testing::Test, public cls::tests::ClsFolder {
  protected:
   CommandResult match(Words words, const std::string& folder) const {
-    Words all = {cls_binary(), "match"};
+    Words all = {"match"};
     all.insert(all.end(), words.begin(), words.end());
     for (const char* word : {"--dir", folder.c_str(), "--quiet"}) all.emplace_back(word);
-    return Command(std::move(all), {}, folder_.path()).finish();
+    return run(std::move(all));
   }
   std::string game_log(const std::string& folder) const {
     return read_file(folder_.path() / folder / "match.rcg");
-  }
-  void put(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_.path() / name, std::ios::binary) << text;
   }
   // A match of 60 cycles, saved at cycle 30.
   void save() const {
@@ -36,8 +35,6 @@ class SaveMatch : public testing::Test {
                               "whole");
     ASSERT_EQ(played.exit_code, 0) << played.err;
   }
-
-  TemporaryFolder folder_;
 };
 
 // The number of equal bytes at the start.
@@ -90,9 +87,9 @@ TEST_F(SaveMatch, NamesWhatIsWrong) {
   const auto expect = [&](Words words, int code, const std::string& text) {
     const auto result = match(std::move(words), "wrong-" + std::to_string(++number));
     EXPECT_EQ(result.exit_code, code) << result.err;
-    EXPECT_NE(result.err.find(text), std::string::npos) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(text)) << result.err;
   };
-  put("text", "no match");
+  write("text", "no match");
   expect({"mock", "mock", "--resume", "none"}, 66, "--resume none: no such file");
   expect({"mock", "mock", "--resume", "text"}, 65, "text: not a saved match, or truncated");
   expect({"mock", "mock", "--resume", "text", "--half-time", "10"}, 2, "no --half-time");
@@ -109,7 +106,7 @@ TEST_F(SaveMatch, NamesWhatIsWrong) {
 TEST_F(SaveMatch, TruncatedFileIsAnError) {
   save();
   const std::string bytes = read_file(folder_.path() / "saved");
-  put("half", bytes.substr(0, bytes.size() / 2));
+  write("half", bytes.substr(0, bytes.size() / 2));
   const auto result = match({"mock", "mock", "--resume", "half"}, "wrong");
   EXPECT_EQ(result.exit_code, 65) << result.err;
 }

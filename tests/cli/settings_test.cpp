@@ -1,4 +1,5 @@
 // Settings of matches: cls.toml, options, where each comes from, and what takes effect.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
-#include "tests/support/temporary_folder.h"
 
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using cls::tests::cls_binary;
@@ -32,14 +35,10 @@ constexpr const char* kConfig =
     "[teams.BLUE]\n"
     "endpoint = \"mock:hold\"\n";
 
-class Settings : public testing::Test {
+class Settings : public testing::Test, public cls::tests::ClsFolder {
  protected:
   Settings() { write("cls.toml", kConfig); }
 
-  CommandResult run(Arguments arguments) {
-    arguments.insert(arguments.begin(), cls_binary());
-    return cls::tests::Command(arguments, {}, folder_.path()).finish();
-  }
   // A match of a few cycles into the folder `name`.
   CommandResult play(const std::string& name, const Arguments& settings) {
     Arguments all = {"match",  "mock:hold", "mock:hold",
@@ -53,11 +52,6 @@ class Settings : public testing::Test {
     return run(all);
   }
   json document(const std::string& file) const { return json::parse(read_file(path(file))); }
-  fs::path path(const std::string& name) const { return folder_.path() / name; }
-  void write(const std::string& name, const std::string& text) const {
-    fs::create_directories(path(name).parent_path());
-    std::ofstream(path(name)) << text;
-  }
   json config(Arguments arguments) {
     arguments.insert(arguments.begin(), "config");
     arguments.push_back("--json");
@@ -68,8 +62,6 @@ class Settings : public testing::Test {
     for (const json& row : settings) rows[row["name"].get<std::string>()] = row;
     return rows;
   }
-
-  cls::tests::TemporaryFolder folder_;
 };
 
 TEST_F(Settings, MissingFileIsError) {
@@ -155,8 +147,8 @@ TEST_F(Settings, LimitsOfProcessesAreReadFromFileAndOptions) {
 TEST_F(Settings, DryRunShowsOrigins) {
   const CommandResult printed = run({"match", "RED", "BLUE", "--dry-run", "--seed", "7"});
   EXPECT_EQ(printed.exit_code, 0) << printed.err;
-  EXPECT_NE(printed.out.find("# cycles = 8 (cls.toml:2)\n"), std::string::npos) << printed.out;
-  EXPECT_NE(printed.out.find("# seed = 7 (option --seed)\n"), std::string::npos) << printed.out;
+  EXPECT_THAT(printed.out, HasSubstr("# cycles = 8 (cls.toml:2)\n")) << printed.out;
+  EXPECT_THAT(printed.out, HasSubstr("# seed = 7 (option --seed)\n")) << printed.out;
 }
 
 TEST_F(Settings, RefusesParametersThatTheMatchDecides) {

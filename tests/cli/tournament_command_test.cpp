@@ -1,4 +1,5 @@
 // End-to-end tests of `cls tournament` and `cls init`: short matches of mocks in processes.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -17,6 +18,9 @@
 #include "tests/support/tournament_outcome.h"
 
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
@@ -58,11 +62,11 @@ TEST_F(Tournament, PlaysAndReports) {
   EXPECT_EQ(played.exit_code, 0) << played.err;
   EXPECT_EQ(played.err.rfind("cls: 6 matches to play\n", 0), 0u) << played.err;
   for (int match = 1; match <= 6; ++match) {
-    EXPECT_NE(played.err.find("match " + std::to_string(match) + "/6  "), std::string::npos);
+    EXPECT_THAT(played.err, HasSubstr("match " + std::to_string(match) + "/6  "));
   }
-  EXPECT_NE(played.err.find("  RED 0:0 HOLD  (finished, "), std::string::npos) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("  RED 0:0 HOLD  (finished, ")) << played.err;
   EXPECT_EQ(tournament({"run", cup(), "--quiet"}).err, "");
-  EXPECT_NE(played.out.find("6 of 6 matches done"), std::string::npos) << played.out;
+  EXPECT_THAT(played.out, HasSubstr("6 of 6 matches done")) << played.out;
   const json document = report();
   EXPECT_EQ(document["schema"], "cls.tournament/1");
   EXPECT_TRUE(document["complete"]);
@@ -73,9 +77,8 @@ TEST_F(Tournament, PlaysAndReports) {
     EXPECT_EQ(match["score"].size(), 2u);
     EXPECT_GT(match["left_figures"]["decisions"], 400);
     EXPECT_TRUE(fs::exists(cup() / match["folder"].get<std::string>() / "match.rcg.gz"));
-    EXPECT_NE(match["command"].get<std::string>().find("--seed " +
-                                                       std::to_string(match["seed"].get<int>())),
-              std::string::npos);
+    EXPECT_THAT(match["command"].get<std::string>(),
+                HasSubstr("--seed " + std::to_string(match["seed"].get<int>())));
   }
   EXPECT_EQ(document["standings"].size(), 3u);
   EXPECT_EQ(document["standings"][0]["played"], 4);
@@ -92,7 +95,7 @@ TEST_F(Tournament, PlanListsFixtures) {
   EXPECT_EQ(document["matches"][0]["left"], document["matches"][1]["right"]);
   EXPECT_FALSE(fs::exists(cup() / "tournament.db"));
   const CommandResult text = tournament({"plan", cup()});
-  EXPECT_NE(text.out.find("round-robin, 3 teams, seed 1: 6 matches\n"), std::string::npos);
+  EXPECT_THAT(text.out, HasSubstr("round-robin, 3 teams, seed 1: 6 matches\n"));
 }
 
 TEST_F(Tournament, RejectsDifferentPlanWithoutForce) {
@@ -100,12 +103,12 @@ TEST_F(Tournament, RejectsDifferentPlanWithoutForce) {
   ASSERT_EQ(tournament({"run", cup()}).exit_code, 0);
   const CommandResult refused = tournament({"run", cup(), "--rounds", "2"});
   EXPECT_EQ(refused.exit_code, 78);
-  EXPECT_NE(refused.err.find("holds another plan: rounds is 2, was not set"), std::string::npos)
+  EXPECT_THAT(refused.err, HasSubstr("holds another plan: rounds is 2, was not set"))
       << refused.err;
   EXPECT_EQ(tournament({"run", cup(), "--concurrency", "1"}).exit_code, 0)
       << "not part of the plan";
   const CommandResult forced = tournament({"run", cup(), "--cycles", "30", "--force"});
-  EXPECT_NE(forced.err.find("cls: old tournament moved to "), std::string::npos) << forced.err;
+  EXPECT_THAT(forced.err, HasSubstr("cls: old tournament moved to ")) << forced.err;
   EXPECT_EQ(forced.exit_code, 0) << forced.err;
   EXPECT_EQ(report()["matches"][0]["cycles"], 30);
   fs::path old = cup();
@@ -121,7 +124,7 @@ TEST_F(Tournament, ForceRenamesNothingBeforeTeamsAreChecked) {
   const CommandResult refused =
       tournament({"run", cup(), "--force", "--server", "cls_no_such_server"});
   EXPECT_EQ(refused.exit_code, 66) << refused.err;
-  EXPECT_EQ(refused.err.find("moved to"), std::string::npos) << refused.err;
+  EXPECT_THAT(refused.err, Not(HasSubstr("moved to"))) << refused.err;
   EXPECT_EQ(cls::tests::read_file(cup() / "plan.toml"), plan);
   EXPECT_TRUE(fs::exists(cup() / "tournament.db"));
 }
@@ -130,8 +133,7 @@ TEST_F(Tournament, ReportsErrorsWithLocation) {
   write_config("ronds = 3\n");
   const CommandResult unknown = tournament({"plan", cup()});
   EXPECT_EQ(unknown.exit_code, 78);
-  EXPECT_NE(unknown.err.find("cls.toml:3: unknown key 'ronds'; did you mean 'rounds'?"),
-            std::string::npos)
+  EXPECT_THAT(unknown.err, HasSubstr("cls.toml:3: unknown key 'ronds'; did you mean 'rounds'?"))
       << unknown.err;
   write_config("");
   EXPECT_EQ(tournament({"run", cup(), "--rounds", "x"}).exit_code, 2);
@@ -166,14 +168,13 @@ TEST_F(Tournament, StopsOnFaultUnlessConfiguredOtherwise) {
   arguments.insert(arguments.end(), fast.begin(), fast.end());
   const CommandResult stopped = tournament(arguments);
   EXPECT_EQ(stopped.exit_code, 1);
-  EXPECT_NE(stopped.err.find("is invalid (refused): GONE (run:exit 3 # {port})"), std::string::npos)
+  EXPECT_THAT(stopped.err, HasSubstr("is invalid (refused): GONE (run:exit 3 # {port})"))
       << stopped.err;
   const std::size_t counts = stopped.out.find(" of 6 matches done");
   ASSERT_NE(counts, std::string::npos) << stopped.out;
-  EXPECT_NE(
-      stopped.err.find("cls: " +
-                       stopped.out.substr(counts - 1, stopped.out.find('\n', counts) - counts + 1)),
-      std::string::npos)
+  EXPECT_THAT(stopped.err,
+              HasSubstr("cls: " + stopped.out.substr(counts - 1,
+                                                     stopped.out.find('\n', counts) - counts + 1)))
       << "stderr and report agree: " << stopped.out << stopped.err;
   arguments.insert(arguments.end(), {"--on-crash", "forfeit", "--keep-logs", "failed"});
   const CommandResult forfeited = tournament(arguments);
@@ -191,8 +192,8 @@ TEST_F(Tournament, HooksReceiveJsonOnStdin) {
                                            "cat >>'" + lines_file.string() + "'", "--on-finish",
                                            "pwd >&2; cat >'" + final_file.string() + "'; exit 3"});
   EXPECT_EQ(played.exit_code, 0);
-  EXPECT_NE(played.err.find("cls: on_finish: exit code 3: " + fs::canonical(cup()).string() + "\n"),
-            std::string::npos)
+  EXPECT_THAT(played.err,
+              HasSubstr("cls: on_finish: exit code 3: " + fs::canonical(cup()).string() + "\n"))
       << "hooks run where cls.toml is: " << played.err;
   std::ifstream lines(lines_file);
   int count = 0;
@@ -207,14 +208,12 @@ TEST_F(Tournament, HooksReceiveJsonOnStdin) {
 TEST_F(Tournament, ResumesAfterSigterm) {
   write_config("rounds = 3\n");
   Command playing(argv({"run", cup(), "--concurrency", "1"}));
-  while (!fs::exists(cup() / "matches")) std::this_thread::sleep_for(10ms);
-  std::this_thread::sleep_for(1s);
+  ASSERT_TRUE(playing.wait_for_errors("match 1/18  "));
   playing.send_signal(SIGTERM);
   const CommandResult ended = playing.finish(5s);
   EXPECT_EQ(ended.exit_code, 143) << ended.err;
-  EXPECT_NE(ended.err.find("cls: resume: " + cls_binary().string() + " tournament run " +
-                           cup().string() + " --concurrency 1\n"),
-            std::string::npos)
+  EXPECT_THAT(ended.err, HasSubstr("cls: resume: " + cls_binary().string() + " tournament run " +
+                                   cup().string() + " --concurrency 1\n"))
       << ended.err;
   const CommandResult on = tournament({"run", cup()});
   EXPECT_EQ(on.exit_code, 0) << on.err;
@@ -292,12 +291,12 @@ TEST_F(Tournament, MatchAcceptsTeamNamesAsSides) {
   EXPECT_EQ(result["right"]["endpoint"], "mock:hold");
   const CommandResult unknown = match("RAD", "HOLD");
   EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_NE(unknown.err.find("unknown side 'RAD'; did you mean 'RED'?"), std::string::npos);
+  EXPECT_THAT(unknown.err, HasSubstr("unknown side 'RAD'; did you mean 'RED'?"));
   EXPECT_EQ(match("moc", "HOLD").exit_code, 2);
   const CommandResult stranger = match("NEWEST", "HOLD");
   EXPECT_EQ(stranger.exit_code, 2);
-  EXPECT_NE(stranger.err.find("cls.toml are RED, BLUE, HOLD; other sides: cls match --help\n"),
-            std::string::npos)
+  EXPECT_THAT(stranger.err,
+              HasSubstr("cls.toml are RED, BLUE, HOLD; other sides: cls match --help\n"))
       << stranger.err;
   write_config("ronds = 1\n");
   EXPECT_EQ(match("RED", "HOLD").exit_code, 78);
@@ -309,17 +308,17 @@ TEST_F(Tournament, ReportsWithChosenNameColumnsAndMatches) {
   EXPECT_EQ(typo.exit_code, 2);
   EXPECT_EQ(typo.err, "cls: --columns: 'pionts': did you mean 'points'?\n");
   const std::string chosen = tournament({"report", cup(), "--columns", "team,points"}).out;
-  EXPECT_NE(chosen.find("\nstandings\n  team  pts\n"), std::string::npos) << chosen;
+  EXPECT_THAT(chosen, HasSubstr("\nstandings\n  team  pts\n")) << chosen;
   // Name and columns may change after the matches.
   write_config("rounds = 1\nname = \"Spring cup\"\ncolumns = [\"rank\", \"team\"]\n");
   const std::string renamed = tournament({"report", cup()}).out;
   EXPECT_EQ(renamed.rfind("Spring cup: round-robin of 3 teams, ", 0), 0u) << renamed;
-  EXPECT_NE(renamed.find("\nstandings\n  #  team\n"), std::string::npos) << renamed;
+  EXPECT_THAT(renamed, HasSubstr("\nstandings\n  #  team\n")) << renamed;
   const std::string status = tournament({"status", cup(), "--columns", "team"}).out;
   EXPECT_EQ(status.rfind("6 of 6 matches done; complete\n\nstandings\n  team\n", 0), 0u) << status;
   const std::string all = tournament({"report", cup(), "--matches"}).out;
   for (int match = 1; match <= 6; ++match) {
-    EXPECT_NE(all.find("\n  match " + std::to_string(match) + ", "), std::string::npos) << all;
+    EXPECT_THAT(all, HasSubstr("\n  match " + std::to_string(match) + ", ")) << all;
   }
   std::istringstream lines(all);
   for (std::string line; std::getline(lines, line);) {
@@ -347,7 +346,7 @@ TEST_F(Tournament, WritesReplayPagesOfItsMatches) {
   ASSERT_EQ(tournament({"run", cup()}).exit_code, 0);
   const std::string file = cup() / "report.html";
   EXPECT_EQ(tournament({"report", cup(), "--format", "html", "--out", file}).exit_code, 0);
-  EXPECT_EQ(cls::tests::read_file(file).find("match.html"), std::string::npos);
+  EXPECT_THAT(cls::tests::read_file(file), Not(HasSubstr("match.html")));
   EXPECT_EQ(tournament({"report", cup(), "--format", "html", "--out", file, "--replays"}).exit_code,
             0);
   const std::string html = cls::tests::read_file(file);
@@ -374,10 +373,10 @@ TEST_F(Tournament, ReportsInSixFormats) {
     EXPECT_EQ(std::count(line.begin(), line.end(), ','), 27) << line;
   }
   const std::string junit = report_as("junit");
-  EXPECT_NE(junit.find("tests=\"6\" failures=\"0\" errors=\"0\" time="), std::string::npos);
-  EXPECT_NE(report_as("md").find("| # | team | played |"), std::string::npos);
+  EXPECT_THAT(junit, HasSubstr("tests=\"6\" failures=\"0\" errors=\"0\" time="));
+  EXPECT_THAT(report_as("md"), HasSubstr("| # | team | played |"));
   EXPECT_EQ(report_as("html").rfind("<!DOCTYPE html>", 0), 0u);
-  EXPECT_NE(report_as("text").find("won-drawn-lost, row against column"), std::string::npos);
+  EXPECT_THAT(report_as("text"), HasSubstr("won-drawn-lost, row against column"));
   const fs::path file = cup() / "report.md";
   EXPECT_EQ(tournament({"report", cup(), "--format", "md", "--out", file}).out, "");
   EXPECT_EQ(cls::tests::read_file(file), report_as("md"));
@@ -388,9 +387,8 @@ TEST_F(Tournament, JUnitNamesSideAtFault) {
       << "[teams.GONE]\nendpoint = \"run:exit 3 # {port}\"\n";
   ASSERT_EQ(tournament({"run", cup(), "--on-crash", "rerun", "--max-reruns", "0"}).exit_code, 1);
   const std::string junit = tournament({"report", cup(), "--format", "junit"}).out;
-  EXPECT_NE(junit.find("tests=\"12\" failures=\"6\" errors=\"0\""), std::string::npos) << junit;
-  EXPECT_NE(junit.find("<failure type=\"refused\" message=\"GONE (run:exit 3 # {port})"),
-            std::string::npos);
+  EXPECT_THAT(junit, HasSubstr("tests=\"12\" failures=\"6\" errors=\"0\"")) << junit;
+  EXPECT_THAT(junit, HasSubstr("<failure type=\"refused\" message=\"GONE (run:exit 3 # {port})"));
   const fs::path file = cup() / "junit.xml";
   std::ofstream(file) << junit;
   if (cls::tests::run({"/bin/sh", "-c", "command -v xmllint"}).exit_code != 0) {
@@ -413,7 +411,7 @@ TEST_F(Tournament, CompareStopsWhenDecided) {
   EXPECT_EQ(document["verdict"], "not better");
   EXPECT_EQ(document["new"], "RED");
   EXPECT_LE(document["llr"], document["lower"]);
-  EXPECT_NE(document["model"].get<std::string>().find("pentanomial SPRT"), std::string::npos);
+  EXPECT_THAT(document["model"].get<std::string>(), HasSubstr("pentanomial SPRT"));
   EXPECT_EQ(document["test"], "sprt");
   const auto played = document["matches"].size();
   EXPECT_LT(played, 40u);
@@ -451,16 +449,14 @@ TEST_F(Tournament, KeepsWarningsOfMatches) {
       "DRILL:RED", "--cycles", "10",     "--keep-logs",           "none",     "--json"};
   const CommandResult played = tournament(fast);
   EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_NE(played.err.find(" s, 1 warning)\n"), std::string::npos) << played.err;
-  EXPECT_NE(played.err.find("cls: warning: match 1 (DRILL - RED)"), std::string::npos)
-      << played.err;
-  EXPECT_NE(played.err.find("cls: 2 warnings in 2 matches\n"), std::string::npos) << played.err;
+  EXPECT_THAT(played.err, HasSubstr(" s, 1 warning)\n")) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("cls: warning: match 1 (DRILL - RED)")) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("cls: 2 warnings in 2 matches\n")) << played.err;
   Arguments strict = fast;
   strict.emplace_back("--strict");
   const CommandResult failed = tournament(strict);
   EXPECT_EQ(failed.exit_code, 1);
-  EXPECT_NE(failed.err.find("cls: 2 warnings in 2 matches (--strict)\n"), std::string::npos)
-      << failed.err;
+  EXPECT_THAT(failed.err, HasSubstr("cls: 2 warnings in 2 matches (--strict)\n")) << failed.err;
   EXPECT_EQ(report()["counts"]["finished"], 2) << "the matches stay valid";
 }
 
@@ -476,7 +472,7 @@ TEST_F(Tournament, ChecksTeamsBeforeTheFirstMatch) {
   const CommandResult played =
       tournament({"run", cup(), "--team", "GONE=run:./none {port}", "--no-preflight"});
   EXPECT_EQ(played.exit_code, 1) << "the first match with GONE is invalid";
-  EXPECT_NE(played.err.find("is invalid (refused)"), std::string::npos) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("is invalid (refused)")) << played.err;
 }
 
 TEST_F(Tournament, WarnsOfTooManyParallelMatches) {
@@ -486,8 +482,7 @@ TEST_F(Tournament, WarnsOfTooManyParallelMatches) {
   strict.emplace_back("--strict");
   const CommandResult failed = tournament(strict);
   EXPECT_EQ(failed.exit_code, 1);
-  EXPECT_NE(failed.err.find("cls: no match was started (--strict)\n"), std::string::npos)
-      << failed.err;
+  EXPECT_THAT(failed.err, HasSubstr("cls: no match was started (--strict)\n")) << failed.err;
   const CommandResult played = tournament(many);
   EXPECT_EQ(played.exit_code, 0) << played.err;
   EXPECT_EQ(played.err.rfind("cls: warning: 4000 parallel matches on ", 0), 0u) << played.err;
@@ -516,8 +511,8 @@ TEST_F(Compare, ResumesBySameCommand) {
   const CommandResult first = compare({"--max-pairs", "1", "--json"});
   EXPECT_EQ(first.exit_code, 3) << first.err;
   EXPECT_EQ(json::parse(first.out)["matches"].size(), 2u);
-  EXPECT_NE(first.err.find("/: pairs to play: 1\n"), std::string::npos) << first.err;
-  EXPECT_NE(first.err.find("a larger --max-pairs continues\n"), std::string::npos) << first.err;
+  EXPECT_THAT(first.err, HasSubstr("/: pairs to play: 1\n")) << first.err;
+  EXPECT_THAT(first.err, HasSubstr("a larger --max-pairs continues\n")) << first.err;
   const CommandResult second = compare({"--max-pairs", "3", "--json"});
   EXPECT_EQ(second.exit_code, 3) << second.err;
   const json document = json::parse(second.out);
@@ -563,15 +558,13 @@ TEST_F(Compare, PrintsStateOfTestAndResumeCommand) {
   playing.send_signal(SIGINT);
   const CommandResult ended = playing.finish(10s);
   EXPECT_EQ(ended.exit_code, 130) << ended.err;
-  EXPECT_NE(ended.err.find("pairs to play: 7 if NEW wins all, about "), std::string::npos)
-      << ended.err;
-  EXPECT_NE(ended.err.find("pairs 1  +0 Elo ("), std::string::npos) << ended.err;
-  EXPECT_NE(ended.err.find("  evidence 1.0/20 for, 1.0/20 against  "), std::string::npos)
-      << ended.err;
-  EXPECT_NE(ended.err.find(" left\n"), std::string::npos) << ended.err;
-  EXPECT_NE(ended.err.find("cls: resume: " + cls_binary().string() +
-                           " compare mock mock:hold --cycles 10 --elo1 5 --concurrency 1\n"),
-            std::string::npos)
+  EXPECT_THAT(ended.err, HasSubstr("pairs to play: 7 if NEW wins all, about ")) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("pairs 1  +0 Elo (")) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("  evidence 1.0/20 for, 1.0/20 against  ")) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr(" left\n")) << ended.err;
+  EXPECT_THAT(ended.err,
+              HasSubstr("cls: resume: " + cls_binary().string() +
+                        " compare mock mock:hold --cycles 10 --elo1 5 --concurrency 1\n"))
       << ended.err;
 }
 
@@ -589,10 +582,10 @@ TEST(Init, WritesPlayableConfigAndOverwritesNone) {
                                          {}, folder.path())
                                      .finish();
   EXPECT_EQ(compared.exit_code, 3) << compared.err;
-  EXPECT_NE(compared.out.find("RED against BLUE"), std::string::npos) << compared.out;
+  EXPECT_THAT(compared.out, HasSubstr("RED against BLUE")) << compared.out;
   const CommandResult again = cls::tests::run({cls_binary(), "init", cup});
   EXPECT_EQ(again.exit_code, 73);
-  EXPECT_NE(again.err.find("exists; --force renames it to cls.toml.old"), std::string::npos);
+  EXPECT_THAT(again.err, HasSubstr("exists; --force renames it to cls.toml.old"));
 }
 
 }  // namespace

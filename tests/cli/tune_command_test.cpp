@@ -1,4 +1,5 @@
 // End-to-end tests of `cls tune`: searches with short matches of mocks.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -8,11 +9,13 @@
 #include <string>
 #include <thread>
 
+#include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
-#include "tests/support/temporary_folder.h"
 
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
@@ -22,8 +25,10 @@ using cls::tests::CommandResult;
 using nlohmann::json;
 using Arguments = std::vector<std::string>;
 
-class Tune : public testing::Test {
+class Tune : public testing::Test, public cls::tests::ClsFolder {
  protected:
+  Tune() : ClsFolder(180s) {}
+
   // Two generations of four candidates, a pair each; matches of ten cycles.
   void SetUp() override {
     ASSERT_EQ(tune({"init", "a"}).exit_code, 0);
@@ -41,8 +46,8 @@ class Tune : public testing::Test {
   }
 
   CommandResult tune(Arguments arguments) const {
-    arguments.insert(arguments.begin(), {cls_binary(), "tune"});
-    return Command(arguments, {}, folder_.path()).finish(180s);
+    arguments.insert(arguments.begin(), "tune");
+    return run(std::move(arguments));
   }
   CommandResult search(const std::string& folder, Arguments more = {}) const {
     Arguments arguments = {"run", folder, "--cycles", "10", "--quiet", "--json"};
@@ -55,9 +60,6 @@ class Tune : public testing::Test {
       fs::copy_file(path("a") / name, path(folder) / name);
     }
   }
-  fs::path path(const fs::path& name) const { return folder_.path() / name; }
-
-  cls::tests::TemporaryFolder folder_;
 };
 
 TEST_F(Tune, SearchesComparesAndReports) {
@@ -79,8 +81,8 @@ TEST_F(Tune, SearchesComparesAndReports) {
   }
   EXPECT_EQ(json::parse(tune({"report", "a", "--json"}).out), document);
   const CommandResult text = tune({"report", "a", "--picture", "found.svg"});
-  EXPECT_NE(text.out.find("cma-es: generation 2 of 2, 8 pairs"), std::string::npos) << text.out;
-  EXPECT_NE(text.out.find("verdict: undecided"), std::string::npos);
+  EXPECT_THAT(text.out, HasSubstr("cma-es: generation 2 of 2, 8 pairs")) << text.out;
+  EXPECT_THAT(text.out, HasSubstr("verdict: undecided"));
   EXPECT_TRUE(fs::exists(path("found.svg")));
   EXPECT_EQ(tune({"status", "a"}).out.rfind("generation 2/2: ", 0), 0u);
   // The same command plays nothing again; more generations continue, with another verdict.
@@ -96,10 +98,10 @@ TEST_F(Tune, TakesSeedAndMatchFoldersToKeepFromFileAndCommandLine) {
   copy_search("b");
   const Arguments one = {"--generations", "1", "--keep-logs", "all"};
   const json five = json::parse(search("a", one).out);
-  EXPECT_NE(cls::tests::read_file(path("a/tune.plan")).find("\nseed = 5\n"), std::string::npos);
+  EXPECT_THAT(cls::tests::read_file(path("a/tune.plan")), HasSubstr("\nseed = 5\n"));
   EXPECT_FALSE(fs::is_empty(path("a/generations/0001/matches")));
   const json seven = json::parse(search("b", {"--generations", "1", "--seed", "7"}).out);
-  EXPECT_NE(cls::tests::read_file(path("b/tune.plan")).find("\nseed = 7\n"), std::string::npos);
+  EXPECT_THAT(cls::tests::read_file(path("b/tune.plan")), HasSubstr("\nseed = 7\n"));
   EXPECT_NE(five["history"], seven["history"]) << "other candidates and matches";
 }
 
@@ -120,9 +122,8 @@ TEST_F(Tune, RefusesAnotherSearchInItsFolder) {
   replace("a/tune.toml", "pairs = 1 ", "pairs = 2 ");
   const CommandResult refused = search("a");
   EXPECT_EQ(refused.exit_code, 78);
-  EXPECT_NE(
-      refused.err.find("another search has begun here: 'pairs = 2', was 'pairs = 1'; --force"),
-      std::string::npos)
+  EXPECT_THAT(refused.err,
+              HasSubstr("another search has begun here: 'pairs = 2', was 'pairs = 1'; --force"))
       << refused.err;
   EXPECT_EQ(json::parse(search("a", {"--force", "--generations", "1"}).out)["pairs"], 8);
   EXPECT_TRUE(fs::exists(path("a/generations.old")));

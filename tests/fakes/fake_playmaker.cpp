@@ -28,7 +28,10 @@ class FaultyTeam : public Behavior {
       std::_Exit(flags_.number("code", 3));
     }
     if (reached("signal-at-cycle", cycle)) cls::fakes::die_of(flags_.number("signal", SIGSEGV));
-    if (reached("hang-at-cycle", cycle)) std::this_thread::sleep_for(std::chrono::hours(1));
+    if (reached("hang-at-cycle", cycle)) {
+      std::fprintf(stderr, "lost in thought\n");
+      std::this_thread::sleep_for(std::chrono::hours(1));
+    }
     team_->decide(state, actions);
   }
 

@@ -114,8 +114,7 @@ class Languages : public testing::TestWithParam<Language> {
 
   // Projects share the compiled packages of the example (cargo since 1.91; other tools always do).
   static Words environment() {
-    return {"CARGO_BUILD_BUILD_DIR=" + (example("rust") / ".build").string(),
-            "CARGO_NET_RETRY=0"};
+    return {"CARGO_BUILD_BUILD_DIR=" + (example("rust") / ".build").string(), "CARGO_NET_RETRY=0"};
   }
 
   // The game log of a short match of a team in `language` against mock.

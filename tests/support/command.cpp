@@ -60,14 +60,24 @@ bool Command::collect(bool block_not) {
 
 void Command::send_signal(int signal) const { kill(pid_, signal); }
 
-std::string Command::out() const {
-  const std::filesystem::path file = folder_.path() / "out";
+std::string Command::printed(const char* stream) const {
+  const std::filesystem::path file = folder_.path() / stream;
   return std::filesystem::exists(file) ? read_file(file) : "";
 }
 
+std::string Command::out() const { return printed("out"); }
+
 bool Command::wait_for_output(const std::string& text, std::chrono::seconds limit) {
+  return wait_for("out", text, limit);
+}
+
+bool Command::wait_for_errors(const std::string& text, std::chrono::seconds limit) {
+  return wait_for("err", text, limit);
+}
+
+bool Command::wait_for(const char* stream, const std::string& text, std::chrono::seconds limit) {
   const auto deadline = std::chrono::steady_clock::now() + limit;
-  while (out().find(text) == std::string::npos) {
+  while (printed(stream).find(text) == std::string::npos) {
     if (collect(true) || std::chrono::steady_clock::now() > deadline) return false;
     std::this_thread::sleep_for(kPoll);
   }

@@ -41,12 +41,17 @@ class Command {
   /// Waits until stdout contains `text`; false after `limit` or when the program exits.
   bool wait_for_output(const std::string& text,
                        std::chrono::seconds limit = std::chrono::seconds(20));
+  /// Waits as wait_for_output(), but for text on stderr.
+  bool wait_for_errors(const std::string& text,
+                       std::chrono::seconds limit = std::chrono::seconds(20));
 
   /// Waits for its exit; kills it after `limit` (exit_code -1).
   CommandResult finish(std::chrono::seconds limit = std::chrono::seconds(60));
 
  private:
   bool collect(bool block_not);
+  std::string printed(const char* stream) const;
+  bool wait_for(const char* stream, const std::string& text, std::chrono::seconds limit);
 
   TemporaryFolder folder_;
   pid_t pid_ = -1;

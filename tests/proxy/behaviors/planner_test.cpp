@@ -101,7 +101,8 @@ TEST(Passes, EndWithTypesThatRunBackwardsOrNeverRun) {
     auto parameters = std::make_shared<player::MatchParameters>(*pitch.world.parameters);
     for (soccer::PlayerType& type : parameters->types) type.player_speed_max = speed;
     pitch.world.parameters = parameters;
-    for (const player::PlanAction& pass : generated(pitch, player::add_passes)) EXPECT_GE(pass.duration, 1);
+    for (const player::PlanAction& pass : generated(pitch, player::add_passes))
+      EXPECT_GE(pass.duration, 1);
   }
 }
 
