@@ -44,9 +44,9 @@ class Episode {
 
   bool alive(std::size_t agent) const;
   int illegal(std::size_t agent) const { return agents_[agent].illegal; }
-  /// Weighted reward of the last step, and its terms for the left team's first agent's view.
+  /// The agent's weighted reward of the last step.
   double reward(std::size_t agent) const;
-  /// Mean over the agents, from the left team's view.
+  /// The mean of a term of the reward over the agents, as the left team sees it.
   double reward_term(std::size_t term) const;
 
   /// The commands of the last cycle of a player in `slot`, in the order of execution: what a client

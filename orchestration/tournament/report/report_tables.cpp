@@ -66,7 +66,6 @@ std::string time_text(const std::string& iso) {
   return text;
 }
 
-// Links the last row of the table to the match's folder.
 // Links to `file` in the folder of a match; "" is the folder.
 void link_folder(const Report& report, const ScheduledMatch& match, const char* file,
                  std::size_t column, base::Table& table) {

@@ -69,7 +69,7 @@ class TournamentRun {
       if (waiting_.empty() && executor_->running() == 0) break;
       if (auto started = start_matches(); !started) return started;
       if (auto recorded = record_finished(kPollInterval); !recorded) return recorded;
-      poll();
+      if (auto polled = poll(); !polled) return polled;
     }
     return shut_down();
   }
@@ -270,10 +270,10 @@ class TournamentRun {
   }
 
   // Passes notes to the observer; checks for signals and a stop file.
-  void poll() {
+  Result<void> poll() {
     for (const std::string& note : executor_->take_notes()) {
       observer_.on_note(note);
-      log_event("note", {{"text", note}});
+      if (auto logged = log_event("note", {{"text", note}}); !logged) return logged;
     }
     for (const std::string& line : hooks_.take_errors()) observer_.on_note(line);
     observer_.on_progress(progress());
@@ -284,6 +284,7 @@ class TournamentRun {
     } else if (!ending_ && fs::exists(options_.folder / kStopFile, code)) {
       end(RunEnd::kStopRequested);
     }
+    return {};
   }
 
   void end(RunEnd why, std::string message = "") {

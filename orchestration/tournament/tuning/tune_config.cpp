@@ -19,9 +19,8 @@ namespace {
 // Reads the keys of a table; every key must be read.
 class TableReader {
  public:
-  TableReader(const toml::table& table, std::string place, std::string file,
-              std::vector<std::string>& errors)
-      : table_(table), place_(std::move(place)), file_(std::move(file)), errors_(errors) {}
+  TableReader(const toml::table& table, std::string file, std::vector<std::string>& errors)
+      : table_(table), file_(std::move(file)), errors_(errors) {}
 
   void error(const toml::node& node, const std::string& what) {
     errors_.push_back(fmt::format("{}:{}: {}", file_, node.source().begin.line, what));
@@ -108,7 +107,6 @@ class TableReader {
   }
 
   const toml::table& table_;
-  std::string place_;
   std::string file_;
   std::vector<std::string>& errors_;
   std::vector<std::string_view> known_;
@@ -129,9 +127,7 @@ class TuneParser {
   }
 
  private:
-  TableReader reader(const toml::table& table, const std::string& place) {
-    return {table, place, file_, parsed_.errors};
-  }
+  TableReader reader(const toml::table& table) { return {table, file_, parsed_.errors}; }
 
   // The keys of a newer file may have other meanings.
   static bool read_schema(TableReader& read) {
@@ -143,7 +139,7 @@ class TuneParser {
   }
 
   void parse_top(const toml::table& top) {
-    TableReader read = reader(top, "");
+    TableReader read = reader(top);
     if (!read_schema(read)) return;
     const toml::table* parameters = read.read_table("parameters");
     const toml::table* tune = read.read_table("tune");
@@ -161,7 +157,7 @@ class TuneParser {
 
   void parse_tune(const toml::table& table) {
     TuneConfig& config = parsed_.config;
-    TableReader read = reader(table, "tune");
+    TableReader read = reader(table);
     read.read("team", config.team);
     if (config.team.empty()) read.error("team: a side with placeholders is missing");
     read.read("opponents", config.opponents);
@@ -200,7 +196,7 @@ class TuneParser {
   }
 
   void parse_environment(const toml::table& table) {
-    TableReader read = reader(table, "tune.environment");
+    TableReader read = reader(table);
     for (const auto& [key, node] : table) {
       std::string text;
       read.read(key.str(), text);
@@ -226,7 +222,7 @@ class TuneParser {
   }
 
   void parse_parameter(const std::string& name, const toml::table& table) {
-    TableReader read = reader(table, "parameters." + name);
+    TableReader read = reader(table);
     Parameter parameter;
     parameter.name = name;
     parameter.step = 0.2;
