@@ -28,6 +28,7 @@ PlayerCommand choose(const PointOfView&, const float* values) {
   const auto best = std::max_element(scores.begin(), scores.end()) - scores.begin();
   const auto power = [&](int i) { return (values[i] + 1.0F) * 50.0F; };
   const auto angle = [&](int i) { return values[i] * 180.0F; };
+
   switch (best) {
     case 0:
       return soccer::Dash{power(4), angle(5)};

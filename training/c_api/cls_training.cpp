@@ -78,12 +78,14 @@ Outcome null_pointer(std::string_view name) {
 Outcome write_text(const std::string& text, char* out, size_t capacity, size_t* length) {
   if (length == nullptr) return null_pointer("length");
   if (out == nullptr && capacity > 0) return null_pointer("out");
+
   *length = text.size();
   if (capacity > 0) {
     const size_t count = std::min(capacity - 1, text.size());
     std::memcpy(out, text.data(), count);
     out[count] = '\0';
   }
+
   if (text.size() < capacity) return {};
   return {Code::kSmallBuffer,
           "the text has " + std::to_string(text.size()) + " bytes and a final 0"};
@@ -97,19 +99,23 @@ class Binder {
             T*& out) {
     out = nullptr;
     if (!outcome.ok()) return;
+
     if (buffer.data == nullptr) {
       if (needed && count > 0) outcome = null_pointer(name);
       return;
     }
+
     if (buffer.count != count) {
       outcome = {Code::kBadSize, std::string("'") + name + "' must have " + std::to_string(count) +
                                      " elements, not " + std::to_string(buffer.count)};
       return;
     }
+
     if (reinterpret_cast<std::uintptr_t>(buffer.data) % alignof(T) != 0) {
       outcome = {Code::kBadPointer, std::string("'") + name + "' is not aligned"};
       return;
     }
+
     if (count > 0) out = static_cast<T*>(buffer.data);
   }
 
@@ -124,8 +130,10 @@ Outcome bind(Pool& pool, const cls_training_buffers& in) {
   const std::uint64_t states = n * setup.state_columns.size();
   const bool resets = pool.config().autoreset != Autoreset::kDisabled;
   const bool any_ids = setup.id_count() > 0;
+
   Buffers out;
   Binder binder;
+
   binder.take("action_ids", in.action_ids, any_ids ? rows : 0, true, out.action_ids);
   binder.take("action_values", in.action_values, rows * setup.value_count(), true,
               out.action_values);
@@ -147,6 +155,7 @@ Outcome bind(Pool& pool, const cls_training_buffers& in) {
   binder.take("illegal", in.illegal, rows, false, out.illegal);
   binder.take("seeds", in.seeds, n, false, out.seeds);
   binder.take("opponent", in.opponent, n, false, out.opponent);
+
   if (binder.outcome.ok()) pool.bind(out);
   return binder.outcome;
 }
@@ -158,6 +167,7 @@ cls_training_player to_player(const simulator::World& world, const simulator::Pl
   out.unum = player.unum;
   out.on_pitch = player.enabled ? 1 : 0;
   out.goalie = player.goalie ? 1 : 0;
+
   out.x = player.position.x;
   out.y = player.position.y;
   out.vx = player.velocity.x;
@@ -177,13 +187,16 @@ void fill_view(const Episode& episode, cls_training_world& out) {
   out.score[0] = episode.score()[0];
   out.score[1] = episode.score()[1];
   out.status = static_cast<std::int32_t>(episode.status());
+
   const std::string_view mode = soccer::name(world.mode);
   std::memset(out.play_mode, 0, sizeof out.play_mode);
   std::memcpy(out.play_mode, mode.data(), std::min(mode.size(), sizeof out.play_mode - 1));
+
   out.ball_x = world.ball.position.x;
   out.ball_y = world.ball.position.y;
   out.ball_vx = world.ball.velocity.x;
   out.ball_vy = world.ball.velocity.y;
+
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
     out.players[slot] = to_player(world, world.player(slot));
   }

@@ -93,18 +93,22 @@ void Episode::reset(std::uint64_t seed, const OptionValues& options) {
   status_ = Status::kInGame;
   started_ = true;
   for (Agent& agent : agents_) agent = {};
+
   soccer::RandomStream stream(seed, "training start");
   if (setup_->random_types) draw_types(stream);
   setup_->task->place({world_, setup_->cast, options_, stream});
+
   memory_.previous_ball = world_.ball.position;
   begin_rewards(world_, setup_->cast, reward_memory_);
   rewards_ = {};
+
   begin_others(*setup_, world_, senses_, others_);
   perceivers_ = setup_->perceivers;
   for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
     begin_perception(*setup_->vision, world_, setup_->cast.agents[agent], perceivers_[agent],
                      senses_);
   }
+
   fill_scenes();
 }
 
@@ -160,6 +164,7 @@ void Episode::step(const AgentActions& actions, simulator::MatchRecorder* record
 PlayerCommand Episode::command_of(std::size_t agent, const AgentActions& actions) {
   const ActionSet& set = *setup_->actions;
   const PointOfView view = view_of(setup_->cast.agents[agent], true);
+
   const float* values =
       actions.values == nullptr ? nullptr : actions.values + agent * setup_->value_count();
   std::array<float, kMaxParameters> clipped{};
@@ -169,11 +174,13 @@ PlayerCommand Episode::command_of(std::size_t agent, const AgentActions& actions
       clipped[i] = std::clamp(values[first + i], column.low, column.high);
     }
   };
+
   agents_[agent].last_action_worked = true;
   if (set.actions.empty()) {
     clip(0, setup_->value_count());
     return set.choose(view, clipped.data());
   }
+
   const auto id = static_cast<std::size_t>(actions.ids[agent]);
   const Action& action = set.actions[id];
   if (action.legal != nullptr && !action.legal(view)) {
@@ -181,6 +188,7 @@ PlayerCommand Episode::command_of(std::size_t agent, const AgentActions& actions
     agents_[agent].last_action_worked = false;
     return stand();
   }
+
   clip(static_cast<std::size_t>(setup_->offsets[id]), action.parameters.size());
   return action.command(view, clipped.data());
 }
@@ -196,6 +204,7 @@ void Episode::choose_commands(const AgentActions& actions) {
       add_effort(dash->power, rewards_[agent]);
     }
   }
+
   for (const Side side : {Side::kLeft, Side::kRight}) {
     for (const int slot : cast.team(side)) {
       const auto i = static_cast<std::size_t>(slot);
@@ -270,17 +279,20 @@ void Episode::queue_says(std::size_t first_event) {
 
 void Episode::play_cycle(simulator::MatchRecorder* recorder) {
   if (setup_->task->referee && allows_moves(world_.mode)) return_to_formation();
+
   const std::array<int, 2> score = memory_.score;
   // A match server does the same after the senses: a catch or a move may give contacts before the
   // step.
   for (simulator::Player& player : world_.players) player.contacts = {};
   send_commands();
   execute_commands(recorder);
+
   const std::size_t before = events_.size();
   simulator::step(world_, events_);
   if (recorder != nullptr) recorder->step(world_);
   simulator::finish_step(world_, events_);
   if (recorder != nullptr) record_messages(events_, before, *recorder);
+
   perceive_step();
   events_.clear();
 

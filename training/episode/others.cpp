@@ -10,11 +10,13 @@ void draw_drivers(const Setup& setup, const simulator::World& world, Others& oth
   soccer::RandomStream stream(world.seed, "training drivers");
   const int teammates = draw_driver(setup.teammates, stream);
   others.opponent = draw_driver(setup.opponents, stream);
+
   for (std::size_t slot = 0; slot < others.drivers.size(); ++slot) {
     const bool opponent = setup.is_opponent[slot];
     const DriverPool& pool = opponent ? setup.opponents : setup.teammates;
     const int drawn = opponent ? others.opponent : teammates;
     if (drawn < 0) continue;
+
     Driver& driver = others.drivers[slot];
     driver = pool[static_cast<std::size_t>(drawn)].driver;
     const bool stands = setup.task->lazy && opponent && !world.players[slot].goalie;

@@ -48,18 +48,22 @@ RewardValues team_values(const simulator::World& world, Status status, const Tas
   values[kOutOfBounds] = status == Status::kOutOfBounds ? -1.0 : 0.0;
   values[kOutOfTime] = status == Status::kOutOfTime ? -1.0 : 0.0;
   values[kReached] = status == Status::kReached ? 1.0 : 0.0;
+
   if (task.holder != simulator::kNoPlayer) {
     values[kPossession] = soccer::side_of_slot(task.holder) == Side::kLeft ? 1.0 : -1.0;
   }
+
   const double to_right = distance(world.ball.position, kRightGoal);
   values[kAdvance] = memory.ball_to_right_goal - to_right;
   memory.ball_to_right_goal = to_right;
+
   // The rest of the rings is paid at the goal.
   const bool ours = values[kPossession] > 0.0;
   int rings = ours ? std::max(memory.rings, rings_reached(to_right)) : memory.rings;
   if (values[kGoal] > 0.0) rings = kRings;
   values[kCheckpoints] = 0.1 * (rings - memory.rings);
   memory.rings = rings;
+
   return values;
 }
 
@@ -103,17 +107,21 @@ void add_rewards(const simulator::World& world, const Cast& cast, Status status,
                  const TaskMemory& task, std::array<int, 2> before, RewardMemory& memory,
                  std::array<RewardValues, soccer::kPlayersOnPitch>& sums) {
   const RewardValues team = team_values(world, status, task, before, memory);
+
   for (std::size_t agent = 0; agent < cast.agents.size(); ++agent) {
     const int slot = cast.agents[agent];
     const auto i = static_cast<std::size_t>(slot);
     const simulator::Player& player = world.player(slot);
     RewardValues& sum = sums[agent];
     const double sign = soccer::sign(player.side);
+
     for (std::size_t term = 0; term <= kCheckpoints; ++term) sum[term] += sign * team[term];
     if (!player.enabled) continue;
+
     const double to_ball = distance(player.position, world.ball.position);
     sum[kApproach] += memory.to_ball[i] - to_ball;
     memory.to_ball[i] = to_ball;
+
     if (!memory.touched[i] && simulator::is_kickable(world, player)) {
       memory.touched[i] = true;
       sum[kFirstTouch] += 1.0;

@@ -68,11 +68,13 @@ Result<void> choose_cast(const SetupChoices& choices, Setup& setup) {
   if (!left) return left.error();
   const Result<int> right = choose_count("defense", choices.defense, task, task.defense);
   if (!right) return right.error();
+
   const Agents agents = choices.agents < 0 ? task.agents : static_cast<Agents>(choices.agents);
   int players[] = {*left, *right};
   if (choices.opponents.empty() && agents != Agents::kBoth) {
     players[agents == Agents::kLeft ? 1 : 0] = 0;
   }
+
   setup.cast.left = team_slots(task, Side::kLeft, players[0]);
   setup.cast.right = team_slots(task, Side::kRight, players[1]);
   for (const Side side : {Side::kLeft, Side::kRight}) {
@@ -81,16 +83,19 @@ Result<void> choose_cast(const SetupChoices& choices, Setup& setup) {
     const std::vector<int>& team = setup.cast.team(side);
     const int most = static_cast<int>(team.size());
     const int wanted = choices.num_agents < 0 ? most : choices.num_agents;
+
     if (!plays) continue;
     if (wanted < 1 || wanted > most) {
       return Error{
           fmt::format("'num_agents' must be 1..{}, the size of the team, not {}", most, wanted)};
     }
+
     const bool has_goalie = side == Side::kRight ? task.right_goalie : task.referee;
     const int first = has_goalie && !choices.goalie_agent && wanted < most ? 1 : 0;
     setup.cast.agents.insert(setup.cast.agents.end(), team.begin() + first,
                              team.begin() + first + wanted);
   }
+
   for (const int slot : setup.cast.agents) setup.is_agent[static_cast<std::size_t>(slot)] = true;
   choose_drivers(choices, agents, setup);
   return {};
@@ -101,18 +106,21 @@ Result<void> choose_sets(const SetupChoices& choices, Setup& setup) {
   const auto or_usual = [](const std::string& name, std::string_view usual) {
     return name.empty() ? std::string(usual) : name;
   };
+
   const auto features = choose_features(or_usual(choices.features, task.features));
   if (!features) return features.error();
   const auto actions = choose_actions(or_usual(choices.actions, task.actions));
   if (!actions) return actions.error();
   setup.features = *features;
   setup.actions = *actions;
+
   const auto is_right = [](int slot) { return soccer::side_of_slot(slot) == Side::kRight; };
   const auto& agents = setup.cast.agents;
   if (setup.features->left_only && std::any_of(agents.begin(), agents.end(), is_right)) {
     return Error{fmt::format("the feature set '{}' is for attackers only; use hfo_high or ego",
                              setup.features->name)};
   }
+
   // All rows are equally wide: each team's own columns come first, zeros fill the rest.
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const int own = static_cast<int>(setup.cast.team(side).size());
@@ -122,6 +130,7 @@ Result<void> choose_sets(const SetupChoices& choices, Setup& setup) {
     Columns columns = setup.features->columns(own - 1, others);
     if (columns.size() > setup.feature_columns.size()) setup.feature_columns = std::move(columns);
   }
+
   setup.value_columns = setup.actions->values();
   setup.offsets = setup.actions->offsets();
   setup.state_columns = state_columns(setup.cast);
@@ -148,8 +157,10 @@ soccer::ServerParams server_params(const Task& task) {
 Result<void> prepare_world(Setup& setup) {
   auto rules = simulator::make_rules(server_params(*setup.task), {}, kTypesSeed);
   if (!rules) return rules.error();
+
   simulator::World& world = setup.prepared;
   world = simulator::make_world(*rules, kTypesSeed);
+
   for (const Side side : {Side::kLeft, Side::kRight}) {
     simulator::Team& team = world.team(side);
     team.name = soccer::TeamName(side == Side::kLeft ? "left" : "right");
@@ -165,6 +176,7 @@ Result<void> prepare_world(Setup& setup) {
       player.state = simulator::state::kStand | (player.goalie ? simulator::state::kGoalie : 0);
     }
   }
+
   if (!setup.task->referee) world.mode = soccer::PlayMode::kPlayOn;
   return {};
 }
@@ -192,6 +204,7 @@ void prepare_senses(Setup& setup) {
       setup.perceivers.push_back(make_perceiver(setup.prepared, slot));
     }
   }
+
   for (const Side side : {Side::kLeft, Side::kRight}) {
     for (const int slot : setup.cast.team(side)) {
       const auto i = static_cast<std::size_t>(slot);
@@ -201,6 +214,7 @@ void prepare_senses(Setup& setup) {
       setup.match_players.push_back({make_perceiver(setup.prepared, slot), {}});
     }
   }
+
   if (setup.perceivers.empty() && setup.match_players.empty()) return;
   stop_ears(setup);
   setup.vision = std::make_shared<simulator::VisionModel>(setup.prepared.params());
@@ -216,18 +230,22 @@ std::string agent_name(int slot) {
 Result<std::shared_ptr<const Setup>> make_setup(const SetupChoices& choices) {
   const Result<const Task*> task = choose_task(choices.task);
   if (!task) return task.error();
+
   auto setup = std::make_shared<Setup>();
   setup->task = *task;
   if (Result<void> done = choose_cast(choices, *setup); !done) return done.error();
   if (Result<void> done = choose_sets(choices, *setup); !done) return done.error();
+
   setup->weights = choices.weights;
   setup->frame_skip = choices.frame_skip;
   setup->max_cycles = choices.max_cycles > 0 ? choices.max_cycles : setup->task->max_cycles;
   setup->random_types = choices.random_types;
   setup->options = setup->task->usual_options();
+
   if (Result<void> done = prepare_world(*setup); !done) return done.error();
   setup->fidelity = choices.fidelity;
   prepare_senses(*setup);
+
   return std::shared_ptr<const Setup>(std::move(setup));
 }
 

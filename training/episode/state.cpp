@@ -33,6 +33,7 @@ Columns state_columns(const Cast& cast) {
                  {"play_on", "0/1", -1, 1},
                  {"time_left", "1", 0, 1},
                  {"score_difference", "goals", -20, 20}};
+
   for (const Side side : {Side::kLeft, Side::kRight}) {
     for (const int slot : cast.team(side)) {
       const std::string name = agent_name(slot);
@@ -58,6 +59,7 @@ void fill_state(const simulator::World& world, const Cast& cast, double time_lef
   out.flag(world.mode == soccer::PlayMode::kPlayOn);
   out.value(time_left, 0.0);
   out.value(world.team(Side::kLeft).score - world.team(Side::kRight).score, -20.0, 20.0);
+
   for (const Side side : {Side::kLeft, Side::kRight}) {
     for (const int slot : cast.team(side)) add_player(world, slot, out);
   }

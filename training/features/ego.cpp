@@ -45,12 +45,14 @@ Columns columns(int teammates, int opponents) {
                  {"ball_vy", "3 m/cycle", -1, 1},
                  {"ball_x", "52.5 m", -1.2F, 1.2F},
                  {"ball_y", "34 m", -1.2F, 1.2F}};
+
   for (const char* goal : {"their_goal", "their_left_post", "their_right_post", "own_goal"}) {
     const std::string name = goal;
     out.push_back({name + "_sin", "1", -1, 1});
     out.push_back({name + "_cos", "1", -1, 1});
     out.push_back({name + "_distance", "60 m", 0, 1});
   }
+
   for (int i = 1; i <= teammates; ++i) {
     add_player_columns("teammate" + std::to_string(i), out);
   }
@@ -84,6 +86,7 @@ void add_player(FeatureWriter& out, const Axes& axes, const Scene& scene, Seat s
     out.same(kPlayerColumns - 1, 0.0F);
     return;
   }
+
   out.flag(true);
   add_point(out, axes, player.position);
   add_vector(out, axes, player.velocity_known ? player.velocity : Vec2{}, kPlayerSpeed);
@@ -120,11 +123,13 @@ void fill(const PointOfView& view, float* numbers) {
   const Axes axes = {view.me().position, view.me().facing};
   add_self(out, view, axes);
   add_ball(out, view.scene, axes);
+
   const double post = view.scene.server->goal_width / 2.0;
   add_point(out, axes, {soccer::kHalfLength, 0.0});
   add_point(out, axes, {soccer::kHalfLength, -post});
   add_point(out, axes, {soccer::kHalfLength, post});
   add_point(out, axes, {-soccer::kHalfLength, 0.0});
+
   for (const Seat seat : teammates_of(view)) add_player(out, axes, view.scene, seat);
   for (const Seat seat : opponents_of(view)) add_player(out, axes, view.scene, seat);
 }

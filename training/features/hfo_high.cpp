@@ -30,6 +30,7 @@ Columns columns(int teammates, int opponents) {
     out.push_back({name, "1", -1, 1});
   }
   out.push_back({"nearest_opponent_distance", "1", kMissing, 1});
+
   const auto each = [&](const char* team, int count, const char* what, float low, float high) {
     for (int i = 1; i <= count; ++i) {
       out.push_back({team + std::to_string(i) + what, high > 1 ? "number" : "1", low, high});
@@ -38,6 +39,7 @@ Columns columns(int teammates, int opponents) {
   each("teammate", teammates, "_goal_opening", kMissing, 1);
   each("teammate", teammates, "_nearest_opponent_distance", kMissing, 1);
   each("teammate", teammates, "_pass_opening", kMissing, 1);
+
   const auto positions = [&](const char* team, int count) {
     for (int i = 1; i <= count; ++i) {
       const std::string name = team + std::to_string(i);
@@ -48,6 +50,7 @@ Columns columns(int teammates, int opponents) {
   };
   positions("teammate", teammates);
   positions("opponent", opponents);
+
   out.push_back({"last_action_worked", "1", -1, 1});
   out.push_back({"stamina", "1", -1, 1});
   return out;
@@ -62,6 +65,7 @@ struct Interval {
 double opening(const PointOfView& view, Vec2 eye, Interval whole, double reach) {
   std::array<Interval, soccer::kPlayersPerTeam> blocked{};
   std::size_t count = 0;
+
   for (const Seat seat : opponents_of(view)) {
     const ScenePlayer& player = view.scene.player(seat);
     if (!player.seen) continue;
@@ -72,14 +76,17 @@ double opening(const PointOfView& view, Vec2 eye, Interval whole, double reach) 
     if (middle + half < whole.low || middle - half > whole.high) continue;
     blocked[count++] = {middle - half, middle + half};
   }
+
   std::sort(blocked.begin(), blocked.begin() + static_cast<std::ptrdiff_t>(count),
             [](Interval a, Interval b) { return a.low < b.low; });
+
   double widest = 0.0;
   double free_from = whole.low;
   for (std::size_t i = 0; i < count; ++i) {
     widest = std::max(widest, blocked[i].low - free_from);
     free_from = std::max(free_from, blocked[i].high);
   }
+
   return std::max(widest, whole.high - free_from);
 }
 
@@ -138,6 +145,7 @@ void add_players(FeatureWriter& out, const Scale& scale, const PointOfView& view
   const int no_teammates = view.teammate_count() - static_cast<int>(teammates.count);
   const int no_opponents = view.opponent_count() - static_cast<int>(opponents.count);
   const auto position = [&](Seat seat) { return view.scene.player(seat).position; };
+
   for (const Seat seat : teammates) scale.width(goal_opening(view, position(seat)));
   out.same(no_teammates, kMissing);
   for (const Seat seat : teammates) scale.nearest_opponent(position(seat));
@@ -154,12 +162,14 @@ void fill(const PointOfView& view, float* numbers) {
   FeatureWriter out(numbers);
   const Scale scale{out, view};
   const ScenePlayer& me = view.me();
+
   scale.x(me.position.x);
   scale.y(me.position.y);
   scale.angle(me.body);
   scale.x(view.scene.ball.x);
   scale.y(view.scene.ball.y);
   out.flag(can_kick(view.scene, view.self));
+
   // A team that plays in the left half of its own coordinates defends the goal there.
   const Vec2 goal = {view.stage.right > 0.0 ? soccer::kHalfLength : -soccer::kHalfLength, 0.0};
   const Vec2 to_goal = goal - me.position;
@@ -167,6 +177,7 @@ void fill(const PointOfView& view, float* numbers) {
   scale.angle(soccer::direction_radians(to_goal));
   scale.width(goal_opening(view, me.position));
   scale.nearest_opponent(me.position);
+
   add_players(out, scale, view);
   out.flag(view.last_action_worked);
   out.scaled(me.stamina, 0.0, view.scene.server->stamina_max);

@@ -66,21 +66,25 @@ Columns columns(int teammates, int opponents) {
         "hits_player", "hits_post", "kickable"}) {
     out.push_back({name, "1", -1, 1});
   }
+
   for (const Landmark& landmark : kLandmarks) add_landmark_columns(landmark.name, out);
   for (const char* name : {"left_proximity", "right_proximity", "top_proximity", "bottom_proximity",
                            "ball_position_valid"}) {
     out.push_back({name, "1", -1, 1});
   }
+
   add_landmark_columns("ball", out);
   for (const char* name :
        {"ball_velocity_valid", "ball_speed", "ball_velocity_sin", "ball_velocity_cos"}) {
     out.push_back({name, "1", -1, 1});
   }
+
   const auto name = [](const char* team, int i) { return team + std::to_string(i); };
   for (int i = 1; i <= teammates; ++i) add_player_columns(name("teammate", i), out);
   for (int i = 1; i <= opponents; ++i) add_player_columns(name("opponent", i), out);
   for (int i = 1; i <= teammates; ++i) out.push_back({name("teammate", i) + "_number", "100"});
   for (int i = 1; i <= opponents; ++i) out.push_back({name("opponent", i) + "_number", "100"});
+
   out.push_back({"last_action_worked", "1", -1, 1});
   return out;
 }
@@ -120,12 +124,14 @@ void add_self(FeatureWriter& out, const PointOfView& view, const Pose& pose) {
   const ScenePlayer& me = view.me();
   out.flag(me.seen);
   out.flag(me.velocity_known);
+
   // The angle from the velocity to the body.
   const double speed = me.velocity.length();
   const Vec2 along = speed > 0.0 ? me.velocity / speed : Vec2{1.0, 0.0};
   out.value(cross(along, pose.forward));
   out.value(dot(along, pose.forward));
   out.scaled(speed, 0.0, kSelfSpeed);
+
   out.value(pose.forward.y);
   out.value(pose.forward.x);
   out.scaled(me.stamina, 0.0, kStamina);
@@ -143,6 +149,7 @@ void add_ball(FeatureWriter& out, const Scene& scene, const Pose& pose) {
   } else {
     out.same(3, 0.0F);
   }
+
   out.flag(scene.ball_velocity_known);
   if (scene.ball_velocity_known) {
     add_velocity(out, scene.ball_velocity, kBallSpeed);
@@ -167,6 +174,7 @@ void fill(const PointOfView& view, float* numbers) {
   const Pose pose = {view.me().position, view.me().facing};
   add_self(out, view, pose);
   for (const Landmark& landmark : kLandmarks) add_landmark(out, pose, {landmark.x, landmark.y});
+
   add_proximity(out, pose.position.x, 1.1 * soccer::kHalfLength);
   add_proximity(out, soccer::kHalfLength - pose.position.x, 1.1 * soccer::kHalfLength);
   add_proximity(out, soccer::kHalfWidth + pose.position.y, 1.05 * soccer::kPitchWidth);
@@ -177,14 +185,17 @@ void fill(const PointOfView& view, float* numbers) {
   const Seats opponents = listed(view, opponents_of(view));
   const int missing_teammates = view.teammate_count() - static_cast<int>(teammates.count);
   const int missing_opponents = view.opponent_count() - static_cast<int>(opponents.count);
+
   for (const Seat seat : teammates) add_player(out, pose, view.scene.player(seat));
   out.same(kPlayerFeatures * missing_teammates, 0.0F);
   for (const Seat seat : opponents) add_player(out, pose, view.scene.player(seat));
   out.same(kPlayerFeatures * missing_opponents, 0.0F);
+
   for (const Seat seat : teammates) out.value(view.scene.player(seat).unum / 100.0);
   out.same(missing_teammates, -1.0F);
   for (const Seat seat : opponents) out.value(view.scene.player(seat).unum / 100.0);
   out.same(missing_opponents, -1.0F);
+
   out.flag(view.last_action_worked);
 }
 

@@ -52,12 +52,14 @@ void decide(Driver driver, MatchPlayer& player) {
   player::ActionReport report;
   player::PlanChoice choice;
   ActionContext context{world, player.memory, slots, neck, report, choice};
+
   begin_decision(context);
   if (driver == Driver::kMock) {
     play_as_simple_team(context);
   } else if (!play_automatically(context, {})) {
     play_by_planner(context);
   }
+
   finish_decision(context);
   slots.compose(player.senses.commands);
   record_sent_commands(player.senses.world, player.senses.commands);

@@ -35,6 +35,7 @@ bool is_first_to_ball(const PointOfView& view) {
 Seat best_receiver(const PointOfView& view) {
   Seat best = kNoSeat;
   double most = view.me().position.x + 2.0;
+
   for (const Seat seat : teammates_of(view)) {
     const ScenePlayer& mate = view.scene.player(seat);
     if (!mate.seen || mate.goalie || mate.position.x < most) continue;
@@ -52,6 +53,7 @@ PlayerCommand play_ball(const PointOfView& view) {
   if (distance(scene.ball, goal) < kShotRange && shot.gap > kShotGap) {
     return shoot(scene, view.self);
   }
+
   const Seat rival = nearest_player(scene, true, scene.ball);
   const bool pressed = rival != kNoSeat && distance(scene.player(rival).position, scene.ball) < 4.0;
   if (pressed) {
@@ -59,6 +61,7 @@ PlayerCommand play_ball(const PointOfView& view) {
     if (mate != kNoSeat) return pass_to(scene, view.self, scene.player(mate).position);
     if (distance(scene.ball, goal) < kShotRange) return shoot(scene, view.self);
   }
+
   return dribble_to(scene, view.self, {soccer::kHalfLength - 5.0, 0.5 * scene.ball.y});
 }
 
@@ -84,6 +87,7 @@ PlayerCommand defend(const PointOfView& view) {
     }
     return intercept(scene, view.self);
   }
+
   const Seat rival = opponent_to_mark(view);
   const Vec2 point = rival != kNoSeat ? marking_position(view, rival) : guard_position(view);
   return go_to(scene, view.self, point, 0.8);
@@ -97,11 +101,13 @@ PlayerCommand scripted_command(const PointOfView& view) {
   if (!scene.ball_seen || me.frozen) return stand();
   if (me.goalie) return keep_goal(view);
   if (can_kick(scene, view.self)) return play_ball(view);
+
   // Who is nearer to the own goal's side of the ball's next owner decides attack or defense.
   const Seat rival = nearest_player(scene, true, scene.ball);
   const Seat mate = nearest_player(scene, false, scene.ball);
   const bool theirs = rival != kNoSeat && mate != kNoSeat &&
                       meeting(scene, rival).cycles < meeting(scene, mate).cycles;
+
   if (theirs) return defend(view);
   if (is_first_to_ball(view)) return intercept(scene, view.self);
   return go_to(scene, view.self, support_position(view), 1.5);

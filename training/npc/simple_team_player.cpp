@@ -32,6 +32,7 @@ Vec2 shortened(Vec2 point) { return {shortened(point.x), shortened(point.y)}; }
 TeamMode mode_of(const player::GameState& game) {
   if (soccer::is_penalty_mode(game.mode)) return TeamMode::kPenalty;
   if (game.goalie_catch) return TeamMode::kGoalieCatch;
+
   switch (game.mode) {
     case PlayMode::kPlayOn:
     case PlayMode::kDropBall:
@@ -74,6 +75,7 @@ Situation situation_of(const WorldModel& world) {
   now.mode = mode_of(world.game);
   now.our_set_play = is_set_play_of(world.game, world.our_side);
   now.set_play_count = world.game.set_play_count;
+
   now.unum = world.unum;
   now.goalie = world.goalie;
   now.position = shortened(world.self.position);
@@ -82,11 +84,13 @@ Situation situation_of(const WorldModel& world) {
   now.kickable = world.self.kickable;
   now.offside_line = shortened(world.lines.offside);
   read_ball(world, now);
+
   for (const PlayerState& player : world.teammates) {
     if (!player.position_valid() || player.unum == 0) continue;
     now.teammates.add({player.unum, shortened(player.position), shortened(player.velocity),
                        player.pos_count, player.goalie, player.tackling});
   }
+
   for (const PlayerState& player : world.opponents) {
     if (!player.position_valid() || player.unum == 0 || player.pos_count > Situation::kMaxAge) {
       continue;
@@ -103,6 +107,7 @@ bool execute_body(const TeamAction& action, ActionContext& c) {
   const WorldModel& world = c.world;
   const auto first = static_cast<double>(action.first);
   const auto second = static_cast<double>(action.second);
+
   switch (action.kind) {
     case Kind::kSmartKick:
       return smart_kick(world, c.slots, action.point(), first, second, action.count);
@@ -162,6 +167,7 @@ void play_as_simple_team(ActionContext& context) {
   player::AutomaticPlay automatic;
   automatic.preprocess = !list.places_itself;
   if (play_automatically(context, automatic)) return;
+
   bool done = false;
   for (const TeamAction& action : list.actions()) {
     if (is_side_action(action.kind)) {

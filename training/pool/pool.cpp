@@ -52,15 +52,18 @@ Outcome Pool::check_actions() const {
   const std::size_t agents = setup().agent_count();
   const auto ids = static_cast<std::int32_t>(setup().id_count());
   const std::size_t values = setup().value_count();
+
   for (std::size_t row = 0; row < worlds_.size() * agents; ++row) {
     const std::size_t env = row / agents;
     const Episode& episode = worlds_[env].episode;
     if (episode.ended() || !episode.alive(row % agents)) continue;
+
     const auto where = [&] { return fmt::format("world {}, agent {}", env, row % agents); };
     if (ids > 0 && (buffers_.action_ids[row] < 0 || buffers_.action_ids[row] >= ids)) {
       return {Code::kBadAction, fmt::format("{}: action id {} is not in 0..{}", where(),
                                             buffers_.action_ids[row], ids - 1)};
     }
+
     for (std::size_t i = 0; i < values; ++i) {
       if (std::isfinite(buffers_.action_values[row * values + i])) continue;
       return {Code::kBadAction, fmt::format("{}: action value {} is not a finite number", where(),
@@ -72,6 +75,7 @@ Outcome Pool::check_actions() const {
 
 Outcome Pool::step() {
   if (!bound_) return {Code::kBadOrder, "bind the buffers before the first step"};
+
   bool any = false;
   for (std::size_t env = 0; env < worlds_.size(); ++env) {
     const Episode& episode = worlds_[env].episode;
@@ -80,10 +84,12 @@ Outcome Pool::step() {
     }
     any = any || !episode.ended();
   }
+
   if (!any && config_.autoreset == Autoreset::kDisabled) {
     return {Code::kBadOrder, "all episodes have ended; reset them before the next step"};
   }
   if (Outcome checked = check_actions(); !checked.ok()) return checked;
+
   crew_.run();
   return recording_outcome();
 }
@@ -95,6 +101,7 @@ void Pool::work(std::size_t begin, std::size_t end) {
 void Pool::step_world(std::size_t env) {
   Slot& slot = worlds_[env];
   if (buffers_.was_reset != nullptr) buffers_.was_reset[env] = 0;
+
   if (slot.episode.ended()) {
     if (config_.autoreset != Autoreset::kDisabled) {
       return reset_world(env, buffers_.next_seeds[env]);
@@ -106,22 +113,27 @@ void Pool::step_world(std::size_t env) {
     }
     return;
   }
+
   AgentActions actions;
   const std::size_t first = env * setup().agent_count();
   if (buffers_.action_ids != nullptr) actions.ids = buffers_.action_ids + first;
   if (buffers_.action_values != nullptr) {
     actions.values = buffers_.action_values + first * setup().value_count();
   }
+
   const bool recorded = slot.recording && slot.recording->running();
   slot.episode.step(actions, recorded ? &slot.recording->recorder() : nullptr);
   fill_row(env, true);
+
   if (!slot.episode.ended()) return;
   if (recorded) finish_recording(slot);
+
   if (config_.autoreset != Autoreset::kSameStep) return;
   fill_views(env, buffers_.final_observations, buffers_.final_state);
   slot.episode.reset(buffers_.next_seeds[env], slot.options);
   if (slot.recording) slot.recording->begin(slot.episode);
   fill_views(env, buffers_.observations, buffers_.state);
+
   if (buffers_.seeds != nullptr) buffers_.seeds[env] = slot.episode.seed();
   if (buffers_.opponent != nullptr) buffers_.opponent[env] = slot.episode.opponent();
   if (buffers_.was_reset != nullptr) buffers_.was_reset[env] = 1;
@@ -132,12 +144,14 @@ void Pool::fill_views(std::size_t env, float* observations, float* state) {
   const std::size_t agents = setup().agent_count();
   const std::size_t features = setup().feature_count();
   const std::size_t ids = setup().id_count();
+
   for (std::size_t agent = 0; agent < agents; ++agent) {
     const std::size_t row = env * agents + agent;
     if (observations != nullptr) episode.observe(agent, observations + row * features);
     if (buffers_.alive != nullptr) buffers_.alive[row] = episode.alive(agent) ? 1 : 0;
     if (buffers_.action_masks != nullptr) episode.mask(agent, buffers_.action_masks + row * ids);
   }
+
   if (state != nullptr) episode.state(state + env * setup().state_columns.size());
 }
 
@@ -145,21 +159,25 @@ void Pool::fill_row(std::size_t env, bool step) {
   const Episode& episode = worlds_[env].episode;
   const std::size_t agents = setup().agent_count();
   fill_views(env, buffers_.observations, buffers_.state);
+
   for (std::size_t agent = 0; agent < agents; ++agent) {
     const std::size_t row = env * agents + agent;
     buffers_.rewards[row] = step ? static_cast<float>(episode.reward(agent)) : 0.0F;
     if (buffers_.illegal != nullptr) buffers_.illegal[row] = episode.illegal(agent);
   }
+
   const bool truncated = statuses()[static_cast<std::size_t>(episode.status())].truncated;
   buffers_.terminated[env] = episode.ended() && !truncated ? 1 : 0;
   buffers_.truncated[env] = episode.ended() && truncated ? 1 : 0;
   buffers_.status[env] = static_cast<std::int32_t>(episode.status());
+
   if (buffers_.reward_terms != nullptr) {
     for (std::size_t term = 0; term < kRewardTerms; ++term) {
       buffers_.reward_terms[env * kRewardTerms + term] =
           step ? static_cast<float>(episode.reward_term(term)) : 0.0F;
     }
   }
+
   if (buffers_.cycles != nullptr) buffers_.cycles[env] = episode.cycles();
   if (buffers_.score != nullptr) {
     buffers_.score[2 * env] = episode.score()[0];
@@ -173,6 +191,7 @@ Outcome Pool::set_options(std::int64_t env, const std::string& json) {
   if (env >= 0) {
     if (Outcome known = check_index(static_cast<std::uint64_t>(env)); !known.ok()) return known;
   }
+
   const auto first = env < 0 ? std::size_t{0} : static_cast<std::size_t>(env);
   const std::size_t last = env < 0 ? worlds_.size() : first + 1;
   for (std::size_t i = first; i < last; ++i) {
@@ -197,10 +216,12 @@ Outcome Pool::snapshot(std::uint64_t env, std::uint64_t& handle) {
 Outcome Pool::restore(std::uint64_t env, std::uint64_t handle) {
   if (Outcome known = check_index(env); !known.ok()) return known;
   if (!bound_) return {Code::kBadOrder, "bind the buffers before a restore"};
+
   const auto found = snapshots_.find(handle);
   if (found == snapshots_.end()) {
     return {Code::kBadHandle, fmt::format("the pool has no snapshot {}", handle)};
   }
+
   worlds_[env].episode = found->second;
   fill_row(env, false);
   if (buffers_.was_reset != nullptr) buffers_.was_reset[env] = 0;

@@ -46,6 +46,7 @@ Result<DriverPool> parse_drivers(const JsonValue& value, bool or_none) {
     if (at < kDriverNames.size()) pool.push_back({static_cast<Driver>(at), 1.0});
     return pool;
   }
+
   if (Result<void> known = value.expect_keys(names); !known) return known.error();
   double sum = 0.0;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -55,6 +56,7 @@ Result<DriverPool> parse_drivers(const JsonValue& value, bool or_none) {
     pool.push_back({static_cast<Driver>(i), *weight});
     sum += *weight;
   }
+
   if (sum > 0.0) return pool;
   return value.error(fmt::format("needs a weight above 0 for one of {}", fmt::join(names, ", ")));
 }
@@ -108,6 +110,7 @@ Result<std::array<double, kRewardTerms>> parse_weights(const JsonValue& object) 
   Names names;
   for (const RewardTerm& term : reward_terms()) names.push_back(term.name);
   if (Result<void> known = object.expect_keys(names); !known) return known.error();
+
   std::array<double, kRewardTerms> weights = {};
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!object.has(names[i])) continue;
@@ -122,6 +125,7 @@ Result<OptionValues> parse_options(const Task& task, const JsonValue& object, Op
   Names names;
   for (const TaskOption& option : task.options) names.push_back(option.name);
   if (Result<void> known = object.expect_keys(names); !known) return known.error();
+
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!object.has(names[i])) continue;
     const TaskOption& option = task.options[i];
@@ -152,6 +156,7 @@ void read_choices(Reader& in, SetupChoices& choices) {
   in.integer("frame_skip", 1, kMaxFrameSkip, choices.frame_skip);
   in.integer("max_cycles", 0, kMaxCycles, choices.max_cycles);
   in.choice("obs", kObservations, choices.fidelity);
+
   int types = 0;
   in.choice("types", kTypes, types);
   choices.random_types = types == 1;
@@ -182,15 +187,18 @@ Result<PoolConfig> parse_pool_config(const std::string& json) {
   in.integer("threads", 1, kMaxThreads, config.threads);
   in.choice("autoreset", kAutoresets, config.autoreset);
   if (!in.error.message.empty()) return in.error;
+
   if (root.has("reward")) {
     auto weights = parse_weights(root["reward"]);
     if (!weights) return weights.error();
     choices.weights = *weights;
   }
+
   auto setup = make_setup(choices);
   if (!setup) return Error{"configuration: " + setup.error().message};
   config.setup = std::move(*setup);
   config.options = config.setup->options;
+
   if (root.has("options")) {
     auto options = parse_options(*config.setup->task, root["options"], config.options);
     if (!options) return options.error();

@@ -29,6 +29,7 @@ SpecTable task_table() {
   table.add_columns(
       {"task", "offense", "defense", "agents", "cycles", "features", "actions", "summary"});
   table.allow_cuts(7);
+
   for (const Task& task : tasks()) {
     table.add_row({full_id(task), text_of(task.offense), text_of(task.defense),
                    std::string(text_of(task.agents)), std::to_string(task.max_cycles),
@@ -45,6 +46,7 @@ SpecTable feature_set_table() {
   Table table;
   table.add_columns({"features", "version", "1v0", "2v2", "11v11", "for", "summary"});
   table.allow_cuts(6);
+
   for (const FeatureSet* set : feature_sets()) {
     const auto count = [set](int teammates, int opponents) {
       return std::to_string(set->columns(teammates, opponents).size());
@@ -72,6 +74,7 @@ SpecTable reward_table() {
   Table table;
   table.add_columns({"term", "weight", "unit", "low", "high", "summary"});
   table.allow_cuts(5);
+
   for (const RewardTerm& term : reward_terms()) {
     table.add_row({std::string(term.name), fmt::format("{}", term.weight), std::string(term.unit),
                    fmt::format("{}", term.low), fmt::format("{}", term.high),
@@ -126,11 +129,13 @@ std::vector<SpecTable> tables_of(const Task& task) {
   Table table;
   table.add_columns({"option", "default", "low", "high", "summary"});
   table.allow_cuts(4);
+
   for (const TaskOption& option : task.options) {
     table.add_row({std::string(option.name), fmt::format("{}", option.value),
                    fmt::format("{}", option.low), fmt::format("{}", option.high),
                    std::string(option.summary)});
   }
+
   std::vector<SpecTable> all;
   all.push_back(
       {full_id(task),
@@ -148,6 +153,7 @@ std::vector<SpecTable> tables_of(const FeatureSet& set, int teammates, int oppon
   Table table = column_table();
   const Columns columns = set.columns(teammates, opponents);
   for (std::size_t i = 0; i < columns.size(); ++i) add_column_row(i, columns[i], table);
+
   std::vector<SpecTable> all;
   all.push_back(
       {fmt::format("{}, version {}", set.name, set.version),
@@ -161,6 +167,7 @@ std::vector<SpecTable> tables_of(const ActionSet& set) {
   std::vector<SpecTable> all;
   const std::string heading = fmt::format("{}, version {}", set.name, set.version);
   const std::string note = fmt::format("{}.", set.summary);
+
   if (!set.actions.empty()) {
     Table table;
     table.add_column("id", Align::kRight);
@@ -172,6 +179,7 @@ std::vector<SpecTable> tables_of(const ActionSet& set) {
     }
     all.push_back({heading, note, std::move(table)});
   }
+
   const Columns values = set.values();
   if (values.empty()) return all;
   Table table = column_table();
@@ -194,6 +202,7 @@ std::string format_text(const std::vector<SpecTable>& tables, std::size_t width)
     if (!out.empty()) out += '\n';
     out += part.heading + '\n';
     if (!part.note.empty()) out += part.note + '\n';
+
     base::TextLayout layout;
     layout.indent = 2;
     layout.width = width;

@@ -131,13 +131,16 @@ Json document_of(const ActionSet& set) { return describe(set); }
 Json catalog() {
   Json task_list = Json::array();
   for (const Task& task : tasks()) task_list.push_back(document_of(task));
+
   Json features = Json::array();
   for (const FeatureSet* set : feature_sets()) {
     features.push_back(describe(*set));
     features.back()["items_1v1"] = to_json(set->columns(0, 1));
   }
+
   Json actions = Json::array();
   for (const ActionSet* set : action_sets()) actions.push_back(describe(*set));
+
   return {{"schema", kCatalogSchema},         {"tasks", task_list},
           {"feature_sets", features},         {"action_sets", actions},
           {"reward_version", kRewardVersion}, {"reward_terms", reward_list(nullptr)},
@@ -148,10 +151,12 @@ Json specification(const Pool& pool) {
   const Setup& setup = pool.setup();
   Json agents = Json::array();
   for (const int slot : setup.cast.agents) agents.push_back(agent_name(slot));
+
   Json options = Json::object();
   for (std::size_t i = 0; i < setup.task->options.size(); ++i) {
     options[std::string(setup.task->options[i].name)] = pool.config().options[i];
   }
+
   return {
       {"schema", "cls.training.spec/1"},
       {"task", setup.task->id},

@@ -18,6 +18,7 @@ void fill_self(const player::WorldModel& world, ScenePlayer& out) {
   out.hit_ball = self.collided_with_ball;
   out.hit_player = self.collided_with_player;
   out.hit_post = self.collided_with_post;
+
   out.position = self.position;
   out.velocity = self.velocity;
   out.body = radians(self.body);
@@ -34,10 +35,12 @@ void fill_player(const player::WorldModel& world, const player::PlayerState& pla
   out.body_known = player.body_count < player::kPlayerFaceAgeLimit;
   out.goalie = player.goalie;
   out.frozen = player.tackling;
+
   out.position = player.position;
   out.velocity = player.velocity;
   out.body = radians(player.body);
   if (out.body_known) out.facing = soccer::polar_radians(1.0, out.body);
+
   // Stamina of others is unknown: scenes show that of a rested player.
   out.type = &world.type_of(player);
   out.stamina = world.server().stamina_max;
@@ -70,10 +73,12 @@ void fill_scene(const player::WorldModel& world, const Cast& cast, Scene& out) {
   out.server = &world.server();
   out.side = world.our_side;
   out.play_on = world.game.mode == soccer::PlayMode::kPlayOn;
+
   out.ball_seen = world.ball.position_valid();
   out.ball_velocity_known = world.ball.velocity_valid();
   out.ball = world.ball.position;
   out.ball_velocity = world.ball.velocity;
+
   for (ScenePlayer& player : out.players) player = {};
   for (const Side side : {Side::kLeft, Side::kRight}) {
     for (const int slot : cast.team(side)) {
@@ -82,10 +87,12 @@ void fill_scene(const player::WorldModel& world, const Cast& cast, Scene& out) {
       player.unum = soccer::unum_of_slot(slot);
     }
   }
+
   // First, so that no teammate takes the agent's own seat.
   fill_self(world, out.player(world.unum - 1));
   add_players(world, world.teammates, false, cast, out);
   add_players(world, world.opponents, true, cast, out);
+
   for (ScenePlayer& player : out.players) {
     if (player.type != nullptr) {
       player.kickable_area = player.type->kickable_area(world.server().ball_size);

@@ -17,6 +17,7 @@ void fill_player(const simulator::World& world, const simulator::Player& player,
     out.seen = false;
     return;
   }
+
   out.seen = out.velocity_known = out.body_known = true;
   out.goalie = player.goalie;
   out.frozen = player.tackle_cycles > 0 || player.foul_cycles > 0;
@@ -24,10 +25,12 @@ void fill_player(const simulator::World& world, const simulator::Player& player,
   out.hit_player = player.contacts.player;
   out.hit_post = player.contacts.post;
   out.unum = player.unum;
+
   out.position = player.position * sign;
   out.velocity = player.velocity * sign;
   out.body = sign > 0 ? player.body : math::normalize_radians(player.body + math::kPi);
   out.facing = soccer::polar_radians(1.0, out.body);
+
   out.stamina = player.stamina.value;
   out.effort = player.stamina.effort;
   out.type = &world.type_of(player);
@@ -41,9 +44,11 @@ void fill_scene(const simulator::World& world, Side side, Scene& out) {
   out.server = &world.params();
   out.side = side;
   out.play_on = world.mode == soccer::PlayMode::kPlayOn;
+
   out.ball_seen = out.ball_velocity_known = true;
   out.ball = world.ball.position * sign;
   out.ball_velocity = world.ball.velocity * sign;
+
   for (int slot = 0; slot < kSeats; ++slot) {
     fill_player(world, world.player(slot), sign, out.player(seat_of(side, slot)));
   }
@@ -60,6 +65,7 @@ Seat nearest_player(const Scene& scene, bool opponents, Vec2 point, Seat except)
   Seat nearest = kNoSeat;
   double best = std::numeric_limits<double>::infinity();
   const Seat first = opponents ? soccer::kPlayersPerTeam : 0;
+
   for (Seat seat = first; seat < first + soccer::kPlayersPerTeam; ++seat) {
     const ScenePlayer& player = scene.player(seat);
     if (!player.seen || seat == except) continue;

@@ -84,11 +84,13 @@ Perceiver make_perceiver(const simulator::World& world, simulator::Slot slot) {
   Perceiver agent;
   on_init(agent.world, {player.side, player.unum, world.mode}, world.team(player.side).name,
           player.goalie);
+
   auto [server_end, agent_end] = soccer::make_memory_channel();
   simulator::Connection connection;
   connection.version = player.client_version;
   connection.channel = std::move(server_end);
   send_parameters(world, connection);
+
   std::string message;
   while (agent_end->receive(message)) {
     const base::Result<void> parsed = on_parameter_message(agent.world, message);

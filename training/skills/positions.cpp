@@ -34,6 +34,7 @@ Vec2 support_position(const PointOfView& view) {
   for (const Seat seat : mates) lane += seat < view.self ? 1 : 0;
   const int lanes = static_cast<int>(mates.count) + 1;
   const double share = lanes > 1 ? 2.0 * lane / (lanes - 1) - 1.0 : 0.0;
+
   const Vec2 ball = view.scene.ball;
   const double x = std::clamp(ball.x + 8.0, view.stage.left, soccer::kHalfLength - 6.0);
   const double y = std::clamp(0.5 * ball.y + share * 15.0, -27.0, 27.0);
@@ -71,9 +72,11 @@ Seat opponent_to_mark(const PointOfView& view) {
     const ScenePlayer& mate = view.scene.player(seat);
     rank += mate.seen && !mate.goalie && seat != chaser && seat < view.self ? 1 : 0;
   }
+
   Seats threats = opponents_of(view);
   sort_by_distance(view.scene, kOwnGoal, threats);
   const Seat holder = nearest_player(view.scene, true, view.scene.ball);
+
   for (const Seat seat : threats) {
     if (seat == holder || !view.scene.player(seat).seen) continue;
     if (rank-- == 0) return seat;

@@ -45,12 +45,14 @@ PlayerCommand go_to(const Scene& scene, Seat self, Vec2 point, double radius) {
   const Vec2 to = point - next_position(me);
   const double distance = to.length();
   if (distance <= radius) return stand();
+
   const double bearing = bearing_degrees(me, to);
   // Near targets are reached sideways and backwards, without a turn.
   if (distance < 1.5) {
     const double power = std::min(kFullPower, distance / me.type->dash_power_rate / 0.6);
     return soccer::Dash{power, bearing};
   }
+
   const double tolerance = std::max(12.0, math::to_degrees(math::atan2(radius, distance)));
   if (std::fabs(bearing) > tolerance) return soccer::Turn{turn_moment(me, bearing)};
   return soccer::Dash{kFullPower, 0.0};
@@ -60,9 +62,11 @@ Meeting meeting(const Scene& scene, Seat player) {
   const ScenePlayer& runner = scene.player(player);
   const double speed = runner.type->player_speed_max * 0.95;
   const double reach = runner.kickable_area * 0.85;
+
   Vec2 ball = scene.ball;
   Vec2 velocity = scene.ball_velocity_known ? scene.ball_velocity : Vec2{};
   const Vec2 start = next_position(runner);
+
   for (int cycle = 1; cycle < kMaxMeetingCycles; ++cycle) {
     ball += velocity;
     velocity *= scene.server->ball_decay;
@@ -81,13 +85,16 @@ PlayerCommand kick_to(const Scene& scene, Seat self, Vec2 point, double speed) {
   const Vec2 to_ball = scene.ball - me.position;
   const double off =
       std::fabs(math::normalize_radians(soccer::direction_radians(to_ball) - me.body)) / math::kPi;
+
   const double gap = (to_ball.length() - me.type->player_size - scene.server->ball_size) /
                      me.type->kickable_margin;
   const double rate = me.type->kick_power_rate * (1.0 - 0.25 * off - 0.25 * gap);
   const double strongest = scene.server->maxpower * rate;
+
   const Vec2 velocity = scene.ball_velocity_known ? scene.ball_velocity : Vec2{};
   const Vec2 axis = unit(point - scene.ball);
   Vec2 push = axis * speed - velocity;
+
   if (push.length() > strongest) {
     // The fastest velocity along the axis that one kick can give; else the kick that brakes most.
     const double along = dot(velocity, axis);
@@ -96,6 +103,7 @@ PlayerCommand kick_to(const Scene& scene, Seat self, Vec2 point, double speed) {
     push = rest > 0.0 ? axis * (along + std::sqrt(rest)) - velocity
                       : soccer::with_length(push, strongest);
   }
+
   return soccer::Kick{push.length() / rate, bearing_degrees(me, push)};
 }
 
@@ -131,16 +139,19 @@ PlayerCommand dribble_to(const Scene& scene, Seat self, Vec2 point) {
   const ScenePlayer& me = scene.player(self);
   const Vec2 way = point - me.position;
   if (way.length() < 0.5) return stand();
+
   const double bearing = bearing_degrees(me, way);
   if (std::fabs(bearing) > 20.0) {
     // The ball must not roll away while the body turns.
     if (scene.ball_velocity.length() > 0.25) return kick_to(scene, self, scene.ball, 0.0);
     return soccer::Turn{turn_moment(me, bearing)};
   }
+
   const Vec2 next_ball = scene.ball + scene.ball_velocity;
   const Vec2 next_me = next_position(me) + unit(way) * 0.6;
   const bool stays_close = distance(next_ball, next_me) < me.kickable_area * 0.9;
   if (stays_close && dot(next_ball - next_me, way) > 0.0) return soccer::Dash{kFullPower, bearing};
+
   const double speed = std::min(dribble_speed(scene, me, unit(way)), way.length());
   return kick_to(scene, self, me.position + unit(way) * 10.0, speed);
 }
@@ -149,9 +160,11 @@ double lane_gap(const Scene& scene, Vec2 from, Vec2 point) {
   const Vec2 lane = point - from;
   const double length = lane.length();
   double gap = math::kPi;
+
   for (Seat seat = soccer::kPlayersPerTeam; seat < kSeats; ++seat) {
     const ScenePlayer& player = scene.player(seat);
     if (!player.seen) continue;
+
     const Vec2 to = player.position - from;
     if (to.length() > length + 1.0) continue;
     const double angle = std::fabs(math::atan2(cross(lane, to), dot(lane, to)));
@@ -164,6 +177,7 @@ Shot best_shot(const Scene& scene, Seat self) {
   const double post = scene.server->goal_width / 2.0 - 0.7;
   Shot best{{soccer::kHalfLength, 0.0}, -1.0};
   constexpr int kTargets = 9;
+
   for (int i = 0; i < kTargets; ++i) {
     const Vec2 target = {soccer::kHalfLength + 0.5, post * (2.0 * i / (kTargets - 1) - 1.0)};
     // Among equally free targets the nearest is best: a small share of the angle per meter.

@@ -165,6 +165,7 @@ void place_situation(const Situation& situation, const Placing& start) {
     const double dy = start.random.uniform(-noise, noise);
     return to_pitch(place) + Vec2{dx, dy};
   };
+
   start.put_ball(to_pitch(situation.ball));
   for (std::size_t i = 0; i < start.cast.left.size(); ++i) {
     start.put(start.cast.left[i], near(situation.left[i]), 0.0);
@@ -189,11 +190,13 @@ Status judge(const simulator::World& world, const OptionValues& /*options*/, Tas
     ++memory.score[1];
     return Status::kGoalConceded;
   }
+
   const Vec2 ball = world.ball.position;
   if (std::fabs(ball.x) > soccer::kHalfLength + 0.1 || std::fabs(ball.y) > soccer::kHalfWidth) {
     return Status::kOutOfBounds;
   }
   if (kSituations[kIndex].ends_captured && memory.taken >= 2) return Status::kCaptured;
+
   count_possession(world, memory);
   return Status::kInGame;
 }

@@ -18,6 +18,7 @@ Vec2 kick_off_position(int slot) {
                                                                          {-9.6, -20.0},
                                                                          {-9.6, 20.0},
                                                                          {-9.6, 0.0}}};
+
   const Vec2 place = kPlaces[static_cast<std::size_t>(soccer::unum_of_slot(slot) - 1)];
   return place * soccer::sign(soccer::side_of_slot(slot));
 }

@@ -61,11 +61,13 @@ void place_attackers(const Placing& start, Vec2 ball) {
   std::array<Vec2, 10> squares = {
       {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}, {0, 2}, {0, -2}, {-2, -2}, {-2, 2}, {2, 2}, {2, -2}}};
   start.random.shuffle(std::span<Vec2>(squares));
+
   const int chosen = on_ball(start);
   std::array<int, soccer::kPlayersPerTeam> slots{};  // by number, as HFO counts them
   const auto end = std::copy(start.cast.left.begin(), start.cast.left.end(), slots.begin());
   std::sort(slots.begin(), end);
   const double spread = by_difficulty(start.options[kDifficulty], 0.2, 1.0);
+
   for (std::size_t i = 0; i < start.cast.left.size(); ++i) {
     const Vec2 square = squares[i];
     const Vec2 place = {ball.x + spread * kSquare * (start.random.unit() + square.x),
@@ -74,6 +76,7 @@ void place_attackers(const Placing& start, Vec2 ball) {
     const Vec2 position = {
         std::clamp(place.x, -0.1, soccer::kHalfLength),
         std::clamp(place.y, -0.8 * soccer::kHalfWidth, 0.8 * soccer::kHalfWidth)};
+
     const bool at_ball = static_cast<int>(i) == chosen;
     start.put(slots[i], at_ball ? Vec2{ball.x - 0.1, ball.y} : position, body);
   }
@@ -108,9 +111,11 @@ Status judge(const simulator::World& world, const OptionValues& options, TaskMem
     ++memory.score[0];
     return Status::kGoal;
   }
+
   if (!in_area(memory.previous_ball)) return Status::kOutOfBounds;
   if (memory.taken >= kTurnover) return Status::kCaptured;
   if (options[kUntouched] > 0 && memory.untouched > options[kUntouched]) return Status::kOutOfTime;
+
   count_possession(world, memory);
   const int goalie = soccer::slot_of(Side::kRight, 1);
   return memory.holder == goalie ? Status::kCaptured : Status::kInGame;

@@ -19,6 +19,7 @@ void place(const Placing& start) {
   const double margin = 3.0;
   const int keepers = static_cast<int>(start.cast.left.size());
   int corner = start.random.integer(keepers);
+
   for (const int slot : start.cast.left) {
     const double dx = start.random.uniform(0.0, margin);
     const double dy = start.random.uniform(0.0, margin);
@@ -29,6 +30,7 @@ void place(const Placing& start) {
     start.put(slot, place, soccer::direction_radians(-place));
     corner = (corner + 1) % keepers;
   }
+
   for (const int slot : start.cast.right) {
     const double dx = start.random.uniform(0.0, margin);
     const double dy = start.random.uniform(0.0, margin);
@@ -36,6 +38,7 @@ void place(const Placing& start) {
     const double away = by_difficulty(start.options[kDifficulty], 20.0, 0.0);
     start.put(slot, {-half + dx - away, half - dy + away}, -kPi / 4.0);
   }
+
   start.put_ball({-half + 4.0, -half + 4.0});
 }
 

@@ -23,6 +23,7 @@ Status judge(const simulator::World& world, const OptionValues& options, TaskMem
   const bool right_scored = score[1] > memory.score[1];
   memory.score = score;
   count_possession(world, memory);
+
   if (world.mode == soccer::PlayMode::kTimeOver) return Status::kFullTime;
   if (options[kStopPlay] >= 1.0) {
     if (left_scored) return Status::kGoal;

@@ -29,10 +29,12 @@ Status judge(const simulator::World& world, const OptionValues& /*options*/, Tas
     ++memory.score[0];
     return Status::kGoal;
   }
+
   const Vec2 ball = world.ball.position;
   if (ball.x > soccer::kHalfLength || ball.x < 0.0 || std::fabs(ball.y) > soccer::kHalfWidth) {
     return Status::kOutOfBounds;
   }
+
   count_possession(world, memory);
   return memory.taken > 0 ? Status::kCaptured : Status::kInGame;
 }

@@ -18,8 +18,10 @@ void place(const Placing& start) {
     const double x = start.random.uniform(-share, share) * soccer::kHalfLength;
     return Vec2{x, start.random.uniform(-share, share) * soccer::kHalfWidth};
   };
+
   const double heading = start.random.uniform(-kPi, kPi);
   start.put_ball(anywhere(range), soccer::polar_radians(d * start.options[kSpeed], heading));
+
   for (const int slot : start.cast.left) {
     const Vec2 place = anywhere(range);
     start.put(slot, place, start.random.uniform(-kPi, kPi));

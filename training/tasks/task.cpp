@@ -79,6 +79,7 @@ std::vector<int> team_slots(const Task& task, Side side, int players) {
   static constexpr std::array<int, soccer::kPlayersPerTeam> kAttackers = {11, 7, 8, 9, 10, 6,
                                                                           3,  2, 4, 5, 1};
   std::vector<int> slots;
+
   for (int i = 0; i < players; ++i) {
     const bool hfo_order = task.half && side == Side::kLeft;
     const int unum = hfo_order ? kAttackers[static_cast<std::size_t>(i)] : i + 1;
@@ -94,11 +95,13 @@ bool scored_against(const simulator::World& world, Side defender, const TaskMemo
 void count_possession(const simulator::World& world, TaskMemory& memory) {
   ++memory.untouched;
   bool left_has_it = false;
+
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
     const simulator::Player& player = world.player(slot);
     if (!player.enabled) continue;
     const double reach = world.type_of(player).kickable_area(world.params().ball_size);
     if (squared_distance(player.position, world.ball.position) >= reach * reach) continue;
+
     memory.holder = slot;
     memory.untouched = 0;
     left_has_it = player.side == Side::kLeft;
@@ -106,6 +109,7 @@ void count_possession(const simulator::World& world, TaskMemory& memory) {
     ++memory.taken;
     break;
   }
+
   if (left_has_it) memory.taken = 0;
 }
 
