@@ -113,7 +113,7 @@ TEST_F(MixedSide, IsATeamOfAConfiguration) {
 }
 
 TEST_F(MixedSide, HasNoSinglePlaymakerToCheck) {
-  const CommandResult checked = run({cls_binary(), "check", "playmaker", "mix:1=mock;others=mock"});
+  const CommandResult checked = run({"check", "playmaker", "mix:1=mock;others=mock"});
   EXPECT_EQ(checked.exit_code, 2);
   EXPECT_EQ(checked.err, "cls: mix: has several Playmakers; check each of them\n");
 }
