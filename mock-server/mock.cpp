@@ -14,13 +14,11 @@ bool is_script_name(std::string_view name) { return name.ends_with(".json"); }
 
 base::Result<Mock> make_mock(std::string_view name) {
   if (is_script_name(name)) {
-    auto script = read_script(name);
-    if (!script) return script.error();
-    return Mock(*std::move(script));
+    TRY_INIT(auto script, read_script(name));
+    return Mock(std::move(script));
   }
-  auto behavior = make_behavior(name);
-  if (!behavior) return behavior.error();
-  return Mock(*std::move(behavior));
+  TRY_INIT(auto behavior, make_behavior(name));
+  return Mock(std::move(behavior));
 }
 
 }  // namespace cls::mock_server

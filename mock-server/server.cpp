@@ -58,15 +58,13 @@ Result<void> Server::listen(const std::string& address) {
 
 Result<std::unique_ptr<Server>> Server::start(Mock mock) {
   std::unique_ptr<Server> server(new Server(std::move(mock)));
-  const auto listening = server->listen("");
-  if (!listening) return listening.error();
+  TRY(server->listen(""));
   return server;
 }
 
 Result<std::unique_ptr<Server>> Server::start(Mock mock, const std::string& host, int port) {
   std::unique_ptr<Server> server(new Server(std::move(mock)));
-  const auto listening = server->listen(fmt::format("{}:{}", host, port));
-  if (!listening) return listening.error();
+  TRY(server->listen(fmt::format("{}:{}", host, port)));
   return server;
 }
 

@@ -68,19 +68,17 @@ void BackgroundSink::loop() {
 std::string_view compressed_suffix(int level) { return level > 0 ? ".gz" : ""; }
 
 Result<std::unique_ptr<ByteSink>> create_log_file(const std::string& path, int level) {
-  auto file = FileSink::create(path);
-  if (!file) return file.error();
-  if (level <= 0) return std::unique_ptr<ByteSink>(*std::move(file));
-  auto gzip = std::make_unique<GzipSink>(*std::move(file), level);
+  TRY_INIT(auto file, FileSink::create(path));
+  if (level <= 0) return std::unique_ptr<ByteSink>(std::move(file));
+  auto gzip = std::make_unique<GzipSink>(std::move(file), level);
   return std::unique_ptr<ByteSink>(std::make_unique<BackgroundSink>(std::move(gzip)));
 }
 
 Result<void> compress_file(const std::string& path, int level) {
   const auto text = read_file(path);
   if (!text) return Error{fmt::format("cannot read {}", path)};
-  auto file = FileSink::create(path + ".gz");
-  if (!file) return file.error();
-  GzipSink gzip(*std::move(file), level);
+  TRY_INIT(auto file, FileSink::create(path + ".gz"));
+  GzipSink gzip(std::move(file), level);
   gzip.write(*text);
   if (const auto closed = gzip.close(); !closed) return closed;
   std::error_code code;

@@ -55,9 +55,8 @@ void GzipSink::compress(std::string_view bytes, bool finish) {
 }
 
 Result<std::unique_ptr<ByteSink>> create_sink(const std::string& path) {
-  auto file = FileSink::create(path);
-  if (!file) return file.error();
-  std::unique_ptr<ByteSink> sink = std::move(*file);
+  TRY_INIT(auto file, FileSink::create(path));
+  std::unique_ptr<ByteSink> sink = std::move(file);
   if (path.ends_with(".gz")) sink = std::make_unique<GzipSink>(std::move(sink));
   return sink;
 }

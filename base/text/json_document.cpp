@@ -245,9 +245,8 @@ Result<int> JsonValue::integer(int low, int high) const {
   if (!value_->is_number_integer()) {
     return error(fmt::format("must be a whole number, not {}", value_->dump()));
   }
-  const auto value = number(low, high);
-  if (!value) return value.error();
-  return static_cast<int>(*value);
+  TRY_INIT(const auto value, number(low, high));
+  return static_cast<int>(value);
 }
 
 Result<bool> JsonValue::boolean() const {

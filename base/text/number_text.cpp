@@ -274,9 +274,12 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 std::optional<int> parse_int(std::string_view text) {
+  const bool has_plus = text.size() > 1 && text[0] == '+' && is_digit(text[1]);
+  if (has_plus) text.remove_prefix(1);
+  const char* end = text.data() + text.size();
   int value = 0;
-  if (text.empty() || parse_int_prefix(text, value) != text.size()) return std::nullopt;
-  return value;
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return stop == end && error == std::errc() ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace cls::base

@@ -31,9 +31,8 @@ bool starts_text_log(std::string_view text) {
 }  // namespace
 
 base::Result<AnyLog> read_log_file(const std::string& path) {
-  auto source = base::open_source(path);
-  if (!source) return source.error();
-  base::InputBuffer input(**source);
+  TRY_INIT(auto source, base::open_source(path));
+  base::InputBuffer input(*source);
   if (starts_text_log(input.peek(kMaxStampLength))) return AnyLog(read_rcl(input));
   return AnyLog(read_rcg(input));
 }

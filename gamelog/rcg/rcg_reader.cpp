@@ -77,9 +77,8 @@ void read_rcg(base::InputBuffer& input, MatchRecord& record) {
 }
 
 base::Result<MatchRecord> read_rcg_file(const std::string& path) {
-  auto source = base::open_source(path);
-  if (!source) return source.error();
-  return read_rcg(**source);
+  TRY_INIT(auto source, base::open_source(path));
+  return read_rcg(*source);
 }
 
 }  // namespace cls::gamelog

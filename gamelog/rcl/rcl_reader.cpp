@@ -152,9 +152,8 @@ RclRecord read_rcl(base::InputBuffer& input) {
 }
 
 base::Result<RclRecord> read_rcl_file(const std::string& path) {
-  auto source = base::open_source(path);
-  if (!source) return source.error();
-  return read_rcl(**source);
+  TRY_INIT(auto source, base::open_source(path));
+  return read_rcl(*source);
 }
 
 }  // namespace cls::gamelog

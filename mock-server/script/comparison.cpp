@@ -18,17 +18,16 @@ constexpr std::array<std::string_view, 8> kOperators = {
 
 Result<std::string> enum_name(const base::JsonValue& json,
                               const google::protobuf::EnumDescriptor& names) {
-  const auto word = json.string();
-  if (!word) return word.error();
+  TRY_INIT(const auto word, json.string());
 
   std::vector<std::string_view> known;
   for (int i = 0; i < names.value_count(); ++i) {
     const std::string& name = names.value(i)->name();
-    if (name == *word || name == *word + "_") return name;
+    if (name == word || name == word + "_") return name;
     known.push_back(name);
   }
   return json.error(
-      fmt::format("{} has no value '{}'{}", names.name(), *word, base::did_you_mean(*word, known)));
+      fmt::format("{} has no value '{}'{}", names.name(), word, base::did_you_mean(word, known)));
 }
 
 Result<Value> operand(const base::JsonValue& json, const ValueKind& kind) {
@@ -84,9 +83,8 @@ Result<Comparison::Part> Comparison::parse_part(std::string_view word, const bas
   }
 
   for (std::size_t i = 0; i < (list ? json.size() : 1); ++i) {
-    const auto value = operand(list ? json[i] : json, kind);
-    if (!value) return value.error();
-    part.operands.push_back(*value);
+    TRY_INIT(const auto value, operand(list ? json[i] : json, kind));
+    part.operands.push_back(value);
   }
   return part;
 }
@@ -94,16 +92,14 @@ Result<Comparison::Part> Comparison::parse_part(std::string_view word, const bas
 Result<Comparison> Comparison::parse(const base::JsonValue& json, const ValueKind& kind) {
   Comparison comparison;
   if (!json.is_object()) {
-    const auto part = parse_part("==", json, kind);
-    if (!part) return part.error();
-    comparison.parts_.push_back(*part);
+    TRY_INIT(const auto part, parse_part("==", json, kind));
+    comparison.parts_.push_back(part);
     return comparison;
   }
 
   for (const std::string& word : json.keys()) {
-    const auto part = parse_part(word, json[word], kind);
-    if (!part) return part.error();
-    comparison.parts_.push_back(*part);
+    TRY_INIT(const auto part, parse_part(word, json[word], kind));
+    comparison.parts_.push_back(part);
   }
 
   if (comparison.parts_.empty()) return json.error("an empty comparison");

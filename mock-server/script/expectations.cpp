@@ -20,9 +20,8 @@ Result<std::vector<proto::Rpc>> parse_order(const base::JsonValue& json) {
   if (!json.is_array() || json.size() == 0) return json.error("must be a list of RPCs");
   std::vector<proto::Rpc> order;
   for (std::size_t i = 0; i < json.size(); ++i) {
-    const auto word = json[i].one_of(proto::agent_rpc_names());
-    if (!word) return word.error();
-    order.push_back(*proto::rpc_from_name(*word));
+    TRY_INIT(const auto word, json[i].one_of(proto::agent_rpc_names()));
+    order.push_back(*proto::rpc_from_name(word));
   }
   if (order.size() > kMaxOrder) return json.error("more than 32 calls");
   return order;
@@ -35,45 +34,40 @@ Result<Expectation> parse_expectation(const base::JsonValue& json,
   std::vector<std::string_view> keys = {"name",   "rpc",  "when", "count", "count_per_agent",
                                         "always", "order"};
   keys.insert(keys.end(), other_keys.begin(), other_keys.end());
-  if (const auto known = json.expect_keys(keys); !known) return known.error();
+  TRY(json.expect_keys(keys));
 
   Expectation what;
   what.name = fmt::format("line {}", json.line());
   if (json.has("name")) {
-    const auto text = json["name"].string();
-    if (!text) return text.error();
-    what.name = *text;
+    TRY_INIT(const auto text, json["name"].string());
+    what.name = text;
   }
 
   if (json.has("order")) {
-    const auto order = parse_order(json["order"]);
-    if (!order) return order.error();
-    what.order = *order;
+    TRY_INIT(const auto order, parse_order(json["order"]));
+    what.order = order;
     return what;
   }
 
   if (!json.has("rpc")) return json.error("needs \"rpc\" or \"order\"");
-  const auto word = json["rpc"].one_of(proto::agent_rpc_names());
-  if (!word) return word.error();
-  what.rpc = *proto::rpc_from_name(*word);
+  TRY_INIT(const auto word, json["rpc"].one_of(proto::agent_rpc_names()));
+  what.rpc = *proto::rpc_from_name(word);
 
   if (json.has("when")) {
-    const auto when = SituationFilter::parse(json["when"], what.rpc);
-    if (!when) return when.error();
-    what.when = *when;
+    TRY_INIT(const auto when, SituationFilter::parse(json["when"], what.rpc));
+    what.when = when;
   }
   for (const auto& [key, member] :
        {std::pair{"count", &what.count}, std::pair{"count_per_agent", &what.count_per_agent}}) {
     if (!json.has(key)) continue;
-    const auto count = Comparison::parse_number(json[key]);
-    if (!count) return count.error();
-    *member = *count;
+    TRY_INIT(const auto count, Comparison::parse_number(json[key]));
+    *member = count;
   }
 
   if (json.has("always")) {
-    auto always = parse_conditions(*request_prototype(what.rpc).GetDescriptor(), json["always"]);
-    if (!always) return always.error();
-    what.always = *std::move(always);
+    TRY_INIT(auto always,
+             parse_conditions(*request_prototype(what.rpc).GetDescriptor(), json["always"]));
+    what.always = std::move(always);
   }
 
   if (!what.count && !what.count_per_agent && what.always.empty()) {
@@ -86,9 +80,8 @@ Result<std::vector<Expectation>> parse_expectations(const base::JsonValue& json)
   if (!json.is_array()) return json.error("must be a list");
   std::vector<Expectation> list;
   for (std::size_t i = 0; i < json.size(); ++i) {
-    auto what = parse_expectation(json[i]);
-    if (!what) return what.error();
-    list.push_back(*std::move(what));
+    TRY_INIT(auto what, parse_expectation(json[i]));
+    list.push_back(std::move(what));
   }
   return list;
 }

@@ -40,9 +40,8 @@ Result<void> parse_only(const base::JsonValue& json, Faults& faults) {
 Result<void> parse_rpcs(const base::JsonValue& json, std::vector<proto::Rpc>& rpcs) {
   if (!json.is_array()) return json.error("must be a list of RPCs");
   for (std::size_t i = 0; i < json.size(); ++i) {
-    const auto name = json[i].one_of(proto::agent_rpc_names());
-    if (!name) return name.error();
-    rpcs.push_back(*proto::rpc_from_name(*name));
+    TRY_INIT(const auto name, json[i].one_of(proto::agent_rpc_names()));
+    rpcs.push_back(*proto::rpc_from_name(name));
   }
   return {};
 }
@@ -83,16 +82,14 @@ bool Faults::any() const {
 }
 
 Result<Faults> parse_faults(const base::JsonValue& json) {
-  const auto keys = json.expect_keys(
-      {"delay_ms", "jitter_ms", "drop", "error", "garbage", "oversize", "status", "message",
-       "crash_at_cycle", "hang_at_cycle", "restart_at_cycle", "restart_cycles", "wrong_client_id",
-       "unimplemented", "full_states", "slow_start_ms", "only", "seed"});
-  if (!keys) return keys.error();
+  TRY(json.expect_keys({"delay_ms", "jitter_ms", "drop", "error", "garbage", "oversize", "status",
+                        "message", "crash_at_cycle", "hang_at_cycle", "restart_at_cycle",
+                        "restart_cycles", "wrong_client_id", "unimplemented", "full_states",
+                        "slow_start_ms", "only", "seed"}));
 
   Faults faults;
   for (const std::string& key : json.keys()) {
-    if (const auto assigned = parse_fault(key, json[key], faults); !assigned)
-      return assigned.error();
+    TRY(parse_fault(key, json[key], faults));
   }
   return faults;
 }

@@ -134,14 +134,14 @@ Result<FieldPath> FieldPath::compile(const Descriptor& root, std::string_view te
   path.text_ = text;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (type == nullptr) return Error{fmt::format("'{}' has no fields", names[i - 1])};
-    const auto step = compile_step(*type, names[i], i + 1 < names.size() ? names[i + 1] : "");
-    if (!step) return step.error();
-    path.steps_.push_back(*step);
+    TRY_INIT(const auto step,
+             compile_step(*type, names[i], i + 1 < names.size() ? names[i + 1] : ""));
+    path.steps_.push_back(step);
 
-    const FieldDescriptor& field = step->field->is_map() ? *map_value(*step->field) : *step->field;
-    path.kind_ = step->select == Select::kSize ? ValueKind{} : kind_of(field);
+    const FieldDescriptor& field = step.field->is_map() ? *map_value(*step.field) : *step.field;
+    path.kind_ = step.select == Select::kSize ? ValueKind{} : kind_of(field);
     type = path.kind_.kind == ValueKind::Kind::kMessage ? field.message_type() : nullptr;
-    if (step->select != Select::kField) ++i;
+    if (step.select != Select::kField) ++i;
   }
   return path;
 }
@@ -227,16 +227,14 @@ Result<Condition> Condition::parse(const Descriptor& root, std::string_view path
   Condition condition;
   condition.path_ = *std::move(compiled);
   if (json.is_object() && json.has("present")) {
-    if (const auto only = json.expect_keys({"present"}); !only) return only.error();
-    const auto present = json["present"].boolean();
-    if (!present) return present.error();
-    condition.present_ = *present;
+    TRY(json.expect_keys({"present"}));
+    TRY_INIT(const auto present, json["present"].boolean());
+    condition.present_ = present;
     return condition;
   }
 
-  auto comparison = Comparison::parse(json, condition.path_.kind());
-  if (!comparison) return comparison.error();
-  condition.comparison_ = *std::move(comparison);
+  TRY_INIT(auto comparison, Comparison::parse(json, condition.path_.kind()));
+  condition.comparison_ = std::move(comparison);
   return condition;
 }
 
@@ -263,9 +261,8 @@ Result<std::vector<Condition>> parse_conditions(const Descriptor& root,
   if (!json.is_object()) return json.error("must be an object of fields and values");
   std::vector<Condition> conditions;
   for (const std::string& path : json.keys()) {
-    auto condition = Condition::parse(root, path, json[path]);
-    if (!condition) return condition.error();
-    conditions.push_back(*std::move(condition));
+    TRY_INIT(auto condition, Condition::parse(root, path, json[path]));
+    conditions.push_back(std::move(condition));
   }
   return conditions;
 }

@@ -29,7 +29,7 @@ Result<void> check_element(const base::JsonValue& json, const FieldDescriptor& f
     for (int i = 0; i < field.enum_type()->value_count(); ++i) {
       names.push_back(field.enum_type()->value(i)->name());
     }
-    if (const auto word = json.one_of(names); !word) return word.error();
+    TRY(json.one_of(names));
   }
   return {};
 }
@@ -84,9 +84,8 @@ Result<void> read_message(const base::JsonValue& json, google::protobuf::Message
 }
 
 Result<std::shared_ptr<const Behavior>> parse_behavior(const base::JsonValue& json) {
-  const auto name = json.string();
-  if (!name) return name.error();
-  auto behavior = make_behavior(*name);
+  TRY_INIT(const auto name, json.string());
+  auto behavior = make_behavior(name);
   if (!behavior) return json.error(behavior.error().message);
   return std::shared_ptr<const Behavior>(*std::move(behavior));
 }
@@ -96,49 +95,43 @@ Result<std::shared_ptr<const google::protobuf::Message>> parse_reply(const base:
                                                                      proto::Rpc rpc) {
   std::shared_ptr<google::protobuf::Message> reply(reply_prototype(rpc).New());
   if (!json.is_array()) {
-    if (const auto read = read_message(json, *reply); !read) return read.error();
+    TRY(read_message(json, *reply));
     return std::shared_ptr<const google::protobuf::Message>(std::move(reply));
   }
 
   const auto* descriptor = reply->GetDescriptor()->FindFieldByName("actions");
   for (std::size_t i = 0; i < json.size(); ++i) {
     auto* action = reply->GetReflection()->AddMessage(reply.get(), descriptor);
-    if (const auto read = read_message(json[i], *action); !read) return read.error();
+    TRY(read_message(json[i], *action));
   }
   return std::shared_ptr<const google::protobuf::Message>(std::move(reply));
 }
 
 Result<ScriptRule> parse_rule(const base::JsonValue& json) {
-  if (const auto keys = json.expect_keys({"rpc", "when", "reply", "note"}); !keys) {
-    return keys.error();
-  }
+  TRY(json.expect_keys({"rpc", "when", "reply", "note"}));
 
   ScriptRule rule;
   if (json.has("rpc")) {
-    const auto name =
-        json["rpc"].one_of({"GetPlayerActions", "GetCoachActions", "GetTrainerActions"});
-    if (!name) return name.error();
-    rule.rpc = *proto::rpc_from_name(*name);
+    TRY_INIT(const auto name,
+             json["rpc"].one_of({"GetPlayerActions", "GetCoachActions", "GetTrainerActions"}));
+    rule.rpc = *proto::rpc_from_name(name);
   }
 
   if (json.has("when")) {
-    auto when = SituationFilter::parse(json["when"], rule.rpc);
-    if (!when) return when.error();
-    rule.when = *std::move(when);
+    TRY_INIT(auto when, SituationFilter::parse(json["when"], rule.rpc));
+    rule.when = std::move(when);
   }
 
   if (!json.has("reply")) return json.error("needs \"reply\"");
   const base::JsonValue reply = json["reply"];
   if (reply.is_string()) {
-    auto behavior = parse_behavior(reply);
-    if (!behavior) return behavior.error();
-    rule.behavior = *std::move(behavior);
+    TRY_INIT(auto behavior, parse_behavior(reply));
+    rule.behavior = std::move(behavior);
     return rule;
   }
 
-  auto message = parse_reply(reply, rule.rpc);
-  if (!message) return message.error();
-  rule.reply = *std::move(message);
+  TRY_INIT(auto message, parse_reply(reply, rule.rpc));
+  rule.reply = std::move(message);
   return rule;
 }
 
@@ -151,45 +144,40 @@ const std::vector<std::string_view>& script_keys() {
 }
 
 Result<std::shared_ptr<const Script>> parse_script(const base::JsonValue& json) {
-  if (const auto keys = json.expect_keys(script_keys()); !keys) return keys.error();
+  TRY(json.expect_keys(script_keys()));
   auto script = std::make_shared<Script>();
 
   if (json.has("rules")) {
     const base::JsonValue rules = json["rules"];
     if (!rules.is_array()) return rules.error("must be a list");
     for (std::size_t i = 0; i < rules.size(); ++i) {
-      auto rule = parse_rule(rules[i]);
-      if (!rule) return rule.error();
-      script->rules.push_back(*std::move(rule));
+      TRY_INIT(auto rule, parse_rule(rules[i]));
+      script->rules.push_back(std::move(rule));
     }
   }
 
   if (json.has("otherwise")) {
-    auto behavior = parse_behavior(json["otherwise"]);
-    if (!behavior) return behavior.error();
-    script->otherwise = *std::move(behavior);
+    TRY_INIT(auto behavior, parse_behavior(json["otherwise"]));
+    script->otherwise = std::move(behavior);
   } else {
     script->otherwise = *make_behavior("hold");
   }
 
   if (json.has("expect")) {
-    auto expectations = parse_expectations(json["expect"]);
-    if (!expectations) return expectations.error();
-    script->expectations = *std::move(expectations);
+    TRY_INIT(auto expectations, parse_expectations(json["expect"]));
+    script->expectations = std::move(expectations);
   }
   if (json.has("faults")) {
-    auto faults = parse_faults(json["faults"]);
-    if (!faults) return faults.error();
-    script->faults = *std::move(faults);
+    TRY_INIT(auto faults, parse_faults(json["faults"]));
+    script->faults = std::move(faults);
   }
 
   return std::shared_ptr<const Script>(std::move(script));
 }
 
 Result<std::shared_ptr<const Script>> read_script(const std::filesystem::path& path) {
-  const auto text = base::JsonDocument::read(path);
-  if (!text) return text.error();
-  return parse_script(base::JsonValue(*text));
+  TRY_INIT(const auto text, base::JsonDocument::read(path));
+  return parse_script(base::JsonValue(text));
 }
 
 const ScriptRule* ScriptedBehavior::rule_for(proto::Rpc rpc, const protos::State& state) const {

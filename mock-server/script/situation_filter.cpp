@@ -26,15 +26,13 @@ Result<std::vector<std::string>> parse_modes(const base::JsonValue& json) {
   const bool list = json.is_array();
   for (std::size_t i = 0; i < (list ? json.size() : 1); ++i) {
     const base::JsonValue each = list ? json[i] : json;
-    const auto text = each.string();
-    if (!text) return text.error();
-    if (names.FindValueByName(*text + "_") != nullptr) {
-      modes.push_back(*text + "_");
+    TRY_INIT(const auto text, each.string());
+    if (names.FindValueByName(text + "_") != nullptr) {
+      modes.push_back(text + "_");
       continue;
     }
-    const auto word = each.one_of(known);
-    if (!word) return word.error();
-    modes.push_back(*word);
+    TRY_INIT(const auto word, each.one_of(known));
+    modes.push_back(word);
   }
   return modes;
 }
@@ -45,27 +43,23 @@ Result<CycleRange> parse_cycles(const base::JsonValue& json) {
   CycleRange range;
   if (json.is_array()) {
     if (json.size() != 2) return json.error("a range of cycles is [from, to]");
-    const auto first = json[0].integer(0, kMaxCycle);
-    if (!first) return first.error();
-    const auto last = json[1].integer(*first, kMaxCycle);
-    if (!last) return last.error();
-    return CycleRange{*first, *last, 1};
+    TRY_INIT(const auto first, json[0].integer(0, kMaxCycle));
+    TRY_INIT(const auto last, json[1].integer(first, kMaxCycle));
+    return CycleRange{first, last, 1};
   }
 
   if (!json.is_object()) {
-    const auto cycle = json.integer(0, kMaxCycle);
-    if (!cycle) return cycle.error();
-    return CycleRange{*cycle, *cycle, 1};
+    TRY_INIT(const auto cycle, json.integer(0, kMaxCycle));
+    return CycleRange{cycle, cycle, 1};
   }
 
-  if (const auto keys = json.expect_keys({"from", "to", "every"}); !keys) return keys.error();
+  TRY(json.expect_keys({"from", "to", "every"}));
   range.last = kMaxCycle;
   for (const auto& [key, member, low] :
        {std::tuple{"from", &range.first, 0}, {"to", &range.last, 0}, {"every", &range.every, 1}}) {
     if (!json.has(key)) continue;
-    const auto value = json[key].integer(low, kMaxCycle);
-    if (!value) return value.error();
-    *member = *value;
+    TRY_INIT(const auto value, json[key].integer(low, kMaxCycle));
+    *member = value;
   }
   return range;
 }
@@ -74,9 +68,8 @@ Result<std::vector<int>> parse_numbers(const base::JsonValue& json) {
   std::vector<int> numbers;
   const bool list = json.is_array();
   for (std::size_t i = 0; i < (list ? json.size() : 1); ++i) {
-    const auto number = (list ? json[i] : json).integer(0, kMaxCycle);
-    if (!number) return number.error();
-    numbers.push_back(*number);
+    TRY_INIT(const auto number, (list ? json[i] : json).integer(0, kMaxCycle));
+    numbers.push_back(number);
   }
   return numbers;
 }
@@ -94,9 +87,7 @@ Result<std::vector<int>> parse_unums(const base::JsonValue& json) {
 }
 
 Result<SituationFilter> SituationFilter::parse(const base::JsonValue& json, proto::Rpc rpc) {
-  if (const auto keys = json.expect_keys({"cycle", "mode", "unum", "state"}); !keys) {
-    return keys.error();
-  }
+  TRY(json.expect_keys({"cycle", "mode", "unum", "state"}));
 
   SituationFilter filter;
   for (const char* key : {"cycle", "mode"}) {
@@ -106,24 +97,21 @@ Result<SituationFilter> SituationFilter::parse(const base::JsonValue& json, prot
   }
 
   if (json.has("cycle")) {
-    const auto cycles = parse_cycles(json["cycle"]);
-    if (!cycles) return cycles.error();
-    filter.cycles_ = *cycles;
+    TRY_INIT(const auto cycles, parse_cycles(json["cycle"]));
+    filter.cycles_ = cycles;
   }
   if (json.has("mode")) {
-    const auto modes = parse_modes(json["mode"]);
-    if (!modes) return modes.error();
-    for (const std::string& mode : *modes) filter.modes_.emplace_back(mode);
+    TRY_INIT(const auto modes, parse_modes(json["mode"]));
+    for (const std::string& mode : modes) filter.modes_.emplace_back(mode);
   }
   if (json.has("unum")) {
-    const auto unums = parse_unums(json["unum"]);
-    if (!unums) return unums.error();
-    filter.unums_ = *unums;
+    TRY_INIT(const auto unums, parse_unums(json["unum"]));
+    filter.unums_ = unums;
   }
   if (json.has("state")) {
-    auto conditions = parse_conditions(*request_prototype(rpc).GetDescriptor(), json["state"]);
-    if (!conditions) return conditions.error();
-    filter.conditions_ = *std::move(conditions);
+    TRY_INIT(auto conditions,
+             parse_conditions(*request_prototype(rpc).GetDescriptor(), json["state"]));
+    filter.conditions_ = std::move(conditions);
   }
 
   return filter;

@@ -116,7 +116,7 @@ base::Result<PerceptionCheck> check_perception(std::string_view transcript, cons
         check.errors.add(world, truth_of(log, frame->second));
       });
 
-  if (const auto fits = belong_together(replay.world, log); !fits) return fits.error();
+  TRY(belong_together(replay.world, log));
   if (check.decisions == 0) {
     return base::Error{"no decision of the player matches a cycle of the log"};
   }

@@ -36,9 +36,8 @@ Result<void> add_playmaker(std::string& text, const MatchOptions& options, const
                    endpoint.text);
     return {};
   }
-  const auto port = process::ReservedPort::choose(1);
-  if (!port) return port.error();
-  const RunValues values = {port->front().number(), side, left ? names.left : names.right,
+  TRY_INIT(const auto port, process::ReservedPort::choose(1));
+  const RunValues values = {port.front().number(), side, left ? names.left : names.right,
                             options.seed.value_or(0), endpoint.label};
   process::CommandPlan plan = run_plan(endpoint.command, values, folder);
   plan.limits = options.limits;
@@ -58,27 +57,22 @@ Result<std::string> dry_run(const MatchOptions& options) {
   MatchPlan plan;
   std::string text = "# soccer server: embedded, in this process\n";
   if (mode_of(options) != MatchMode::kLockstep) {
-    auto planned = plan_match(options, names, options.seed.value_or(0), folder);
-    if (!planned) return planned.error();
-    plan = std::move(*planned);
+    TRY_INIT(auto planned, plan_match(options, names, options.seed.value_or(0), folder));
+    plan = std::move(planned);
     text = fmt::format("# soccer server: {}\n", options.server_choice.text);
     if (plan.server) add(text, *plan.server);
   }
   for (const auto side : soccer::kBothSides) {
     const auto& team = plan.teams[side];
     if (!team) {
-      const auto added =
-          add_playmaker(text, options, names, side, endpoint_of(options, side), folder);
-      if (!added) return added.error();
+      TRY(add_playmaker(text, options, names, side, endpoint_of(options, side), folder));
       continue;
     }
     for (const AgentPlan& agent : team->agents) add(text, agent.command);
     if (team->kill) add(text, *team->kill);
   }
   if (options.trainer) {
-    const auto added =
-        add_playmaker(text, options, names, soccer::Side::kNeutral, *options.trainer, folder);
-    if (!added) return added.error();
+    TRY(add_playmaker(text, options, names, soccer::Side::kNeutral, *options.trainer, folder));
   }
   return text;
 }

@@ -53,16 +53,14 @@ Result<TeamPlans> plan_external_teams(const MatchSetup& setup, EmbeddedServer& s
       if (endpoint.kind != Endpoint::Kind::kTeam) continue;
       TeamValues values = team_values(setup.options, setup.names, side, kHost, ports, setup.folder);
       values.coach = false;
-      auto plan = team_plan(endpoint.path, values);
-      if (!plan) return plan.error();
-      takes_ports = takes_ports && plan->takes_ports;
-      plans[side] = *std::move(plan);
+      TRY_INIT(auto plan, team_plan(endpoint.path, values));
+      takes_ports = takes_ports && plan.takes_ports;
+      plans[side] = std::move(plan);
       server.expect_external_team(side);
     }
     if (opened || (!plans.left && !plans.right)) break;
-    const auto chosen = server.open_player_port(takes_ports);
-    if (!chosen) return chosen.error();
-    ports = *chosen;
+    TRY_INIT(const auto chosen, server.open_player_port(takes_ports));
+    ports = chosen;
   }
   return plans;
 }
@@ -97,21 +95,19 @@ NetworkSettings network_settings(const MatchSetup& setup, const MatchPlan& plan,
 Result<std::unique_ptr<Match>> make_lockstep_match(const MatchSetup& setup,
                                                    const LockstepLogs& logs) {
   const MatchOptions& options = setup.options;
-  auto server = EmbeddedServer::create(options, setup.seed);
-  if (!server) return server.error();
-  EmbeddedServer& embedded = **server;
+  TRY_INIT(auto server, EmbeddedServer::create(options, setup.seed));
+  EmbeddedServer& embedded = *server;
   embedded.record(logs.game_log, logs.text_log, logs.events);
   if (options.resumed != nullptr && options.branch_seed) {
     embedded.branch(options.resumed->steps(), *options.branch_seed);
   }
-  auto teams = plan_external_teams(setup, embedded);
-  if (!teams) return teams.error();
+  TRY_INIT(auto teams, plan_external_teams(setup, embedded));
   Sides sides;
   bool match_thread_taken = false;
   for (const Side side : sides_of(options)) {
-    if (side != Side::kNeutral && (*teams)[side]) {
+    if (side != Side::kNeutral && (teams)[side]) {
       sides.push_back(std::make_unique<ExternalSide>(
-          identity_of(setup, side), *std::move((*teams)[side]), ExternalSide::OnOtherName::kAccept,
+          identity_of(setup, side), *std::move((teams)[side]), ExternalSide::OnOtherName::kAccept,
           embedded, *setup.host));
       continue;
     }
@@ -131,7 +127,7 @@ Result<std::unique_ptr<Match>> make_lockstep_match(const MatchSetup& setup,
     if (on_match_thread) agents->take_turns_on_match_thread();
     sides.push_back(std::move(agents));
   }
-  return std::make_unique<Match>(options, *std::move(server), std::move(sides), setup.seed,
+  return std::make_unique<Match>(options, std::move(server), std::move(sides), setup.seed,
                                  setup.stop_signal);
 }
 
@@ -152,13 +148,11 @@ Result<std::unique_ptr<Match>> make_external_match(const MatchSetup& setup, Matc
     }
     const SideSetup values = side_setup(setup, side);
     const Endpoint& endpoint = endpoint_of(options, side);
-    auto playmaker = connect_playmaker(endpoint, values);
-    if (!playmaker) return playmaker.error();
-    auto agents = NetworkAgents::create(identity_of(setup, side), *std::move(playmaker),
-                                        team_options(values, endpoint, options), options,
-                                        values.cpus, network[side]);
-    if (!agents) return agents.error();
-    sides.push_back(*std::move(agents));
+    TRY_INIT(auto playmaker, connect_playmaker(endpoint, values));
+    TRY_INIT(auto agents, NetworkAgents::create(identity_of(setup, side), std::move(playmaker),
+                                                team_options(values, endpoint, options), options,
+                                                values.cpus, network[side]));
+    sides.push_back(std::move(agents));
   }
   return std::make_unique<Match>(options, std::move(server), std::move(sides), setup.seed,
                                  setup.stop_signal);

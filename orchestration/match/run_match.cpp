@@ -102,9 +102,8 @@ Result<FileHook> match_saver(const MatchSetup& setup) {
 
 Result<FileHook> rpc_recorder(const MatchSetup& setup) {
   if (setup.options.record_rpc.empty()) return FileHook{};
-  auto recorder = RpcRecorder::create(setup.options.record_rpc, recording_header(setup));
-  if (!recorder) return recorder.error();
-  return closed_at_end(*std::move(recorder));
+  TRY_INIT(auto recorder, RpcRecorder::create(setup.options.record_rpc, recording_header(setup)));
+  return closed_at_end(std::move(recorder));
 }
 
 Result<FileHook> world_model_recorder(const MatchSetup& setup) {
@@ -123,9 +122,8 @@ class FileHooks {
   static Result<FileHooks> create(const MatchSetup& setup) {
     FileHooks all;
     for (const auto& make : kFileHooks) {
-      auto hook = make(setup);
-      if (!hook) return hook.error();
-      if (hook->hooks != nullptr) all.hooks_.push_back(*std::move(hook));
+      TRY_INIT(auto hook, make(setup));
+      if (hook.hooks != nullptr) all.hooks_.push_back(std::move(hook));
     }
     return all;
   }
@@ -228,22 +226,19 @@ bool stock_port_is_taken(const MatchSetup& setup) {
 
 Result<MatchResult> play_lockstep(const MatchSetup& setup, MatchHooks* hooks,
                                   MatchObserver& observer) {
-  auto logs = MatchLogs::create(setup.folder, setup.options.server);
-  if (!logs) return logs.error();
-  const auto event_file = create_file(setup, kEventsFile);
-  if (!event_file) return event_file.error();
-  auto files = FileHooks::create(setup);
-  if (!files) return files.error();
-  EventRecorder events(**event_file);
-  auto match = make_lockstep_match(setup, {logs->game(), logs->text(), &events});
+  TRY_INIT(auto logs, MatchLogs::create(setup.folder, setup.options.server));
+  TRY_INIT(const auto event_file, create_file(setup, kEventsFile));
+  TRY_INIT(auto files, FileHooks::create(setup));
+  EventRecorder events(*event_file);
+  auto match = make_lockstep_match(setup, {logs.game(), logs.text(), &events});
   events.start(setup.names, setup.seed);
-  MatchResult result = match ? play(setup, *std::move(match), *files, hooks, observer)
+  MatchResult result = match ? play(setup, *std::move(match), files, hooks, observer)
                              : refused(setup, match.error().message, stock_port_is_taken(setup));
   events.end(result);
   FirstError error;
-  if (const auto closed = logs->close(result); !closed) error.add(closed.error().message);
-  error.close(**event_file);
-  files->close(error);
+  if (const auto closed = logs.close(result); !closed) error.add(closed.error().message);
+  error.close(*event_file);
+  files.close(error);
   error.add(result.write_error);
   result.write_error = error.text();
   if (result.steps == 0) remove_logs(setup.folder, result);
@@ -252,28 +247,26 @@ Result<MatchResult> play_lockstep(const MatchSetup& setup, MatchHooks* hooks,
 
 Result<MatchResult> play_over_udp(const MatchSetup& setup, MatchHooks* hooks,
                                   MatchObserver& observer) {
-  const auto event_file = create_file(setup, kEventsFile);
-  if (!event_file) return event_file.error();
-  auto files = FileHooks::create(setup);
-  if (!files) return files.error();
+  TRY_INIT(const auto event_file, create_file(setup, kEventsFile));
+  TRY_INIT(auto files, FileHooks::create(setup));
   FirstError error;
   MatchResult result;
-  EventRecorder events(**event_file);
+  EventRecorder events(*event_file);
   auto plan = plan_match(setup.options, setup.names, setup.seed, setup.folder);
   if (!plan) return refused(setup, plan.error().message, false);
   if (const std::string in_use = port_in_use(*plan); !in_use.empty()) {
     result = refused(setup, in_use, true);
   } else {
     auto match = make_external_match(setup, *std::move(plan));
-    result = match ? play(setup, *std::move(match), *files, hooks, observer)
+    result = match ? play(setup, *std::move(match), files, hooks, observer)
                    : refused(setup, match.error().message, false);
   }
   result.deterministic = false;
   write_events(events, setup.folder, result);
   const auto converted = convert_server_logs(setup.folder, setup.options.server, result);
   if (!converted) error.add(converted.error().message);
-  error.close(**event_file);
-  files->close(error);
+  error.close(*event_file);
+  files.close(error);
   error.add(result.write_error);
   result.write_error = error.text();
   return result;
@@ -301,31 +294,29 @@ Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observ
   const std::uint64_t seed = options.seed.value_or(random_seed());
   ManifestTimes times;
   times.started = base::utc_now();
-  const auto folder = make_match_folder(options, names);
-  if (!folder) return folder.error();
+  TRY_INIT(const auto folder, make_match_folder(options, names));
   if (const auto written =
-          base::write_file(*folder / kManifestFile, manifest_json(options, names, seed, times));
+          base::write_file(folder / kManifestFile, manifest_json(options, names, seed, times));
       !written) {
     return written.error();
   }
   std::optional<process::ProcessHost> host;
   if (starts_programs(options)) {
-    auto created = process::ProcessHost::create();
-    if (!created) return created.error();
-    host.emplace(*std::move(created));
+    TRY_INIT(auto created, process::ProcessHost::create());
+    host.emplace(std::move(created));
   }
   const MatchSetup setup{
-      options, names, seed, stop_signal, host ? &*host : nullptr, fs::absolute(*folder)};
+      options, names, seed, stop_signal, host ? &*host : nullptr, fs::absolute(folder)};
   std::vector<std::string> warnings = settings_without_effect(options);
-  for (std::string& line : sandbox_warnings(options, *folder)) warnings.push_back(std::move(line));
+  for (std::string& line : sandbox_warnings(options, folder)) warnings.push_back(std::move(line));
   for (const std::string& warning : warnings) observer.on_warning(warning);
   observer.on_folder(setup.folder, running_game_log(options));
   auto result = mode_of(options) == MatchMode::kLockstep ? play_lockstep(setup, hooks, observer)
                                                          : play_over_udp(setup, hooks, observer);
   if (!result) return result;
-  result->folder = folder->string();
+  result->folder = folder.string();
   result->warnings.insert(result->warnings.begin(), warnings.begin(), warnings.end());
-  add_late_warnings(*folder, *result, observer);
+  add_late_warnings(folder, *result, observer);
   result->wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   // For tournaments, which read only the document.
@@ -335,7 +326,7 @@ Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observ
   for (const auto& [file, text] :
        {std::pair(kManifestFile, manifest_json(options, names, seed, times)),
         std::pair(kResultFile, to_json(*result))}) {
-    const auto written = base::write_file_durably(*folder / file, text);
+    const auto written = base::write_file_durably(folder / file, text);
     if (!written && result->write_error.empty()) result->write_error = written.error().message;
   }
   return result;

@@ -88,9 +88,8 @@ Result<Samples> parse_json(std::string_view text, const std::string& name) {
 
   Samples samples;
   for (const nlohmann::json& object : *data) {
-    auto sample = json_sample(object, fmt::format("{}: data[{}]", name, samples.size()));
-    if (!sample) return sample.error();
-    samples.push_back(*sample);
+    TRY_INIT(auto sample, json_sample(object, fmt::format("{}: data[{}]", name, samples.size())));
+    samples.push_back(sample);
     if (token == kStatic) break;  // independent of the ball
   }
 

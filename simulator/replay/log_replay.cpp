@@ -378,9 +378,8 @@ base::Result<LogAgreement> replay_log(const MatchRecord& game, const gamelog::Rc
   if (!same_match(game, index)) {
     return base::Error{"the logs are of different matches: their play modes differ"};
   }
-  auto rules = make_rules(game.server, game.player, game.types);
-  if (!rules) return rules.error();
-  return LogReplay(game, index, *std::move(rules)).run();
+  TRY_INIT(auto rules, make_rules(game.server, game.player, game.types));
+  return LogReplay(game, index, std::move(rules)).run();
 }
 
 }  // namespace cls::simulator

@@ -12,9 +12,8 @@ namespace cls::simulator {
 
 base::Result<std::unique_ptr<LockstepServer>> LockstepServer::create(MatchConfig config) {
   config.server.synch_mode = true;
-  auto match = MatchServer::create(config);
-  if (!match) return match.error();
-  return std::unique_ptr<LockstepServer>(new LockstepServer(std::move(*match)));
+  TRY_INIT(auto match, MatchServer::create(config));
+  return std::unique_ptr<LockstepServer>(new LockstepServer(std::move(match)));
 }
 
 std::unique_ptr<soccer::Channel> LockstepServer::connect(ListeningPort port) {
@@ -53,8 +52,7 @@ base::Result<int> LockstepServer::open_player_port(const std::string& address, i
 
 base::Result<int> LockstepServer::open(ListeningPort role, const std::string& address, int port) {
   if (network_ == nullptr) network_ = std::make_unique<UdpNetwork>(*match_);
-  const auto opened = network_->open(role, address, port);
-  if (!opened) return opened.error();
+  TRY(network_->open(role, address, port));
   return network_->port(role);
 }
 

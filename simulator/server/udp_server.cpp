@@ -19,17 +19,15 @@ constexpr std::chrono::milliseconds kLastPollLimit{1};
 }  // namespace
 
 base::Result<std::unique_ptr<UdpServer>> UdpServer::open(UdpConfig config) {
-  auto match = MatchServer::create(config.match);
-  if (!match) return match.error();
-  std::unique_ptr<UdpServer> server(new UdpServer(std::move(config), std::move(*match)));
+  TRY_INIT(auto match, MatchServer::create(config.match));
+  std::unique_ptr<UdpServer> server(new UdpServer(std::move(config), std::move(match)));
   const UdpConfig& options = server->config_;
   const std::pair<ListeningPort, int> ports[] = {
       {ListeningPort::kPlayers, options.port},
       {ListeningPort::kTrainers, options.trainer_port},
       {ListeningPort::kOnlineCoaches, options.coach_port}};
   for (const auto& [role, port] : ports) {
-    const auto opened = server->network_->open(role, options.address, port);
-    if (!opened) return opened.error();
+    TRY(server->network_->open(role, options.address, port));
   }
   return server;
 }

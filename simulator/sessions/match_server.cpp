@@ -44,9 +44,8 @@ bool may_use_listening_port(const Connection& client) {
 }  // namespace
 
 base::Result<std::unique_ptr<MatchServer>> MatchServer::create(const MatchConfig& config) {
-  auto rules = make_rules(config.server, config.player, config.seed);
-  if (!rules) return rules.error();
-  return std::unique_ptr<MatchServer>(new MatchServer(std::move(*rules), config));
+  TRY_INIT(auto rules, make_rules(config.server, config.player, config.seed));
+  return std::unique_ptr<MatchServer>(new MatchServer(std::move(rules), config));
 }
 
 MatchServer::MatchServer(std::shared_ptr<const Rules> rules, const MatchConfig& config)

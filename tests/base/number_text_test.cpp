@@ -171,11 +171,18 @@ TEST(NumberText, RejectsInvalidNumbers) {
   }
 }
 
-TEST(NumberText, ClampsIntegersToRange) {
+TEST(NumberText, RefusesIntegersBeyondTheRange) {
   EXPECT_EQ(parse_int("-2147483648"), std::numeric_limits<int>::min());
   EXPECT_EQ(parse_int("2147483647"), std::numeric_limits<int>::max());
-  EXPECT_EQ(parse_int("99999999999999999999"), std::numeric_limits<int>::max());
-  EXPECT_EQ(parse_int("-99999999999999999999"), std::numeric_limits<int>::min());
+  for (const char* text : {"2147483648", "-2147483649", "99999999999999999999"}) {
+    EXPECT_FALSE(parse_int(text)) << text;
+  }
+  // Clients of the soccer server count on the nearest int.
+  int value = 0;
+  EXPECT_EQ(parse_int_prefix("99999999999999999999", value), 20u);
+  EXPECT_EQ(value, std::numeric_limits<int>::max());
+  EXPECT_EQ(parse_int_prefix("-99999999999999999999", value), 21u);
+  EXPECT_EQ(value, std::numeric_limits<int>::min());
   EXPECT_EQ(parse_int("+0012"), 12);
 }
 

@@ -189,9 +189,8 @@ Result<PoolConfig> parse_pool_config(const std::string& json) {
   if (!in.error.message.empty()) return in.error;
 
   if (root.has("reward")) {
-    auto weights = parse_weights(root["reward"]);
-    if (!weights) return weights.error();
-    choices.weights = *weights;
+    TRY_INIT(auto weights, parse_weights(root["reward"]));
+    choices.weights = weights;
   }
 
   auto setup = make_setup(choices);
@@ -200,9 +199,8 @@ Result<PoolConfig> parse_pool_config(const std::string& json) {
   config.options = config.setup->options;
 
   if (root.has("options")) {
-    auto options = parse_options(*config.setup->task, root["options"], config.options);
-    if (!options) return options.error();
-    config.options = *options;
+    TRY_INIT(auto options, parse_options(*config.setup->task, root["options"], config.options));
+    config.options = options;
   }
   return config;
 }

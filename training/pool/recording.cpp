@@ -23,15 +23,13 @@ std::string text_log_of(const std::string& path) {
 }  // namespace
 
 base::Result<std::unique_ptr<Recording>> Recording::create(const std::string& path) {
-  auto game = base::create_sink(path);
-  if (!game) return game.error();
+  TRY_INIT(auto game, base::create_sink(path));
   std::unique_ptr<base::ByteSink> text;
   if (const std::string name = text_log_of(path); !name.empty()) {
-    auto created = base::create_sink(name);
-    if (!created) return created.error();
-    text = std::move(*created);
+    TRY_INIT(auto created, base::create_sink(name));
+    text = std::move(created);
   }
-  return std::unique_ptr<Recording>(new Recording(std::move(*game), std::move(text)));
+  return std::unique_ptr<Recording>(new Recording(std::move(game), std::move(text)));
 }
 
 void Recording::begin(const Episode& episode) {

@@ -20,13 +20,12 @@ bool in_one_of(const std::vector<CycleRange>& ranges, int cycle) {
 base::Result<std::string> select_cycles(std::string_view stream,
                                         const std::vector<CycleRange>& ranges) {
   if (ranges.empty()) return std::string(stream);
-  auto decisions = read_decisions(stream);
-  if (!decisions) return decisions.error();
+  TRY_INIT(auto decisions, read_decisions(stream));
   std::string selected;
   DecisionWriter writer;
-  writer.append_header(decisions->side, decisions->team, selected);
+  writer.append_header(decisions.side, decisions.team, selected);
   for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
-    for (const DecisionSample& sample : decisions->players[static_cast<std::size_t>(unum - 1)]) {
+    for (const DecisionSample& sample : decisions.players[static_cast<std::size_t>(unum - 1)]) {
       if (in_one_of(ranges, sample.cycle)) writer.append(unum, sample, selected);
     }
   }

@@ -130,11 +130,10 @@ base::Result<std::unique_ptr<LiveInput>> follow_server(const std::string& host, 
   const auto place = [&](const std::string& why) {
     return base::Error{fmt::format("{}:{}: {}", host, port, why)};
   };
-  const auto server = base::resolve_udp(host, port);
-  if (!server) return server.error();
-  auto socket = base::UdpSocket::open(server->family());
+  TRY_INIT(const auto server, base::resolve_udp(host, port));
+  auto socket = base::UdpSocket::open(server.family());
   if (!socket) return place(socket.error().message);
-  auto input = std::make_unique<MonitorInput>(*std::move(socket), *server);
+  auto input = std::make_unique<MonitorInput>(*std::move(socket), server);
   if (const std::string why = input->connect(); !why.empty()) return place(why);
   return std::unique_ptr<LiveInput>(std::move(input));
 }

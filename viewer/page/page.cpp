@@ -170,17 +170,14 @@ base::Result<StreamMatch> read_page(std::string_view page) {
     return base::Error{fmt::format("truncated: {} % of the match is there",
                                    100 * std::uint64_t{text.size()} / size)};
   }
-  const auto packed = from_base64(text);
-  if (!packed) return packed.error();
-  const auto stream = gunzip(*packed, kMaxStream);
-  if (!stream) return stream.error();
-  return read_stream(*stream);
+  TRY_INIT(const auto packed, from_base64(text));
+  TRY_INIT(const auto stream, gunzip(packed, kMaxStream));
+  return read_stream(stream);
 }
 
 base::Result<StreamMatch> read_log_or_page(const std::string& path) {
-  auto source = base::open_source(path);
-  if (!source) return source.error();
-  base::InputBuffer input(**source);
+  TRY_INIT(auto source, base::open_source(path));
+  base::InputBuffer input(*source);
   if (!looks_like_page(input.peek(kDoctype.size()))) {
     StreamMatch match;
     match.record = gamelog::read_rcg(input);

@@ -298,7 +298,7 @@ void ChunkReader::fail(std::string message) { error_ = std::move(message); }
 
 base::Result<StreamMatch> read_stream(std::string_view bytes) {
   ChunkReader reader;
-  if (const auto read = reader.add(bytes); !read) return read.error();
+  TRY(reader.add(bytes));
   if (!reader.match().ended) return base::Error{"truncated: the match has no end"};
   return std::move(reader).take();
 }

@@ -72,7 +72,7 @@ DoctorReport examine(const DoctorOptions& options,
     on_check(report.checks.back());
   };
 
-  add_check(own_program());
+  add_check(program_file());
   add_check(processors());
   add_check(memory());
   add_check(working_folder(std::filesystem::current_path()));

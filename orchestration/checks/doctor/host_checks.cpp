@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "base/system/host.h"
+#include "base/system/own_program.h"
 #include "base/system/version.h"
 #include "orchestration/process/ports.h"
 
@@ -38,13 +39,12 @@ std::map<std::string, double> memory_lines(const fs::path& path) {
 
 }  // namespace
 
-DoctorCheck own_program() {
+DoctorCheck program_file() {
   DoctorCheck check;
   check.name = "cls";
   check.purpose = "this program";
   check.version = base::kVersion;
-  std::error_code code;
-  check.path = fs::read_symlink("/proc/self/exe", code).string();
+  if (const auto program = base::own_program()) check.path = program->string();
   check.found = fmt::format("{}, wire {}, {}", base::kVersion, base::kWireVersion, check.path);
   return check;
 }

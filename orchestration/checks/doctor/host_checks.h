@@ -8,7 +8,7 @@
 namespace cls::orchestration::checks {
 
 /// Version and path of cls.
-DoctorCheck own_program();
+DoctorCheck program_file();
 /// Usable processor cores.
 DoctorCheck processors();
 /// Memory, from a file in the format of /proc/meminfo.

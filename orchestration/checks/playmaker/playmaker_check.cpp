@@ -27,9 +27,8 @@ struct Environment {
 
 base::Result<void> connect_mock(const match::Endpoint& endpoint, Environment& environment,
                                 PlaymakerSubject& subject) {
-  auto server = match::start_mock(endpoint);
-  if (!server) return server.error();
-  environment.mock = *std::move(server);
+  TRY_INIT(auto server, match::start_mock(endpoint));
+  environment.mock = std::move(server);
   subject.connect = [&environment, name = endpoint.text] {
     return proxy::make_grpc_playmaker(environment.mock->in_process_channel(), name);
   };
@@ -40,21 +39,19 @@ base::Result<void> start_program(const match::Endpoint& endpoint, Environment& e
                                  PlaymakerSubject& subject) {
   if (environment.folder.path().empty()) return base::Error{"cannot create a folder for its log"};
 
-  auto host = process::ProcessHost::create();
-  if (!host) return host.error();
-  environment.host.emplace(*std::move(host));
+  TRY_INIT(auto host, process::ProcessHost::create());
+  environment.host.emplace(std::move(host));
 
-  auto program = match::PlaymakerProcess::start(*environment.host, endpoint,
-                                                {0, soccer::Side::kLeft, team_name(0), 1},
-                                                environment.folder.path());
-  if (!program) return program.error();
-  environment.program = *std::move(program);
+  TRY_INIT(auto program, match::PlaymakerProcess::start(*environment.host, endpoint,
+                                                        {0, soccer::Side::kLeft, team_name(0), 1},
+                                                        environment.folder.path()));
+  environment.program = std::move(program);
 
   subject.host = "localhost";
-  subject.port = environment.program->port();
+  subject.port = environment.program.port();
   subject.pid = [&environment]() -> std::optional<int> {
-    if (environment.program->ended()) return std::nullopt;
-    return environment.program->child().status().pid;
+    if (environment.program.ended()) return std::nullopt;
+    return environment.program.child().status().pid;
   };
   return {};
 }
@@ -146,8 +143,7 @@ base::Result<CheckReport> check_playmaker(const PlaymakerCheckOptions& options,
                                           const OnStep& on_step, const std::atomic<int>& stop) {
   Environment environment;
   PlaymakerSubject subject;
-  if (const auto prepared = prepare(options, environment, subject); !prepared)
-    return prepared.error();
+  TRY(prepare(options, environment, subject));
 
   const FailureReason failure_reason = [&environment, &stop]() -> std::string {
     if (stop != 0) return "interrupted";

@@ -27,9 +27,8 @@ base::Result<void> prepare(const ServerCheckOptions& options, std::optional<Star
     soccer::ServerParams params;
     params.coach = true;
     params.coach_w_referee = true;
-    auto started = StartedServer::start(options.server, options.own_program, params);
-    if (!started) return started.error();
-    server.emplace(*std::move(started));
+    TRY_INIT(auto started, StartedServer::start(options.server, options.own_program, params));
+    server.emplace(std::move(started));
     subject.host = server->host();
     subject.ports = server->ports();
   }
@@ -41,9 +40,8 @@ base::Result<void> prepare(const ServerCheckOptions& options, std::optional<Star
   for (const Door& door : {Door{subject.player_port, subject.ports.player},
                            Door{subject.trainer_port, subject.ports.trainer},
                            Door{subject.coach_port, subject.ports.coach}}) {
-    auto created = soccer::UdpClients::create(subject.host, door.port);
-    if (!created) return created.error();
-    door.clients = *std::move(created);
+    TRY_INIT(auto created, soccer::UdpClients::create(subject.host, door.port));
+    door.clients = std::move(created);
   }
   return {};
 }
@@ -63,8 +61,7 @@ base::Result<CheckReport> check_server(const ServerCheckOptions& options,
                                        const std::atomic<int>& stop) {
   std::optional<StartedServer> server;
   ServerSubject subject;
-  if (const auto prepared = prepare(options, server, subject, stop); !prepared)
-    return prepared.error();
+  TRY(prepare(options, server, subject, stop));
 
   CheckReport report;
   report.schema = "cls.check/1";

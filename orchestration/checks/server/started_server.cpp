@@ -28,21 +28,18 @@ Result<StartedServer> StartedServer::start(const match::ServerChoice& choice,
   if (choice.kind == match::ServerChoice::Kind::kEmbedded) {
     setup.program = {own_program, "server"};
   } else {
-    const auto program = process::find_program(choice.program);
-    if (!program) return program.error();
-    setup.program = {program->string()};
+    TRY_INIT(const auto program, process::find_program(choice.program));
+    setup.program = {program.string()};
   }
 
-  auto ports = process::ReservedPort::choose(3);
-  if (!ports) return ports.error();
-  server.reserved_ = *std::move(ports);
+  TRY_INIT(auto ports, process::ReservedPort::choose(3));
+  server.reserved_ = std::move(ports);
   setup.folder = server.folder_->path();
   setup.ports = server.ports();
   setup.server = params;
 
-  auto host = process::ProcessHost::create();
-  if (!host) return host.error();
-  server.host_ = std::make_unique<process::ProcessHost>(*std::move(host));
+  TRY_INIT(auto host, process::ProcessHost::create());
+  server.host_ = std::make_unique<process::ProcessHost>(std::move(host));
 
   auto child = server.host_->start(
       server_plan(setup),

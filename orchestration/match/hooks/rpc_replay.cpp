@@ -204,17 +204,17 @@ Result<ReplayResult> replay_recording(const ReplayOptions& options,
   result.side = side_to_ask(options, result.header);
   std::optional<process::ProcessHost> host;
   if (options.endpoint.starts_programs()) {
-    auto created = process::ProcessHost::create();
-    if (!created) return created.error();
-    host.emplace(*std::move(created));
+    TRY_INIT(auto created, process::ProcessHost::create());
+    host.emplace(std::move(created));
   }
   const std::string team =
       result.side == Side::kLeft ? result.header.left_name() : result.header.right_name();
-  const auto connection = connect_playmaker(
-      options.endpoint,
-      {result.side, team, result.header.seed(), options.folder, host ? &*host : nullptr, {}});
-  if (!connection) return connection.error();
-  Replay replay(options, *connection->playmaker, result);
+  TRY_INIT(
+      const auto connection,
+      connect_playmaker(
+          options.endpoint,
+          {result.side, team, result.header.seed(), options.folder, host ? &*host : nullptr, {}}));
+  Replay replay(options, connection->playmaker, result);
   RecordedCall call;
   bool any_decision = false;
   while (reader->next(call)) {
@@ -223,7 +223,7 @@ Result<ReplayResult> replay_recording(const ReplayOptions& options,
     if (call.side() != number_of(result.side) || !is_wanted(options, call)) continue;
     const auto rpc = proto::rpc_from_name(call.rpc());
     any_decision = any_decision || (rpc && is_decision(*rpc));
-    if (const auto taken = replay.take(call); !taken) return taken.error();
+    TRY(replay.take(call));
   }
   replay.finish_step();
   if (!reader->parse_error().empty()) return Error{reader->parse_error()};

@@ -26,10 +26,9 @@ constexpr milliseconds kLateCommandTimeout{2000};
 
 Result<std::unique_ptr<EmbeddedServer>> EmbeddedServer::create(const MatchOptions& options,
                                                                std::uint64_t seed) {
-  auto server = simulator::LockstepServer::create(server_config(options, seed));
-  if (!server) return server.error();
+  TRY_INIT(auto server, simulator::LockstepServer::create(server_config(options, seed)));
   std::unique_ptr<EmbeddedServer> created(new EmbeddedServer(options));
-  created->server_ = *std::move(server);
+  created->server_ = std::move(server);
   return created;
 }
 

@@ -25,12 +25,10 @@ int level(int compression) { return std::clamp(compression, 0, 9); }
 
 // Writes the game log again, in another version.
 Result<void> convert_game_log(const fs::path& file, gamelog::RcgVersion version) {
-  const auto record = gamelog::read_rcg_file(file.string());
-  if (!record) return record.error();
-  auto sink = base::FileSink::create(file.string());
-  if (!sink) return sink.error();
-  gamelog::write_rcg(*record, version, **sink);
-  return (*sink)->close();
+  TRY_INIT(const auto record, gamelog::read_rcg_file(file.string()));
+  TRY_INIT(auto sink, base::FileSink::create(file.string()));
+  gamelog::write_rcg(record, version, *sink);
+  return (sink)->close();
 }
 
 // Compresses the log `name` of the folder, and corrects its name.
@@ -77,18 +75,15 @@ Result<MatchLogs> MatchLogs::create(const fs::path& folder, const soccer::Server
                         std::unique_ptr<base::ByteSink>& sink) -> Result<void> {
     if (!wanted) return {};
     name = std::string(file).append(base::compressed_suffix(level(compression)));
-    auto created = base::create_log_file((folder / name).string(), level(compression));
-    if (!created) return created.error();
-    sink = *std::move(created);
+    TRY_INIT(auto created, base::create_log_file((folder / name).string(), level(compression)));
+    sink = std::move(created);
     return {};
   };
-  const auto game = open(params.game_logging, kGameLogFile, params.game_log_compression,
-                         logs.game_name_, logs.game_);
-  if (!game) return game.error();
+  TRY(open(params.game_logging, kGameLogFile, params.game_log_compression, logs.game_name_,
+           logs.game_));
   if (logs.game_ != nullptr) logs.game_ = std::make_unique<FlushedSink>(std::move(logs.game_));
-  const auto text = open(params.text_logging, kTextLogFile, params.text_log_compression,
-                         logs.text_name_, logs.text_);
-  if (!text) return text.error();
+  TRY(open(params.text_logging, kTextLogFile, params.text_log_compression, logs.text_name_,
+           logs.text_));
   return logs;
 }
 

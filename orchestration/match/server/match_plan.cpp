@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "base/system/own_program.h"
+
 namespace cls::orchestration::match {
 namespace {
 
@@ -24,9 +26,7 @@ Result<std::vector<std::string>> server_program(const MatchOptions& options, std
     if (program) return std::vector<std::string>{program->string()};
     return Error{fmt::format("soccer server {}", program.error().message)};
   }
-  std::error_code code;
-  const fs::path self = fs::read_symlink("/proc/self/exe", code);
-  if (code) return Error{fmt::format("/proc/self/exe: {}", code.message())};
+  TRY_INIT(const fs::path self, base::own_program());
   std::vector<std::string> argv = {self.string(),        "server", "--seed",
                                    std::to_string(seed), "--dir",  folder.string()};
   if (options.cycles) {
@@ -42,10 +42,9 @@ Result<void> plan_teams(MatchPlan& plan, const MatchOptions& options, const Team
   for (const Side side : soccer::kBothSides) {
     const Endpoint& endpoint = endpoint_of(options, side);
     if (endpoint.kind != Endpoint::Kind::kTeam) continue;
-    auto team = team_plan(endpoint.path,
-                          team_values(options, names, side, plan.server_host, plan.ports, folder));
-    if (!team) return team.error();
-    plan.teams[side] = std::move(*team);
+    TRY_INIT(auto team, team_plan(endpoint.path, team_values(options, names, side, plan.server_host,
+                                                             plan.ports, folder)));
+    plan.teams[side] = std::move(team);
   }
   return {};
 }
@@ -61,9 +60,8 @@ Result<void> choose_ports(MatchPlan& plan, int monitor_port) {
     plan.ports = {monitor_port, monitor_port + 1, monitor_port + 2};
     return {};
   }
-  auto ports = process::ReservedPort::choose(kPortsOfServer);
-  if (!ports) return ports.error();
-  plan.reserved = std::move(*ports);
+  TRY_INIT(auto ports, process::ReservedPort::choose(kPortsOfServer));
+  plan.reserved = std::move(ports);
   plan.ports = {plan.reserved[0].number(), plan.reserved[1].number(), plan.reserved[2].number()};
   return {};
 }
@@ -115,24 +113,23 @@ Result<MatchPlan> plan_match(const MatchOptions& options, const TeamNames& names
   if (server.kind == ServerChoice::Kind::kAddress) {
     plan.server_host = server.host;
     plan.ports = {server.port, server.port + 1, server.port + 2};
-    if (const auto done = plan_teams(plan, options, names, folder); !done) return done.error();
+    TRY(plan_teams(plan, options, names, folder));
     return plan;
   }
-  auto program = server_program(options, seed, folder);
-  if (!program) return program.error();
-  if (const auto done = plan_teams(plan, options, names, folder); !done) return done.error();
+  TRY_INIT(auto program, server_program(options, seed, folder));
+  TRY(plan_teams(plan, options, names, folder));
   const int monitor_port = options.monitor_port.value_or(0);
   if (!needs_stock_ports(plan)) {
-    if (const auto done = choose_ports(plan, monitor_port); !done) return done.error();
+    TRY(choose_ports(plan, monitor_port));
     // Once more, because the start scripts get the ports as arguments.
-    if (const auto done = plan_teams(plan, options, names, folder); !done) return done.error();
+    TRY(plan_teams(plan, options, names, folder));
   } else if (monitor_port != 0 && monitor_port != plan.ports.player) {
     return Error{
         fmt::format("--monitor-port {}: a team whose start script takes no ports needs the "
                     "server at {}",
                     monitor_port, plan.ports.player)};
   }
-  plan.server = server_plan(server_setup(options, plan, *std::move(program), folder));
+  plan.server = server_plan(server_setup(options, plan, std::move(program), folder));
   return plan;
 }
 

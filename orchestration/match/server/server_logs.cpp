@@ -51,9 +51,8 @@ Result<ServerLogs::Log> ServerLogs::open(const Wish& wish, const std::string& da
   if (wish.dated) log.date = date;
   const std::string name = wish.fixed ? wish.fixed_name : "incomplete";
   log.path = std::filesystem::path(wish.folder) / (name + log.ending);
-  auto file = base::create_log_file(log.path.string(), level);
-  if (!file) return file.error();
-  log.sink = *std::move(file);
+  TRY_INIT(auto file, base::create_log_file(log.path.string(), level));
+  log.sink = std::move(file);
   return log;
 }
 
@@ -75,9 +74,8 @@ Result<ServerLogs> ServerLogs::open(const soccer::ServerParams& p, std::time_t s
        {p.keepaway && p.keepaway_logging, p.keepaway_log_dir, p.keepaway_log_fixed,
         p.keepaway_log_fixed_name, p.keepaway_log_dated, 0, "kwy"}}};
   for (const auto& [log, wish] : wishes) {
-    auto opened = open(wish, date);
-    if (!opened) return opened.error();
-    *log = std::move(*opened);
+    TRY_INIT(auto opened, open(wish, date));
+    *log = std::move(opened);
   }
   return logs;
 }

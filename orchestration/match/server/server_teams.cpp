@@ -52,9 +52,8 @@ base::Result<ServerTeams> ServerTeams::create(const soccer::ServerParams& params
                                               const ServerPorts& ports) {
   ServerTeams made;
   if (params.team_l_start.empty() && params.team_r_start.empty()) return made;
-  auto host = process::ProcessHost::create();
-  if (!host) return host.error();
-  made.host_.emplace(*std::move(host));
+  TRY_INIT(auto host, process::ProcessHost::create());
+  made.host_.emplace(std::move(host));
   const auto prepare = [&ports](Team& team, const char* name, const std::string& command) {
     team.tried = command.empty();
     if (!command.empty()) team.plan = plan_of(name, command, ports);

@@ -41,9 +41,8 @@ RpcLatency latency_of(const proxy::LatencySamples& samples) {
 /// the mock as a function; other modes of --batch ask for a way of gRPC.
 Result<void> connect_mock(const Endpoint& endpoint, const SideSetup& setup,
                           PlaymakerConnection& out) {
-  auto started = start_mock(endpoint);
-  if (!started) return started.error();
-  out.mock = std::move(*started);
+  TRY_INIT(auto started, start_mock(endpoint));
+  out.mock = std::move(started);
   mock_server::Server& mock = *out.mock;
   out.direct = setup.batch == proxy::BatchMode::kAuto && mock.faultless();
   if (out.direct) {
@@ -138,15 +137,13 @@ Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const Si
   const proxy::RpcTimeout team_reply =
       setup.batch == proxy::BatchMode::kAuto ? proxy::kTeamReplyTimeout : proxy::kNoTimeout;
   if (endpoint.kind == Endpoint::Kind::kMock) {
-    if (auto connected = connect_mock(endpoint, setup, connection); !connected) {
-      return connected.error();
-    }
+    TRY(connect_mock(endpoint, setup, connection));
   } else if (endpoint.kind == Endpoint::Kind::kRun) {
-    auto started = PlaymakerProcess::start(*setup.host, endpoint,
-                                           {0, setup.side, setup.name, setup.seed, endpoint.label},
-                                           setup.folder, setup.cpus, setup.limits);
-    if (!started) return started.error();
-    connection.process = std::move(*started);
+    TRY_INIT(auto started,
+             PlaymakerProcess::start(*setup.host, endpoint,
+                                     {0, setup.side, setup.name, setup.seed, endpoint.label},
+                                     setup.folder, setup.cpus, setup.limits));
+    connection.process = std::move(started);
     proxy::GrpcTarget target;
     target.host = process::loopback_host();
     target.port = connection.process->port();

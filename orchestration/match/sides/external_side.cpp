@@ -49,9 +49,8 @@ Result<std::shared_ptr<process::Child>> ExternalSide::start(process::CommandPlan
 
 Result<void> ExternalSide::start_next() {
   const AgentPlan& next = plan_.agents[agents_.size()];
-  auto child = start(next.command);
-  if (!child) return child.error();
-  agents_.push_back({next.unum, std::move(*child)});
+  TRY_INIT(auto child, start(next.command));
+  agents_.push_back({next.unum, std::move(child)});
   return {};
 }
 

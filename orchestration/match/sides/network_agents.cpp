@@ -23,12 +23,11 @@ constexpr int kConnectTimeoutMs = 100;
 Result<std::unique_ptr<NetworkAgents>> NetworkAgents::create(
     SideIdentity identity, PlaymakerConnection connection, proxy::TeamOptions team,
     const MatchOptions& options, const std::vector<int>& cpus, NetworkSettings settings) {
-  auto clients = soccer::UdpClients::create(settings.server_host, settings.server_port);
-  if (!clients) return clients.error();
+  TRY_INIT(auto clients, soccer::UdpClients::create(settings.server_host, settings.server_port));
   std::unique_ptr<NetworkAgents> agents(new NetworkAgents(std::move(identity),
                                                           std::move(connection), std::move(team),
                                                           options, cpus, std::move(settings)));
-  agents->clients_ = std::move(*clients);
+  agents->clients_ = std::move(clients);
   proxy::DriverOptions driver;
   driver.leave_at_time_over = agents->settings_.leave_at_time_over;
   driver.coach_port = agents->settings_.coach_port;

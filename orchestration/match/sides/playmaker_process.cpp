@@ -42,24 +42,21 @@ Result<std::unique_ptr<mock_server::Server>> start_mock(const Endpoint& endpoint
   if (endpoint.script != nullptr) {
     return mock_server::Server::start(mock_server::Mock(endpoint.script));
   }
-  auto mock = mock_server::make_mock(endpoint.behavior);
-  if (!mock) return mock.error();
-  return mock_server::Server::start(*std::move(mock));
+  TRY_INIT(auto mock, mock_server::make_mock(endpoint.behavior));
+  return mock_server::Server::start(std::move(mock));
 }
 
 Result<std::unique_ptr<PlaymakerProcess>> PlaymakerProcess::start(
     process::ProcessHost& host, const Endpoint& endpoint, RunValues values,
     const std::filesystem::path& folder, std::vector<int> cpus, process::ResourceLimits limits) {
-  auto ports = process::ReservedPort::choose(1);
-  if (!ports) return ports.error();
-  std::unique_ptr<PlaymakerProcess> created(new PlaymakerProcess(std::move(ports->front())));
+  TRY_INIT(auto ports, process::ReservedPort::choose(1));
+  std::unique_ptr<PlaymakerProcess> created(new PlaymakerProcess(std::move(ports.front())));
   values.port = created->port();
   process::CommandPlan plan = run_plan(endpoint.command, values, folder);
   plan.cpus = std::move(cpus);
   plan.limits = limits;
-  auto child = host.start(plan);
-  if (!child) return child.error();
-  created->child_ = std::move(*child);
+  TRY_INIT(auto child, host.start(plan));
+  created->child_ = std::move(child);
   return created;
 }
 

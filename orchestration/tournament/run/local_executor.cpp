@@ -43,11 +43,11 @@ class LocalExecutor : public MatchExecutor {
         continue;
       }
       const int slot = free_slot();
-      auto attempt = MatchAttempt::start(
-          host_, config_, assignment.fixture, assignment.number,
-          {folder_, {}, program_, cpus_of_slot(cores_, slot, concurrency_.current())});
-      if (!attempt) return attempt.error();
-      attempts_.emplace(slot, *std::move(attempt));
+      TRY_INIT(auto attempt,
+               MatchAttempt::start(
+                   host_, config_, assignment.fixture, assignment.number,
+                   {folder_, {}, program_, cpus_of_slot(cores_, slot, concurrency_.current())}));
+      attempts_.emplace(slot, std::move(attempt));
     }
     return {};
   }
@@ -63,10 +63,9 @@ class LocalExecutor : public MatchExecutor {
           ++at;
           continue;
         }
-        auto outcome = at->second.outcome();
-        if (!outcome) return outcome.error();
-        if (*outcome) adapt(**outcome);
-        finished.push_back({at->second.fixture().index, *std::move(outcome)});
+        TRY_INIT(auto outcome, at->second.outcome());
+        if (outcome) adapt(*outcome);
+        finished.push_back({at->second.fixture().index, std::move(outcome)});
         at = attempts_.erase(at);
       }
       if (!finished.empty() || std::chrono::steady_clock::now() >= end) return finished;
@@ -119,10 +118,9 @@ Result<std::unique_ptr<MatchExecutor>> make_executor(const TournamentConfig& con
 Result<std::unique_ptr<MatchExecutor>> local_executor(const TournamentConfig& config,
                                                       const fs::path& folder,
                                                       const fs::path& program) {
-  auto host = process::ProcessHost::create();
-  if (!host) return host.error();
+  TRY_INIT(auto host, process::ProcessHost::create());
   return std::unique_ptr<MatchExecutor>(
-      std::make_unique<LocalExecutor>(config, folder, program, *std::move(host)));
+      std::make_unique<LocalExecutor>(config, folder, program, std::move(host)));
 }
 
 }  // namespace cls::orchestration::tournament

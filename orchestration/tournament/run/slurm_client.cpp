@@ -81,9 +81,8 @@ bool may_still_run(const TaskState& state) {
 }
 
 Result<SlurmClient> SlurmClient::create() {
-  auto host = process::ProcessHost::create();
-  if (!host) return host.error();
-  return SlurmClient(*std::move(host));
+  TRY_INIT(auto host, process::ProcessHost::create());
+  return SlurmClient(std::move(host));
 }
 
 Result<SlurmClient::Output> SlurmClient::run(std::vector<std::string> argv) {
@@ -113,9 +112,8 @@ Result<SlurmClient::Output> SlurmClient::run(std::vector<std::string> argv) {
 }
 
 Result<int> SlurmClient::max_array_size() {
-  const auto output = run({"scontrol", "show", "config"});
-  if (!output) return output.error();
-  for (const std::string& line : output->lines) {
+  TRY_INIT(const auto output, run({"scontrol", "show", "config"}));
+  for (const std::string& line : output.lines) {
     if (!line.starts_with("MaxArraySize")) continue;
     const std::size_t digits = line.find_first_of("0123456789");
     int size = 0;
@@ -136,13 +134,12 @@ Submission SlurmClient::submit(const std::vector<std::string>& arguments) {
 }
 
 Result<std::map<TaskName, TaskState>> SlurmClient::tasks(const std::vector<std::string>& names) {
-  const auto output =
-      run({"squeue", "--noheader", "--array", "--states=all",
-           fmt::format("--name={}", fmt::join(names, ",")), "--format=%j|%K|%T|%r"});
-  if (!output) return output.error();
-  if (output->exit_code != 0) return Error{joined(output->lines)};
+  TRY_INIT(const auto output,
+           run({"squeue", "--noheader", "--array", "--states=all",
+                fmt::format("--name={}", fmt::join(names, ",")), "--format=%j|%K|%T|%r"}));
+  if (output.exit_code != 0) return Error{joined(output.lines)};
   std::map<TaskName, TaskState> tasks;
-  for (const std::string& line : output->lines) {
+  for (const std::string& line : output.lines) {
     if (auto task = parse_task(line)) tasks.insert(*std::move(task));
   }
   return tasks;
@@ -151,9 +148,8 @@ Result<std::map<TaskName, TaskState>> SlurmClient::tasks(const std::vector<std::
 Result<void> SlurmClient::cancel(const std::string& name, bool pending_only) {
   std::vector<std::string> argv = {"scancel", "--name=" + name};
   if (pending_only) argv.emplace_back("--state=PENDING");
-  const auto output = run(std::move(argv));
-  if (!output) return output.error();
-  if (output->exit_code != 0) return Error{joined(output->lines)};
+  TRY_INIT(const auto output, run(std::move(argv)));
+  if (output.exit_code != 0) return Error{joined(output.lines)};
   return {};
 }
 

@@ -130,12 +130,12 @@ class SlurmExecutor : public MatchExecutor {
     const auto end = Clock::now() + limit;
     while (true) {
       if (!waiting_.empty() && submission_.due()) {
-        if (auto submitted = submit(); !submitted) return submitted.error();
+        TRY(submit());
       }
       const bool polled = status_poll_.due() && !tasks_.empty() && poll_status();
       if (polled || result_poll_.due()) collect();
       if (polled) {
-        if (auto returned = return_lost(); !returned) return returned.error();
+        TRY(return_lost());
       }
       if (!finished_.empty() || Clock::now() >= end) return std::exchange(finished_, {});
       std::this_thread::sleep_for(kPollInterval);
@@ -182,21 +182,21 @@ class SlurmExecutor : public MatchExecutor {
     submission_.begin();
     while (!waiting_.empty()) {
       const std::size_t size = std::min(waiting_.size(), static_cast<std::size_t>(chunk_));
-      const auto submission =
-          submit_array({waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(size)});
-      if (!submission) return submission.error();
-      if (submission->status == Status::kAccepted || submission->status == Status::kUnknown) {
+      TRY_INIT(
+          const auto submission,
+          submit_array({waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(size)}));
+      if (submission.status == Status::kAccepted || submission.status == Status::kUnknown) {
         waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(size));
         chunk_ = std::min(array_size_, 2 * chunk_);
-        if (submission->status == Status::kAccepted) continue;
-        note_once("sbatch: " + submission->message);
-      } else if (submission->status == Status::kLimitReached && size > 1) {
+        if (submission.status == Status::kAccepted) continue;
+        note_once("sbatch: " + submission.message);
+      } else if (submission.status == Status::kLimitReached && size > 1) {
         chunk_ = static_cast<int>(size / 2);
         continue;
-      } else if (submission->status == Status::kRefused) {
-        return Error{"Slurm rejected the job: " + submission->message};
+      } else if (submission.status == Status::kRefused) {
+        return Error{"Slurm rejected the job: " + submission.message};
       } else {
-        note_once(fmt::format("sbatch: {}; retrying every {} s", submission->message,
+        note_once(fmt::format("sbatch: {}; retrying every {} s", submission.message,
                               config_.slurm_poll_s.value_or(kDefaultPollIntervalS)));
       }
       break;
@@ -207,9 +207,7 @@ class SlurmExecutor : public MatchExecutor {
 
   Result<Submission> submit_array(const std::vector<Assignment>& assignments) {
     const SlurmBatch batch = make_batch(next_number_++, folder_, assignments);
-    if (auto written = write_batch(folder_, batch, assignments, program_); !written) {
-      return written.error();
-    }
+    TRY(write_batch(folder_, batch, assignments, program_));
     Submission submission = client_.submit(
         sbatch_arguments(folder_, batch, config_.slurm_options, config_.concurrency));
     using Status = Submission::Status;
@@ -362,12 +360,11 @@ class SlurmExecutor : public MatchExecutor {
 Result<std::unique_ptr<MatchExecutor>> slurm_executor(const TournamentConfig& config,
                                                       const fs::path& folder,
                                                       const fs::path& program) {
-  auto client = SlurmClient::create();
-  if (!client) return client.error();
-  const auto size = client->max_array_size();
+  TRY_INIT(auto client, SlurmClient::create());
+  const auto size = client.max_array_size();
   if (!size) return Error{"executor slurm: " + size.error().message};
   return std::unique_ptr<MatchExecutor>(
-      std::make_unique<SlurmExecutor>(config, folder, program, *std::move(client), *size));
+      std::make_unique<SlurmExecutor>(config, folder, program, std::move(client), *size));
 }
 
 }  // namespace cls::orchestration::tournament

@@ -51,8 +51,7 @@ class TournamentRun {
         hooks_(options.folder, config_.folder) {}
 
   Result<RunSummary> run() {
-    const auto done = play();
-    if (!done) return done.error();
+    TRY(play());
     summary_.progress = progress();
     matches_.resize(total());
     summary_.matches = std::move(matches_);
@@ -76,9 +75,8 @@ class TournamentRun {
 
   Result<void> load() {
     if (auto requeued = store_.requeue(true); !requeued) return requeued;
-    auto stored = store_.matches();
-    if (!stored) return stored.error();
-    matches_ = *std::move(stored);
+    TRY_INIT(auto stored, store_.matches());
+    matches_ = std::move(stored);
     if (auto logged = log_event("tournament_started",
                                 {{"folder", options_.folder.string()},
                                  {"scheduled", matches_.size()},
@@ -91,9 +89,8 @@ class TournamentRun {
       if (match.outcome) count_done(match);
     }
     if (auto recorded = record_work_results(); !recorded) return recorded;
-    const auto running = executor_->take_over(matches_);
-    if (!running) return running.error();
-    return recover_results({running->begin(), running->end()});
+    TRY_INIT(const auto running, executor_->take_over(matches_));
+    return recover_results({running.begin(), running.end()});
   }
 
   // Records the result files of `work` that are not in the store.
@@ -162,14 +159,13 @@ class TournamentRun {
       waiting_.pop_front();
     }
     if (indices.empty()) return {};
-    const auto attempts = store_.begin_attempts(indices);
-    if (!attempts) return attempts.error();
+    TRY_INIT(const auto attempts, store_.begin_attempts(indices));
     std::vector<Assignment> assignments;
     for (std::size_t i = 0; i < indices.size(); ++i) {
-      match_at(indices[i]).attempts = (*attempts)[i];
-      assignments.push_back({match_at(indices[i]).fixture, (*attempts)[i]});
+      match_at(indices[i]).attempts = (attempts)[i];
+      assignments.push_back({match_at(indices[i]).fixture, (attempts)[i]});
       if (auto logged =
-              log_event("match_started", {{"match", indices[i]}, {"attempt", (*attempts)[i]}});
+              log_event("match_started", {{"match", indices[i]}, {"attempt", (attempts)[i]}});
           !logged) {
         return logged;
       }
@@ -178,9 +174,8 @@ class TournamentRun {
   }
 
   Result<void> record_finished(std::chrono::milliseconds limit) {
-    auto finished = executor_->wait(limit);
-    if (!finished) return finished.error();
-    for (FinishedMatch& one : *finished) {
+    TRY_INIT(auto finished, executor_->wait(limit));
+    for (FinishedMatch& one : finished) {
       if (!one.outcome) {
         waiting_.push_front(one.index);
         continue;
@@ -386,14 +381,11 @@ Result<RunSummary> run_tournament(const RunOptions& options, const MakeExecutor&
                                   const std::atomic<int>& stop_signal) {
   std::error_code code;
   fs::remove(options.folder / kStopFile, code);  // of an earlier run
-  auto store = Store::open(options.folder / kStoreFile);
-  if (!store) return store.error();
-  auto events = EventFile::open(options.folder / kTournamentEvents);
-  if (!events) return events.error();
-  auto executor = make(options.config);
-  if (!executor) return executor.error();
-  TournamentRun run(options, observer, stop_signal, *std::move(store), *std::move(events),
-                    *std::move(executor));
+  TRY_INIT(auto store, Store::open(options.folder / kStoreFile));
+  TRY_INIT(auto events, EventFile::open(options.folder / kTournamentEvents));
+  TRY_INIT(auto executor, make(options.config));
+  TournamentRun run(options, observer, stop_signal, std::move(store), std::move(events),
+                    std::move(executor));
   return run.run();
 }
 

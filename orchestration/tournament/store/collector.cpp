@@ -70,16 +70,14 @@ Result<std::optional<Outcome>> play(const TournamentConfig& config, const Fixtur
                                     int attempt, const AttemptOptions& options,
                                     const std::atomic<int>& stop_signal) {
   constexpr std::chrono::milliseconds kPollInterval{5};
-  auto host = process::ProcessHost::create();
-  if (!host) return host.error();
-  auto running = MatchAttempt::start(*host, config, fixture, attempt, options);
-  if (!running) return running.error();
-  while (!running->exited()) {
+  TRY_INIT(auto host, process::ProcessHost::create());
+  TRY_INIT(auto running, MatchAttempt::start(host, config, fixture, attempt, options));
+  while (!running.exited()) {
     std::this_thread::sleep_for(kPollInterval);
-    running->end_overdue();
-    if (stop_signal != 0) running->interrupt();
+    running.end_overdue();
+    if (stop_signal != 0) running.interrupt();
   }
-  return running->outcome();
+  return running.outcome();
 }
 
 }  // namespace
@@ -127,12 +125,11 @@ Result<std::optional<Outcome>> work(const fs::path& folder, const Fixture& fixtu
   if (auto existing = read_work_result(folder, fixture, attempt)) {
     return std::optional<Outcome>(*std::move(existing));
   }
-  const auto config = read_plan(folder);
-  if (!config) return config.error();
+  TRY_INIT(const auto config, read_plan(folder));
   const fs::path unfinished = unfinished_folder(fixture.index, attempt, process_label());
-  auto outcome = play(*config, fixture, attempt, {folder, unfinished, program, {}}, stop_signal);
+  auto outcome = play(config, fixture, attempt, {folder, unfinished, program, {}}, stop_signal);
   std::error_code code;
-  if (!outcome || !*outcome || !keeps_folder(*config, **outcome)) {
+  if (!outcome || !*outcome || !keeps_folder(config, **outcome)) {
     fs::remove_all(folder / unfinished, code);
     if (!outcome || !*outcome) return outcome;
     (*outcome)->folder.clear();
@@ -140,17 +137,16 @@ Result<std::optional<Outcome>> work(const fs::path& folder, const Fixture& fixtu
     fs::remove_all(folder / unfinished, code);
     return std::optional<Outcome>(*std::move(existing));
   } else if (const fs::path published = publish_folder(folder, fixture, unfinished,
-                                                       match_folder(*config, fixture, attempt));
+                                                       match_folder(config, fixture, attempt));
              published != unfinished) {
     (*outcome)->folder = published.string();
-  } else if (auto earlier = recover_result(*config, fixture, attempt, folder)) {
+  } else if (auto earlier = recover_result(config, fixture, attempt, folder)) {
     // Another process has published its folder, but not yet its result file.
     fs::remove_all(folder / unfinished, code);
     *outcome = *std::move(earlier);
   }
-  auto published = publish_result(folder, fixture, attempt, **std::move(outcome));
-  if (!published) return published.error();
-  return std::optional<Outcome>(*std::move(published));
+  TRY_INIT(auto published, publish_result(folder, fixture, attempt, **std::move(outcome)));
+  return std::optional<Outcome>(std::move(published));
 }
 
 }  // namespace cls::orchestration::tournament

@@ -194,26 +194,22 @@ Result<void> add_scheduled(const fs::path& folder, std::vector<ScheduledMatch>& 
 
 Result<TournamentState> read_tournament(const fs::path& folder) {
   TournamentState state;
-  auto config = read_plan(folder);
-  if (!config) return config.error();
-  state.config = *std::move(config);
+  TRY_INIT(auto config, read_plan(folder));
+  state.config = std::move(config);
   std::error_code code;
   if (fs::exists(folder / kStoreFile, code)) {
-    const auto store = Store::open_to_read(folder / kStoreFile);
-    if (!store) return store.error();
-    auto matches = store->matches();
-    if (!matches) return matches.error();
-    state.matches = *std::move(matches);
+    TRY_INIT(const auto store, Store::open_to_read(folder / kStoreFile));
+    TRY_INIT(auto matches, store.matches());
+    state.matches = std::move(matches);
     state.stored = state.matches.size();
     if (const auto rows = check_rows(state.config, state.matches); !rows) {
       return corrupt(folder / kStoreFile, rows.error());
     }
-    if (auto added = add_scheduled(folder, state.matches); !added) return added.error();
+    TRY(add_scheduled(folder, state.matches));
     const auto lock = FolderLock::try_lock(folder);
     if (lock && !*lock) {
-      auto running = store->running();
-      if (!running) return running.error();
-      state.running = *std::move(running);
+      TRY_INIT(auto running, store.running());
+      state.running = std::move(running);
     }
   } else if (fs::exists(folder / kScheduleFile, code)) {
     const auto read = read_schedule(folder / kScheduleFile, [&](Fixture fixture) {

@@ -16,9 +16,6 @@
 
 namespace cls::orchestration::tournament {
 
-/// The running binary, to start it again.
-std::filesystem::path own_program();
-
 /// The `cls match` command of the fixture; `folder` is the match folder. It reproduces the match.
 process::CommandPlan match_plan(const TournamentConfig& config, const Fixture& fixture,
                                 const std::filesystem::path& program,

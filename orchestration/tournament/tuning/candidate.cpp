@@ -78,11 +78,9 @@ std::string file_text(const TuneConfig& config, const Values& values) {
 base::Result<std::string> prepare_candidate(const TuneConfig& config, const Values& values,
                                             const fs::path& folder) {
   if (config.file.empty()) return side_of(config, values, {});
-  if (auto created = base::create_folders(folder); !created) return created.error();
+  TRY(base::create_folders(folder));
   const fs::path file = folder / config.file;
-  if (auto written = base::write_file(file, file_text(config, values)); !written) {
-    return written.error();
-  }
+  TRY(base::write_file(file, file_text(config, values)));
   return side_of(config, values, file);
 }
 

@@ -34,13 +34,13 @@ class ConstraintParser {
   }
 
   Result<Constraint> parse() {
-    if (auto left = parse_sum(1.0); !left) return left.error();
+    TRY(parse_sum(1.0));
     skip_spaces();
     const char comparison = at_ < text_.size() ? text_[at_] : '\0';
     if (comparison != '<' && comparison != '>') return Error{"expected <= or >="};
     ++at_;
     if (at_ < text_.size() && text_[at_] == '=') ++at_;
-    if (auto right = parse_sum(-1.0); !right) return right.error();
+    TRY(parse_sum(-1.0));
     skip_spaces();
     if (at_ < text_.size()) return Error{fmt::format("unexpected '{}'", text_.substr(at_))};
     if (comparison == '>') {

@@ -130,9 +130,8 @@ base::Result<TournamentConfig> generation_config(const Tuning& tuning, const Tou
   const fs::path files = generation_folder(folder, tuning.race().generation) / "files";
   for (std::size_t i = 0; i < tuning.candidates().size(); ++i) {
     const std::string name = fmt::format("tune{}", i + 1);
-    auto side = prepare_candidate(tuning.config(), tuning.candidates()[i], files / name);
-    if (!side) return side.error();
-    config.teams.push_back({name, *std::move(side)});
+    TRY_INIT(auto side, prepare_candidate(tuning.config(), tuning.candidates()[i], files / name));
+    config.teams.push_back({name, std::move(side)});
   }
   config.teams.insert(config.teams.end(), opponents.begin(), opponents.end());
   config.matches = {{config.teams.front().name, config.teams.back().name}};
@@ -144,9 +143,8 @@ base::Result<void> replay_generations(Tuning& tuning, const fs::path& folder) {
     const Race race = tuning.race();
     const fs::path one = generation_folder(folder, race.generation);
     if (!holds_plan(one)) break;
-    auto state = read_tournament(one);
-    if (!state) return state.error();
-    const auto& matches = state->matches;
+    TRY_INIT(auto state, read_tournament(one));
+    const auto& matches = state.matches;
     const bool done = !matches.empty() &&
                       std::all_of(matches.begin(), matches.end(), [](const ScheduledMatch& match) {
                         return match.outcome.has_value();

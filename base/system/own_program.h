@@ -1,0 +1,13 @@
+// The file of this program, to start it again.
+#pragma once
+
+#include <filesystem>
+
+#include "base/result.h"
+
+namespace cls::base {
+
+/// Its path, also after the file was replaced, by a new build for example.
+Result<std::filesystem::path> own_program();
+
+}  // namespace cls::base
