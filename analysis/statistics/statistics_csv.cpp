@@ -1,115 +1,124 @@
 // CSV tables of teams, players and events.
 #include <fmt/format.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "analysis/statistics/event_list.h"
-#include "analysis/statistics/fields.h"
+#include "analysis/statistics/field_table.h"
 #include "analysis/statistics/statistics_text.h"
 
 namespace cls::analysis {
 namespace {
 
-/// A column, and the JSON pointer of its value in a row. Missing values give empty cells.
+/// A column, and the JSON pointer of its value in a row: of a statistic, or of what the row says
+/// about the match. Missing values give empty cells.
 struct Column {
   const char* name;
   const char* value;
+  const char* parent = "";
+
+  constexpr Column(const char* column, const char* own) : name(column), value(own) {}
+  constexpr Column(const char* column, TeamPath path)
+      : name(column), value(path.text), parent("/team") {}
+  constexpr Column(const char* column, PlayerPath path)
+      : name(column), value(path.text), parent("/player") {}
 };
 
-const std::vector<Column> kTeamColumns = {
+constexpr Column kTeamColumns[] = {
     {"file", "/file"},
     {"side", "/side"},
-    {"name", "/team/name"},
-    {"score", "/team/score"},
+    {"name", TeamPath{"/name"}},
+    {"score", TeamPath{"/score"}},
     {"opponent", "/opponent/name"},
     {"opponent_score", "/opponent/score"},
     {"cycles", "/cycles"},
     {"complete", "/complete"},
-    {"possession", "/team/possession/last_touch"},
-    {"possession_at_feet", "/team/possession/at_feet"},
-    {"possession_fastest", "/team/possession/fastest"},
-    {"touches", "/team/touches"},
-    {"passes", "/team/passes/attempted"},
-    {"completed", "/team/passes/completed"},
-    {"mean_pass", "/team/passes/mean_length"},
-    {"through", "/team/passes/through"},
-    {"crosses", "/team/passes/crosses"},
-    {"one_twos", "/team/passes/one_twos"},
-    {"dribbles", "/team/dribbles"},
-    {"take_ons", "/team/take_ons"},
-    {"shots", "/team/shots/total"},
-    {"on_target", "/team/shots/on_target"},
+    {"possession", TeamPath{"/possession/last_touch"}},
+    {"possession_at_feet", TeamPath{"/possession/at_feet"}},
+    {"possession_fastest", TeamPath{"/possession/fastest"}},
+    {"touches", TeamPath{"/touches"}},
+    {"passes", TeamPath{"/passes/attempted"}},
+    {"completed", TeamPath{"/passes/completed"}},
+    {"mean_pass", TeamPath{"/passes/mean_length"}},
+    {"through", TeamPath{"/passes/through"}},
+    {"crosses", TeamPath{"/passes/crosses"}},
+    {"one_twos", TeamPath{"/passes/one_twos"}},
+    {"dribbles", TeamPath{"/dribbles"}},
+    {"take_ons", TeamPath{"/take_ons"}},
+    {"shots", TeamPath{"/shots/total"}},
+    {"on_target", TeamPath{"/shots/on_target"}},
     {"goals", "/goals"},
-    {"expected_goals", "/team/shots/expected_goals"},
-    {"tackles", "/team/tackles/tried"},
-    {"tackles_hit", "/team/tackles/succeeded"},
-    {"tackles_effective", "/team/tackles/effective"},
-    {"interceptions", "/team/interceptions"},
-    {"recoveries", "/team/pressing/recoveries"},
-    {"box_entries", "/team/territory/box_entries"},
-    {"box_touches", "/team/territory/box_touches"},
-    {"final_third_touches", "/team/territory/final_third_touches"},
-    {"pitch_control", "/team/territory/pitch_control"},
-    {"corners", "/team/stoppages/corners"},
-    {"kick_ins", "/team/stoppages/kick_ins"},
-    {"goal_kicks", "/team/stoppages/goal_kicks"},
-    {"free_kicks", "/team/stoppages/free_kicks"},
-    {"indirect_free_kicks", "/team/stoppages/indirect_free_kicks"},
-    {"catches", "/team/goalkeeping/catches"},
-    {"saves", "/team/goalkeeping/saves"},
-    {"offsides", "/team/stoppages/offsides"},
-    {"fouls", "/team/stoppages/fouls"},
-    {"yellow", "/team/stoppages/yellow_cards"},
-    {"red", "/team/stoppages/red_cards"},
-    {"distance", "/team/distance"},
-    {"stamina_used", "/team/stamina_used"},
-    {"exhausted_frames", "/team/exhausted_frames"},
-    {"silent_steps", "/team/silent_steps"},
-    {"rejected_commands", "/team/rejected_commands"},
+    {"expected_goals", TeamPath{"/shots/expected_goals"}},
+    {"tackles", TeamPath{"/tackles/tried"}},
+    {"tackles_hit", TeamPath{"/tackles/succeeded"}},
+    {"tackles_effective", TeamPath{"/tackles/effective"}},
+    {"interceptions", TeamPath{"/interceptions"}},
+    {"recoveries", TeamPath{"/pressing/recoveries"}},
+    {"box_entries", TeamPath{"/territory/box_entries"}},
+    {"box_touches", TeamPath{"/territory/box_touches"}},
+    {"final_third_touches", TeamPath{"/territory/final_third_touches"}},
+    {"pitch_control", TeamPath{"/territory/pitch_control"}},
+    {"corners", TeamPath{"/stoppages/corners"}},
+    {"kick_ins", TeamPath{"/stoppages/kick_ins"}},
+    {"goal_kicks", TeamPath{"/stoppages/goal_kicks"}},
+    {"free_kicks", TeamPath{"/stoppages/free_kicks"}},
+    {"indirect_free_kicks", TeamPath{"/stoppages/indirect_free_kicks"}},
+    {"catches", TeamPath{"/goalkeeping/catches"}},
+    {"saves", TeamPath{"/goalkeeping/saves"}},
+    {"offsides", TeamPath{"/stoppages/offsides"}},
+    {"fouls", TeamPath{"/stoppages/fouls"}},
+    {"yellow", TeamPath{"/stoppages/yellow_cards"}},
+    {"red", TeamPath{"/stoppages/red_cards"}},
+    {"distance", TeamPath{"/distance"}},
+    {"stamina_used", TeamPath{"/stamina_used"}},
+    {"exhausted_frames", TeamPath{"/exhausted_frames"}},
+    {"silent_steps", TeamPath{"/silent_steps"}},
+    {"rejected_commands", TeamPath{"/rejected_commands"}},
 };
 
-const std::vector<Column> kPlayerColumns = {
+constexpr Column kPlayerColumns[] = {
     {"file", "/file"},
-    {"side", "/player/side"},
+    {"side", PlayerPath{"/side"}},
     {"name", "/name"},
-    {"unum", "/player/unum"},
-    {"frames", "/player/frames"},
-    {"touches", "/player/ball/touches"},
-    {"passes", "/player/ball/passes"},
-    {"completed", "/player/ball/completed"},
-    {"received", "/player/ball/received"},
-    {"key_passes", "/player/ball/key_passes"},
-    {"assists", "/player/ball/assists"},
-    {"dribbles", "/player/ball/dribbles"},
-    {"take_ons", "/player/ball/take_ons"},
-    {"shots", "/player/ball/shots"},
-    {"on_target", "/player/ball/on_target"},
-    {"goals", "/player/ball/goals"},
-    {"own_goals", "/player/ball/own_goals"},
-    {"expected_goals", "/player/ball/expected_goals"},
-    {"threat_added", "/player/ball/threat_added"},
-    {"tackles", "/player/tackles/tried"},
-    {"tackles_hit", "/player/tackles/succeeded"},
-    {"interceptions", "/player/interceptions"},
-    {"recoveries", "/player/recoveries"},
-    {"losses", "/player/ball/losses"},
-    {"fouls", "/player/fouls"},
-    {"fouled", "/player/fouled"},
-    {"yellow", "/player/yellow_cards"},
-    {"red", "/player/red_cards"},
-    {"distance", "/player/movement/distance"},
-    {"top_speed", "/player/movement/top_speed"},
-    {"stamina_used", "/player/stamina/used"},
-    {"lowest_stamina", "/player/stamina/lowest"},
-    {"exhausted_frames", "/player/stamina/exhausted_frames"},
-    {"mean_x", "/player/position/mean/0"},
-    {"mean_y", "/player/position/mean/1"},
-    {"steps", "/player/responsiveness/steps"},
-    {"silent", "/player/responsiveness/silent"},
-    {"no_body_command", "/player/responsiveness/no_body_command"},
-    {"rejected_kicks", "/player/responsiveness/rejected_kicks"},
-    {"rating", "/player/rating/total"},
+    {"unum", PlayerPath{"/unum"}},
+    {"frames", PlayerPath{"/frames"}},
+    {"touches", PlayerPath{"/ball/touches"}},
+    {"passes", PlayerPath{"/ball/passes"}},
+    {"completed", PlayerPath{"/ball/completed"}},
+    {"received", PlayerPath{"/ball/received"}},
+    {"key_passes", PlayerPath{"/ball/key_passes"}},
+    {"assists", PlayerPath{"/ball/assists"}},
+    {"dribbles", PlayerPath{"/ball/dribbles"}},
+    {"take_ons", PlayerPath{"/ball/take_ons"}},
+    {"shots", PlayerPath{"/ball/shots"}},
+    {"on_target", PlayerPath{"/ball/on_target"}},
+    {"goals", PlayerPath{"/ball/goals"}},
+    {"own_goals", PlayerPath{"/ball/own_goals"}},
+    {"expected_goals", PlayerPath{"/ball/expected_goals"}},
+    {"threat_added", PlayerPath{"/ball/threat_added"}},
+    {"tackles", PlayerPath{"/tackles/tried"}},
+    {"tackles_hit", PlayerPath{"/tackles/succeeded"}},
+    {"interceptions", PlayerPath{"/interceptions"}},
+    {"recoveries", PlayerPath{"/recoveries"}},
+    {"losses", PlayerPath{"/ball/losses"}},
+    {"fouls", PlayerPath{"/fouls"}},
+    {"fouled", PlayerPath{"/fouled"}},
+    {"yellow", PlayerPath{"/yellow_cards"}},
+    {"red", PlayerPath{"/red_cards"}},
+    {"distance", PlayerPath{"/movement/distance"}},
+    {"top_speed", PlayerPath{"/movement/top_speed"}},
+    {"stamina_used", PlayerPath{"/stamina/used"}},
+    {"lowest_stamina", PlayerPath{"/stamina/lowest"}},
+    {"exhausted_frames", PlayerPath{"/stamina/exhausted_frames"}},
+    {"mean_x", PlayerPath{"/position/mean/0"}},
+    {"mean_y", PlayerPath{"/position/mean/1"}},
+    {"steps", PlayerPath{"/responsiveness/steps"}},
+    {"silent", PlayerPath{"/responsiveness/silent"}},
+    {"no_body_command", PlayerPath{"/responsiveness/no_body_command"}},
+    {"rejected_kicks", PlayerPath{"/responsiveness/rejected_kicks"}},
+    {"rating", PlayerPath{"/rating/total"}},
 };
 
 std::string format_number(double value) { return fmt::format("{}", rounded(value)); }
@@ -119,16 +128,16 @@ std::string format_cell(const Json& value) {
   return value.is_number_float() ? format_number(value.get<double>()) : value.dump();
 }
 
-base::Table empty_table(const std::vector<Column>& columns) {
+base::Table empty_table(std::span<const Column> columns) {
   base::Table table;
   for (const Column& column : columns) table.add_column(column.name);
   return table;
 }
 
-void add_row(const std::vector<Column>& columns, const Json& row, base::Table& table) {
+void add_row(std::span<const Column> columns, const Json& row, base::Table& table) {
   std::vector<std::string> cells;
   for (const Column& column : columns) {
-    const Json::json_pointer pointer(column.value);
+    const Json::json_pointer pointer(std::string(column.parent) + column.value);
     cells.push_back(row.contains(pointer) ? format_cell(row.at(pointer)) : std::string());
   }
   table.add_row(std::move(cells));

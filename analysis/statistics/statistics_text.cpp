@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/results/results_text.h"
-#include "analysis/statistics/fields.h"
+#include "analysis/statistics/field_table.h"
 #include "base/text/printable.h"
 #include "base/text/wrap_text.h"
 
@@ -19,16 +19,17 @@ using Align = base::Table::Align;
 
 enum class Scale { kNone, kPercent, kKilometers };
 
-/// A figure of the report: a format for the values at JSON pointers into team_fields() or
-/// player_fields(). "-" if a value is missing.
+/// A figure of the report: a format for the values at paths of statistics. "-" if a value is
+/// missing.
+template <class Path>
 struct Figure {
   const char* heading;
   const char* format;
-  std::vector<const char*> values;
+  std::vector<Path> values;
   Scale scale = Scale::kNone;
 };
 
-const std::vector<Figure> kTeamFigures = {
+const std::vector<Figure<TeamPath>> kTeamFigures = {
     {"possession (last touch)", "{:.1f} %", {"/possession/last_touch"}, Scale::kPercent},
     {"ball at feet", "{:.1f} %", {"/possession/at_feet"}, Scale::kPercent},
     {"fastest to the ball", "{:.1f} %", {"/possession/fastest"}, Scale::kPercent},
@@ -63,7 +64,7 @@ const std::vector<Figure> kTeamFigures = {
     {"length x width", "{:.0f} x {:.0f} m", {"/shape/length", "/shape/width"}},
 };
 
-const std::vector<Figure> kPlayerFigures = {
+const std::vector<Figure<PlayerPath>> kPlayerFigures = {
     {"touches", "{}", {"/ball/touches"}},
     {"passes", "{} of {}", {"/ball/completed", "/ball/passes"}},
     {"dribbles", "{}", {"/ball/dribbles"}},
@@ -84,10 +85,11 @@ double scaled(double value, Scale scale) {
   return scale == Scale::kKilometers ? value / 1000 : value;
 }
 
-std::string format_figure(const Figure& figure, const Json& fields) {
+template <class Path>
+std::string format_figure(const Figure<Path>& figure, const Json& fields) {
   fmt::dynamic_format_arg_store<fmt::format_context> values;
-  for (const char* path : figure.values) {
-    const Json::json_pointer pointer(path);
+  for (const Path& path : figure.values) {
+    const Json::json_pointer pointer(path.text);
     if (!fields.contains(pointer)) return "-";
     const Json& value = fields.at(pointer);
     if (value.is_string()) {
@@ -112,7 +114,7 @@ base::Table team_figures(const MatchSummary& summary, const MatchStatistics& all
   table.add_column("");
   table.add_column(summary.teams[0].name, Align::kRight);
   table.add_column(summary.teams[1].name, Align::kRight);
-  for (const Figure& figure : kTeamFigures) {
+  for (const auto& figure : kTeamFigures) {
     table.add_row(
         {figure.heading, format_figure(figure, fields[0]), format_figure(figure, fields[1])});
   }
@@ -130,13 +132,13 @@ base::Table team_figures(const MatchSummary& summary, const MatchStatistics& all
 base::Table player_figures(const MatchSummary& summary, const MatchStatistics& all) {
   base::Table table;
   table.add_column("player");
-  for (const Figure& figure : kPlayerFigures) table.add_column(figure.heading, Align::kRight);
+  for (const auto& figure : kPlayerFigures) table.add_column(figure.heading, Align::kRight);
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
     if (all.attention[slot].frames == 0) continue;
     const Json fields = player_fields(all, slot);
     std::vector<std::string> cells = {fmt::format("{} {}", summary.teams[team_of(slot)].name,
                                                   soccer::unum_of_slot(static_cast<int>(slot)))};
-    for (const Figure& figure : kPlayerFigures) cells.push_back(format_figure(figure, fields));
+    for (const auto& figure : kPlayerFigures) cells.push_back(format_figure(figure, fields));
     table.add_row(std::move(cells));
   }
   return table;

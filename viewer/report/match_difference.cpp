@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "analysis/statistics/event_list.h"
+#include "analysis/statistics/field_table.h"
 #include "analysis/statistics/fields.h"
 #include "analysis/statistics/team_totals.h"
 #include "soccer/side.h"
@@ -104,10 +105,10 @@ void add_missing(const std::vector<EventKey>& from, const std::vector<EventKey>&
   }
 }
 
-/// A figure at a JSON pointer into team_fields().
+/// A statistic of a team.
 struct Figure {
   const char* name;
-  const char* path;
+  analysis::TeamPath path;
   int decimals;
   double scale;
 };
@@ -188,7 +189,7 @@ std::vector<std::vector<std::string>> difference_rows(const ComparedMatch& a,
     }
   }
   for (const Figure& figure : kFigures) {
-    const analysis::Json::json_pointer path(figure.path);
+    const analysis::Json::json_pointer path(figure.path.text);
     std::vector<std::string> row = {figure.name};
     for (std::size_t team = 0; team < 2; ++team) {
       const auto value = [&](std::size_t match) {
