@@ -14,27 +14,26 @@ constexpr std::string_view kLies = "the player lies on the ground";
 constexpr std::string_view kNotKickable = "ball not kickable";
 constexpr std::string_view kThere = "already there";
 constexpr std::string_view kFacing = "already facing (point, ball)";
-constexpr std::string_view kBody = "the player lies on the ground; no ball; wrong play mode";
-constexpr std::string_view kSide = "arm locked, width unchanged, own uniform number";
+constexpr std::string_view kDown = "the player lies on the ground; a number is not finite";
 constexpr std::string_view kWidth = "width unchanged";
+constexpr std::string_view kAnyWidth = "width unchanged; no such width";
+constexpr std::string_view kPlayer = "player unknown";
 
 constexpr std::array kReasons{
-    Reason{"dash", kBody},
-    Reason{"turn", kBody},
-    Reason{"kick", kBody},
-    Reason{"tackle", kBody},
-    Reason{"catch", kBody},
-    Reason{"move", kBody},
-    Reason{"turn_neck", kSide},
-    Reason{"change_view", kSide},
-    Reason{"point_to", kSide},
-    Reason{"point_to_of", kSide},
-    Reason{"attention_to", kSide},
-    Reason{"attention_to_of", kSide},
+    Reason{"dash", kDown},
+    Reason{"turn", kDown},
+    Reason{"kick", "ball not kickable; the player lies on the ground; a number is not finite"},
+    Reason{"tackle", kDown},
+    Reason{"catch", "not the goalie; wrong play mode; ball unknown; the player lies on the ground"},
+    Reason{"move", "wrong play mode; the player lies on the ground; a number is not finite"},
+    Reason{"turn_neck", "a number is not finite"},
+    Reason{"change_view", kAnyWidth},
+    Reason{"point_to", "arm locked; own position unknown; a number is not finite"},
+    Reason{"point_to_of", "arm locked"},
+    Reason{"attention_to", "own uniform number; no such uniform number"},
     Reason{"say",
            "it does not fit or cannot be encoded (unknown uniform number, value out of range)"},
     Reason{"log", "no field set"},
-    Reason{"debug_client", "no field set"},
     Reason{"body_go_to_point", kThere},
     Reason{"body_go_to_point_dodge", kThere},
     Reason{"bhv_go_to_point_look_ball", kThere},
@@ -52,7 +51,10 @@ constexpr std::array kReasons{
     Reason{"body_advance_ball", kNotKickable},
     Reason{"body_clear_ball", kNotKickable},
     Reason{"body_tackle_to_point", "probability or speed too low"},
-    Reason{"view_change_width", kWidth},
+    Reason{"neck_turn_to_ball_and_player", kPlayer},
+    Reason{"neck_turn_to_player_or_scan", kPlayer},
+    Reason{"neck_turn_to_relative", "a number is not finite"},
+    Reason{"view_change_width", kAnyWidth},
     Reason{"view_normal", kWidth},
     Reason{"view_synch", kWidth},
     Reason{"view_wide", kWidth},
@@ -78,11 +80,9 @@ constexpr std::array kReasons{
 }  // namespace
 
 std::string_view fails_when(std::string_view action) {
-  constexpr std::string_view kNeck = "neck_";
   const auto found = std::find_if(kReasons.begin(), kReasons.end(),
                                   [action](const Reason& each) { return each.first == action; });
-  if (found != kReasons.end()) return found->second;
-  return action.substr(0, kNeck.size()) == kNeck ? "player unknown" : std::string_view();
+  return found != kReasons.end() ? found->second : std::string_view();
 }
 
 }  // namespace cls::proxy

@@ -30,7 +30,9 @@ std::string most_failed(const TeamResult& team) {
       std::max_element(failed.begin(), failed.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
   if (most == failed.end()) return {};
-  return fmt::format("; most often failed: {} ({})", most->first, proxy::fails_when(most->first));
+  const std::string_view reason = proxy::fails_when(most->first);
+  return fmt::format("; most often failed: {}{}", most->first,
+                     reason.empty() ? "" : fmt::format(" ({})", reason));
 }
 
 }  // namespace

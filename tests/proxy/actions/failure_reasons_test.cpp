@@ -36,9 +36,20 @@ TEST(FailureReasons, AreThoseOfTheDocumentation) {
     }
   });
   EXPECT_GE(named.size(), 45U);
-  EXPECT_EQ(fails_when("neck_turn_to_point"), "player unknown");
   EXPECT_EQ(fails_when("view_wide"), "width unchanged");
   EXPECT_EQ(fails_when("no_such_action"), "");
+}
+
+// An action that always falls back to a scan cannot fail because a player is unknown.
+TEST(FailureReasons, BelongToTheActionItself) {
+  EXPECT_EQ(fails_when("turn_neck"), "a number is not finite");
+  EXPECT_EQ(fails_when("change_view"), "width unchanged; no such width");
+  EXPECT_EQ(fails_when("point_to_of"), "arm locked");
+  EXPECT_EQ(fails_when("attention_to"), "own uniform number; no such uniform number");
+  EXPECT_EQ(fails_when("attention_to_of"), "");
+  EXPECT_EQ(fails_when("neck_turn_to_player_or_scan"), "player unknown");
+  EXPECT_EQ(fails_when("neck_scan_field"), "");
+  EXPECT_EQ(fails_when("neck_turn_to_point"), "");
 }
 
 TEST(FailureReasons, NameActionsOfTheInterface) {
