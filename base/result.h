@@ -17,7 +17,7 @@ struct Error {
 /// Either a T or an Error. Check with `if (result)`; access to the absent one is a programming
 /// error and throws std::bad_variant_access.
 template <typename T>
-class Result {
+class [[nodiscard]] Result {
  public:
   Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
   Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}
@@ -34,7 +34,8 @@ class Result {
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
 
-  const Error& error() const { return std::get<1>(state_); }
+  const Error& error() const& { return std::get<1>(state_); }
+  Error&& error() && { return std::get<1>(std::move(state_)); }
 
  private:
   std::variant<T, Error> state_;
@@ -42,17 +43,35 @@ class Result {
 
 /// Success without a value, or an Error.
 template <>
-class Result<void> {
+class [[nodiscard]] Result<void> {
  public:
   Result() = default;
   Result(Error error) : error_(std::move(error)) {}
 
   bool ok() const { return !error_.has_value(); }
   explicit operator bool() const { return ok(); }
-  const Error& error() const { return error_.value(); }
+  const Error& error() const& { return error_.value(); }
+  Error&& error() && { return std::move(error_).value(); }
 
  private:
   std::optional<Error> error_;
 };
 
 }  // namespace cls::base
+
+#define CLS_JOIN_TOKENS(left, right) left##right
+#define CLS_JOIN(left, right) CLS_JOIN_TOKENS(left, right)
+
+/// Returns the error of a result from the calling function, if it has one:
+///   TRY(check_schema(json));
+#define TRY(...)                                                 \
+  if (auto CLS_JOIN(result_at_, __LINE__) = (__VA_ARGS__);       \
+      !CLS_JOIN(result_at_, __LINE__))                           \
+  return std::move(CLS_JOIN(result_at_, __LINE__)).error()
+
+/// The same, and initializes a variable with the value:
+///   TRY_INIT(const int steps, json["steps"].integer(1, 100));
+#define TRY_INIT(declaration, ...)                                                                \
+  auto CLS_JOIN(result_at_, __LINE__) = (__VA_ARGS__);                                            \
+  if (!CLS_JOIN(result_at_, __LINE__)) return std::move(CLS_JOIN(result_at_, __LINE__)).error();  \
+  declaration = *std::move(CLS_JOIN(result_at_, __LINE__))

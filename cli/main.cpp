@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <optional>
 #include <string>
 
 #include "cli/application.h"
@@ -14,6 +15,7 @@
 
 namespace {
 
+using namespace cls;
 using namespace cls::cli;
 
 // A command whose output is lost has failed, although its work is done.
@@ -27,8 +29,11 @@ int finish_output(int exit_code) {
 // Runs the command and turns exceptions into error lines.
 int run(int argc, char** argv) {
   try {
-    const auto guard = start_early_guard(argc, argv);
-    return run_application(argc, argv);
+    const auto commands = command_tree();
+    const auto guard = may_start_programs(*commands, argc, argv)
+                           ? start_early_guard(argc, argv)
+                           : std::optional<orchestration::process::Guard>();
+    return run_application(*commands, argc, argv);
   } catch (const std::exception& error) {
     return print_exception(error);
   }

@@ -1,7 +1,6 @@
 // `cls train spec`: what can be trained.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -98,24 +97,23 @@ int run_train_spec(const Arguments& arguments) {
 
 }  // namespace
 
-void add_train_command(CLI::App& app, int& exit_code) {
-  CLI::App* train = app.add_subcommand("train", kDescription);
-  train->require_subcommand(1);
+void add_train_command(Command& app) {
+  Command& train = app.command("train", kDescription);
+  train.group = kPlayCommands;
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = train->add_subcommand("spec", kSpecDescription);
-  command->add_option("NAME", arguments->name, "task, feature set or action set (default: all)");
+  Command& command = train.command("spec", kSpecDescription);
+  command.option("NAME", arguments->name, "task, feature set or action set (default: all)");
   command
-      ->add_option("--offense", arguments->offense,
-                   "players of the own team in a feature set, with the agent")
-      ->check(CLI::Range(1, 11))
-      ->capture_default_str();
-  command->add_option("--defense", arguments->defense, "players of the other team")
-      ->check(CLI::Range(0, 11))
-      ->capture_default_str();
-  command->add_option("--format", arguments->format, "text, json or markdown")
-      ->capture_default_str();
-  command->add_flag("--json", arguments->json, "the same as --format json");
-  command->callback([arguments, &exit_code] { exit_code = run_train_spec(*arguments); });
+      .option("--offense", arguments->offense,
+              "players of the own team in a feature set, with the agent")
+      .range(1, 11)
+      .shows_default();
+  command.option("--defense", arguments->defense, "players of the other team")
+      .range(0, 11)
+      .shows_default();
+  command.option("--format", arguments->format, "text, json or markdown").shows_default();
+  command.flag("--json", arguments->json, "the same as --format json");
+  command.run = [arguments] { return run_train_spec(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -11,7 +11,6 @@
 #include <zlib.h>
 #include <CLI/Version.hpp>
 
-#include <CLI/CLI.hpp>
 #include <boost/version.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -106,11 +105,11 @@ int print_version(bool json) {
 
 }  // namespace
 
-void add_version_command(CLI::App& app, int& exit_code) {
+void add_version_command(Command& app) {
   const auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("version", kDescription);
-  command->add_flag("--json", *json, "print one JSON document");
-  command->callback([json, &exit_code] { exit_code = print_version(*json); });
+  Command& command = app.command("version", kDescription);
+  command.flag("--json", *json, "print one JSON document");
+  command.run = [json] { return print_version(*json); };
 }
 
 }  // namespace cls::cli

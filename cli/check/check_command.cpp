@@ -1,8 +1,6 @@
 // `cls check`: the list of checks.
 #include "cli/support/commands.h"
 
-#include <CLI/CLI.hpp>
-
 namespace cls::cli {
 namespace {
 
@@ -18,13 +16,14 @@ constexpr const char* kDescription =
 
 }  // namespace
 
-void add_check_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("check", kDescription);
-  command->require_subcommand(1);
-  add_check_playmaker_command(*command, exit_code);
-  add_check_server_command(*command, exit_code);
-  add_check_server_log_command(*command, exit_code);
-  add_check_perception_command(*command, exit_code);
+void add_check_command(Command& app) {
+  Command& command = app.command("check", kDescription);
+  command.group = kCheckCommands;
+  command.starts_programs = true;
+  add_check_playmaker_command(command);
+  add_check_server_command(command);
+  add_check_server_log_command(command);
+  add_check_perception_command(command);
 }
 
 }  // namespace cls::cli

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <utility>
 
@@ -17,11 +16,11 @@ using orchestration::checks::CheckReport;
 using orchestration::checks::CheckStep;
 using orchestration::checks::StepResult;
 
-void add_check_output_options(CLI::App& command, CheckOutput& output) {
-  command.add_flag("--json", output.json, "print one JSON document instead of text");
+void add_check_output_options(Command& command, CheckOutput& output) {
+  command.flag("--json", output.json, "print one JSON document instead of text");
   add_ci_options(command, output.reports);
-  command.add_flag("--strict", output.strict, "fail (exit 1) on any skipped step");
-  command.add_flag("--quiet", output.quiet, "print only failures and the summary");
+  command.flag("--strict", output.strict, "fail (exit 1) on any skipped step");
+  command.flag("--quiet", output.quiet, "print only failures and the summary");
 }
 
 std::function<void(const CheckStep&)> step_printer(const CheckOutput& output) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include "cli/command/command.h"
 
 #include "cli/support/ci_reports.h"
 #include "orchestration/checks/check_report.h"
@@ -16,7 +17,7 @@ struct CheckOutput {
 };
 
 /// --json, --strict, --quiet and those of CI reports.
-void add_check_output_options(CLI::App& command, CheckOutput& output);
+void add_check_output_options(Command& command, CheckOutput& output);
 
 /// Prints each finished step to stdout: none with --json, only failures with --quiet.
 std::function<void(const orchestration::checks::CheckStep&)> step_printer(

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -111,15 +110,15 @@ int run_check_perception(const Arguments& arguments) {
 
 }  // namespace
 
-void add_check_perception_command(CLI::App& check, int& exit_code) {
+void add_check_perception_command(Command& check) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = check.add_subcommand("perception", kDescription);
-  command->add_option("TRANSCRIPT", arguments->transcript, "datagrams of one player")->required();
-  command->add_option("--truth", arguments->truth, "game log (rcg) of the match")->required();
-  command->add_option("--page", arguments->page,
-                      "also write a page of the match with the decision debugger of the player");
-  command->add_flag("--json", arguments->json, "print one JSON document instead of the table");
-  command->callback([arguments, &exit_code] { exit_code = run_check_perception(*arguments); });
+  Command& command = check.command("perception", kDescription);
+  command.option("TRANSCRIPT", arguments->transcript, "datagrams of one player").required();
+  command.option("--truth", arguments->truth, "game log (rcg) of the match").required();
+  command.option("--page", arguments->page,
+                 "also write a page of the match with the decision debugger of the player");
+  command.flag("--json", arguments->json, "print one JSON document instead of the table");
+  command.run = [arguments] { return run_check_perception(*arguments); };
 }
 
 }  // namespace cls::cli

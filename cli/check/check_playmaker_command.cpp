@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <memory>
 #include <string>
@@ -35,7 +34,7 @@ constexpr const char* kDescription =
 
 struct Arguments {
   std::string endpoint;
-  TlsOptions tls;
+  orchestration::match::TlsFileNames tls;
   double start_timeout_s = 20.0;
   int deadline_ms = 3000;
   int calls = 10'000;
@@ -71,29 +70,27 @@ int run_check_playmaker(const Arguments& arguments) {
 
 }  // namespace
 
-void add_check_playmaker_command(CLI::App& check, int& exit_code) {
+void add_check_playmaker_command(Command& check) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = check.add_subcommand("playmaker", kDescription);
-  command->add_option("ENDPOINT", arguments->endpoint, "the Playmaker")->required();
-  add_tls_options(*command, arguments->tls);
-  add_check_output_options(*command, arguments->output);
+  Command& command = check.command("playmaker", kDescription);
+  command.option("ENDPOINT", arguments->endpoint, "the Playmaker").required();
+  add_tls_options(command, arguments->tls);
+  add_check_output_options(command, arguments->output);
+  command.option("--start-timeout", arguments->start_timeout_s, "seconds until the first response")
+      .above(0)
+      .shows_default();
+  command.option("--rpc-deadline", arguments->deadline_ms, "deadline of an RPC in ms")
+      .above(0)
+      .shows_default();
+  command.option("--calls", arguments->calls, "number of calls in the memory step")
+      .above(0)
+      .shows_default();
   command
-      ->add_option("--start-timeout", arguments->start_timeout_s,
-                   "seconds until the first response")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--rpc-deadline", arguments->deadline_ms, "deadline of an RPC in ms")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--calls", arguments->calls, "number of calls in the memory step")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command
-      ->add_option("--latency-limit", arguments->latency_limit_ms,
-                   "maximum p99 latency of decisions in ms, with 22 players calling")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->callback([arguments, &exit_code] { exit_code = run_check_playmaker(*arguments); });
+      .option("--latency-limit", arguments->latency_limit_ms,
+              "maximum p99 latency of decisions in ms, with 22 players calling")
+      .above(0)
+      .shows_default();
+  command.run = [arguments] { return run_check_playmaker(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -3,13 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <memory>
 #include <string>
 
+#include "base/system/own_program.h"
 #include "cli/check/check_output.h"
-#include "cli/support/command_line.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
@@ -43,7 +42,7 @@ int run_check_server(const Arguments& arguments) {
   }
   orchestration::checks::ServerCheckOptions options;
   options.server = *server;
-  const auto program = own_program();
+  const auto program = base::own_program();
   if (!program) return print_error(kUnavailable, program.error().message);
   options.own_program = *program;
   options.start_timeout =
@@ -59,19 +58,16 @@ int run_check_server(const Arguments& arguments) {
 
 }  // namespace
 
-void add_check_server_command(CLI::App& check, int& exit_code) {
+void add_check_server_command(Command& check) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = check.add_subcommand("server", kDescription);
-  command
-      ->add_option("SERVER", arguments->server, "HOST:PORT, a program (path or name), or embedded")
-      ->required();
-  add_check_output_options(*command, arguments->output);
-  command
-      ->add_option("--start-timeout", arguments->start_timeout_s,
-                   "seconds until the first response")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->callback([arguments, &exit_code] { exit_code = run_check_server(*arguments); });
+  Command& command = check.command("server", kDescription);
+  command.option("SERVER", arguments->server, "HOST:PORT, a program (path or name), or embedded")
+      .required();
+  add_check_output_options(command, arguments->output);
+  command.option("--start-timeout", arguments->start_timeout_s, "seconds until the first response")
+      .above(0)
+      .shows_default();
+  command.run = [arguments] { return run_check_server(*arguments); };
 }
 
 }  // namespace cls::cli

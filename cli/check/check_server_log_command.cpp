@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -60,13 +59,13 @@ int run_check_server_log(const Arguments& arguments) {
 
 }  // namespace
 
-void add_check_server_log_command(CLI::App& check, int& exit_code) {
+void add_check_server_log_command(Command& check) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = check.add_subcommand("server-log", kDescription);
-  command->add_option("GAME.rcg", arguments->game, "game log of the match")->required();
-  command->add_option("GAME.rcl", arguments->text, "its text log")->required();
-  command->add_flag("--json", arguments->json, "print one JSON document instead of the report");
-  command->callback([arguments, &exit_code] { exit_code = run_check_server_log(*arguments); });
+  Command& command = check.command("server-log", kDescription);
+  command.option("GAME.rcg", arguments->game, "game log of the match").required();
+  command.option("GAME.rcl", arguments->text, "its text log").required();
+  command.flag("--json", arguments->json, "print one JSON document instead of the report");
+  command.run = [arguments] { return run_check_server_log(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -3,14 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <cstdio>
 #include <memory>
 #include <string>
 
+#include "base/system/own_program.h"
 #include "base/text/wrap_text.h"
-#include "cli/support/command_line.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
@@ -42,7 +41,7 @@ constexpr const char* kDescription =
 struct Arguments {
   std::string server;
   std::string playmaker;
-  TlsOptions tls;
+  orchestration::match::TlsFileNames tls;
   double limit_s = 5.0;
   bool json = false;
 };
@@ -95,7 +94,7 @@ int exit_code_of(const DoctorReport& report, int signal) {
 
 int run_doctor(const Arguments& arguments) {
   orchestration::checks::DoctorOptions options;
-  const auto program = own_program();
+  const auto program = base::own_program();
   if (!program) return print_error(kUnavailable, program.error().message);
   options.own_program = *program;
   options.limit = std::chrono::milliseconds(static_cast<int>(arguments.limit_s * 1000.0));
@@ -132,22 +131,24 @@ int run_doctor(const Arguments& arguments) {
 
 }  // namespace
 
-void add_doctor_command(CLI::App& app, int& exit_code) {
+void add_doctor_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("doctor", kDescription);
-  command->add_option("--server", arguments->server,
-                      "check a server: rcssserver, PATH, embedded or HOST:PORT");
-  command->add_option("--playmaker", arguments->playmaker,
-                      "check a Playmaker: HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
-                      "run:COMMAND");
-  add_tls_options(*command, arguments->tls);
+  Command& command = app.command("doctor", kDescription);
+  command.group = kCheckCommands;
+  command.starts_programs = true;
+  command.option("--server", arguments->server,
+                 "check a server: rcssserver, PATH, embedded or HOST:PORT");
+  command.option("--playmaker", arguments->playmaker,
+                 "check a Playmaker: HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
+                 "run:COMMAND");
+  add_tls_options(command, arguments->tls);
   command
-      ->add_option("--start-timeout", arguments->limit_s,
-                   "timeout of each program and each probe in seconds")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_flag("--json", arguments->json, "print one JSON document instead of the table");
-  command->callback([arguments, &exit_code] { exit_code = run_doctor(*arguments); });
+      .option("--start-timeout", arguments->limit_s,
+              "timeout of each program and each probe in seconds")
+      .above(0)
+      .shows_default();
+  command.flag("--json", arguments->json, "print one JSON document instead of the table");
+  command.run = [arguments] { return run_doctor(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -1,7 +1,6 @@
 // `cls explain`: the reference in the terminal.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -202,18 +201,16 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_explain_command(CLI::App& app, int& exit_code) {
+void add_explain_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("explain", kDescription);
-  command->add_option("NAME", arguments->names, "a name of the interface, or its last part");
-  command->add_flag("--list", arguments->list, "print all names");
-  command->add_option("--search", arguments->search, "list the entries with a text")
-      ->type_name("TEXT");
-  command
-      ->add_option("--export", arguments->folder, "write the pages of docs/reference to a folder")
-      ->type_name("DIR");
-  command->add_flag("--json", arguments->json, "print one JSON document");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  Command& command = app.command("explain", kDescription);
+  command.option("NAME", arguments->names, "a name of the interface, or its last part");
+  command.flag("--list", arguments->list, "print all names");
+  command.option("--search", arguments->search, "list the entries with a text").placeholder("TEXT");
+  command.option("--export", arguments->folder, "write the pages of docs/reference to a folder")
+      .placeholder("DIR");
+  command.flag("--json", arguments->json, "print one JSON document");
+  command.run = [arguments] { return run(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
@@ -143,18 +142,18 @@ int run_convert_command(const Arguments& arguments) {
 
 }  // namespace
 
-void add_convert_command(CLI::App& app, int& exit_code) {
+void add_convert_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("convert", kDescription);
-  command->add_option("IN", arguments->in, "input game log")->required();
-  command->add_option("OUT", arguments->out, "output game log, compressed if it ends in .gz")
-      ->required();
-  command->add_option("--to", arguments->to,
-                      "version: 4, 5, 6 or json (default: 6, json for OUT.json, that of\n"
-                      "the log for a page)");
-  command->add_flag("--force", arguments->force, "replace an existing OUT");
-  command->add_flag("--json", arguments->json, "print frames and errors as one JSON document");
-  command->callback([arguments, &exit_code] { exit_code = run_convert_command(*arguments); });
+  Command& command = app.command("convert", kDescription);
+  command.group = kResultCommands;
+  command.option("IN", arguments->in, "input game log").required();
+  command.option("OUT", arguments->out, "output game log, compressed if it ends in .gz").required();
+  command.option("--to", arguments->to,
+                 "version: 4, 5, 6 or json (default: 6, json for OUT.json, that of\n"
+                 "the log for a page)");
+  command.flag("--force", arguments->force, "replace an existing OUT");
+  command.flag("--json", arguments->json, "print frames and errors as one JSON document");
+  command.run = [arguments] { return run_convert_command(*arguments); };
 }
 
 }  // namespace cls::cli

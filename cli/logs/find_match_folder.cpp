@@ -40,24 +40,23 @@ Result<FoundMatch> found(const fs::path& folder, std::string why) {
 }
 
 Result<FoundMatch> find_in_tournament(const fs::path& folder, std::optional<int> index) {
-  const auto state = tournament::read_tournament(folder);
-  if (!state) return state.error();
+  TRY_INIT(const auto state, tournament::read_tournament(folder));
   const auto latest = [&](const tournament::ScheduledMatch& one) {
     return folder /
            (one.outcome && !one.outcome->folder.empty()
                 ? fs::path(one.outcome->folder)
-                : tournament::match_folder(state->config, one.fixture, std::max(1, one.attempts)));
+                : tournament::match_folder(state.config, one.fixture, std::max(1, one.attempts)));
   };
   if (index) {
-    for (const auto& one : state->matches) {
+    for (const auto& one : state.matches) {
       if (one.fixture.index == *index) return found(latest(one), fmt::format("match {}", *index));
     }
     return Error{fmt::format("{} has {} matches, no match {}", folder.string(),
-                             state->matches.size(), *index)};
+                             state.matches.size(), *index)};
   }
   const tournament::ScheduledMatch* failed = nullptr;
   const tournament::ScheduledMatch* played = nullptr;
-  for (const auto& one : state->matches) {
+  for (const auto& one : state.matches) {
     if (!one.outcome) continue;
     played = &one;
     if (!one.outcome->finished()) failed = &one;

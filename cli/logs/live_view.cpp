@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -35,12 +34,12 @@ steady_clock::time_point end_of_linger(const std::optional<double>& linger_s) {
   return steady_clock::now() + std::chrono::duration_cast<steady_clock::duration>(linger);
 }
 
-void add_linger_option(CLI::App& command, std::optional<double>& linger_s) {
+void add_linger_option(Command& command, std::optional<double>& linger_s) {
   command
-      .add_option("--linger", linger_s,
-                  "seconds that the page of a running match stays after the match "
-                  "(default: until Ctrl-C in a terminal, else 0)")
-      ->check(CLI::NonNegativeNumber);
+      .option("--linger", linger_s,
+              "seconds that the page of a running match stays after the match "
+              "(default: until Ctrl-C in a terminal, else 0)")
+      .from(0);
 }
 
 std::string tunnel_hint(const std::string& url) {
@@ -58,10 +57,10 @@ base::Result<std::unique_ptr<LiveView>> LiveView::start(std::unique_ptr<viewer::
                                                         const LiveViewOptions& options) {
   std::unique_ptr<LiveView> view(new LiveView(options.linger_s));
   view->match_ = std::make_unique<viewer::LiveMatch>(std::move(input), std::move(text_log));
-  auto server = viewer::HttpServer::start(
-      options.address, viewer::live_site(title, options.settings, view->match_->feed()));
-  if (!server) return server.error();
-  view->server_ = *std::move(server);
+  TRY_INIT(auto server,
+           viewer::HttpServer::start(
+               options.address, viewer::live_site(title, options.settings, view->match_->feed())));
+  view->server_ = std::move(server);
   if (options.open_browser) open_in_browser(view->url());
   return view;
 }

@@ -7,15 +7,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include "cli/command/command.h"
 
 #include "base/result.h"
 #include "viewer/live/http_server.h"
 #include "viewer/live/live_match.h"
 #include "viewer/page/page.h"
-
-namespace CLI {
-class App;
-}
 
 namespace cls::cli {
 
@@ -56,7 +53,7 @@ class LiveView {
 std::chrono::steady_clock::time_point end_of_linger(const std::optional<double>& linger_s);
 
 /// `--linger SECONDS`
-void add_linger_option(CLI::App& command, std::optional<double>& linger_s);
+void add_linger_option(Command& command, std::optional<double>& linger_s);
 
 /// The line for a user on another host, "ssh -L ..."; empty without an ssh connection.
 std::string tunnel_hint(const std::string& url);

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -210,20 +209,21 @@ int run_logs_command(const Arguments& arguments) {
 
 }  // namespace
 
-void add_logs_command(CLI::App& app, int& exit_code) {
+void add_logs_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("logs", kDescription);
-  command->add_option("DIR", arguments->folder, "folder of a match, a tournament or matches")
-      ->capture_default_str();
-  command->add_option("--match", arguments->match, "number of a match in the tournament")
-      ->type_name("K");
+  Command& command = app.command("logs", kDescription);
+  command.group = kResultCommands;
+  command.option("DIR", arguments->folder, "folder of a match, a tournament or matches")
+      .shows_default();
+  command.option("--match", arguments->match, "number of a match in the tournament")
+      .placeholder("K");
   command
-      ->add_option("--process", arguments->process,
-                   "print the output of this process or log file (default: the one that failed)")
-      ->type_name("NAME");
-  command->add_option("--tail", arguments->tail, "lines to print")->capture_default_str();
-  command->add_flag("--json", arguments->json, "print a JSON document");
-  command->callback([arguments, &exit_code] { exit_code = run_logs_command(*arguments); });
+      .option("--process", arguments->process,
+              "print the output of this process or log file (default: the one that failed)")
+      .placeholder("NAME");
+  command.option("--tail", arguments->tail, "lines to print").shows_default();
+  command.flag("--json", arguments->json, "print a JSON document");
+  command.run = [arguments] { return run_logs_command(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -1,7 +1,6 @@
 // `cls report WHAT`: a match as a report with charts.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -172,20 +171,21 @@ int run_report_command(const Arguments& arguments) {
 
 }  // namespace
 
-void add_report_command(CLI::App& app, int& exit_code) {
+void add_report_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("report", kDescription);
-  command->add_option("WHAT", arguments->what, "game log, page or match folder")->required();
+  Command& command = app.command("report", kDescription);
+  command.group = kResultCommands;
+  command.option("WHAT", arguments->what, "game log, page or match folder").required();
   command
-      ->add_option("--format", arguments->format,
-                   "html, md (Markdown and a folder of charts) or svg (the folder alone)")
-      ->capture_default_str();
-  command->add_option("--out", arguments->out,
-                      "file to write, for svg the folder (default: beside the log)");
-  command->add_flag("--no-replay", arguments->without_replay,
-                    "HTML: without the match to watch, about 1.5 MB less");
-  command->add_flag("--json", arguments->json, "print the written files as one JSON document");
-  command->callback([arguments, &exit_code] { exit_code = run_report_command(*arguments); });
+      .option("--format", arguments->format,
+              "html, md (Markdown and a folder of charts) or svg (the folder alone)")
+      .shows_default();
+  command.option("--out", arguments->out,
+                 "file to write, for svg the folder (default: beside the log)");
+  command.flag("--no-replay", arguments->without_replay,
+               "HTML: without the match to watch, about 1.5 MB less");
+  command.flag("--json", arguments->json, "print the written files as one JSON document");
+  command.run = [arguments] { return run_report_command(*arguments); };
 }
 
 }  // namespace cls::cli

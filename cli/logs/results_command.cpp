@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -86,18 +85,17 @@ int run_results_command(const Arguments& arguments) {
 
 }  // namespace
 
-void add_results_command(CLI::App& app, int& exit_code) {
+void add_results_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("results", kDescription);
-  command->add_option("LOG", arguments->logs, "logs, folders or patterns")->required();
-  command->add_option("--format", arguments->format, "table, json, csv or markdown")
-      ->capture_default_str();
-  command->add_flag("--json", arguments->json, "the same as --format json");
+  Command& command = app.command("results", kDescription);
+  command.group = kResultCommands;
+  command.option("LOG", arguments->logs, "logs, folders or patterns").required();
+  command.option("--format", arguments->format, "table, json, csv or markdown").shows_default();
+  command.flag("--json", arguments->json, "the same as --format json");
   command
-      ->add_option("--jobs", arguments->jobs,
-                   "logs read in parallel (default: one per processor core)")
-      ->check(CLI::PositiveNumber);
-  command->callback([arguments, &exit_code] { exit_code = run_results_command(*arguments); });
+      .option("--jobs", arguments->jobs, "logs read in parallel (default: one per processor core)")
+      .above(0);
+  command.run = [arguments] { return run_results_command(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -46,9 +46,8 @@ base::Result<std::optional<RunningMatch>> on_server(const std::string& what) {
   if (*port < 1 || *port > 65535) {
     return base::Error{fmt::format("{}: a port is a number from 1 to 65535", what)};
   }
-  auto input = viewer::follow_server(base::strip_brackets(what.substr(0, colon)), *port);
-  if (!input) return input.error();
-  return std::optional(RunningMatch{*std::move(input), {}, what});
+  TRY_INIT(auto input, viewer::follow_server(base::strip_brackets(what.substr(0, colon)), *port));
+  return std::optional(RunningMatch{std::move(input), {}, what});
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -80,22 +79,20 @@ int run_stats_command(const Arguments& arguments) {
 
 }  // namespace
 
-void add_stats_command(CLI::App& app, int& exit_code) {
+void add_stats_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("stats", kDescription);
-  command->add_option("LOG", arguments->logs, "game logs, folders or patterns")->required();
+  Command& command = app.command("stats", kDescription);
+  command.group = kResultCommands;
+  command.option("LOG", arguments->logs, "game logs, folders or patterns").required();
   command
-      ->add_option("--format", arguments->format,
-                   "text, json, csv (teams), csv-players or csv-events")
-      ->capture_default_str();
-  command->add_flag("--json", arguments->json, "the same as --format json");
-  command->add_flag("--events", arguments->events,
-                    "with JSON: list each pass, shot, tackle and foul");
+      .option("--format", arguments->format, "text, json, csv (teams), csv-players or csv-events")
+      .shows_default();
+  command.flag("--json", arguments->json, "the same as --format json");
+  command.flag("--events", arguments->events, "with JSON: list each pass, shot, tackle and foul");
   command
-      ->add_option("--jobs", arguments->jobs,
-                   "logs read in parallel (default: one per processor core)")
-      ->check(CLI::PositiveNumber);
-  command->callback([arguments, &exit_code] { exit_code = run_stats_command(*arguments); });
+      .option("--jobs", arguments->jobs, "logs read in parallel (default: one per processor core)")
+      .above(0);
+  command.run = [arguments] { return run_stats_command(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -108,9 +108,8 @@ class Cast {
   /// An empty path: none.
   base::Result<void> open(const std::string& path, Size size, const std::string& title) {
     if (path.empty()) return {};
-    auto sink = base::FileSink::create(path);
-    if (!sink) return sink.error();
-    sink_ = *std::move(sink);
+    TRY_INIT(auto sink, base::FileSink::create(path));
+    sink_ = std::move(sink);
     sink_->write(viewer::cast_header(size.columns, size.rows, title));
     return {};
   }

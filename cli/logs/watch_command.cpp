@@ -1,7 +1,6 @@
 // `cls watch WHAT`: a match as a page for a browser.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -144,10 +143,9 @@ base::Result<std::vector<viewer::PageDecisions>> decisions_of(const Arguments& a
                                                               const FoundLog& found) {
   constexpr double kWorthALine = 2e6;
   constexpr double kBase64 = 4.0 / 3.0;
-  const auto choice = decision_choice(arguments.world_models);
-  if (!choice) return choice.error();
-  if (!*choice) return std::vector<viewer::PageDecisions>();
-  auto decisions = viewer::read_page_decisions(found.folder, **choice);
+  TRY_INIT(const auto choice, decision_choice(arguments.world_models));
+  if (!choice) return std::vector<viewer::PageDecisions>();
+  auto decisions = viewer::read_page_decisions(found.folder, *choice);
   if (!decisions) return decisions;
   double size = 0.0;
   for (const viewer::PageDecisions& each : *decisions)
@@ -268,44 +266,44 @@ int run_watch_command(const Arguments& arguments) {
 
 }  // namespace
 
-void add_watch_command(CLI::App& app, int& exit_code) {
+void add_watch_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("watch", kDescription);
-  command->add_option("WHAT", arguments->what, "game log, page or match folder")->required();
-  command->add_option("OTHER", arguments->other, "a second match, beside the first one");
-  command->add_option("--out", arguments->out,
-                      "write the page to this file and do not open it (default: beside\n"
-                      "the log)");
-  command->add_option("--at", arguments->at, "cycle to show first");
-  command->add_option("--players", arguments->players, "players to select, such as l7,r1")
-      ->delimiter(',');
+  Command& command = app.command("watch", kDescription);
+  command.group = kResultCommands;
+  command.option("WHAT", arguments->what, "game log, page or match folder").required();
+  command.option("OTHER", arguments->other, "a second match, beside the first one");
+  command.option("--out", arguments->out,
+                 "write the page to this file and do not open it (default: beside\n"
+                 "the log)");
+  command.option("--at", arguments->at, "cycle to show first");
+  command.option("--players", arguments->players, "players to select, such as l7,r1").split_at(',');
   command
-      ->add_option("--world-models", arguments->world_models,
-                   "which decisions to include, of those that cls match --record-world-models\n"
-                   "recorded: all, none, players such as l7,r1, cycles such as 1200-1400, or\n"
-                   "both (default: all)")
-      ->delimiter(',');
-  command->add_flag("--compact", arguments->compact,
-                    "half the size: centimeters, degrees, no velocities; the page is then\n"
-                    "no log");
-  command->add_flag("--no-open", arguments->no_open, "do not open the browser");
+      .option("--world-models", arguments->world_models,
+              "which decisions to include, of those that cls match --record-world-models\n"
+              "recorded: all, none, players such as l7,r1, cycles such as 1200-1400, or\n"
+              "both (default: all)")
+      .split_at(',');
+  command.flag("--compact", arguments->compact,
+               "half the size: centimeters, degrees, no velocities; the page is then\n"
+               "no log");
+  command.flag("--no-open", arguments->no_open, "do not open the browser");
   command
-      ->add_option("--view", arguments->viewer,
-                   "browser, or terminal: the match in characters, with keys (default: browser)")
-      ->check(CLI::IsMember({"browser", "terminal"}));
-  command->add_option("--cast", arguments->cast,
-                      "record what a terminal shows, for asciinema; of a log: all of it, without "
-                      "waiting");
-  command->add_flag("--live", arguments->live,
-                    "WHAT is a log that a server writes now (found out for match folders)");
-  command->add_option("--listen", arguments->view.address.host,
-                      "IP address of the page of a running match (default: 127.0.0.1; 0.0.0.0: "
-                      "all hosts that know the page's address may watch)");
-  command->add_option("--port", arguments->view.address.port, "its port (default: a free one)")
-      ->check(CLI::Range(0, 65535));
-  add_linger_option(*command, arguments->view.linger_s);
-  command->add_flag("--json", arguments->json, "print page, size and frames as one JSON document");
-  command->callback([arguments, &exit_code] { exit_code = run_watch_command(*arguments); });
+      .option("--view", arguments->viewer,
+              "browser, or terminal: the match in characters, with keys (default: browser)")
+      .one_of({"browser", "terminal"});
+  command.option("--cast", arguments->cast,
+                 "record what a terminal shows, for asciinema; of a log: all of it, without "
+                 "waiting");
+  command.flag("--live", arguments->live,
+               "WHAT is a log that a server writes now (found out for match folders)");
+  command.option("--listen", arguments->view.address.host,
+                 "IP address of the page of a running match (default: 127.0.0.1; 0.0.0.0: "
+                 "all hosts that know the page's address may watch)");
+  command.option("--port", arguments->view.address.port, "its port (default: a free one)")
+      .range(0, 65535);
+  add_linger_option(command, arguments->view.linger_s);
+  command.flag("--json", arguments->json, "print page, size and frames as one JSON document");
+  command.run = [arguments] { return run_watch_command(*arguments); };
 }
 
 }  // namespace cls::cli

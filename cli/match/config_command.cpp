@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -37,7 +36,7 @@ void print_json(const std::vector<SettingRow>& rows) {
   fmt::print("{}", base::json_document(document));
 }
 
-int run_config_command(const CLI::App& command, MatchArguments& arguments) {
+int run_config_command(const Command& command, MatchArguments& arguments) {
   if (arguments.left.empty()) arguments.left = "mock";
   if (arguments.right.empty()) arguments.right = "mock";
   if (const int resolved = resolve_match(command, arguments); resolved != kOk) return resolved;
@@ -54,14 +53,13 @@ int run_config_command(const CLI::App& command, MatchArguments& arguments) {
 
 }  // namespace
 
-void add_config_command(CLI::App& app, int& exit_code) {
+void add_config_command(Command& app) {
   const auto arguments = std::make_shared<MatchArguments>();
-  CLI::App* command = app.add_subcommand("config", kDescription);
-  command->add_option("LEFT", arguments->left, "SIDE on the left (default: mock)");
-  command->add_option("RIGHT", arguments->right, "SIDE on the right (default: mock)");
-  add_match_options(*command, *arguments);
-  command->callback(
-      [arguments, command, &exit_code] { exit_code = run_config_command(*command, *arguments); });
+  Command& command = app.command("config", kDescription);
+  command.option("LEFT", arguments->left, "SIDE on the left (default: mock)");
+  command.option("RIGHT", arguments->right, "SIDE on the right (default: mock)");
+  add_match_options(command, *arguments);
+  command.run = [arguments, &command] { return run_config_command(command, *arguments); };
 }
 
 }  // namespace cls::cli

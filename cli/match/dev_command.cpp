@@ -1,7 +1,6 @@
 // `cls dev`: plays scenarios again whenever the files of a team change.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -315,19 +314,19 @@ int run(Arguments& arguments) {
 
 }  // namespace
 
-void add_dev_command(CLI::App& app, int& exit_code) {
+void add_dev_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("dev", kDescription);
-  command->add_option("SCENARIO", arguments->scenarios,
-                      "names, files or folders (default: tests/)");
-  command->add_option("--against", arguments->against,
-                      "SIDE that plays the side under test (default: as the scenario says)");
-  command->add_option("--watch", arguments->watched, "folder whose files count (default: .)")
-      ->type_name("DIR");
-  command->add_option("--dir", arguments->folder, "folder of logs and recordings")
-      ->capture_default_str();
-  command->add_flag("--json", arguments->json, "print one line of JSON per round");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  Command& command = app.command("dev", kDescription);
+  command.group = kPlayCommands;
+  command.starts_programs = true;
+  command.option("SCENARIO", arguments->scenarios, "names, files or folders (default: tests/)");
+  command.option("--against", arguments->against,
+                 "SIDE that plays the side under test (default: as the scenario says)");
+  command.option("--watch", arguments->watched, "folder whose files count (default: .)")
+      .placeholder("DIR");
+  command.option("--dir", arguments->folder, "folder of logs and recordings").shows_default();
+  command.flag("--json", arguments->json, "print one line of JSON per round");
+  command.run = [arguments] { return run(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <cstdio>
 #include <filesystem>
@@ -145,7 +144,7 @@ void print_interrupted(const MatchResult& result) {
                              result.cycles, result.folder, result.seed));
 }
 
-int run_match_command(const CLI::App& command, MatchArguments& arguments) {
+int run_match_command(const Command& command, MatchArguments& arguments) {
   if (const int resolved = resolve_match(command, arguments); resolved != kOk) return resolved;
   if ((arguments.watch || arguments.open) && !arguments.options.server.game_logging) {
     return print_error(kUsage,
@@ -187,14 +186,15 @@ int run_match_command(const CLI::App& command, MatchArguments& arguments) {
 
 }  // namespace
 
-void add_match_command(CLI::App& app, int& exit_code) {
+void add_match_command(Command& app) {
   const auto arguments = std::make_shared<MatchArguments>();
-  CLI::App* command = app.add_subcommand("match", kDescription);
-  command->add_option("LEFT", arguments->left, "SIDE on the left")->required();
-  command->add_option("RIGHT", arguments->right, "SIDE on the right")->required();
-  add_match_options(*command, *arguments);
-  command->callback(
-      [arguments, command, &exit_code] { exit_code = run_match_command(*command, *arguments); });
+  Command& command = app.command("match", kDescription);
+  command.group = kPlayCommands;
+  command.starts_programs = true;
+  command.option("LEFT", arguments->left, "SIDE on the left").required();
+  command.option("RIGHT", arguments->right, "SIDE on the right").required();
+  add_match_options(command, *arguments);
+  command.run = [arguments, &command] { return run_match_command(command, *arguments); };
 }
 
 }  // namespace cls::cli

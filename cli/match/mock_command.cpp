@@ -6,7 +6,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -63,42 +62,40 @@ struct Arguments {
   bool json = false;
 };
 
-void add_fault_options(CLI::App& command, Arguments& arguments) {
+void add_fault_options(Command& command, Arguments& arguments) {
   Faults& faults = arguments.faults;
-  const auto fraction = CLI::Range(0.0, 1.0);
-  const auto any = CLI::NonNegativeNumber;
-  const auto add = [&command](const std::string& name, auto& member, const std::string& help) {
-    return command.add_option(name, member, help)->group("Faults");
+  const auto add = [&command](const std::string& name, auto& member,
+                              const std::string& help) -> Option& {
+    return command.option(name, member, help).of_group("Faults");
   };
-  add("--delay", faults.delay_ms, "delay of each decision in ms")->check(any);
-  add("--jitter", faults.jitter_ms, "maximum random extra delay in ms")->check(any);
-  add("--drop", faults.drop, "fraction of decisions without a reply")->check(fraction);
-  add("--error", faults.error, "fraction of replies that are a gRPC error")->check(fraction);
+  add("--delay", faults.delay_ms, "delay of each decision in ms").from(0);
+  add("--jitter", faults.jitter_ms, "maximum random extra delay in ms").from(0);
+  add("--drop", faults.drop, "fraction of decisions without a reply").range(0, 1);
+  add("--error", faults.error, "fraction of replies that are a gRPC error").range(0, 1);
   add("--status", faults.status, "gRPC status of --error (default: UNKNOWN)");
   add("--message", faults.message, "message of --error (default: injected error)");
-  add("--garbage", faults.garbage, "fraction of replies with invalid bytes")->check(fraction);
-  add("--oversize", faults.oversize, "fraction of replies of 5 MiB")->check(fraction);
+  add("--garbage", faults.garbage, "fraction of replies with invalid bytes").range(0, 1);
+  add("--oversize", faults.oversize, "fraction of replies of 5 MiB").range(0, 1);
   add("--crash-at-cycle", faults.crash_at_cycle, "crash at the first request of this cycle")
-      ->check(any);
-  add("--hang-at-cycle", faults.hang_at_cycle, "stop replying at this cycle")->check(any);
+      .from(0);
+  add("--hang-at-cycle", faults.hang_at_cycle, "stop replying at this cycle").from(0);
   add("--restart-at-cycle", faults.restart_at_cycle, "restart at this cycle, without state")
-      ->check(any);
+      .from(0);
   add("--restart-after", arguments.restart_after_ms, "downtime of the restart in ms")
-      ->check(any)
-      ->capture_default_str();
-  command
-      .add_flag("--wrong-client-id", faults.wrong_client_id, "give all clients the same client id")
-      ->group("Faults");
+      .from(0)
+      .shows_default();
+  command.flag("--wrong-client-id", faults.wrong_client_id, "give all clients the same client id")
+      .of_group("Faults");
   add("--unimplemented", arguments.unimplemented, "comma-separated RPCs that are not implemented")
-      ->delimiter(',');
-  command.add_flag("--full-states", faults.full_states, "no LEAN_STATES in one call per team")
-      ->group("Faults");
-  add("--slow-start", arguments.slow_start_s, "seconds before listening")->check(any);
+      .split_at(',');
+  command.flag("--full-states", faults.full_states, "no LEAN_STATES in one call per team")
+      .of_group("Faults");
+  add("--slow-start", arguments.slow_start_s, "seconds before listening").from(0);
   add("--fault-cycles", arguments.only_cycles, "FROM TO: delays and fractions only in these cycles")
-      ->expected(2);
+      .takes(2);
   add("--fault-unum", faults.unums, "delays and fractions only for these uniform numbers")
-      ->delimiter(',');
-  add("--fault-seed", faults.seed, "random seed of the faults")->capture_default_str();
+      .split_at(',');
+  add("--fault-seed", faults.seed, "random seed of the faults").shows_default();
 }
 
 // Merges flags into the faults of a script; flags take precedence. Returns an error.
@@ -173,9 +170,8 @@ class ServingProcess {
       restart_due_ = true;
       due_.notify_one();
     };
-    auto server = Server::start(std::move(mock), arguments_.host, port());
-    if (!server) return server.error();
-    server_ = *std::move(server);
+    TRY_INIT(auto server, Server::start(std::move(mock), arguments_.host, port()));
+    server_ = std::move(server);
     port_ = server_->port();
     return {};
   }
@@ -194,9 +190,8 @@ class ServingProcess {
     mock.faults.crash_at_cycle.reset();
     mock.faults.restart_at_cycle = 0;
     mock.faults.restart_cycles = 0;
-    auto server = Server::start(std::move(mock), arguments_.host, port());
-    if (!server) return server.error();
-    server_ = *std::move(server);
+    TRY_INIT(auto server, Server::start(std::move(mock), arguments_.host, port()));
+    server_ = std::move(server);
     const std::lock_guard lock(mutex_);
     restart_due_ = false;
     return {};
@@ -294,21 +289,22 @@ int run_mock(const Arguments& arguments) {
 
 }  // namespace
 
-void add_mock_command(CLI::App& app, int& exit_code) {
+void add_mock_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("mock", kDescription);
+  Command& command = app.command("mock", kDescription);
+  command.group = kPartCommands;
   command
-      ->add_option("BEHAVIOR", arguments->behavior,
-                   "simple, planner, hold, random, random:SEED, replay:FILE or FILE.json")
-      ->capture_default_str();
-  command->add_option("--port", arguments->port, "port; 0 selects a free port and prints it")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 65535));
-  command->add_option("--host", arguments->host, "address to listen on")->capture_default_str();
-  command->add_flag("--json", arguments->json,
-                    "print host and port as one line of JSON; all else goes to stderr");
-  add_fault_options(*command, *arguments);
-  command->callback([arguments, &exit_code] { exit_code = run_mock(*arguments); });
+      .option("BEHAVIOR", arguments->behavior,
+              "simple, planner, hold, random, random:SEED, replay:FILE or FILE.json")
+      .shows_default();
+  command.option("--port", arguments->port, "port; 0 selects a free port and prints it")
+      .shows_default()
+      .range(0, 65535);
+  command.option("--host", arguments->host, "address to listen on").shows_default();
+  command.flag("--json", arguments->json,
+               "print host and port as one line of JSON; all else goes to stderr");
+  add_fault_options(command, *arguments);
+  command.run = [arguments] { return run_mock(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -19,8 +18,8 @@
 #include "base/text/json_text.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
+#include "cli/support/match_option.h"
 #include "cli/support/print_error.h"
-#include "cli/support/reply_options.h"
 #include "cli/support/side_arguments.h"
 #include "cli/support/tls_options.h"
 #include "cli/support/troubleshooting.h"
@@ -53,6 +52,7 @@ constexpr const char* kDescription =
     "Accepts the options of start.sh of the Cross Language Soccer framework's proxy.";
 
 constexpr int kCoach = 12;
+constexpr int kMaxPort = 65535;
 constexpr int kMaxPortStep = 13;
 constexpr int kRightPortOffset = 20;
 
@@ -66,7 +66,7 @@ struct Arguments {
   std::string on_late = "hold";
   std::string batch = "auto";
   std::string playmaker;
-  TlsOptions tls;
+  orchestration::match::TlsFileNames tls;
   std::string result_file;
   std::string rpc_type = "grpc";
   bool quiet = false;
@@ -80,88 +80,83 @@ struct Arguments {
   std::string fullstate;  // accepted for start scripts, ignored
 };
 
-void add_playmaker_options(CLI::App& command, Arguments& arguments) {
+void add_playmaker_options(Command& command, Arguments& arguments) {
   StandaloneTeamOptions& options = arguments.options;
-  const CLI::Range port(1, 65535);
-  command.add_option("--playmaker", arguments.playmaker,
-                     "HOST:PORT, HOST:PORT+step, tls:HOST:PORT or unix:PATH; replaces the next "
-                     "three options");
-  command.add_option("--rpc-host", options.playmaker.host, "host of the Playmaker")
-      ->capture_default_str();
-  command.add_option("--rpc-port", options.playmaker.port, "port of the Playmaker")
-      ->check(port)
-      ->capture_default_str();
-  command.add_flag("--rpc-port-step", options.playmaker.port_step, "player n connects to port + n");
-  command.add_flag("--rpc-add-20-to-port-for-right", options.add_20_for_right,
-                   "add 20 to the port for a team on the right");
+  command.option("--playmaker", arguments.playmaker,
+                 "HOST:PORT, HOST:PORT+step, tls:HOST:PORT or unix:PATH; replaces the next "
+                 "three options");
+  command.option("--rpc-host", options.playmaker.host, "host of the Playmaker").shows_default();
+  command.option("--rpc-port", options.playmaker.port, "port of the Playmaker")
+      .range(1, kMaxPort)
+      .shows_default();
+  command.flag("--rpc-port-step", options.playmaker.port_step, "player n connects to port + n");
+  command.flag("--rpc-add-20-to-port-for-right", options.add_20_for_right,
+               "add 20 to the port for a team on the right");
   command
-      .add_option("--rpc-timeout", arguments.timeout_s,
-                  "deadline of an RPC in seconds; in real time at most one cycle")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 3600));
-  command
-      .add_option("--rpc-deadline", arguments.deadline_ms, "deadline of an RPC in ms, if shorter")
-      ->check(CLI::PositiveNumber);
-  add_reply_options(command, arguments.on_late, arguments.batch);
+      .option("--rpc-timeout", arguments.timeout_s,
+              "deadline of an RPC in seconds; in real time at most one cycle")
+      .shows_default()
+      .range(1, 3600);
+  command.option("--rpc-deadline", arguments.deadline_ms, "deadline of an RPC in ms, if shorter")
+      .above(0);
+  add_match_option(command, "on_late", arguments.on_late);
+  add_match_option(command, "batch", arguments.batch);
   add_tls_options(command, arguments.tls);
-  command
-      .add_option("--result", arguments.result_file,
-                  "write the result as JSON, per player, to FILE")
-      ->type_name("FILE");
-  command.add_option("--rpc-type", arguments.rpc_type, "RPC framework: grpc");
+  command.option("--result", arguments.result_file, "write the result as JSON, per player, to FILE")
+      .placeholder("FILE");
+  command.option("--rpc-type", arguments.rpc_type, "RPC framework: grpc");
 }
 
-void add_options(CLI::App& command, Arguments& arguments) {
+void add_options(Command& command, Arguments& arguments) {
   StandaloneTeamOptions& options = arguments.options;
-  command.set_help_flag("--help", "print this help");
+  command.options.front().names = "--help";  // -h is the host
   options.playmaker.host = "localhost";
   options.playmaker.port = 50051;
-  const CLI::Range port(1, 65535);
-  command.add_option("-h,--host", options.server_host,
-                     "host of the soccer server (default: localhost)");
-  command.add_option("-p,--port", options.server_port, "player port of the soccer server")
-      ->check(port)
-      ->capture_default_str();
-  command.add_option("-t,--teamname,--team_name", arguments.team_name, "name of the team")
-      ->capture_default_str();
-  command.add_option("-n,--number", arguments.number, "number of players, goalie first")
-      ->capture_default_str()
-      ->check(CLI::Range(1, soccer::kPlayersPerTeam));
+  command.option("-h,--host", options.server_host,
+                 "host of the soccer server (default: localhost)");
+  command.option("-p,--port", options.server_port, "player port of the soccer server")
+      .range(1, kMaxPort)
+      .shows_default();
+  command.option("-t,--teamname,--team_name", arguments.team_name, "name of the team")
+      .shows_default();
+  command.option("-n,--number", arguments.number, "number of players, goalie first")
+      .shows_default()
+      .range(1, soccer::kPlayersPerTeam);
   command
-      .add_option("-u,--unum", arguments.unum,
-                  "only this uniform number; 1 is the goalie, 12 the coach")
-      ->check(CLI::Range(1, kCoach));
-  command.add_option("-v,--version", options.team.protocol, "protocol version, 14 to 19")
-      ->capture_default_str()
-      ->check(CLI::Range(soccer::kMinProtocolVersion, soccer::kMaxProtocolVersion));
-  command.add_flag("-r,--reconnect", options.team.reconnect,
-                   "reconnect as players that lost their connection");
+      .option("-u,--unum", arguments.unum,
+              "only this uniform number; 1 is the goalie, 12 the coach")
+      .range(1, kCoach);
+  command.option("-v,--version", options.team.protocol, "protocol version, 14 to 19")
+      .shows_default()
+      .range(soccer::kMinProtocolVersion, soccer::kMaxProtocolVersion);
+  command.flag("-r,--reconnect", options.team.reconnect,
+               "reconnect as players that lost their connection");
   add_playmaker_options(command, arguments);
   command
-      .add_option("--start-timeout", options.start_timeout_s,
-                  "seconds until the first response of server and Playmaker")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  command.add_flag("--quiet", arguments.quiet, "print no progress and no warnings");
-  command.add_flag("--json", arguments.json,
-                   "print side and players as one line of JSON; all else goes to stderr");
+      .option("--start-timeout", options.start_timeout_s,
+              "seconds until the first response of server and Playmaker")
+      .shows_default()
+      .above(0);
+  command.flag("--quiet", arguments.quiet, "print no progress and no warnings");
+  command.flag("--json", arguments.json,
+               "print side and players as one line of JSON; all else goes to stderr");
   command
-      .add_option("-P,--coach-port", arguments.coach_port,
-                  "coach port of the soccer server (default: --port + 2)")
-      ->check(port);
-  command.add_flag("-C,--without-coach", arguments.without_coach, "connect only the players");
-  command.add_flag("--coach", arguments.coach_only, "connect only the coach");
-  command.add_flag("--trainer", arguments.trainer, "connect a trainer instead of the coach");
+      .option("-P,--coach-port", arguments.coach_port,
+              "coach port of the soccer server (default: --port + 2)")
+      .range(1, kMaxPort);
+  command.flag("-C,--without-coach", arguments.without_coach, "connect only the players");
+  command.flag("--coach", arguments.coach_only, "connect only the coach");
+  command.flag("--trainer", arguments.trainer, "connect a trainer instead of the coach");
   command
-      .add_option("--trainer-port", arguments.trainer_port,
-                  "trainer port of the soccer server (default: --port + 1)")
-      ->check(port);
-  command.add_option("-f,--formation", arguments.formation,
-                     "folder with formations, see docs/formations.md (default: built-in)");
-  command.add_option("--debug-log", options.team.debug_log,
-                     "folder for log messages of the Playmaker, TEAM-NUMBER.log");
-  command.add_option("--fullstate", arguments.fullstate,
-                     "accepted and ignored: players use their senses");
+      .option("--trainer-port", arguments.trainer_port,
+              "trainer port of the soccer server (default: --port + 1)")
+      .range(1, kMaxPort);
+  command.option("-f,--formation", arguments.formation,
+                 "folder with formations, see docs/formations.md (default: built-in)");
+  command.option("--debug-log", options.team.debug_log,
+                 "folder for log messages of the Playmaker, TEAM-NUMBER.log");
+  command.option("--fullstate", arguments.fullstate,
+                 "accepted and ignored: players use their senses");
 }
 
 // Reads --playmaker; returns the exit code.
@@ -360,44 +355,39 @@ int run_proxy(Arguments& arguments) {
 constexpr const char* kIgnoredGroup = "Accepted for compatibility with start scripts, no effect";
 
 // Options of start.sh of the Cross Language Soccer framework's proxy.
-constexpr const char* kIgnoredFlags =
-    "--offline-logging,--offline-client-mode,--debug,--debug-server-connect,"
-    "--debug-server-logging";
+constexpr const char* kIgnoredFlags[] = {"--offline-logging", "--offline-client-mode", "--debug",
+                                         "--debug-server-connect", "--debug-server-logging"};
 constexpr const char* kIgnoredOptions[] = {
     "--team-graphic",      "--debug-start-time", "--debug-end-time", "--debug-server-host",
     "--debug-server-port", "--log-dir",          "--debug-log-ext"};
 
-void add_ignored_options(CLI::App& command) {
-  for (const std::string& flag : CLI::detail::split(kIgnoredFlags, ',')) {
-    command.add_flag(flag)->group(kIgnoredGroup);
-  }
-  for (const char* option : kIgnoredOptions) {
-    command.add_option(option)->expected(1)->group(kIgnoredGroup);
-  }
+void add_ignored_options(Command& command) {
+  for (const char* flag : kIgnoredFlags) command.flag(flag, "").of_group(kIgnoredGroup);
+  for (const char* option : kIgnoredOptions) command.option(option, "").of_group(kIgnoredGroup);
 }
 
-std::vector<std::string> given_ignored_options(const CLI::App& command) {
+std::vector<std::string> given_ignored_options(const Command& command) {
   std::vector<std::string> given;
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->get_group() == kIgnoredGroup && option->count() > 0)
-      given.push_back(option->get_name());
+  for (const Option& option : command.options) {
+    if (option.group == kIgnoredGroup && !option.given.empty()) given.push_back(name_of(option));
   }
   return given;
 }
 
 }  // namespace
 
-void add_proxy_command(CLI::App& app, int& exit_code) {
+void add_proxy_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("proxy", kDescription);
-  add_options(*command, *arguments);
-  add_ignored_options(*command);
-  command->callback([arguments, command, &exit_code] {
-    for (const std::string& option : given_ignored_options(*command)) {
+  Command& command = app.command("proxy", kDescription);
+  command.group = kPartCommands;
+  add_options(command, *arguments);
+  add_ignored_options(command);
+  command.run = [arguments, &command] {
+    for (const std::string& option : given_ignored_options(command)) {
       if (!arguments->quiet) fmt::print(stderr, "cls: warning: {} has no effect\n", option);
     }
-    exit_code = run_proxy(*arguments);
-  });
+    return run_proxy(*arguments);
+  };
 }
 
 }  // namespace cls::cli

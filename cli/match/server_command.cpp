@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -22,11 +21,12 @@
 #include <vector>
 
 #include "base/text/json_text.h"
+#include "cli/command/help.h"
+#include "cli/command/parse.h"
 #include "cli/match/server_lines.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
-#include "cli/support/usage_errors.h"
 #include "cli/terminal/json_stdout.h"
 #include "gamelog/rcg/rcg_writer.h"
 #include "orchestration/match/options/server_settings.h"
@@ -71,12 +71,10 @@ base::Result<ServerSettings> read_settings(const Arguments& arguments,
                                            const std::vector<std::string>& texts, int& exit_code) {
   ServerSettings settings;
   exit_code = kBadConfig;
-  const auto files = apply_folder(settings, orchestration::match::configuration_folder());
-  if (!files) return files.error();
-  for (const auto& file : *files) fmt::print("configuration: {}\n", file.string());
+  TRY_INIT(const auto files, apply_folder(settings, orchestration::match::configuration_folder()));
+  for (const auto& file : files) fmt::print("configuration: {}\n", file.string());
   exit_code = kUsage;
-  const auto applied = apply_arguments(settings, texts);
-  if (!applied) return applied.error();
+  TRY(apply_arguments(settings, texts));
   if (arguments.folder.empty()) return settings;
   // --dir: fixed names in that folder.
   soccer::ServerParams& server = settings.server;
@@ -300,16 +298,16 @@ std::optional<std::string> mistyped_option(const std::vector<std::string>& texts
   return std::nullopt;
 }
 
-int run_server(const Arguments& arguments, const CLI::App& command) {
+int run_server(const Arguments& arguments, const Command& command) {
   int problem = kUsage;
-  if (const auto option = mistyped_option(command.remaining())) {
+  if (const auto option = mistyped_option(command.words)) {
     return print_error(kUsage, unknown_option(command, *option));
   }
   const JsonStdout json(arguments.json);
-  const auto settings = read_settings(arguments, command.remaining(), problem);
+  const auto settings = read_settings(arguments, command.words, problem);
   if (!settings) return print_error(problem, settings.error().message);
   if (settings->help) {
-    fmt::print("{}", command.help());
+    fmt::print("{}", help_text(command));
     return kOk;
   }
   const soccer::ServerParams& server = settings->server;
@@ -325,28 +323,27 @@ int run_server(const Arguments& arguments, const CLI::App& command) {
 
 }  // namespace
 
-void add_server_command(CLI::App& app, int& exit_code) {
+void add_server_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("server", kDescription);
-  command->allow_extras();  // the settings, in order
-  command->add_option("--host", arguments->host, "address to listen on")->capture_default_str();
+  Command& command = app.command("server", kDescription);
+  command.group = kPartCommands;
+  command.starts_programs = true;
+  command.takes_any_words = true;  // the settings, in order
+  command.option("--host", arguments->host, "address to listen on").shows_default();
   command
-      ->add_option(
+      .option(
           "--port", arguments->port,
           "player port; trainer and coach ports are the next two; 0 selects free ports (default: "
           "server::port, 6000)")
-      ->check(CLI::Range(0, 65533));
-  command->add_option("--seed", arguments->seed,
-                      "random seed of the match (default: random, printed)");
-  command->add_option("--cycles", arguments->cycles, "end the match at this game time")
-      ->check(CLI::PositiveNumber);
-  command->add_option(
+      .range(0, 65533);
+  command.option("--seed", arguments->seed, "random seed of the match (default: random, printed)");
+  command.option("--cycles", arguments->cycles, "end the match at this game time").above(0);
+  command.option(
       "--dir", arguments->folder,
       "folder for match.rcg, match.rcl and match.kwy (default: rcssserver's folders and names)");
-  command->add_flag("--json", arguments->json,
-                    "print host and ports as one line of JSON; all else goes to stderr");
-  command->callback(
-      [arguments, command, &exit_code] { exit_code = run_server(*arguments, *command); });
+  command.flag("--json", arguments->json,
+               "print host and ports as one line of JSON; all else goes to stderr");
+  command.run = [arguments, &command] { return run_server(*arguments, command); };
 }
 
 }  // namespace cls::cli

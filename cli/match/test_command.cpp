@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -20,10 +19,10 @@
 #include "base/text/json_document.h"
 #include "base/text/json_text.h"
 #include "base/text/suggestion.h"
-#include "cli/match/program_options.h"
 #include "cli/support/ci_reports.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
+#include "cli/support/match_option.h"
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
 #include "cli/support/tls_options.h"
@@ -56,7 +55,7 @@ constexpr const char* kDescription =
     "  cls test --replay FILE --at 1234 --player 7 localhost:50051";
 
 struct Arguments {
-  TlsOptions tls;
+  orchestration::match::TlsFileNames tls;
   std::vector<std::string> scenarios;
   std::string filter;
   std::string shard;
@@ -398,40 +397,42 @@ int run_test_command(const Arguments& arguments) {
 
 }  // namespace
 
-void add_test_command(CLI::App& app, int& exit_code) {
+void add_test_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("test", kDescription);
+  Command& command = app.command("test", kDescription);
+  command.group = kPlayCommands;
+  command.starts_programs = true;
   Arguments& a = *arguments;
-  command->add_option("SCENARIO", a.scenarios,
-                      "names, files or folders (default: all shipped scenarios)");
-  command->add_option("--against", a.against, "SIDE that plays the side under test");
-  command->add_option("--filter", a.filter,
-                      "only names that contain this text or match this pattern (*)");
-  command->add_option("--seed", a.seed, "only this seed");
-  command->add_option("--shard", a.shard, "K/N: play the K-th of N parts");
+  command.option("SCENARIO", a.scenarios,
+                 "names, files or folders (default: all shipped scenarios)");
+  command.option("--against", a.against, "SIDE that plays the side under test");
+  command.option("--filter", a.filter,
+                 "only names that contain this text or match this pattern (*)");
+  command.option("--seed", a.seed, "only this seed");
+  command.option("--shard", a.shard, "K/N: play the K-th of N parts");
   command
-      ->add_option("--jobs", a.jobs,
-                   "parallel runs (default: processor cores; 1 with --against your Playmaker)")
-      ->check(CLI::Range(1, 1000));
-  add_ci_options(*command, a.reports);
-  command->add_flag("--json", a.json, "print only the result document");
-  command->add_option("--dir", a.folder, "folder of failed runs")->capture_default_str();
-  command->add_flag("--accept", a.accept_golden, "accept current values as the new golden values");
-  command->add_flag("--bless", a.accept_golden)->group("");  // former name of --accept
-  command->add_flag("--list", a.list, "list names and descriptions");
-  command->add_option("--export", a.export_folder, "write the shipped scenarios to a folder");
-  command->add_flag("--force", a.force, "with --export: rename changed files to NAME.old first");
-  command->add_option("--replay", a.replay,
-                      "send a recording of `cls match --record-rpc` to the Playmaker ENDPOINT");
-  command->add_option("--side", a.side, "side of the recording for --replay: left or right");
-  command->add_option("--at", a.at, "with --replay: only decisions of this cycle");
-  command->add_option("--player", a.player, "with --replay: only calls of this player")
-      ->check(CLI::Range(1, proto::kTrainerNumber));
-  add_sandbox_option(*command, a.sandbox);
-  add_tls_options(*command, a.tls);
-  command->add_flag("--strict", a.strict, "fail (exit 1) on any skipped scenario");
-  command->add_flag("--quiet", a.quiet, "print only failures and the summary");
-  command->callback([arguments, &exit_code] { exit_code = run_test_command(*arguments); });
+      .option("--jobs", a.jobs,
+              "parallel runs (default: processor cores; 1 with --against your Playmaker)")
+      .range(1, 1000);
+  add_ci_options(command, a.reports);
+  command.flag("--json", a.json, "print only the result document");
+  command.option("--dir", a.folder, "folder of failed runs").shows_default();
+  command.flag("--accept", a.accept_golden, "accept current values as the new golden values");
+  command.flag("--bless", a.accept_golden, "").of_group(kHidden);  // former name of --accept
+  command.flag("--list", a.list, "list names and descriptions");
+  command.option("--export", a.export_folder, "write the shipped scenarios to a folder");
+  command.flag("--force", a.force, "with --export: rename changed files to NAME.old first");
+  command.option("--replay", a.replay,
+                 "send a recording of `cls match --record-rpc` to the Playmaker ENDPOINT");
+  command.option("--side", a.side, "side of the recording for --replay: left or right");
+  command.option("--at", a.at, "with --replay: only decisions of this cycle");
+  command.option("--player", a.player, "with --replay: only calls of this player")
+      .range(1, proto::kTrainerNumber);
+  add_match_option(command, "sandbox", a.sandbox);
+  add_tls_options(command, a.tls);
+  command.flag("--strict", a.strict, "fail (exit 1) on any skipped scenario");
+  command.flag("--quiet", a.quiet, "print only failures and the summary");
+  command.run = [arguments] { return run_test_command(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -1,7 +1,6 @@
 // `cls new`: writes a project for an own team, never over existing files.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -89,17 +88,17 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_new_command(CLI::App& app, int& exit_code) {
+void add_new_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("new", kDescription);
-  command->add_option("LANGUAGE", arguments->language, "python, typescript, go, java or rust")
-      ->required();
-  command->add_option("NAME", arguments->name, "name of the team")->required();
-  command->add_option("--template", arguments->team_template,
-                      "team, minimal, high-level or rl (default: team)");
-  command->add_option("--dir", arguments->dir, "folder of the project (default: NAME)");
-  command->add_flag("--json", arguments->json, "print one JSON document");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  Command& command = app.command("new", kDescription);
+  command.option("LANGUAGE", arguments->language, "python, typescript, go, java or rust")
+      .required();
+  command.option("NAME", arguments->name, "name of the team").required();
+  command.option("--template", arguments->team_template,
+                 "team, minimal, high-level or rl (default: team)");
+  command.option("--dir", arguments->dir, "folder of the project (default: NAME)");
+  command.flag("--json", arguments->json, "print one JSON document");
+  command.run = [arguments] { return run(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -1,7 +1,6 @@
 // `cls package-team`: a team of cls.toml as a folder that the machines of a competition start.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -101,15 +100,15 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_package_team_command(CLI::App& app, int& exit_code) {
+void add_package_team_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("package-team", kDescription);
-  command->add_option("NAME", arguments->name, "a team of cls.toml")->required();
-  command->add_option("--dir", arguments->dir, "folder of the package (default: NAME-team)");
-  command->add_option("--config", arguments->config,
-                      "cls.toml with the team (default: in or above the working directory)");
-  command->add_flag("--json", arguments->json, "print one JSON document");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  Command& command = app.command("package-team", kDescription);
+  command.option("NAME", arguments->name, "a team of cls.toml").required();
+  command.option("--dir", arguments->dir, "folder of the package (default: NAME-team)");
+  command.option("--config", arguments->config,
+                 "cls.toml with the team (default: in or above the working directory)");
+  command.flag("--json", arguments->json, "print one JSON document");
+  command.run = [arguments] { return run(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -1,13 +1,12 @@
 // Follows the words before the cursor through commands, options and arguments.
 #include "cli/shell/completion.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string_view>
 #include <utility>
 
+#include "base/text/value_form.h"
 #include "cli/shell/completion_values.h"
-#include "cli/support/value_form.h"
 
 namespace cls::cli {
 namespace {
@@ -16,33 +15,32 @@ using Words = std::vector<std::string>;
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-// Hidden ones have no group.
-std::vector<const CLI::App*> visible_commands(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+bool is_visible(const Command& command) { return command.group != kHidden; }
+
+bool has_visible_commands(const Command& command) {
+  return std::any_of(command.commands.begin(), command.commands.end(), is_visible);
 }
 
-const CLI::App* find_command(const CLI::App& app, const std::string& name) {
-  for (const CLI::App* command : visible_commands(app)) {
-    if (command->get_name() == name) return command;
-  }
-  return nullptr;
+const Command* find_visible(const Command& command, const std::string& name) {
+  const Command* found = find_command(command, name);
+  return found != nullptr && is_visible(*found) ? found : nullptr;
 }
 
 /// Where the cursor is.
 struct Place {
-  const CLI::App* command = nullptr;
-  const CLI::Option* option = nullptr;  ///< whose value the cursor is on
-  Words arguments;                      ///< before the cursor, without options
-  Words options;                        ///< given before the cursor: "--seed"
+  const Command* command = nullptr;
+  const Option* option = nullptr;  ///< whose value the cursor is on
+  Words arguments;                 ///< before the cursor, without options
+  Words options;                   ///< given before the cursor: "--seed"
 };
 
 // False if a word is not a command.
 bool advance(Place& place, const std::string& word) {
-  if (visible_commands(*place.command).empty()) {
+  if (!has_visible_commands(*place.command)) {
     place.arguments.push_back(word);
     return true;
   }
-  place.command = find_command(*place.command, word);
+  place.command = find_visible(*place.command, word);
   return place.command != nullptr;
 }
 
@@ -60,56 +58,49 @@ bool find_place(Place& place, const Words& before) {
     }
     const std::size_t equals = word.find('=');
     place.options.push_back(word.substr(0, equals));
-    const CLI::Option* option = place.command->get_option_no_throw(place.options.back());
+    const Option* option = find_option(*place.command, place.options.back());
     if (option == nullptr || is_flag(*option) || equals != std::string::npos) continue;
     place.option = option;
-    values = option->get_expected_min();
+    values = option->min_values;
   }
   return true;
 }
 
-bool may_repeat(const CLI::Option& option) {
-  return option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
-}
-
 void add_options(const Place& place, Completion& completion) {
-  for (const CLI::Option* option : place.command->get_options()) {
-    if (option->get_group().empty() || !option->nonpositional()) continue;
-    for (const std::string& name : option->get_lnames()) {
-      const std::string text = "--" + name;
+  for (const Option& option : place.command->options) {
+    if (option.group == kHidden || is_argument(option)) continue;
+    for (const std::string& name : all_names(option)) {
       const bool given =
-          std::find(place.options.begin(), place.options.end(), text) != place.options.end();
-      if (!given || may_repeat(*option)) {
-        completion.candidates.push_back({text, first_line(option->get_description())});
-      }
+          std::find(place.options.begin(), place.options.end(), name) != place.options.end();
+      if (!name.starts_with("--") || (given && !option.is_repeatable)) continue;
+      completion.candidates.push_back({name, first_line(option.help)});
     }
   }
 }
 
-void add_commands(const CLI::App& app, Completion& completion) {
-  for (const CLI::App* command : visible_commands(app)) {
-    completion.candidates.push_back({command->get_name(), first_line(command->get_description())});
+void add_commands(const Command& command, Completion& completion) {
+  for (const Command& below : command.commands) {
+    if (!is_visible(below)) continue;
+    completion.candidates.push_back({below.name, first_line(below.description)});
   }
 }
 
 // The argument at the cursor; nullptr if the command takes no more.
-const CLI::Option* argument_at(const CLI::App& command, std::size_t index) {
-  const CLI::Option* last = nullptr;
-  for (const CLI::Option* option : command.get_options()) {
-    if (!option->get_positional()) continue;
-    if (index-- == 0) return option;
-    last = option;
+const Option* argument_at(const Command& command, std::size_t index) {
+  const Option* last = nullptr;
+  for (const Option& option : command.options) {
+    if (!is_argument(option)) continue;
+    if (index-- == 0) return &option;
+    last = &option;
   }
-  const bool takes_rest =
-      last != nullptr && last->get_expected_max() == CLI::detail::expected_max_vector_size;
-  return takes_rest ? last : nullptr;
+  return last != nullptr && last->max_values == kAnyNumber ? last : nullptr;
 }
 
 // "cls help tournament run": the words are commands.
-void add_topics(const CLI::App& app, const Words& arguments, Completion& completion) {
-  const CLI::App* place = &app;
+void add_topics(const Command& root, const Words& arguments, Completion& completion) {
+  const Command* place = &root;
   for (const std::string& word : arguments) {
-    place = find_command(*place, word);
+    place = find_visible(*place, word);
     if (place == nullptr) return;
   }
   add_commands(*place, completion);
@@ -126,7 +117,7 @@ void keep_matching(std::string_view word, Completion& completion) {
 Completion complete_attached(const Place& place, const std::string& word) {
   Completion completion;
   const std::size_t equals = word.find('=');
-  const CLI::Option* option = place.command->get_option_no_throw(word.substr(0, equals));
+  const Option* option = find_option(*place.command, word.substr(0, equals));
   if (option == nullptr || is_flag(*option)) return completion;
   completion = values_of(*option, {place.options, word.substr(equals + 1)});
   const std::string head = word.substr(0, equals + 1);
@@ -137,11 +128,11 @@ Completion complete_attached(const Place& place, const std::string& word) {
 
 }  // namespace
 
-Completion complete(const CLI::App& app, const Words& words) {
+Completion complete(const Command& root, const Words& words) {
   Completion completion;
   if (words.empty()) return completion;
   const std::string& word = words.back();
-  Place place{&app, nullptr, {}, {}};
+  Place place{&root, nullptr, {}, {}};
   if (!find_place(place, {words.begin(), words.end() - 1})) return completion;
   if (place.option != nullptr) {
     completion = values_of(*place.option, {place.options, word});
@@ -149,13 +140,13 @@ Completion complete(const CLI::App& app, const Words& words) {
     completion = complete_attached(place, word);
   } else if (word.starts_with('-')) {
     add_options(place, completion);
-  } else if (!visible_commands(*place.command).empty()) {
+  } else if (has_visible_commands(*place.command)) {
     add_commands(*place.command, completion);
-  } else if (place.command->get_name() == "help") {
-    add_topics(app, place.arguments, completion);
-  } else if (place.command->get_allow_extras()) {
+  } else if (place.command->name == "help") {
+    add_topics(root, place.arguments, completion);
+  } else if (place.command->takes_any_words) {
     add_parameters(completion, word);  // of cls server
-  } else if (const CLI::Option* argument = argument_at(*place.command, place.arguments.size())) {
+  } else if (const Option* argument = argument_at(*place.command, place.arguments.size())) {
     completion = values_of(*argument, {place.options, word});
   }
   keep_matching(word, completion);

@@ -3,10 +3,7 @@
 
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
+#include "cli/command/command.h"
 
 namespace cls::cli {
 
@@ -26,8 +23,8 @@ struct Completion {
   std::string path_prefix;  ///< "team:" in "team:../helios", "--dir=" in "--dir=runs"
 };
 
-/// Completes the last of `words`, the arguments of `cls` up to the cursor; it may be empty. `app`
+/// Completes the last of `words`, the arguments of `cls` up to the cursor; it may be empty. `root`
 /// has all commands. Reads cls.toml for names of teams; an invalid one has none.
-Completion complete(const CLI::App& app, const std::vector<std::string>& words);
+Completion complete(const Command& root, const std::vector<std::string>& words);
 
 }  // namespace cls::cli

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -51,9 +50,9 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-int print_completion(const CLI::App& app, std::vector<std::string> words) {
+int print_completion(const Command& root, std::vector<std::string> words) {
   if (!words.empty() && words.front() == "--") words.erase(words.begin());
-  const Completion completion = complete(app, words);
+  const Completion completion = complete(root, words);
   for (const Candidate& candidate : completion.candidates) {
     fmt::print("{}\t{}\n", candidate.text, candidate.note);
   }
@@ -64,13 +63,13 @@ int print_completion(const CLI::App& app, std::vector<std::string> words) {
   return kOk;
 }
 
-void add_completion_command(CLI::App& app, int& exit_code) {
+void add_completion_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("completion", kDescription);
-  command->add_option("SHELL", arguments->shell, fmt::format("{}", fmt::join(shell_names(), ", ")))
-      ->required();
-  command->add_flag("--json", arguments->json, "print one JSON document");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  Command& command = app.command("completion", kDescription);
+  command.option("SHELL", arguments->shell, fmt::format("{}", fmt::join(shell_names(), ", ")))
+      .required();
+  command.flag("--json", arguments->json, "print one JSON document");
+  command.run = [arguments] { return run(*arguments); };
 }
 
 }  // namespace cls::cli

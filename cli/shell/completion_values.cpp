@@ -3,17 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
 #include <variant>
 
+#include "base/text/value_form.h"
 #include "cli/project/project_files.h"
 #include "cli/shell/help_topics.h"
 #include "cli/shell/shells.h"
-#include "cli/support/value_form.h"
 #include "mock-server/script/named_behaviors.h"
 #include "orchestration/scenario/scenario_library.h"
 #include "orchestration/tournament/config/config_file.h"
@@ -168,13 +167,13 @@ void add_table(Completion& completion, std::string_view module, const std::strin
 
 }  // namespace
 
-Completion values_of(const CLI::Option& option, const ValueContext& context) {
+Completion values_of(const Option& option, const ValueContext& context) {
   Completion completion;
-  for (const std::string& word : choices(option)) completion.candidates.push_back({word, ""});
+  for (const std::string& word : option.form.words) completion.candidates.push_back({word, ""});
   if (!completion.candidates.empty()) return completion;
-  const bool is_argument = option.get_positional();
-  Source source = source_of(option.get_name());
-  if (source == nullptr && !is_argument) source = source_of(value_name(option));
+  const bool argument = is_argument(option);
+  Source source = source_of(name_of(option));
+  if (source == nullptr && !argument) source = source_of(value_name(option));
   if (source != nullptr) source(context, completion);
   return completion;
 }

@@ -3,12 +3,9 @@
 
 #include <string>
 #include <vector>
+#include "cli/command/command.h"
 
 #include "cli/shell/completion.h"
-
-namespace CLI {
-class Option;
-}
 
 namespace cls::cli {
 
@@ -19,7 +16,7 @@ struct ValueContext {
 };
 
 /// All values that are known, whether they begin with the word or not, and the kind of paths.
-Completion values_of(const CLI::Option& option, const ValueContext& context);
+Completion values_of(const Option& option, const ValueContext& context);
 
 /// "server::half_time=", ...; "server::coach=true" for a `word` that has a name already.
 void add_parameters(Completion& completion, const std::string& word);

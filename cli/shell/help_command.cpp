@@ -1,7 +1,6 @@
 // `cls help`: pages of the manual; application.cpp handles the names of commands.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -61,44 +60,44 @@ int print_topic(const HelpTopic& topic, bool json) {
   return kOk;
 }
 
-int report_unknown_topic(const CLI::App& app, const std::string& name) {
+int report_unknown_topic(const Command& root, const std::string& name) {
   std::vector<std::string> names = {std::string(kListOfTopics)};
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  for (const Command& command : root.commands) names.push_back(command.name);
   for (const HelpTopic& topic : help_topics()) names.push_back(topic.name);
   const std::string near = base::did_you_mean(name, {names.begin(), names.end()});
   return print_error(kUsage, fmt::format("unknown command or topic '{}'{}", name,
                                          near.empty() ? " (see cls help topics)" : near));
 }
 
-int write_man_pages(const CLI::App& app, const fs::path& folder) {
+int write_man_pages(const Command& root, const fs::path& folder) {
   if (const auto created = base::create_folders(folder); !created) {
     return print_error(kCannotCreate, created.error().message);
   }
-  for (const ManPage& page : man_pages(app)) {
+  for (const ManPage& page : man_pages(root)) {
     const auto written = base::write_file(folder / page.file, page.text);
     if (!written) return print_error(kWriteFailed, written.error().message);
   }
   return kOk;
 }
 
-int run(const CLI::App& app, const Arguments& arguments) {
-  if (!arguments.man_folder.empty()) return write_man_pages(app, arguments.man_folder);
+int run(const Command& root, const Arguments& arguments) {
+  if (!arguments.man_folder.empty()) return write_man_pages(root, arguments.man_folder);
   if (arguments.topic == kListOfTopics) return list_topics(arguments.json);
   const HelpTopic* topic = find_topic(arguments.topic);
-  return topic == nullptr ? report_unknown_topic(app, arguments.topic)
+  return topic == nullptr ? report_unknown_topic(root, arguments.topic)
                           : print_topic(*topic, arguments.json);
 }
 
 }  // namespace
 
-void add_help_command(CLI::App& app, int& exit_code) {
+void add_help_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("help", kDescription);
-  command->add_option("TOPIC", arguments->topic, "a command, a page of the manual, or topics");
-  command->add_option("--man", arguments->man_folder, "write the manual pages of all commands")
-      ->type_name("DIR");
-  command->add_flag("--json", arguments->json, "print one JSON document");
-  command->callback([&app, arguments, &exit_code] { exit_code = run(app, *arguments); });
+  Command& command = app.command("help", kDescription);
+  command.option("TOPIC", arguments->topic, "a command, a page of the manual, or topics");
+  command.option("--man", arguments->man_folder, "write the manual pages of all commands")
+      .placeholder("DIR");
+  command.flag("--json", arguments->json, "print one JSON document");
+  command.run = [&app, arguments] { return run(app, *arguments); };
 }
 
 }  // namespace cls::cli

@@ -3,13 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "base/system/version.h"
-#include "cli/support/command_help.h"
-#include "cli/support/usage_errors.h"
+#include "cli/command/help.h"
+#include "cli/command/parse.h"
 
 namespace cls::cli {
 namespace {
@@ -36,10 +37,17 @@ std::string on_one_line(std::string text) {
 }
 
 // "cls-tournament-run".
-std::string page_name(const CLI::App& command) {
+std::string page_name(const Command& command) {
   std::string name = full_name(command);
   std::replace(name.begin(), name.end(), ' ', '-');
   return name;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(std::move(line));
+  return lines;
 }
 
 /// The parts of a description: a line, sentences, indented examples.
@@ -49,9 +57,9 @@ struct Description {
   std::string examples;
 };
 
-Description description_of(const CLI::App& command) {
+Description parts_of(const Command& command) {
   Description parts;
-  for (const std::string& line : CLI::detail::split(command.get_description(), '\n')) {
+  for (const std::string& line : lines_of(command.description)) {
     if (parts.purpose.empty()) {
       parts.purpose = line;
     } else if (line.starts_with("  ")) {
@@ -63,65 +71,55 @@ Description description_of(const CLI::App& command) {
   return parts;
 }
 
-// "[OPTIONS] LEFT RIGHT".
-std::string arguments_of(const CLI::App& command) {
-  constexpr std::string_view kLabel = "Usage:";
-  const std::string usage = CommandHelp().make_usage(&command, "");
-  return on_one_line(CLI::detail::trim_copy(usage.substr(usage.find(kLabel) + kLabel.size())));
+std::string option_entry(const Option& option) {
+  return fmt::format(".TP\n.B {}\n{}\n", plain(signature_of(option)),
+                     on_one_line(description_of(option)));
 }
 
-std::string option_entry(const CLI::Option& option) {
-  const CommandHelp help;
-  const bool is_argument = option.get_positional();
-  std::string names = help.make_option_name(&option, is_argument);
-  names += help.make_option_opts(&option);
-  return fmt::format(".TP\n.B {}\n{}\n", plain(names), on_one_line(help.make_option_desc(&option)));
-}
-
-std::string argument_section(const CLI::App& command) {
+std::string argument_section(const Command& command) {
   std::string text;
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->get_positional()) text += option_entry(*option);
+  for (const Option& option : command.options) {
+    if (is_argument(option)) text += option_entry(option);
   }
   return text.empty() ? "" : ".SH ARGUMENTS\n" + text;
 }
 
-std::string option_section(const CLI::App& command) {
+std::string option_section(const Command& command) {
   std::string text;
-  for (const std::string& group : command.get_groups()) {
+  for (const std::string& group : option_groups(command)) {
     std::string entries;
-    for (const CLI::Option* option : command.get_options()) {
-      if (option->nonpositional() && option->get_group() == group) entries += option_entry(*option);
+    for (const Option& option : command.options) {
+      if (!is_argument(option) && option.group == group) entries += option_entry(option);
     }
-    if (group.empty() || entries.empty()) continue;
-    if (group != "Options") text += fmt::format(".SS {}\n", plain(group));
+    if (entries.empty()) continue;
+    if (group != kOptionsGroup) text += fmt::format(".SS {}\n", plain(group));
     text += entries;
   }
   return text.empty() ? "" : ".SH OPTIONS\n" + text;
 }
 
-std::string command_section(const CLI::App& command) {
+std::string command_section(const Command& command) {
   std::string text;
-  for (const CLI::App* below : command.get_subcommands({})) {
-    text += fmt::format(".TP\n.BR {} (1)\n{}\n", plain(page_name(*below)),
-                        plain(description_of(*below).purpose));
+  for (const Command& below : command.commands) {
+    text += fmt::format(".TP\n.BR {} (1)\n{}\n", plain(page_name(below)),
+                        plain(parts_of(below).purpose));
   }
   return text.empty() ? "" : ".SH COMMANDS\n" + text;
 }
 
-std::string closing_sections(const CLI::App& command) {
+std::string closing_sections(const Command& command) {
   std::string text =
       ".SH EXIT STATUS\n0: success. 1: a test or check failed, or the match is invalid. "
       "2: wrong usage.\n.B cls help cli\nlists all exit codes.\n.SH SEE ALSO\n";
-  if (command.get_parent() != nullptr) {
-    text += fmt::format(".BR {} (1)\n.PP\n", plain(page_name(*command.get_parent())));
+  if (command.parent != nullptr) {
+    text += fmt::format(".BR {} (1)\n.PP\n", plain(page_name(*command.parent)));
   }
   return text + ".B cls help topics\nlists the pages of the manual.\n";
 }
 
-std::string page_of(const CLI::App& command) {
+std::string page_of(const Command& command) {
   const std::string name = page_name(command);
-  const Description description = description_of(command);
+  const Description description = parts_of(command);
   std::string title = name;
   std::transform(title.begin(), title.end(), title.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
@@ -129,7 +127,7 @@ std::string page_of(const CLI::App& command) {
       fmt::format(".TH {} 1 \"\" \"cls {}\" \"cls manual\"\n", plain(title), base::kVersion);
   text += fmt::format(".SH NAME\n{} \\- {}\n", plain(name), plain(description.purpose));
   text +=
-      fmt::format(".SH SYNOPSIS\n.B {}\n{}\n", plain(full_name(command)), arguments_of(command));
+      fmt::format(".SH SYNOPSIS\n.B {}\n{}\n", plain(full_name(command)), plain(usage_of(command)));
   if (!description.sentences.empty()) text += ".SH DESCRIPTION\n" + description.sentences;
   if (!description.examples.empty()) {
     text += fmt::format(".SH EXAMPLES\n.nf\n{}.fi\n", description.examples);
@@ -138,16 +136,16 @@ std::string page_of(const CLI::App& command) {
          closing_sections(command);
 }
 
-void add_pages(const CLI::App& command, std::vector<ManPage>& pages) {
+void add_pages(const Command& command, std::vector<ManPage>& pages) {
   pages.push_back({page_name(command) + ".1", page_of(command)});
-  for (const CLI::App* below : command.get_subcommands({})) add_pages(*below, pages);
+  for (const Command& below : command.commands) add_pages(below, pages);
 }
 
 }  // namespace
 
-std::vector<ManPage> man_pages(const CLI::App& app) {
+std::vector<ManPage> man_pages(const Command& root) {
   std::vector<ManPage> pages;
-  add_pages(app, pages);
+  add_pages(root, pages);
   return pages;
 }
 

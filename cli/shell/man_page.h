@@ -3,10 +3,7 @@
 
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
+#include "cli/command/command.h"
 
 namespace cls::cli {
 
@@ -15,7 +12,7 @@ struct ManPage {
   std::string text;
 };
 
-/// The page of `app`, which has all commands, and one per command below it.
-std::vector<ManPage> man_pages(const CLI::App& app);
+/// The page of `root`, which has all commands, and one per command below it.
+std::vector<ManPage> man_pages(const Command& root);
 
 }  // namespace cls::cli

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <fstream>
 #include <string_view>
@@ -31,10 +30,10 @@ void add_to_job_summary(const std::string& markdown) {
 
 }  // namespace
 
-void add_ci_options(CLI::App& command, CiReports& reports) {
-  command.add_option("--junit", reports.junit, "write a JUnit report to FILE")->type_name("FILE");
-  command.add_flag("--github", reports.github,
-                   "print annotations on stderr (default in GitHub Actions: on)");
+void add_ci_options(Command& command, CiReports& reports) {
+  command.option("--junit", reports.junit, "write a JUnit report to FILE").placeholder("FILE");
+  command.flag("--github", reports.github,
+               "print annotations on stderr (default in GitHub Actions: on)");
 }
 
 ExitCode write_ci_reports(const CiReports& reports, const CiTexts& texts) {

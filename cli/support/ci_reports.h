@@ -2,12 +2,9 @@
 #pragma once
 
 #include <string>
+#include "cli/command/command.h"
 
 #include "cli/support/exit_code.h"
-
-namespace CLI {
-class App;
-}
 
 namespace cls::cli {
 
@@ -17,7 +14,7 @@ struct CiReports {
 };
 
 /// --junit FILE and --github.
-void add_ci_options(CLI::App& command, CiReports& reports);
+void add_ci_options(Command& command, CiReports& reports);
 
 /// The same results in each format.
 struct CiTexts {

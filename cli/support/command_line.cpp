@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <fstream>
-#include <system_error>
 
 #include "orchestration/process/command_plan.h"
 
@@ -25,13 +23,6 @@ std::string resume_command() {
     words.push_back(orchestration::process::shell_quoted(argument));
   }
   return fmt::format("{}", fmt::join(words, " "));
-}
-
-base::Result<std::string> own_program() {
-  std::error_code code;
-  const auto file = std::filesystem::read_symlink("/proc/self/exe", code);
-  if (code) return base::Error{fmt::format("/proc/self/exe: cannot read: {}", code.message())};
-  return file.string();
 }
 
 }  // namespace cls::cli

@@ -8,11 +8,8 @@
 namespace cls::cli {
 
 /// Call first in main, before any thread exists (see orchestration/process/guard.h). The guard
-/// lives as long as the returned object. Returns nothing for commands that start no programs, and
-/// when fork() fails; a command that needs the guard reports that later.
+/// lives as long as the returned object. Returns nothing when fork() fails; a command that needs
+/// the guard reports that later.
 std::optional<orchestration::process::Guard> start_early_guard(int argc, char** argv);
-
-/// True when the command that `argv` names may start other programs.
-bool may_start_programs(int argc, const char* const* argv);
 
 }  // namespace cls::cli

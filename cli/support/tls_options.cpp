@@ -9,11 +9,14 @@
 
 #include "base/io/whole_file.h"
 #include "cli/support/exit_code.h"
+#include "cli/support/match_option.h"
 #include "cli/support/print_error.h"
 #include "proxy/playmaker/grpc_target.h"
 
 namespace cls::cli {
 namespace {
+
+using orchestration::match::TlsFileNames;
 
 struct PemFile {
   const char* option;
@@ -40,24 +43,14 @@ int read_pem(const PemFile& file) {
 
 }  // namespace
 
-void add_tls_options(CLI::App& command, TlsOptions& options) {
-  command
-      .add_option("--tls-ca", options.authorities,
-                  "PEM file of CA certificates that verify tls:HOST:PORT (default: system CAs)")
-      ->envname("CLS_TLS_CA");
-  command
-      .add_option("--tls-cert", options.certificate,
-                  "PEM file of the client certificate, for Playmakers that require one")
-      ->envname("CLS_TLS_CERT");
-  command.add_option("--tls-key", options.key, "PEM file of the private key of --tls-cert")
-      ->envname("CLS_TLS_KEY");
-  command
-      .add_option("--tls-name", options.server_name,
-                  "expected name in the Playmaker's certificate (default: its host)")
-      ->envname("CLS_TLS_NAME");
+void add_tls_options(Command& command, TlsFileNames& files) {
+  add_match_option(command, "tls_ca", files.authorities);
+  add_match_option(command, "tls_cert", files.certificate);
+  add_match_option(command, "tls_key", files.key);
+  add_match_option(command, "tls_name", files.server_name);
 }
 
-int read_tls_files(orchestration::match::Endpoint& endpoint, const TlsOptions& options) {
+int read_tls_files(orchestration::match::Endpoint& endpoint, const TlsFileNames& options) {
   for (auto& part : endpoint.parts) {
     if (const int code = read_tls_files(part, options); code != kOk) return code;
   }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -121,61 +120,58 @@ int run(const Arguments& arguments) {
   return run_comparison(comparison, folder_of(arguments, comparison), arguments.session);
 }
 
-void add_test_options(CLI::App& command, Arguments& arguments) {
+void add_test_options(Command& command, Arguments& arguments) {
   TestSettings& test = arguments.test;
   command
-      .add_option("--test", arguments.test_name,
-                  "betting adapts to the difference; sprt as in chess engine testing")
-      ->check(CLI::IsMember({"betting", "sprt"}))
-      ->capture_default_str();
-  command.add_option("--measure", arguments.measure, "what counts: points, or goal difference")
-      ->check(CLI::IsMember({"points", "goals"}))
-      ->capture_default_str();
-  command.add_option("--elo0", test.elo0, "Elo difference of H0")->capture_default_str();
-  command.add_option("--elo1", test.elo1, "Elo difference of H1")->capture_default_str();
+      .option("--test", arguments.test_name,
+              "betting adapts to the difference; sprt as in chess engine testing")
+      .one_of({"betting", "sprt"})
+      .shows_default();
+  command.option("--measure", arguments.measure, "what counts: points, or goal difference")
+      .one_of({"points", "goals"})
+      .shows_default();
+  command.option("--elo0", test.elo0, "Elo difference of H0").shows_default();
+  command.option("--elo1", test.elo1, "Elo difference of H1").shows_default();
   command
-      .add_option("--goals0", test.goals0,
-                  "with --measure goals: goal difference per match under H0")
-      ->capture_default_str();
+      .option("--goals0", test.goals0, "with --measure goals: goal difference per match under H0")
+      .shows_default();
   command
-      .add_option("--goals1", test.goals1,
-                  "with --measure goals: goal difference per match under H1")
-      ->capture_default_str();
-  command.add_option("--max-goals", test.max_goals, "a goal difference above it counts as this")
-      ->check(CLI::Range(1, 20))
-      ->capture_default_str();
+      .option("--goals1", test.goals1, "with --measure goals: goal difference per match under H1")
+      .shows_default();
+  command.option("--max-goals", test.max_goals, "a goal difference above it counts as this")
+      .range(1, 20)
+      .shows_default();
+  command.option("--alpha", test.alpha, "probability of a type I error (NEW wrongly called better)")
+      .shows_default();
   command
-      .add_option("--alpha", test.alpha,
-                  "probability of a type I error (NEW wrongly called better)")
-      ->capture_default_str();
-  command
-      .add_option("--beta", test.beta,
-                  "probability of a type II error (NEW wrongly called not better)")
-      ->capture_default_str();
+      .option("--beta", test.beta, "probability of a type II error (NEW wrongly called not better)")
+      .shows_default();
 }
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, int& exit_code) {
+void add_compare_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("compare", kDescription);
-  command->add_option("NEW", arguments->candidate, "the team under test")->required();
-  command->add_option("BASE", arguments->base, "the reference team")->required();
+  Command& command = app.command("compare", kDescription);
+  command.group = kPlayCommands;
+  command.starts_programs = true;
+  command.option("NEW", arguments->candidate, "the team under test").required();
+  command.option("BASE", arguments->base, "the reference team").required();
   command
-      ->add_option("--opponents", arguments->opponents,
-                   "opponents of both teams: A,B,... (default: each other)")
-      ->delimiter(',')
-      ->expected(1);
-  add_test_options(*command, *arguments);
+      .option("--opponents", arguments->opponents,
+              "opponents of both teams: A,B,... (default: each other)")
+      .split_at(',')
+      .takes(1);
+  add_test_options(command, *arguments);
   command
-      ->add_option("--max-pairs", arguments->max_pairs,
-                   "maximum pairs; with --opponents: per team (default: no limit)")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--dir", arguments->options.folder,
-                      "folder (default: ./runs/compare-<NEW>-<BASE>-<hash of the plan>)");
-  add_condition_options(*command, arguments->options);
-  add_session_options(*command, arguments->session, "verdict");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+      .option("--max-pairs", arguments->max_pairs,
+              "maximum pairs; with --opponents: per team (default: no limit)")
+      .above(0);
+  command.option("--dir", arguments->options.folder,
+                 "folder (default: ./runs/compare-<NEW>-<BASE>-<hash of the plan>)");
+  add_condition_options(command, arguments->options);
+  add_session_options(command, arguments->session, "verdict");
+  command.run = [arguments] { return run(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/system/own_program.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
@@ -60,8 +61,10 @@ int run_comparison(const Comparison& comparison, const std::filesystem::path& fo
   if (opened.exit_code != kOk) return opened.exit_code;
   known = verdict(comparison, opened.matches);
   CompareProgress progress(comparison, known, stderr_is_terminal(), session.quiet);
-  const auto make = [&](const TournamentConfig& config) {
-    return make_executor(config, options.folder, own_program());
+  const auto make =
+      [&](const TournamentConfig& config) -> base::Result<std::unique_ptr<MatchExecutor>> {
+    TRY_INIT(const auto program, base::own_program());
+    return make_executor(config, options.folder, program);
   };
   const auto summary = run_tournament(options, make, progress, watch_interrupts());
   progress.clear();

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -69,15 +68,15 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_init_command(CLI::App& app, int& exit_code) {
+void add_init_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("init", kDescription);
-  command->add_option("DIR", arguments->folder, "folder of the file (default: working directory)");
-  command->add_flag("--planner", arguments->planner,
-                    "write planner.toml, parameters of the planner, instead of cls.toml");
-  command->add_flag("--force", arguments->force, "rename an existing file to NAME.old");
-  command->add_flag("--json", arguments->json, "print one JSON document");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  Command& command = app.command("init", kDescription);
+  command.option("DIR", arguments->folder, "folder of the file (default: working directory)");
+  command.flag("--planner", arguments->planner,
+               "write planner.toml, parameters of the planner, instead of cls.toml");
+  command.flag("--force", arguments->force, "rename an existing file to NAME.old");
+  command.flag("--json", arguments->json, "print one JSON document");
+  command.run = [arguments] { return run(*arguments); };
 }
 
 }  // namespace cls::cli

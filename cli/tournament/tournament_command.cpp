@@ -1,8 +1,6 @@
 // `cls tournament`: the list of its sub-commands.
 #include "cli/support/commands.h"
 
-#include <CLI/CLI.hpp>
-
 namespace cls::cli {
 namespace {
 
@@ -20,15 +18,16 @@ constexpr const char* kDescription =
 
 }  // namespace
 
-void add_tournament_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("tournament", kDescription);
-  command->require_subcommand(1);
-  add_tournament_plan_command(*command, exit_code);
-  add_tournament_run_command(*command, exit_code);
-  add_tournament_status_command(*command, exit_code);
-  add_tournament_report_command(*command, exit_code);
-  add_tournament_stop_command(*command, exit_code);
-  add_tournament_work_command(*command, exit_code);
+void add_tournament_command(Command& app) {
+  Command& command = app.command("tournament", kDescription);
+  command.group = kPlayCommands;
+  command.starts_programs = true;
+  add_tournament_plan_command(command);
+  add_tournament_run_command(command);
+  add_tournament_status_command(command);
+  add_tournament_report_command(command);
+  add_tournament_stop_command(command);
+  add_tournament_work_command(command);
 }
 
 }  // namespace cls::cli

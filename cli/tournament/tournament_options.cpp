@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <optional>
 
@@ -96,23 +95,21 @@ std::vector<std::string> apply_overrides(TournamentConfig& config,
   return errors;
 }
 
-void add_shared_options(CLI::App& command, TournamentOptions& options, bool schedule) {
-  command.add_option(
+void add_shared_options(Command& command, TournamentOptions& options, bool schedule) {
+  command.option(
       "--config", options.config_file,
       schedule ? "configuration file (default: DIR/cls.toml, or cls.toml in or above the working "
                  "directory)"
                : "configuration file (default: cls.toml in or above the working directory)");
-  command.add_option("--set", options.settings, "server::NAME=VALUE, repeatable")
-      ->expected(1)
-      ->take_all();
+  command.option("--set", options.settings, "server::NAME=VALUE, repeatable").repeatable();
   for (const ConfigKey& key : tournament_keys()) {
     const bool of_tournament =
         key.group == KeyGroup::kReport || (key.group == KeyGroup::kSchedule && key.name != "seed");
     if (!schedule && of_tournament) continue;
     command
-        .add_option(option_of(key.name), options.overrides[std::string(key.name)],
-                    std::string(key.help))
-        ->group(group_title(key.group));
+        .option(option_of(key.name), options.overrides[std::string(key.name)],
+                std::string(key.help))
+        .of_group(group_title(key.group));
   }
 }
 
@@ -139,15 +136,13 @@ bool is_given(const TournamentOptions& options, const std::string& key) {
   return found != options.overrides.end() && !found->second.empty();
 }
 
-void add_condition_options(CLI::App& command, TournamentOptions& options) {
+void add_condition_options(Command& command, TournamentOptions& options) {
   add_shared_options(command, options, false);
 }
 
-void add_tournament_options(CLI::App& command, TournamentOptions& options) {
-  command.add_option("DIR", options.folder, "folder of the tournament")->required();
-  command.add_option("--team", options.teams, "add a team: NAME=ENDPOINT, repeatable")
-      ->expected(1)
-      ->take_all();
+void add_tournament_options(Command& command, TournamentOptions& options) {
+  command.option("DIR", options.folder, "folder of the tournament").required();
+  command.option("--team", options.teams, "add a team: NAME=ENDPOINT, repeatable").repeatable();
   add_shared_options(command, options, true);
 }
 

@@ -5,12 +5,9 @@
 #include <map>
 #include <string>
 #include <vector>
+#include "cli/command/command.h"
 
 #include "orchestration/tournament/config/config.h"
-
-namespace CLI {
-class App;
-}
 
 namespace cls::cli {
 
@@ -27,11 +24,11 @@ bool is_given(const TournamentOptions& options, const std::string& key);
 
 /// Adds DIR, --config, --team, --set and one option for every key of [tournament] to `command`;
 /// `options` must outlive it.
-void add_tournament_options(CLI::App& command, TournamentOptions& options);
+void add_tournament_options(Command& command, TournamentOptions& options);
 
 /// Like add_tournament_options, without DIR, --team and the schedule keys except the seed; for
 /// commands with their own schedule.
-void add_condition_options(CLI::App& command, TournamentOptions& options);
+void add_condition_options(Command& command, TournamentOptions& options);
 
 /// A configuration, or an exit code whose error is already printed.
 struct ChosenConfig {

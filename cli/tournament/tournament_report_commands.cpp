@@ -1,7 +1,6 @@
 // `cls tournament plan|status|report|stop`: commands that play no match.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -283,62 +282,60 @@ int stop(const FolderArguments& arguments) {
   return kOk;
 }
 
-std::shared_ptr<FolderArguments> add_folder_command(CLI::App& app, const char* name,
-                                                    const char* description,
-                                                    int (*run)(const FolderArguments&),
-                                                    int& exit_code) {
-  const auto arguments = std::make_shared<FolderArguments>();
-  CLI::App* command = app.add_subcommand(name, description);
-  command->add_option("DIR", arguments->folder, "folder of the tournament")->required();
-  command->callback([arguments, run, &exit_code] { exit_code = run(*arguments); });
-  return arguments;
+Command& add_folder_command(Command& app, const char* name, const char* description,
+                            const std::shared_ptr<FolderArguments>& arguments,
+                            int (*run)(const FolderArguments&)) {
+  Command& command = app.command(name, description);
+  command.option("DIR", arguments->folder, "folder of the tournament").required();
+  command.run = [arguments, run] { return run(*arguments); };
+  return command;
 }
 
-void add_columns_option(CLI::App& command, FolderArguments& arguments) {
+void add_columns_option(Command& command, FolderArguments& arguments) {
   command
-      .add_option("--columns", arguments.columns,
-                  fmt::format("columns of the standings, A,B,...: {} (default: columns in "
-                              "cls.toml, else as the format needs)",
-                              fmt::join(kStandingsColumns, ", ")))
-      ->type_name("LIST");
+      .option("--columns", arguments.columns,
+              fmt::format("columns of the standings, A,B,...: {} (default: columns in "
+                          "cls.toml, else as the format needs)",
+                          fmt::join(kStandingsColumns, ", ")))
+      .placeholder("LIST");
 }
 
 }  // namespace
 
-void add_tournament_plan_command(CLI::App& app, int& exit_code) {
+void add_tournament_plan_command(Command& app) {
   const auto arguments = std::make_shared<PlanArguments>();
-  CLI::App* command = app.add_subcommand("plan", kPlanDescription);
-  add_tournament_options(*command, arguments->tournament);
-  command->add_flag("--json", arguments->json, "print the list as JSON");
-  command->callback([arguments, &exit_code] { exit_code = plan(*arguments); });
+  Command& command = app.command("plan", kPlanDescription);
+  add_tournament_options(command, arguments->tournament);
+  command.flag("--json", arguments->json, "print the list as JSON");
+  command.run = [arguments] { return plan(*arguments); };
 }
 
-void add_tournament_status_command(CLI::App& app, int& exit_code) {
-  const auto arguments = add_folder_command(app, "status", kStatusDescription, status, exit_code);
-  CLI::App* command = app.get_subcommand("status");
-  command->add_flag("--json", arguments->json, "print the counts as JSON");
-  add_columns_option(*command, *arguments);
+void add_tournament_status_command(Command& app) {
+  const auto arguments = std::make_shared<FolderArguments>();
+  Command& command = add_folder_command(app, "status", kStatusDescription, arguments, status);
+  command.flag("--json", arguments->json, "print the counts as JSON");
+  add_columns_option(command, *arguments);
 }
 
-void add_tournament_report_command(CLI::App& app, int& exit_code) {
-  const auto arguments = add_folder_command(app, "report", kReportDescription, report, exit_code);
-  CLI::App* command = app.get_subcommand("report");
-  command->add_option("--format", arguments->format, "text, md, csv, json, junit or html")
-      ->capture_default_str();
-  command->add_option("--out", arguments->file, "write to FILE (default: stdout)")
-      ->type_name("FILE");
-  command->add_flag("--json", arguments->json, "the same as --format json");
-  command->add_flag("--matches", arguments->all_matches,
-                    "text: list all matches with their logs and commands");
-  command->add_flag("--replays", arguments->replays,
-                    "write a replay page into each match folder (1.5 MB each), to which the\n"
-                    "lists of matches in Markdown and HTML link");
-  add_columns_option(*command, *arguments);
+void add_tournament_report_command(Command& app) {
+  const auto arguments = std::make_shared<FolderArguments>();
+  Command& command = add_folder_command(app, "report", kReportDescription, arguments, report);
+  command.option("--format", arguments->format, "text, md, csv, json, junit or html")
+      .shows_default();
+  command.option("--out", arguments->file, "write to FILE (default: stdout)").placeholder("FILE");
+  command.flag("--json", arguments->json, "the same as --format json");
+  command.flag("--matches", arguments->all_matches,
+               "text: list all matches with their logs and commands");
+  command.flag("--replays", arguments->replays,
+               "write a replay page into each match folder (1.5 MB each), to which the\n"
+               "lists of matches in Markdown and HTML link");
+  add_columns_option(command, *arguments);
 }
 
-void add_tournament_stop_command(CLI::App& app, int& exit_code) {
-  const auto arguments = add_folder_command(app, "stop", kStopDescription, stop, exit_code);
-  app.get_subcommand("stop")->add_flag("--json", arguments->json, "print one JSON document");
+void add_tournament_stop_command(Command& app) {
+  const auto arguments = std::make_shared<FolderArguments>();
+  Command& command = add_folder_command(app, "stop", kStopDescription, arguments, stop);
+  command.flag("--json", arguments->json, "print one JSON document");
 }
 
 }  // namespace cls::cli

@@ -1,11 +1,11 @@
 // `cls tournament run DIR`: plays the remaining matches.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <string>
 
+#include "base/system/own_program.h"
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
@@ -86,8 +86,10 @@ int run(const Arguments& arguments) {
   options.folder = folder;
   options.config = chosen.config;
   TournamentProgress progress(stderr_is_terminal(), arguments.session.quiet);
-  const auto make = [&](const TournamentConfig& config) {
-    return make_executor(config, folder, own_program());
+  const auto make =
+      [&](const TournamentConfig& config) -> base::Result<std::unique_ptr<MatchExecutor>> {
+    TRY_INIT(const auto program, base::own_program());
+    return make_executor(config, folder, program);
   };
   const auto summary = run_tournament(options, make, progress, watch_interrupts());
   progress.clear();
@@ -106,12 +108,12 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_tournament_run_command(CLI::App& app, int& exit_code) {
+void add_tournament_run_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("run", kDescription);
-  add_tournament_options(*command, arguments->tournament);
-  add_session_options(*command, arguments->session, "report");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  Command& command = app.command("run", kDescription);
+  add_tournament_options(command, arguments->tournament);
+  add_session_options(command, arguments->session, "report");
+  command.run = [arguments] { return run(*arguments); };
 }
 
 }  // namespace cls::cli

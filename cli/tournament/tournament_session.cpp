@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -149,7 +148,7 @@ int run_preflight(const fs::path& folder, const TournamentConfig& config,
   if (outlook.to_play <= 0) return kOk;
   if (!options.no_preflight) {
     const std::chrono::duration<double> patience(
-        std::min(kPatienceS, config.start_timeout_s.value_or(kPatienceS)));
+        std::min(kPatienceS, match_options(config).start_timeout_s));
     const auto problems =
         check_start(config, std::chrono::duration_cast<std::chrono::milliseconds>(patience));
     for (const StartProblem& problem : problems) print_error(0, problem.text);
@@ -173,13 +172,13 @@ int run_preflight(const fs::path& folder, const TournamentConfig& config,
 
 }  // namespace
 
-void add_session_options(CLI::App& command, SessionOptions& options, const std::string& document) {
-  command.add_flag("--force", options.force, "start over; an old tournament is renamed to .old");
-  command.add_flag("--no-preflight", options.no_preflight,
-                   "start without checking teams and host first");
-  command.add_flag("--strict", options.strict, "fail (exit 1) on any warning");
-  command.add_flag("--json", options.json, fmt::format("print only the {} as JSON", document));
-  command.add_flag("--quiet", options.quiet, "print no progress and no notes");
+void add_session_options(Command& command, SessionOptions& options, const std::string& document) {
+  command.flag("--force", options.force, "start over; an old tournament is renamed to .old");
+  command.flag("--no-preflight", options.no_preflight,
+               "start without checking teams and host first");
+  command.flag("--strict", options.strict, "fail (exit 1) on any warning");
+  command.flag("--json", options.json, fmt::format("print only the {} as JSON", document));
+  command.flag("--quiet", options.quiet, "print no progress and no notes");
 }
 
 OpenedFolder begin_session(const fs::path& folder, const TournamentConfig& config,

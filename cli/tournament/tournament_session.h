@@ -6,14 +6,11 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include "cli/command/command.h"
 
 #include "orchestration/tournament/config/config.h"
 #include "orchestration/tournament/run/tournament_run.h"
 #include "orchestration/tournament/store/folder.h"
-
-namespace CLI {
-class App;
-}
 
 namespace cls::cli {
 
@@ -27,7 +24,7 @@ struct SessionOptions {
 
 /// Adds --force, --no-preflight, --strict, --json and --quiet; `options` must outlive `command`.
 /// `document` is what --json prints: "the report".
-void add_session_options(CLI::App& command, SessionOptions& options, const std::string& document);
+void add_session_options(Command& command, SessionOptions& options, const std::string& document);
 
 /// The folder of a run, locked while this exists; or an exit code whose error is already printed.
 struct OpenedFolder {

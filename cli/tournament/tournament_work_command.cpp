@@ -1,10 +1,10 @@
 // `cls tournament work DIR --index K`: plays one match of a tournament, on any host.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
+#include "base/system/own_program.h"
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
@@ -74,7 +74,9 @@ int run(const Arguments& arguments) {
     return print_error(kBadData, teams.error().message);
   }
   const std::atomic<int>& signal = watch_interrupts();
-  const auto outcome = work(folder, *fixture, arguments.attempt, own_program(), signal);
+  const auto program = base::own_program();
+  if (!program) return print_error(kUnavailable, program.error().message);
+  const auto outcome = work(folder, *fixture, arguments.attempt, *program, signal);
   if (!outcome) return print_error(kWriteFailed, outcome.error().message);
   if (!*outcome) return signal_exit_code(signal);
   if (arguments.json) {
@@ -90,22 +92,18 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_tournament_work_command(CLI::App& app, int& exit_code) {
+void add_tournament_work_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("work", kDescription);
-  command->add_option("DIR", arguments->tournament.folder, "folder of the tournament")->required();
-  command->add_option("--index", arguments->index, "index of the match, from 1")
-      ->required()
-      ->check(CLI::PositiveNumber);
-  command->add_option("--attempt", arguments->attempt, "number of the attempt")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--schedule", arguments->schedule,
-                      "file with the line of the match (default: DIR/schedule.jsonl)");
-  command->add_option("--config", arguments->tournament.config_file,
-                      "configuration file, if DIR has no plan yet");
-  command->add_flag("--json", arguments->json, "print the result as one JSON document");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  Command& command = app.command("work", kDescription);
+  command.option("DIR", arguments->tournament.folder, "folder of the tournament").required();
+  command.option("--index", arguments->index, "index of the match, from 1").required().above(0);
+  command.option("--attempt", arguments->attempt, "number of the attempt").above(0).shows_default();
+  command.option("--schedule", arguments->schedule,
+                 "file with the line of the match (default: DIR/schedule.jsonl)");
+  command.option("--config", arguments->tournament.config_file,
+                 "configuration file, if DIR has no plan yet");
+  command.flag("--json", arguments->json, "print the result as one JSON document");
+  command.run = [arguments] { return run(*arguments); };
 }
 
 }  // namespace cls::cli

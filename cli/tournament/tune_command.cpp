@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -87,27 +86,27 @@ int init(const std::string& folder, bool force, bool json) {
   return kOk;
 }
 
-void add_init(CLI::App& app, int& exit_code) {
+void add_init(Command& app) {
   const auto folder = std::make_shared<std::string>(".");
   const auto force = std::make_shared<bool>(false);
   const auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("init", kInitDescription);
-  command->add_option("DIR", *folder, "folder of the files (default: working directory)");
-  command->add_flag("--force", *force, "rename existing files to NAME.old");
-  command->add_flag("--json", *json, "print one JSON document");
-  command->callback(
-      [folder, force, json, &exit_code] { exit_code = init(*folder, *force, *json); });
+  Command& command = app.command("init", kInitDescription);
+  command.option("DIR", *folder, "folder of the files (default: working directory)");
+  command.flag("--force", *force, "rename existing files to NAME.old");
+  command.flag("--json", *json, "print one JSON document");
+  command.run = [folder, force, json] { return init(*folder, *force, *json); };
 }
 
 }  // namespace
 
-void add_tune_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("tune", kDescription);
-  command->require_subcommand(1);
-  add_init(*command, exit_code);
-  add_tune_run_command(*command, exit_code);
-  add_tune_status_command(*command, exit_code);
-  add_tune_report_command(*command, exit_code);
+void add_tune_command(Command& app) {
+  Command& command = app.command("tune", kDescription);
+  command.group = kPlayCommands;
+  command.starts_programs = true;
+  add_init(command);
+  add_tune_run_command(command);
+  add_tune_status_command(command);
+  add_tune_report_command(command);
 }
 
 }  // namespace cls::cli

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -76,22 +75,21 @@ int report(const Arguments& arguments) {
 
 }  // namespace
 
-void add_tune_status_command(CLI::App& app, int& exit_code) {
+void add_tune_status_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("status", kStatusDescription);
-  command->add_option("DIR", arguments->folder, "folder of tune.toml")->required();
-  command->add_flag("--json", arguments->json, "print one JSON document");
-  command->callback([arguments, &exit_code] { exit_code = status(*arguments); });
+  Command& command = app.command("status", kStatusDescription);
+  command.option("DIR", arguments->folder, "folder of tune.toml").required();
+  command.flag("--json", arguments->json, "print one JSON document");
+  command.run = [arguments] { return status(*arguments); };
 }
 
-void add_tune_report_command(CLI::App& app, int& exit_code) {
+void add_tune_report_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("report", kDescription);
-  command->add_option("DIR", arguments->folder, "folder of tune.toml")->required();
-  command->add_option("--picture", arguments->picture, "write an SVG image to FILE")
-      ->type_name("FILE");
-  command->add_flag("--json", arguments->json, "print one JSON document");
-  command->callback([arguments, &exit_code] { exit_code = report(*arguments); });
+  Command& command = app.command("report", kDescription);
+  command.option("DIR", arguments->folder, "folder of tune.toml").required();
+  command.option("--picture", arguments->picture, "write an SVG image to FILE").placeholder("FILE");
+  command.flag("--json", arguments->json, "print one JSON document");
+  command.run = [arguments] { return report(*arguments); };
 }
 
 }  // namespace cls::cli

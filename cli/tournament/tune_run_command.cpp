@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "base/system/own_program.h"
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
 #include "cli/support/exit_code.h"
@@ -120,8 +120,10 @@ int play_generation(const TuneSetup& setup, Tuning& tuning, const Arguments& arg
   const auto outlook_of = [&](const std::vector<ScheduledMatch>&) { return Outlook{1.0, ""}; };
   const OpenedFolder opened = begin_session(options.folder, options.config, session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
-  const auto make = [&](const TournamentConfig& one) {
-    return make_executor(one, options.folder, own_program());
+  const auto make =
+      [&](const TournamentConfig& one) -> base::Result<std::unique_ptr<MatchExecutor>> {
+    TRY_INIT(const auto program, base::own_program());
+    return make_executor(one, options.folder, program);
   };
   const auto summary = run_tournament(options, make, progress, watch_interrupts());
   progress.clear();
@@ -216,17 +218,17 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_tune_run_command(CLI::App& app, int& exit_code) {
+void add_tune_run_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("run", kDescription);
-  command->add_option("DIR", arguments->options.folder, "folder of tune.toml")->required();
+  Command& command = app.command("run", kDescription);
+  command.option("DIR", arguments->options.folder, "folder of tune.toml").required();
   command
-      ->add_option("--generations", arguments->generations,
-                   "number of generations (default: that of tune.toml)")
-      ->check(CLI::PositiveNumber);
-  add_condition_options(*command, arguments->options);
-  add_session_options(*command, arguments->session, "report");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+      .option("--generations", arguments->generations,
+              "number of generations (default: that of tune.toml)")
+      .above(0);
+  add_condition_options(command, arguments->options);
+  add_session_options(command, arguments->session, "report");
+  command.run = [arguments] { return run(*arguments); };
 }
 
 }  // namespace cls::cli

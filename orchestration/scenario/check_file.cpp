@@ -35,16 +35,15 @@ Result<Comparison> parse_count(const JsonValue& json) {
 
 // "left 9".
 Result<int> parse_player(const JsonValue& json) {
-  const auto text = json.string();
-  if (!text) return text.error();
-  const std::size_t space = text->find(' ');
-  const auto side = soccer::parse_side(text->substr(0, space));
+  TRY_INIT(const auto text, json.string());
+  const std::size_t space = text.find(' ');
+  const auto side = soccer::parse_side(text.substr(0, space));
   int unum = 0;
-  const char* end = text->data() + text->size();
-  const char* begin = space == std::string::npos ? end : text->data() + space + 1;
+  const char* end = text.data() + text.size();
+  const char* begin = space == std::string::npos ? end : text.data() + space + 1;
   const auto [stop, code] = std::from_chars(begin, end, unum);
   if (!side || code != std::errc{} || stop != end || unum < 1 || unum > soccer::kPlayersPerTeam) {
-    return json.error(fmt::format("'{}' is not a player; use the form \"left 9\"", *text));
+    return json.error(fmt::format("'{}' is not a player; use the form \"left 9\"", text));
   }
   return soccer::slot_of(*side, unum);
 }
@@ -60,28 +59,24 @@ Result<std::vector<int>> parse_players(const JsonValue& json) {
       return slots;
     }
   }
-  const auto slot = parse_player(json);
-  if (!slot) return slot.error();
-  return std::vector<int>{*slot};
+  TRY_INIT(const auto slot, parse_player(json));
+  return std::vector<int>{slot};
 }
 
 Result<void> parse_near(const JsonValue& json, ObjectTest& test) {
   ObjectTest::Nearness near;
   if (json["near"].is_array()) {
-    const auto point = parse_point(json["near"]);
-    if (!point) return point.error();
-    near.point = *point;
+    TRY_INIT(const auto point, parse_point(json["near"]));
+    near.point = point;
   } else if (json["near"].is_string() && *json["near"].string() == "ball") {
     near.object = kBallObject;
   } else {
-    const auto slot = parse_player(json["near"]);
-    if (!slot) return slot.error();
-    near.object = *slot;
+    TRY_INIT(const auto slot, parse_player(json["near"]));
+    near.object = slot;
   }
   if (!json.has("within")) return json.error("\"near\" requires \"within\", in meters");
-  const auto within = json["within"].number(0, 200);
-  if (!within) return within.error();
-  near.within = *within;
+  TRY_INIT(const auto within, json["within"].number(0, 200));
+  near.within = within;
   test.near = near;
   return {};
 }
@@ -99,16 +94,14 @@ Result<void> parse_is(const JsonValue& json, ObjectTest& test) {
     const auto what = static_cast<What>(i);
     mock_server::ValueKind kind;
     if (what == What::kOnPitch) kind.kind = mock_server::ValueKind::Kind::kBool;
-    const auto expected = Comparison::parse(json[quantities[i]], kind);
-    if (!expected) return expected.error();
-    test.quantities.push_back({what, *expected});
+    TRY_INIT(const auto expected, Comparison::parse(json[quantities[i]], kind));
+    test.quantities.push_back({what, expected});
   }
   if (json.has("in")) {
     const JsonValue areas = json["in"];
     for (std::size_t i = 0; i < (areas.is_array() ? areas.size() : 1); ++i) {
-      const auto area = (areas.is_array() ? areas[i] : areas).one_of(soccer::area_names());
-      if (!area) return area.error();
-      test.areas.push_back(*area);
+      TRY_INIT(const auto area, (areas.is_array() ? areas[i] : areas).one_of(soccer::area_names()));
+      test.areas.push_back(area);
     }
   }
   return json.has("near") ? parse_near(json, test) : Result<void>();
@@ -117,9 +110,8 @@ Result<void> parse_is(const JsonValue& json, ObjectTest& test) {
 Result<std::vector<PlayMode>> parse_modes(const JsonValue& json) {
   std::vector<PlayMode> modes;
   for (std::size_t i = 0; i < (json.is_array() ? json.size() : 1); ++i) {
-    const auto mode = parse_mode(json.is_array() ? json[i] : json);
-    if (!mode) return mode.error();
-    modes.push_back(*mode);
+    TRY_INIT(const auto mode, parse_mode(json.is_array() ? json[i] : json));
+    modes.push_back(mode);
   }
   return modes;
 }
@@ -128,28 +120,22 @@ Result<std::vector<PlayMode>> parse_modes(const JsonValue& json) {
 Result<StepTest> parse_test(const JsonValue& json) {
   StepTest test;
   if (json.has("mode")) {
-    const auto modes = parse_modes(json["mode"]);
-    if (!modes) return modes.error();
-    test.modes = *modes;
+    TRY_INIT(const auto modes, parse_modes(json["mode"]));
+    test.modes = modes;
   } else if (json.has("goals")) {
-    const auto goals = json["goals"].integer(1, kLastStep);
-    if (!goals) return goals.error();
-    test.goals = *goals;
+    TRY_INIT(const auto goals, json["goals"].integer(1, kLastStep));
+    test.goals = goals;
   } else if (json.has("touch_by")) {
-    const auto slots = parse_players(json["touch_by"]);
-    if (!slots) return slots.error();
-    test.touch_by = *slots;
+    TRY_INIT(const auto slots, parse_players(json["touch_by"]));
+    test.touch_by = slots;
   } else {
     ObjectTest object;
     if (json.has("player")) {
-      const auto slot = parse_player(json["player"]);
-      if (!slot) return slot.error();
-      object.object = *slot;
+      TRY_INIT(const auto slot, parse_player(json["player"]));
+      object.object = slot;
       if (!json.has("is")) return json.error("requires \"is\"");
     }
-    if (const auto is = parse_is(json[json.has("player") ? "is" : "ball"], object); !is) {
-      return is.error();
-    }
+    TRY(parse_is(json[json.has("player") ? "is" : "ball"], object));
     test.object = std::move(object);
   }
   return test;
@@ -158,9 +144,8 @@ Result<StepTest> parse_test(const JsonValue& json) {
 Result<CheckTiming> parse_timing(const JsonValue& json, int steps, bool is_mode) {
   CheckTiming timing{is_mode ? CheckTiming::How::kSometime : CheckTiming::How::kEnd, 0, kLastStep};
   if (json.has("at") && !(json["at"].is_string() && *json["at"].string() == "end")) {
-    const auto at = json["at"].integer(0, steps);
-    if (!at) return at.error();
-    return CheckTiming{CheckTiming::How::kAt, *at, *at};
+    TRY_INIT(const auto at, json["at"].integer(0, steps));
+    return CheckTiming{CheckTiming::How::kAt, at, at};
   }
   if (json.has("at")) return CheckTiming{CheckTiming::How::kEnd, 0, kLastStep};
   for (const auto& [key, how] : {std::pair{"sometime", CheckTiming::How::kSometime},
@@ -171,12 +156,10 @@ Result<CheckTiming> parse_timing(const JsonValue& json, int steps, bool is_mode)
     timing.how = how;
     if (range.is_array()) {
       if (range.size() != 2) return range.error("a range of steps is [from, to]");
-      const auto from = range[0].integer(0, steps);
-      if (!from) return from.error();
-      const auto to = range[1].integer(*from, steps);
-      if (!to) return to.error();
-      timing.from = *from;
-      timing.to = *to;
+      TRY_INIT(const auto from, range[0].integer(0, steps));
+      TRY_INIT(const auto to, range[1].integer(from, steps));
+      timing.from = from;
+      timing.to = to;
     } else if (const auto flag = range.boolean(); !flag || !*flag) {
       return range.error("must be true or a range of steps");
     }
@@ -195,46 +178,42 @@ using Parsed = Result<decltype(Check::what)>;
 
 Parsed parse_step_check(const JsonValue& json, int steps, Words keys) {
   keys.insert(keys.end(), {"at", "sometime", "always", "never"});
-  if (const auto known = only(json, keys); !known) return known.error();
+  TRY(only(json, keys));
   StepCheck check;
-  const auto test = parse_test(json);
-  if (!test) return test.error();
-  check.test = *test;
-  const auto timing = parse_timing(json, steps, !test->modes.empty());
-  if (!timing) return timing.error();
-  check.timing = *timing;
+  TRY_INIT(const auto test, parse_test(json));
+  check.test = test;
+  TRY_INIT(const auto timing, parse_timing(json, steps, !test.modes.empty()));
+  check.timing = timing;
   return {check};
 }
 
 Parsed parse_score(const JsonValue& json) {
-  if (const auto known = only(json, {"score"}); !known) return known.error();
+  TRY(only(json, {"score"}));
   const JsonValue score = json["score"];
   ScoreCheck check;
   if (score.is_array() && score.size() != 2) return score.error("a score is [left, right]");
   if (!score.is_array()) {
-    if (const auto known = score.expect_keys({"left", "right"}); !known) return known.error();
+    TRY(score.expect_keys({"left", "right"}));
   }
   for (std::size_t side = 0; side < 2; ++side) {
     const char* key = side == 0 ? "left" : "right";
     if (!score.is_array() && !score.has(key)) continue;
-    const auto goals = Comparison::parse_number(score.is_array() ? score[side] : score[key]);
-    if (!goals) return goals.error();
-    check.goals[side] = *goals;
+    TRY_INIT(const auto goals,
+             Comparison::parse_number(score.is_array() ? score[side] : score[key]));
+    check.goals[side] = goals;
   }
   return {check};
 }
 
 Parsed parse_referee(const JsonValue& json) {
-  if (const auto known = only(json, {"referee", "count"}); !known) return known.error();
-  const auto message = json["referee"].string();
-  if (!message) return message.error();
-  if (!is_referee_message(*message)) {
-    return json["referee"].error(fmt::format("unknown referee message '{}'{}", *message,
-                                             base::did_you_mean(*message, referee_messages())));
+  TRY(only(json, {"referee", "count"}));
+  TRY_INIT(const auto message, json["referee"].string());
+  if (!is_referee_message(message)) {
+    return json["referee"].error(fmt::format("unknown referee message '{}'{}", message,
+                                             base::did_you_mean(message, referee_messages())));
   }
-  const auto count = parse_count(json);
-  if (!count) return count.error();
-  return {RefereeCheck{*message, *count}};
+  TRY_INIT(const auto count, parse_count(json));
+  return {RefereeCheck{message, count}};
 }
 
 Parsed parse_touch(const JsonValue& json) {
@@ -249,121 +228,102 @@ Parsed parse_touch(const JsonValue& json) {
   }
   Words keys = {key};
   if (check.which == TouchCheck::Which::kCount) keys.push_back("count");
-  if (const auto known = only(json, keys); !known) return known.error();
-  const auto slots = parse_players(json[key]);
-  if (!slots) return slots.error();
-  check.slots = *slots;
+  TRY(only(json, keys));
+  TRY_INIT(const auto slots, parse_players(json[key]));
+  check.slots = slots;
   check.who = *json[key].string();
-  const auto count = parse_count(json);
-  if (!count) return count.error();
-  check.count = *count;
+  TRY_INIT(const auto count, parse_count(json));
+  check.count = count;
   return {check};
 }
 
 Result<void> parse_who(const JsonValue& json, Side& side, std::vector<int>& unums) {
   if (!json.has("side")) return json.error("requires \"side\"");
-  const auto which = parse_side(json["side"]);
-  if (!which) return which.error();
-  side = *which;
+  TRY_INIT(const auto which, parse_side(json["side"]));
+  side = which;
   if (!json.has("unum")) return {};
-  const auto numbers = mock_server::parse_unums(json["unum"]);
-  if (!numbers) return numbers.error();
-  unums = *numbers;
+  TRY_INIT(const auto numbers, mock_server::parse_unums(json["unum"]));
+  unums = numbers;
   return {};
 }
 
 Parsed parse_actions(const JsonValue& json, int steps) {
-  const auto known = only(json, {"actions", "side", "unum", "steps", "position", "where", "count"});
-  if (!known) return known.error();
+  TRY(only(json, {"actions", "side", "unum", "steps", "position", "where", "count"}));
   ActionCheck check;
-  if (const auto who = parse_who(json, check.side, check.unums); !who) return who.error();
+  TRY(parse_who(json, check.side, check.unums));
   const auto* fields = protos::PlayerAction::descriptor();
   Words kinds = {"*"};
   for (int i = 0; i < fields->field_count(); ++i) kinds.push_back(fields->field(i)->name());
-  const auto kind = json["actions"].one_of(kinds);
-  if (!kind) return kind.error();
-  check.kind = *kind;
+  TRY_INIT(const auto kind, json["actions"].one_of(kinds));
+  check.kind = kind;
   check.to = steps;
   if (json.has("steps")) {
-    const auto range = mock_server::parse_cycles(json["steps"]);
-    if (!range) return range.error();
-    check.from = range->first;
-    check.to = range->last;
+    TRY_INIT(const auto range, mock_server::parse_cycles(json["steps"]));
+    check.from = range.first;
+    check.to = range.last;
   }
   if (json.has("position")) {
-    if (const auto position = json["position"].one_of({"first"}); !position)
-      return position.error();
+    TRY(json["position"].one_of({"first"}));
     check.first_only = true;
   }
   if (json.has("where")) {
-    auto where = mock_server::parse_conditions(*fields, json["where"]);
-    if (!where) return where.error();
-    check.where = *std::move(where);
+    TRY_INIT(auto where, mock_server::parse_conditions(*fields, json["where"]));
+    check.where = std::move(where);
   }
-  const auto count = parse_count(json);
-  if (!count) return count.error();
-  check.count = *count;
+  TRY_INIT(const auto count, parse_count(json));
+  check.count = count;
   return {std::move(check)};
 }
 
 Parsed parse_commands(const JsonValue& json) {
-  if (const auto known = only(json, {"commands", "side", "unum", "count"}); !known) {
-    return known.error();
-  }
+  TRY(only(json, {"commands", "side", "unum", "count"}));
   CommandCheck check;
-  if (const auto who = parse_who(json, check.side, check.unums); !who) return who.error();
-  const auto kind =
-      json["commands"].one_of({"dash", "turn", "kick", "tackle", "catch", "move", "turn_neck",
-                               "change_view", "say", "pointto", "attentionto", "change_focus"});
-  if (!kind) return kind.error();
-  check.kind = *kind;
-  const auto count = parse_count(json);
-  if (!count) return count.error();
-  check.count = *count;
+  TRY(parse_who(json, check.side, check.unums));
+  TRY_INIT(const auto kind, json["commands"].one_of({"dash", "turn", "kick", "tackle", "catch",
+                                                     "move", "turn_neck", "change_view", "say",
+                                                     "pointto", "attentionto", "change_focus"}));
+  check.kind = kind;
+  TRY_INIT(const auto count, parse_count(json));
+  check.count = count;
   return {std::move(check)};
 }
 
 Parsed parse_rpc(const JsonValue& json) {
-  const auto known =
-      only(json, {"rpc", "order", "side", "when", "count", "count_per_agent", "always"});
-  if (!known) return known.error();
+  TRY(only(json, {"rpc", "order", "side", "when", "count", "count_per_agent", "always"}));
   RpcCheck check;
   std::vector<int> none;
-  if (const auto who = parse_who(json, check.side, none); !who) return who.error();
-  auto expectation = mock_server::parse_expectation(json, {"side", "runs"});
-  if (!expectation) return expectation.error();
-  check.expectation = *std::move(expectation);
+  TRY(parse_who(json, check.side, none));
+  TRY_INIT(auto expectation, mock_server::parse_expectation(json, {"side", "runs"}));
+  check.expectation = std::move(expectation);
   return {std::move(check)};
 }
 
 Parsed parse_latency(const JsonValue& json) {
-  if (const auto known = only(json, {"latency_ms", "side"}); !known) return known.error();
+  TRY(only(json, {"latency_ms", "side"}));
   LatencyCheck check;
   std::vector<int> none;
-  if (const auto who = parse_who(json, check.side, none); !who) return who.error();
+  TRY(parse_who(json, check.side, none));
   const JsonValue parts = json["latency_ms"];
-  if (const auto keys = parts.expect_keys({"p50", "p95", "p99", "max"}); !keys) return keys.error();
+  TRY(parts.expect_keys({"p50", "p95", "p99", "max"}));
   for (const std::string& key : parts.keys()) {
-    const auto expected = Comparison::parse_number(parts[key]);
-    if (!expected) return expected.error();
-    check.percentiles_ms.emplace(key, *expected);
+    TRY_INIT(const auto expected, Comparison::parse_number(parts[key]));
+    check.percentiles_ms.emplace(key, expected);
   }
   return {std::move(check)};
 }
 
 Parsed parse_missed(const JsonValue& json) {
-  if (const auto known = only(json, {"missed", "side"}); !known) return known.error();
+  TRY(only(json, {"missed", "side"}));
   MissedCheck check;
   std::vector<int> none;
-  if (const auto who = parse_who(json, check.side, none); !who) return who.error();
-  const auto count = Comparison::parse_number(json["missed"]);
-  if (!count) return count.error();
-  check.count = *count;
+  TRY(parse_who(json, check.side, none));
+  TRY_INIT(const auto count, Comparison::parse_number(json["missed"]));
+  check.count = count;
   return {check};
 }
 
 Parsed parse_end(const JsonValue& json) {
-  if (const auto known = only(json, {"end"}); !known) return known.error();
+  TRY(only(json, {"end"}));
   using match::EndReason;
   std::vector<std::string_view> names;
   for (const EndReason reason :
@@ -371,16 +331,14 @@ Parsed parse_end(const JsonValue& json) {
         EndReason::kRefused, EndReason::kProtocolError, EndReason::kTimedOut}) {
     names.push_back(name(reason));
   }
-  const auto reason = json["end"].one_of(names);
-  if (!reason) return reason.error();
-  return {EndCheck{*match::parse_end_reason(*reason)}};
+  TRY_INIT(const auto reason, json["end"].one_of(names));
+  return {EndCheck{*match::parse_end_reason(reason)}};
 }
 
 Parsed parse_golden(const JsonValue& json, const base::Json& golden) {
-  if (const auto known = only(json, {"golden"}); !known) return known.error();
-  const auto what = json["golden"].one_of({"game_log", "score", "touches"});
-  if (!what) return what.error();
-  return {GoldenCheck{*what, golden.is_object() ? golden.value(*what, "") : ""}};
+  TRY(only(json, {"golden"}));
+  TRY_INIT(const auto what, json["golden"].one_of({"game_log", "score", "touches"}));
+  return {GoldenCheck{what, golden.is_object() ? golden.value(what, "") : ""}};
 }
 
 Parsed parse_what(const JsonValue& json, int steps, const base::Json& golden) {
@@ -416,25 +374,22 @@ Result<soccer::Vec2> parse_point(const JsonValue& json) {
   if (!json.is_array() || json.size() != 2) return json.error("must be [x, y]");
   soccer::Vec2 point;
   for (const auto& [index, member] : {std::pair{0, &point.x}, std::pair{1, &point.y}}) {
-    const auto value = json[static_cast<std::size_t>(index)].number(-100, 100);
-    if (!value) return value.error();
-    *member = *value;
+    TRY_INIT(const auto value, json[static_cast<std::size_t>(index)].number(-100, 100));
+    *member = value;
   }
   return point;
 }
 
 Result<Side> parse_side(const JsonValue& json) {
-  const auto name = json.one_of({"left", "right"});
-  if (!name) return name.error();
-  return *soccer::parse_side(*name);
+  TRY_INIT(const auto name, json.one_of({"left", "right"}));
+  return *soccer::parse_side(name);
 }
 
 Result<PlayMode> parse_mode(const JsonValue& json) {
   Words names;
   for (int i = 1; i < soccer::kPlayModeCount; ++i) names.push_back(name(static_cast<PlayMode>(i)));
-  const auto name = json.one_of(names);
-  if (!name) return name.error();
-  return *soccer::parse_play_mode(*name);
+  TRY_INIT(const auto name, json.one_of(names));
+  return *soccer::parse_play_mode(name);
 }
 
 Result<StepTest> parse_step_test(const JsonValue& json) {
@@ -442,29 +397,25 @@ Result<StepTest> parse_step_test(const JsonValue& json) {
   const Words kinds = {"mode", "goals", "touch_by", "ball", "player"};
   for (const std::string_view kind : kinds) {
     if (!json.has(kind)) continue;
-    const auto known = json.expect_keys(kind == "player" ? Words{"player", "is"} : Words{kind});
-    if (!known) return known.error();
+    TRY(json.expect_keys(kind == "player" ? Words{"player", "is"} : Words{kind}));
     return parse_test(json);
   }
   return json.error(fmt::format("missing condition (known: {})", fmt::join(kinds, ", ")));
 }
 
 Result<Check> parse_check(const JsonValue& json, int steps, const base::Json& golden) {
-  auto what = parse_what(json, steps, golden);
-  if (!what) return what.error();
+  TRY_INIT(auto what, parse_what(json, steps, golden));
   Check check;
-  check.what = *std::move(what);
+  check.what = std::move(what);
   check.line = json.line();
   check.name = json.json().dump();
   if (json.has("name")) {
-    const auto text = json["name"].string();
-    if (!text) return text.error();
-    check.name = *text;
+    TRY_INIT(const auto text, json["name"].string());
+    check.name = text;
   }
   if (json.has("runs")) {
-    const auto runs = Comparison::parse_number(json["runs"]);
-    if (!runs) return runs.error();
-    check.runs = *runs;
+    TRY_INIT(const auto runs, Comparison::parse_number(json["runs"]));
+    check.runs = runs;
   }
   return check;
 }

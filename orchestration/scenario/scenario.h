@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "orchestration/match/options/endpoint.h"
+#include "orchestration/match/options/option_table.h"
 #include "orchestration/scenario/check.h"
-#include "proxy/agent/player_agent.h"
 #include "soccer/geometry.h"
 #include "soccer/parameters/player_params.h"
 #include "soccer/parameters/server_params.h"
@@ -59,14 +59,11 @@ struct Scenario {
   soccer::Vec2 ball_velocity;
   std::array<ScenarioSide, 2> sides;  ///< left, right
   std::optional<soccer::Side> under_test;
-  bool coach = false;                      ///< both teams connect one
-  std::optional<match::Endpoint> trainer;  ///< handles GetTrainerActions
+  std::optional<match::Endpoint> trainer;             ///< handles GetTrainerActions
+  match::OptionTexts options = {{"coach", "false"}};  ///< of match::match_options()
 
   int steps = 100;
   std::vector<StepTest> until;  ///< the run ends when any holds
-  int rpc_deadline_ms = 10'000;
-  int max_missed = 20;
-  proxy::OnLate on_late = proxy::OnLate::kHold;
 
   std::vector<Check> checks;
 };

@@ -32,9 +32,8 @@ constexpr int kMaxSteps = 100'000;
 // Files without a schema are of the first version.
 Result<void> check_schema(const JsonValue& json) {
   if (!json.has("schema")) return {};
-  const auto schema = json["schema"].string();
-  if (!schema) return schema.error();
-  if (const auto error = base::schema_error(*schema, base::kScenarioSchema))
+  TRY_INIT(const auto schema, json["schema"].string());
+  if (const auto error = base::schema_error(schema, base::kScenarioSchema))
     return json["schema"].error(*error);
   return {};
 }
@@ -56,9 +55,8 @@ Result<void> parse_server(const JsonValue& json, Scenario& scenario) {
   // Scenarios start without waiting; otherwise the defaults of a match apply.
   options.server.kick_off_wait = 5;
   if (json.has("noise")) {
-    const auto noise = json["noise"].boolean();
-    if (!noise) return noise.error();
-    if (!*noise) {
+    TRY_INIT(const auto noise, json["noise"].boolean());
+    if (!noise) {
       options.server.player_rand = options.server.ball_rand = options.server.kick_rand = 0.0;
     }
   }
@@ -76,15 +74,13 @@ Result<void> parse_seeds(const JsonValue& json, Scenario& scenario) {
     return json["seeds"].error("\"seed\" and \"seeds\" exclude each other");
   }
   if (json.has("seed")) {
-    const auto seed = json["seed"].integer(0, 1'000'000'000);
-    if (!seed) return seed.error();
-    scenario.seeds = {static_cast<std::uint64_t>(*seed)};
+    TRY_INIT(const auto seed, json["seed"].integer(0, 1'000'000'000));
+    scenario.seeds = {static_cast<std::uint64_t>(seed)};
   }
   if (json.has("seeds")) {
-    const auto count = json["seeds"].integer(1, kMaxSeeds);
-    if (!count) return count.error();
+    TRY_INIT(const auto count, json["seeds"].integer(1, kMaxSeeds));
     scenario.seeds.clear();
-    for (int seed = 1; seed <= *count; ++seed) {
+    for (int seed = 1; seed <= count; ++seed) {
       scenario.seeds.push_back(static_cast<std::uint64_t>(seed));
     }
   }
@@ -92,29 +88,24 @@ Result<void> parse_seeds(const JsonValue& json, Scenario& scenario) {
 }
 
 Result<StartingPlace> parse_place(const JsonValue& json) {
-  if (const auto keys = json.expect_keys({"at", "velocity", "body", "stamina", "cards"}); !keys) {
-    return keys.error();
-  }
+  TRY(json.expect_keys({"at", "velocity", "body", "stamina", "cards"}));
   StartingPlace place;
   if (!json.has("at")) return json.error("requires \"at\": [x, y]");
   for (const auto& [key, member] :
        {std::pair{"at", &place.position}, std::pair{"velocity", &place.velocity}}) {
     if (!json.has(key)) continue;
-    const auto point = parse_point(json[key]);
-    if (!point) return point.error();
-    *member = *point;
+    TRY_INIT(const auto point, parse_point(json[key]));
+    *member = point;
   }
   for (const auto& [key, member, high] :
        {std::tuple{"body", &place.body, 180.0}, std::tuple{"stamina", &place.stamina, 100'000.0}}) {
     if (!json.has(key)) continue;
-    const auto value = json[key].number(-high, high);
-    if (!value) return value.error();
-    *member = *value;
+    TRY_INIT(const auto value, json[key].number(-high, high));
+    *member = value;
   }
   if (json.has("cards")) {
-    const auto cards = json["cards"].integer(0, 1);
-    if (!cards) return cards.error();
-    place.cards = *cards;
+    TRY_INIT(const auto cards, json["cards"].integer(0, 1));
+    place.cards = cards;
   }
   return place;
 }
@@ -139,16 +130,14 @@ Result<void> read_files(const JsonValue& json, const std::filesystem::path& fold
 Result<void> parse_playmaker(const JsonValue& json, match::Endpoint& endpoint) {
   const std::filesystem::path folder = std::filesystem::path(json.text().name()).parent_path();
   if (json.is_object()) {
-    const auto script = mock_server::parse_script(json);
-    if (!script) return script.error();
+    TRY_INIT(const auto script, mock_server::parse_script(json));
     endpoint.text = "mock:(script)";
     endpoint.behavior = "script";
-    endpoint.script = *script;
+    endpoint.script = script;
     return {};
   }
-  const auto text = json.string();
-  if (!text) return text.error();
-  auto parsed = match::parse_endpoint(*text);
+  TRY_INIT(const auto text, json.string());
+  auto parsed = match::parse_endpoint(text);
   if (!parsed) return json.error(parsed.error().message);
   endpoint = *std::move(parsed);
   if (endpoint.kind == match::Endpoint::Kind::kTeam)
@@ -174,32 +163,28 @@ Result<void> parse_team(const JsonValue& json, ScenarioSide& side) {
         unum > soccer::kPlayersPerTeam) {
       return players[key].error(fmt::format("'{}' is not a uniform number", key));
     }
-    const auto place = parse_place(players[key]);
-    if (!place) return place.error();
-    side.players[unum] = *place;
+    TRY_INIT(const auto place, parse_place(players[key]));
+    side.players[unum] = place;
   }
   return {};
 }
 
 Result<void> parse_situation(const JsonValue& json, Scenario& scenario) {
   if (json.has("mode")) {
-    const auto mode = parse_mode(json["mode"]);
-    if (!mode) return mode.error();
-    scenario.mode = *mode;
+    TRY_INIT(const auto mode, parse_mode(json["mode"]));
+    scenario.mode = mode;
   }
   if (json.has("cycle")) {
-    const auto cycle = json["cycle"].integer(0, kMaxSteps);
-    if (!cycle) return cycle.error();
-    scenario.cycle = *cycle;
+    TRY_INIT(const auto cycle, json["cycle"].integer(0, kMaxSteps));
+    scenario.cycle = cycle;
   }
   if (json.has("score")) {
     if (!json["score"].is_array() || json["score"].size() != 2) {
       return json["score"].error("a score is [left, right]");
     }
     for (std::size_t i = 0; i < 2; ++i) {
-      const auto goals = json["score"][i].integer(0, 100);
-      if (!goals) return goals.error();
-      scenario.score[i] = *goals;
+      TRY_INIT(const auto goals, json["score"][i].integer(0, 100));
+      scenario.score[i] = goals;
     }
   }
   if (!json.has("ball")) return {};
@@ -208,46 +193,43 @@ Result<void> parse_situation(const JsonValue& json, Scenario& scenario) {
   for (const auto& [key, member] :
        {std::pair{"at", &scenario.ball}, std::pair{"velocity", &scenario.ball_velocity}}) {
     if (!ball.has(key)) continue;
-    const auto point = parse_point(ball[key]);
-    if (!point) return point.error();
-    *member = *point;
+    TRY_INIT(const auto point, parse_point(ball[key]));
+    *member = point;
   }
   return {};
 }
 
-Result<void> parse_sideline(const JsonValue& json, Scenario& scenario) {
-  if (json.has("coach")) {
-    const auto coach = json["coach"].boolean();
-    if (!coach) return coach.error();
-    scenario.coach = *coach;
+// The text of a value for an option of a match.
+Result<std::string> option_text(const match::MatchOption& option, const JsonValue& json) {
+  const std::string written = json.is_string() ? *json.string() : json.json().dump();
+  const bool is_text = option.form.kind == base::ValueKind::kText;
+  if (is_text != json.is_string() || !base::fits(option.form, written)) {
+    return json.error("must be " + base::phrase_of(option.form));
+  }
+  return written;
+}
+
+Result<void> parse_options(const JsonValue& json, Scenario& scenario) {
+  for (const match::MatchOption& option : match::match_options()) {
+    const std::string key(option.scenario_key);
+    if (key.empty() || !json.has(key)) continue;
+    TRY_INIT(auto text, option_text(option, json[key]));
+    scenario.options[std::string(option.key)] = std::move(text);
   }
   if (!json.has("trainer")) return {};
   return parse_playmaker(json["trainer"], scenario.trainer.emplace());
 }
 
 Result<void> parse_run(const JsonValue& json, Scenario& scenario) {
-  for (const auto& [key, member, high] :
-       {std::tuple{"steps", &scenario.steps, kMaxSteps},
-        std::tuple{"rpc_deadline_ms", &scenario.rpc_deadline_ms, 1'000'000},
-        std::tuple{"max_missed", &scenario.max_missed, kMaxSteps}}) {
-    if (!json.has(key)) continue;
-    const auto value = json[key].integer(1, high);
-    if (!value) return value.error();
-    *member = *value;
-  }
-  if (json.has("on_late")) {
-    const auto on_late = json["on_late"].one_of({"hold", "last", "default"});
-    if (!on_late) return on_late.error();
-    scenario.on_late = *on_late == "hold"   ? proxy::OnLate::kHold
-                       : *on_late == "last" ? proxy::OnLate::kLast
-                                            : proxy::OnLate::kDefault;
+  if (json.has("steps")) {
+    TRY_INIT(const auto steps, json["steps"].integer(1, kMaxSteps));
+    scenario.steps = steps;
   }
   if (!json.has("until")) return {};
   const JsonValue until = json["until"];
   for (std::size_t i = 0; i < (until.is_array() ? until.size() : 1); ++i) {
-    const auto test = parse_step_test(until.is_array() ? until[i] : until);
-    if (!test) return test.error();
-    scenario.until.push_back(*test);
+    TRY_INIT(const auto test, parse_step_test(until.is_array() ? until[i] : until));
+    scenario.until.push_back(test);
   }
   return {};
 }
@@ -285,56 +267,55 @@ Result<void> parse_checks(const JsonValue& json, const Json& golden, Scenario& s
   if (!expect.is_array() || expect.size() == 0) return expect.error("must be a list of checks");
   std::size_t rpcs = 0;
   for (std::size_t i = 0; i < expect.size(); ++i) {
-    auto check = parse_check(expect[i], scenario.steps, golden);
-    if (!check) return check.error();
-    if (auto* rpc = std::get_if<RpcCheck>(&check->what)) rpc->index = rpcs++;
-    const auto asked = playmaker_of(*check);
+    TRY_INIT(auto check, parse_check(expect[i], scenario.steps, golden));
+    if (auto* rpc = std::get_if<RpcCheck>(&check.what)) rpc->index = rpcs++;
+    const auto asked = playmaker_of(check);
     if (asked && !scenario.sides[index_of(*asked)].playmaker.has_playmaker()) {
       return expect[i].error(kExternalTeamHasNoPlaymaker);
     }
-    scenario.checks.push_back(*std::move(check));
+    scenario.checks.push_back(std::move(check));
   }
   add_implied_checks(scenario, expect);
   return {};
+}
+
+std::vector<std::string_view> scenario_keys() {
+  std::vector<std::string_view> keys = {
+      "schema", "about", "seed", "seeds", "noise",      "server",  "player", "mode",  "cycle",
+      "score",  "ball",  "left", "right", "under_test", "trainer", "steps",  "until", "expect"};
+  for (const match::MatchOption& option : match::match_options()) {
+    if (!option.scenario_key.empty()) keys.push_back(option.scenario_key);
+  }
+  return keys;
 }
 
 }  // namespace
 
 Result<Scenario> parse_scenario(const JsonDocument& text, const Json& golden) {
   const JsonValue json(text);
-  const auto keys =
-      json.expect_keys({"schema",          "about",      "seed",    "seeds",   "noise", "server",
-                        "player",          "mode",       "cycle",   "score",   "ball",  "left",
-                        "right",           "under_test", "coach",   "trainer", "steps", "until",
-                        "rpc_deadline_ms", "max_missed", "on_late", "expect"});
-  if (!keys) return keys.error();
-  if (const auto checked = check_schema(json); !checked) return checked.error();
+  TRY(json.expect_keys(scenario_keys()));
+  TRY(check_schema(json));
   Scenario scenario;
   scenario.file = scenario.argument = text.name();
   scenario.name = std::filesystem::path(text.name()).stem().string();
   scenario.sides[0].playmaker.text = scenario.sides[1].playmaker.text = "mock";
   if (json.has("about")) {
-    const auto about = json["about"].string();
-    if (!about) return about.error();
-    scenario.about = *about;
+    TRY_INIT(const auto about, json["about"].string());
+    scenario.about = about;
   }
-  for (const auto& parse :
-       {parse_seeds, parse_server, parse_situation, parse_sideline, parse_run}) {
-    if (const auto parsed = parse(json, scenario); !parsed) return parsed.error();
+  for (const auto& parse : {parse_seeds, parse_server, parse_situation, parse_options, parse_run}) {
+    TRY(parse(json, scenario));
   }
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const char* key = side_name(side);
     if (!json.has(key)) continue;
-    if (const auto read = parse_team(json[key], scenario.sides[index_of(side)]); !read) {
-      return read.error();
-    }
+    TRY(parse_team(json[key], scenario.sides[index_of(side)]));
   }
   if (json.has("under_test")) {
-    const auto side = parse_side(json["under_test"]);
-    if (!side) return side.error();
-    scenario.under_test = *side;
+    TRY_INIT(const auto side, parse_side(json["under_test"]));
+    scenario.under_test = side;
   }
-  if (const auto checks = parse_checks(json, golden, scenario); !checks) return checks.error();
+  TRY(parse_checks(json, golden, scenario));
   return scenario;
 }
 

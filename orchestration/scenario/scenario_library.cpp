@@ -31,17 +31,14 @@ Result<Json> read_golden(const fs::path& folder) {
   const fs::path file = folder / kGoldenFile;
   std::error_code code;
   if (!fs::exists(file, code)) return Json::object();
-  const auto text = JsonDocument::read(file);
-  if (!text) return text.error();
-  return text->root();
+  TRY_INIT(const auto text, JsonDocument::read(file));
+  return text.root();
 }
 
 Result<Scenario> read_one(const fs::path& file) {
-  const auto golden = read_golden(file.parent_path());
-  if (!golden) return golden.error();
-  const auto text = JsonDocument::read(file);
-  if (!text) return text.error();
-  return parse_scenario(*text, golden_of(*golden, file.stem().string()));
+  TRY_INIT(const auto golden, read_golden(file.parent_path()));
+  TRY_INIT(const auto text, JsonDocument::read(file));
+  return parse_scenario(text, golden_of(golden, file.stem().string()));
 }
 
 // Values found by the golden checks, by golden file.
@@ -73,17 +70,16 @@ Result<std::vector<Scenario>> shipped_scenarios() {
   std::vector<Scenario> scenarios;
   for (const ShippedFile& file : shipped_files()) {
     if (file.name == kGoldenFile) continue;
-    const auto text = JsonDocument::parse(std::string(kShippedFolder) + std::string(file.name),
-                                          std::string(file.text));
-    if (!text) return text.error();
+    TRY_INIT(const auto text,
+             JsonDocument::parse(std::string(kShippedFolder) + std::string(file.name),
+                                 std::string(file.text)));
     const std::string name = fs::path(file.name).stem().string();
-    auto scenario = parse_scenario(*text, golden_of(golden, name));
-    if (!scenario) return scenario.error();
-    scenario->argument = name;
+    TRY_INIT(auto scenario, parse_scenario(text, golden_of(golden, name)));
+    scenario.argument = name;
     // In a checkout of cls the path leads to the file.
     std::error_code code;
-    scenario->built_in = !fs::exists(scenario->file, code);
-    scenarios.push_back(*std::move(scenario));
+    scenario.built_in = !fs::exists(scenario.file, code);
+    scenarios.push_back(std::move(scenario));
   }
   return scenarios;
 }
@@ -102,9 +98,8 @@ Result<std::vector<Scenario>> read_scenarios(const fs::path& path) {
   }
   std::vector<Scenario> scenarios;
   for (const fs::path& file : files) {
-    auto scenario = read_one(file);
-    if (!scenario) return scenario.error();
-    scenarios.push_back(*std::move(scenario));
+    TRY_INIT(auto scenario, read_one(file));
+    scenarios.push_back(std::move(scenario));
   }
   return scenarios;
 }
@@ -112,18 +107,15 @@ Result<std::vector<Scenario>> read_scenarios(const fs::path& path) {
 Result<int> accept_golden_values(const SuiteVerdict& suite) {
   int changed = 0;
   for (const auto& [file, scenarios] : found_values(suite)) {
-    auto golden = read_golden(file.parent_path());
-    if (!golden) return golden.error();
+    TRY_INIT(auto golden, read_golden(file.parent_path()));
     for (const auto& [name, values] : scenarios) {
       for (const auto& [what, value] : values.items()) {
-        if (golden_of(*golden, name).value(what, "") != value) ++changed;
+        if (golden_of(golden, name).value(what, "") != value) ++changed;
       }
-      (*golden)[name] = values;
+      (golden)[name] = values;
     }
-    const std::map<std::string, Json> sorted = golden->get<std::map<std::string, Json>>();
-    if (const auto written = base::write_file(file, base::json_document(Json(sorted))); !written) {
-      return written.error();
-    }
+    const std::map<std::string, Json> sorted = golden.get<std::map<std::string, Json>>();
+    TRY(base::write_file(file, base::json_document(Json(sorted))));
   }
   return changed;
 }

@@ -20,14 +20,11 @@ match::MatchOptions match_options(const Scenario& scenario, const RunSettings& s
     (*scenario.under_test == soccer::Side::kLeft ? options.left : options.right) =
         *settings.against;
   }
-  options.coach = scenario.coach;
+  static_cast<void>(match::set_options(options, scenario.options));  // checked when read
   options.trainer = scenario.trainer;
   options.seed = settings.seed;
   options.server = scenario.server;
   options.player = scenario.player;
-  options.rpc_deadline_ms = scenario.rpc_deadline_ms;
-  options.max_missed = scenario.max_missed;
-  options.on_late = scenario.on_late;
   options.sandbox = settings.sandbox;
   // A team starts 11 programs in sequence, possibly on a busy host.
   constexpr double kTimeToJoin = 60.0;
@@ -50,15 +47,14 @@ base::Result<RunRecord> run_scenario(const Scenario& scenario, const RunSettings
   RunRecord record;
   record.seed = settings.seed;
   ScenarioRecorder director(scenario, text_log, record);
-  auto match = match::make_lockstep_match(
-      {options, names, settings.seed, stop_signal, settings.host, settings.folder},
-      {&game_log, &text_log});
-  if (!match) return match.error();
-  (*match)->add_hooks(director);
-  (*match)->play(observer);
+  TRY_INIT(auto match, match::make_lockstep_match({options, names, settings.seed, stop_signal,
+                                                   settings.host, settings.folder},
+                                                  {&game_log, &text_log}));
+  (match)->add_hooks(director);
+  (match)->play(observer);
   director.finish();
-  record.result = (*match)->result();
-  for (const auto& side : (*match)->sides()) {
+  record.result = (match)->result();
+  for (const auto& side : (match)->sides()) {
     if (side->identity().side == soccer::Side::kNeutral) continue;
     if (const proxy::PlaymakerErrors* errors = side->errors(); errors != nullptr) {
       record.errors.at(side->identity().side == soccer::Side::kLeft ? 0 : 1) = errors->first;

@@ -60,10 +60,22 @@ bool is_counted(const soccer::PlayerCommand& command, soccer::PlayMode mode) {
 
 }  // namespace
 
-std::optional<OnLate> parse_on_late(std::string_view name) {
-  if (name == "hold") return OnLate::kHold;
-  if (name == "last") return OnLate::kLast;
-  if (name == "default") return OnLate::kDefault;
+std::string_view name(OnLate on_late) {
+  switch (on_late) {
+    case OnLate::kLast:
+      return "last";
+    case OnLate::kDefault:
+      return "default";
+    case OnLate::kHold:
+      break;
+  }
+  return "hold";
+}
+
+std::optional<OnLate> parse_on_late(std::string_view text) {
+  for (const OnLate one : {OnLate::kHold, OnLate::kLast, OnLate::kDefault}) {
+    if (name(one) == text) return one;
+  }
   return std::nullopt;
 }
 

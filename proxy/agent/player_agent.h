@@ -38,7 +38,8 @@ enum class OnLate : std::uint8_t {
 };
 
 /// "hold", "last" and "default".
-std::optional<OnLate> parse_on_late(std::string_view name);
+std::string_view name(OnLate on_late);
+std::optional<OnLate> parse_on_late(std::string_view text);
 
 struct AgentOptions {
   soccer::TeamName team_name;

@@ -520,10 +520,22 @@ class BatchPlaymaker : public Playmaker {
 
 }  // namespace
 
-std::optional<BatchMode> parse_batch_mode(std::string_view name) {
-  if (name == "auto") return BatchMode::kAuto;
-  if (name == "never") return BatchMode::kOff;
-  if (name == "always") return BatchMode::kRequired;
+std::string_view name(BatchMode mode) {
+  switch (mode) {
+    case BatchMode::kOff:
+      return "never";
+    case BatchMode::kRequired:
+      return "always";
+    case BatchMode::kAuto:
+      break;
+  }
+  return "auto";
+}
+
+std::optional<BatchMode> parse_batch_mode(std::string_view text) {
+  for (const BatchMode one : {BatchMode::kAuto, BatchMode::kOff, BatchMode::kRequired}) {
+    if (name(one) == text) return one;
+  }
   return std::nullopt;
 }
 

@@ -21,7 +21,8 @@ enum class BatchMode : std::uint8_t {
 constexpr RpcTimeout kTeamReplyTimeout{2000};
 
 /// "auto", "never" or "always".
-std::optional<BatchMode> parse_batch_mode(std::string_view name);
+std::string_view name(BatchMode mode);
+std::optional<BatchMode> parse_batch_mode(std::string_view text);
 
 /// Collects the calls of a cycle, sends them as one and hands out the replies by agent. Users see
 /// the calls of Game: a handshake, a decision and a goodbye for each agent. A Playmaker without

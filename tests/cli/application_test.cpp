@@ -36,8 +36,8 @@ Answer run(const Words& words) {
   for (const std::string& word : words) arguments.push_back(word.c_str());
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  const int exit_code =
-      cls::cli::run_application(static_cast<int>(arguments.size()), arguments.data());
+  const int exit_code = cls::cli::run_application(
+      *cls::cli::command_tree(), static_cast<int>(arguments.size()), arguments.data());
   std::fflush(stdout);
   std::fflush(stderr);
   std::string out = testing::internal::GetCapturedStdout();

@@ -1,5 +1,5 @@
 // Commands that start a guard process.
-#include "cli/support/early_guard.h"
+#include "cli/application.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 bool guarded(std::vector<const char*> arguments) {
   arguments.insert(arguments.begin(), "cls");
-  return may_start_programs(static_cast<int>(arguments.size()), arguments.data());
+  return may_start_programs(*command_tree(), static_cast<int>(arguments.size()), arguments.data());
 }
 
 TEST(EarlyGuard, StartsForCommandsThatStartPrograms) {

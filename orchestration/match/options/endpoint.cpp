@@ -181,14 +181,12 @@ Result<void> load_files(Endpoint& endpoint) {
     if (auto loaded = load_files(part); !loaded) return loaded;
   }
   if (!endpoint.planner_file.empty() && endpoint.planner == nullptr) {
-    auto parameters = read_planner_file(endpoint.planner_file);
-    if (!parameters) return parameters.error();
-    endpoint.planner = *std::move(parameters);
+    TRY_INIT(auto parameters, read_planner_file(endpoint.planner_file));
+    endpoint.planner = std::move(parameters);
   }
   if (!has_script(endpoint)) return {};
-  auto script = mock_server::read_script(endpoint.behavior);
-  if (!script) return script.error();
-  endpoint.script = *std::move(script);
+  TRY_INIT(auto script, mock_server::read_script(endpoint.behavior));
+  endpoint.script = std::move(script);
   return {};
 }
 

@@ -31,7 +31,15 @@ namespace cls::orchestration::match {
 /// after normal time (server::nr_extra_halfs 0, server::penalty_shoot_outs off).
 soccer::ServerParams match_server_params();
 
-/// Defaults are those of `cls match`.
+/// Names of PEM files for tls:HOST:PORT; empty: not used.
+struct TlsFileNames {
+  std::string authorities;
+  std::string certificate;
+  std::string key;
+  std::string server_name;  ///< expected in the Playmaker's certificate
+};
+
+/// Defaults are those of `cls match`. option_table.h has a row for each member that users set.
 struct MatchOptions {
   Endpoint left;
   Endpoint right;
@@ -54,7 +62,14 @@ struct MatchOptions {
   bool sandbox = true;          ///< `team:` sides use their own files only, see TeamValues
   process::ResourceLimits limits;  ///< of each process that a `run:` or `team:` side starts
 
-  // Home positions of cls agents; null: the built-in formations.
+  bool pin = false;  ///< pin_sides() chooses the cores
+  TlsFileNames tls;
+
+  // Home positions of cls agents; null: the built-in formations. `formation` and its siblings are
+  // the folders they were read from.
+  std::string formation;
+  std::string left_formation;
+  std::string right_formation;
   std::shared_ptr<const player::FormationSet> left_formations;
   std::shared_ptr<const player::FormationSet> right_formations;
 
@@ -62,7 +77,8 @@ struct MatchOptions {
   bool record_world_models = false;  ///< what agents estimate, for the decision debugger
   std::optional<int> save_at;        ///< game time at which `save_file` is written
   std::filesystem::path save_file;
-  std::shared_ptr<const saved::SavedMatch> resumed;  ///< null: none; see resume_from()
+  std::filesystem::path resume;                      ///< file of the match to continue
+  std::shared_ptr<const saved::SavedMatch> resumed;  ///< what it holds; see resume_from()
   /// With `resumed`: of the random draws after the saved step; none: those of the match.
   std::optional<std::uint64_t> branch_seed;
   std::filesystem::path folder;  ///< empty: ./runs/<UTC>-<left>-vs-<right>

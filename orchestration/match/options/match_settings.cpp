@@ -96,6 +96,16 @@ std::vector<std::string> settings_without_effect(const MatchOptions& options) {
   return warnings;
 }
 
+bool is_log_parameter(std::string_view name) {
+  constexpr std::array<std::string_view, 7> kWhatLogsHold = {
+      "text_logging",     "game_logging",         "keepaway_logging",    "log_times",
+      "game_log_version", "game_log_compression", "text_log_compression"};
+  const bool names_files = std::any_of(
+      kDecided.begin(), kDecided.end(),
+      [name](const Decided& row) { return row.name == name && row.instead == kLogPaths; });
+  return names_files || contains(kWhatLogsHold, name);
+}
+
 std::vector<std::string> log_setting_errors(const MatchOptions& options) {
   std::vector<std::string> errors;
   const int version = options.server.game_log_version;

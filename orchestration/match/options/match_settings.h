@@ -19,6 +19,9 @@ base::Result<void> apply_match_setting(MatchOptions& options, std::string_view s
 /// warning each. rcssserver takes them all.
 std::vector<std::string> settings_without_effect(const MatchOptions& options);
 
+/// True for a parameter of the logs that a server writes, which change nothing in the match.
+bool is_log_parameter(std::string_view name);
+
 /// Invalid log parameters, one line each; empty: valid.
 std::vector<std::string> log_setting_errors(const MatchOptions& options);
 

@@ -136,9 +136,8 @@ Result<std::vector<MixedPart>> parse_mixed_side(std::string_view text) {
         others = i;
         continue;
       }
-      const auto range = parse_range(word);
-      if (!range) return range.error();
-      for (int number = range->first; number <= range->second; ++number) {
+      TRY_INIT(const auto range, parse_range(word));
+      for (int number = range.first; number <= range.second; ++number) {
         if (!owner.emplace(number, i).second) {
           return Error{fmt::format("{} has two parts", agent(number))};
         }

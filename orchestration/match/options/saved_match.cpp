@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "base/system/version.h"
+#include "orchestration/match/options/match_settings.h"
 #include "proto/saved_match_file.h"
 
 namespace cls::orchestration::match {
@@ -21,7 +22,7 @@ template <typename Params>
 void add_settings(std::string_view module, const Params& params, const Params& usual,
                   const soccer::ParameterTable<Params>& table, saved::SavedMatch& out) {
   for (const auto& row : table) {
-    if (row.name.find("_log") != std::string_view::npos) continue;
+    if (is_log_parameter(row.name)) continue;
     std::visit(
         [&](auto member) {
           if (params.*member == usual.*member) return;
@@ -82,7 +83,7 @@ Result<void> resume_from(std::shared_ptr<const saved::SavedMatch> match, MatchOp
   options.server = match_server_params();
   options.player = {};
   for (const std::string& setting : match->settings()) {
-    if (auto applied = apply_setting(options, setting); !applied) return applied.error();
+    TRY(apply_setting(options, setting));
   }
   if (match->on_late() < 0 || match->on_late() > static_cast<int>(proxy::OnLate::kDefault)) {
     return Error{fmt::format("on_late {}: unknown in this version", match->on_late())};

@@ -47,8 +47,7 @@ Result<void> set_other(ServerSettings& settings, const OtherTable& table,
                        const ConfigurationItem& item) {
   OtherSettings other{settings.save_csv, settings.csv_file, settings.max_wait_ms,
                       settings.max_missed};
-  const auto done = set_parameter(other, table, item.name, item.value);
-  if (!done) return done.error();
+  TRY(set_parameter(other, table, item.name, item.value));
   if (other.max_wait_ms <= 0 || other.max_missed < 0) {
     return Error{fmt::format("parameter '{}': {} is too small", item.name, item.value)};
   }
@@ -125,7 +124,7 @@ Result<void> apply_arguments(ServerSettings& settings, const std::vector<std::st
     return Error{message.substr(message.find(": ") + 2)};
   }
   for (const ConfigurationItem& item : *items) {
-    if (auto done = apply_item(settings, item, {}, 0); !done) return done.error();
+    TRY(apply_item(settings, item, {}, 0));
   }
   return {};
 }
@@ -142,7 +141,7 @@ Result<std::vector<std::filesystem::path>> apply_folder(ServerSettings& settings
     const std::filesystem::path file = folder / name;
     std::error_code error;
     if (!std::filesystem::exists(file, error)) continue;
-    if (auto done = apply_file(settings, file); !done) return done.error();
+    TRY(apply_file(settings, file));
     found.push_back(file);
   }
   return found;

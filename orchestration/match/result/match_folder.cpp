@@ -15,6 +15,7 @@
 #include "base/system/host.h"
 #include "base/system/version.h"
 #include "base/text/json_text.h"
+#include "orchestration/match/options/option_table.h"
 #include "soccer/parameters/player_params.h"
 #include "soccer/parameters/server_params.h"
 
@@ -85,8 +86,7 @@ Result<void> make_way(const MatchOptions& options, const fs::path& path,
     return Error{fmt::format("{} {}; choose another name, or --force to rename it to {}.old",
                              path.string(), problem, path.filename().string())};
   }
-  const auto renamed = base::set_aside(path);
-  if (!renamed) return renamed.error();
+  TRY(base::set_aside(path));
   return {};
 }
 
@@ -107,7 +107,7 @@ Result<void> keep_earlier_files(const MatchOptions& options) {
 }  // namespace
 
 Result<fs::path> make_match_folder(const MatchOptions& options, const TeamNames& names) {
-  if (const auto kept = keep_earlier_files(options); !kept) return kept.error();
+  TRY(keep_earlier_files(options));
   std::error_code code;
   if (!options.folder.empty()) {
     fs::create_directories(options.folder, code);
@@ -126,6 +126,20 @@ Result<fs::path> make_match_folder(const MatchOptions& options, const TeamNames&
   }
   return Error{fmt::format("cannot create folder runs/{}: {}", stem, code.message())};
 }
+
+namespace {
+
+// What each option is in effect; options without a value are left out.
+Json options_json(const MatchOptions& options) {
+  Json described = Json::object();
+  for (const MatchOption& option : match_options()) {
+    std::string value = option.shown(options);
+    if (!value.empty()) described[std::string(option.key)] = std::move(value);
+  }
+  return described;
+}
+
+}  // namespace
 
 std::string manifest_json(const MatchOptions& options, const TeamNames& names, std::uint64_t seed,
                           const ManifestTimes& times) {
@@ -159,6 +173,7 @@ std::string manifest_json(const MatchOptions& options, const TeamNames& names, s
                          {"rpc_deadline_ms", deadline ? Json(deadline->count()) : Json(nullptr)},
                          {"server", options.server_choice.text},
                          {"mode", name(mode_of(options))},
+                         {"options", options_json(options)},
                          {"settings", std::move(settings)}};
   return base::json_document(document);
 }

@@ -102,13 +102,8 @@ void check_conditions(ErrorList& errors, const TournamentConfig& config) {
     const auto applied = match::apply_match_setting(options, setting.name + "=" + setting.value);
     errors.require(applied.ok(), applied ? "" : "[server] " + applied.error().message);
   }
-  if (!config.mode.empty()) {
-    const auto mode = match::parse_mode(config.mode);
-    errors.require(mode.ok(), mode ? "" : mode.error().message);
-  }
-  if (!config.server.empty()) {
-    const auto server = match::parse_server(config.server);
-    errors.require(server.ok(), server ? "" : server.error().message);
+  for (std::string& error : match::set_options(options, config.options)) {
+    errors.require(false, std::move(error));
   }
 }
 
@@ -119,6 +114,15 @@ int max_swiss_rounds(const TournamentConfig& config) {
 }
 
 }  // namespace
+
+match::MatchOptions match_options(const TournamentConfig& config) {
+  match::MatchOptions options;
+  static_cast<void>(match::set_options(options, config.options));
+  for (const ServerSetting& setting : config.settings) {
+    static_cast<void>(match::apply_setting(options, setting.name + "=" + setting.value));
+  }
+  return options;
+}
 
 int rounds_of(const TournamentConfig& config) {
   if (config.rounds) return *config.rounds;
@@ -147,8 +151,10 @@ std::vector<std::string> validate(const TournamentConfig& config) {
       fmt::format("rounds = {}: {} teams can play at most {} Swiss rounds without "
                   "meeting twice",
                   rounds_of(config), teams, max_swiss_rounds(config)));
-  errors.require(config.cycles || !config.half_time || *config.half_time > 0,
-                 "half_time 0 has no time limit; set cycles");
+  const match::MatchOptions options = match_options(config);
+  errors.require(
+      options.cycles || options.server.half_time > 0,
+      fmt::format("half_time {} has no time limit; set cycles", options.server.half_time));
   return errors.take();
 }
 

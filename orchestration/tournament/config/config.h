@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "orchestration/match/options/option_table.h"
 
 namespace cls::orchestration::tournament {
 
@@ -90,13 +91,8 @@ struct TournamentConfig {
   std::vector<TieBreaker> tie_breakers;  ///< empty: those of the format
   std::vector<TeamEntry> teams;          ///< in the order of the file
 
-  // The conditions of every match.
-  std::optional<int> cycles;
-  std::optional<int> half_time;
-  std::string mode;    ///< empty: as `cls match` chooses
-  std::string server;  ///< empty: as `cls match` chooses
-  std::optional<int> rpc_deadline_ms;
-  std::optional<int> max_missed;
+  // Every match. The use of an option says whether it belongs to the plan.
+  match::OptionTexts options;  ///< of match::match_options(); those not set have no text
   std::vector<ServerSetting> settings;
 
   // Execution; may change from run to run.
@@ -109,20 +105,18 @@ struct TournamentConfig {
   OnCrash on_crash = OnCrash::kStop;
   int max_reruns = 2;
   KeepLogs keep_logs = KeepLogs::kAll;
-  std::optional<double> start_timeout_s;
-  std::optional<double> stall_after_s;
-  std::optional<double> time_limit_s;
-  bool sandbox = true;                      ///< `team:` teams use their own files only
-  std::optional<std::uint64_t> max_memory;  ///< bytes of each process of a side
-  std::optional<int> max_cpu_s;             ///< CPU time of each process of a side
-  std::string on_match_finish;              ///< shell command that gets the match as JSON on stdin
-  std::string on_finish;                    ///< shell command that gets the report as JSON on stdin
-  std::filesystem::path folder;             ///< of the file; base of relative paths in endpoints
+  std::string on_match_finish;   ///< shell command that gets the match as JSON on stdin
+  std::string on_finish;         ///< shell command that gets the report as JSON on stdin
+  std::filesystem::path folder;  ///< of the file; base of relative paths in endpoints
 
   // Reports.
   std::string name;                  ///< of the tournament; empty: that of its folder
   std::vector<std::string> columns;  ///< of kStandingsColumns; empty: as the format needs
 };
+
+/// The options of every match: those of `cls match` where the configuration says nothing. Wrong
+/// texts and settings count as not set; validate() reports them.
+match::MatchOptions match_options(const TournamentConfig& config);
 
 /// The configured rounds, or the default: 1; Swiss: ceil(log2(teams)) + 1, limited so that no teams
 /// meet twice.

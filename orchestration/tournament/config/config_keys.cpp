@@ -8,7 +8,6 @@
 #include <charconv>
 #include <optional>
 
-#include "base/text/byte_size.h"
 #include "base/text/suggestion.h"
 
 namespace cls::orchestration::tournament {
@@ -126,9 +125,8 @@ Row choice(std::string_view key, Group group, Enum Config::*member,
           help,
           example,
           [=](Config& config, const ConfigValue& value) -> Result<void> {
-            const auto read = enum_of(value, all);
-            if (!read) return read.error();
-            config.*member = *read;
+            TRY_INIT(const auto read, enum_of(value, all));
+            config.*member = read;
             return {};
           },
           [=](const Config& config) { return toml_quoted(name(config.*member)); }};
@@ -206,9 +204,8 @@ Result<void> parse_tie_breakers(Config& config, const ConfigValue& value) {
   if (names == nullptr) return Error{"must be a list of tiebreakers"};
   config.tie_breakers.clear();
   for (const std::string& text : *names) {
-    const auto one = enum_of(ConfigValue(text), kTieBreakers);
-    if (!one) return one.error();
-    config.tie_breakers.push_back(*one);
+    TRY_INIT(const auto one, enum_of(ConfigValue(text), kTieBreakers));
+    config.tie_breakers.push_back(one);
   }
   return {};
 }
@@ -242,12 +239,63 @@ Result<void> parse_folder(Config& config, const ConfigValue& value) {
   return {};
 }
 
-Result<void> parse_max_memory(Config& config, const ConfigValue& value) {
+// The text of a value; nothing if the option cannot have a value of this type.
+std::optional<std::string> text_of(const match::MatchOption& option, const ConfigValue& value) {
+  switch (option.form.kind) {
+    case base::ValueKind::kFlag:
+      if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+      return std::nullopt;
+    case base::ValueKind::kWhole:
+    case base::ValueKind::kUnsigned:
+      if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::to_string(*whole);
+      return std::nullopt;
+    case base::ValueKind::kNumber:
+      if (const auto number = number_in(value)) return fmt::format("{}", *number);
+      return std::nullopt;
+    case base::ValueKind::kText:
+      break;
+  }
   const auto* text = std::get_if<std::string>(&value);
-  const auto size = text == nullptr ? std::nullopt : base::parse_byte_size(*text);
-  if (!size) return Error{"must be a size such as \"512M\" or \"2G\""};
-  config.max_memory = *size;
+  return text == nullptr ? std::nullopt : std::optional<std::string>(*text);
+}
+
+Result<void> parse_option(const match::MatchOption& option, Config& config,
+                          const ConfigValue& value) {
+  const auto text = text_of(option, value);
+  const bool is_text = option.form.kind == base::ValueKind::kText;
+  if (!text || (!is_text && !base::fits(option.form, *text))) {
+    const std::string form = base::phrase_of(option.form);
+    return Error{"must be " + (form.empty() ? std::string("a string") : form)};
+  }
+  match::MatchOptions scratch;
+  if (const auto set = option.set(scratch, *text); !set) {
+    // The key stands before the error.
+    std::string message = set.error().message;
+    const std::string name = match::option_name(option.key) + " ";
+    if (message.starts_with(name)) message.erase(0, name.size());
+    return Error{std::move(message)};
+  }
+  config.options[std::string(option.key)] = *text;
   return {};
+}
+
+// The options of a match that cls.toml may have.
+std::vector<Row> option_rows(match::OptionUse use, Group group) {
+  std::vector<Row> rows;
+  for (const match::MatchOption& option : match::match_options()) {
+    if (option.use != use) continue;
+    rows.push_back({option.key, group, option.help, option.example,
+                    [&option](Config& config, const ConfigValue& value) {
+                      return parse_option(option, config, value);
+                    },
+                    [&option](const Config& config) {
+                      const auto text = config.options.find(option.key);
+                      if (text == config.options.end()) return std::string();
+                      const bool quoted = option.form.kind == base::ValueKind::kText;
+                      return quoted ? toml_quoted(text->second) : text->second;
+                    }});
+  }
+  return rows;
 }
 
 std::vector<Row> schedule_rows() {
@@ -281,23 +329,6 @@ std::vector<Row> schedule_rows() {
   };
 }
 
-std::vector<Row> condition_rows() {
-  constexpr Group kGroup = Group::kConditions;
-  return {
-      integer("cycles", kGroup, &Config::cycles, 1, 1'000'000'000, "6000",
-              "game time at which a match ends"),
-      integer("half_time", kGroup, &Config::half_time, 0, 1'000'000'000, "300",
-              "length of a half in seconds; 10 cycles a second"),
-      text("mode", kGroup, &Config::mode, "\"lockstep\"", "time mode, as --mode of cls match"),
-      text("server", kGroup, &Config::server, "\"embedded\"",
-           "soccer server, as --server of cls match"),
-      integer("rpc_deadline", kGroup, &Config::rpc_deadline_ms, 1, 1'000'000'000, "10000",
-              "deadline of a Playmaker's reply in milliseconds"),
-      integer("max_missed", kGroup, &Config::max_missed, 0, 1'000'000'000, "20",
-              "consecutive missed decisions that end a match"),
-  };
-}
-
 std::vector<Row> execution_rows() {
   constexpr Group kGroup = Group::kExecution;
   return {
@@ -321,22 +352,6 @@ std::vector<Row> execution_rows() {
               "rerun: maximum reruns of a match"),
       choice("keep_logs", kGroup, &Config::keep_logs, kKeepLogs, "\"all\"",
              "match folders to keep: all, failed or none"),
-      seconds("start_timeout", kGroup, &Config::start_timeout_s, "20",
-              "seconds until a Playmaker must reply for the first time"),
-      seconds("stall_after", kGroup, &Config::stall_after_s, "10",
-              "seconds without a new cycle after which a match ends"),
-      seconds("time_limit", kGroup, &Config::time_limit_s, "600",
-              "time limit of a match in seconds"),
-      flag("sandbox", kGroup, &Config::sandbox, "true",
-           "let team: teams read the system and change their own folder only"),
-      Row{"max_memory", kGroup, "memory of each process of a side, as --max-memory of cls match",
-          "\"2G\"", parse_max_memory,
-          [](const Config& config) {
-            return config.max_memory ? toml_quoted(base::byte_size_text(*config.max_memory))
-                                     : std::string();
-          }},
-      integer("max_cpu", kGroup, &Config::max_cpu_s, 1, 1'000'000'000, "600",
-              "seconds of CPU time of each process of a side"),
       Row{"folder", kGroup, "base of relative paths in endpoints (default: folder of this file)",
           "\".\"", parse_folder,
           [](const Config& config) {
@@ -380,7 +395,9 @@ std::vector<Row> report_rows() {
 const std::vector<ConfigKey>& tournament_keys() {
   static const std::vector<ConfigKey> keys = [] {
     std::vector<ConfigKey> all = schedule_rows();
-    for (auto rows : {condition_rows(), execution_rows(), report_rows()}) {
+    for (auto rows :
+         {option_rows(match::OptionUse::kConditions, Group::kConditions), execution_rows(),
+          option_rows(match::OptionUse::kExecution, Group::kExecution), report_rows()}) {
       all.insert(all.end(), rows.begin(), rows.end());
     }
     return all;

@@ -13,7 +13,8 @@ namespace {
 constexpr int kCoresPerRealTimeMatch = 4;
 
 bool is_lockstep(const TournamentConfig& config) {
-  return config.mode.empty() || config.mode == "lockstep";
+  const auto mode = match_options(config).mode;
+  return !mode || *mode == match::MatchMode::kLockstep;
 }
 
 }  // namespace

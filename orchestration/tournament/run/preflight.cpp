@@ -42,10 +42,10 @@ std::optional<StartProblem> check_team(const TournamentConfig& config, const Tea
 }
 
 std::optional<StartProblem> check_server(const TournamentConfig& config) {
-  const auto server = match::parse_server(config.server.empty() ? "embedded" : config.server);
-  const bool started = server && server->kind == match::ServerChoice::Kind::kProgram;
+  const match::ServerChoice server = match_options(config).server_choice;
+  const bool started = server.kind == match::ServerChoice::Kind::kProgram;
   if (!started || config.executor == ExecutorKind::kSlurm) return std::nullopt;
-  const auto program = process::find_program(server->program);
+  const auto program = process::find_program(server.program);
   if (program) return std::nullopt;
   return StartProblem{match::EndpointProblem::Kind::kMissing,
                       "soccer server " + program.error().message};
@@ -53,14 +53,10 @@ std::optional<StartProblem> check_server(const TournamentConfig& config) {
 
 // Cycles of normal time.
 int cycles_of(const TournamentConfig& config) {
-  match::MatchOptions options;
-  for (const ServerSetting& setting : config.settings) {
-    match::apply_setting(options, setting.name + "=" + setting.value);
-  }
-  if (config.half_time) options.server.half_time = *config.half_time;
+  const match::MatchOptions options = match_options(config);
   const int whole = options.server.normal_time_cycles();
-  if (!config.cycles) return whole;
-  return whole > 0 ? std::min(whole, *config.cycles) : *config.cycles;
+  if (!options.cycles) return whole;
+  return whole > 0 ? std::min(whole, *options.cycles) : *options.cycles;
 }
 
 int parallel_matches(const TournamentConfig& config) {
@@ -119,7 +115,7 @@ std::vector<std::string> host_warnings(const TournamentConfig& config,
   }
   const std::string missing = match::missing_sandbox();
   const bool local = config.executor == ExecutorKind::kLocal;
-  if (local && config.sandbox && has_external_team(config) && !missing.empty()) {
+  if (local && match_options(config).sandbox && has_external_team(config) && !missing.empty()) {
     lines.push_back(missing);
   }
   for (const ScheduledMatch& match : matches) {
@@ -145,7 +141,8 @@ std::optional<double> expected_seconds(const TournamentConfig& config,
     ++played;
   }
   if (played > 0) return rounds * seconds / played;
-  if (config.mode == "realtime") return rounds * cycles_of(config) * kSecondsPerCycle;
+  if (mode_of(match_options(config)) == match::MatchMode::kRealtime)
+    return rounds * cycles_of(config) * kSecondsPerCycle;
   return std::nullopt;
 }
 

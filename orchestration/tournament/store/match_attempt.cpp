@@ -12,7 +12,6 @@
 
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
-#include "base/text/byte_size.h"
 #include "base/text/number_text.h"
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/match/options/server_choice.h"
@@ -39,15 +38,9 @@ void add_option(std::vector<std::string>& argv, const char* option, const std::s
   argv.push_back(value);
 }
 
-template <typename T>
-void add_option(std::vector<std::string>& argv, const char* option, const std::optional<T>& value) {
-  if (value) add_option(argv, option, fmt::format("{}", *value));
-}
-
 // Logs of many matches are large. Running servers have settings of their own.
 void add_log_compression(std::vector<std::string>& argv, const TournamentConfig& config) {
-  const auto server = match::parse_server(config.server.empty() ? "embedded" : config.server);
-  if (!server || server->kind == match::ServerChoice::Kind::kAddress) return;
+  if (match_options(config).server_choice.kind == match::ServerChoice::Kind::kAddress) return;
   for (const char* name : {"server::game_log_compression", "server::text_log_compression"}) {
     const bool configured =
         std::any_of(config.settings.begin(), config.settings.end(),
@@ -99,15 +92,6 @@ bool interrupted(const Outcome& outcome) {
 
 }  // namespace
 
-fs::path own_program() {
-  std::error_code code;
-  std::string path = fs::read_symlink("/proc/self/exe", code).string();
-  // Added by the kernel when the file was replaced, by a new build for example.
-  constexpr std::string_view kReplaced = " (deleted)";
-  if (path.ends_with(kReplaced)) path.resize(path.size() - kReplaced.size());
-  return path;
-}
-
 process::CommandPlan match_plan(const TournamentConfig& config, const Fixture& fixture,
                                 const fs::path& program, const fs::path& folder) {
   const TeamEntry& left = config.teams[static_cast<std::size_t>(fixture.left)];
@@ -121,20 +105,8 @@ process::CommandPlan match_plan(const TournamentConfig& config, const Fixture& f
   if (is_external(left) || is_external(right)) plan.argv.emplace_back("--own-names");
   plan.argv.emplace_back("--rated");
   add_option(plan.argv, "--seed", fmt::to_string(fixture.seed));
-  add_option(plan.argv, "--cycles", config.cycles);
-  add_option(plan.argv, "--half-time", config.half_time);
-  if (!config.mode.empty()) add_option(plan.argv, "--mode", config.mode);
-  if (!config.server.empty()) add_option(plan.argv, "--server", config.server);
-  add_option(plan.argv, "--rpc-deadline", config.rpc_deadline_ms);
-  add_option(plan.argv, "--max-missed", config.max_missed);
-  add_option(plan.argv, "--start-timeout", config.start_timeout_s);
-  add_option(plan.argv, "--stall-after", config.stall_after_s);
-  add_option(plan.argv, "--time-limit", config.time_limit_s);
-  if (!config.sandbox) plan.argv.emplace_back("--no-sandbox");
-  if (config.max_memory) {
-    add_option(plan.argv, "--max-memory", base::byte_size_text(*config.max_memory));
-  }
-  add_option(plan.argv, "--max-cpu", config.max_cpu_s);
+  for (std::string& word : match::option_words(config.options))
+    plan.argv.push_back(std::move(word));
   for (const ServerSetting& setting : config.settings) {
     add_option(plan.argv, "--set", setting.name + "=" + setting.value);
   }
@@ -160,7 +132,7 @@ Result<MatchAttempt> MatchAttempt::start(process::ProcessHost& host, const Tourn
   started.folder_ =
       options.folder.empty() ? match_folder(config, fixture, attempt) : std::move(options.folder);
   started.begin_ = std::chrono::steady_clock::now();
-  started.limit_s_ = config.time_limit_s;
+  started.limit_s_ = match_options(config).time_limit_s;
   started.started_ = base::utc_now();
   std::error_code code;
   // What an interrupted run left of the same attempt.
@@ -169,9 +141,8 @@ Result<MatchAttempt> MatchAttempt::start(process::ProcessHost& host, const Tourn
   process::CommandPlan plan =
       match_plan(config, fixture, options.program, started.tournament_ / started.folder_);
   plan.cpus = std::move(options.cpus);
-  auto child = host.start(plan);
-  if (!child) return child.error();
-  started.child_ = *std::move(child);
+  TRY_INIT(auto child, host.start(plan));
+  started.child_ = std::move(child);
   return started;
 }
 

@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "orchestration/match/options/match_settings.h"
 #include "orchestration/match/server/server_logs.h"
 #include "orchestration/match/server/server_report.h"
 #include "tests/support/files.h"
@@ -144,6 +145,15 @@ TEST(ServerReport, MatchesRcssserver) {
   EXPECT_THAT(text, HasSubstr(" \tPenalties: 2 (3) - 0 (0)\n\tCoin Toss Winner: Right Team\n\n"))
       << text;
   EXPECT_THAT(csv_line(report), HasSubstr("0, 0, 3, 0, 2, 0, RIGHT\n"));
+}
+
+// Saved matches leave them out: all that concern logs, however they are called.
+TEST(MatchSettings, LogParametersAreKnown) {
+  for (const auto& row : soccer::server_param_table()) {
+    const std::string name(row.name);
+    const bool says_log = name.find("log") != std::string::npos;
+    EXPECT_EQ(is_log_parameter(name), says_log) << name;
+  }
 }
 
 }  // namespace

@@ -47,9 +47,10 @@ TEST(Config, ReadsTeamsInFileOrder) {
   EXPECT_EQ(config.seed, 9u);
   EXPECT_EQ(config.concurrency, 3);
   EXPECT_EQ(config.on_crash, OnCrash::kRerun);
-  EXPECT_EQ(config.time_limit_s, 90.0);
-  EXPECT_EQ(config.max_memory, 2ULL << 30);
-  EXPECT_EQ(config.max_cpu_s, 600);
+  const match::MatchOptions options = match_options(config);
+  EXPECT_EQ(options.time_limit_s, 90.0);
+  EXPECT_EQ(options.limits.memory, 2ULL << 30);
+  EXPECT_EQ(options.limits.cpu_seconds, 600);
   EXPECT_EQ(config.settings, (std::vector<ServerSetting>{{"server::kick_off_wait", "3"},
                                                          {"server::wind_none", "true"}}));
   EXPECT_EQ(config.teams, (std::vector<TeamEntry>{{"OLD", "mock"}, {"NEW", "localhost:50051"}}));
@@ -147,11 +148,11 @@ TEST(Config, RejectsContradictions) {
   config.format = Format::kGroups;
   EXPECT_EQ(validate(config).size(), 2u);  // too few teams for two groups, and to advance
   config = parse_config(kWhole, "").config;
-  config.mode = "lokstep";
+  config.options["mode"] = "lokstep";
   EXPECT_EQ(validate(config),
             std::vector<std::string>{"--mode 'lokstep': did you mean 'lockstep'?"});
-  config.mode.clear();
-  config.server = "rcsserver";
+  config.options.clear();
+  config.options["server"] = "rcsserver";
   EXPECT_EQ(validate(config).size(), 1u);
 }
 

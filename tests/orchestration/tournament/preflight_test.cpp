@@ -39,7 +39,7 @@ TEST(Preflight, NamesTeamAndEndpoint) {
   EXPECT_TRUE(check_start(config, std::chrono::milliseconds(0)).empty())
       << "the endpoints must work on the nodes";
   config = config_of(Format::kRoundRobin, 2);
-  config.server = "./no-server";
+  config.options["server"] = "./no-server";
   ASSERT_EQ(check_start(config, std::chrono::milliseconds(0)).size(), 1u);
   EXPECT_EQ(check_start(config, std::chrono::milliseconds(0))[0].text,
             "soccer server ./no-server: no such file");
@@ -75,11 +75,11 @@ TEST(Preflight, EstimatesTimeFromMatchesPlayedOrRealTime) {
   auto matches = play_all(config, better_wins);
   for (ScheduledMatch& match : matches) match.outcome->run_seconds = 4;
   EXPECT_DOUBLE_EQ(*expected_seconds(config, matches, 10), 20);
-  config.mode = "realtime";
+  config.options["mode"] = "realtime";
   EXPECT_DOUBLE_EQ(*expected_seconds(config, {}, 10), 3000);
   config.settings = {{"server::half_time", "100"}};
   EXPECT_DOUBLE_EQ(*expected_seconds(config, {}, 10), 1000);
-  config.cycles = 50;
+  config.options["cycles"] = "50";
   EXPECT_DOUBLE_EQ(*expected_seconds(config, {}, 10), 25);
 }
 

@@ -319,7 +319,7 @@ TEST(Concurrency, AssignsWholeCoresToEachMatch) {
 
 TEST(Concurrency, StartsLowAndIncreasesInRealTime) {
   TournamentConfig config;
-  config.mode = "realtime";
+  config.options["mode"] = "realtime";
   Concurrency automatic(config, 8);
   EXPECT_EQ(automatic.current(), 2);
   const Outcome clean = score(0, 0);

@@ -1,0 +1,232 @@
+// Builds and searches the tree of commands.
+#include "cli/command/command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+namespace cls::cli {
+namespace {
+
+using base::ValueKind;
+
+template <class T>
+struct ElementOf {
+  using type = T;
+};
+template <class T>
+struct ElementOf<std::optional<T>> {
+  using type = T;
+};
+template <class T>
+struct ElementOf<std::vector<T>> {
+  using type = T;
+};
+
+template <class T>
+constexpr ValueKind kind_of() {
+  using Element = typename ElementOf<T>::type;
+  if constexpr (std::is_same_v<Element, bool>) return ValueKind::kFlag;
+  if constexpr (std::is_floating_point_v<Element>) return ValueKind::kNumber;
+  if constexpr (std::is_unsigned_v<Element>) return ValueKind::kUnsigned;
+  if constexpr (std::is_integral_v<Element>) return ValueKind::kWhole;
+  return ValueKind::kText;
+}
+
+template <class T>
+constexpr bool is_vector(const T&) {
+  return false;
+}
+template <class T>
+constexpr bool is_vector(const std::vector<T>&) {
+  return true;
+}
+
+// What the type of the target says about the option.
+void describe(Option& option) {
+  std::visit(
+      [&option]<class Pointer>(Pointer target) {
+        if constexpr (std::is_pointer_v<Pointer>) {
+          option.form.kind = kind_of<std::remove_pointer_t<Pointer>>();
+          if (is_vector(*target)) option.max_values = kAnyNumber;
+        }
+      },
+      option.target);
+}
+
+template <class T>
+std::string text_of(const T& value) {
+  if constexpr (std::is_same_v<T, std::filesystem::path>) {
+    return value.string();
+  } else {
+    return fmt::format("{}", value);
+  }
+}
+template <class T>
+std::string text_of(const std::optional<T>& value) {
+  return value ? text_of(*value) : "";
+}
+template <class T>
+std::string text_of(const std::vector<T>&) {
+  return "";
+}
+
+// "-p,--port" -> "-p", "--port".
+std::vector<std::string> split_names(std::string_view names) {
+  std::vector<std::string> parts;
+  while (!names.empty()) {
+    const std::string_view name = names.substr(0, names.find(','));
+    names.remove_prefix(std::min(names.size(), name.size() + 1));
+    parts.emplace_back(name.substr(name.starts_with('!') ? 1 : 0));
+  }
+  return parts;
+}
+
+}  // namespace
+
+Option& Option::required() {
+  is_required = true;
+  return *this;
+}
+
+Option& Option::shows_default() {
+  std::visit(
+      [this]<class Pointer>(Pointer pointer) {
+        if constexpr (std::is_pointer_v<Pointer>) default_text = text_of(*pointer);
+      },
+      target);
+  return *this;
+}
+
+Option& Option::range(double min, double max) {
+  form.min = min;
+  form.max = max;
+  return *this;
+}
+
+Option& Option::from(double min) {
+  form.min = min;
+  return *this;
+}
+
+Option& Option::above(double min) {
+  form.min = min;
+  form.above_min = true;
+  return *this;
+}
+
+Option& Option::one_of(std::vector<std::string> words) {
+  form.words = std::move(words);
+  return *this;
+}
+
+Option& Option::placeholder(std::string text) {
+  value = std::move(text);
+  return *this;
+}
+
+Option& Option::of_group(std::string title) {
+  group = std::move(title);
+  return *this;
+}
+
+Option& Option::from_variable(std::string variable) {
+  environment = std::move(variable);
+  return *this;
+}
+
+Option& Option::repeatable() {
+  is_repeatable = true;
+  max_values = 1;
+  return *this;
+}
+
+Option& Option::takes(int count) {
+  min_values = max_values = count;
+  return *this;
+}
+
+Option& Option::split_at(char between) {
+  separator = between;
+  return *this;
+}
+
+Command::Command(std::string command_name, std::string text, Command* above)
+    : name(std::move(command_name)), description(std::move(text)), parent(above) {
+  flag("-h,--help", "print this help");
+}
+
+Command& Command::command(std::string command_name, std::string text) {
+  return commands.emplace_back(std::move(command_name), std::move(text), this);
+}
+
+Option& Command::add(std::string names, Target target, std::string help) {
+  Option& added = options.emplace_back();
+  added.names = std::move(names);
+  added.target = target;
+  added.help = std::move(help);
+  describe(added);
+  return added;
+}
+
+Option& Command::flag(std::string names, std::string help) {
+  Option& added = add(std::move(names), {}, std::move(help));
+  added.form.kind = ValueKind::kFlag;
+  return added;
+}
+
+std::string full_name(const Command& command) {
+  if (command.parent == nullptr) return command.name;
+  return full_name(*command.parent) + " " + command.name;
+}
+
+bool is_argument(const Option& option) { return !option.names.starts_with('-'); }
+
+bool is_flag(const Option& option) { return option.form.kind == ValueKind::kFlag; }
+
+std::string name_of(const Option& option) {
+  const std::vector<std::string> names = split_names(option.names);
+  const auto is_long = [](const std::string& name) { return name.starts_with("--"); };
+  const auto found = std::find_if(names.begin(), names.end(), is_long);
+  return found == names.end() ? names.front() : *found;
+}
+
+std::vector<std::string> all_names(const Option& option) { return split_names(option.names); }
+
+std::string value_name(const Option& option) {
+  if (!option.value.empty()) return option.value;
+  switch (option.form.kind) {
+    case ValueKind::kWhole:
+    case ValueKind::kUnsigned:
+      return "N";
+    case ValueKind::kNumber:
+      return "X";
+    case ValueKind::kText:
+      return "VALUE";
+    case ValueKind::kFlag:
+      break;
+  }
+  return "";
+}
+
+Option* find_option(Command& command, std::string_view name) {
+  return const_cast<Option*>(find_option(std::as_const(command), name));
+}
+
+const Option* find_option(const Command& command, std::string_view name) {
+  for (const Option& option : command.options) {
+    const std::vector<std::string> names = split_names(option.names);
+    if (std::find(names.begin(), names.end(), name) != names.end()) return &option;
+  }
+  return nullptr;
+}
+
+const Command* find_command(const Command& command, std::string_view name) {
+  const auto found = std::find_if(command.commands.begin(), command.commands.end(),
+                                  [name](const Command& below) { return below.name == name; });
+  return found == command.commands.end() ? nullptr : &*found;
+}
+
+}  // namespace cls::cli

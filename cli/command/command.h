@@ -1,0 +1,137 @@
+// The tree of commands as plain data: what each is called, takes, says and does. Parsing, help,
+// manual pages and completion read it.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "base/text/value_form.h"
+
+namespace cls::cli {
+
+/// Where parsing stores the value of an option. A vector gets all values; nothing: the texts stay
+/// in the option.
+using Target =
+    std::variant<std::monostate, bool*, int*, std::uint16_t*, std::uint64_t*, double*, std::string*,
+                 std::filesystem::path*, std::optional<int>*, std::optional<std::uint16_t>*,
+                 std::optional<std::uint64_t>*, std::optional<double>*, std::optional<std::string>*,
+                 std::vector<int>*, std::vector<std::string>*>;
+
+/// The `max_values` of an option that takes all values up to the next option.
+inline constexpr int kAnyNumber = 1 << 20;
+
+/// Titles of groups of options in help and manual pages.
+inline constexpr const char* kOptionsGroup = "Options";
+inline constexpr const char* kTeamsGroup = "Teams";
+inline constexpr const char* kPlaymakersGroup = "Playmakers";
+inline constexpr const char* kLimitsGroup = "Limits";
+inline constexpr const char* kDebuggingGroup = "Debugging";
+inline constexpr const char* kOutputGroup = "Output";
+inline constexpr const char* kHidden = "";  ///< not listed anywhere
+
+/// An option, a flag or an argument.
+struct Option {
+  std::string names;  ///< "--seed", "-p,--port", "--coach,!--no-coach"; an argument: "LEFT"
+  Target target;
+  std::string help;
+  base::ValueForm form;
+  std::string value;  ///< placeholder of the value: "FILE"; empty: value_name() decides
+  std::string group = kOptionsGroup;
+  std::string default_text;  ///< shown behind the help
+  std::string environment;   ///< variable that gives the value if the command line does not
+  int min_values = 1;
+  int max_values = 1;
+  bool is_required = false;
+  bool is_repeatable = false;
+  char separator = '\0';  ///< splits a value into several: ','
+
+  // Set by parse().
+  std::vector<std::string> given;  ///< the values as written; of a flag "true" or "false"
+  bool from_environment = false;
+
+  Option& required();
+  Option& shows_default();  ///< the current value of the target
+  Option& range(double min, double max);
+  Option& from(double min);
+  Option& above(double min);
+  Option& one_of(std::vector<std::string> words);
+  Option& placeholder(std::string text);
+  Option& of_group(std::string title);
+  Option& from_variable(std::string variable);
+  Option& repeatable();            ///< each time with one value
+  Option& takes(int count);        ///< exactly so many values
+  Option& split_at(char between);  ///< see `separator`
+};
+
+struct Command {
+  std::string name;
+  std::string description;         ///< one line, then sentences and indented examples
+  std::string group = "Commands";  ///< title in the help of its parent
+  bool starts_programs = false;    ///< needs a guard that ends them, before anything else runs
+  bool takes_any_words = false;    ///< unknown words go to `words` in order
+  Command* parent = nullptr;
+  std::deque<Option> options;  ///< the first is --help
+  std::deque<Command> commands;
+  std::function<int()> run;  ///< returns the exit code
+
+  std::vector<std::string> words;  ///< set by parse()
+
+  Command() = default;
+  Command(std::string name, std::string description, Command* parent);
+
+  /// Adds a command below this one.
+  Command& command(std::string name, std::string description);
+
+  /// Adds an option whose value goes to `target`, or an argument.
+  template <class T>
+  Option& option(std::string names, T& target, std::string help) {
+    return add(std::move(names), &target, std::move(help));
+  }
+  /// Adds an option whose values stay in Option::given.
+  Option& option(std::string names, std::string help) {
+    return add(std::move(names), {}, std::move(help));
+  }
+  Option& flag(std::string names, bool& target, std::string help) {
+    return add(std::move(names), &target, std::move(help));
+  }
+  /// A flag that stays in Option::given.
+  Option& flag(std::string names, std::string help);
+
+ private:
+  Option& add(std::string names, Target target, std::string help);
+};
+
+/// Groups of commands in the help of `cls`.
+inline constexpr const char* kPlayCommands = "Play";
+inline constexpr const char* kResultCommands = "Results";
+inline constexpr const char* kCheckCommands = "Checks";
+inline constexpr const char* kPartCommands = "Run one part";
+
+/// "cls tournament run".
+std::string full_name(const Command& command);
+
+bool is_argument(const Option& option);
+bool is_flag(const Option& option);
+
+/// "--port" of "-p,--port"; an argument's own name.
+std::string name_of(const Option& option);
+
+/// All names, as typed: "-p", "--port".
+std::vector<std::string> all_names(const Option& option);
+
+/// The placeholder of the value in help: "FILE", "N", "X".
+std::string value_name(const Option& option);
+
+/// nullptr if there is none. `name` as typed, "--port" or "-p".
+Option* find_option(Command& command, std::string_view name);
+const Option* find_option(const Command& command, std::string_view name);
+const Command* find_command(const Command& command, std::string_view name);
+
+}  // namespace cls::cli

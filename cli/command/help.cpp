@@ -1,0 +1,128 @@
+// Lays out the help in 80 columns.
+#include "cli/command/help.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "base/text/wrap_text.h"
+
+namespace cls::cli {
+namespace {
+
+constexpr std::size_t kWidth = 80;
+constexpr std::size_t kOptionColumn = 30;
+constexpr std::size_t kCommandColumn = 16;
+
+void add_once(std::vector<std::string>& list, const std::string& item) {
+  if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
+}
+
+// "  NAME      text"; a name that reaches the column has a line of its own.
+std::string entry(const std::string& name, const std::string& text, std::size_t column) {
+  std::string lines = fmt::format("{:<{}}", "  " + name, column);
+  const std::string margin = "\n" + std::string(column, ' ');
+  if (name.size() + 2 >= column && !text.empty()) lines += margin;
+  for (const char c : base::wrap_text(text, kWidth - column)) {
+    if (c == '\n') {
+      lines += margin;
+    } else {
+      lines += c;
+    }
+  }
+  return lines + "\n";
+}
+
+std::string without_spaces_at_line_ends(std::string text) {
+  for (auto at = text.find(" \n"); at != std::string::npos; at = text.find(" \n")) {
+    text.erase(at, 1);
+  }
+  return text;
+}
+
+bool takes_many(const Option& option) { return option.max_values == kAnyNumber; }
+
+std::string argument_section(const Command& command) {
+  std::string lines;
+  for (const Option& option : command.options) {
+    if (!is_argument(option)) continue;
+    lines += entry(signature_of(option), description_of(option), kOptionColumn);
+  }
+  return lines.empty() ? "" : "\nArguments:\n" + lines;
+}
+
+std::string option_section(const Command& command, const std::string& group) {
+  std::string lines;
+  for (const Option& option : command.options) {
+    if (is_argument(option) || option.group != group) continue;
+    lines += entry(signature_of(option), description_of(option), kOptionColumn);
+  }
+  return lines.empty() ? "" : fmt::format("\n{}:\n{}", group, lines);
+}
+
+std::string command_sections(const Command& command) {
+  std::vector<std::string> groups;
+  for (const Command& below : command.commands) {
+    if (below.group != kHidden) add_once(groups, below.group);
+  }
+  std::string text;
+  for (const std::string& group : groups) {
+    text += fmt::format("\n{}:\n", group);
+    for (const Command& below : command.commands) {
+      if (below.group != group) continue;
+      const std::string purpose = below.description.substr(0, below.description.find('\n'));
+      text += entry(below.name, purpose, kCommandColumn);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string help_text(const Command& command) {
+  std::string text = fmt::format("{}\n\nUsage: {} {}\n", command.description, full_name(command),
+                                 usage_of(command));
+  text += argument_section(command);
+  for (const std::string& group : option_groups(command)) text += option_section(command, group);
+  text += command_sections(command);
+  return without_spaces_at_line_ends(std::move(text));
+}
+
+std::string usage_of(const Command& command) {
+  std::string usage = "[OPTIONS]";
+  for (const Option& option : command.options) {
+    if (!is_argument(option)) continue;
+    const std::string name = option.names + (takes_many(option) ? "..." : "");
+    usage += option.is_required ? " " + name : " [" + name + "]";
+  }
+  if (!command.commands.empty()) usage += " COMMAND";
+  return usage;
+}
+
+std::string signature_of(const Option& option) {
+  if (is_argument(option)) return option.names + (takes_many(option) ? " ..." : "");
+  std::string text = fmt::format("{}", fmt::join(all_names(option), ","));
+  if (!is_flag(option)) text += " " + value_name(option);
+  return text;
+}
+
+std::string description_of(const Option& option) {
+  std::string text = option.help;
+  if (!option.environment.empty()) text += fmt::format(" (environment: {})", option.environment);
+  if (!option.default_text.empty()) text += fmt::format(" (default: {})", option.default_text);
+  return text;
+}
+
+std::vector<std::string> option_groups(const Command& command) {
+  std::vector<std::string> groups;
+  for (const Option& option : command.options) {
+    if (option.group != kHidden) add_once(groups, option.group);
+  }
+  std::stable_partition(groups.begin(), groups.end(),
+                        [](const std::string& group) { return group != kOutputGroup; });
+  return groups;
+}
+
+}  // namespace cls::cli

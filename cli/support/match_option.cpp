@@ -1,0 +1,27 @@
+// Describes a row as an option of a command.
+#include "cli/support/match_option.h"
+
+#include <string>
+
+namespace cls::cli {
+namespace {
+
+using orchestration::match::MatchOption;
+
+std::string names_of(const MatchOption& row) {
+  std::string names = orchestration::match::option_name(row.key);
+  if (row.has_opposite) names += ",!--no-" + names.substr(2);
+  return names;
+}
+
+}  // namespace
+
+Option& add_match_option(Command& command, const MatchOption& row) {
+  Option& option = command.option(names_of(row), std::string(row.help));
+  option.form = row.form;
+  option.environment = row.environment;
+  option.min_values = option.max_values = row.values;
+  return option;
+}
+
+}  // namespace cls::cli

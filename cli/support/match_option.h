@@ -1,0 +1,22 @@
+// Options of commands that are rows of the table of match options.
+#pragma once
+
+#include <string_view>
+
+#include "cli/command/command.h"
+#include "orchestration/match/options/option_table.h"
+
+namespace cls::cli {
+
+/// Adds the option; its values stay in Option::given.
+Option& add_match_option(Command& command, const orchestration::match::MatchOption& row);
+
+/// Adds the option of that key, whose value goes to `target`.
+template <class T>
+Option& add_match_option(Command& command, std::string_view key, T& target) {
+  Option& option = add_match_option(command, *orchestration::match::find_match_option(key));
+  option.target = &target;
+  return option;
+}
+
+}  // namespace cls::cli

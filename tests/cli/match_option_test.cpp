@@ -1,0 +1,146 @@
+// A throw-away option of matches: one row, and it is everywhere.
+#include "orchestration/match/options/option_table.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/application.h"
+#include "orchestration/match/result/match_folder.h"
+#include "orchestration/scenario/scenario_file.h"
+#include "orchestration/tournament/config/config_file.h"
+#include "orchestration/tournament/store/match_attempt.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls {
+namespace {
+
+using orchestration::match::AddedMatchOption;
+using orchestration::match::MatchOption;
+using orchestration::match::MatchOptions;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+using nlohmann::json;
+
+// Stored in a member that no match reads.
+MatchOption throw_away_option() {
+  MatchOption option;
+  option.key = "fan_noise";
+  option.placeholder = "N";
+  option.help = "decibels of the fans (default: 0)";
+  option.form.kind = base::ValueKind::kWhole;
+  option.form.min = 0;
+  option.form.max = 140;
+  option.set = [](MatchOptions& options, const std::string& text) -> base::Result<void> {
+    options.command_line = {text};
+    return {};
+  };
+  option.shown = [](const MatchOptions& options) {
+    return options.command_line.size() == 1 ? options.command_line[0] : std::string();
+  };
+  option.group = orchestration::match::OptionGroup::kLimits;
+  option.use = orchestration::match::OptionUse::kConditions;
+  option.example = "90";
+  option.scenario_key = "fan_noise";
+  return option;
+}
+
+class MatchOptionTable : public testing::Test {
+ protected:
+  // The output of a command.
+  std::string run(std::vector<const char*> words, int expected_exit_code = 0) {
+    words.insert(words.begin(), "cls");
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const int exit_code = cli::run_application(*cli::command_tree(),
+                                               static_cast<int>(words.size()), words.data());
+    std::fflush(stdout);
+    std::fflush(stderr);
+    const std::string out = testing::internal::GetCapturedStdout();
+    const std::string err = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(exit_code, expected_exit_code) << err;
+    return out + err;
+  }
+  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+
+  tests::TemporaryFolder folder_;
+  AddedMatchOption added_{throw_away_option()};
+};
+
+TEST_F(MatchOptionTable, RowIsInHelpCompletionAndManualPage) {
+  const std::string help = run({"match", "--help"});
+  EXPECT_THAT(help, HasSubstr("  --fan-noise N               decibels of the fans (default: 0)"));
+  EXPECT_LT(help.find("Limits:"), help.find("--fan-noise"));
+  EXPECT_THAT(run({"complete", "--", "match", "--fan"}), HasSubstr("--fan-noise\t"));
+  run({"help", "--man", path("man").c_str()});
+  EXPECT_THAT(tests::read_file(path("man/cls-match.1")), HasSubstr("\\-\\-fan\\-noise N"));
+}
+
+TEST_F(MatchOptionTable, RowHasItsErrors) {
+  EXPECT_EQ(run({"match", "mock", "mock", "--fan-noise", "200"}, 2),
+            "cls: --fan-noise '200': must be a whole number from 0 to 140\n");
+}
+
+TEST_F(MatchOptionTable, RowIsASettingWithItsOrigin) {
+  std::ofstream(path("cls.toml")) << "[tournament]\nfan_noise = 90\n";
+  const auto row_of = [&](std::vector<const char*> words) {
+    words.insert(words.begin(), {"config", "mock", "mock", "--json"});
+    for (const json& row : json::parse(run(words))["settings"]) {
+      if (row["name"] == "fan_noise") return row;
+    }
+    return json();
+  };
+  EXPECT_EQ(row_of({"--fan-noise", "80"})["value"], "80");
+  EXPECT_EQ(row_of({"--fan-noise", "80"})["origin"], "option --fan-noise");
+  const std::string file = path("cls.toml");
+  EXPECT_EQ(row_of({"--config", file.c_str()})["value"], "90");
+  EXPECT_THAT(row_of({"--config", file.c_str()})["origin"].get<std::string>(),
+              HasSubstr("cls.toml:2"));
+}
+
+TEST_F(MatchOptionTable, RowIsInNewConfigurationsAndInTheMatchesOfTournaments) {
+  run({"init", path("cup").c_str()});
+  EXPECT_THAT(tests::read_file(path("cup/cls.toml")), HasSubstr("fan_noise = 90"));
+
+  using namespace orchestration::tournament;
+  TournamentConfig config =
+      parse_config("[tournament]\nfan_noise = 90\n[teams.A]\nendpoint = \"mock\"\n"
+                   "[teams.B]\nendpoint = \"mock\"\n",
+                   "cls.toml")
+          .config;
+  Fixture fixture;
+  fixture.left = 0;
+  fixture.right = 1;
+  EXPECT_THAT(match_plan(config, fixture, "cls", "").argv, IsSupersetOf({"--fan-noise", "90"}));
+  EXPECT_THAT(format_config(config), HasSubstr("fan_noise = 90"));
+  EXPECT_THAT(run({"tournament", "plan", "--help"}), HasSubstr("--fan-noise"));
+}
+
+TEST_F(MatchOptionTable, RowIsInScenarios) {
+  const auto text = base::JsonDocument::parse(
+      "noisy.json",
+      R"({"fan_noise": 70, "expect": [{"end": "finished"}]})");
+  ASSERT_TRUE(text);
+  const auto scenario = orchestration::scenario::parse_scenario(*text, {});
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  EXPECT_EQ(scenario->options.at("fan_noise"), "70");
+}
+
+TEST_F(MatchOptionTable, RowIsInTheManifest) {
+  MatchOptions options;
+  options.command_line = {"60"};
+  const json manifest =
+      json::parse(orchestration::match::manifest_json(options, {"a", "b"}, 1, {}));
+  EXPECT_EQ(manifest["options"]["fan_noise"], "60");
+}
+
+}  // namespace
+}  // namespace cls
