@@ -34,6 +34,9 @@ constexpr Language kLanguages[] = {
     {"rust", "Rust", "src/decide.rs", "curl",
      "      - uses: dtolnay/rust-toolchain@master\n"
      "        with: {toolchain: '1.88'}\n"},
+    {"csharp", "C#", "Decide.cs", "ca-certificates curl libicu72",
+     "      - uses: actions/setup-dotnet@v4\n"
+     "        with: {dotnet-version: 8.0.x}\n"},
 };
 
 constexpr std::string_view kTeam = "team";

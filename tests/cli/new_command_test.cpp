@@ -28,7 +28,7 @@ class NewCommand : public testing::Test, public cls::tests::ClsFolder {
 };
 
 TEST_F(NewCommand, WritesProjectOfEachLanguage) {
-  for (const std::string language : {"python", "typescript", "go", "java", "rust"}) {
+  for (const std::string language : {"python", "typescript", "go", "java", "rust", "csharp"}) {
     const CommandResult result = run_new({language, "ada", "--dir", language, "--json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const auto document = nlohmann::json::parse(result.out);
@@ -62,7 +62,7 @@ TEST_F(NewCommand, MinimalTemplateReplacesDecisionsOnly) {
 }
 
 TEST_F(NewCommand, TemplatesAddFilesOfTheirOwn) {
-  for (const std::string language : {"python", "typescript", "go", "java", "rust"}) {
+  for (const std::string language : {"python", "typescript", "go", "java", "rust", "csharp"}) {
     for (const std::string name : {"high-level", "rl"}) {
       const std::string dir = language + "-" + name;
       const CommandResult result =
@@ -82,7 +82,7 @@ TEST_F(NewCommand, TemplatesAddFilesOfTheirOwn) {
   EXPECT_THAT(train, HasSubstr("\"cls\", \"match\", \"ada\""));
 }
 
-// Debian 12 has no Go, Node.js and Rust as recent as the projects need.
+// Debian 12 lacks .NET, and has no Go, Node.js and Rust as recent as the projects need.
 TEST_F(NewCommand, WorkflowInstallsToolsOfTheLanguage) {
   const auto workflow = [&](const std::string& language) {
     run_new({language, "ada", "--dir", language});
@@ -91,6 +91,7 @@ TEST_F(NewCommand, WorkflowInstallsToolsOfTheLanguage) {
   EXPECT_THAT(workflow("go"), HasSubstr("setup-go@v5\n        with: {go-version: '1.26'"));
   EXPECT_THAT(workflow("typescript"), HasSubstr("node-version: 20}"));
   EXPECT_THAT(workflow("rust"), HasSubstr("toolchain: '1.88'}"));
+  EXPECT_THAT(workflow("csharp"), HasSubstr("dotnet-version: 8.0.x}"));
   const std::string python = workflow("python");
   EXPECT_THAT(python, HasSubstr("python3-grpcio"));
   EXPECT_EQ(python.find('@' + std::string("SETUP")), std::string::npos);
@@ -98,8 +99,8 @@ TEST_F(NewCommand, WorkflowInstallsToolsOfTheLanguage) {
 
 TEST_F(NewCommand, RefusesUnknownWordsAndExistingFiles) {
   EXPECT_EQ(run_new({"rusty", "ada"}).err,
-            "cls: unknown language 'rusty': python, typescript, go, java, rust; did you mean "
-            "'rust'?\n");
+            "cls: unknown language 'rusty': python, typescript, go, java, rust, csharp; did you "
+            "mean 'rust'?\n");
   EXPECT_EQ(run_new({"go", "ada", "--template", "teem"}).err,
             "cls: unknown template 'teem': team, minimal, high-level, rl; did you mean 'team'?\n");
   EXPECT_EQ(run_new({"go", "a b"}).exit_code, 2);

@@ -51,7 +51,8 @@ bool is_about_network(const std::string& text) {
   for (const char* phrase :
        {"Could not transfer artifact", "Could not resolve", "EAI_AGAIN", "ENOTFOUND",
         "ECONNREFUSED", "ETIMEDOUT", "dial tcp", "failed to download",
-        "failed to query replaced source", "Couldn't connect to server", "network failure"}) {
+        "failed to query replaced source", "Couldn't connect to server", "network failure",
+        "error NU1301", "Unable to load the service index"}) {
     if (text.find(phrase) != std::string::npos) return true;
   }
   return false;
@@ -213,7 +214,8 @@ void replace_kick(const std::vector<std::string>& change, const fs::path& file) 
   for (std::string line; std::getline(text, line);) {
     lines.push_back(line);
     const bool kicks = line.find("smart_kick(") != std::string::npos ||
-                       line.find("smartKick(") != std::string::npos;
+                       line.find("smartKick(") != std::string::npos ||
+                       line.find("SmartKick(") != std::string::npos;
     if (!kicks) continue;
     ASSERT_GE(lines.size(), change.size());
     lines.resize(lines.size() - change.size());
@@ -256,7 +258,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Language{"typescript", {"node", "npm"}, {"node", "--version"}, {18, 0}},
                     Language{"go", {"go", "protoc"}, {"go", "version"}, {1, 26}},
                     Language{"java", {"javac", "mvn"}, {"javac", "-version"}, {17, 0}},
-                    Language{"rust", {"cargo", "cc"}, {"cargo", "--version"}, {1, 88}}),
+                    Language{"rust", {"cargo", "cc"}, {"cargo", "--version"}, {1, 88}},
+                    Language{"csharp", {"dotnet"}, {"dotnet", "--version"}, {8, 0}}),
     [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
