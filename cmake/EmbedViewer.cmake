@@ -42,10 +42,12 @@ function(join_modules output)
 endfunction()
 
 join_modules(program page)
-join_modules(debugger page decisions)
+join_modules(drawings page drawings)
+join_modules(debugger page drawings decisions)
+join_modules(comparison page comparison)
 join_modules(list list)
 file(READ "${WEB}/style.css" style)
-foreach(text IN ITEMS "${debugger}" "${list}" "${style}")
+foreach(text IN ITEMS "${debugger}" "${comparison}" "${list}" "${style}")
   string(FIND "${text}" ")embedded\"" found)
   if(NOT found EQUAL -1)
     message(FATAL_ERROR "${WEB}: the text )embedded\" cannot be embedded")
@@ -57,7 +59,8 @@ file(WRITE "${OUTPUT}" "// Generated from viewer/web.
 
 namespace cls::viewer {
 ")
-foreach(entry IN ITEMS viewer_script:program debugger_script:debugger list_script:list viewer_style:style)
+foreach(entry IN ITEMS viewer_script:program drawings_script:drawings debugger_script:debugger
+        comparison_script:comparison list_script:list viewer_style:style)
   string(REPLACE ":" ";" entry "${entry}")
   list(GET entry 0 function)
   list(GET entry 1 text)

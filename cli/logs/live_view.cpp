@@ -51,15 +51,15 @@ std::string tunnel_hint(const std::string& url) {
   return fmt::format("ssh -L {0}:127.0.0.1:{0} {1}", number, host.empty() ? "HOST" : host);
 }
 
-base::Result<std::unique_ptr<LiveView>> LiveView::start(std::unique_ptr<viewer::LiveInput> input,
-                                                        std::filesystem::path text_log,
-                                                        const std::string& title,
+base::Result<std::unique_ptr<LiveView>> LiveView::start(FollowedMatch match,
                                                         const LiveViewOptions& options) {
   std::unique_ptr<LiveView> view(new LiveView(options.linger_s));
-  view->match_ = std::make_unique<viewer::LiveMatch>(std::move(input), std::move(text_log));
+  view->match_ =
+      std::make_unique<viewer::LiveMatch>(std::move(match.input), std::move(match.text_log));
   TRY_INIT(auto server,
-           viewer::HttpServer::start(
-               options.address, viewer::live_site(title, options.settings, view->match_->feed())));
+           viewer::HttpServer::start(options.address,
+                                     viewer::live_site(match.title, options.settings,
+                                                       view->match_->feed(), match.folder)));
   view->server_ = std::move(server);
   if (options.open_browser) open_in_browser(view->url());
   return view;

@@ -16,6 +16,14 @@
 
 namespace cls::cli {
 
+/// A match that is played now.
+struct FollowedMatch {
+  std::unique_ptr<viewer::LiveInput> input;
+  std::filesystem::path text_log;  ///< of the same match; may not exist
+  std::string title;               ///< what the page is called until the teams are known
+  std::filesystem::path folder;    ///< with the drawings of the Playmakers; empty: none
+};
+
 struct LiveViewOptions {
   viewer::HttpAddress address;
   viewer::PageSettings settings;
@@ -28,10 +36,7 @@ struct LiveViewOptions {
 /// A match and the server of its page. Reads the match only.
 class LiveView {
  public:
-  /// `title` is what the page is called until the teams are known.
-  static base::Result<std::unique_ptr<LiveView>> start(std::unique_ptr<viewer::LiveInput> input,
-                                                       std::filesystem::path text_log,
-                                                       const std::string& title,
+  static base::Result<std::unique_ptr<LiveView>> start(FollowedMatch match,
                                                        const LiveViewOptions& options);
 
   std::string url() const { return server_->url(); }

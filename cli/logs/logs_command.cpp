@@ -20,10 +20,10 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
-#include "orchestration/match/hooks/debug_log.h"
 #include "orchestration/match/hooks/error_recording.h"
 #include "orchestration/match/result/match_folder.h"
 #include "orchestration/match/result/match_result.h"
+#include "viewer/decisions/decision_files.h"
 
 namespace cls::cli {
 namespace {
@@ -66,8 +66,8 @@ std::string what_is(const std::string& name) {
   if (is(match::kResultFile)) return "result (cls.match/1)";
   if (is(match::kManifestFile)) return "command, settings, versions, host";
   if (is(match::kEventsFile)) return "goals and play modes";
-  if (is(match::kLeftDebugFile)) return "log actions of the left Playmaker";
-  if (is(match::kRightDebugFile)) return "log actions of the right Playmaker";
+  if (is(viewer::kLeftDebugFile)) return "texts and drawings of the left Playmaker";
+  if (is(viewer::kRightDebugFile)) return "texts and drawings of the right Playmaker";
   if (is(match::kLeftErrorFile)) return "first failed RPC of the left side";
   if (is(match::kRightErrorFile)) return "first failed RPC of the right side";
   if (name.starts_with(match::kGameLogFile)) return "game log";

@@ -20,6 +20,8 @@
 #include "orchestration/match/result/reply_summary.h"
 #include "viewer/charts/drawing.h"
 #include "viewer/page/match_page.h"
+#include "viewer/page/page_decisions.h"
+#include "viewer/page/page_drawings.h"
 #include "viewer/report/match_report.h"
 
 namespace cls::cli {
@@ -96,7 +98,9 @@ std::string html_text(const Arguments& arguments, const AnalyzedMatch& match,
   std::string replay;
   if (!arguments.without_replay) {
     replay = viewer::match_page(match.match.record, match.text_log(), match.summary.file,
-                                match.match.form.compact, {});
+                                match.match.form.compact,
+                                {.missed = viewer::read_missed_decisions(match.found.folder),
+                                 .drawings = viewer::read_page_drawings(match.found.folder)});
   }
   return viewer::report_html(report, charts, replay);
 }

@@ -28,26 +28,26 @@ bool changed_lately(const fs::path& file) {
 }
 
 // A match that was killed has no result either, but an old log.
-std::optional<RunningMatch> in_folder(const std::string& what) {
+std::optional<FollowedMatch> in_folder(const std::string& what) {
   const auto found = find_match_folder(what, std::nullopt);
   if (!found || has_result(found->folder)) return std::nullopt;
   const fs::path folder = found->folder;
   const fs::path log = game_log_in(folder);
   if (!changed_lately(log) && !changed_lately(folder / match::kManifestFile)) return std::nullopt;
-  return RunningMatch{viewer::follow_log(log, [folder] { return has_result(folder); }),
-                      folder / match::kTextLogFile, folder.filename().string()};
+  return FollowedMatch{viewer::follow_log(log, [folder] { return has_result(folder); }),
+                       folder / match::kTextLogFile, folder.filename().string(), folder};
 }
 
-base::Result<std::optional<RunningMatch>> on_server(const std::string& what) {
+base::Result<std::optional<FollowedMatch>> on_server(const std::string& what) {
   const std::size_t colon = what.rfind(':');
-  if (colon == std::string::npos || colon == 0) return std::optional<RunningMatch>();
+  if (colon == std::string::npos || colon == 0) return std::optional<FollowedMatch>();
   const auto port = base::parse_int(std::string_view(what).substr(colon + 1));
-  if (!port || what.find('/') != std::string::npos) return std::optional<RunningMatch>();
+  if (!port || what.find('/') != std::string::npos) return std::optional<FollowedMatch>();
   if (*port < 1 || *port > 65535) {
     return base::Error{fmt::format("{}: a port is a number from 1 to 65535", what)};
   }
   TRY_INIT(auto input, viewer::follow_server(base::strip_brackets(what.substr(0, colon)), *port));
-  return std::optional(RunningMatch{std::move(input), {}, what});
+  return std::optional(FollowedMatch{std::move(input), {}, what, {}});
 }
 
 }  // namespace
@@ -65,20 +65,20 @@ bool has_result(const fs::path& folder) {
   return fs::exists(folder / match::kResultFile, code);
 }
 
-base::Result<std::optional<RunningMatch>> find_running_match(const std::string& what,
-                                                             bool is_live_log) {
+base::Result<std::optional<FollowedMatch>> find_running_match(const std::string& what,
+                                                              bool is_live_log) {
   std::error_code code;
   if (fs::is_directory(what, code)) return in_folder(what);
   if (!fs::exists(what, code) && what != "-") {
     auto found = on_server(what);
     if (!found || *found) return found;
   }
-  if (!is_live_log) return std::optional<RunningMatch>();
+  if (!is_live_log) return std::optional<FollowedMatch>();
   if (const auto why = base::why_no_file(what)) {
     return base::Error{fmt::format("{}: {}", what, *why)};
   }
   return std::optional(
-      RunningMatch{viewer::follow_log(what, nullptr), {}, fs::path(what).filename().string()});
+      FollowedMatch{viewer::follow_log(what, nullptr), {}, fs::path(what).filename().string(), {}});
 }
 
 }  // namespace cls::cli

@@ -2,27 +2,20 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "base/result.h"
-#include "viewer/live/live_input.h"
+#include "cli/logs/live_view.h"
 
 namespace cls::cli {
-
-struct RunningMatch {
-  std::unique_ptr<viewer::LiveInput> input;
-  std::filesystem::path text_log;  ///< of the same match; may not exist
-  std::string title;
-};
 
 /// The running match that `what` means: a folder that find_match_folder() knows, if its match has
 /// no result and its log has grown lately; HOST:PORT of a soccer server; a log if `is_live_log`
 /// says that a server writes it. Nothing: `what` is a match that is over, or none. The error says
 /// why it cannot be followed.
-base::Result<std::optional<RunningMatch>> find_running_match(const std::string& what,
-                                                             bool is_live_log);
+base::Result<std::optional<FollowedMatch>> find_running_match(const std::string& what,
+                                                              bool is_live_log);
 
 /// The game log of a match folder, plain or gzip; match.rcg if there is none yet.
 std::filesystem::path game_log_in(const std::filesystem::path& folder);

@@ -25,6 +25,8 @@
 #include "viewer/live/log_glance.h"
 #include "viewer/live/match_list.h"
 #include "viewer/page/match_page.h"
+#include "viewer/page/page_decisions.h"
+#include "viewer/page/page_drawings.h"
 
 namespace cls::cli {
 namespace {
@@ -51,7 +53,7 @@ class TournamentSite {
     const auto state = tournament::read_tournament(folder_);
     if (!state) return not_found(state.error().message);
     if (path.empty()) return list(*state);
-    // match/INDEX/ and match/INDEX/live
+    // match/INDEX/, match/INDEX/live, match/INDEX/drawings-left
     constexpr std::string_view kMatch = "match/";
     if (!path.starts_with(kMatch)) return not_found("not found");
     path.remove_prefix(kMatch.size());
@@ -62,8 +64,9 @@ class TournamentSite {
         [&](const ScheduledMatch& one) { return index && one.fixture.index == *index; });
     if (match == state->matches.end() || slash == path.size()) return not_found("not found");
     const std::string_view rest = path.substr(slash + 1);
-    if (rest == "live") return stream(*match, query);
-    return rest.empty() ? page(*state, *match) : not_found("not found");
+    if (rest == viewer::kStreamPath) return stream(*match, query);
+    return rest.empty() ? page(*state, *match)
+                        : viewer::drawings_reply(match_folder(*state, *match), rest, query);
   }
 
  private:
@@ -73,6 +76,7 @@ class TournamentSite {
     list.title = report.name;
     list.status = status(report, state.running.size());
     list.running = !report.complete;
+    list.facts = facts(report, state.running.size());
     for (const tournament::RankedTable& ranked : report.tables) {
       add_table(tournament::standings_table(report, ranked, tournament::Headings::kShort), list);
     }
@@ -83,6 +87,27 @@ class TournamentSite {
 
   static void add_table(const tournament::ReportTable& table, viewer::MatchList& list) {
     if (!table.empty()) list.tables.push_back(table.table.format_html(table.title));
+  }
+
+  // What a visitor wants to know first.
+  static std::vector<viewer::Fact> facts(const tournament::Report& report, std::size_t running) {
+    const tournament::MatchCounts& counts = report.counts;
+    int goals = 0;
+    int counted = 0;
+    for (const ScheduledMatch& match : report.matches) {
+      if (!match.outcome || !match.outcome->counts()) continue;
+      goals += match.outcome->left_score + match.outcome->right_score;
+      ++counted;
+    }
+    const auto& ranked = report.tables;
+    const bool leads = counted > 0 && !ranked.empty() && !ranked.back().standings.empty();
+    const std::string waiting = fmt::to_string(counts.open - static_cast<int>(running));
+    return {{report.complete ? "winner" : "leader",
+             leads ? report.team(ranked.back().standings.front().team) : "–"},
+            {"matches done", fmt::format("{} of {}", counts.done(), counts.scheduled)},
+            {"played now", fmt::to_string(running)},
+            {"still to play", waiting},
+            {"goals a match", counted > 0 ? fmt::format("{:.1f}", double(goals) / counted) : "–"}};
   }
 
   // "4 of 6 matches done, 2 played now, about 3 min left".
@@ -113,10 +138,11 @@ class TournamentSite {
                    fs::exists(game_log_in(match_folder(state, match)), code);
     if (!match.outcome) {
       row.state = running ? "starting" : match.attempts > 0 ? "not finished" : "planned";
+      row.live = true;
       if (running && row.has_page) look_at(match.fixture.index, match_folder(state, match), row);
     } else {
       row.score = fmt::format("{} : {}", match.outcome->left_score, match.outcome->right_score);
-      if (match.outcome->forfeit) row.state = "forfeited";
+      row.state = match.outcome->forfeit ? "forfeited" : "finished";
       if (!match.outcome->counts()) row.state = "failed: " + match.outcome->message;
       row.has_page = row.has_page && !match.outcome->folder.empty();
     }
@@ -135,12 +161,15 @@ class TournamentSite {
     const std::string title = fmt::format("match {}", match.fixture.index);
     if (!match.outcome) {
       follow(match.fixture.index, folder);
-      return viewer::page_reply(viewer::live_page(title, "live", {}));
+      return viewer::page_reply(
+          viewer::live_page(title, {viewer::kStreamPath, viewer::kDrawingsPath}, {}));
     }
     const auto read = viewer::read_log_or_page(game_log_in(folder).string());
     if (!read || read->record.frames() == 0) return not_found("the match has no log");
-    return viewer::page_reply(viewer::match_page(
-        read->record, nullptr, game_log_in(folder).filename().string(), false, {}));
+    return viewer::page_reply(viewer::match_page(read->record, nullptr,
+                                                 game_log_in(folder).filename().string(), false,
+                                                 {.missed = viewer::read_missed_decisions(folder),
+                                                  .drawings = viewer::read_page_drawings(folder)}));
   }
 
   // Score and clock of a match that is played now.

@@ -30,6 +30,7 @@
 #include "soccer/side.h"
 #include "viewer/page/match_page.h"
 #include "viewer/page/page_decisions.h"
+#include "viewer/page/page_drawings.h"
 
 namespace cls::cli {
 namespace {
@@ -180,7 +181,9 @@ int write_match_page(const Arguments& arguments, const FoundLog& found, const fs
   const bool compact = arguments.compact || match->form.compact;
   const std::string html = viewer::match_page(
       match->record, text ? &*text : nullptr, fs::path(found.logs.game).filename().string(),
-      compact, {arguments.at, arguments.players, viewer::read_missed_decisions(found.folder)},
+      compact,
+      {arguments.at, arguments.players, viewer::read_missed_decisions(found.folder),
+       viewer::read_page_drawings(found.folder)},
       *decisions);
   if (const auto written = base::write_file(page, html); !written) {
     return print_error(kCannotCreate, written.error().message);
@@ -203,12 +206,12 @@ void print_live(const std::string& url, bool json) {
   }
 }
 
-int serve(const Arguments& arguments, RunningMatch match) {
+int serve(const Arguments& arguments, FollowedMatch match) {
   LiveViewOptions options = arguments.view;
   options.settings = {arguments.at, arguments.players, {}};
   options.open_browser = !arguments.no_open;
   const std::atomic<int>& signal = watch_interrupts();
-  const auto view = LiveView::start(std::move(match.input), match.text_log, match.title, options);
+  const auto view = LiveView::start(std::move(match), options);
   if (!view) return print_error(kTryAgain, view.error().message);
   print_live((*view)->url(), arguments.json);
   (*view)->serve(signal);
@@ -222,7 +225,7 @@ int serve_matches(const Arguments& arguments) {
                           [&](const std::string& url) { print_live(url, arguments.json); });
 }
 
-int show_running(const Arguments& arguments, RunningMatch match) {
+int show_running(const Arguments& arguments, FollowedMatch match) {
   if (!arguments.in_terminal()) return serve(arguments, std::move(match));
   return show_in_terminal(std::move(match.input), {match.title, arguments.at, arguments.cast});
 }

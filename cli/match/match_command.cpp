@@ -68,8 +68,9 @@ class WatchedMatch : public ProgressLine {
     options.open_browser = arguments_.open;
     options.linger_s = arguments_.linger_s;
     auto view = LiveView::start(
-        viewer::follow_log(folder / game_log, [this] { return over_.load(); }),
-        folder / orchestration::match::kTextLogFile, folder.filename().string(), options);
+        {viewer::follow_log(folder / game_log, [this] { return over_.load(); }),
+         folder / orchestration::match::kTextLogFile, folder.filename().string(), folder},
+        options);
     if (!view) return on_warning(view.error().message);
     view_ = *std::move(view);
     // Prints the address also with --quiet: without it the page is of no use.

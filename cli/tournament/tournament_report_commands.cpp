@@ -31,6 +31,8 @@
 #include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_document.h"
 #include "viewer/page/match_page.h"
+#include "viewer/page/page_decisions.h"
+#include "viewer/page/page_drawings.h"
 
 namespace cls::cli {
 namespace {
@@ -201,9 +203,10 @@ bool write_replay(const fs::path& folder) {
   if (!match || match->record.frames() == 0) return false;
   std::optional<gamelog::RclRecord> text;
   if (auto read = gamelog::read_rcl_file(found->logs.text)) text = *std::move(read);
-  const std::string page =
-      viewer::match_page(match->record, text ? &*text : nullptr,
-                         fs::path(found->logs.game).filename().string(), false, {});
+  const std::string page = viewer::match_page(match->record, text ? &*text : nullptr,
+                                              fs::path(found->logs.game).filename().string(), false,
+                                              {.missed = viewer::read_missed_decisions(folder),
+                                               .drawings = viewer::read_page_drawings(folder)});
   return bool(base::write_file(folder / kReplayPage, page));
 }
 

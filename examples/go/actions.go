@@ -92,3 +92,16 @@ func sayPlayerTypes() *pb.CoachAction {
 	return &pb.CoachAction{Action: &pb.CoachAction_DoHeliosSayPlayerTypes{
 		DoHeliosSayPlayerTypes: &pb.DoHeliosSayPlayerTypes{}}}
 }
+
+// showText is in the page of the match, tab Drawings; it moves nothing.
+func showText(text string) *pb.PlayerAction {
+	return &pb.PlayerAction{Action: &pb.PlayerAction_Log{Log: &pb.Log{Log: &pb.Log_AddText{
+		AddText: &pb.AddText{Level: pb.LoggerLevel_TEAM, Message: text}}}}}
+}
+
+// showLine is on the field in the page of the match; it moves nothing.
+func showLine(start, end Point, color string) *pb.PlayerAction {
+	return &pb.PlayerAction{Action: &pb.PlayerAction_Log{Log: &pb.Log{Log: &pb.Log_AddLine{
+		AddLine: &pb.AddLine{Level: pb.LoggerLevel_TEAM, Start: vector(start), End: vector(end),
+			Color: color}}}}}
+}

@@ -26,7 +26,11 @@ final class Decide {
             return List.of(Actions.goalie());
         }
         if (world.getSelf().getIsKickable()) {
-            return List.of(Actions.smartKick(Point.GOAL, 3, 0.1, 3), Actions.watchBall(0));
+            Point ball = Point.of(world.getBall().getPosition());
+            return List.of(
+                Actions.showLine(ball, Point.GOAL, "yellow"),
+                Actions.showText("kicks toward the goal"),
+                Actions.smartKick(Point.GOAL, 3, 0.1, 3), Actions.watchBall(0));
         }
         return List.of(Actions.basicMove());
     }

@@ -13,7 +13,9 @@ func decide(state *pb.State) *pb.PlayerActions {
 	case world.GetSelf().GetIsGoalie():
 		return reply(goalie())
 	case world.GetSelf().GetIsKickable():
-		return reply(smartKick(goal, 3, 0.1, 3), watchBall(0))
+		ball := point(world.GetBall().GetPosition())
+		return reply(showLine(ball, goal, "yellow"), showText("kicks toward the goal"),
+			smartKick(goal, 3, 0.1, 3), watchBall(0))
 	}
 	return reply(basicMove())
 }

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import actions
 from cls_playmaker import proto as pb
-from situation import GOAL
+from situation import GOAL, point
 
 
 def decide(state: pb.State) -> pb.PlayerActions:
@@ -15,6 +15,8 @@ def decide(state: pb.State) -> pb.PlayerActions:
         return pb.PlayerActions(actions=[actions.goalie()])
     if world.self.is_kickable:
         return pb.PlayerActions(actions=[
+            actions.show_line(point(world.ball.position), GOAL, "yellow"),
+            actions.show_text("kicks toward the goal"),
             actions.smart_kick(GOAL, 3.0, 0.1, 3), actions.watch_ball(0)])
     return pb.PlayerActions(actions=[actions.basic_move()])
 

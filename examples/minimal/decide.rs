@@ -9,7 +9,12 @@ pub fn decide(state: &State) -> PlayerActions {
     let actions = match now.world.game_mode_type() {
         GameModeType::PlayOn if now.own.is_goalie => vec![actions::goalie()],
         GameModeType::PlayOn if now.own.is_kickable => {
-            vec![actions::smart_kick(GOAL, 3.0, 0.1, 3), actions::watch_ball(0)]
+            vec![
+                actions::show_line(now.ball, GOAL, "yellow"),
+                actions::show_text("kicks toward the goal"),
+                actions::smart_kick(GOAL, 3.0, 0.1, 3),
+                actions::watch_ball(0),
+            ]
         }
         GameModeType::PlayOn => vec![actions::basic_move()],
         _ => vec![actions::set_play()],

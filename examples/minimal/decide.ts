@@ -1,6 +1,6 @@
 // The team's decisions: the place for your own ideas.
 import * as actions from './actions';
-import { GOAL } from './situation';
+import { GOAL, point } from './situation';
 import { CoachActions } from './wire/protos/CoachActions';
 import { PlayerActions } from './wire/protos/PlayerActions';
 import { State__Output } from './wire/protos/State';
@@ -13,7 +13,11 @@ export function decide(state: State__Output): PlayerActions {
   if (world.game_mode_type !== 'PlayOn') return { actions: [actions.setPlay()] };
   if (self.is_goalie) return { actions: [actions.goalie()] };
   if (self.is_kickable) {
-    return { actions: [actions.smartKick(GOAL, 3, 0.1, 3), actions.watchBall(0)] };
+    const shown = [
+      actions.showLine(point(world.ball!.position), GOAL, 'yellow'),
+      actions.showText('kicks toward the goal'),
+    ];
+    return { actions: [...shown, actions.smartKick(GOAL, 3, 0.1, 3), actions.watchBall(0)] };
   }
   return { actions: [actions.basicMove()] };
 }

@@ -85,3 +85,14 @@ def substitute() -> pb.CoachAction:
 
 def say_player_types() -> pb.CoachAction:
     return pb.CoachAction(do_helios_say_player_types=pb.DoHeliosSayPlayerTypes())
+
+
+def show_text(text: str) -> pb.PlayerAction:
+    """In the page of the match, tab Drawings; moves nothing."""
+    return pb.PlayerAction(log=pb.Log(add_text=pb.AddText(level=pb.TEAM, message=text)))
+
+
+def show_line(start: Point, end: Point, color: str) -> pb.PlayerAction:
+    """On the field in the page of the match; moves nothing."""
+    return pb.PlayerAction(log=pb.Log(add_line=pb.AddLine(
+        level=pb.TEAM, start=_vector(start), end=_vector(end), color=color)))

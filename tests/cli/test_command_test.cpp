@@ -417,6 +417,20 @@ TEST_F(Recording, WritesDebugActionsByCycleAndUnum) {
       << lines;
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 12);
   EXPECT_FALSE(fs::exists(folder() + "/talk/right-debug.jsonl"));
+  // Every page of the match has them, and says which frame they belong to.
+  const std::string page = folder() + "/page.html";
+  const auto watched = cls::tests::run({cls_binary(), "watch", folder() + "/talk", "--out", page});
+  ASSERT_EQ(watched.exit_code, 0) << watched.err;
+  EXPECT_THAT(file("page.html"), HasSubstr("id=\"drawings-left\""));
+  EXPECT_THAT(file("page.html"), Not(HasSubstr("id=\"drawings-right\"")));
+}
+
+TEST_F(Recording, WritesDebugActionsOfAStoppedClockWithItsCycles) {
+  std::ofstream(folder() + "/talk.json") << R"({"rules": [
+    {"when": {"cycle": [0, 0], "unum": [3, 3]}, "reply": [{"debug_client": {"message": "x"}}]}]})";
+  const auto played = match("talk", {"mock:" + folder() + "/talk.json", "mock:hold"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_THAT(file("talk/left-debug.jsonl"), HasSubstr("{\"t\":0,\"stopped\":"));
 }
 
 // Eleven players, 30 cycles, 60 kB each: 20 MB.

@@ -193,9 +193,9 @@ TEST(LanguagesOfPip, PythonRepliesToRecordedStates) {
   EXPECT_EQ(tested.exit_code, 0) << tested.out << tested.err;
 }
 
-// The lines below `<!-- change: LANGUAGE FILE -->` in docs/playmakers.md, and the file.
+// The lines below `<!-- change: LANGUAGE FILE -->` in docs/tutorial.md, and the file.
 std::pair<std::string, std::vector<std::string>> change_of_tutorial(const std::string& language) {
-  std::istringstream page(read_file(source_folder() / "docs/playmakers.md"));
+  std::istringstream page(read_file(source_folder() / "docs/tutorial.md"));
   const std::string mark = "<!-- change: " + language + " ";
   std::pair<std::string, std::vector<std::string>> change;
   for (std::string line; std::getline(page, line);) {

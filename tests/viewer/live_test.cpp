@@ -17,6 +17,7 @@
 #include "tests/support/http_client.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/record_difference.h"
+#include "viewer/decisions/decision_files.h"
 #include "viewer/live/http_server.h"
 #include "viewer/live/live_feed.h"
 #include "viewer/live/live_match.h"
@@ -281,6 +282,29 @@ TEST_F(LiveSite, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(status(request("GET " + token_.substr(0, token_.size() - 1) + " HTTP/1.1")), 404);
 }
 
+TEST_F(LiveSite, SendsDrawingsOfTheMatchFolderWhileTheyGrow) {
+  const tests::TemporaryFolder folder;
+  const auto server = serve(live_site("a", {}, feed_, folder.path()));
+  EXPECT_THAT(get(server->url()).body, HasSubstr(R"("drawings":"drawings")"));
+  const auto drawings = [&](const char* rest) { return get(server->url() + "drawings" + rest); };
+  EXPECT_EQ(drawings("-left?from=0").status, 200);
+  EXPECT_EQ(drawings("-left?from=0").body, "");
+  std::ofstream file(folder.path() / kLeftDebugFile);
+  file << "one\n" << std::flush;
+  EXPECT_EQ(drawings("-left?from=0").body, "one\n");
+  file << "two\n" << std::flush;
+  EXPECT_EQ(drawings("-left?from=4").body, "two\n");
+  EXPECT_EQ(drawings("-left?from=9").body, "");
+  EXPECT_EQ(drawings("-right").body, "");
+  EXPECT_EQ(drawings("-left?from=x").status, 400);
+  for (const char* rest : {"", "-", "-up", "-left/", "-left/../match.rcg"}) {
+    EXPECT_EQ(drawings(rest).status, 404) << rest;
+  }
+  // A page of a server that writes no match folder does not ask.
+  EXPECT_THAT(get(server_->url()).body, Not(HasSubstr(R"("drawings":)")));
+  EXPECT_EQ(get(server_->url() + "drawings-left").status, 404);
+}
+
 TEST_F(LiveSite, AnswersToItsOwnNamesOnly) {
   const std::string line = "GET " + token_ + " HTTP/1.1";
   for (const std::string host : {"localhost", "127.0.0.1:81", "localhost:80", "[::1]:80"}) {
@@ -348,14 +372,16 @@ TEST_F(LiveSite, LimitsTheNumberOfConnections) {
 TEST(MatchList, LinksMatchesAndShowsNamesAsText) {
   const std::vector<ListedMatch> matches = {
       {1, "<b>", "B", "2 : 1", "", true},
-      {2, "A", "B", "", "playing", true, soccer::Vec2{-12.5, 3.0}},
+      {2, "A", "B", "", "playing", true, soccer::Vec2{-12.5, 3.0}, true},
       {3, "A", "B", "", "planned", false}};
-  const MatchList list = {"c\"up", "1 of 3 <matches>", {"<table>\n</table>\n"}, matches, true};
+  const MatchList list = {"c\"up", "1 of 3 <matches>",     {"<table>\n</table>\n"}, matches,
+                          true,    {{"played now", "<1>"}}};
   const std::string page = match_list_page(list);
   EXPECT_THAT(page, HasSubstr("&lt;b&gt;"));
   EXPECT_THAT(page, Not(HasSubstr("<b>")));
-  EXPECT_THAT(page, HasSubstr("<a href=\"match/1/\" aria-label=\"Watch match 1\">2 : 1</a>"));
-  EXPECT_THAT(page, HasSubstr(">live</a>"));
+  EXPECT_THAT(page, HasSubstr("<a href=\"match/1/\" aria-label=\"replay of match 1\">replay</a>"));
+  EXPECT_THAT(page, HasSubstr("aria-label=\"live page of match 2\">live page</a>"));
+  EXPECT_THAT(page, HasSubstr("<tr><th scope=\"row\">played now</th><td>&lt;1&gt;</td></tr>"));
   EXPECT_THAT(page, Not(HasSubstr("match/3/")));
   EXPECT_THAT(page, HasSubstr("1 of 3 &lt;matches&gt;"));
   EXPECT_THAT(page, HasSubstr("<noscript><meta http-equiv=\"refresh\""));

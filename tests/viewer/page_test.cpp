@@ -12,8 +12,10 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/record_difference.h"
+#include "viewer/decisions/decision_files.h"
 #include "viewer/page/encoding.h"
 #include "viewer/page/match_page.h"
+#include "viewer/page/page_drawings.h"
 #include "viewer/page/viewer_program.h"
 #include "viewer/stream/chunk_writer.h"
 
@@ -142,6 +144,24 @@ TEST(Page, ShowsNamesAsText) {
     EXPECT_EQ(count(page, "<img"), 0U);
     EXPECT_EQ(error_of(page), "");
   }
+}
+
+TEST(Page, HasTheTextsAndDrawingsOfItsMatchFolder) {
+  const tests::TemporaryFolder folder;
+  const std::string lines = "{\"t\":5,\"unum\":3,\"kind\":\"text\",\"message\":\"<b>\"}\n";
+  std::ofstream(folder.path() / kRightDebugFile) << lines;
+  std::ofstream(folder.path() / kLeftDebugFile) << "";
+  PageSettings settings;
+  settings.drawings = read_page_drawings(folder.path());
+  ASSERT_EQ(settings.drawings.size(), 1U);
+  EXPECT_EQ(gunzip(settings.drawings[0].packed, 1000).value(), lines);
+  const gamelog::MatchRecord record = record_of("gamelog/rcg-v6-excerpt.rcg.gz");
+  const std::string page = match_page(record, nullptr, "game.rcg", false, settings);
+  EXPECT_EQ(count(page, "id=\"drawings-right\""), 1U);
+  EXPECT_EQ(count(page, "id=\"drawings-left\""), 0U);
+  EXPECT_EQ(count(page, "class DrawingStore"), 1U);
+  EXPECT_EQ(error_of(page), "");
+  EXPECT_EQ(count(page_of(record), "class DrawingStore"), 0U);
 }
 
 TEST(Page, SaysHowMuchIsThere) {

@@ -20,7 +20,7 @@ using soccer::Vec2;
 constexpr std::string_view kChartStyle =
     ".chart{font:13px system-ui,\"Segoe UI\",Roboto,\"DejaVu Sans\",sans-serif}"
     ".chart text{fill:#1b1b1b}.chart .title{font-size:15px;font-weight:600}"
-    ".chart .soft{fill:#595f5b;font-size:12px}.chart .unum{font-size:11px;font-weight:600}"
+    ".chart .soft{fill:#595f5b;font-size:12px}.chart .unum{font-size:12px;font-weight:600}"
     ".chart .ground{fill:#fff}.chart .pitch{fill:#eef3ee}"
     ".chart .lines{fill:none;stroke:#9caaa0;stroke-width:1.2}.chart .spot{fill:#9caaa0}"
     ".chart .axis{stroke:#dfe3e0}.chart .zero{stroke:#868e89}"

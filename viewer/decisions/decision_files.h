@@ -1,4 +1,4 @@
-// Where a match folder has its recorded decisions.
+// Where a match folder has what pages show about decisions.
 #pragma once
 
 namespace cls::viewer {
@@ -9,5 +9,9 @@ inline constexpr const char* kRightWorldModelsFile = "right.world-models";
 
 /// Lines of JSON: the decisions without a usable reply (docs/matches.md).
 inline constexpr const char* kMissedFile = "missed.jsonl";
+
+/// Lines of JSON: texts and drawings of a Playmaker (docs/actions.md); created with the first.
+inline constexpr const char* kLeftDebugFile = "left-debug.jsonl";
+inline constexpr const char* kRightDebugFile = "right-debug.jsonl";
 
 }  // namespace cls::viewer

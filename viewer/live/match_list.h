@@ -14,9 +14,16 @@ struct ListedMatch {
   std::string left;
   std::string right;
   std::string score;  ///< "2 : 1"; empty: unknown
-  std::string state;  ///< "cycle 1200", "failed: ..."; empty: finished
+  std::string state;  ///< "finished", "cycle 1200", "failed: ..."
   bool has_page = false;
   std::optional<soccer::Vec2> ball = {};  ///< of a match that is played now
+  bool live = false;                      ///< its page is a live one
+};
+
+/// A row of the table at the top: "played now", "2".
+struct Fact {
+  std::string name;
+  std::string value;
 };
 
 struct MatchList {
@@ -25,6 +32,7 @@ struct MatchList {
   std::vector<std::string> tables;  ///< <table> elements of base::Table, for example the standings
   std::vector<ListedMatch> matches;
   bool running = false;
+  std::vector<Fact> facts = {};  ///< the same ones each time
 };
 
 /// HTML. While matches are running, a script fetches the page again and copies what changed into

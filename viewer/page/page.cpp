@@ -60,12 +60,13 @@ std::string plain_text(const MatchSummary& summary) {
   return text + "</noscript>\n";
 }
 
-std::string settings_json(const PageSettings& settings, const std::string* live) {
+std::string settings_json(const PageSettings& settings, const LivePaths* live) {
   Json json = {{"schema", "cls.page/1"},
                {"cls", base::kVersion},
                {"at", settings.at ? Json(*settings.at) : Json(nullptr)},
                {"players", settings.players},
-               {"live", live != nullptr ? Json(*live) : Json(nullptr)}};
+               {"live", live != nullptr ? Json(live->stream) : Json(nullptr)}};
+  if (live != nullptr && !live->drawings.empty()) json["drawings"] = live->drawings;
   for (const MissedDecision& each : settings.missed) {
     json["missed"].push_back({each.cycle, each.stopped, each.player, each.reason});
   }
@@ -79,10 +80,10 @@ std::string policy(std::string_view script, bool live) {
       csp_hash(script), csp_hash(viewer_style()), live ? "connect-src 'self'; " : "");
 }
 
-// Everything before the match. `title` is HTML; `live` is the path of the stream, null in files.
+// Everything before the match. `title` is HTML; `live` is null in files.
 std::string page_start(const std::string& title, const std::string& without_scripts,
                        std::string_view script, const PageSettings& settings,
-                       const std::string* live) {
+                       const LivePaths* live) {
   std::string page(kDoctype);
   page += "\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += fmt::format("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n",
@@ -101,16 +102,26 @@ std::string page_start(const std::string& title, const std::string& without_scri
   return page;
 }
 
-std::string decision_elements(const std::vector<PageDecisions>& decisions) {
+// `Data` is of a side: PageDecisions, PageDrawings.
+template <typename Data>
+std::string data_elements(std::string_view kind, const std::vector<Data>& all) {
   std::string elements;
-  for (const PageDecisions& each : decisions) {
+  for (const Data& each : all) {
     const std::string data = base64(each.packed);
     elements += fmt::format(
-        "<script type=\"application/cls-decisions;base64\" id=\"decisions-{}\" "
-        "data-length=\"{}\">{}</script>\n",
-        soccer::side_name(each.side), data.size(), data);
+        "<script type=\"application/cls-{0};base64\" id=\"{0}-{1}\" "
+        "data-length=\"{2}\">{3}</script>\n",
+        kind, soccer::side_name(each.side), data.size(), data);
   }
   return elements;
+}
+
+// The program with the parts that the page needs.
+std::string_view script_of(const PageSettings& settings,
+                           const std::vector<PageDecisions>& decisions) {
+  if (settings.compared) return comparison_script();
+  if (!decisions.empty()) return debugger_script();
+  return settings.drawings.empty() ? viewer_script() : drawings_script();
 }
 
 base::Error in_file(const std::string& path, const base::Error& error) {
@@ -122,18 +133,20 @@ base::Error in_file(const std::string& path, const base::Error& error) {
 std::string write_page(const MatchSummary& summary, std::string_view stream,
                        const PageSettings& settings, const std::vector<PageDecisions>& decisions) {
   const std::string data = base64(gzip(stream));
-  const std::string_view script = decisions.empty() ? viewer_script() : debugger_script();
-  return page_start(title(summary), plain_text(summary), script, settings, nullptr) +
-         fmt::format("{}{}\">{}</script>\n{}</body>\n</html>\n", kDataTag, data.size(), data,
-                     decision_elements(decisions));
+  return page_start(title(summary), plain_text(summary), script_of(settings, decisions), settings,
+                    nullptr) +
+         fmt::format("{}{}\">{}</script>\n{}{}</body>\n</html>\n", kDataTag, data.size(), data,
+                     data_elements("decisions", decisions),
+                     data_elements("drawings", settings.drawings));
 }
 
-std::string live_page(const std::string& title, const std::string& stream_path,
+std::string live_page(const std::string& title, const LivePaths& paths,
                       const PageSettings& settings) {
   return page_start(base::escape_xml(title),
                     "<noscript>\n<p>This page shows a running match with JavaScript, which is "
                     "switched off.</p>\n</noscript>\n",
-                    viewer_script(), settings, &stream_path) +
+                    paths.drawings.empty() ? viewer_script() : drawings_script(), settings,
+                    &paths) +
          "</body>\n</html>\n";
 }
 

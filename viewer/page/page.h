@@ -22,11 +22,19 @@ struct MissedDecision {
   std::string reason;  ///< "deadline"
 };
 
+/// The debug log of a side (docs/actions.md), compressed with gzip.
+struct PageDrawings {
+  soccer::Side side = soccer::Side::kLeft;
+  std::string packed;
+};
+
 /// What a page shows first, and what it knows besides the log.
 struct PageSettings {
-  std::optional<int> at;                 ///< cycle; none: the first frame
-  std::vector<std::string> players;      ///< selected: "l7", "r1"
+  std::optional<int> at{};               ///< cycle; none: the first frame
+  std::vector<std::string> players{};    ///< selected: "l7", "r1"
   std::vector<MissedDecision> missed{};  ///< in the order of the match
+  std::vector<PageDrawings> drawings{};  ///< texts and drawings of Playmakers
+  bool compared = false;                 ///< a second match follows (compare_page.h)
 };
 
 /// Recorded decisions of a side (viewer/decisions): the stream, compressed with gzip.
@@ -41,9 +49,14 @@ std::string write_page(const analysis::MatchSummary& summary, std::string_view s
                        const PageSettings& settings,
                        const std::vector<PageDecisions>& decisions = {});
 
-/// The page of a match that is played now. It reads the stream from `stream_path`, relative to its
-/// own address, and allows requests to its own host only.
-std::string live_page(const std::string& title, const std::string& stream_path,
+/// Where a live page reads what it shows, relative to its own address.
+struct LivePaths {
+  std::string stream;
+  std::string drawings;  ///< without "-left" or "-right"; empty: nowhere
+};
+
+/// The page of a match that is played now. It allows requests to its own host only.
+std::string live_page(const std::string& title, const LivePaths& paths,
                       const PageSettings& settings);
 
 /// JSON text as the content of a script element that browsers do not run: nothing in it ends the

@@ -42,7 +42,7 @@ std::string document_of(const gamelog::MatchRecord& first, const ComparedMatch& 
 std::string compare_page(const gamelog::MatchRecord& first, const ComparedMatch& a,
                          const gamelog::MatchRecord& second, const ComparedMatch& b) {
   const std::string other = base64(gzip(stream_of(second)));
-  std::string page = write_page(*a.summary, stream_of(first), {});
+  std::string page = write_page(*a.summary, stream_of(first), {.compared = true});
   const std::size_t end = page.rfind("</body>");
   page.insert(end, fmt::format("<script type=\"application/cls-view;base64\" id=\"other\" "
                                "data-length=\"{}\">{}</script>\n"

@@ -90,6 +90,13 @@ std::vector<EventKey> keys_of(const MatchStatistics& statistics) {
   return keys;
 }
 
+// "foul_charge_l", a play mode, is "foul charge": the player says which side.
+std::string words_of(std::string name) {
+  if (name.ends_with("_l") || name.ends_with("_r")) name.resize(name.size() - 2);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
 void add_missing(const std::vector<EventKey>& from, const std::vector<EventKey>& in,
                  std::size_t match, std::vector<LoneEvent>& events) {
   std::vector<EventKey> lone;
@@ -100,7 +107,7 @@ void add_missing(const std::vector<EventKey>& from, const std::vector<EventKey>&
       text += fmt::format(", {} {}", soccer::side_name(soccer::side_of_slot(slot)),
                           soccer::unum_of_slot(slot));
     }
-    if (!result.empty() && result != kind) text += ": " + result;
+    if (!result.empty() && result != kind) text += ": " + words_of(result);
     events.push_back({match, cycle, std::move(text)});
   }
 }

@@ -173,7 +173,7 @@ std::string warnings_html(const MatchReport& report) {
 std::string charts_html(const std::vector<Chart>& charts) {
   if (charts.empty()) return {};
   std::string text = "<h2>charts</h2>\n<div class=\"charts\">\n";
-  for (const Chart& chart : charts) text += chart.svg;
+  for (const Chart& chart : charts) text += chart_box(chart.title, chart.svg);
   return text + "</div>\n" + text_element("p", kExpectedGoalsNote, "note");
 }
 

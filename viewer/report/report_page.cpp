@@ -35,7 +35,8 @@ constexpr std::string_view kReportStyle =
     "text{fill:var(--text);font-size:13px}"
     "pre{overflow-x:auto;border:1px solid var(--faint);padding:.6em .8em;font-size:.85em}"
     "footer{margin-top:2em;color:var(--muted);font-size:.85em}"
-    ".charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,26em),1fr));gap:1."
+    ".chart-box{overflow-x:auto;min-width:0}.chart-box svg{min-width:34rem}"
+    ".charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,34em),1fr));gap:1."
     "2em}"
     ".charts svg{width:100%;margin:0;border-radius:6px}"
     "iframe{width:100%;height:46em;border:1px solid var(--faint);border-radius:6px}"
@@ -58,6 +59,13 @@ std::string text_element(std::string_view tag, std::string_view text, std::strin
 
 std::string commands_box(std::string_view commands) {
   return fmt::format("<pre tabindex=\"0\">{}</pre>\n", base::escape_xml(commands));
+}
+
+std::string chart_box(std::string_view label, std::string_view svg) {
+  return fmt::format(
+      "<div class=\"chart-box\" tabindex=\"0\" role=\"region\" aria-label=\"Chart: "
+      "{}\">\n{}</div>\n",
+      base::escape_xml(label), svg);
 }
 
 std::string table_box(std::string_view title, const base::Table& table, std::string_view kind) {

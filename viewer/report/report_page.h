@@ -17,6 +17,10 @@ std::string text_element(std::string_view tag, std::string_view text, std::strin
 /// Shell commands, in an element that scrolls and that keys reach.
 std::string commands_box(std::string_view commands);
 
+/// A chart in an element that scrolls where the window is too narrow for its text. `label` names
+/// it.
+std::string chart_box(std::string_view label, std::string_view svg);
+
 /// The table with its caption in an element that scrolls. `kind` is the class of that: "scroll",
 /// "scroll dense" or "scroll long".
 std::string table_box(std::string_view title, const base::Table& table,

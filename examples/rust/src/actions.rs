@@ -108,3 +108,26 @@ pub fn substitute() -> CoachAction {
 pub fn say_player_types() -> CoachAction {
     coach(Coach::DoHeliosSayPlayerTypes(DoHeliosSayPlayerTypes {}))
 }
+
+#[allow(dead_code)] // not every template shows something
+fn shown(log: log::Log) -> PlayerAction {
+    player(Action::Log(Log { log: Some(log) }))
+}
+
+/// In the page of the match, tab Drawings; moves nothing.
+#[allow(dead_code)]
+pub fn show_text(text: &str) -> PlayerAction {
+    let level = LoggerLevel::Team as i32;
+    shown(log::Log::AddText(AddText { level, message: text.to_string() }))
+}
+
+/// On the field in the page of the match; moves nothing.
+#[allow(dead_code)]
+pub fn show_line(start: Point, end: Point, color: &str) -> PlayerAction {
+    shown(log::Log::AddLine(AddLine {
+        level: LoggerLevel::Team as i32,
+        start: vector(start),
+        end: vector(end),
+        color: color.to_string(),
+    }))
+}

@@ -76,3 +76,13 @@ export const penalty = (): PlayerAction => ({ helios_penalty: {} });
 export const substitute = (): CoachAction => ({ do_helios_substitute: {} });
 
 export const sayPlayerTypes = (): CoachAction => ({ do_helios_say_player_types: {} });
+
+/** In the page of the match, tab Drawings; moves nothing. */
+export function showText(text: string): PlayerAction {
+  return { log: { add_text: { level: 'TEAM', message: text } } };
+}
+
+/** On the field in the page of the match; moves nothing. */
+export function showLine(start: Point, end: Point, color: string): PlayerAction {
+  return { log: { add_line: { level: 'TEAM', start: vector(start), end: vector(end), color } } };
+}

@@ -8,6 +8,8 @@
 
 #include "base/text/json_text.h"
 #include "proto/playmaker.pb.h"
+#include "proxy/agent/player_agent.h"
+#include "viewer/decisions/decision_files.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -29,8 +31,10 @@ std::string kind_of(const protos::Log& log) {
   return field == nullptr ? "nothing" : field->name().substr(4);
 }
 
-Json json_of(int cycle, int unum, const protos::PlayerAction& action) {
-  Json json = {{"t", cycle}, {"unum", unum}};
+Json json_of(player::GameTime now, int unum, const protos::PlayerAction& action) {
+  Json json = {{"t", now.cycle}};
+  if (now.stopped > 0) json["stopped"] = now.stopped;
+  json["unum"] = unum;
   if (action.has_debug_client()) {
     json["kind"] = "debug_client";
     json["message"] = action.debug_client().message();
@@ -48,22 +52,24 @@ Json json_of(int cycle, int unum, const protos::PlayerAction& action) {
 }  // namespace
 
 DebugLog::DebugLog(const std::filesystem::path& folder)
-    : sides_{SideLog(folder / kLeftDebugFile), SideLog(folder / kRightDebugFile)} {}
+    : sides_{SideLog(folder / viewer::kLeftDebugFile), SideLog(folder / viewer::kRightDebugFile)} {}
 
 SideListener* DebugLog::listener(soccer::Side side) {
   return &sides_[side == soccer::Side::kRight ? 1 : 0];
 }
 
-void DebugLog::SideLog::on_call(const proxy::RpcCall& call) {
-  if (call.rpc != proto::Rpc::kGetPlayerActions || call.reply == nullptr) return;
-  for (const auto& action : static_cast<const protos::PlayerActions&>(*call.reply).actions()) {
+void DebugLog::SideLog::on_decision(const proxy::Decision& decision) {
+  if (decision.reply == nullptr) return;
+  const player::GameTime now = decision.agent.world().game.time;
+  const int unum = decision.agent.unum();
+  for (const auto& action : decision.reply->actions()) {
     if (!action.has_log() && !action.has_debug_client()) continue;
     if (room_ == 0) {
       ++omitted_;
       continue;
     }
     // The text of a Playmaker may not be UTF-8.
-    lines_.emplace_back(call.agent, base::json_line(json_of(cycle_, call.agent, action)));
+    lines_.emplace_back(unum, base::json_line(json_of(now, unum, action)));
   }
 }
 
@@ -92,6 +98,7 @@ void DebugLog::SideLog::end_cycle() {
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [unused, line] : lines_) write(line);
   lines_.clear();
+  sink_->flush();
 }
 
 std::string DebugLog::SideLog::close() {

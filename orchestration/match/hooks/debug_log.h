@@ -17,14 +17,12 @@
 
 namespace cls::orchestration::match {
 
-/// Names inside a match folder; created with the first action of that side.
-inline constexpr const char* kLeftDebugFile = "left-debug.jsonl";
-inline constexpr const char* kRightDebugFile = "right-debug.jsonl";
-
-/// One JSON object a line: {"t": 120, "unum": 7, "kind": "text", "level": "TEAM", "message": ...},
-/// in the order of cycle and number. Shapes have their fields as on the wire. After
-/// proxy::kMaxDebugBytes nothing more is written until the last line, {"kind": "omitted", "count":
-/// 12}.
+/// Writes viewer::kLeftDebugFile and kRightDebugFile into the match folder, each with the first
+/// action of its side. One JSON object a line: {"t": 120, "unum": 7, "kind": "text", "level":
+/// "TEAM", "message": ...}, with "stopped" after "t" while the clock is stopped, in the order of
+/// cycle and number. Shapes have their fields as on the wire. The lines of a cycle are in the file
+/// when it ends, for pages of running matches. After proxy::kMaxDebugBytes nothing more is written
+/// until the last line, {"kind": "omitted", "count": 12}.
 class DebugLog : public MatchHooks {
  public:
   explicit DebugLog(const std::filesystem::path& folder);
@@ -35,12 +33,13 @@ class DebugLog : public MatchHooks {
   std::string close();
 
  private:
-  class SideLog : public SideListener {
+  class SideLog : public SideListener, public proxy::DecisionListener {
    public:
     explicit SideLog(std::filesystem::path file) : file_(std::move(file)) {}
-    bool needs_requests() const override { return false; }
-    void on_call(const proxy::RpcCall& call) override;
-    void begin_cycle(int cycle) override { cycle_ = cycle; }
+    proxy::DecisionListener* decisions() override { return this; }
+    bool needs_calls() const override { return false; }
+    void on_call(const proxy::RpcCall& /*call*/) override {}
+    void on_decision(const proxy::Decision& decision) override;
     void end_cycle() override;
     std::string close();
 
@@ -48,7 +47,6 @@ class DebugLog : public MatchHooks {
     void write(std::string_view line);
 
     std::filesystem::path file_;
-    int cycle_ = 0;
     std::size_t room_ = proxy::kMaxDebugBytes;
     std::int64_t omitted_ = 0;
     std::vector<std::pair<int, std::string>> lines_;  ///< of this cycle, with uniform number

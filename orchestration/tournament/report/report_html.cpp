@@ -26,7 +26,7 @@ std::string table_html(const ReportTable& table, std::string_view kind = "scroll
 std::string ratings_html(const Report& report) {
   const ReportTable table = ratings_table(report);
   if (table.empty()) return {};
-  return text_element("h2", table.title) + ratings_chart(report) +
+  return text_element("h2", table.title) + viewer::chart_box(table.title, ratings_chart(report)) +
          viewer::table_box(table.title, table.table) + text_element("p", table.note, "note");
 }
 
@@ -36,7 +36,9 @@ std::string differences_html(const Report& report) {
   // A grid is as wide as the page; one chart is not.
   std::string text = text_element("h2", "goal differences");
   text += charts.size() == 1 ? "<div>\n" : "<div class=\"charts\">\n";
-  for (const std::string& chart : charts) text += chart;
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    text += viewer::chart_box(fmt::format("goal differences {}", i + 1), charts[i]);
+  }
   return text + "</div>\n";
 }
 

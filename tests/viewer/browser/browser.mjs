@@ -37,3 +37,32 @@ export async function accessibilityViolations(page, options = {}) {
   const {violations} = await page.evaluate((given) => window.axe.run(given), options);
   return violations.map(({id, nodes}) => `${id}: ${nodes.map(({html, failureSummary}) => `${html.slice(0, 160)} ${failureSummary}`).join(' ')}`);
 }
+
+/** Widths of windows, telephones to large screens, and those around which the layout changes. */
+export const kWidths = [320, 360, 390, 480, 600, 768, 900, 901, 1000, 1060, 1200, 1280, 1350, 1366, 1440, 1500, 1501, 1920, 2560];
+
+/** What of the toolbar and its menu is outside the window at each of these widths, and how many rows the buttons take.
+ * @returns {Promise<{outside: string[], rows: Record<number, number>}>} */
+export async function toolbarLayout(page, widths = kWidths) {
+  const outside = [];
+  const rows = {};
+  for (const width of widths) {
+    await page.setViewportSize({width, height: width < 700 ? 800 : Math.round(width * 0.6)});
+    await page.waitForTimeout(50);
+    await page.locator('.menu summary').click();
+    const found = await page.evaluate(() => {
+      const {clientWidth, clientHeight} = document.documentElement;
+      const inside = ({left, right, top, bottom}, vertical) => left >= 0 && right <= clientWidth && (!vertical || (top >= 0 && bottom <= clientHeight));
+      const buttons = [...document.querySelectorAll('.controls .button')].filter((button) => button.offsetParent).map((button) => button.getBoundingClientRect());
+      const body = document.querySelector('.menu-body').getBoundingClientRect();
+      const problems = buttons.filter((button) => !inside(button, false)).map(() => 'a button');
+      if (!inside(body, true) || body.height < 100) problems.push(`the menu (${[body.left, body.top, body.right, body.bottom].map(Math.round).join(' ')})`);
+      if (document.documentElement.scrollWidth > clientWidth) problems.push('the page');
+      return {problems, rows: new Set(buttons.map(({top}) => Math.round(top))).size};
+    });
+    outside.push(...found.problems.map((problem) => `${problem} at ${width}`));
+    rows[width] = found.rows;
+    await page.keyboard.press('Escape');
+  }
+  return {outside, rows};
+}

@@ -38,7 +38,7 @@ function write(differences) {
   const more = `<script type="application/cls-view;base64" id="other" data-length="${data.length}">${data}</script>
 <script type="application/json" id="differences">${json}</script></body>`;
   const file = path.join(kFolder, 'compare.html');
-  fs.writeFileSync(file, pageOf(sampleStream()).replace('</body>', () => more));
+  fs.writeFileSync(file, pageOf(sampleStream(), {compared: true}).replace('</body>', () => more));
   return file;
 }
 

@@ -5,7 +5,7 @@ import http from 'node:http';
 import path from 'node:path';
 import test, {after, before} from 'node:test';
 import {kFrames, kGoalFrame, liveSamplePieces} from '../web/sample_match.mjs';
-import {accessibilityViolations, launch, openPage} from './browser.mjs';
+import {accessibilityViolations, launch, openPage, toolbarLayout} from './browser.mjs';
 import {pageOf} from './page_writer.mjs';
 
 const kPieceFrames = 10;
@@ -110,6 +110,15 @@ test('goes back while the match continues, and returns to it', async () => {
   match.play(1);
   await shows(page, 79);
   assert.deepEqual(problems, []);
+  await context.close();
+  await match.stop();
+});
+
+test('the button LIVE leaves the toolbar in one row', async () => {
+  const {match, page, context} = await following(3);
+  const {outside, rows} = await toolbarLayout(page, [320, 390, 1280, 1366, 1440, 1920]);
+  assert.deepEqual(outside, []);
+  for (const width of [1280, 1366, 1440, 1920]) assert.equal(rows[width], 1, `${rows[width]} rows at ${width}`);
   await context.close();
   await match.stop();
 });

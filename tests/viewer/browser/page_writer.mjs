@@ -27,13 +27,21 @@ function dataElement(kind, id, stream) {
   return `<script type="application/cls-${kind};base64" id="${id}" data-length="${data.length}">${data}</script>\n`;
 }
 
+/** The parts of the program that a page has, as script_of() in viewer/page/page.cpp chooses them. */
+function partsOf(settings, decisions, drawings) {
+  if (settings.compared) return ['comparison'];
+  if (Object.keys(decisions).length > 0) return ['drawings', 'decisions'];
+  return Object.keys(drawings).length > 0 || settings.drawings ? ['drawings'] : [];
+}
+
 /** @param {Buffer | null} stream null for a live page @param {any} [settings] @param {Record<string, Buffer>} [decisions] by side
- * @returns {string} HTML */
-export function pageOf(stream, settings = {}, decisions = {}) {
-  const code = script(Object.keys(decisions).length > 0 ? ['decisions'] : []);
+ * @param {Record<string, string>} [drawings] debug logs by side @returns {string} HTML */
+export function pageOf(stream, settings = {}, decisions = {}, drawings = {}) {
+  const code = script(partsOf(settings, decisions, drawings));
   const style = fs.readFileSync(new URL('style.css', kWeb), 'utf8');
   const match = stream ? dataElement('view', 'match', stream) : '';
   const recorded = Object.entries(decisions).map(([side, bytes]) => dataElement('decisions', `decisions-${side}`, bytes)).join('');
+  const shown = Object.entries(drawings).map(([side, lines]) => dataElement('drawings', `drawings-${side}`, Buffer.from(lines))).join('');
   const connect = stream ? '' : "connect-src 'self'; ";
   const policy = `default-src 'none'; script-src ${hashSource(code)}; style-src ${hashSource(style)}; img-src data: blob:; ${connect}base-uri 'none'; form-action 'none'`;
   return `<!doctype html>
@@ -43,6 +51,6 @@ export function pageOf(stream, settings = {}, decisions = {}) {
 <body><noscript>A replay</noscript><div id="app"></div>
 <script type="application/json" id="settings">${JSON.stringify(settings).replaceAll('<', '\\u003c')}</script>
 <script>${code}</script>
-${match}${recorded}</body></html>
+${match}${recorded}${shown}</body></html>
 `;
 }

@@ -8,7 +8,7 @@ import test, {after, before} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import {kActions} from '../../../viewer/web/src/actions.js';
 import {kFrames, kGoalFrame, sampleStream} from '../web/sample_match.mjs';
-import {accessibilityViolations, launch, openPage} from './browser.mjs';
+import {accessibilityViolations, launch, openPage, toolbarLayout} from './browser.mjs';
 import {kBrokenBytes, kInjections} from './injections.mjs';
 import {pageOf} from './page_writer.mjs';
 
@@ -70,6 +70,7 @@ test('draws each player where the record says', async () => {
 function misplacedPlayers(frame) {
   const {viewer, page} = window.clsViewer;
   viewer.settings.layers.trails = false;
+  viewer.settings.layers.numbers = false;
   viewer.seek(frame);
   page.draw();
   const {record, camera, theme} = viewer;
@@ -148,6 +149,47 @@ test('buttons, timeline and event list seek and play', async () => {
   await page.getByRole('button', {name: 'Pause'}).click();
   assert.equal(await page.evaluate(() => window.clsViewer.viewer.clock.playing), false);
   assert.deepEqual(problems, []);
+  await context.close();
+});
+
+test('toolbar and menu are inside the window at every width, in one row beside the panel', async () => {
+  const {page, context} = await open(samplePath);
+  const {outside, rows} = await toolbarLayout(page);
+  assert.deepEqual(outside, []);
+  for (const width of [1200, 1280, 1350, 1366, 1440, 1500, 1501, 1920, 2560]) assert.equal(rows[width], 1, `${rows[width]} rows at ${width}`);
+  await context.close();
+});
+
+test('the first frame shows ball and kicker, the clock says what its numbers are', async () => {
+  for (const viewport of [{width: 390, height: 844}, {width: 1280, height: 800}]) {
+    const {page, context} = await open(samplePath, '', {viewport});
+    const hidden = await page.evaluate(() => {
+      const {viewer, page} = window.clsViewer;
+      const stage = page.stage.getBoundingClientRect();
+      const button = page.bigPlay.getBoundingClientRect();
+      const near = (x, y) => Math.abs(x) < 10 && Math.abs(y) < 10;
+      const {record, camera} = viewer;
+      const things = [[record.column('ball_x')[0][0], record.column('ball_y')[0][0]], ...Array.from({length: 22}, (_, slot) => [record.column('x')[slot][0], record.column('y')[slot][0]]).filter(([x, y]) => near(x, y))];
+      return things.filter(([x, y]) => {
+        const [left, top] = [stage.left + camera.screenX(x), stage.top + camera.screenY(y)];
+        return left > button.left - 8 && left < button.right + 8 && top > button.top - 8 && top < button.bottom + 8;
+      });
+    });
+    assert.deepEqual(hidden, []);
+    assert.match(await page.locator('.clock').innerText(), /minute\s+1\s+cycle\s+0/);
+    await context.close();
+  }
+});
+
+test('the tip of the timeline has the play mode in words', async () => {
+  const {page, context} = await open(samplePath);
+  const box = await page.locator('.timeline').boundingBox();
+  const tip = async (frame) => {
+    await page.mouse.move(box.x + (frame / kFrames) * box.width, box.y + 30);
+    return page.locator('.timeline-tip').innerText();
+  };
+  assert.match(await tip(45), /^cycle 4\d · play on$/);
+  assert.match(await tip(110), /^cycle 100\+\d+ · goal, Azure$/);
   await context.close();
 });
 

@@ -11,7 +11,7 @@ import {accessibilityViolations, launch, openPage} from './browser.mjs';
 const kCls = process.env.CLS ?? fileURLToPath(new URL('../../../build/bin/cls', import.meta.url));
 const kSkip = fs.existsSync(kCls) ? false : `no ${kCls}; build it or set CLS`;
 const kFolder = fs.mkdtempSync(path.join(os.tmpdir(), 'cls-reports-'));
-const kViews = [{colorScheme: 'light'}, {colorScheme: 'dark'}, {viewport: {width: 360, height: 800}}];
+const kViews = [{colorScheme: 'light'}, {colorScheme: 'dark'}, {viewport: {width: 360, height: 800}}, {viewport: {width: 390, height: 844}}, {viewport: {width: 1920, height: 1080}}];
 
 const kTournament = `[tournament]
 name = "<b>cup</b>"
@@ -54,6 +54,8 @@ for (const file of ['match.html', 'cup.html']) {
       assert.deepEqual(await accessibilityViolations(page, {iframes: false}), []);
       const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
       assert.ok(overflow <= 0, `${overflow} px wider than the window`);
+      const smallest = await page.evaluate(() => Math.min(...[...document.querySelectorAll('svg text')].map((text) => Number.parseFloat(window.getComputedStyle(text).fontSize) * text.getScreenCTM().a)));
+      assert.ok(smallest >= 9, `text of ${smallest.toFixed(1)} px in a chart`);
       assert.deepEqual(problems, []);
       await context.close();
     }

@@ -90,7 +90,11 @@ test('matches arrive without a reload, and nothing moves', {skip: kSkip}, async 
   }
   for (const score of await scores.allInnerTexts()) assert.match(score, /^\d+ : \d+$/);
   assert.ok(seen.has('cycle N') && seen.has('planned'), [...seen].join(', '));
-  const standings = await page.locator('table').first().innerText();
+  assert.ok([...seen].every((text) => text !== ''), [...seen].join(', '));
+  assert.deepEqual([...new Set(await page.locator('td.state').allInnerTexts())], ['finished']);
+  const glance = await page.getByRole('table', {name: 'at a glance'}).innerText();
+  for (const fact of ['winner\tA', `matches done\t${kMatches} of ${kMatches}`, 'played now\t0', 'still to play\t0', 'goals a match\t']) assert.ok(glance.includes(fact), glance);
+  const standings = await page.locator('.standings table').innerText();
   assert.match(standings, /A/);
   const [same, shifts] = await page.evaluate(() => [window.sameDocument, window.shifts]);
   assert.equal(same, true);
@@ -102,7 +106,7 @@ test('matches arrive without a reload, and nothing moves', {skip: kSkip}, async 
   }
   assert.deepEqual(await page.evaluate(() => window.violations), []);
   // A finished match opens as a replay.
-  await page.getByRole('link', {name: 'Watch match 1'}).click();
+  await page.getByRole('link', {name: 'replay of match 1', exact: true}).click();
   await page.waitForFunction(() => window.clsViewer, null, {timeout: 60000});
   assert.deepEqual(problems, []);
   await context.close();

@@ -3,6 +3,7 @@ import {Camera} from './camera.js';
 import {Clock} from './clock.js';
 import {commonAxis, distances, frameAtMoment, momentOfFrame} from './common_axis.js';
 import {element, setAttribute, setText} from './dom.js';
+import {kExtensions} from './extensions.js';
 import {icon} from './icons.js';
 import {keyName, needsKey} from './keys.js';
 import {kPitch} from './pitch.js';
@@ -224,3 +225,5 @@ export class Comparison {
     context.fillRect(Math.min(width - 2, x(this.clock.at)), 0, 2, kStripHeight);
   }
 }
+
+kExtensions.compare = (root, records, differences, settings, host) => new Comparison(root, records, differences, settings, host);

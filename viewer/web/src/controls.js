@@ -13,6 +13,25 @@ export function actionButton(viewer, id, iconName, className = '', text = '') {
   return element('button', {type: 'button', class: `button ${className}`, 'aria-label': label, title, 'data-action': id, onclick: () => run(viewer, 0)}, content);
 }
 
+const kMenuWidth = 330;
+const kMenuMargin = 8;
+
+/** Puts the body of a menu where the window has room: over its button, or below it. @param {HTMLElement} menu */
+function placeMenu(menu) {
+  const [summary, body] = /** @type {HTMLElement[]} */ ([...menu.children]);
+  const button = summary.getBoundingClientRect();
+  const {clientWidth, clientHeight} = document.documentElement;
+  const width = Math.min(kMenuWidth, clientWidth - 2 * kMenuMargin);
+  const above = button.top - 2 * kMenuMargin;
+  const below = clientHeight - button.bottom - 2 * kMenuMargin;
+  const room = Math.max(above, below);
+  body.style.width = `${width}px`;
+  body.style.maxHeight = `${Math.max(0, room)}px`;
+  body.style.left = `${Math.min(Math.max(kMenuMargin, button.right - width), clientWidth - width - kMenuMargin)}px`;
+  const height = body.offsetHeight;
+  body.style.top = `${above >= Math.min(height, below) ? button.top - kMenuMargin - height : button.bottom + kMenuMargin}px`;
+}
+
 export class Controls {
   /** @param {import('./viewer.js').Viewer} viewer */
   constructor(viewer) {
@@ -44,6 +63,10 @@ export class Controls {
     const menu = element('details', {class: 'menu'},
       element('summary', {class: 'button', 'aria-label': 'What to show on the field', title: 'What to show on the field'}, icon('layers')),
       element('div', {class: 'menu-body'}, ...this.boxes.map(({row}) => row)));
+    const place = () => menu.open && placeMenu(menu);
+    menu.addEventListener('toggle', place);
+    window.addEventListener('resize', place);
+    window.addEventListener('scroll', place, {passive: true});
     menu.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape') return;
       menu.open = false;

@@ -2,7 +2,6 @@
 import {DecisionStore} from './decision_store.js';
 import {readDecisions, sidesWithDecisions} from './decision_data.js';
 import {kExtensions} from './extensions.js';
-import {drawDrawings} from './layer_drawings.js';
 import {drawEstimates} from './layer_estimates.js';
 import {DecisionPanel} from './panel_decision.js';
 
@@ -13,8 +12,5 @@ kExtensions.decisions = {
   makePanel(viewer) {
     return new DecisionPanel(viewer);
   },
-  draw(scene) {
-    drawDrawings(scene);
-    drawEstimates(scene);
-  },
+  draw: drawEstimates,
 };

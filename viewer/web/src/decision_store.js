@@ -1,6 +1,5 @@
 // The recorded decisions of both teams, loaded when they are first shown.
 import {DecisionTrack} from './decision_track.js';
-import {DrawingFilter} from './drawings.js';
 import {nearestToBall} from './moment.js';
 import {sideOfSlot, unumOfSlot} from './sides.js';
 
@@ -11,7 +10,6 @@ export class DecisionStore {
     this.record = record;
     this.sides = sides;
     this.read = read;
-    this.filter = new DrawingFilter();
     /** Called when decisions have arrived. */
     this.onLoad = () => {};
     /** @type {Map<string, import('./decisions.js').TeamDecisions | Error | null>} null: on the way */
@@ -38,7 +36,7 @@ export class DecisionStore {
     if (!team || team instanceof Error) return null;
     if (!this.tracks.has(slot)) {
       const player = team.player(unumOfSlot(slot));
-      this.tracks.set(slot, player ? new DecisionTrack(this.record, slot, player, this.filter) : null);
+      this.tracks.set(slot, player ? new DecisionTrack(this.record, slot, player) : null);
     }
     return this.tracks.get(slot) ?? null;
   }

@@ -1,6 +1,6 @@
 // The decisions of a player beside the frames of the match: which belongs to which, and how wrong the estimates were.
 import {kUnknownAge} from './decisions.js';
-import {DrawingFilter} from './drawings.js';
+import {drawingsOf, levelsIn} from './drawings.js';
 import {PlayerState} from './player_state.js';
 import {kSlots, shortNameOfSlot} from './sides.js';
 
@@ -29,13 +29,12 @@ function clockKeys(count, time, stopped) {
 }
 
 export class DecisionTrack {
-  /** @param {import('./record.js').MatchRecord} record @param {number} slot @param {import('./decisions.js').PlayerDecisions} decisions
-   * @param {DrawingFilter} [filter] of texts and drawings */
-  constructor(record, slot, decisions, filter = new DrawingFilter()) {
+  /** @param {import('./record.js').MatchRecord} record @param {number} slot @param {import('./decisions.js').PlayerDecisions} decisions */
+  constructor(record, slot, decisions) {
     this.record = record;
     this.slot = slot;
     this.decisions = decisions;
-    this.filter = filter;
+    this.levels = levelsIn(decisions.drawings);
     this.#align();
     this.ballErrors = Float32Array.from({length: decisions.count}, (_, i) => this.ballRow(i)?.error ?? NaN);
     this.selfErrors = Float32Array.from({length: decisions.count}, (_, i) => this.selfRow(i)?.error ?? NaN);
@@ -52,6 +51,13 @@ export class DecisionTrack {
       this.frames[i] = frame;
       this.decisionOfFrame[frame] = i;
     });
+  }
+
+  /** Texts and shapes of the decision about a frame. @returns {import('./drawing_store.js').Shown[]} */
+  drawings(frame) {
+    const decision = this.at(frame);
+    if (decision < 0) return [];
+    return drawingsOf(this.decisions.drawings[decision], this.slot).map((drawing) => ({slot: this.slot, drawing}));
   }
 
   /** The decision about a frame; -1: none. */

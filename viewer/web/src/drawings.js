@@ -14,12 +14,39 @@ const kShapes = {
 };
 
 /** Names of levels, by bit (protos::LoggerLevel). */
-const kLevels = ['system', 'sensor', 'world', 'action', 'intercept', 'kick', 'hold', 'dribble', 'pass', 'cross', 'shoot', 'clear', 'block', 'mark', 'positioning', 'role', 'team', 'communication', 'analyzer', 'action chain', 'plan'];
+export const kLevels = ['system', 'sensor', 'world', 'action', 'intercept', 'kick', 'hold', 'dribble', 'pass', 'cross', 'shoot', 'clear', 'block', 'mark', 'positioning', 'role', 'team', 'communication', 'analyzer', 'action chain', 'plan'];
 
 /** @param {number} level a bit, or several @returns {string} */
 export function levelName(level) {
   const names = kLevels.filter((_, bit) => level & (1 << bit));
   return names.join(', ') || 'no level';
+}
+
+/** The fields of an entry in a debug log, in the order of the numbers; a dot before those that are points. */
+const kFields = {
+  point: '.point', line: '.start .end', arc: '.center radius start_angle span_angel', circle: '.center radius', triangle: '.point1 .point2 .point3',
+  rectangle: 'left top length width', sector: '.center min_radius max_radius start_angle span_angel', message: '.position',
+};
+const kForms = Object.fromEntries(Object.values(kShapes));
+
+function levelOf(level) {
+  if (typeof level === 'number') return level;
+  const bit = kLevels.indexOf(String(level ?? '').toLowerCase().replaceAll('_', ' '));
+  return bit < 0 ? 0 : 1 << bit;
+}
+
+/** A drawing of a line in a debug log (docs/actions.md); null: not understood. @param {any} entry @param {string} side @returns {Drawing | null} */
+export function drawingOfEntry(entry, side) {
+  if (!Number.isInteger(entry?.t) || !(entry.unum >= 1 && entry.unum <= kPlayersPerTeam)) return null;
+  const kind = entry.kind === 'debug_client' ? 'text' : entry.kind;
+  if (kind !== 'text' && !Object.hasOwn(kFields, kind)) return null;
+  const numbers = (kFields[kind] ?? '').split(' ').filter((field) => field !== '')
+    .flatMap((field) => (field.startsWith('.') ? [entry[field.slice(1)]?.x ?? 0, entry[field.slice(1)]?.y ?? 0] : [entry[field] ?? 0])).map(Number);
+  if (!numbers.every(Number.isFinite)) return null;
+  const drawing = {kind, filled: entry.fill === true, level: levelOf(entry.level), numbers, text: String(entry.message ?? ''), color: String(entry.color ?? '')};
+  if (kind === 'rectangle') numbers.splice(2, 2, numbers[0] + numbers[2], numbers[1] + numbers[3]);
+  if (side === 'right') mirror(drawing, kind === 'rectangle' ? 'xxxx' : kForms[kind]);
+  return drawing;
 }
 
 /** A drawing of a line; null: not understood. @param {string} line */

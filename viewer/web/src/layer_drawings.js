@@ -1,5 +1,4 @@
-// Shapes and texts that the Playmaker of the selected player shows on the pitch.
-import {drawingsOf} from './drawings.js';
+// Shapes and texts that Playmakers show on the pitch.
 import {radians} from './geometry.js';
 import {traceDisc} from './scene.js';
 import {teamColors} from './theme.js';
@@ -9,20 +8,17 @@ const kColor = /^(#[0-9a-f]{3,8}|[a-z]{3,30})$/i;
 
 /** @param {import('./scene.js').Scene} scene */
 export function drawDrawings(scene) {
-  const {track, pose, context} = scene;
-  const decision = track ? track.at(pose.frame) : -1;
-  if (!track || decision < 0) return;
+  const {context, drawings} = scene;
+  if (!drawings || drawings.length === 0) return;
   context.save();
   context.lineWidth = 1.5;
-  for (const drawing of drawingsOf(track.decisions.drawings[decision], track.slot)) {
-    if (track.filter.shows(drawing)) drawOne(scene, drawing);
-  }
+  for (const {slot, drawing} of drawings) drawOne(scene, slot, drawing);
   context.restore();
 }
 
-function drawOne(scene, drawing) {
-  const {context, theme, track} = scene;
-  const own = teamColors(theme, track.slot).fill;
+function drawOne(scene, slot, drawing) {
+  const {context, theme} = scene;
+  const own = teamColors(theme, slot).fill;
   context.strokeStyle = own;
   if (kColor.test(drawing.color)) context.strokeStyle = drawing.color;
   context.fillStyle = context.strokeStyle;

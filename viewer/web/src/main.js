@@ -1,7 +1,7 @@
 // Starts the page: reads the match, shows how far it is, then hands over to Page.
-import {Comparison} from './comparison.js';
 import {element, setText} from './dom.js';
 import {completeRecord, readData} from './embedded.js';
+import {kExtensions} from './extensions.js';
 import {slotsOfNames} from './hash.js';
 import {readLive} from './live.js';
 import {Page} from './page.js';
@@ -43,9 +43,17 @@ function makePage(root, record, options) {
   showFirstMoment(viewer, options);
   page.draw();
   performance.mark('cls-first-picture');
+  showDrawings(viewer, options);
   // For scripts and tests: the parts of this page.
   Object.assign(window, {clsViewer: {viewer, page}});
   return page;
+}
+
+/** Those that do not arrive, or not whole, leave the match as it is. */
+function showDrawings(viewer, options) {
+  const onChange = () => viewer.changed('moment');
+  const path = typeof options.drawings === 'string' ? options.drawings : '';
+  kExtensions.drawings?.read(path, viewer.teamDrawings, onChange).catch((error) => viewer.tell(error instanceof Error ? error.message : String(error)));
 }
 
 async function startReplay(root, options) {
@@ -64,7 +72,7 @@ async function startReplay(root, options) {
   }
   const records = [record, await readData('other', onProgress)];
   const host = hostPreferences();
-  const comparison = new Comparison(root, records, JSON.parse(differences.textContent), new Settings(host), host);
+  const comparison = kExtensions.compare(root, records, JSON.parse(differences.textContent), new Settings(host), host);
   // For scripts and tests.
   Object.assign(window, {clsComparison: comparison});
 }

@@ -15,6 +15,7 @@ import {Timeline} from './timeline.js';
 
 const kPanelMs = 120;
 const kAddressMs = 400;
+const kBriefMs = 5000;
 
 export class Page {
   /** @param {HTMLElement} root @param {import('./viewer.js').Viewer} viewer */
@@ -31,15 +32,18 @@ export class Page {
     this.announcer = new Announcer(viewer);
     this.bigPlay = actionButton(viewer, 'play', 'play', 'big-play');
     this.notice = element('p', {class: 'notice', hidden: true});
-    this.stage = element('div', {class: 'stage'}, this.canvas, this.bigPlay, this.notice);
+    this.brief = element('p', {class: 'brief', hidden: true, 'aria-hidden': 'true'});
+    this.stage = element('div', {class: 'stage'}, this.canvas, this.bigPlay, this.notice, this.brief);
     this.root = root;
     root.replaceChildren(this.scoreboard.root, element('main', {class: 'player', 'aria-label': 'Replay'}, this.stage, this.timeline.root, this.controls.root), this.panel.root, this.announcer.root, this.help.dialog);
     this.scheduled = false;
     this.lastTick = 0;
     this.lastPanel = 0;
     this.addressTimer = 0;
+    this.briefTimer = 0;
     if (viewer.decisions) viewer.decisions.onLoad = () => this.#onChange('moment');
     viewer.say = (text) => this.announcer.say(text);
+    viewer.tell = (text) => this.#tell(text);
     viewer.listeners.add((what) => this.#onChange(what));
     listenToKeys(viewer, () => this.help.dialog.open);
     listenToPointers(this.canvas, viewer, this.renderer.pose);
@@ -120,11 +124,20 @@ export class Page {
     if (text !== '') this.announcer.say(text);
   }
 
+  /** One line over the field for some seconds. @param {string} text */
+  #tell(text) {
+    setText(this.brief, text);
+    this.brief.hidden = false;
+    clearTimeout(this.briefTimer);
+    this.briefTimer = setTimeout(() => (this.brief.hidden = true), kBriefMs);
+    this.announcer.say(text);
+  }
+
   /** Draws the moment. @param {number} [now] milliseconds */
   draw(now = performance.now()) {
     const {viewer} = this;
     const {clock, settings} = viewer;
-    this.renderer.draw(clock, {theme: viewer.theme, layers: settings.layers, selected: viewer.selected, smooth: clock.playing, track: viewer.track});
+    this.renderer.draw(clock, {theme: viewer.theme, layers: settings.layers, selected: viewer.selected, smooth: clock.playing, track: viewer.track, drawings: viewer.shownDrawings});
     this.scoreboard.show(viewer.record, clock.frame);
     this.timeline.draw();
     this.controls.show();

@@ -2,6 +2,7 @@
 import {element, setAttribute} from './dom.js';
 import {EventsPanel} from './panel_events.js';
 import {kExtensions} from './extensions.js';
+import {missingDrawings} from './panel_missing.js';
 import {PitchPanel} from './panel_pitch.js';
 import {PlayerPanel} from './panel_player.js';
 import {StatisticsPanel} from './panel_statistics.js';
@@ -14,11 +15,12 @@ export class Panel {
       {id: 'events', label: 'Events', page: new EventsPanel(viewer)},
       {id: 'player', label: 'Player', page: new PlayerPanel(viewer)},
       {id: 'pitch', label: 'Pitch', page: new PitchPanel(viewer)},
+      {id: 'drawings', label: 'Drawings', page: kExtensions.drawings?.makePanel(viewer) ?? {root: missingDrawings(), show: () => {}}},
       ...(viewer.decisions ? [{id: 'decision', label: 'Decision', page: kExtensions.decisions.makePanel(viewer)}] : []),
     ];
     this.viewer = viewer;
     this.current = 'statistics';
-    const tabs = element('div', {class: 'tabs', role: 'tablist', 'aria-label': 'Side panel'});
+    const tabs = element('div', {class: this.pages.length > 5 ? 'tabs many' : 'tabs', role: 'tablist', 'aria-label': 'Side panel'});
     for (const page of this.pages) {
       page.tab = element('button', {type: 'button', role: 'tab', id: `tab-${page.id}`, 'aria-controls': `page-${page.id}`, onclick: () => this.open(page.id)}, page.label);
       page.body = element('div', {class: 'tab-page', role: 'tabpanel', id: `page-${page.id}`, 'aria-labelledby': `tab-${page.id}`, tabindex: 0}, page.page.root);

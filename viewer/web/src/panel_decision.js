@@ -25,7 +25,7 @@ export class DecisionPanel {
     this.plan = element('ol', {class: 'plan'});
     this.rows = element('tbody', {});
     this.reach = element('p', {class: 'hint'});
-    this.drawings = new DrawingsPanel(viewer);
+    this.drawings = new DrawingsPanel(viewer, 'Texts and drawings of the Playmaker');
     this.strips = new DecisionStrips(viewer);
     this.worst = element('ul', {class: 'events worst'});
     this.body = element('div', {}, this.call, element('h3', {}, 'Requested actions'), this.actions, this.mirrored, this.maker,
@@ -93,7 +93,9 @@ export class DecisionPanel {
     const key = `${track.slot} ${this.viewer.frame}`;
     if (key === this.shown) return;
     this.shown = key;
-    this.drawings.show(track, decision);
+    this.drawings.root.hidden = track.decisions.drawings.every((text) => text === '');
+    this.drawings.setLevels(track.levels);
+    this.drawings.show(track.drawings(this.viewer.frame), false);
     if (decision < 0) this.#showNone();
     else this.#showDecision(track, decision);
   }

@@ -6,6 +6,9 @@ import {kPlayersPerTeam, kSlots, shortNameOfSlot, sideOfSlot, unumOfSlot} from '
 
 const kCounters = ['kick', 'dash', 'turn', 'catch', 'move', 'turn_neck', 'change_view', 'say', 'tackle', 'pointto', 'attentionto', 'change_focus'];
 
+/** Of commands that are more than one word. */
+const kCounterNames = {turn_neck: 'turn neck', change_view: 'change view', pointto: 'point to', attentionto: 'attention to', change_focus: 'change focus'};
+
 export class PlayerPanel {
   /** @param {import('./viewer.js').Viewer} viewer */
   constructor(viewer) {
@@ -95,7 +98,7 @@ class PlayerCard {
     this.root = element('section', {class: 'player-card'}, this.name, this.state,
       element('div', {class: 'stamina'}, element('span', {}, 'Stamina'), this.stamina, this.staminaText),
       element('dl', {class: 'facts'}, ...rows), ...this.#matchFacts(), element('h3', {}, 'Commands executed so far'),
-      element('dl', {class: 'facts counters'}, ...kCounters.map((name, index) => element('div', {}, element('dt', {}, name), this.counts[index]))));
+      element('dl', {class: 'facts counters'}, ...kCounters.map((name, index) => element('div', {}, element('dt', {}, kCounterNames[name] ?? name), this.counts[index]))));
   }
 
   #matchFacts() {

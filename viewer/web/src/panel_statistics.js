@@ -58,11 +58,17 @@ export class StatisticsPanel {
   #remarks() {
     const {statistics, end, isLive} = this.viewer.record;
     if (isLive) return [];
-    const remarks = (statistics.doubts ?? []).map((doubt) => element('li', {}, typeof doubt === 'string' ? doubt : JSON.stringify(doubt)));
+    const remarks = (statistics.doubts ?? []).map((doubt) => element('li', {}, doubtText(String(doubt))));
     if (end?.errors?.count > 0) remarks.push(element('li', {}, `The log has ${end.errors.count} corrupt lines.`));
     if (remarks.length === 0) return [];
     return [element('h2', {}, 'Remarks'), element('ul', {}, ...remarks)];
   }
+}
+
+/** A doubt of `cls stats` as a sentence. */
+function doubtText(doubt) {
+  if (doubt === 'no time_over') return 'The log ends before the match is over.';
+  return doubt.replace(/^([lr]) (\d+)\b/, (_, side, unum) => `${side === 'l' ? 'Left' : 'Right'} ${unum}`).replaceAll('_', ' ');
 }
 
 /** One row with a bar that shows the shares. */

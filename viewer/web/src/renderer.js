@@ -34,7 +34,7 @@ export class Renderer {
 
   /** @param {{at: number, playing: boolean, framesPerSecond: number}} clock
    * @param {{theme: import('./theme.js').Theme, layers: import('./settings.js').Layers, selected: number[], smooth: boolean,
-   * track?: import('./decision_track.js').DecisionTrack | null}} view */
+   * track?: import('./decision_track.js').DecisionTrack | null, drawings?: import('./drawing_store.js').Shown[]}} view */
   draw(clock, view) {
     poseAt(this.record, clock.at, this.pose, view.smooth);
     this.#follow(view.selected);
@@ -42,13 +42,14 @@ export class Renderer {
     this.#drawPitch(context, view.theme);
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     const markFrames = clock.playing ? Math.max(1, Math.ceil((clock.framesPerSecond * kMarkMs) / 1000)) : 1;
-    const scene = {context, record: this.record, pose: this.pose, camera: this.camera, theme: view.theme, layers: view.layers, selected: view.selected, markFrames, track: view.track};
+    const scene = {context, record: this.record, pose: this.pose, camera: this.camera, theme: view.theme, layers: view.layers, selected: view.selected, markFrames, track: view.track, drawings: view.drawings};
     drawOffsideLines(scene);
     drawView(scene);
     drawAreas(scene);
     drawTrails(scene);
     drawPlayers(scene);
     drawBall(scene);
+    kExtensions.drawings?.draw(scene);
     kExtensions.decisions?.draw(scene);
   }
 

@@ -11,6 +11,7 @@ import {clamp} from './geometry.js';
  * @property {import('./settings.js').Layers} layers
  * @property {number[]} selected slots
  * @property {import('./decision_track.js').DecisionTrack | null} [track] decisions whose estimates to draw
+ * @property {import('./drawing_store.js').Shown[]} [drawings] of Playmakers
  * @property {number} markFrames how many frames a mark of one frame stays visible
  */
 

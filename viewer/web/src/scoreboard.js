@@ -14,7 +14,7 @@ export class Scoreboard {
     this.title = element('h1', {class: 'unseen'});
     this.root = element('header', {class: 'scoreboard', 'aria-label': 'Score and clock'}, this.title,
       element('div', {class: 'score'}, this.names[0], element('span', {class: 'score-box'}, this.scores[0], element('span', {class: 'score-colon', 'aria-hidden': 'true'}, ':'), this.scores[1]), this.names[1], this.penalties),
-      element('div', {class: 'clock'}, this.mode, this.minute, this.cycle));
+      element('div', {class: 'clock'}, this.mode, this.minute, element('span', {class: 'clock-label'}, 'cycle ', this.cycle)));
   }
 
   /** @param {import('./record.js').MatchRecord} record @param {number} frame */
@@ -30,7 +30,7 @@ export class Scoreboard {
     const shootOut = left.scored + left.missed + right.scored + right.missed > 0;
     setText(this.penalties, shootOut ? `penalties ${left.scored}/${left.scored + left.missed} : ${right.scored}/${right.scored + right.missed}` : '');
     setText(this.cycle, cycleLabel(record, frame));
-    setText(this.minute, `${minuteOf(record, frame)}′`);
+    setText(this.minute, `minute ${minuteOf(record, frame)}`);
     const mode = record.modeName(frame);
     setText(this.mode, playModeText(mode, names[0], names[1]));
     this.mode.dataset.kind = playModeClass(mode);

@@ -2,7 +2,7 @@
 
 /**
  * @typedef {{numbers: boolean, stamina: boolean, view: boolean, kick: boolean, tackle: boolean, catch: boolean, offside: boolean,
- *   trails: boolean, allTrails: boolean, types: boolean, focus: boolean, pointing: boolean}} Layers
+ *   trails: boolean, allTrails: boolean, types: boolean, drawings: boolean, focus: boolean, pointing: boolean}} Layers
  */
 
 /** Layers in the order of the menu: name, label, whether they are on at first. */
@@ -17,6 +17,7 @@ export const kLayers = Object.freeze([
   {name: 'trails', label: 'Trails of ball and selected players', key: 'F', on: true},
   {name: 'allTrails', label: 'Trails of all players', key: 'Shift+F', on: false},
   {name: 'types', label: 'Player types', key: 'H', on: false},
+  {name: 'drawings', label: 'Drawings of Playmakers', key: 'Shift+A', on: true},
   {name: 'focus', label: 'Focus points', key: 'J', on: false},
   {name: 'pointing', label: 'Pointing arms', key: 'Shift+J', on: false},
 ]);

@@ -2,7 +2,7 @@
 import {element, setAttribute, setText} from './dom.js';
 import {possessionChanges} from './events.js';
 import {clamp} from './geometry.js';
-import {playModeClass, splitPlayMode} from './play_modes.js';
+import {playModeClass, playModeText, splitPlayMode} from './play_modes.js';
 import {cycleLabel} from './record.js';
 
 const kHeight = 62;
@@ -73,7 +73,9 @@ export class Timeline {
     const x = event.clientX - this.root.getBoundingClientRect().left;
     const frame = this.#frameAt(event);
     const near = this.#eventNear(x);
-    setText(this.tip, near ? `${cycleLabel(record, near.frame)} · ${near.text}` : cycleLabel(record, frame));
+    const [left, right] = record.teamsAt(frame);
+    const text = near ? near.text : playModeText(record.modeName(frame), left.name || 'left', right.name || 'right');
+    setText(this.tip, `cycle ${cycleLabel(record, frame)} · ${text}`);
     this.tip.hidden = false;
     this.tip.style.left = `${clamp(x, this.tip.offsetWidth / 2, this.width - this.tip.offsetWidth / 2)}px`;
   }

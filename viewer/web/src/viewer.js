@@ -1,7 +1,7 @@
 // The state of the page: one match, one clock, one view. Actions change it, views read it.
 import {Camera} from './camera.js';
 import {Clock} from './clock.js';
-import {kExtensions} from './extensions.js';
+import {kExtensions, kNothingShown} from './extensions.js';
 import {eventsOf, highlightsOf, nextEvent} from './events.js';
 import {formatHash, parseHash} from './hash.js';
 import {nearestToBall} from './moment.js';
@@ -34,6 +34,8 @@ export class Viewer {
     this.selected = [];
     /** Recorded decisions, or null. */
     this.decisions = kExtensions.decisions?.makeStore(record) ?? null;
+    /** What Playmakers showed, with decisions or without; null in pages without. */
+    this.teamDrawings = kExtensions.drawings?.makeStore(record) ?? null;
     /** The field shows what the selected player estimates. */
     this.debugging = false;
     /** A clip is being recorded. */
@@ -43,6 +45,8 @@ export class Viewer {
     this.listeners = new Set();
     /** What the last action did, for people who do not see it. */
     this.say = (/** @type {string} */ text) => void text;
+    /** Why nothing happened, for everyone. */
+    this.tell = (/** @type {string} */ text) => this.say(text);
   }
 
   #findEvents() {
@@ -65,7 +69,7 @@ export class Viewer {
 
   /** Shows what happens now, in a live match. */
   follow() {
-    if (!this.clock.live) return this.say('The match is over');
+    if (!this.clock.live) return this.tell('The match is over');
     this.clock.follow();
     this.say('Live');
     this.changed('moment');
@@ -126,13 +130,13 @@ export class Viewer {
   /** Jumps to an event. @param {1 | -1} direction @param {string[]} [kinds] */
   jump(direction, kinds) {
     const event = nextEvent(this.events, this.frame, direction, kinds);
-    if (!event) return this.say(direction > 0 ? 'No later event of this kind' : 'No earlier event of this kind');
+    if (!event) return this.tell(direction > 0 ? 'No later event of this kind' : 'No earlier event of this kind');
     this.seek(event.frame);
     this.say(event.text);
   }
 
   playHighlights() {
-    if (this.highlights.length === 0) return this.say('The match has no goals and no good shots');
+    if (this.highlights.length === 0) return this.tell('The match has no goals and no good shots');
     this.clock.playSegments(this.highlights);
     this.say(`Highlights: ${this.highlights.length}`);
     this.changed('moment');
@@ -161,7 +165,7 @@ export class Viewer {
   }
 
   toggleDecisions() {
-    if (!this.decisions) return this.say('The page has no decisions; cls match --record-world-models records them');
+    if (!this.decisions) return this.tell('The page has no decisions; cls match --record-world-models records them');
     this.setDebugging(!this.debugging);
     this.say(this.debugging ? 'Decisions' : 'No decisions');
   }
@@ -169,6 +173,22 @@ export class Viewer {
   /** The decisions to draw, or null. */
   get track() {
     return this.debugging && this.selected.length > 0 ? this.decisions.track(this.selected[0]) : null;
+  }
+
+  /** Texts and shapes of the frame on the field: of the decision to draw, of the selected players, or of all.
+   * @returns {import('./drawing_store.js').Shown[]} */
+  get shownDrawings() {
+    const {track, frame, teamDrawings: store} = this;
+    if (!store || !this.settings.layers.drawings) return [];
+    const all = track ? track.drawings(frame) : store.at(frame, this.selected);
+    return all.filter(({drawing}) => store.filter.shows(drawing));
+  }
+
+  /** Jumps to a frame with texts or drawings. @param {1 | -1} direction */
+  jumpToDrawings(direction) {
+    const frame = this.teamDrawings.next(this.frame, direction, this.selected);
+    if (frame < 0) return this.tell(`No ${direction > 0 ? 'later' : 'earlier'} texts or drawings`);
+    this.seek(frame);
   }
 
   /** @param {'ball' | 'player'} what */
@@ -197,7 +217,8 @@ export class Viewer {
     const {settings} = this;
     settings.layers[name] = !settings.layers[name];
     settings.save();
-    this.say(`${kLayers.find((layer) => layer.name === name).label}: ${settings.layers[name] ? 'on' : 'off'}`);
+    if (name === 'drawings' && (this.teamDrawings?.empty ?? true) && !this.decisions) this.tell(kNothingShown);
+    else this.say(`${kLayers.find((layer) => layer.name === name).label}: ${settings.layers[name] ? 'on' : 'off'}`);
     this.changed('settings');
   }
 

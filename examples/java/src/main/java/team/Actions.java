@@ -94,4 +94,17 @@ final class Actions {
         return CoachAction.newBuilder().setDoHeliosSayPlayerTypes(
             DoHeliosSayPlayerTypes.newBuilder()).build();
     }
+
+    /** In the page of the match, tab Drawings; moves nothing. */
+    static PlayerAction showText(String text) {
+        return PlayerAction.newBuilder().setLog(Log.newBuilder().setAddText(
+            AddText.newBuilder().setLevel(LoggerLevel.TEAM).setMessage(text))).build();
+    }
+
+    /** On the field in the page of the match; moves nothing. */
+    static PlayerAction showLine(Point start, Point end, String color) {
+        return PlayerAction.newBuilder().setLog(Log.newBuilder().setAddLine(
+            AddLine.newBuilder().setLevel(LoggerLevel.TEAM).setStart(vector(start))
+                .setEnd(vector(end)).setColor(color))).build();
+    }
 }
