@@ -71,6 +71,7 @@ constexpr OptionRow kOptions[] = {
     {"--shard", kOptionsGroup, "K/N"},
     {"--side", kOptionsGroup, "SIDE"},
     {"--status", kOptionsGroup, "STATUS"},
+    {"--tables", kOptionsGroup, "DIR"},
     {"--to", kOptionsGroup, "VERSION"},
     {"--truth", kOptionsGroup, "FILE"},
     {"--view", kOptionsGroup, "WHERE"},

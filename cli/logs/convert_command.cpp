@@ -4,19 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
-#include "base/io/gzip_sink.h"
+#include "base/system/parallel.h"
 #include "base/text/json_text.h"
+#include "cli/logs/match_tables.h"
+#include "cli/logs/output_file.h"
 #include "cli/support/exit_code.h"
-#include "cli/support/interrupt.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "gamelog/rcg/record_writer.h"
@@ -25,28 +22,37 @@
 namespace cls::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using gamelog::RcgVersion;
 
 constexpr const char* kDescription =
-    "convert a game log to another version\n"
+    "convert a game log to another version or into tables\n"
     "Reads rcg versions 1 to 6 and JSON, plain or gzip, and pages of 'cls watch'.\n"
     "\n"
     "  cls convert old.rcg.gz new.rcg             version 6\n"
     "  cls convert game.rcg game.rcg.gz --to 4    version 4, compressed\n"
     "  cls convert game.rcg game.json             JSON, by the name\n"
     "  cls convert page.html game.rcg             the log of the page, as it was\n"
+    "  cls convert game.rcg game.tracking.csv     a row per frame, by the name\n"
+    "  cls convert cup --tables csv               all tables of all matches in cup\n"
     "\n"
-    "'-' is standard input or output. Of a corrupt log, the readable frames are\n"
-    "converted.";
+    "Tables are OUT.tracking.csv, OUT.player_types.csv and OUT.event.csv. '-' is\n"
+    "standard input or output. Of a corrupt log, the readable frames are converted.";
 
 struct Arguments {
   std::string in;
   std::string out;
   std::string to;
+  std::string tables;
+  bool published = false;
   bool json = false;
   bool force = false;
+  std::size_t jobs = base::default_jobs();
 };
+
+// The table that OUT is; nothing for a log.
+std::optional<MatchTable> table_of(const Arguments& arguments) {
+  return arguments.to.empty() ? table_of_file(arguments.out) : parse_match_table(arguments.to);
+}
 
 // False for a value of --to that no log can be written in.
 bool parse_target(const std::string& to, std::optional<RcgVersion>& version) {
@@ -73,53 +79,78 @@ void print_document(const Arguments& arguments, RcgVersion version,
   fmt::print("{}", base::json_document(document));
 }
 
-// Where OUT is written until it is complete: beside it, with its ending. Standard output, devices
-// and links are written directly.
-fs::path partial_file(const fs::path& out) {
-  std::error_code code;
-  const fs::file_type type = fs::symlink_status(out, code).type();
-  const bool renamed = type == fs::file_type::regular || type == fs::file_type::not_found;
-  if (out == "-" || !renamed) return out;
-  return out.parent_path() / ("partial-" + out.filename().string());
+void print_document(const Arguments& arguments, const TableCounts& counts) {
+  nlohmann::ordered_json document = {{"schema", "cls.convert/1"}, {"in", arguments.in}};
+  if (arguments.tables.empty()) {
+    document["out"] = arguments.out;
+    document["version"] = name(*table_of(arguments));
+  } else {
+    document["tables"] = arguments.tables;
+  }
+  document["matches"] = counts.matches;
+  document["frames"] = counts.frames;
+  document["errors"] = counts.errors;
+  fmt::print("{}", base::json_document(document));
 }
 
-// Leaves a complete OUT or what was there before. Returns the exit code.
-int write_log(const gamelog::MatchRecord& record, RcgVersion version, const fs::path& out) {
-  const fs::path partial = partial_file(out);
-  const std::atomic<int>& signal = watch_interrupts();
-  auto sink = base::create_sink(partial.string());
-  if (!sink) {
-    return print_error(kCannotCreate,
-                       fmt::format("cannot create '{}': {}", out.string(), std::strerror(errno)));
+int run_tables(const Arguments& arguments) {
+  TableRequest request{.in = arguments.in, .out = arguments.out};
+  if (arguments.published) request.columns = analysis::TrackingColumns::kPublished;
+  request.force = arguments.force;
+  request.jobs = arguments.jobs;
+  TableCounts counts;
+  int exit_code = kOk;
+  if (arguments.tables.empty()) {
+    exit_code = write_match_table(*table_of(arguments), request, counts);
+  } else {
+    request.out = arguments.tables;
+    exit_code = write_match_tables(request, counts);
   }
-  gamelog::write_rcg(record, version, **sink);
-  const auto closed = (*sink)->close();
-  std::error_code code;
-  if (partial == out) return closed ? kOk : print_error(kWriteFailed, closed.error().message);
-  if (closed && signal == 0) {
-    fs::rename(partial, out, code);
-    if (!code) return kOk;
+  if (arguments.json && (exit_code == kOk || exit_code == kBadData)) {
+    print_document(arguments, counts);
   }
-  std::error_code ignored;
-  fs::remove(partial, ignored);
-  if (!closed) return print_error(kWriteFailed, closed.error().message);
-  if (!code) return signal_exit_code(signal);
-  return print_error(kCannotCreate,
-                     fmt::format("cannot create '{}': {}", out.string(), code.message()));
+  return exit_code;
+}
+
+// Why the arguments do not fit together; empty: they do.
+std::string why_wrong(const Arguments& arguments) {
+  if (arguments.out.empty() == arguments.tables.empty()) {
+    return arguments.out.empty() ? "convert: name OUT, or a folder with --tables DIR"
+                                 : "convert: either OUT or --tables DIR";
+  }
+  if (!arguments.tables.empty() && !arguments.to.empty()) {
+    return "--to: --tables writes all tables; name OUT for one of them";
+  }
+  std::optional<RcgVersion> version;
+  if (!table_of(arguments) && !parse_target(arguments.to, version)) {
+    return fmt::format("--to '{}': must be 4, 5, 6, json, tracking, player_types or event",
+                       arguments.to);
+  }
+  if (arguments.published && arguments.tables.empty() &&
+      table_of(arguments) != MatchTable::kTracking) {
+    return "--published: only for tracking tables";
+  }
+  if (arguments.json && arguments.out == "-") {
+    return "--json: OUT is stdout already; name a file";
+  }
+  return "";
+}
+
+int write_log(const Arguments& arguments, const viewer::StreamMatch& match, RcgVersion version) {
+  const auto failure = write_output(arguments.out, [&](base::ByteSink& sink) {
+    gamelog::write_rcg(match.record, version, sink);
+    return true;
+  });
+  if (!failure) return kOk;
+  if (failure->message.empty()) return failure->exit_code;
+  return print_error(failure->exit_code, failure->message);
 }
 
 int run_convert_command(const Arguments& arguments) {
-  std::optional<RcgVersion> target;
-  if (!parse_target(arguments.to, target)) {
-    return print_error(kUsage, fmt::format("--to '{}': must be 4, 5, 6 or json", arguments.to));
-  }
-  if (arguments.json && arguments.out == "-") {
-    return print_error(kUsage, "--json: OUT is stdout already; name a file");
-  }
-  std::error_code code;
-  if (!arguments.force && std::filesystem::is_regular_file(arguments.out, code)) {
-    return print_error(kCannotCreate,
-                       fmt::format("{}: exists; use --force to replace it", arguments.out));
+  if (const std::string why = why_wrong(arguments); !why.empty()) return print_error(kUsage, why);
+  if (!arguments.tables.empty() || table_of(arguments)) return run_tables(arguments);
+  if (const auto failure = why_not_replaced(arguments.out, arguments.force)) {
+    return print_error(failure->exit_code, failure->message);
   }
   const auto match = viewer::read_log_or_page(arguments.in);
   if (!match) return print_error(unreadable_code(arguments.in), match.error().message);
@@ -129,13 +160,13 @@ int run_convert_command(const Arguments& arguments) {
                                              arguments.in));
   }
   const gamelog::MatchRecord& record = match->record;
+  std::optional<RcgVersion> target;
+  parse_target(arguments.to, target);
   const RcgVersion version = target ? *target : default_target(arguments.out, *match);
   report_errors(arguments.in, record.errors);
   if (record.frames() == 0 && !record.errors.empty()) return kBadData;
 
-  if (const int written = write_log(record, version, arguments.out); written != kOk) {
-    return written;
-  }
+  if (const int code = write_log(arguments, *match, version); code != kOk) return code;
   if (arguments.json) print_document(arguments, version, record);
   return record.errors.empty() ? kOk : kBadData;
 }
@@ -146,12 +177,19 @@ void add_convert_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("convert", kDescription);
   command.group = kResultCommands;
-  command.option("IN", arguments->in, "input game log").required();
-  command.option("OUT", arguments->out, "output game log, compressed if it ends in .gz").required();
+  command.option("IN", arguments->in, "input game log; for tables also a folder").required();
+  command.option("OUT", arguments->out, "output file, compressed if it ends in .gz");
   command.option("--to", arguments->to,
                  "version: 4, 5, 6 or json (default: 6, json for OUT.json, that of\n"
-                 "the log for a page)");
-  command.flag("--force", arguments->force, "replace an existing OUT");
+                 "the log for a page); or a table: tracking, player_types or event");
+  command.option("--tables", arguments->tables, "write all tables of each match into this folder");
+  command.flag("--published", arguments->published,
+               "tracking tables of 168 columns, as published for 2021 and 2024");
+  command.flag("--force", arguments->force, "replace existing files");
+  command
+      .option("--jobs", arguments->jobs,
+              "with --tables: logs read in parallel (default: one per core)")
+      .above(0);
   command.flag("--json", arguments->json, "print frames and errors as one JSON document");
   command.run = [arguments] { return run_convert_command(*arguments); };
 }

@@ -1,0 +1,268 @@
+// Streams the tracking table of one log; keeps the record of a match for all other tables.
+#include "cli/logs/match_tables.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "analysis/play/flow.h"
+#include "analysis/tables/event_table.h"
+#include "analysis/tables/player_type_table.h"
+#include "base/io/whole_file.h"
+#include "base/system/parallel.h"
+#include "cli/logs/output_file.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/interrupt.h"
+#include "cli/support/log_errors.h"
+#include "cli/support/print_error.h"
+#include "cli/terminal/log_progress.h"
+#include "gamelog/files/log_files.h"
+#include "gamelog/rcg/frame_stream.h"
+#include "viewer/page/page.h"
+
+namespace cls::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using gamelog::MatchRecord;
+
+constexpr std::array kTables = {MatchTable::kTracking, MatchTable::kPlayerTypes,
+                                MatchTable::kEvents};
+constexpr std::size_t kPageStart = 64;
+
+std::string suffix(MatchTable table) { return fmt::format(".{}.csv", name(table)); }
+
+void write_frames(const MatchRecord& record, analysis::TrackingTable& rows) {
+  for (std::size_t i = 0; i < record.frames(); ++i) rows.on_frame(record, i);
+}
+
+void write_table(MatchTable table, const MatchRecord& record, analysis::TrackingColumns columns,
+                 base::ByteSink& sink) {
+  switch (table) {
+    case MatchTable::kTracking: {
+      analysis::TrackingTable rows(sink, columns);
+      return write_frames(record, rows);
+    }
+    case MatchTable::kPlayerTypes:
+      return sink.write(analysis::player_type_table(record));
+    case MatchTable::kEvents:
+      return sink.write(analysis::event_table(analysis::build_flow(record)));
+  }
+}
+
+int report_failure(const std::optional<OutputFailure>& failure) {
+  if (!failure) return kOk;
+  return failure->message.empty() ? failure->exit_code
+                                  : print_error(failure->exit_code, failure->message);
+}
+
+// The one log that `in` stands for.
+base::Result<std::string> one_log(const std::string& in) {
+  std::error_code code;
+  if (!fs::is_directory(in, code)) return in;
+  std::vector<std::string> logs;
+  for (const gamelog::MatchLogs& match : gamelog::find_logs({in}).matches) {
+    if (!match.game.empty()) logs.push_back(match.game);
+  }
+  if (logs.size() == 1) return logs.front();
+  if (logs.empty()) return base::Error{fmt::format("{}: no game log in this folder", in)};
+  return base::Error{
+      fmt::format("{}: has {} game logs; write their tables with --tables DIR", in, logs.size())};
+}
+
+int finish(const std::string& in, const gamelog::ParseErrors& errors,
+           const std::optional<OutputFailure>& failure, TableCounts& counts) {
+  counts.errors = errors.count;
+  report_errors(in, errors);
+  if (const int code = report_failure(failure); code != kOk) return code;
+  return errors.empty() ? kOk : kBadData;
+}
+
+// The match of a page whose bytes `input` has.
+base::Result<viewer::StreamMatch> read_page(base::InputBuffer& input) {
+  std::string page;
+  for (;;) {
+    const std::string_view block = input.take(base::InputBuffer::kMaxLine);
+    if (block.empty()) return viewer::read_page(page);
+    page += block;
+  }
+}
+
+int stream_tracking(base::ByteSource& source, const std::string& in, const TableRequest& request,
+                    TableCounts& counts) {
+  gamelog::ParseErrors errors;
+  std::string page_error;
+  const auto failure = write_output(request.out, [&](base::ByteSink& sink) {
+    analysis::TrackingTable table(sink, request.columns);
+    gamelog::FrameStream stream(source, table);
+    if (viewer::looks_like_page(stream.input().peek(kPageStart))) {
+      const auto match = read_page(stream.input());
+      if (!match) page_error = fmt::format("{}: {}", in, match.error().message);
+      if (match) write_frames(match->record, table);
+      if (match) counts.frames = match->record.frames();
+      return match.ok();
+    }
+    errors = stream.read_all().errors;
+    counts.frames = stream.frames();
+    return counts.frames > 0 || errors.empty();
+  });
+  if (!page_error.empty()) return print_error(kBadData, page_error);
+  return finish(in, errors, failure, counts);
+}
+
+int write_from_record(MatchTable table, const std::string& in, const TableRequest& request,
+                      TableCounts& counts) {
+  const auto match = viewer::read_log_or_page(in);
+  if (!match) return print_error(unreadable_code(in), match.error().message);
+  const MatchRecord& record = match->record;
+  counts.frames = record.frames();
+  const auto failure = write_output(request.out, [&](base::ByteSink& sink) {
+    write_table(table, record, request.columns, sink);
+    return record.frames() > 0 || record.errors.empty();
+  });
+  return finish(in, record.errors, failure, counts);
+}
+
+// A log of many, and where its tables go.
+struct Job {
+  std::string log;
+  fs::path stem;  ///< without the suffix of a table
+  std::vector<OutputFailure> failures{};
+  gamelog::ParseErrors errors{};
+  std::string unreadable{};
+  std::size_t frames = 0;
+};
+
+fs::path without_endings(fs::path name) {
+  for (const char* ending : {".gz", ".rcg", ".json", ".html"}) {
+    if (name.extension() == ending) name.replace_extension();
+  }
+  return name;
+}
+
+// Logs keep the folders that they have below `in`.
+std::vector<Job> plan_jobs(const gamelog::FoundLogs& found, const TableRequest& request) {
+  std::error_code code;
+  const bool below = fs::is_directory(request.in, code);
+  std::vector<Job> jobs;
+  for (const gamelog::MatchLogs& match : found.matches) {
+    if (match.game.empty()) continue;
+    const fs::path log = match.game == "-" ? fs::path("match") : fs::path(match.game);
+    const fs::path name = below ? log.lexically_relative(request.in) : log.filename();
+    jobs.push_back({match.game, fs::path(request.out) / without_endings(name)});
+  }
+  return jobs;
+}
+
+fs::path file_of(const Job& job, MatchTable table) { return job.stem.string() + suffix(table); }
+
+// Two logs of a pattern can have the same name in different folders.
+std::optional<OutputFailure> check_outputs(const std::vector<Job>& jobs, bool force) {
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    for (std::size_t other = 0; other < i; ++other) {
+      if (jobs[other].stem != jobs[i].stem) continue;
+      return OutputFailure{kUsage, fmt::format("{} and {} would have the same tables; name their "
+                                               "folder, whose sub-folders the tables keep",
+                                               jobs[other].log, jobs[i].log)};
+    }
+    for (const MatchTable table : kTables) {
+      if (auto failure = why_not_replaced(file_of(jobs[i], table), force)) return failure;
+    }
+  }
+  return std::nullopt;
+}
+
+void run_job(Job& job, analysis::TrackingColumns columns) {
+  const auto match = viewer::read_log_or_page(job.log);
+  if (!match) {
+    job.unreadable = match.error().message;
+    return;
+  }
+  const MatchRecord& record = match->record;
+  job.errors = record.errors;
+  job.frames = record.frames();
+  if (record.frames() == 0 && !record.errors.empty()) return;
+  if (const auto created = base::create_folders(job.stem.parent_path()); !created) {
+    job.failures.push_back({kCannotCreate, created.error().message});
+    return;
+  }
+  for (const MatchTable table : kTables) {
+    auto failure = write_output(file_of(job, table), [&](base::ByteSink& sink) {
+      write_table(table, record, columns, sink);
+      return true;
+    });
+    if (!failure) continue;
+    job.failures.push_back(*std::move(failure));
+    return;
+  }
+}
+
+}  // namespace
+
+std::string_view name(MatchTable table) {
+  return table == MatchTable::kTracking      ? "tracking"
+         : table == MatchTable::kPlayerTypes ? "player_types"
+                                             : "event";
+}
+
+std::optional<MatchTable> parse_match_table(std::string_view text) {
+  for (const MatchTable table : kTables) {
+    if (text == name(table)) return table;
+  }
+  return std::nullopt;
+}
+
+std::optional<MatchTable> table_of_file(std::string_view path) {
+  if (path.ends_with(".gz")) path.remove_suffix(3);
+  for (const MatchTable table : kTables) {
+    if (path.ends_with(suffix(table))) return table;
+  }
+  return std::nullopt;
+}
+
+int write_match_table(MatchTable table, const TableRequest& request, TableCounts& counts) {
+  if (const int code = report_failure(why_not_replaced(request.out, request.force)); code != kOk) {
+    return code;
+  }
+  const auto log = one_log(request.in);
+  if (!log) return print_error(kNoInput, log.error().message);
+  counts.matches = 1;
+  if (table != MatchTable::kTracking) return write_from_record(table, *log, request, counts);
+
+  auto source = base::open_source(*log);
+  if (!source) return print_error(unreadable_code(*log), source.error().message);
+  return stream_tracking(**source, *log, request, counts);
+}
+
+int write_match_tables(const TableRequest& request, TableCounts& counts) {
+  const gamelog::FoundLogs found = gamelog::find_logs({request.in});
+  std::vector<Job> jobs = plan_jobs(found, request);
+  int exit_code = report_missing(found);
+  if (exit_code == kOk && jobs.empty()) {
+    return print_error(kNoInput, fmt::format("{}: no game log (rcg)", request.in));
+  }
+  if (const auto failure = check_outputs(jobs, request.force)) return report_failure(failure);
+
+  const std::atomic<int>& signal = watch_interrupts();
+  LogProgress progress(jobs.size());
+  base::parallel_for(
+      jobs.size(), request.jobs,
+      [&](std::size_t i) {
+        if (signal == 0) run_job(jobs[i], request.columns);
+      },
+      [&](std::size_t count) { progress.update(count); });
+
+  counts.matches = jobs.size();
+  for (const Job& job : jobs) {
+    exit_code = report_log(exit_code, job.unreadable, job.log, job.errors);
+    for (const OutputFailure& failure : job.failures) exit_code = report_failure(failure);
+    counts.frames += job.frames;
+    counts.errors += job.errors.count;
+  }
+  return signal == 0 ? exit_code : signal_exit_code(signal);
+}
+
+}  // namespace cls::cli

@@ -1,0 +1,29 @@
+// A file that appears when it is complete.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "base/io/byte_sink.h"
+
+namespace cls::cli {
+
+/// Why a file was not written.
+struct OutputFailure {
+  int exit_code = 0;
+  std::string message;  ///< empty: a signal, or `write` gave up
+};
+
+/// Calls `write` with a sink for `out`, compressed if its name ends in ".gz". Leaves the complete
+/// file, or what was there before: if `write` returns false, after a failure, and after a signal
+/// that watch_interrupts() has seen. "-" is standard output; it, devices and links are written
+/// directly.
+std::optional<OutputFailure> write_output(const std::filesystem::path& out,
+                                          const std::function<bool(base::ByteSink&)>& write);
+
+/// The failure of an existing file that may not be replaced.
+std::optional<OutputFailure> why_not_replaced(const std::filesystem::path& out, bool force);
+
+}  // namespace cls::cli
