@@ -1,12 +1,12 @@
 // The binary `cls`: runs the command line; reports uncaught exceptions as internal errors.
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <optional>
 #include <string>
 
+#include "base/io/standard_streams.h"
 #include "cli/application.h"
 #include "cli/support/early_guard.h"
 #include "cli/support/exit_code.h"
@@ -18,12 +18,16 @@ namespace {
 using namespace cls;
 using namespace cls::cli;
 
-// A command whose output is lost has failed, although its work is done.
+// A command whose output is lost has failed, although its work is done. A reader that has left,
+// such as head(1), knows that.
 int finish_output(int exit_code) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
-  const std::string cause = std::strerror(errno);
-  return print_error(exit_code == kOk ? static_cast<int>(kWriteFailed) : exit_code,
-                     "cannot write standard output: " + cause);
+  std::fflush(stdout);
+  const int output = cls::base::write_error(cls::base::StandardStream::kOutput);
+  const int errors = cls::base::write_error(cls::base::StandardStream::kError);
+  if (output == 0 && errors == 0) return exit_code;
+  const int failed = exit_code == kOk ? static_cast<int>(kWriteFailed) : exit_code;
+  if (output == 0 || output == EPIPE) return failed;
+  return print_error(failed, std::string("cannot write standard output: ") + std::strerror(output));
 }
 
 // Runs the command and turns exceptions into error lines.
@@ -42,8 +46,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A file that reaches the size limit is a failed write like any other and must not kill cls.
-  std::signal(SIGXFSZ, SIG_IGN);
+  cls::base::protect_standard_streams();
   cls::proto::silence_grpc_log();
   return finish_output(run(argc, argv));
 }

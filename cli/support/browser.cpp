@@ -2,6 +2,7 @@
 #include "cli/support/browser.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <unistd.h>
 
@@ -36,12 +37,20 @@ bool open_in_browser(const std::string& url) {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     posix_spawn_file_actions_addopen(&quiet, descriptor, "/dev/null", O_RDWR, 0);
   }
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t ignored;
+  sigemptyset(&ignored);
+  for (const int signal : {SIGPIPE, SIGXFSZ}) sigaddset(&ignored, signal);
+  posix_spawnattr_setsigdefault(&attributes, &ignored);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   std::string program = "xdg-open";
   std::string argument = url;
   std::array<char*, 3> arguments = {program.data(), argument.data(), nullptr};
   pid_t process = 0;
   const int failed =
-      posix_spawnp(&process, program.c_str(), &quiet, nullptr, arguments.data(), environ);
+      posix_spawnp(&process, program.c_str(), &quiet, &attributes, arguments.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&quiet);
   return failed == 0;
 }

@@ -29,8 +29,6 @@ int print_exception(const std::exception& error) {
                        fmt::format("{}: {}", file->path1().string(), file->code().message()));
   }
   if (const auto* system = dynamic_cast<const std::system_error*>(&error)) {
-    // As fmt throws it.
-    if (std::ferror(stdout) != 0) return kOk;
     if (system->code() == std::errc::resource_unavailable_try_again) {
       return print_error(kInternalError, "out of memory or processes: cannot start a thread");
     }

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <string>
 
+#include "base/io/standard_streams.h"
+
 namespace cls::cli {
 
 JsonStdout::JsonStdout(bool active) {
@@ -26,12 +28,7 @@ JsonStdout::~JsonStdout() {
 
 void JsonStdout::print_line(std::string_view line) const {
   assert(active());
-  std::string rest = std::string(line) + "\n";
-  while (!rest.empty()) {
-    const ssize_t written = write(stdout_, rest.data(), rest.size());
-    if (written <= 0) return;  // the reader has left
-    rest.erase(0, static_cast<std::size_t>(written));
-  }
+  base::write_to_duplicate(stdout_, base::StandardStream::kOutput, std::string(line) + "\n");
 }
 
 }  // namespace cls::cli

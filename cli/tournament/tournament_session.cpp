@@ -207,6 +207,10 @@ int end_session(const RunSummary& summary, const TournamentConfig& config,
     print_error(0, fmt::format("{} ({})", counts_text(count(summary.matches)), name(summary.end)));
     fmt::print(stderr, "cls: resume: {}\n", resume_command());  // one line, to be copied
   }
+  if (!summary.write_error.empty()) {
+    print_error(0, summary.write_error);
+    if (exit_code == kOk) exit_code = kWriteFailed;
+  }
   if (warnings.empty()) return exit_code;
   const std::string counts = warning_counts(summary.matches);
   const bool fails = options.strict && (exit_code == kOk || exit_code == kUndecided);

@@ -97,7 +97,7 @@ class TuneProgress : public TournamentProgress {
 
 // Plays one generation; an exit code other than kOk ends the run.
 int play_generation(const TuneSetup& setup, Tuning& tuning, const Arguments& arguments,
-                    TuneProgress& progress) {
+                    TuneProgress& progress, std::string& write_error) {
   const fs::path folder = fs::absolute(arguments.options.folder);
   const auto config = generation_config(tuning, setup.conditions, setup.opponents, folder);
   if (!config) return print_error(kCannotCreate, config.error().message);
@@ -130,6 +130,7 @@ int play_generation(const TuneSetup& setup, Tuning& tuning, const Arguments& arg
   if (!summary) return print_error(kWriteFailed, summary.error().message);
   progress.finish_generation(summary->progress.seconds);
   if (summary->end == RunEnd::kComplete) {
+    if (write_error.empty()) write_error = summary->write_error;
     tuning.record(race_results(tuning.config(), race, summary->matches));
     return kOk;
   }
@@ -149,14 +150,15 @@ int write_result(const Tuning& tuning, const fs::path& folder) {
   return kOk;
 }
 
-int search(const TuneSetup& setup, Tuning& tuning, const Arguments& arguments) {
+// `write_error`: why an event is lost, which ends no search.
+int search(const TuneSetup& setup, Tuning& tuning, const Arguments& arguments,
+           std::string& write_error) {
   const fs::path folder = arguments.options.folder;
   TuneProgress progress(tuning, stderr_is_terminal(), arguments.session.quiet);
   while (!tuning.finished()) {
-    if (const int code = play_generation(setup, tuning, arguments, progress); code != kOk) {
-      return code;
-    }
-    if (const int code = write_result(tuning, folder); code != kOk) return code;
+    const int code = play_generation(setup, tuning, arguments, progress, write_error);
+    if (code != kOk) return code;
+    if (const int written = write_result(tuning, folder); written != kOk) return written;
     if (!arguments.session.quiet) fmt::print(stderr, "{}\n", generation_line(tuning));
   }
   return kOk;
@@ -208,12 +210,14 @@ int run(const Arguments& arguments) {
   if (const auto replayed = replay_generations(tuning, folder); !replayed) {
     return print_error(kBadData, replayed.error().message);
   }
-  if (const int code = search(setup, tuning, arguments); code != kOk) return code;
+  std::string write_error;
+  if (const int code = search(setup, tuning, arguments, write_error); code != kOk) return code;
   const int exit_code = compare_best(setup, tuning, arguments);
   const auto verdict = known_verdict(setup.tune, folder);
   fmt::print("{}", arguments.session.json ? tune_json(tuning, verdict)
                                           : tune_text(tuning, verdict, stdout_width()));
-  return exit_code;
+  if (write_error.empty() || exit_code != kOk) return exit_code;
+  return print_error(kWriteFailed, write_error);
 }
 
 }  // namespace

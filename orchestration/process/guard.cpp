@@ -45,18 +45,6 @@ base::Error failed_start() {
   return base::Error{the_error};
 }
 
-// Opened such that use in the wrong direction fails as on a closed descriptor.
-void open_closed_standard_streams() {
-  while (true) {
-    const int fd = ::open("/dev/null", O_RDONLY);
-    if (fd < 0) return;
-    if (fd > STDERR_FILENO) {
-      ::close(fd);
-      return;
-    }
-  }
-}
-
 // The title shown by ps: overwrites the arguments of cls where the kernel reads them.
 class ProcessTitle {
  public:
@@ -242,7 +230,6 @@ const Guard* Guard::active() { return the_guard; }
 const std::string& Guard::start_error() { return the_error; }
 
 base::Result<Guard> Guard::start(int argc, char** argv) {
-  open_closed_standard_streams();
   auto sockets = make_socket_pair();
   if (!sockets) return failed_start();
 

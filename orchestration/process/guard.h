@@ -21,8 +21,8 @@ namespace cls::orchestration::process {
 class Guard {
  public:
   /// Forks the guard. Call once, at the start of main, before any thread or gRPC object exists.
-  /// It also opens /dev/null for closed standard streams, so that later files do not get their
-  /// descriptors. Overwrites `argv` of main to name the process for ps.
+  /// Standard descriptors must be open (base::protect_standard_streams). Overwrites `argv` of main
+  /// to name the process for ps.
   static base::Result<Guard> start(int argc, char** argv);
 
   Guard(Guard&& other) noexcept;

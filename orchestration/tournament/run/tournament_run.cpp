@@ -68,7 +68,7 @@ class TournamentRun {
       if (waiting_.empty() && executor_->running() == 0) break;
       if (auto started = start_matches(); !started) return started;
       if (auto recorded = record_finished(kPollInterval); !recorded) return recorded;
-      if (auto polled = poll(); !polled) return polled;
+      poll();
     }
     return shut_down();
   }
@@ -77,14 +77,11 @@ class TournamentRun {
     if (auto requeued = store_.requeue(true); !requeued) return requeued;
     TRY_INIT(auto stored, store_.matches());
     matches_ = std::move(stored);
-    if (auto logged = log_event("tournament_started",
-                                {{"folder", options_.folder.string()},
-                                 {"scheduled", matches_.size()},
-                                 {"done", std::count_if(matches_.begin(), matches_.end(),
-                                                        [](const auto& m) { return m.outcome; })}});
-        !logged) {
-      return logged;
-    }
+    log_event("tournament_started",
+              {{"folder", options_.folder.string()},
+               {"scheduled", matches_.size()},
+               {"done", std::count_if(matches_.begin(), matches_.end(),
+                                      [](const auto& m) { return m.outcome; })}});
     for (const ScheduledMatch& match : matches_) {
       if (match.outcome) count_done(match);
     }
@@ -142,12 +139,9 @@ class TournamentRun {
     }
     if (auto written = write_schedule(options_.folder, matches_); !written) return written;
     if (auto added = store_.add(next); !added) return added;
-    if (auto logged = log_event("matches_scheduled", {{"first", next.front().index},
-                                                      {"last", next.back().index},
-                                                      {"scheduled", matches_.size()}});
-        !logged) {
-      return logged;
-    }
+    log_event("matches_scheduled", {{"first", next.front().index},
+                                    {"last", next.back().index},
+                                    {"scheduled", matches_.size()}});
     if (auto recorded = record_work_results(); !recorded) return recorded;
     return recover_results();
   }
@@ -164,11 +158,7 @@ class TournamentRun {
     for (std::size_t i = 0; i < indices.size(); ++i) {
       match_at(indices[i]).attempts = (attempts)[i];
       assignments.push_back({match_at(indices[i]).fixture, (attempts)[i]});
-      if (auto logged =
-              log_event("match_started", {{"match", indices[i]}, {"attempt", (attempts)[i]}});
-          !logged) {
-        return logged;
-      }
+      log_event("match_started", {{"match", indices[i]}, {"attempt", (attempts)[i]}});
     }
     return executor_->start(assignments);
   }
@@ -215,11 +205,8 @@ class TournamentRun {
     ScheduledMatch recorded = match;  // a match that is rerun has no outcome
     recorded.outcome = std::move(outcome);
     const Json document = json_of(config_, recorded);
-    if (auto logged = log_event(
-            "match_finished", {{"match", index}, {"again", rerun || stops}, {"result", document}});
-        !logged) {
-      return logged;
-    }
+    log_event("match_finished",
+              {{"match", index}, {"again", rerun || stops}, {"result", document}});
     observer_.on_match(config_, recorded, progress());
     if (!config_.on_match_finish.empty()) {
       hooks_.start("on_match_finish", config_.on_match_finish, base::json_line(document) + "\n");
@@ -265,10 +252,10 @@ class TournamentRun {
   }
 
   // Passes notes to the observer; checks for signals and a stop file.
-  Result<void> poll() {
+  void poll() {
     for (const std::string& note : executor_->take_notes()) {
       observer_.on_note(note);
-      if (auto logged = log_event("note", {{"text", note}}); !logged) return logged;
+      log_event("note", {{"text", note}});
     }
     for (const std::string& line : hooks_.take_errors()) observer_.on_note(line);
     observer_.on_progress(progress());
@@ -279,7 +266,6 @@ class TournamentRun {
     } else if (!ending_ && fs::exists(options_.folder / kStopFile, code)) {
       end(RunEnd::kStopRequested);
     }
-    return {};
   }
 
   void end(RunEnd why, std::string message = "") {
@@ -307,13 +293,10 @@ class TournamentRun {
     }
     clean_up_unfinished(matches_, options_.folder);
     const RunProgress now = progress();
-    if (auto logged = log_event("tournament_ended", {{"end", name(summary_.end)},
-                                                     {"scheduled", now.total},
-                                                     {"done", now.done},
-                                                     {"invalid", now.invalid}});
-        !logged) {
-      return logged;
-    }
+    log_event("tournament_ended", {{"end", name(summary_.end)},
+                                   {"scheduled", now.total},
+                                   {"done", now.done},
+                                   {"invalid", now.invalid}});
     const bool over = summary_.end == RunEnd::kComplete || summary_.end == RunEnd::kDecided;
     if (over && !config_.on_finish.empty()) {
       hooks_.start("on_finish", config_.on_finish,
@@ -323,8 +306,12 @@ class TournamentRun {
     return {};
   }
 
-  Result<void> log_event(std::string_view type, const Json& fields) {
-    return events_.add(type, fields);
+  // Nothing depends on the events: without them the run goes on.
+  void log_event(std::string_view type, const Json& fields) {
+    const auto added = events_.add(type, fields);
+    if (added || !summary_.write_error.empty()) return;
+    summary_.write_error = added.error().message;
+    observer_.on_note(summary_.write_error);
   }
 
   ScheduledMatch& match_at(int index) { return matches_[static_cast<std::size_t>(index) - 1]; }

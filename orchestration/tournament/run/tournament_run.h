@@ -62,8 +62,9 @@ struct RunOptions {
 
 struct RunSummary {
   RunEnd end = RunEnd::kComplete;
-  int signal = 0;       ///< for kInterrupted
-  std::string message;  ///< for kFault: the match and what went wrong
+  int signal = 0;           ///< for kInterrupted
+  std::string message;      ///< for kFault: the match and what went wrong
+  std::string write_error;  ///< why events.jsonl lacks events; empty: it has all
   RunProgress progress;
   std::vector<ScheduledMatch> matches;
 };

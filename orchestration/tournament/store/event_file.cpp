@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
 
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
@@ -20,16 +22,19 @@ using base::Error;
 using base::Result;
 using Json = nlohmann::ordered_json;
 
-EventFile::EventFile(base::UniqueFd file, std::string name, std::int64_t next)
+EventFile::EventFile(base::UniqueFd file, std::string name, std::int64_t lines, bool whole)
     : file_(std::move(file)),
       name_(std::move(name)),
-      next_(next),
+      next_(lines + (whole ? 0 : 1)),
+      whole_(whole),
       begin_(std::chrono::steady_clock::now()) {}
 
 Result<EventFile> EventFile::open(const std::filesystem::path& file) {
   std::int64_t lines = 0;
   bool whole = true;
-  if (const auto text = base::read_file(file)) {
+  std::error_code code;
+  const bool regular = std::filesystem::is_regular_file(file, code);
+  if (const auto text = regular ? base::read_file(file) : std::nullopt) {
     lines = std::count(text->begin(), text->end(), '\n');
     whole = text->empty() || text->back() == '\n';
   }
@@ -37,10 +42,7 @@ Result<EventFile> EventFile::open(const std::filesystem::path& file) {
   if (!opened) {
     return Error{fmt::format("cannot create {}: {}", file.string(), std::strerror(errno))};
   }
-  if (!whole && ::write(opened.get(), "\n", 1) != 1) {
-    return Error{fmt::format("cannot write {}: {}", file.string(), std::strerror(errno))};
-  }
-  return EventFile(std::move(opened), file.string(), lines + (whole ? 0 : 1));
+  return EventFile(std::move(opened), file.string(), lines, whole);
 }
 
 Result<void> EventFile::add(std::string_view type, const Json& fields) {
@@ -51,8 +53,10 @@ Result<void> EventFile::add(std::string_view type, const Json& fields) {
                {"time", base::utc_now()},
                {"type", type}};
   line.update(fields);
-  const std::string text = base::json_line(line) + "\n";
+  const std::string text = (whole_ ? "" : "\n") + base::json_line(line) + "\n";
   const ssize_t written = ::write(file_.get(), text.data(), text.size());
+  if (written > 0) whole_ = text[static_cast<std::size_t>(written) - 1] == '\n';
+  if (written >= 0 && written != static_cast<ssize_t>(text.size())) errno = ENOSPC;
   if (written != static_cast<ssize_t>(text.size()) || ::fdatasync(file_.get()) != 0) {
     return Error{fmt::format("cannot write {}: {}", name_, std::strerror(errno))};
   }

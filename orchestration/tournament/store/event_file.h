@@ -15,7 +15,7 @@ namespace cls::orchestration::tournament {
 
 /// Lines {"schema": "cls.events/1", "seq": n, "t": seconds since this run began, "time": UTC,
 /// "type": ...}; `seq` continues over all runs of a tournament. A last line
-/// that a crash left incomplete is terminated first.
+/// that a crash or a full disk left incomplete is terminated first.
 class EventFile {
  public:
   static base::Result<EventFile> open(const std::filesystem::path& file);
@@ -24,11 +24,12 @@ class EventFile {
   base::Result<void> add(std::string_view type, const nlohmann::ordered_json& fields);
 
  private:
-  EventFile(base::UniqueFd file, std::string name, std::int64_t next);
+  EventFile(base::UniqueFd file, std::string name, std::int64_t lines, bool whole);
 
   base::UniqueFd file_;
   std::string name_;
   std::int64_t next_ = 0;
+  bool whole_ = true;  ///< the last line is complete
   std::chrono::steady_clock::time_point begin_;
 };
 

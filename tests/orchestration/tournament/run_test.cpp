@@ -104,6 +104,15 @@ TEST_F(TournamentRunTest, NumbersEventsOverAllRuns) {
   EXPECT_EQ(all.back()["end"], "complete");
 }
 
+TEST_F(TournamentRunTest, PlaysOnWhenEventsCannotBeWritten) {
+  fs::create_symlink("/dev/full", folder_.path() / "events.jsonl");
+  const RunSummary summary = run(config_of(Format::kRoundRobin, 3), fair);
+  EXPECT_EQ(summary.end, RunEnd::kComplete);
+  EXPECT_EQ(summary.progress.done, 6);
+  EXPECT_NE(summary.write_error.find("events.jsonl: No space left on device"), std::string::npos)
+      << summary.write_error;
+}
+
 TEST_F(TournamentRunTest, ResumesRoundsThatDependOnStoredResults) {
   TournamentConfig config = config_of(Format::kDoubleElimination, 6);
   int left = 4;
