@@ -1,14 +1,35 @@
 // Names folder contents and renames what must be kept.
 #include "base/io/occupied_path.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <vector>
 
 namespace cls::base {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// In one step, because another process may do the same. False with errno.
+bool rename_to_free_name(const fs::path& from, const fs::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+  if (errno != EINVAL && errno != ENOSYS) return false;
+  // A file system without that flag.
+  std::error_code code;
+  if (fs::exists(fs::symlink_status(to, code))) {
+    errno = EEXIST;
+    return false;
+  }
+  return ::rename(from.c_str(), to.c_str()) == 0;
+}
+
+}  // namespace
 
 std::string contents_of(const fs::path& folder) {
   constexpr std::size_t kNamed = 2;
@@ -29,14 +50,18 @@ Result<fs::path> set_aside(const fs::path& path) {
   fs::path present = fs::absolute(path).lexically_normal();
   if (!present.has_filename()) present = present.parent_path();  // a trailing slash
   std::error_code code;
-  fs::path renamed = present.string() + ".old";
-  for (int i = 2; fs::exists(renamed, code); ++i) {
-    renamed = fmt::format("{}.old{}", present.string(), i);
+  const fs::file_type type = fs::symlink_status(present, code).type();
+  if (type != fs::file_type::regular && type != fs::file_type::directory &&
+      type != fs::file_type::symlink && type != fs::file_type::not_found) {
+    return Error{fmt::format("cannot rename {}: not a regular file", present.string())};
   }
-  fs::rename(present, renamed, code);
-  if (code) {
-    return Error{fmt::format("cannot rename {} to {}: {}", present.string(), renamed.string(),
-                             code.message())};
+  fs::path renamed = present.string() + ".old";
+  for (int i = 2; !rename_to_free_name(present, renamed); ++i) {
+    if (errno != EEXIST) {
+      return Error{fmt::format("cannot rename {} to {}: {}", present.string(), renamed.string(),
+                               std::strerror(errno))};
+    }
+    renamed = fmt::format("{}.old{}", present.string(), i);
   }
   return renamed;
 }

@@ -1,4 +1,4 @@
-// Atomic writes by rename.
+// Writes through temporary files that are renamed.
 #include "base/io/whole_file.h"
 
 #include <fcntl.h>
@@ -12,13 +12,17 @@
 #include <string>
 #include <system_error>
 
-#include "base/io/byte_sink.h"
+#include "base/io/replacement.h"
 
 namespace cls::base {
 namespace {
 
 Error cannot_create(const std::filesystem::path& path, const std::string& cause) {
   return Error{fmt::format("cannot create '{}': {}", path.string(), cause)};
+}
+
+Error cannot_write(const std::filesystem::path& path, int cause) {
+  return Error{fmt::format("cannot write '{}': {}", path.string(), std::strerror(cause))};
 }
 
 // Puts the names in `folder` on the disk. File systems that cannot do that lose nothing else.
@@ -30,24 +34,30 @@ void sync_folder(const std::filesystem::path& folder) {
   ::close(opened);
 }
 
+// Pipes and devices have nothing to sync.
+bool sync_file(int file) { return ::fsync(file) == 0 || errno == EINVAL; }
+
+bool write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
 Result<void> write_by_rename(const std::filesystem::path& path, std::string_view bytes,
                              bool durable) {
-  std::filesystem::path temporary = path;
-  temporary += ".tmp";
-  auto file = FileSink::create(temporary.string());
-  if (!file) return cannot_create(path, std::strerror(errno));
-  (*file)->write(bytes);
-  if (durable) (*file)->sync();
-  std::error_code code;
-  Result<void> written = (*file)->close();
-  if (written) {
-    std::filesystem::rename(temporary, path, code);
-    if (code) written = cannot_create(path, code.message());
-  }
-  if (!written) {
-    std::filesystem::remove(temporary, code);
-    return written;
-  }
+  TRY_INIT(auto replacement, Replacement::start(path));
+  const int file =
+      ::open(replacement.place().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return cannot_create(path, std::strerror(errno));
+  const bool written = write_all(file, bytes) && (!durable || sync_file(file));
+  const int cause = errno;
+  if (::close(file) != 0 && written) return cannot_write(path, errno);
+  if (!written) return cannot_write(path, cause);
+  if (auto finished = replacement.finish(); !finished) return finished;
   if (durable) sync_folder(path.parent_path());
   return {};
 }

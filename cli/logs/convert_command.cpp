@@ -69,6 +69,19 @@ RcgVersion default_target(const std::string& out, const viewer::StreamMatch& mat
   return match.from_page ? std::max(match.record.version, RcgVersion::kV4) : RcgVersion::kV6;
 }
 
+constexpr std::array<std::string_view, 4> kEndings = {".rcg", ".rcg.gz", ".json", ".json.gz"};
+
+// Without --to a file must say by its ending what it shall be; devices and pipes have none.
+bool names_format(const std::string& out) {
+  std::error_code code;
+  const fs::file_type type = fs::status(out, code).type();
+  if (out == "-" || (type != fs::file_type::regular && type != fs::file_type::not_found)) {
+    return true;
+  }
+  return std::any_of(kEndings.begin(), kEndings.end(),
+                     [&out](std::string_view ending) { return out.ends_with(ending); });
+}
+
 void print_document(const Arguments& arguments, RcgVersion version,
                     const gamelog::MatchRecord& record) {
   nlohmann::ordered_json document = {
@@ -125,6 +138,12 @@ std::string why_wrong(const Arguments& arguments) {
   if (!table_of(arguments) && !parse_target(arguments.to, version)) {
     return fmt::format("--to '{}': must be 4, 5, 6, json, tracking, player_types or event",
                        arguments.to);
+  }
+  if (!version && !table_of(arguments) && arguments.tables.empty() &&
+      !names_format(arguments.out)) {
+    return fmt::format("OUT '{}': its ending names no format; use {}, .tracking.csv and its "
+                       "siblings, or --to",
+                       arguments.out, fmt::join(kEndings, ", "));
   }
   if (arguments.published && arguments.tables.empty() &&
       table_of(arguments) != MatchTable::kTracking) {

@@ -7,8 +7,10 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include "base/io/gzip_sink.h"
+#include "base/io/replacement.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 
@@ -21,41 +23,29 @@ OutputFailure cannot_create(const fs::path& out, const std::string& why) {
   return {kCannotCreate, fmt::format("cannot create '{}': {}", out.string(), why)};
 }
 
-// Beside the file, with its ending, which decides about compression.
-fs::path partial_file(const fs::path& out) {
-  std::error_code code;
-  const fs::file_type type = fs::symlink_status(out, code).type();
-  const bool renamed = type == fs::file_type::regular || type == fs::file_type::not_found;
-  if (out == "-" || !renamed) return out;
-  return out.parent_path() / ("partial-" + out.filename().string());
-}
-
 }  // namespace
 
 std::optional<OutputFailure> write_output(const fs::path& out,
                                           const std::function<bool(base::ByteSink&)>& write) {
-  const fs::path partial = partial_file(out);
   const std::atomic<int>& signal = watch_interrupts();
-  auto sink = base::create_sink(partial.string());
+  std::optional<base::Replacement> replacement;
+  if (out != "-") {
+    auto started = base::Replacement::start(out);
+    if (!started) return OutputFailure{kCannotCreate, started.error().message};
+    replacement.emplace(*std::move(started));
+  }
+  auto sink = base::create_sink(replacement ? replacement->place().string() : "-");
   if (!sink) return cannot_create(out, std::strerror(errno));
+
   const bool whole = write(**sink);
   const auto closed = (*sink)->close();
-  if (partial == out) {
-    if (!closed) return OutputFailure{kWriteFailed, closed.error().message};
-    return whole ? std::nullopt : std::optional(OutputFailure{kBadData, ""});
-  }
-
-  std::error_code code;
-  if (closed && whole && signal == 0) {
-    fs::rename(partial, out, code);
-    if (!code) return std::nullopt;
-  }
-  std::error_code ignored;
-  fs::remove(partial, ignored);
   if (!closed) return OutputFailure{kWriteFailed, closed.error().message};
-  if (code) return cannot_create(out, code.message());
   if (!whole) return OutputFailure{kBadData, ""};
-  return OutputFailure{signal_exit_code(signal), ""};
+  if (!replacement || replacement->place() == out) return std::nullopt;
+  if (signal != 0) return OutputFailure{signal_exit_code(signal), ""};
+  const auto finished = replacement->finish();
+  return finished ? std::nullopt
+                  : std::optional(OutputFailure{kCannotCreate, finished.error().message});
 }
 
 std::optional<OutputFailure> why_not_replaced(const fs::path& out, bool force) {

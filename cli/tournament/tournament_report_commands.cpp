@@ -278,7 +278,7 @@ int stop(const FolderArguments& arguments) {
     return kOk;
   }
   const fs::path file = fs::path(arguments.folder) / kStopFile;
-  if (!std::ofstream(file)) {
+  if (!std::ofstream(file, std::ios::app)) {
     return print_error(kCannotCreate, fmt::format("{}: cannot create", file.string()));
   }
   print_stop(arguments, true);

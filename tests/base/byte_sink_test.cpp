@@ -2,7 +2,9 @@
 #include "base/io/byte_sink.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "base/io/background_sink.h"
@@ -92,6 +94,26 @@ TEST(OccupiedPath, RenamesToFreeName) {
     EXPECT_EQ(renamed->filename(), expected);
     EXPECT_EQ(tests::read_file(*renamed), expected);
   }
+}
+
+TEST(OccupiedPath, RenamesRegularFilesFoldersAndLinksOnly) {
+  const tests::TemporaryFolder folder;
+  const auto pipe = folder.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const auto renamed = set_aside(pipe);
+  ASSERT_FALSE(renamed);
+  EXPECT_EQ(renamed.error().message, "cannot rename " + pipe.string() + ": not a regular file");
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
+// A name that only exists() does not see is taken all the same.
+TEST(OccupiedPath, ReplacesNoDanglingLink) {
+  const tests::TemporaryFolder folder;
+  std::ofstream(folder.path() / "x") << "kept";
+  std::filesystem::create_symlink("nowhere", folder.path() / "x.old");
+  const auto renamed = set_aside(folder.path() / "x");
+  ASSERT_TRUE(renamed);
+  EXPECT_EQ(renamed->filename(), "x.old2");
 }
 
 }  // namespace

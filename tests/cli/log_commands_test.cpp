@@ -284,6 +284,35 @@ TEST(ConvertCommand, ReportsFailuresByExitCode) {
   EXPECT_EQ(cls_run({"convert", log}).exit_code, 2);
 }
 
+TEST(ConvertCommand, RefusesAnEndingThatNamesNoFormat) {
+  const TemporaryFolder folder;
+  const std::string log = log_fixture("rcg-v6-excerpt.rcg.gz");
+  for (const char* name : {"game.tracking.txt", "game.rcl", "game", "game.gz"}) {
+    const std::string out = folder.path() / name;
+    const CommandResult refused = cls_run({"convert", log, out});
+    EXPECT_EQ(refused.exit_code, 2) << name;
+    EXPECT_THAT(refused.err, HasSubstr(".rcg, .rcg.gz, .json, .json.gz, or --to\n"));
+    EXPECT_FALSE(std::filesystem::exists(out)) << name;
+    EXPECT_EQ(cls_run({"convert", log, out, "--to", "5"}).exit_code, 0) << name;
+  }
+}
+
+TEST(ConvertCommand, WritesIntoLinksAndPipes) {
+  const TemporaryFolder folder;
+  const std::string log = log_fixture("rcg-v6-excerpt.rcg.gz");
+  const std::string link = folder.path() / "link.rcg";
+  std::filesystem::create_symlink("real.rcg", link);
+  EXPECT_EQ(cls_run({"convert", log, link}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(cls_run({"convert", log, link}).exit_code, 73) << "the file exists";
+  const std::string piped = folder.path() / "piped.rcg";
+  const CommandResult result = cls::tests::run(
+      {"/bin/bash", "-c",
+       cls_binary().string() + " convert " + log + " >(cat >" + piped + "); sleep 1"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(read_file(piped), read_file(folder.path() / "real.rcg"));
+}
+
 TEST(StatsCommand, PrintsDocumentOfItsSchema) {
   const CommandResult result =
       cls_run({"stats", "--json", "--events", log_fixture("match-start.rcg.gz")});

@@ -85,8 +85,8 @@ int main(int argc, char** argv) {
 
   if (!flags.has("ignore-term")) ::signal(SIGTERM, [](int) { stop = true; });
   server->run(stop);
-  (*game)->close();
-  (*text)->close();
+  static_cast<void>((*game)->close());
+  static_cast<void>((*text)->close());
   if (flags.has("signal")) fakes::die_of(flags.number("signal"));
   if (flags.has("then-hang")) fakes::hang();
   if (flags.has("give-up")) std::printf("Waiting too long for clients! Exiting\n");

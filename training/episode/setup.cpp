@@ -114,9 +114,9 @@ Result<void> choose_sets(const SetupChoices& choices, Setup& setup) {
 
   const auto is_right = [](int slot) { return soccer::side_of_slot(slot) == Side::kRight; };
   const auto& agents = setup.cast.agents;
-  if (setup.features.left_only && std::any_of(agents.begin(), agents.end(), is_right)) {
+  if (setup.features->left_only && std::any_of(agents.begin(), agents.end(), is_right)) {
     return Error{fmt::format("the feature set '{}' is for attackers only; use hfo_high or ego",
-                             setup.features.name)};
+                             setup.features->name)};
   }
 
   // All rows are equally wide: each team's own columns come first, zeros fill the rest.
@@ -125,12 +125,12 @@ Result<void> choose_sets(const SetupChoices& choices, Setup& setup) {
     const int others = static_cast<int>(setup.cast.others(side).size());
     const auto plays = [side](int slot) { return soccer::side_of_slot(slot) == side; };
     if (std::none_of(agents.begin(), agents.end(), plays)) continue;
-    Columns columns = setup.features.columns(own - 1, others);
+    Columns columns = setup.features->columns(own - 1, others);
     if (columns.size() > setup.feature_columns.size()) setup.feature_columns = std::move(columns);
   }
 
-  setup.value_columns = setup.actions.values();
-  setup.offsets = setup.actions.offsets();
+  setup.value_columns = setup.actions->values();
+  setup.offsets = setup.actions->offsets();
   setup.state_columns = state_columns(setup.cast);
   return {};
 }

@@ -201,12 +201,12 @@ void ChunkReader::read_parameters(std::string_view contents) {
   for (std::uint64_t left = in.varint(); left > 0 && in.good(); --left) {
     const std::string_view line = in.string();
     // Only lines without errors were stored; of a corrupt stream, the readable values count.
-    if (line.starts_with("(server_param ")) soccer::parse(line, record.server);
-    if (line.starts_with("(player_param ")) soccer::parse(line, record.player);
+    if (line.starts_with("(server_param ")) static_cast<void>(soccer::parse(line, record.server));
+    if (line.starts_with("(player_param ")) static_cast<void>(soccer::parse(line, record.player));
     if (line.starts_with("(player_type ")) {
       soccer::PlayerType type;
       type.id = -1;
-      soccer::parse(line, type);
+      static_cast<void>(soccer::parse(line, type));
       builder.set_player_type(type);
     }
     builder.add_parameter_line(std::string(line));

@@ -48,10 +48,10 @@ base::Result<void> start_program(const match::Endpoint& endpoint, Environment& e
   environment.program = std::move(program);
 
   subject.host = "localhost";
-  subject.port = environment.program.port();
+  subject.port = environment.program->port();
   subject.pid = [&environment]() -> std::optional<int> {
-    if (environment.program.ended()) return std::nullopt;
-    return environment.program.child().status().pid;
+    if (environment.program->ended()) return std::nullopt;
+    return environment.program->child().status().pid;
   };
   return {};
 }

@@ -214,7 +214,7 @@ Result<ReplayResult> replay_recording(const ReplayOptions& options,
       connect_playmaker(
           options.endpoint,
           {result.side, team, result.header.seed(), options.folder, host ? &*host : nullptr, {}}));
-  Replay replay(options, connection->playmaker, result);
+  Replay replay(options, *connection.playmaker, result);
   RecordedCall call;
   bool any_decision = false;
   while (reader->next(call)) {

@@ -99,6 +99,7 @@ Result<void> keep_earlier_files(const MatchOptions& options) {
   }
   for (const fs::path& file : {options.record_rpc, options.save_file}) {
     if (!fs::is_regular_file(file, code)) continue;
+    if (options.replace && fs::is_symlink(file, code)) continue;  // /dev/stdout: written into
     if (const auto made = make_way(options, file, "exists"); !made) return made;
   }
   return {};

@@ -1,0 +1,37 @@
+// Files that get their name once they are complete.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "base/result.h"
+
+namespace cls::base {
+
+/// Replaces a regular file, or creates one, so that readers see the old bytes or all new ones: what
+/// is written to place() gets the name of the file by finish(). A device, pipe, socket or link is
+/// written into instead: then place() is the file itself.
+class Replacement {
+ public:
+  /// Creates place(): beside `file`, with its extension, exclusively and under an unpredictable
+  /// name. The error names `file` and the cause.
+  static Result<Replacement> start(std::filesystem::path file);
+
+  Replacement(Replacement&& other) noexcept;
+  Replacement& operator=(Replacement&&) = delete;
+  /// Removes an unfinished place().
+  ~Replacement();
+
+  const std::filesystem::path& place() const { return place_; }
+  /// Renames place(), which must be closed.
+  Result<void> finish();
+
+ private:
+  Replacement(std::filesystem::path file, std::filesystem::path place);
+
+  std::filesystem::path file_;
+  std::filesystem::path place_;
+  bool pending_ = false;  ///< place() is a temporary file
+};
+
+}  // namespace cls::base
