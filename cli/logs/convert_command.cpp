@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/system/parallel.h"
 #include "base/text/json_text.h"
@@ -21,6 +24,8 @@
 
 namespace cls::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 using gamelog::RcgVersion;
 

@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-#include "base/system/own_program.h"
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
+#include "base/system/own_program.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
