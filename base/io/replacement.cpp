@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <random>
 #include <system_error>
 #include <utility>
 
@@ -24,8 +23,8 @@ Error cannot_create(const fs::path& file, const std::string& cause) {
 // Hidden, short enough for any file system, and not to be guessed.
 std::string temporary_name(const fs::path& file) {
   constexpr std::size_t kMaxExtension = 16;
-  std::random_device random;
-  const std::uint64_t number = (std::uint64_t{random()} << 32) | random();
+  std::uint64_t number = 0;
+  static_cast<void>(::getentropy(&number, sizeof(number)));  // fails for no size as small
   const std::string extension = file.extension().string();
   return fmt::format(".partial-{:016x}{}", number,
                      extension.size() <= kMaxExtension ? extension : "");

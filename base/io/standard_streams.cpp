@@ -27,7 +27,7 @@ Target& target(StandardStream stream) {
   return stream == StandardStream::kOutput ? output : errors;
 }
 
-// A caller may have made the descriptor non-blocking: gives its reader a second to go on.
+// A caller may have made the descriptor non-blocking: gives its reader a second.
 bool wait_until_writable(int descriptor) {
   constexpr int kReaderTimeoutMs = 1000;
   pollfd wait{descriptor, POLLOUT, 0};

@@ -21,7 +21,12 @@ using Declared = std::map<const CLI::Option*, Option*>;
 CLI::Option* declare(CLI::App& app, const Option& option) {
   if (is_flag(option)) return app.add_flag(option.names);
   CLI::Option* declared = app.add_option(option.names);
-  declared->expected(option.min_values, option.max_values);
+  if (option.max_values == kAnyNumber) {
+    declared->expected(option.min_values, CLI::detail::expected_max_vector_size);
+    declared->allow_extra_args();
+  } else {
+    declared->expected(option.min_values, option.max_values);
+  }
   declared->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   return declared;
 }

@@ -44,7 +44,7 @@ constexpr BannedTerm kBannedTerms[] = {
     {"metres", "meters"},
     {"kilometre*", "kilometer"},
     {"*neighbour*", "neighbor"},
-    {"*defence*", "defense", {}, {"\"defence_x\"", "\"defence\""}},  // published keys
+    {"*defence*", "defense", {}, {"\"/shape/defence_x\"", "\"/rating/defence\""}},  // published keys
     {"licence*", "license"},
     {"*analyse*", "analyze"},
     {"*serialise*", "serialize"},

@@ -53,9 +53,9 @@ TEST_F(Completion, OffersCommandsAndSubcommands) {
 }
 
 TEST_F(Completion, OffersOptionsThatAreNotGivenYet) {
-  EXPECT_EQ(complete({"match", "--se"}), (Words{"--seed", "--set", "--server"}));
+  EXPECT_EQ(complete({"match", "--se"}), (Words{"--seed", "--server", "--set"}));
   EXPECT_EQ(complete({"match", "--seed", "7", "--set", "server::half_time=10", "--se"}),
-            (Words{"--set", "--server"}));
+            (Words{"--server", "--set"}));
   EXPECT_TRUE(has(complete({"--"}), "--version"));
   const Words test = complete({"test", "--"});
   EXPECT_TRUE(has(test, "--accept"));

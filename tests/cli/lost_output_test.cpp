@@ -97,7 +97,7 @@ TEST_F(LostOutput, IsAnErrorOfOtherCommands) {
     EXPECT_THAT(shell(arguments + " >/dev/full").err,
                 HasSubstr("cls: cannot write standard output: No space left on device"));
   }
-  EXPECT_EQ(shell("match nobody mock 2>/dev/full").exit_code, 2) << "the first error stays";
+  EXPECT_EQ(shell("match NEW mock 2>/dev/full").exit_code, 2) << "the first error stays";
 }
 
 TEST_F(LostOutput, OfALineInJsonIsAnError) {

@@ -122,27 +122,6 @@ bool same(const Params& one, const Params& other, const soccer::ParameterTable<P
   });
 }
 
-void check_ranges(const MatchOptions& options, Errors& errors) {
-  errors.require(
-      options.protocol >= 14 && options.protocol <= 19,
-      fmt::format("--protocol {}: cls agents support versions 14 to 19", options.protocol));
-  errors.require(!options.cycles || *options.cycles > 0, "--cycles must be positive");
-  errors.require(options.rpc_deadline_ms.value_or(1) > 0, "--rpc-deadline must be positive");
-  errors.require(options.max_missed >= 0, "--max-missed must not be negative");
-  errors.require(options.start_timeout_s > 0, "--start-timeout must be positive");
-  errors.require(options.reconnect_within_s >= 0, "--reconnect-within must not be negative");
-  errors.require(options.stall_after_s > 0, "--stall-after must be positive");
-  errors.require(!options.time_limit_s || *options.time_limit_s > 0,
-                 "--time-limit must be positive");
-  errors.require(
-      !options.monitor_port || (*options.monitor_port >= 0 && *options.monitor_port <= 65535),
-      "--monitor-port must be within 0..65535");
-  errors.require(!options.speed || (*options.speed >= 0.1 && *options.speed <= 1000.0),
-                 "--speed must be within 0.1..1000");
-  errors.require(options.server.half_time > 0 || options.cycles,
-                 "server::half_time: without a limit of halves, give --cycles");
-}
-
 // Which servers, modes and sides can be combined.
 void check_server_and_mode(const MatchOptions& options, Errors& errors) {
   const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
@@ -184,7 +163,6 @@ void check_hooks(const MatchOptions& options, Errors& errors) {
   errors.require(repeatable || (!options.save_at && options.resumed == nullptr),
                  "--save-at and --resume need the embedded server in lockstep, two sides with a "
                  "Playmaker, the built-in formations and planner, and no trainer");
-  errors.require(options.save_at.value_or(1) > 0, "--save-at: the cycle must be positive");
   errors.require(!options.speed || (mode != MatchMode::kRealtime && has_agents),
                  "--speed needs --mode lockstep or synch and a side with a Playmaker; in real time "
                  "the server sets the speed");
@@ -229,7 +207,8 @@ std::vector<std::string> validate_options(const MatchOptions& options) {
     if (!name->empty()) errors.require(check_team_name(*name));
   }
   check_server_and_mode(options, errors);
-  check_ranges(options, errors);
+  errors.require(options.server.half_time > 0 || options.cycles,
+                 "server::half_time: without a limit of halves, give --cycles");
   check_hooks(options, errors);
   for (std::string& line : log_setting_errors(options)) errors.require(false, std::move(line));
   check_playmakers(options, errors);

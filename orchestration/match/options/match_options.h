@@ -133,7 +133,8 @@ std::optional<std::chrono::milliseconds> reply_timeout(const MatchOptions& optio
 /// The configuration of the embedded server.
 simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t seed);
 
-/// Every invalid value or combination, one line each; empty: valid.
+/// Every invalid combination of values, one line each; empty: valid. The ranges of single values
+/// are those of option_table.h.
 std::vector<std::string> validate_options(const MatchOptions& options);
 
 }  // namespace cls::orchestration::match

@@ -23,14 +23,12 @@ using Options = MatchOptions;
 using Row = MatchOption;
 using Rows = std::vector<MatchOption>;
 
-constexpr double kBillion = 1e9;
-
 ValueForm form_of(ValueKind kind) {
   ValueForm form;
   form.kind = kind;
   return form;
 }
-ValueForm whole_from(double min, double max = kBillion) {
+ValueForm whole_from(double min, std::optional<double> max = {}) {
   ValueForm form = form_of(ValueKind::kWhole);
   form.min = min;
   form.max = max;
@@ -63,14 +61,15 @@ Error wrong(std::string_view key, std::string_view text, std::string_view what) 
   return Error{fmt::format("{} '{}': {}", option_name(key), text, what)};
 }
 
-// A text that has the form, as the type of the member.
+// A text that has the form of the option, as the type of the member.
 template <typename Value>
-Value value_of(const std::string& text) {
+Result<Value> value_of(std::string_view key, const std::string& text) {
   if constexpr (std::is_same_v<Value, bool>) {
     return text == "true";
   } else if constexpr (std::is_arithmetic_v<Value>) {
     Value value{};
-    std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (read.ec != std::errc()) return wrong(key, text, "too large");
     return value;
   } else {
     return Value(text);
@@ -105,8 +104,8 @@ template <typename Member>
 Row row(std::string_view key, Member Options::*member, std::string_view placeholder, ValueForm form,
         std::string_view help) {
   using Value = typename ValueType<Member>::type;
-  const auto set = [member](Options& options, const std::string& text) -> Result<void> {
-    options.*member = value_of<Value>(text);
+  const auto set = [key, member](Options& options, const std::string& text) -> Result<void> {
+    TRY_INIT(options.*member, value_of<Value>(key, text));
     return {};
   };
   const auto shown = [member](const Options& options) { return text_of(options.*member); };
@@ -144,7 +143,7 @@ Row from_variable(std::string_view variable, Row made) {
   return made;
 }
 
-// The folder is read at once, so that its errors are those of the option.
+// The folder is read here, so that its errors are those of the option.
 Row formations(std::string_view key, std::string Options::*folder,
                std::vector<std::shared_ptr<const player::FormationSet> Options::*> sets,
                std::string_view help) {
@@ -169,7 +168,7 @@ Rows match_rows() {
       with(conditions, "300",
            {"half_time", "N", "length of a half in seconds (default: 300)", whole_from(-1),
             [](Options& options, const std::string& text) -> Result<void> {
-              options.server.half_time = value_of<int>(text);
+              TRY_INIT(options.server.half_time, value_of<int>("half_time", text));
               return {};
             },
             [](const Options& options) { return fmt::to_string(options.server.half_time); }}),
@@ -354,7 +353,7 @@ Rows limit_rows() {
             "child processes have their own (default: no limit)",
             whole_from(1),
             [](Options& options, const std::string& text) -> Result<void> {
-              options.limits.cpu_seconds = value_of<int>(text);
+              TRY_INIT(options.limits.cpu_seconds, value_of<int>("max_cpu", text));
               return {};
             },
             [](const Options& options) {
@@ -379,9 +378,9 @@ Row save_at_row() {
                   return wrong("save_at", cycle, "must be a cycle, then a file");
                 }
                 if (!base::fits(whole_from(1), cycle)) {
-                  return wrong("save_at", cycle, cycle.size() > 9 ? "too large" : "too small");
+                  return wrong("save_at", cycle, "the cycle must be positive");
                 }
-                options.save_at = value_of<int>(cycle);
+                TRY_INIT(options.save_at, value_of<int>("save_at", cycle));
                 options.save_file = text.substr(space + 1);
                 return {};
               },
@@ -455,6 +454,11 @@ std::vector<std::string> set_options(MatchOptions& options, const OptionTexts& t
   for (const MatchOption& option : match_options()) {
     const auto text = texts.find(option.key);
     if (text == texts.end()) continue;
+    if (!base::fits(option.form, text->second)) {
+      errors.push_back(
+          wrong(option.key, text->second, "must be " + base::phrase_of(option.form)).message);
+      continue;
+    }
     const Result<void> set = option.set(options, text->second);
     if (!set) errors.push_back(set.error().message);
   }

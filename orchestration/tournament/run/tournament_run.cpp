@@ -306,7 +306,7 @@ class TournamentRun {
     return {};
   }
 
-  // Nothing depends on the events: without them the run goes on.
+  // Nothing depends on the events: without them the run continues.
   void log_event(std::string_view type, const Json& fields) {
     const auto added = events_.add(type, fields);
     if (added || !summary_.write_error.empty()) return;

@@ -172,10 +172,10 @@ TEST(Config, NamesFirstDifferenceOfTwoPlans) {
   now.on_crash = OnCrash::kStop;
   EXPECT_EQ(first_difference(now, before), "") << "execution is not part of the plan";
   now.rounds = 51;
-  now.cycles.reset();
+  now.options.erase("cycles");
   EXPECT_EQ(first_difference(now, before), "rounds is 51, was 50");
   now = before;
-  now.cycles.reset();
+  now.options.erase("cycles");
   EXPECT_EQ(first_difference(now, before), "cycles is not set, was 600");
   now = before;
   now.teams[1].endpoint = "mock:hold";

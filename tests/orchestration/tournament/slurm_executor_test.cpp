@@ -455,8 +455,8 @@ class Cluster {
           rounds.insert(fixture->round);
           Outcome outcome = better_wins(*fixture);
           outcome.attempts = task.attempt;
-          base::write_file(folder_ / result_file(task.index, task.attempt),
-                           format_work_result(*fixture, outcome));
+          EXPECT_TRUE(base::write_file(folder_ / result_file(task.index, task.attempt),
+                                       format_work_result(*fixture, outcome)));
         }
         batches_.push_back(rounds);
       }
