@@ -14,7 +14,7 @@ INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tes
 INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server|orchestration/process)$$
 FUZZERS = protocol rcg rcl session view agent compression user_file training
 
-.PHONY: help build test full languages web-test pictures bench asan tsan asan-input fuzz chaos same-bytes install package format format-check lint clean
+.PHONY: help build test full languages web-test site pictures bench asan tsan asan-input fuzz chaos same-bytes install package format format-check lint clean
 
 help:
 	@echo 'make build         release build in build/'
@@ -22,6 +22,7 @@ help:
 	@echo 'make full          long forms: 20 whole matches, packages, all tests under ASan, UBSan and TSan'
 	@echo 'make languages     teams and projects of every language at length: all templates, the tutorial'
 	@echo 'make web-test      the replay page in Chromium (needs node 18, npm, chromium)'
+	@echo 'make site          the documentation as a site with search, in build/site/ (needs mkdocs)'
 	@echo 'make pictures      every picture of README and docs (after make web-test)'
 	@echo 'make bench         benchmarks and matches, beside CLS_BENCH_BASE if set (libbenchmark-dev)'
 	@echo 'make asan | tsan   all tests under ASan and UBSan, or TSan, in build-asan/ or build-tsan/'
@@ -54,6 +55,10 @@ full: test
 
 languages: test
 	@CLS_LANGUAGES=1 ctest --test-dir build -R Languages -V
+
+# Exit code 77: skipped, the generator is missing.
+site:
+	@packaging/site/build.py build/site || test $$? -eq 77
 
 pictures: build
 	docs/pictures/make
