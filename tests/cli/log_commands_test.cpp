@@ -291,7 +291,8 @@ TEST(ConvertCommand, RefusesAnEndingThatNamesNoFormat) {
     const std::string out = folder.path() / name;
     const CommandResult refused = cls_run({"convert", log, out});
     EXPECT_EQ(refused.exit_code, 2) << name;
-    EXPECT_THAT(refused.err, HasSubstr(".rcg, .rcg.gz, .json, .json.gz, or --to\n"));
+    EXPECT_THAT(refused.err, HasSubstr(".rcg, .rcg.gz, .json, .json.gz, .tracking.csv and its "
+                                       "siblings, or --to\n"));
     EXPECT_FALSE(std::filesystem::exists(out)) << name;
     EXPECT_EQ(cls_run({"convert", log, out, "--to", "5"}).exit_code, 0) << name;
   }

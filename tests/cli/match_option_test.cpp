@@ -30,7 +30,7 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 using nlohmann::json;
 
-// Stored in a member that no match reads.
+// Stored in a member that only resumed matches read.
 MatchOption throw_away_option() {
   MatchOption option;
   option.key = "fan_noise";
@@ -40,11 +40,11 @@ MatchOption throw_away_option() {
   option.form.min = 0;
   option.form.max = 140;
   option.set = [](MatchOptions& options, const std::string& text) -> base::Result<void> {
-    options.command_line = {text};
+    options.branch_seed = std::stoull(text);
     return {};
   };
   option.shown = [](const MatchOptions& options) {
-    return options.command_line.size() == 1 ? options.command_line[0] : std::string();
+    return options.branch_seed ? std::to_string(*options.branch_seed) : std::string();
   };
   option.group = orchestration::match::OptionGroup::kLimits;
   option.use = orchestration::match::OptionUse::kConditions;
@@ -136,7 +136,7 @@ TEST_F(MatchOptionTable, RowIsInScenarios) {
 
 TEST_F(MatchOptionTable, RowIsInTheManifest) {
   MatchOptions options;
-  options.command_line = {"60"};
+  options.branch_seed = 60;
   const json manifest =
       json::parse(orchestration::match::manifest_json(options, {"a", "b"}, 1, {}));
   EXPECT_EQ(manifest["options"]["fan_noise"], "60");

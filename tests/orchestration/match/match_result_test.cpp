@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/io/whole_file.h"
+#include "orchestration/match/options/option_table.h"
 #include "orchestration/match/result/event_recorder.h"
 #include "orchestration/match/result/match_folder.h"
 #include "tests/support/files.h"
@@ -215,9 +216,9 @@ TEST(MatchOptions, ReportsInvalidSettingsAndRanges) {
   EXPECT_EQ(apply_setting(options, "player::pt_mx=2").error().message,
             "unknown parameter 'pt_mx'; did you mean 'pt_max'?");
   EXPECT_TRUE(validate_options(options).empty());
-  options.protocol = 13;
-  options.cycles = 0;
-  EXPECT_EQ(validate_options(options).size(), 2u);
+  EXPECT_EQ(set_options(options, {{"protocol", "13"}, {"cycles", "0"}}),
+            (std::vector<std::string>{"--cycles '0': must be a whole number from 1",
+                                      "--protocol '13': must be a whole number from 14 to 19"}));
 }
 
 TEST(EventRecorder, WritesGoalsAndPlayModesInOrderOfTime) {
