@@ -1,4 +1,4 @@
-// Matches and programs that cannot start: taken ports, and programs that are no Playmaker.
+// Matches and programs that cannot start: taken ports, and programs that are not Playmakers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>

@@ -65,7 +65,7 @@ void add_folder(const fs::path& folder, const std::vector<fs::path>& hidden,
   }
 }
 
-// The absolute folders of a variable like PATH, without those above the home folder: they are no
+// The absolute folders of a variable like PATH, without those above the home folder, which are not
 // folders of programs.
 std::vector<fs::path> listed_folders(const char* variable) {
   const char* value = std::getenv(variable);
