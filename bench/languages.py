@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
-LANGUAGES = ("python", "typescript", "go", "java", "rust", "csharp")
+LANGUAGES = ("python", "javascript", "typescript", "go", "java", "rust", "csharp")
 SERVICES = {"one per agent": "never", "one per team": "always"}
 
 

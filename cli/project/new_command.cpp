@@ -91,7 +91,9 @@ int run(const Arguments& arguments) {
 void add_new_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("new", kDescription);
-  command.option("LANGUAGE", arguments->language, "python, typescript, go, java, rust or csharp")
+  command
+      .option("LANGUAGE", arguments->language,
+              "python, javascript, typescript, go, java, rust or csharp")
       .required();
   command.option("NAME", arguments->name, "name of the team").required();
   command.option("--template", arguments->team_template,

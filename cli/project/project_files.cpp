@@ -24,6 +24,9 @@ struct Language {
 
 constexpr Language kLanguages[] = {
     {"python", "Python", "decide.py", "python3-grpcio python3-protobuf protobuf-compiler-grpc", ""},
+    {"javascript", "JavaScript", "src/decide.js", "xz-utils",
+     "      - uses: actions/setup-node@v4\n"
+     "        with: {node-version: 20}\n"},
     {"typescript", "TypeScript", "src/decide.ts", "xz-utils",
      "      - uses: actions/setup-node@v4\n"
      "        with: {node-version: 20}\n"},

@@ -18,6 +18,8 @@ using testing::HasSubstr;
 using testing::Not;
 
 namespace fs = std::filesystem;
+constexpr const char* kLanguages[] = {"python", "javascript", "typescript", "go",
+                                      "java",   "rust",       "csharp"};
 
 class NewCommand : public testing::Test, public cls::tests::ClsFolder {
  protected:
@@ -28,7 +30,7 @@ class NewCommand : public testing::Test, public cls::tests::ClsFolder {
 };
 
 TEST_F(NewCommand, WritesProjectOfEachLanguage) {
-  for (const std::string language : {"python", "typescript", "go", "java", "rust", "csharp"}) {
+  for (const std::string language : kLanguages) {
     const CommandResult result = run_new({language, "ada", "--dir", language, "--json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const auto document = nlohmann::json::parse(result.out);
@@ -62,7 +64,7 @@ TEST_F(NewCommand, MinimalTemplateReplacesDecisionsOnly) {
 }
 
 TEST_F(NewCommand, TemplatesAddFilesOfTheirOwn) {
-  for (const std::string language : {"python", "typescript", "go", "java", "rust", "csharp"}) {
+  for (const std::string language : kLanguages) {
     for (const std::string name : {"high-level", "rl"}) {
       const std::string dir = language + "-" + name;
       const CommandResult result =
@@ -89,6 +91,7 @@ TEST_F(NewCommand, WorkflowInstallsToolsOfTheLanguage) {
     return read_file(folder_.path() / language / ".github/workflows/test.yml");
   };
   EXPECT_THAT(workflow("go"), HasSubstr("setup-go@v5\n        with: {go-version: '1.26'"));
+  EXPECT_THAT(workflow("javascript"), HasSubstr("node-version: 20}"));
   EXPECT_THAT(workflow("typescript"), HasSubstr("node-version: 20}"));
   EXPECT_THAT(workflow("rust"), HasSubstr("toolchain: '1.88'}"));
   EXPECT_THAT(workflow("csharp"), HasSubstr("dotnet-version: 8.0.x}"));
@@ -98,9 +101,10 @@ TEST_F(NewCommand, WorkflowInstallsToolsOfTheLanguage) {
 }
 
 TEST_F(NewCommand, RefusesUnknownWordsAndExistingFiles) {
-  EXPECT_EQ(run_new({"rusty", "ada"}).err,
-            "cls: unknown language 'rusty': python, typescript, go, java, rust, csharp; did you "
-            "mean 'rust'?\n");
+  EXPECT_EQ(
+      run_new({"rusty", "ada"}).err,
+      "cls: unknown language 'rusty': python, javascript, typescript, go, java, rust, csharp; "
+      "did you mean 'rust'?\n");
   EXPECT_EQ(run_new({"go", "ada", "--template", "teem"}).err,
             "cls: unknown template 'teem': team, minimal, high-level, rl; did you mean 'team'?\n");
   EXPECT_EQ(run_new({"go", "a b"}).exit_code, 2);
