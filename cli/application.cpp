@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/io/home_path.h"
 #include "cli/command/help.h"
 #include "cli/command/option_table.h"
 #include "cli/command/parse.h"
@@ -69,6 +70,17 @@ Words canonical(const Command& root, Words words) {
   if (first != words.end() && (*first == "--version" || *first == "-V")) {
     words.erase(first);
     words.insert(words.begin(), "version");
+  }
+  return words;
+}
+
+// "--dir=~/x" -> "--dir=/home/ada/x": shells expand the tilde in "--dir ~/x" only.
+Words with_home(Words words) {
+  for (std::string& word : words) {
+    const std::size_t equals = word.find("=~");
+    if (!word.starts_with("--") || equals == std::string::npos || word.find('=') != equals)
+      continue;
+    word = word.substr(0, equals + 1) + base::expand_home(word.substr(equals + 1));
   }
   return words;
 }
@@ -135,7 +147,7 @@ int run_application(Command& root, int argc, const char* const* argv) {
     return print_completion(root, Words(argv + 2, argv + argc));
   }
 
-  Words words = canonical(root, Words(argv + 1, argv + argc));
+  Words words = canonical(root, with_home(Words(argv + 1, argv + argc)));
   const std::string unknown = unknown_command(root, words);
   if (!unknown.empty()) return print_error(kUsage, unknown);
 

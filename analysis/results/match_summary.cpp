@@ -176,8 +176,7 @@ bool is_complete(const gamelog::MatchRecord& record) {
 }  // namespace
 
 double half_time_cycles(const soccer::ServerParams& server) {
-  const double step = static_cast<double>(server.simulator_step) / server.slow_down_factor;
-  const double cycles = std::floor(server.half_time * 1000.0 / step + 0.5);
+  const double cycles = std::floor(server.half_time * 1000.0 / server.simulator_step + 0.5);
   return std::isfinite(cycles) ? cycles : 0.0;
 }
 

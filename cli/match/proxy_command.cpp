@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/io/whole_file.h"
+#include "base/system/socket_address.h"
 #include "base/text/json_text.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
@@ -27,6 +28,7 @@
 #include "cli/terminal/progress_line.h"
 #include "cli/terminal/terminal.h"
 #include "orchestration/match/options/endpoint.h"
+#include "orchestration/match/options/host_name.h"
 #include "orchestration/match/sides/playmaker_process.h"
 #include "orchestration/match/standalone_team.h"
 #include "player/formation/formation_set.h"
@@ -203,6 +205,18 @@ void resolve_coach_ports(Arguments& arguments, std::vector<std::string>& errors)
   }
 }
 
+void check_hosts(StandaloneTeamOptions& options, std::vector<std::string>& errors) {
+  using orchestration::match::host_problem;
+  const std::string playmaker = options.playmaker.host;
+  const std::string problem = playmaker.empty() ? "" : host_problem(playmaker);
+  if (!problem.empty()) errors.push_back(fmt::format("--rpc-host '{}': {}", playmaker, problem));
+  options.server_host = base::strip_brackets(options.server_host);
+  if (base::parse_ip_address(options.server_host, options.server_port)) return;
+  const std::string server = host_problem(options.server_host);
+  if (!server.empty())
+    errors.push_back(fmt::format("--host '{}': {}", options.server_host, server));
+}
+
 std::vector<std::string> resolve(Arguments& arguments) {
   std::vector<std::string> errors;
   StandaloneTeamOptions& options = arguments.options;
@@ -215,6 +229,7 @@ std::vector<std::string> resolve(Arguments& arguments) {
   if (arguments.rpc_type != "grpc") {
     errors.push_back(fmt::format("--rpc-type '{}': must be grpc", arguments.rpc_type));
   }
+  check_hosts(options, errors);
   resolve_coach_ports(arguments, errors);
   if (!arguments.formation.empty()) {
     if (auto set = player::read_formations(arguments.formation)) {

@@ -83,6 +83,7 @@ void LiveLoop::observe() {
     if (first_cycle_ == Clock::time_point{}) first_cycle_ = last_cycle_;
   }
 
+  watch_.follow_clock(now);
   watch_.observer().on_cycle(now.match);
   if (const auto line = speed_.estimate(now.match, steps_, Clock::now() - began_)) {
     watch_.observer().on_notice(*line);

@@ -71,6 +71,7 @@ void LockstepLoop::throttle() const {
 void LockstepLoop::observe() {
   watch_.begin_cycle();
   const SourceProgress now = watch_.progress();
+  watch_.follow_clock(now);
   watch_.observer().on_cycle(now.match);
   if (const auto line = speed_.estimate(now.match, now.steps, Clock::now() - began_)) {
     watch_.observer().on_notice(*line);

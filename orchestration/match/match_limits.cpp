@@ -3,12 +3,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <thread>
 
 namespace cls::orchestration::match {
 namespace {
 
 constexpr std::chrono::milliseconds kSignalPollInterval{5};
+
+// More steps than the referee waits with the clock stopped, whatever the parameters say.
+std::int64_t longest_wait(const soccer::ServerParams& server) {
+  constexpr int kOtherWaits = 200;  // after goals, offsides and fouls
+  constexpr int kMaxWait = 6000;    // ten minutes of real time
+  const int wait = std::max({server.kick_off_wait, server.connect_wait, server.game_over_wait,
+                             server.pen_before_setup_wait, server.pen_setup_wait,
+                             server.pen_ready_wait, server.pen_taken_wait, 0});
+  return std::min(wait, kMaxWait) + kOtherWaits;
+}
 
 double seconds_since(MatchLimits::Clock::time_point then) {
   return std::chrono::duration<double>(MatchLimits::Clock::now() - then).count();
@@ -24,6 +35,23 @@ bool MatchLimits::interrupted_within(std::chrono::milliseconds time) const {
   return stop_signal_.load() != 0;
 }
 
+void MatchLimits::follow(const SourceProgress& progress) {
+  steps_ = progress.steps;
+  const MatchProgress& now = progress.match;
+  const MatchProgress& then = moved_.match;
+  if (now.cycle == then.cycle && now.mode == then.mode && now.left_score == then.left_score &&
+      now.right_score == then.right_score) {
+    return;
+  }
+  moved_ = progress;
+  moved_at_ = Clock::now();
+}
+
+bool MatchLimits::clock_stands() const {
+  return steps_ - moved_.steps > longest_wait(options_.server) &&
+         seconds_since(moved_at_) > options_.stall_after_s;
+}
+
 std::optional<EndReason> MatchLimits::exceeded() const {
   if (stop_signal_.load() != 0) return EndReason::kInterrupted;
   if (options_.time_limit_s && seconds_since(start_) > *options_.time_limit_s) {
@@ -34,6 +62,7 @@ std::optional<EndReason> MatchLimits::exceeded() const {
   if (last_cycle_ && seconds_since(*last_cycle_) > options_.stall_after_s) {
     return EndReason::kStalled;
   }
+  if (clock_stands()) return EndReason::kStalled;
   return std::nullopt;
 }
 
@@ -46,6 +75,11 @@ std::string MatchLimits::describe(EndReason reason) const {
     case EndReason::kRefused:
       return fmt::format("no answer within the start limit of {} s", options_.start_timeout_s);
     default:
+      if (clock_stands()) {
+        return fmt::format("the game clock has stood still at cycle {} in {} for {} steps",
+                           moved_.match.cycle, soccer::name(moved_.match.mode),
+                           steps_ - moved_.steps);
+      }
       return fmt::format("no new cycle for {} s", options_.stall_after_s);
   }
 }

@@ -3,11 +3,13 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "orchestration/match/options/match_options.h"
 #include "orchestration/match/result/end_reason.h"
+#include "orchestration/match/result/match_observer.h"
 
 namespace cls::orchestration::match {
 
@@ -22,6 +24,12 @@ class MatchLimits {
 
   /// A new cycle has begun: the stall limit counts from here, and replaces the start limit.
   void begin_cycle() { last_cycle_ = Clock::now(); }
+
+  /// Where the match is: the stall limit is exceeded as well while steps are made, but the game
+  /// clock stands still for longer than any wait of the referee.
+  void follow(const SourceProgress& progress);
+  /// True when that is the stall.
+  bool clock_stands() const;
 
   /// Why the match has to end now; nothing while it may continue.
   std::optional<EndReason> exceeded() const;
@@ -38,6 +46,9 @@ class MatchLimits {
   const std::atomic<int>& stop_signal_;
   Clock::time_point start_ = Clock::now();
   std::optional<Clock::time_point> last_cycle_;
+  SourceProgress moved_;  ///< when cycle, mode or score changed last
+  std::int64_t steps_ = 0;
+  Clock::time_point moved_at_ = start_;
 };
 
 }  // namespace cls::orchestration::match

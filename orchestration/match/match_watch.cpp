@@ -53,6 +53,7 @@ void MatchWatch::end_by_stall() {
   if (awaited.empty() && awaited_.side != nullptr) awaited.push_back(awaited_.side);
 
   MatchEnd end{.reason = EndReason::kStalled, .message = limits_.describe(EndReason::kStalled)};
+  if (limits_.clock_stands()) return this->end(std::move(end));
   if (!awaited.empty()) {
     end.message = stall_message(awaited, moment().cycle, end.message);
   } else {

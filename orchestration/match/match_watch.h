@@ -42,6 +42,8 @@ class MatchWatch {
 
   /// A new cycle has begun: the stall limit counts from here.
   void begin_cycle() { limits_.begin_cycle(); }
+  /// Notices a game clock that stands still.
+  void follow_clock(const SourceProgress& progress) { limits_.follow(progress); }
   /// The first cycle follows: failures from now on are those of a match.
   void begin_play() { playing_ = true; }
 

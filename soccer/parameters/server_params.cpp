@@ -11,8 +11,8 @@ namespace {
 constexpr double kMaxHalf = 1 << 20;
 
 int cycles_of(int seconds, const ServerParams& params) {
-  const double step = static_cast<double>(params.simulator_step) / params.slow_down_factor;
-  const double cycles = std::floor(seconds * 1000.0 / step + 0.5);
+  // slow_down_factor makes steps longer, but halves have no fewer of them.
+  const double cycles = std::floor(seconds * 1000.0 / params.simulator_step + 0.5);
   if (std::isnan(cycles)) return 0;
   return static_cast<int>(std::clamp(cycles, -kMaxHalf, kMaxHalf));
 }

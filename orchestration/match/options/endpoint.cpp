@@ -7,9 +7,11 @@
 #include <charconv>
 #include <filesystem>
 
+#include "base/io/home_path.h"
 #include "base/io/whole_file.h"
 #include "base/text/suggestion.h"
 #include "mock-server/mock.h"
+#include "orchestration/match/options/host_name.h"
 #include "orchestration/match/options/mixed_side.h"
 #include "orchestration/match/options/planner_file.h"
 #include "orchestration/match/options/run_command.h"
@@ -45,6 +47,10 @@ Error unknown_form(std::string_view text) {
 }
 
 Result<Endpoint> parse_address(std::string_view text) {
+  if (text.find("://") != std::string_view::npos) {
+    return Error{fmt::format("side '{}': {}{}", text, host_problem(text),
+                             text.starts_with("https") ? ", or tls:HOST:PORT" : "")};
+  }
   const std::size_t colon = text.rfind(':');
   Endpoint endpoint;
   endpoint.kind = Endpoint::Kind::kAddress;
@@ -64,7 +70,9 @@ Result<Endpoint> parse_address(std::string_view text) {
   if (error != std::errc{} || endpoint.port < 1 || highest > kMaxPort) {
     return Error{fmt::format("side '{}': port {} is not within 1 to 65535", text, port)};
   }
-  if (endpoint.host.empty()) return Error{fmt::format("side '{}': no host before the port", text)};
+  if (const std::string problem = host_problem(endpoint.host); !problem.empty()) {
+    return Error{fmt::format("side '{}': {}", text, problem)};
+  }
   return endpoint;
 }
 
@@ -102,7 +110,8 @@ Result<Endpoint> parse_with_planner(std::string_view text) {
   if (!endpoint) return wrong(endpoint.error().message);
   if (!endpoint->has_playmaker()) return wrong("an external team does not use the planner of cls");
   if (!endpoint->planner_file.empty()) return wrong("planner:FILE= may be given once");
-  endpoint->planner_file = text.substr(kPlannerForm.size(), equals - kPlannerForm.size());
+  endpoint->planner_file =
+      base::expand_home(text.substr(kPlannerForm.size(), equals - kPlannerForm.size()));
   if (endpoint->planner_file.empty()) return wrong("no file after 'planner:'");
   endpoint->text = text;
   return endpoint;
@@ -127,13 +136,13 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
   endpoint.text = text;
   if (text == "mock") return endpoint;
   if (text.starts_with("mock:")) {
-    endpoint.behavior = text.substr(5);
+    endpoint.behavior = base::expand_home(text.substr(5));
     if (endpoint.behavior.empty()) return Error{"side 'mock:': no behavior after the colon"};
     return endpoint;
   }
   if (text.starts_with("unix:")) {
     endpoint.kind = Endpoint::Kind::kUnixSocket;
-    endpoint.path = text.substr(5);
+    endpoint.path = base::expand_home(text.substr(5));
     if (endpoint.path.empty()) return Error{"side 'unix:': no path after the colon"};
     return endpoint;
   }
@@ -157,7 +166,7 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
   }
   if (text.starts_with("team:")) {
     endpoint.kind = Endpoint::Kind::kTeam;
-    endpoint.path = text.substr(5);
+    endpoint.path = base::expand_home(text.substr(5));
     if (endpoint.path.empty()) return Error{"side 'team:': no folder after the colon"};
     return endpoint;
   }

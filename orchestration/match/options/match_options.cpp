@@ -12,6 +12,7 @@
 #include "mock-server/script/named_behaviors.h"
 #include "orchestration/match/options/match_settings.h"
 #include "simulator/server/lockstep_server.h"
+#include "soccer/parameters/server_setting.h"
 
 namespace cls::orchestration::match {
 
@@ -35,7 +36,7 @@ Result<void> apply_setting(MatchOptions& options, std::string_view setting) {
   const std::string_view name = setting.substr(colons + 2, equals - colons - 2);
   const std::string_view value = setting.substr(equals + 1);
   if (module == "server") {
-    return set_parameter(options.server, soccer::server_param_table(), name, value);
+    return soccer::set_server_parameter(options.server, name, value);
   }
   if (module == "player") {
     return set_parameter(options.player, soccer::player_param_table(), name, value);
@@ -207,8 +208,8 @@ std::vector<std::string> validate_options(const MatchOptions& options) {
     if (!name->empty()) errors.require(check_team_name(*name));
   }
   check_server_and_mode(options, errors);
-  errors.require(options.server.half_time > 0 || options.cycles,
-                 "server::half_time: without a limit of halves, give --cycles");
+  const std::string length = length_problem(options.server, options.cycles, "give --cycles");
+  errors.require(length.empty(), length);
   check_hooks(options, errors);
   for (std::string& line : log_setting_errors(options)) errors.require(false, std::move(line));
   check_playmakers(options, errors);

@@ -106,6 +106,23 @@ bool is_log_parameter(std::string_view name) {
   return names_files || contains(kWhatLogsHold, name);
 }
 
+std::string length_problem(const soccer::ServerParams& server, std::optional<int> cycles,
+                           std::string_view remedy) {
+  const int half = server.half_time_cycles();
+  if (half <= 0 && !cycles) {
+    return fmt::format("server::half_time: without a limit of halves, {}", remedy);
+  }
+  // The trainer is the referee then.
+  if (server.coach && !server.coach_w_referee && !cycles) {
+    return fmt::format("server::coach=on: without a referee, {}", remedy);
+  }
+  const bool shoot_out = server.penalty_shoot_outs || server.keepaway;
+  if (half > 0 && server.total_time_cycles() <= 0 && !shoot_out) {
+    return "server::nr_normal_halfs: neither a half nor a shoot-out is played";
+  }
+  return "";
+}
+
 std::vector<std::string> log_setting_errors(const MatchOptions& options) {
   std::vector<std::string> errors;
   const int version = options.server.game_log_version;

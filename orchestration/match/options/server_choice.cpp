@@ -7,7 +7,9 @@
 #include <charconv>
 #include <vector>
 
+#include "base/system/socket_address.h"
 #include "base/text/suggestion.h"
+#include "orchestration/match/options/host_name.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -32,14 +34,20 @@ Result<ServerChoice> parse_server(std::string_view text) {
   ServerChoice choice;
   choice.text = text;
   if (text == "embedded") return choice;
+  if (text.find("://") != std::string_view::npos) {
+    return Error{fmt::format("--server '{}': {}", text, host_problem(text))};
+  }
   const std::size_t colon = text.rfind(':');
   if (colon != std::string_view::npos && text.find('/') == std::string_view::npos) {
     choice.kind = ServerChoice::Kind::kAddress;
-    choice.host = text.substr(0, colon);
+    choice.host = base::strip_brackets(std::string(text.substr(0, colon)));
     choice.port = port_in(text.substr(colon + 1));
     if (choice.host.empty() || choice.port == 0) {
       return Error{
           fmt::format("--server '{}': must be HOST:PORT with a port from 1 to 65535", text)};
+    }
+    if (const std::string problem = host_problem(text.substr(0, colon)); !problem.empty()) {
+      return Error{fmt::format("--server '{}': {}", text, problem)};
     }
     return choice;
   }

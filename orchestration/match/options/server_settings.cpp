@@ -5,9 +5,11 @@
 
 #include <cstdlib>
 
+#include "base/io/home_path.h"
 #include "base/io/whole_file.h"
 #include "soccer/parameters/configuration.h"
 #include "soccer/parameters/parameter.h"
+#include "soccer/parameters/server_setting.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -52,7 +54,7 @@ Result<void> set_other(ServerSettings& settings, const OtherTable& table,
     return Error{fmt::format("parameter '{}': {} is too small", item.name, item.value)};
   }
   settings.save_csv = other.save;
-  settings.csv_file = other.filename;
+  settings.csv_file = base::expand_home(other.filename);
   settings.max_wait_ms = other.max_wait_ms;
   settings.max_missed = other.max_missed;
   return {};
@@ -78,15 +80,17 @@ Result<void> apply_item(ServerSettings& settings, const ConfigurationItem& writt
     return {};
   }
   if (item.module.empty() && item.name == "include") {
-    return apply_file(settings, folder / item.value, depth + 1);
+    return apply_file(settings, folder / base::expand_home(item.value), depth + 1);
   }
   if (item.name == "version") {
     if (item.value == kConfigurationVersion) return {};
-    return Error{
-        fmt::format("a configuration of version {}, not {}", item.value, kConfigurationVersion)};
+    return Error{fmt::format(
+        "a configuration of version {0}, not {1}; compare its values with docs/server.md and set "
+        "the version to '{1}', or delete the file for the defaults",
+        item.value, kConfigurationVersion)};
   }
   if (item.module == "server") {
-    return set_parameter(settings.server, soccer::server_param_table(), item.name, item.value);
+    return soccer::set_server_parameter(settings.server, item.name, item.value);
   }
   if (item.module == "player") {
     return set_parameter(settings.player, soccer::player_param_table(), item.name, item.value);
@@ -148,7 +152,7 @@ Result<std::vector<std::filesystem::path>> apply_folder(ServerSettings& settings
 }
 
 std::filesystem::path configuration_folder() {
-  if (const char* named = std::getenv("RCSS_CONF_DIR")) return named;
+  if (const char* named = std::getenv("RCSS_CONF_DIR")) return base::expand_home(named);
   const char* home = std::getenv("HOME");
   return home == nullptr ? std::filesystem::path() : std::filesystem::path(home) / ".rcssserver";
 }

@@ -159,11 +159,14 @@ SourceProgress EmbeddedServer::progress() const {
 void EmbeddedServer::add_result(MatchResult& result,
                                 const std::vector<AgentProgress>& /*agents*/) const {
   const simulator::World& world = server_->world();
+  // When --cycles cuts a shoot-out, one team may not have kicked yet.
+  const bool shoot_out =
+      world.team(Side::kLeft).penalty_kicks + world.team(Side::kRight).penalty_kicks > 0;
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const simulator::Team& team = world.team(side);
     TeamResult& reported = result.team(side);
     reported.score = team.score;
-    if (team.penalty_kicks > 0) reported.penalty_score = team.penalty_goals;
+    if (shoot_out) reported.penalty_score = team.penalty_goals;
   }
   if (has_external_team()) result.deterministic = false;
   result.cycles = world.clock.time;

@@ -105,6 +105,9 @@ void check_conditions(ErrorList& errors, const TournamentConfig& config) {
   for (std::string& error : match::set_options(options, config.options)) {
     errors.require(false, std::move(error));
   }
+  const match::MatchOptions whole = match_options(config);
+  const std::string length = match::length_problem(whole.server, whole.cycles, "set cycles");
+  errors.require(length.empty(), length);
 }
 
 // With more rounds two teams would meet twice.
@@ -151,10 +154,6 @@ std::vector<std::string> validate(const TournamentConfig& config) {
       fmt::format("rounds = {}: {} teams can play at most {} Swiss rounds without "
                   "meeting twice",
                   rounds_of(config), teams, max_swiss_rounds(config)));
-  const match::MatchOptions options = match_options(config);
-  errors.require(
-      options.cycles || options.server.half_time > 0,
-      fmt::format("half_time {} has no time limit; set cycles", options.server.half_time));
   return errors.take();
 }
 

@@ -4,6 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+#include "orchestration/match/options/server_choice.h"
 #include "orchestration/match/sides/playmaker_process.h"
 
 namespace cls::orchestration::match {
@@ -70,6 +75,44 @@ TEST(Endpoint, ReportsErrorAndAllForms) {
   for (const char* text : {"", "localhost:", "localhost:x", "localhost:5+stop", "a:5x"}) {
     EXPECT_THAT(error_of(text), HasSubstr("unknown side")) << text;
   }
+}
+
+TEST(Endpoint, RefusesHostsThatCannotBeOne) {
+  const std::pair<const char*, const char*> mistakes[] = {
+      {"http://localhost:50661", "an address has no scheme; write HOST:PORT"},
+      {"https://localhost:50661", "write HOST:PORT, or tls:HOST:PORT"},
+      {"http://localhost:50661/", "an address has no scheme"},
+      {"tls:https://localhost:50661", "an address has no scheme"},
+      {"localhost :50661", "there is whitespace in the host"},
+      {" localhost:50661", "there is whitespace in the host"},
+      {"local/host:50661", "no host name has the character '/'"},
+      {"::1:50661", "an IPv6 address stands in brackets, as in [::1]:50051"},
+      {"[::1:50661", "only an IPv6 address stands in brackets"},
+      {"[localhost]:50661", "only an IPv6 address stands in brackets"},
+      {"[1.2.3.4]:50661", "only an IPv6 address stands in brackets"},
+  };
+  for (const auto& [text, problem] : mistakes) {
+    const auto endpoint = parse_endpoint(text);
+    ASSERT_FALSE(endpoint) << text;
+    EXPECT_THAT(endpoint.error().message, testing::HasSubstr(problem));
+    EXPECT_THAT(endpoint.error().message, testing::HasSubstr(text));
+  }
+  for (const char* text : {"[::1]:50661", "[fe80::1%eth0]:50661", "my_host-2.example.org:50661"}) {
+    EXPECT_TRUE(parse_endpoint(text)) << text;
+  }
+  for (const char* server : {"http://localhost:6000", "[::1:6000", "local host:6000"}) {
+    EXPECT_FALSE(parse_server(server)) << server;
+  }
+  EXPECT_EQ(parse_server("[::1]:6000")->host, "::1");
+}
+
+TEST(Endpoint, ExpandsTheTildeInPaths) {
+  ASSERT_NE(std::getenv("HOME"), nullptr);
+  const std::string home = std::getenv("HOME");
+  EXPECT_EQ(parse_endpoint("team:~/x")->path, home + "/x");
+  EXPECT_EQ(parse_endpoint("unix:~/x.sock")->path, home + "/x.sock");
+  EXPECT_EQ(parse_endpoint("mock:~/x.json")->behavior, home + "/x.json");
+  EXPECT_EQ(parse_endpoint("planner:~/p.toml=mock")->planner_file, home + "/p.toml");
 }
 
 TEST(Endpoint, ParsesPartsOfMixedSide) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 
 #include "orchestration/match/options/match_settings.h"
@@ -60,7 +61,51 @@ TEST(ServerSettings, ReportsFileAndLineOfErrorsInIncludedFiles) {
   EXPECT_THAT(apply_folder(settings, here).error().message, HasSubstr("circular include"));
   write(here / "server.conf", "server::version = '18.1.0'\n");
   EXPECT_EQ(apply_folder(settings, here).error().message,
-            (here / "server.conf").string() + ":1: a configuration of version 18.1.0, not 19.0.0");
+            (here / "server.conf").string() +
+                ":1: a configuration of version 18.1.0, not 19.0.0; compare its values with "
+                "docs/server.md and set the version to '19.0.0', or delete the file for the "
+                "defaults");
+}
+
+// rcssserver serverparam.cpp: setSlowDownFactor, setNrNormalHalfs, setFoulDetectProbability, ...
+TEST(ServerSettings, AreLimitedAsInRcssserver) {
+  ServerSettings settings;
+  ASSERT_TRUE(apply_arguments(
+      settings, {"server::slow_down_factor=0", "server::nr_normal_halfs=-1",
+                 "server::nr_extra_halfs=-2", "server::extra_half_time=-5",
+                 "server::foul_detect_probability=3", "server::red_card_probability=-0.5"}));
+  EXPECT_EQ(settings.server.slow_down_factor, 1);
+  EXPECT_EQ(settings.server.nr_normal_halfs, 0);
+  EXPECT_EQ(settings.server.nr_extra_halfs, 0);
+  EXPECT_EQ(settings.server.extra_half_time, 0);
+  EXPECT_EQ(settings.server.foul_detect_probability, 1.0);
+  EXPECT_EQ(settings.server.red_card_probability, 0.0);
+  ASSERT_TRUE(apply_arguments(settings, {"server::foul_detect_probability=0.25"}));
+  EXPECT_EQ(settings.server.foul_detect_probability, 0.25);
+}
+
+TEST(ServerSettings, DoNotShortenHalvesBySlowDownFactor) {
+  soccer::ServerParams params;
+  const int half = params.half_time_cycles();
+  params.slow_down_factor = 3;
+  EXPECT_EQ(params.half_time_cycles(), half);
+  EXPECT_EQ(params.extra_half_time_cycles(), 1000);
+}
+
+TEST(ServerSettings, ExpandTheTildeInPaths) {
+  ASSERT_NE(std::getenv("HOME"), nullptr);
+  const std::string home = std::getenv("HOME");
+  ServerSettings settings;
+  ASSERT_TRUE(apply_arguments(settings, {"server::game_log_dir=~/logs", "server::text_log_dir=~",
+                                         "server::team_l_start=~/team/start.sh",
+                                         "server::landmark_file=~/x", "CSVSaver::filename=~/a"}));
+  EXPECT_EQ(settings.server.game_log_dir, home + "/logs");
+  EXPECT_EQ(settings.server.text_log_dir, home);
+  EXPECT_EQ(settings.server.team_l_start, home + "/team/start.sh");
+  EXPECT_EQ(settings.server.landmark_file, "~/x") << "as in rcssserver";
+  EXPECT_EQ(settings.csv_file, home + "/a");
+  ASSERT_TRUE(apply_arguments(settings, {"server::game_log_dir=~nosuchuser/logs"}));
+  EXPECT_EQ(settings.server.game_log_dir, "~nosuchuser/logs");
 }
 
 TEST(ServerSettings, ReportsInvalidArguments) {
