@@ -11,6 +11,13 @@ constexpr std::size_t kBlock = 256 * 1024;  // fits into the L2 cache
 constexpr std::size_t kLookAhead = 64;
 constexpr std::size_t kLongLinePrefix = 1024;
 
+// Of a line that ends with CR LF. A line feed takes its place, for scanners that read on.
+std::string_view without_carriage_return(char* start, std::size_t length) {
+  if (length == 0 || start[length - 1] != '\r') return {start, length};
+  start[length - 1] = '\n';
+  return {start, length - 1};
+}
+
 }  // namespace
 
 InputBuffer::InputBuffer(ByteSource& source) : source_(source) {
@@ -47,7 +54,7 @@ InputBuffer::Line InputBuffer::next_line(std::string_view& line) {
     const void* found = std::memchr(start + searched, '\n', available() - searched);
     if (found != nullptr) {
       const auto length = static_cast<std::size_t>(static_cast<const char*>(found) - start);
-      line = std::string_view(start, length);
+      line = without_carriage_return(bytes_.data() + begin_, length);
       advance(length + 1);
       ++line_number_;
       return Line::kWhole;
@@ -67,7 +74,7 @@ InputBuffer::Line InputBuffer::next_line(std::string_view& line) {
     if (fill(searched + 1)) continue;
     if (searched == 0) return Line::kEnd;
     ++line_number_;
-    line = std::string_view(bytes_.data() + begin_, searched);
+    line = without_carriage_return(bytes_.data() + begin_, searched);
     advance(searched);
     return Line::kUnfinished;
   }

@@ -43,7 +43,8 @@ std::vector<std::string> logs_below(const std::string& folder) {
     const std::string path = at->path().string();
     if (!is_text_log(path) && !is_game_log(path)) continue;
     std::error_code ignored;
-    if (!at->is_directory(ignored)) found.push_back(path);
+    // Reading a pipe of that name would wait for a writer.
+    if (at->is_regular_file(ignored)) found.push_back(path);
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -80,7 +81,8 @@ std::vector<std::string> files_of(const std::string& argument) {
 void find_text_log(const std::string& stem, MatchLogs& logs) {
   if (!logs.text.empty() || logs.game == "-") return;
   for (const char* ending : {".rcl", ".rcl.gz"}) {
-    if (exists(stem + ending)) {
+    std::error_code ignored;
+    if (fs::is_regular_file(stem + ending, ignored)) {
       logs.text = stem + ending;
       return;
     }

@@ -11,7 +11,6 @@
 namespace cls::gamelog {
 namespace {
 
-constexpr std::size_t kHeaderSize = 5;
 constexpr std::size_t kBinaryHeaderSize = 4;
 
 bool has_end(const MatchRecord& record) {
@@ -34,14 +33,19 @@ void check_end(const base::InputBuffer& input, RecordBuilder& builder) {
 /// the header of version 6.
 void read_by_kind(base::InputBuffer& input, RecordBuilder& builder) {
   MatchRecord& record = builder.record();
-  const std::string start(input.peek(kHeaderSize + 1));
+  constexpr std::size_t kHeaderSize = 7;
+  const std::string start(input.peek(kHeaderSize));
+  // A log may have been sent through Windows or a mail: then its lines end with CR LF.
+  const std::size_t end = start.find('\n');
+  std::string first = start.substr(0, end);
+  if (first.ends_with('\r')) first.pop_back();
+  const bool has_array = end != std::string::npos && start.substr(end + 1).starts_with('[');
   std::string_view header;
-  if (start.starts_with('[') || start == "ULG6\n[" || start == "JSON\n[") {
+  if (start.starts_with('[') || (has_array && (first == "ULG6" || first == "JSON"))) {
     record.version = RcgVersion::kJson;
     if (!start.starts_with('[')) input.next_line(header);
     read_rcg_json(input, builder);
-  } else if (start.starts_with("ULG4\n") || start.starts_with("ULG5\n") ||
-             start.starts_with("ULG6\n")) {
+  } else if (end != std::string::npos && (first == "ULG4" || first == "ULG5" || first == "ULG6")) {
     record.version = static_cast<RcgVersion>(start[3] - '0');
     input.next_line(header);
     read_rcg_text(input, builder);

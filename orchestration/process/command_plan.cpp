@@ -6,6 +6,8 @@
 
 #include <cstdlib>
 
+#include "orchestration/process/interpreter.h"
+
 namespace cls::orchestration::process {
 namespace {
 
@@ -87,6 +89,9 @@ Result<fs::path> find_program(const std::string& program) {
       return Error{fmt::format("{} is a folder, not a program", program)};
     }
     if (!is_program(path)) return Error{fmt::format("{} is not executable", program)};
+    if (const std::string missing = missing_interpreter(path); !missing.empty()) {
+      return Error{fmt::format("{} cannot be started: {}", program, missing)};
+    }
     return path;
   }
 

@@ -2,6 +2,7 @@
 #include "gamelog/files/log_files.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -40,6 +41,18 @@ TEST_F(FindLogs, PairsLogsOfAMatch) {
   const FoundLogs named = find_logs({game});
   EXPECT_EQ(named.matches.at(0).text, text);
   EXPECT_EQ(find_logs({text, game}).matches.size(), 1u);
+}
+
+// Opening a pipe waits for a writer.
+TEST_F(FindLogs, SkipsPipesThatAreNotNamed) {
+  const std::string game = make("m/match.rcg");
+  ASSERT_EQ(::mkfifo((folder() + "/m/match.rcl").c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo((folder() + "/other.rcg").c_str(), 0600), 0);
+  const FoundLogs found = find_logs({folder()});
+  ASSERT_EQ(found.matches.size(), 1u);
+  EXPECT_EQ(found.matches[0].game, game);
+  EXPECT_EQ(found.matches[0].text, "");
+  EXPECT_EQ(find_logs({folder() + "/other.rcg"}).matches.size(), 1u) << "the user's wish";
 }
 
 TEST_F(FindLogs, ExpandsPatternsAndReportsMissingLogs) {

@@ -40,6 +40,33 @@ std::string show(int time, const std::string& first_player = player("l 1")) {
 
 constexpr const char* kEnd = "(playmode 9 time_over)\n";
 
+std::string with_carriage_returns(std::string_view text) {
+  std::string result;
+  for (const char c : text) result += c == '\n' ? "\r\n" : std::string(1, c);
+  return result;
+}
+
+// Mail programs and Windows write them.
+TEST(ReadRcg, ReadsLinesThatEndWithCarriageReturns) {
+  for (const char* name : {"gamelog/rcg-v5-excerpt.rcg.gz", "gamelog/rcg-v6-excerpt.rcg.gz",
+                           "gamelog/rcg-json-excerpt.rcg.gz"}) {
+    const std::string log = tests::read_file(tests::fixture(name));
+    const MatchRecord expected = read(log);
+    const MatchRecord record = read(with_carriage_returns(log));
+    EXPECT_EQ(record.errors.count, expected.errors.count) << name;
+    EXPECT_EQ(record.version, expected.version);
+    ASSERT_EQ(record.frames(), expected.frames()) << name;
+    ASSERT_GT(record.frames(), 10u);
+    const std::size_t last = record.frames() - 1;
+    EXPECT_EQ(frame_at(record, last).players[21].position,
+              frame_at(expected, last).players[21].position);
+    EXPECT_EQ(frame_at(record, last).players[21].capacity,
+              frame_at(expected, last).players[21].capacity);
+    EXPECT_EQ(record.final_teams()[0].name, expected.final_teams()[0].name);
+    EXPECT_EQ(record.notes.size(), expected.notes.size());
+  }
+}
+
 TEST(ReadRcg, ReadsAllPlayerValues) {
   const MatchRecord record = read("ULG6\n" + show(7, kFullPlayer) + kEnd + show(9));
   ASSERT_TRUE(record.errors.empty()) << format_error("", record.errors.first[0]);

@@ -42,6 +42,18 @@ TEST(ReadRcl, ReadsPlayersCoachesTrainerAndReferee) {
   EXPECT_EQ(record.text_of(record.lines[5]), "(dash 65.276)(done)");
 }
 
+TEST(ReadRcl, ReadsLinesThatEndWithCarriageReturns) {
+  const RclRecord record = read(
+      "0,0\tRecv HELIOS_L_1: (init HELIOS_L (version 18) (goalie))\r\n"
+      "177,31\t(referee free_kick_l)\r\n"
+      "13,0\tRecv HELIOS_R_11: (dash 65.276)(done)\r\n");
+  ASSERT_TRUE(record.errors.empty());
+  ASSERT_EQ(record.lines.size(), 3u);
+  EXPECT_EQ(record.text_of(record.lines[0]), "(init HELIOS_L (version 18) (goalie))");
+  EXPECT_EQ(record.text_of(record.lines[1]), "free_kick_l");
+  EXPECT_EQ(record.text_of(record.lines[2]), "(dash 65.276)(done)");
+}
+
 TEST(ReadRcl, SplitsSenderAtLastUnderscore) {
   const RclRecord record = read(
       "1,0\tRecv T,1:2_3_4: (turn 1)\n"

@@ -9,6 +9,7 @@
 
 #include "orchestration/process/packet.h"
 #include "orchestration/process/process_exit.h"
+#include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::orchestration::process {
@@ -79,6 +80,39 @@ TEST(CommandPlan, FindsProgramsAndReportsWhyNot) {
   EXPECT_EQ(find_program(folder.path()).error().message,
             folder.path().string() + " is a folder, not a program");
   EXPECT_EQ(find_program("").error().message, "no program to start");
+}
+
+std::string error_of(const std::filesystem::path& file, const std::string& content) {
+  std::ofstream(file, std::ios::binary) << content;
+  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  const auto found = find_program(file);
+  if (found) return "";
+  const std::string start = file.string() + " cannot be started: ";
+  EXPECT_EQ(found.error().message.substr(0, start.size()), start);
+  return found.error().message.substr(start.size());
+}
+
+// The kernel says "No such file or directory" of the program itself.
+TEST(FindProgram, NamesAMissingInterpreterOrLoader) {
+  const tests::TemporaryFolder folder;
+  const auto file = folder.path() / "start.sh";
+  EXPECT_EQ(error_of(file, "#!/bin/sh\n"), "");
+  EXPECT_EQ(error_of(file, "echo without a first line\n"), "");
+  EXPECT_EQ(error_of(file, "#!"), "");
+  EXPECT_EQ(error_of(file, "#! /opt/no/python3 -u\nx"),
+            "its interpreter /opt/no/python3 does not exist");
+  for (const char* script : {"#!/bin/sh\r\necho\r\n", "#!/usr/bin/env bash\r\n", "echo a\r\n"}) {
+    EXPECT_EQ(error_of(file, script).substr(0, 45), "its first line ends with a carriage return; w")
+        << script;
+  }
+  std::string program = tests::read_file("/proc/self/exe");
+  EXPECT_EQ(error_of(file, program), "");
+  const std::string loader = "/lib64/ld-linux";
+  const std::size_t at = program.find(loader);
+  ASSERT_NE(at, std::string::npos);
+  program.replace(at, 6, "/lib63");
+  EXPECT_EQ(error_of(file, program), "its loader /lib63/ld-linux-x86-64.so.2 does not exist");
+  EXPECT_EQ(error_of(file, program.substr(0, 100)), "") << "cut";
 }
 
 TEST(ProcessExit, FormatsExitCodeOrSignalName) {
