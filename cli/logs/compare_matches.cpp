@@ -15,6 +15,7 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
+#include "viewer/page/page_drawings.h"
 #include "viewer/report/compare_page.h"
 
 namespace cls::cli {
@@ -100,8 +101,9 @@ int compare_matches(const CompareArguments& arguments) {
   const fs::path page =
       arguments.out.empty() ? a.found.folder / "compare.html" : fs::path(arguments.out);
   if (const auto why = why_no_page(page)) return print_error(kCannotCreate, *why);
-  const std::string text = viewer::compare_page(a.match.record, {&a.summary, &a.statistics},
-                                                b.match.record, {&b.summary, &b.statistics});
+  const std::string text = viewer::compare_page(
+      a.match.record, {&a.summary, &a.statistics}, b.match.record, {&b.summary, &b.statistics},
+      {viewer::read_page_drawings(a.found.folder), viewer::read_page_drawings(b.found.folder)});
   if (const auto written = base::write_file(page, text); !written) {
     return print_error(kCannotCreate, written.error().message);
   }

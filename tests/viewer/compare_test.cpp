@@ -11,6 +11,7 @@
 #include "tests/support/files.h"
 #include "tests/viewer/markup.h"
 #include "tests/viewer/record_difference.h"
+#include "viewer/page/encoding.h"
 #include "viewer/page/page.h"
 
 namespace cls::viewer {
@@ -98,6 +99,15 @@ TEST(MatchDifference, ListsEventsOfOneMatchOnly) {
   EXPECT_TRUE(first[0].text.starts_with("goal, left ")) << first[0].text;
 }
 
+TEST(MatchDifference, NamesFoulsInWords) {
+  const Match match(record_of("match-start"));
+  analysis::MatchStatistics with = match.statistics;
+  with.stoppages.fouls.push_back({100, soccer::PlayMode::kFoulChargeRight, 15, 4});
+  const auto events = lone_events(with, match.statistics);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].text, "foul, right 5: foul charge");
+}
+
 TEST(MatchDifference, SubtractsFigures) {
   const Match a(record_of("match-start"));
   Match b(record_of("match-start"));
@@ -116,7 +126,11 @@ TEST(ComparePage, HoldsBothMatches) {
   const Match a(record_of("match-start"));
   Match b(record_of("match-start"));
   b.record.ball_position[100].x += 1.0F;
-  const std::string page = compare_page(a.record, a.compared(), b.record, b.compared());
+  const std::array<std::vector<PageDrawings>, 2> drawings = {
+      {{{soccer::Side::kLeft, gzip("a")}}, {{soccer::Side::kRight, gzip("b")}}}};
+  const std::string page = compare_page(a.record, a.compared(), b.record, b.compared(), drawings);
+  EXPECT_EQ(tests::count(page, "id=\"drawings-left\""), 1U);
+  EXPECT_EQ(tests::count(page, "id=\"other-drawings-right\""), 1U);
   const auto read = read_page(page);
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(tests::record_difference(a.record, read->record), "");

@@ -102,16 +102,19 @@ std::string page_start(const std::string& title, const std::string& without_scri
   return page;
 }
 
-// `Data` is of a side: PageDecisions, PageDrawings.
-template <typename Data>
-std::string data_elements(std::string_view kind, const std::vector<Data>& all) {
+std::string data_element(std::string_view kind, std::string_view prefix, soccer::Side side,
+                         const std::string& packed) {
+  const std::string data = base64(packed);
+  return fmt::format(
+      "<script type=\"application/cls-{0};base64\" id=\"{1}{0}-{2}\" "
+      "data-length=\"{3}\">{4}</script>\n",
+      kind, prefix, soccer::side_name(side), data.size(), data);
+}
+
+std::string decision_elements(const std::vector<PageDecisions>& decisions) {
   std::string elements;
-  for (const Data& each : all) {
-    const std::string data = base64(each.packed);
-    elements += fmt::format(
-        "<script type=\"application/cls-{0};base64\" id=\"{0}-{1}\" "
-        "data-length=\"{2}\">{3}</script>\n",
-        kind, soccer::side_name(each.side), data.size(), data);
+  for (const PageDecisions& each : decisions) {
+    elements += data_element("decisions", "", each.side, each.packed);
   }
   return elements;
 }
@@ -136,8 +139,7 @@ std::string write_page(const MatchSummary& summary, std::string_view stream,
   return page_start(title(summary), plain_text(summary), script_of(settings, decisions), settings,
                     nullptr) +
          fmt::format("{}{}\">{}</script>\n{}{}</body>\n</html>\n", kDataTag, data.size(), data,
-                     data_elements("decisions", decisions),
-                     data_elements("drawings", settings.drawings));
+                     decision_elements(decisions), data_elements("", settings.drawings));
 }
 
 std::string live_page(const std::string& title, const LivePaths& paths,
@@ -148,6 +150,14 @@ std::string live_page(const std::string& title, const LivePaths& paths,
                     paths.drawings.empty() ? viewer_script() : drawings_script(), settings,
                     &paths) +
          "</body>\n</html>\n";
+}
+
+std::string data_elements(std::string_view prefix, const std::vector<PageDrawings>& drawings) {
+  std::string elements;
+  for (const PageDrawings& each : drawings) {
+    elements += data_element("drawings", prefix, each.side, each.packed);
+  }
+  return elements;
 }
 
 std::string inert_json(std::string json) {

@@ -59,6 +59,9 @@ struct LivePaths {
 std::string live_page(const std::string& title, const LivePaths& paths,
                       const PageSettings& settings);
 
+/// Elements with the debug logs of a match; their ids begin with `prefix`.
+std::string data_elements(std::string_view prefix, const std::vector<PageDrawings>& drawings);
+
 /// JSON text as the content of a script element that browsers do not run: nothing in it ends the
 /// element.
 std::string inert_json(std::string json);

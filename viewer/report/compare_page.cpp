@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "viewer/page/encoding.h"
-#include "viewer/page/page.h"
 #include "viewer/stream/chunk_writer.h"
 
 namespace cls::viewer {
@@ -40,10 +39,13 @@ std::string document_of(const gamelog::MatchRecord& first, const ComparedMatch& 
 }  // namespace
 
 std::string compare_page(const gamelog::MatchRecord& first, const ComparedMatch& a,
-                         const gamelog::MatchRecord& second, const ComparedMatch& b) {
+                         const gamelog::MatchRecord& second, const ComparedMatch& b,
+                         const std::array<std::vector<PageDrawings>, 2>& drawings) {
   const std::string other = base64(gzip(stream_of(second)));
-  std::string page = write_page(*a.summary, stream_of(first), {.compared = true});
+  std::string page =
+      write_page(*a.summary, stream_of(first), {.drawings = drawings[0], .compared = true});
   const std::size_t end = page.rfind("</body>");
+  page.insert(end, data_elements("other-", drawings[1]));
   page.insert(end, fmt::format("<script type=\"application/cls-view;base64\" id=\"other\" "
                                "data-length=\"{}\">{}</script>\n"
                                "<script type=\"application/json\" id=\"differences\">{}</script>\n",

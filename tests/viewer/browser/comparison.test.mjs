@@ -6,6 +6,7 @@ import path from 'node:path';
 import test, {after, before} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import zlib from 'node:zlib';
+import {kShownFrame, sampleDebugLog} from '../web/sample_drawings.mjs';
 import {kGoalFrame, sampleStream} from '../web/sample_match.mjs';
 import {accessibilityViolations, launch, openPage} from './browser.mjs';
 import {kInjections} from './injections.mjs';
@@ -35,7 +36,10 @@ const kDifferences = {
 function write(differences) {
   const data = zlib.gzipSync(sampleStream({names: ['Crimson', 'Cobalt']})).toString('base64');
   const json = JSON.stringify(differences).replaceAll('<', '\\u003c');
-  const more = `<script type="application/cls-view;base64" id="other" data-length="${data.length}">${data}</script>
+  const shown = (lines) => zlib.gzipSync(lines).toString('base64');
+  const drawings = {'drawings-left': shown(sampleDebugLog()), 'other-drawings-left': shown(sampleDebugLog('').replaceAll('#ff0000', '#0000ff'))};
+  const elements = Object.entries(drawings).map(([id, text]) => `<script type="application/cls-drawings;base64" id="${id}" data-length="${text.length}">${text}</script>\n`).join('');
+  const more = `${elements}<script type="application/cls-view;base64" id="other" data-length="${data.length}">${data}</script>
 <script type="application/json" id="differences">${json}</script></body>`;
   const file = path.join(kFolder, 'compare.html');
   fs.writeFileSync(file, pageOf(sampleStream(), {compared: true}).replace('</body>', () => more));
@@ -61,6 +65,19 @@ test('shows both matches, their difference and jumps to it', async () => {
   assert.equal(await momentOf(page), kGoalFrame);
   assert.deepEqual(await page.locator('.findings tbody td').allTextContents(), ['1', '2', '+1']);
   assert.deepEqual(problems, []);
+  await context.close();
+});
+
+test('draws what the Playmakers of each match show', async () => {
+  const {page, context} = await open();
+  await page.waitForFunction(() => window.clsComparison.sides.every(({store}) => !store.empty));
+  const colors = await page.evaluate((moment) => {
+    window.clsComparison.seek(moment);
+    window.clsComparison.draw();
+    return window.clsComparison.sides.map(({canvas, renderer}) => [...canvas.getContext('2d').getImageData(Math.round(renderer.camera.screenX(13)), Math.round(renderer.camera.screenY(5)), 1, 1).data]);
+  }, kShownFrame);
+  assert.ok(colors[0][0] > 150 && colors[0][2] < 90, `${colors[0]}`);
+  assert.ok(colors[1][2] > 150 && colors[1][0] < 90, `${colors[1]}`);
   await context.close();
 });
 

@@ -29,7 +29,7 @@ function dataElement(kind, id, stream) {
 
 /** The parts of the program that a page has, as script_of() in viewer/page/page.cpp chooses them. */
 function partsOf(settings, decisions, drawings) {
-  if (settings.compared) return ['comparison'];
+  if (settings.compared) return ['drawings', 'comparison'];
   if (Object.keys(decisions).length > 0) return ['drawings', 'decisions'];
   return Object.keys(drawings).length > 0 || settings.drawings ? ['drawings'] : [];
 }

@@ -46,6 +46,8 @@ export class Comparison {
     this.#listen();
     this.restore(window.location.hash);
     this.resize();
+    // A page whose drawings are cut still shows both matches.
+    this.sides.forEach(({store}, index) => kExtensions.drawings.read('', store, () => this.#changed(), index === 0 ? '' : 'other-').catch(console.warn));
   }
 
   get themeName() {
@@ -58,7 +60,7 @@ export class Comparison {
     const stage = element('div', {class: 'stage'}, canvas);
     const scoreboard = new Scoreboard();
     const name = element('h2', {class: 'match-name'}, `${kLetters[index]}: ${this.differences.names[index]}`);
-    return {stage, scoreboard, canvas, renderer: new Renderer(canvas, record, new Camera(kPitch)), root: element('section', {class: 'match'}, name, scoreboard.root, stage)};
+    return {stage, scoreboard, canvas, store: kExtensions.drawings.makeStore(record), renderer: new Renderer(canvas, record, new Camera(kPitch)), root: element('section', {class: 'match'}, name, scoreboard.root, stage)};
   }
 
   #button(label, content, onclick) {
@@ -183,9 +185,9 @@ export class Comparison {
     const {clock, axis, settings, records} = this;
     const theme = themeOf(this.themeName);
     document.documentElement.dataset.theme = this.themeName;
-    this.sides.forEach(({renderer, scoreboard}, index) => {
+    this.sides.forEach(({renderer, scoreboard, store}, index) => {
       const at = frameAtMoment(axis, /** @type {0 | 1} */ (index), clock.at);
-      renderer.draw({at, playing: clock.playing, framesPerSecond: clock.framesPerSecond}, {theme, layers: settings.layers, selected: [], smooth: clock.playing});
+      renderer.draw({at, playing: clock.playing, framesPerSecond: clock.framesPerSecond}, {theme, layers: settings.layers, selected: [], smooth: clock.playing, drawings: settings.layers.drawings ? store.at(Math.floor(at + 1e-9), []) : []});
       scoreboard.show(records[index], Math.floor(at + 1e-9));
     });
     this.#drawStrip(theme);

@@ -4,10 +4,11 @@ import {inflatedBytes, takeData} from './embedded.js';
 const kSides = ['left', 'right'];
 const kPollMs = 500;
 
-/** Adds the debug logs in the page. @param {import('./drawing_store.js').DrawingStore} store @param {() => void} onChange */
-export async function readDrawings(store, onChange) {
+/** Adds the debug logs in the page. @param {import('./drawing_store.js').DrawingStore} store @param {() => void} onChange
+ * @param {string} prefix of their elements: "other-" for those of a second match */
+export async function readDrawings(store, onChange, prefix) {
   for (const side of kSides) {
-    const id = `drawings-${side}`;
+    const id = `${prefix}drawings-${side}`;
     if (!document.getElementById(id)) continue;
     store.add(side, new TextDecoder().decode(await inflatedBytes(takeData(id, 'the drawings'))));
     onChange();

@@ -11,7 +11,7 @@
  * @typedef {object} DrawingExtension texts and drawings of Playmakers: team_drawings.js
  * @property {(record: import('./record.js').MatchRecord) => import('./drawing_store.js').DrawingStore} makeStore
  * @property {(viewer: import('./viewer.js').Viewer) => {root: Element, show: () => void}} makePanel
- * @property {(path: string, store: import('./drawing_store.js').DrawingStore, onChange: () => void) => Promise<void>} read
+ * @property {(path: string, store: import('./drawing_store.js').DrawingStore, onChange: () => void, prefix?: string) => Promise<void>} read
  * those of the page, or from the server of a running match
  * @property {(scene: import('./scene.js').Scene) => void} draw
  */

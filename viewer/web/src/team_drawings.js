@@ -13,8 +13,8 @@ kExtensions.drawings = {
   makePanel(viewer) {
     return new PlaymakerPanel(viewer);
   },
-  read(path, store, onChange) {
-    return path === '' ? readDrawings(store, onChange) : followDrawings(path, store, onChange);
+  read(path, store, onChange, prefix = '') {
+    return path === '' ? readDrawings(store, onChange, prefix) : followDrawings(path, store, onChange);
   },
   draw: drawDrawings,
 };
