@@ -62,6 +62,43 @@ public static class Actions
 
     public static PlayerAction TurnToBall() => new() { BodyTurnToBall = new() { Cycle = 1 } };
 
+    /// <summary>Beside the player in the page of the match; moves nothing.</summary>
+    public static PlayerAction ShowText(string text) =>
+        new() { Log = new() { AddText = new() { Level = LoggerLevel.Team, Message = text } } };
+
+    /// <summary>On the field in the page of the match; moves nothing.</summary>
+    public static PlayerAction ShowLine(Point start, Point end, string color) =>
+        new()
+        {
+            Log = new()
+            {
+                AddLine = new()
+                {
+                    Level = LoggerLevel.Team,
+                    Start = Vector(start),
+                    End = Vector(end),
+                    Color = color,
+                },
+            },
+        };
+
+    /// <summary>With the ball: the best of the passes and dribbles that the proxy finds.</summary>
+    public static PlayerAction PlanAttack() =>
+        new()
+        {
+            HeliosOffensivePlanner = new()
+            {
+                DirectPass = true,
+                LeadPass = true,
+                ThroughPass = true,
+                ShortDribble = true,
+                LongDribble = true,
+                Cross = true,
+                SimplePass = true,
+                SimpleDribble = true,
+            },
+        };
+
     /// <summary>The neck: to the ball if its estimate is older than maxAge cycles, else around.</summary>
     public static PlayerAction WatchBall(int maxAge) =>
         new() { NeckTurnToBallOrScan = new() { CountThreshold = maxAge } };

@@ -105,3 +105,11 @@ func showLine(start, end Point, color string) *pb.PlayerAction {
 		AddLine: &pb.AddLine{Level: pb.LoggerLevel_TEAM, Start: vector(start), End: vector(end),
 			Color: color}}}}}
 }
+
+// planAttack is for the player with the ball: the best of the passes and dribbles that the proxy finds.
+func planAttack() *pb.PlayerAction {
+	return &pb.PlayerAction{Action: &pb.PlayerAction_HeliosOffensivePlanner{
+		HeliosOffensivePlanner: &pb.HeliosOffensivePlanner{
+			DirectPass: true, LeadPass: true, ThroughPass: true, ShortDribble: true,
+			LongDribble: true, Cross: true, SimplePass: true, SimpleDribble: true}}}
+}

@@ -13,7 +13,10 @@ public static class Decide
         if (world.Self.IsGoalie) return Reply(Actions.Goalie());
         if (world.Self.IsKickable)
         {
-            return Reply(Actions.SmartKick(Point.Goal, 3, 0.1, 3), Actions.WatchBall(0));
+            return Reply(
+                Actions.ShowLine(Point.Of(world.Ball.Position), Point.Goal, "yellow"),
+                Actions.ShowText("has the ball"),
+                Actions.SmartKick(Point.Goal, 3, 0.1, 3), Actions.WatchBall(0));
         }
         return Reply(Actions.BasicMove());
     }

@@ -29,7 +29,7 @@ final class Decide {
             Point ball = Point.of(world.getBall().getPosition());
             return List.of(
                 Actions.showLine(ball, Point.GOAL, "yellow"),
-                Actions.showText("kicks toward the goal"),
+                Actions.showText("has the ball"),
                 Actions.smartKick(Point.GOAL, 3, 0.1, 3), Actions.watchBall(0));
         }
         return List.of(Actions.basicMove());

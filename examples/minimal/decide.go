@@ -14,7 +14,7 @@ func decide(state *pb.State) *pb.PlayerActions {
 		return reply(goalie())
 	case world.GetSelf().GetIsKickable():
 		ball := point(world.GetBall().GetPosition())
-		return reply(showLine(ball, goal, "yellow"), showText("kicks toward the goal"),
+		return reply(showLine(ball, goal, "yellow"), showText("has the ball"),
 			smartKick(goal, 3, 0.1, 3), watchBall(0))
 	}
 	return reply(basicMove())

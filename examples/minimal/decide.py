@@ -16,7 +16,7 @@ def decide(state: pb.State) -> pb.PlayerActions:
     if world.self.is_kickable:
         return pb.PlayerActions(actions=[
             actions.show_line(point(world.ball.position), GOAL, "yellow"),
-            actions.show_text("kicks toward the goal"),
+            actions.show_text("has the ball"),
             actions.smart_kick(GOAL, 3.0, 0.1, 3), actions.watch_ball(0)])
     return pb.PlayerActions(actions=[actions.basic_move()])
 

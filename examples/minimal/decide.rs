@@ -11,7 +11,7 @@ pub fn decide(state: &State) -> PlayerActions {
         GameModeType::PlayOn if now.own.is_kickable => {
             vec![
                 actions::show_line(now.ball, GOAL, "yellow"),
-                actions::show_text("kicks toward the goal"),
+                actions::show_text("has the ball"),
                 actions::smart_kick(GOAL, 3.0, 0.1, 3),
                 actions::watch_ball(0),
             ]

@@ -15,7 +15,7 @@ export function decide(state: State__Output): PlayerActions {
   if (self.is_kickable) {
     const shown = [
       actions.showLine(point(world.ball!.position), GOAL, 'yellow'),
-      actions.showText('kicks toward the goal'),
+      actions.showText('has the ball'),
     ];
     return { actions: [...shown, actions.smartKick(GOAL, 3, 0.1, 3), actions.watchBall(0)] };
   }

@@ -96,3 +96,10 @@ def show_line(start: Point, end: Point, color: str) -> pb.PlayerAction:
     """On the field in the page of the match; moves nothing."""
     return pb.PlayerAction(log=pb.Log(add_line=pb.AddLine(
         level=pb.TEAM, start=_vector(start), end=_vector(end), color=color)))
+
+
+def plan_attack() -> pb.PlayerAction:
+    """With the ball: the best of the passes and dribbles that the proxy finds."""
+    return pb.PlayerAction(helios_offensive_planner=pb.HeliosOffensivePlanner(
+        direct_pass=True, lead_pass=True, through_pass=True, short_dribble=True,
+        long_dribble=True, cross=True, simple_pass=True, simple_dribble=True))

@@ -51,6 +51,24 @@ export const clearBall = () => ({ body_clear_ball: {} });
 
 export const turnToBall = () => ({ body_turn_to_ball: { cycle: 1 } });
 
+/** Beside the player in the page of the match; moves nothing. */
+export function showText(text) {
+  return { log: { add_text: { level: 'TEAM', message: text } } };
+}
+
+/** On the field in the page of the match; moves nothing. */
+export function showLine(start, end, color) {
+  return { log: { add_line: { level: 'TEAM', start: vector(start), end: vector(end), color } } };
+}
+
+/** With the ball: the best of the passes and dribbles that the proxy finds. */
+export const planAttack = () => ({
+  helios_offensive_planner: {
+    direct_pass: true, lead_pass: true, through_pass: true, short_dribble: true,
+    long_dribble: true, cross: true, simple_pass: true, simple_dribble: true,
+  },
+});
+
 /** The neck: to the ball if its estimate is older than maxAge cycles, else around. */
 export function watchBall(maxAge) {
   return { neck_turn_to_ball_or_scan: { count_threshold: maxAge } };

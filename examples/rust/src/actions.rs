@@ -131,3 +131,19 @@ pub fn show_line(start: Point, end: Point, color: &str) -> PlayerAction {
         color: color.to_string(),
     }))
 }
+
+/// With the ball: the best of the passes and dribbles that the proxy finds.
+#[allow(dead_code)]
+pub fn plan_attack() -> PlayerAction {
+    player(Action::HeliosOffensivePlanner(HeliosOffensivePlanner {
+        direct_pass: true,
+        lead_pass: true,
+        through_pass: true,
+        short_dribble: true,
+        long_dribble: true,
+        cross: true,
+        simple_pass: true,
+        simple_dribble: true,
+        ..Default::default()
+    }))
+}

@@ -86,3 +86,11 @@ export function showText(text: string): PlayerAction {
 export function showLine(start: Point, end: Point, color: string): PlayerAction {
   return { log: { add_line: { level: 'TEAM', start: vector(start), end: vector(end), color } } };
 }
+
+/** With the ball: the best of the passes and dribbles that the proxy finds. */
+export const planAttack = (): PlayerAction => ({
+  helios_offensive_planner: {
+    direct_pass: true, lead_pass: true, through_pass: true, short_dribble: true,
+    long_dribble: true, cross: true, simple_pass: true, simple_dribble: true,
+  },
+});

@@ -107,4 +107,13 @@ final class Actions {
             AddLine.newBuilder().setLevel(LoggerLevel.TEAM).setStart(vector(start))
                 .setEnd(vector(end)).setColor(color))).build();
     }
+
+    /** With the ball: the best of the passes and dribbles that the proxy finds. */
+    static PlayerAction planAttack() {
+        return PlayerAction.newBuilder().setHeliosOffensivePlanner(
+            HeliosOffensivePlanner.newBuilder()
+                .setDirectPass(true).setLeadPass(true).setThroughPass(true).setShortDribble(true)
+                .setLongDribble(true).setCross(true).setSimplePass(true)
+                .setSimpleDribble(true)).build();
+    }
 }
