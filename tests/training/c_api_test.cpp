@@ -5,8 +5,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
 
 #include "tests/training/stage.h"
 
@@ -152,6 +157,33 @@ TEST(TrainingCApi, SmallTextBuffersSayHowMuchIsNeeded) {
   EXPECT_EQ(cls_training_catalog(few, 4, &length), CLS_TRAINING_SMALL_BUFFER);
   EXPECT_EQ(few[3], '\0');
   EXPECT_EQ(few[4], '?');
+}
+
+TEST(TrainingCApi, RefusesASecondThreadInsteadOfHanging) {
+  for (const char* threads : {"1", "2"}) {
+    BoundPool pool(R"({"task": "HalfFieldOffense", "num_envs": 64, "actions": "low",)"
+                   R"( "autoreset": "next_step", "threads": )" +
+                   std::string(threads) + "}");
+    ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+    std::atomic<int> refused{0};
+    std::atomic<int> others{0};
+    std::vector<std::thread> callers;
+    for (int i = 0; i < 4; ++i) {
+      callers.emplace_back([&] {
+        for (int step = 0; step < 200; ++step) {
+          const int code = pool.step();
+          if (code == CLS_TRAINING_OK) continue;
+          const bool named = std::string_view(cls_training_error()).find("another thread") !=
+                             std::string_view::npos;
+          ++(code == CLS_TRAINING_BAD_ORDER && named ? refused : others);
+        }
+      });
+    }
+    for (std::thread& caller : callers) caller.join();
+    EXPECT_GT(refused, 0) << threads;
+    EXPECT_EQ(others, 0) << threads;
+    EXPECT_EQ(pool.step(), CLS_TRAINING_OK) << "afterwards one thread may go on";
+  }
 }
 
 TEST(TrainingCApi, PoolsOfTheParentAreRefusedAfterAFork) {

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <exception>
 #include <nlohmann/json.hpp>
@@ -55,6 +56,11 @@ int guarded(Body body) noexcept {
   }
 }
 
+struct Release {
+  std::atomic_flag& flag;
+  ~Release() { flag.clear(); }
+};
+
 /// Runs `body` on the pool.
 template <typename Body>
 int with_pool(std::uint64_t handle, Body body) noexcept {
@@ -67,6 +73,10 @@ int with_pool(std::uint64_t handle, Body body) noexcept {
     if (entry->process != ::getpid()) {
       return {Code::kForked, "the pool belongs to the parent process; create one after the fork"};
     }
+    if (entry->in_use.test_and_set()) {
+      return {Code::kBadOrder, "another thread uses the pool; call it from one thread at a time"};
+    }
+    const Release release{entry->in_use};
     return body(entry->pool);
   });
 }

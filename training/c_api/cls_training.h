@@ -17,9 +17,9 @@
 //
 // Every function returns CLS_TRAINING_OK (0) or a negative code; cls_training_error() then has one
 // line of text that names the cause. A call that fails has changed nothing, except where stated. No
-// exception and no abort crosses the interface. A pool must not be used by two threads in parallel;
-// different pools may. A child process after fork() must create its own pools: inherited ones
-// return CLS_TRAINING_FORKED.
+// exception and no abort crosses the interface. Of two calls for a pool at the same time the second
+// returns CLS_TRAINING_BAD_ORDER; different pools may be used in parallel. A child process after
+// fork() must create its own pools: inherited ones return CLS_TRAINING_FORKED.
 #ifndef CLS_TRAINING_H
 #define CLS_TRAINING_H
 
@@ -47,7 +47,8 @@ enum {
   CLS_TRAINING_BAD_SIZE = -4,      // a buffer or array has the wrong number of elements
   CLS_TRAINING_BAD_INDEX = -5,     // no such world
   CLS_TRAINING_BAD_ACTION = -6,    // an action is NaN, infinite or no id of the action set
-  CLS_TRAINING_BAD_ORDER = -7,     // step before bind or reset; step of an ended world (see step)
+  CLS_TRAINING_BAD_ORDER = -7,     // step before bind or reset; step of an ended world (see step);
+                                   // a call while another thread uses the pool
   CLS_TRAINING_BAD_FILE = -8,      // a recording cannot be written
   CLS_TRAINING_SMALL_BUFFER = -9,  // *length says how many bytes are needed
   CLS_TRAINING_FORKED = -10,       // the pool belongs to the parent process

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 
@@ -12,7 +13,8 @@ namespace cls::training {
 
 struct RegisteredPool {
   Pool pool;
-  pid_t process;  ///< that created it
+  pid_t process;                               ///< that created it
+  std::atomic_flag in_use = ATOMIC_FLAG_INIT;  ///< by a call
 };
 
 /// Handles are never used again. The registry is not destroyed at exit: after fork() a child must
