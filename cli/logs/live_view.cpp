@@ -61,7 +61,7 @@ base::Result<std::unique_ptr<LiveView>> LiveView::start(FollowedMatch match,
                                      viewer::live_site(match.title, options.settings,
                                                        view->match_->feed(), match.folder)));
   view->server_ = std::move(server);
-  if (options.open_browser) open_in_browser(view->url());
+  if (options.open_browser) open_in_browser(view->server_->single_use_url());
   return view;
 }
 

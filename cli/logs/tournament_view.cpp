@@ -224,7 +224,7 @@ int serve_tournament(const fs::path& folder, const LiveViewOptions& options,
       [&site](std::string_view path, std::string_view query) { return site.reply(path, query); });
   if (!server) return print_error(kTryAgain, server.error().message);
   on_start((*server)->url());
-  if (options.open_browser) open_in_browser((*server)->url());
+  if (options.open_browser) open_in_browser((*server)->single_use_url());
   while (signal.load() == 0 && !is_over(folder))
     std::this_thread::sleep_for(10 * kTournamentPollInterval);
   const auto end = end_of_linger(options.linger_s);

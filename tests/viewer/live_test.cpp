@@ -369,6 +369,32 @@ TEST_F(LiveSite, LimitsTheNumberOfConnections) {
   EXPECT_EQ(code, 200);
 }
 
+// Anybody on this host can connect, but only viewers know the token.
+TEST_F(LiveSite, HasRoomForViewersBesideUnfinishedRequests) {
+  std::vector<std::unique_ptr<tests::HttpConnection>> strangers;
+  for (int i = 0; i < 70; ++i) {
+    strangers.push_back(std::make_unique<tests::HttpConnection>(server_->port()));
+    strangers.back()->send(i % 2 == 0 ? "GET " : "");
+  }
+  EXPECT_EQ(get(server_->url()).status, 200);
+}
+
+TEST_F(LiveSite, RedirectsOnceFromAnAddressThatOthersMaySee) {
+  const std::string url = server_->single_use_url();
+  EXPECT_EQ(url.find(token_.substr(1, 8)), std::string::npos);
+  EXPECT_EQ(exchange(server_->port(), request("HEAD " + tests::path_of(url) + " HTTP/1.1")).status,
+            404)
+      << "not a visit";
+  const auto first = get(url);
+  EXPECT_EQ(first.status, 302);
+  EXPECT_THAT(first.header, HasSubstr("Location: " + token_ + "\r\n"));
+  EXPECT_EQ(get(url).status, 404);
+  const std::string old = server_->single_use_url();
+  const std::string next = server_->single_use_url();
+  EXPECT_EQ(get(old).status, 404);
+  EXPECT_EQ(get(next).status, 302);
+}
+
 TEST(MatchList, LinksMatchesAndShowsNamesAsText) {
   const std::vector<ListedMatch> matches = {
       {1, "<b>", "B", "2 : 1", "", true},

@@ -12,6 +12,10 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <chrono>
+#include <functional>
+#include <iterator>
+#include <list>
+#include <mutex>
 #include <optional>
 #include <random>
 #include <set>
@@ -69,11 +73,24 @@ struct HttpServer::State {
   HttpRoutes routes;
   std::string shown_host;
   std::string token = random_token();
+  std::mutex ticket_mutex;
+  std::string ticket;  ///< of single_use_url(); empty: none or used
+  /// Ends the sessions that have not sent the token yet, oldest first.
+  std::list<std::function<void()>> strangers;
   std::atomic<std::size_t> connections{0};
   std::atomic<std::size_t> streams{0};
   asio::io_context io{1};  // sessions end with it, before what they use
   tcp::acceptor acceptor{io};
   std::thread thread;
+
+  // Whether `target` is the ticket, which is used up then.
+  bool redeem(std::string_view target) {
+    const std::lock_guard lock(ticket_mutex);
+    const bool same = !ticket.empty() && target.size() == ticket.size() + 1 &&
+                      CRYPTO_memcmp(target.data() + 1, ticket.data(), ticket.size()) == 0;
+    if (same) ticket.clear();
+    return same;
+  }
 };
 
 namespace {
@@ -88,6 +105,18 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   ~Session() {
     --state_.connections;
     if (feed_ != nullptr) --state_.streams;
+    leave_strangers();
+  }
+
+  // Until it has sent the token, others may take its place.
+  void enter_as_stranger() {
+    state_.strangers.push_back([weak = this->weak_from_this()] {
+      const auto self = weak.lock();
+      if (self == nullptr) return;
+      self->leave_strangers();
+      self->close();
+    });
+    entry_ = std::prev(state_.strangers.end());
   }
 
   void read_request() {
@@ -103,6 +132,11 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   void refuse_as_busy() { send_text({503, "", "too many viewers\n", nullptr, 0}, false, false); }
 
  private:
+  void leave_strangers() {
+    if (entry_) state_.strangers.erase(*entry_);
+    entry_.reset();
+  }
+
   void on_request(ErrorCode error) {
     if (error == http::error::header_limit) return refuse(431, "the header is too large\n");
     if (error == http::error::end_of_stream || error == beast::error::timeout) return close();
@@ -116,6 +150,7 @@ class Session : public std::enable_shared_from_this<Session<State>> {
     // The body of a request is not read, so nothing may follow it.
     const bool keep = request.keep_alive() && parser_->is_done();
     if (!is_own_host(view(request[http::field::host]))) return refuse(403, "unknown host\n");
+    if (!head && state_.redeem(view(request.target()))) return redirect();
     reply(route(view(request.target())), head, keep);
   }
 
@@ -127,6 +162,7 @@ class Session : public std::enable_shared_from_this<Session<State>> {
         CRYPTO_memcmp(target.data(), prefix.data(), prefix.size()) != 0) {
       return {404, HttpReply().type, "not found\n", nullptr, 0};
     }
+    leave_strangers();
     target.remove_prefix(prefix.size());
     const std::size_t mark = std::min(target.find('?'), target.size());
     const std::string_view query = mark < target.size() ? target.substr(mark + 1) : "";
@@ -136,6 +172,11 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   void reply(HttpReply reply, bool head, bool keep) {
     if (reply.feed == nullptr || head) return send_text(std::move(reply), head, keep);
     send_feed(std::move(reply));
+  }
+
+  void redirect() {
+    location_ = "/" + state_.token + "/";
+    send_text({302, HttpReply().type, "", nullptr, 0}, false, false);
   }
 
   void refuse(int status, std::string text) {
@@ -156,6 +197,7 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   void send_text(HttpReply reply, bool head, bool keep) {
     text_.emplace(static_cast<http::status>(reply.status), 11);
     set_fields(*text_, reply.type);
+    if (!location_.empty()) text_->set(http::field::location, location_);
     if (reply.status == 405) text_->set(http::field::allow, "GET, HEAD");
     text_->keep_alive(keep);
     if (reply.feed == nullptr) text_->content_length(reply.body.size());
@@ -242,16 +284,29 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   std::shared_ptr<const LiveFeed> feed_;
   std::size_t from_ = 0;
   std::string piece_;
+  std::string location_;  ///< of a redirection
+  std::optional<std::list<std::function<void()>>::iterator> entry_;
   bool closed_ = false;
 };
+
+// False if all connections are of viewers.
+template <typename State>
+bool make_room(State& state) {
+  if (state.strangers.empty()) return false;
+  const auto give_way = state.strangers.front();  // a copy, because the entry is removed
+  give_way();
+  return true;
+}
 
 template <typename State>
 void accept_next(State& state) {
   state.acceptor.async_accept([&state](ErrorCode error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
     if (!error) {
-      const bool busy = state.connections.load() >= kMaxConnections;
+      const bool full = state.connections.load() >= kMaxConnections;
+      const bool busy = full && !make_room(state);
       const auto session = std::make_shared<Session<State>>(std::move(socket), state);
+      session->enter_as_stranger();
       busy ? session->refuse_as_busy() : session->read_request();
     }
     accept_next(state);
@@ -302,6 +357,13 @@ std::string HttpServer::url() const {
   if (host == "0.0.0.0" || host == "::") host = base::host_name();
   if (host.find(':') != std::string::npos) host = fmt::format("[{}]", host);
   return fmt::format("http://{}:{}/{}/", host, port(), state_->token);
+}
+
+std::string HttpServer::single_use_url() {
+  const std::string whole = url();
+  const std::lock_guard lock(state_->ticket_mutex);
+  state_->ticket = random_token();
+  return whole.substr(0, whole.size() - state_->token.size() - 1) + state_->ticket;
 }
 
 std::size_t HttpServer::streams() const { return state_->streams.load(); }

@@ -32,7 +32,8 @@ struct HttpAddress {
 
 /// Serves GET and HEAD under a secret path, so that other users of the host cannot watch. It
 /// answers only requests whose Host header is an IP address, localhost or the name of this host:
-/// pages of other sites cannot reach it by a name of their own. One thread; at most 64 connections.
+/// pages of other sites cannot reach it by a name of their own. One thread; at most 64 connections,
+/// of which those that have not sent the secret path yet make room for others.
 class HttpServer {
  public:
   /// The error names address and port.
@@ -46,6 +47,9 @@ class HttpServer {
   int port() const;
   /// "http://127.0.0.1:PORT/TOKEN/"
   std::string url() const;
+  /// An address that redirects to url() once, for places that others can read, such as the
+  /// arguments of a process. A further call invalidates the earlier one.
+  std::string single_use_url();
   /// Connections that still receive a feed.
   std::size_t streams() const;
 
