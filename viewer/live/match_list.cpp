@@ -33,9 +33,9 @@ thead th { font-size: 0.9rem; font-weight: 600; }
 .score { width: 6rem; text-align: center; }
 .state { width: 30%; text-align: left; }
 .page { width: 6rem; text-align: left; }
-.glance table { width: auto; min-width: 0; table-layout: auto; }
-.glance th { font-weight: 400; text-align: left; padding-right: 1.5rem; }
-.glance td { min-width: 9rem; font-weight: 650; text-align: left; }
+.glance table { width: 22rem; min-width: 0; }
+.glance th { width: 10rem; font-weight: 400; text-align: left; }
+.glance td { font-weight: 650; text-align: left; }
 .state svg { width: 31px; height: 20px; margin-right: 0.6rem; vertical-align: middle; }
 .state rect { fill: #2f6b4f; }
 .state circle { fill: #ffffff; }
