@@ -64,14 +64,13 @@ class [[nodiscard]] Result<void> {
 
 /// Returns the error of a result from the calling function, if it has one:
 ///   TRY(check_schema(json));
-#define TRY(...)                                                 \
-  if (auto CLS_JOIN(result_at_, __LINE__) = (__VA_ARGS__);       \
-      !CLS_JOIN(result_at_, __LINE__))                           \
+#define TRY(...)                                                                            \
+  if (auto CLS_JOIN(result_at_, __LINE__) = (__VA_ARGS__); !CLS_JOIN(result_at_, __LINE__)) \
   return std::move(CLS_JOIN(result_at_, __LINE__)).error()
 
 /// The same, and initializes a variable with the value:
 ///   TRY_INIT(const int steps, json["steps"].integer(1, 100));
-#define TRY_INIT(declaration, ...)                                                                \
-  auto CLS_JOIN(result_at_, __LINE__) = (__VA_ARGS__);                                            \
-  if (!CLS_JOIN(result_at_, __LINE__)) return std::move(CLS_JOIN(result_at_, __LINE__)).error();  \
+#define TRY_INIT(declaration, ...)                                                               \
+  auto CLS_JOIN(result_at_, __LINE__) = (__VA_ARGS__);                                           \
+  if (!CLS_JOIN(result_at_, __LINE__)) return std::move(CLS_JOIN(result_at_, __LINE__)).error(); \
   declaration = *std::move(CLS_JOIN(result_at_, __LINE__))

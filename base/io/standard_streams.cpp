@@ -1,4 +1,5 @@
-// Replaces the two FILE objects: fmt throws when a FILE fails, gRPC and CLI11 write to them as well.
+// Replaces the two FILE objects: fmt throws when a FILE fails, gRPC and CLI11 write to them as
+// well.
 #include "base/io/standard_streams.h"
 
 #include <fcntl.h>

@@ -206,7 +206,8 @@ void add_explain_command(Command& app) {
   Command& command = app.command("explain", kDescription);
   command.option("NAME", arguments->names, "a name of the interface, or its last part");
   command.flag("--list", arguments->list, "print all names");
-  command.option("--search", arguments->search, "list the entries with a text").placeholder("WORDS");
+  command.option("--search", arguments->search, "list the entries with a text")
+      .placeholder("WORDS");
   command.option("--export", arguments->folder, "write the pages of docs/reference to a folder")
       .placeholder("DIR");
   command.flag("--json", arguments->json, "print one JSON document");

@@ -146,9 +146,10 @@ std::string why_wrong(const Arguments& arguments) {
   }
   if (!version && !table_of(arguments) && arguments.tables.empty() &&
       !names_format(arguments.out)) {
-    return fmt::format("OUT '{}': its ending names no format; use {}, .tracking.csv and its "
-                       "siblings, or --to",
-                       arguments.out, fmt::join(kEndings, ", "));
+    return fmt::format(
+        "OUT '{}': its ending names no format; use {}, .tracking.csv and its "
+        "siblings, or --to",
+        arguments.out, fmt::join(kEndings, ", "));
   }
   if (arguments.published && arguments.tables.empty() &&
       table_of(arguments) != MatchTable::kTracking) {

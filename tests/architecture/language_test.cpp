@@ -44,7 +44,10 @@ constexpr BannedTerm kBannedTerms[] = {
     {"metres", "meters"},
     {"kilometre*", "kilometer"},
     {"*neighbour*", "neighbor"},
-    {"*defence*", "defense", {}, {"\"/shape/defence_x\"", "\"/rating/defence\""}},  // published keys
+    {"*defence*",
+     "defense",
+     {},
+     {"\"/shape/defence_x\"", "\"/rating/defence\""}},  // published keys
     {"licence*", "license"},
     {"*analyse*", "analyze"},
     {"*serialise*", "serialize"},

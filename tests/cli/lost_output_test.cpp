@@ -1,4 +1,5 @@
-// Standard streams that cannot be written: what plays is played to its end, then the exit code is 74.
+// Standard streams that cannot be written: what plays is played to its end, then the exit code
+// is 74.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

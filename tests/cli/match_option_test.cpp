@@ -22,13 +22,13 @@
 namespace cls {
 namespace {
 
+using nlohmann::json;
 using orchestration::match::AddedMatchOption;
 using orchestration::match::MatchOption;
 using orchestration::match::MatchOptions;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
-using nlohmann::json;
 
 // Stored in a member that only resumed matches read.
 MatchOption throw_away_option() {
@@ -60,8 +60,8 @@ class MatchOptionTable : public testing::Test {
     words.insert(words.begin(), "cls");
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
-    const int exit_code = cli::run_application(*cli::command_tree(),
-                                               static_cast<int>(words.size()), words.data());
+    const int exit_code =
+        cli::run_application(*cli::command_tree(), static_cast<int>(words.size()), words.data());
     std::fflush(stdout);
     std::fflush(stderr);
     const std::string out = testing::internal::GetCapturedStdout();
@@ -111,11 +111,11 @@ TEST_F(MatchOptionTable, RowIsInNewConfigurationsAndInTheMatchesOfTournaments) {
   EXPECT_THAT(tests::read_file(path("cup/cls.toml")), HasSubstr("fan_noise = 90"));
 
   using namespace orchestration::tournament;
-  TournamentConfig config =
-      parse_config("[tournament]\nfan_noise = 90\n[teams.A]\nendpoint = \"mock\"\n"
-                   "[teams.B]\nendpoint = \"mock\"\n",
-                   "cls.toml")
-          .config;
+  TournamentConfig config = parse_config(
+                                "[tournament]\nfan_noise = 90\n[teams.A]\nendpoint = \"mock\"\n"
+                                "[teams.B]\nendpoint = \"mock\"\n",
+                                "cls.toml")
+                                .config;
   Fixture fixture;
   fixture.left = 0;
   fixture.right = 1;
@@ -126,8 +126,7 @@ TEST_F(MatchOptionTable, RowIsInNewConfigurationsAndInTheMatchesOfTournaments) {
 
 TEST_F(MatchOptionTable, RowIsInScenarios) {
   const auto text = base::JsonDocument::parse(
-      "noisy.json",
-      R"({"fan_noise": 70, "expect": [{"end": "finished"}]})");
+      "noisy.json", R"({"fan_noise": 70, "expect": [{"end": "finished"}]})");
   ASSERT_TRUE(text);
   const auto scenario = orchestration::scenario::parse_scenario(*text, {});
   ASSERT_TRUE(scenario) << scenario.error().message;
