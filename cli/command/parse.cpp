@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <type_traits>
 #include <utility>
@@ -112,6 +113,9 @@ Words split(const Words& values, char separator) {
 // Empty: stored.
 std::string store(const Command& command, Option& option) {
   if (option.given.empty()) return "";
+  if (!is_flag(option) && std::ssize(option.given) < option.min_values) {
+    return wrong_count(command, option);
+  }
   const bool once = option.max_values == 1 && !option.is_repeatable;
   if (once && !is_flag(option) && option.given.size() > 1) return given_too_often(option);
   const Words texts = split(option.given, option.separator);

@@ -26,7 +26,7 @@ class MatchLimits {
   void begin_cycle() { last_cycle_ = Clock::now(); }
 
   /// Where the match is: the stall limit is exceeded as well while steps are made, but the game
-  /// clock stands still for longer than any wait of the referee.
+  /// clock is stopped for longer than any wait of the referee.
   void follow(const SourceProgress& progress);
   /// True when that is the stall.
   bool clock_stands() const;

@@ -93,7 +93,8 @@ TEST_F(MatchOptionTable, RowIsASettingWithItsOrigin) {
   std::ofstream(path("cls.toml")) << "[tournament]\nfan_noise = 90\n";
   const auto row_of = [&](std::vector<const char*> words) {
     words.insert(words.begin(), {"config", "mock", "mock", "--json"});
-    for (const json& row : json::parse(run(words))["settings"]) {
+    const json document = json::parse(run(words));
+    for (const json& row : document["settings"]) {
       if (row["name"] == "fan_noise") return row;
     }
     return json();

@@ -182,7 +182,7 @@ TEST(TrainingCApi, RefusesASecondThreadInsteadOfHanging) {
     for (std::thread& caller : callers) caller.join();
     EXPECT_GT(refused, 0) << threads;
     EXPECT_EQ(others, 0) << threads;
-    EXPECT_EQ(pool.step(), CLS_TRAINING_OK) << "afterwards one thread may go on";
+    EXPECT_EQ(pool.step(), CLS_TRAINING_OK) << "afterwards one thread may step again";
   }
 }
 

@@ -369,7 +369,7 @@ TEST_F(LiveSite, LimitsTheNumberOfConnections) {
   EXPECT_EQ(code, 200);
 }
 
-// Anybody on this host can connect, but only viewers know the token.
+// Any process on this host can connect, but only viewers know the token.
 TEST_F(LiveSite, HasRoomForViewersBesideUnfinishedRequests) {
   std::vector<std::unique_ptr<tests::HttpConnection>> strangers;
   for (int i = 0; i < 70; ++i) {

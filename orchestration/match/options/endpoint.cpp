@@ -46,9 +46,10 @@ Error unknown_form(std::string_view text) {
   return Error{std::move(message)};
 }
 
-Result<Endpoint> parse_address(std::string_view text) {
+// "HOST:PORT" of a side that is written as `side`.
+Result<Endpoint> parse_address(std::string_view text, std::string_view side) {
   if (text.find("://") != std::string_view::npos) {
-    return Error{fmt::format("side '{}': {}{}", text, host_problem(text),
+    return Error{fmt::format("side '{}': {}{}", side, host_problem(text),
                              text.starts_with("https") ? ", or tls:HOST:PORT" : "")};
   }
   const std::size_t colon = text.rfind(':');
@@ -68,10 +69,10 @@ Result<Endpoint> parse_address(std::string_view text) {
   }
   const int highest = endpoint.port + (endpoint.port_step ? kMaxPortStep : 0);
   if (error != std::errc{} || endpoint.port < 1 || highest > kMaxPort) {
-    return Error{fmt::format("side '{}': port {} is not within 1 to 65535", text, port)};
+    return Error{fmt::format("side '{}': port {} is not within 1 to 65535", side, port)};
   }
   if (const std::string problem = host_problem(endpoint.host); !problem.empty()) {
-    return Error{fmt::format("side '{}': {}", text, problem)};
+    return Error{fmt::format("side '{}': {}", side, problem)};
   }
   return endpoint;
 }
@@ -150,7 +151,7 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
     if (text.find(':', 4) == std::string_view::npos) {
       return Error{fmt::format("side '{}': must be tls:HOST:PORT", text)};
     }
-    auto secure = parse_address(text.substr(4));
+    auto secure = parse_address(text.substr(4), text);
     if (!secure) return secure;
     secure->text = text;
     secure->tls = std::make_shared<proxy::TlsFiles>();
@@ -176,7 +177,7 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
     return parse_with_planner(text);
   }
   if (text.find(':') == std::string_view::npos) return unknown_form(text);
-  return parse_address(text);
+  return parse_address(text, text);
 }
 
 bool Endpoint::starts_programs() const {

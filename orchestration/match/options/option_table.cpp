@@ -454,7 +454,9 @@ std::vector<std::string> set_options(MatchOptions& options, const OptionTexts& t
   for (const MatchOption& option : match_options()) {
     const auto text = texts.find(option.key);
     if (text == texts.end()) continue;
-    if (!base::fits(option.form, text->second)) {
+    // Texts have errors of their own, with suggestions.
+    const bool is_text = option.form.kind == ValueKind::kText;
+    if (!is_text && !base::fits(option.form, text->second)) {
       errors.push_back(
           wrong(option.key, text->second, "must be " + base::phrase_of(option.form)).message);
       continue;

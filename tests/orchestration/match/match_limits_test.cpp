@@ -48,6 +48,7 @@ TEST_F(MatchLimitsTest, EndAMatchWhoseClockStands) {
 
 TEST_F(MatchLimitsTest, DoNotTrustAWaitWithoutEnd) {
   options_.server.kick_off_wait = 1'000'000'000;
+  EXPECT_FALSE(end_after(0, 0, PlayMode::kBeforeKickOff));
   EXPECT_FALSE(end_after(6200, 0, PlayMode::kBeforeKickOff));
   EXPECT_EQ(end_after(6201, 0, PlayMode::kBeforeKickOff), EndReason::kStalled);
 }

@@ -107,7 +107,8 @@ TEST(ProcessHost, ReportsWhyProgramCannotBeStarted) {
   ::chmod(broken.c_str(), 0755);
   plan.argv.front() = broken;
   EXPECT_EQ(error_of_start(plan),
-            "cannot start the fake: " + broken.string() + ": No such file or directory");
+            "cannot start the fake: " + broken.string() +
+                " cannot be started: its interpreter /no/such/interpreter does not exist");
   plan = fake({});
   plan.folder = folder.path() / "none";
   EXPECT_EQ(error_of_start(plan),
