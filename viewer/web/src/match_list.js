@@ -8,10 +8,15 @@ function headings(table) {
   return [...table.tHead.rows[0].cells].map((cell) => cell.textContent);
 }
 
-/** Rows by what identifies them: the team, or else the first cell. @param {HTMLTableElement} table @returns {Map<string, HTMLTableRowElement>} */
+/**
+ * Rows by what identifies them: the team, or else the first cell; facts by their place, since the leader becomes the winner.
+ * @param {HTMLTableElement} table @returns {Map<string, HTMLTableRowElement>}
+ */
 function rowsByKey(table) {
-  const column = Math.max(0, headings(table).indexOf('team'));
-  return new Map([...table.tBodies[0].rows].map((row) => [row.cells[column].textContent, row]));
+  const names = headings(table);
+  const column = Math.max(0, names.indexOf('team'));
+  const key = (row, place) => (names[0] === 'what' ? String(place) : row.cells[column].textContent);
+  return new Map([...table.tBodies[0].rows].map((row, place) => [key(row, place), row]));
 }
 
 /** Makes `target` what `source` is. */
