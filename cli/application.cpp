@@ -13,6 +13,7 @@
 #include "cli/command/help.h"
 #include "cli/command/option_table.h"
 #include "cli/command/parse.h"
+#include "cli/command/usage_errors.h"
 #include "cli/shell/completion_command.h"
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"

@@ -52,11 +52,6 @@ void FileSink::flush() {
   buffer_.clear();
 }
 
-void FileSink::sync() {
-  flush();
-  if (file_ != nullptr && ::fsync(::fileno(file_)) != 0) fail();
-}
-
 void FileSink::fail() {
   if (error_.empty()) error_ = "cannot write '" + path_ + "': " + std::strerror(errno);
 }

@@ -45,8 +45,6 @@ class FileSink : public ByteSink {
 
   void write(std::string_view bytes) override;
   void flush() override;
-  /// Waits until everything written so far is on the disk.
-  void sync();
   Result<void> close() override;
 
  private:

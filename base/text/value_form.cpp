@@ -1,32 +1,18 @@
-// Checks values with std::from_chars and describes their form.
+// Checks values and describes their form.
 #include "base/text/value_form.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <system_error>
-#include <type_traits>
+
+#include "base/text/value_text.h"
 
 namespace cls::base {
 namespace {
 
 template <class Number>
-std::optional<Number> number_in(std::string_view text) {
-  Number value{};
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  if constexpr (std::is_floating_point_v<Number>) {
-    if (!std::isfinite(value)) return std::nullopt;
-  }
-  return value;
-}
-
-template <class Number>
 bool is_in_range(const ValueForm& form, std::string_view text) {
-  const auto number = number_in<Number>(text);
+  const auto number = value_of<Number>(text);
   if (!number) return false;
 
   const double value = static_cast<double>(*number);

@@ -1,11 +1,11 @@
 // Builds and searches the tree of commands.
 #include "cli/command/command.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <type_traits>
 #include <utility>
+
+#include "base/text/value_text.h"
 
 namespace cls::cli {
 namespace {
@@ -36,41 +36,31 @@ constexpr ValueKind kind_of() {
 }
 
 template <class T>
-constexpr bool is_vector(const T&) {
-  return false;
-}
+inline constexpr bool kIsVector = false;
 template <class T>
-constexpr bool is_vector(const std::vector<T>&) {
-  return true;
-}
+inline constexpr bool kIsVector<std::vector<T>> = true;
 
 // What the type of the target says about the option.
 void describe(Option& option) {
   std::visit(
-      [&option]<class Pointer>(Pointer target) {
+      [&option]<class Pointer>(Pointer) {
         if constexpr (std::is_pointer_v<Pointer>) {
-          option.form.kind = kind_of<std::remove_pointer_t<Pointer>>();
-          if (is_vector(*target)) option.max_values = kAnyNumber;
+          using Value = std::remove_pointer_t<Pointer>;
+          option.form.kind = kind_of<Value>();
+          if (kIsVector<Value>) option.max_values = kAnyNumber;
         }
       },
       option.target);
 }
 
+// Lists have no default value.
 template <class T>
-std::string text_of(const T& value) {
-  if constexpr (std::is_same_v<T, std::filesystem::path>) {
-    return value.string();
+std::string default_of(const T& value) {
+  if constexpr (kIsVector<T>) {
+    return "";
   } else {
-    return fmt::format("{}", value);
+    return base::text_of(value);
   }
-}
-template <class T>
-std::string text_of(const std::optional<T>& value) {
-  return value ? text_of(*value) : "";
-}
-template <class T>
-std::string text_of(const std::vector<T>&) {
-  return "";
 }
 
 // "-p,--port" -> "-p", "--port".
@@ -84,6 +74,14 @@ std::vector<std::string> split_names(std::string_view names) {
   return parts;
 }
 
+// nullptr if none has the name.
+template <class Commands>
+auto* find_in(Commands& commands, std::string_view name) {
+  const auto found = std::find_if(commands.begin(), commands.end(),
+                                  [name](const Command& one) { return one.name == name; });
+  return found == commands.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 Option& Option::required() {
@@ -94,7 +92,7 @@ Option& Option::required() {
 Option& Option::shows_default() {
   std::visit(
       [this]<class Pointer>(Pointer pointer) {
-        if constexpr (std::is_pointer_v<Pointer>) default_text = text_of(*pointer);
+        if constexpr (std::is_pointer_v<Pointer>) default_text = default_of(*pointer);
       },
       target);
   return *this;
@@ -211,10 +209,6 @@ std::string value_name(const Option& option) {
   return "";
 }
 
-Option* find_option(Command& command, std::string_view name) {
-  return const_cast<Option*>(find_option(std::as_const(command), name));
-}
-
 const Option* find_option(const Command& command, std::string_view name) {
   for (const Option& option : command.options) {
     const std::vector<std::string> names = split_names(option.names);
@@ -224,9 +218,10 @@ const Option* find_option(const Command& command, std::string_view name) {
 }
 
 const Command* find_command(const Command& command, std::string_view name) {
-  const auto found = std::find_if(command.commands.begin(), command.commands.end(),
-                                  [name](const Command& below) { return below.name == name; });
-  return found == command.commands.end() ? nullptr : &*found;
+  return find_in(command.commands, name);
+}
+Command* find_command(Command& command, std::string_view name) {
+  return find_in(command.commands, name);
 }
 
 }  // namespace cls::cli

@@ -19,10 +19,9 @@ namespace cls::cli {
 /// Where parsing stores the value of an option. A vector gets all values; nothing: the texts stay
 /// in the option.
 using Target =
-    std::variant<std::monostate, bool*, int*, std::uint16_t*, std::uint64_t*, double*, std::string*,
-                 std::filesystem::path*, std::optional<int>*, std::optional<std::uint16_t>*,
-                 std::optional<std::uint64_t>*, std::optional<double>*, std::optional<std::string>*,
-                 std::vector<int>*, std::vector<std::string>*>;
+    std::variant<std::monostate, bool*, int*, std::uint64_t*, double*, std::string*,
+                 std::filesystem::path*, std::optional<int>*, std::optional<std::uint64_t>*,
+                 std::optional<double>*, std::vector<int>*, std::vector<std::string>*>;
 
 /// The `max_values` of an option that takes all values up to the next option.
 inline constexpr int kAnyNumber = 1 << 20;
@@ -130,8 +129,8 @@ std::vector<std::string> all_names(const Option& option);
 std::string value_name(const Option& option);
 
 /// nullptr if there is none. `name` as typed, "--port" or "-p".
-Option* find_option(Command& command, std::string_view name);
 const Option* find_option(const Command& command, std::string_view name);
 const Command* find_command(const Command& command, std::string_view name);
+Command* find_command(Command& command, std::string_view name);
 
 }  // namespace cls::cli

@@ -44,22 +44,15 @@ std::string without_spaces_at_line_ends(std::string text) {
 
 bool takes_many(const Option& option) { return option.max_values == kAnyNumber; }
 
-std::string argument_section(const Command& command) {
+// A title and the options that belong below it; empty without any.
+template <class Belongs>
+std::string section(const Command& command, const std::string& title, const Belongs& belongs) {
   std::string lines;
   for (const Option& option : command.options) {
-    if (!is_argument(option)) continue;
+    if (!belongs(option)) continue;
     lines += entry(signature_of(option), description_of(option), kOptionColumn);
   }
-  return lines.empty() ? "" : "\nArguments:\n" + lines;
-}
-
-std::string option_section(const Command& command, const std::string& group) {
-  std::string lines;
-  for (const Option& option : command.options) {
-    if (is_argument(option) || option.group != group) continue;
-    lines += entry(signature_of(option), description_of(option), kOptionColumn);
-  }
-  return lines.empty() ? "" : fmt::format("\n{}:\n{}", group, lines);
+  return lines.empty() ? "" : fmt::format("\n{}:\n{}", title, lines);
 }
 
 std::string command_sections(const Command& command) {
@@ -84,8 +77,12 @@ std::string command_sections(const Command& command) {
 std::string help_text(const Command& command) {
   std::string text = fmt::format("{}\n\nUsage: {} {}\n", command.description, full_name(command),
                                  usage_of(command));
-  text += argument_section(command);
-  for (const std::string& group : option_groups(command)) text += option_section(command, group);
+  text += section(command, "Arguments", is_argument);
+  for (const std::string& group : option_groups(command)) {
+    text += section(command, group, [&group](const Option& option) {
+      return !is_argument(option) && option.group == group;
+    });
+  }
   text += command_sections(command);
   return without_spaces_at_line_ends(std::move(text));
 }

@@ -4,13 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <iterator>
 #include <map>
-#include <type_traits>
 #include <utility>
 
+#include "base/text/value_text.h"
 #include "cli/command/usage_errors.h"
 
 namespace cls::cli {
@@ -41,10 +40,10 @@ void declare(CLI::App& app, Command& command, Declared& declared) {
 }
 
 // The command that the words before an error chose, and its twin in CLI11.
-std::pair<const Command*, const CLI::App*> innermost(const Command& root, const CLI::App& app) {
+std::pair<Command*, const CLI::App*> innermost(Command& command, const CLI::App& app) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
-  if (chosen.empty()) return {&root, &app};
-  return innermost(*find_command(root, chosen.front()->get_name()), *chosen.front());
+  if (chosen.empty()) return {&command, &app};
+  return innermost(*find_command(command, chosen.front()->get_name()), *chosen.front());
 }
 
 void take_values(const Declared& declared) {
@@ -85,15 +84,9 @@ struct Store {
 
   template <class T>
   static bool store(const std::string& text, T& value) {
-    if constexpr (std::is_same_v<T, bool>) {
-      value = text == "true";
-      return true;
-    } else if constexpr (std::is_arithmetic_v<T>) {
-      return std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();
-    } else {
-      value = text;
-      return true;
-    }
+    auto read = base::value_of<T>(text);
+    if (read) value = *std::move(read);
+    return read.has_value();
   }
 };
 
@@ -170,8 +163,7 @@ Parsed parse(Command& root, Words words) {
   }
   take_values(declared);
 
-  const auto [found, place] = innermost(root, app);
-  auto* command = const_cast<Command*>(found);
+  const auto [command, place] = innermost(root, app);
   command->words = place->remaining();
   if (asks_for_help(*command)) return {command, true, ""};
   if (error.empty()) error = store_values(*command);

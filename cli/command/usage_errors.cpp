@@ -4,10 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <vector>
-
 #include "base/text/suggestion.h"
-#include "cli/command/parse.h"
 
 namespace cls::cli {
 namespace {

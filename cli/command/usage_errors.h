@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/command/command.h"
 
@@ -25,6 +26,13 @@ std::string missing_command(const Command& command);
 
 /// A word that the command does not take: an option or an argument.
 std::string unknown_word(const Command& command, const std::string& word);
+
+/// "unknown option '--sed'; did you mean '--seed'?". `option` may contain a value: "--sed=1".
+std::string unknown_option(const Command& command, const std::string& option);
+
+/// An error for the first word that names no command where one is required. CLI11 reports nothing
+/// below a command that it does not know.
+std::string unknown_command(const Command& root, const std::vector<std::string>& words);
 
 /// The last resort.
 std::string wrong_arguments(const Command& command);

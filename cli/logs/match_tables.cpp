@@ -130,7 +130,7 @@ int write_from_record(MatchTable table, const std::string& in, const TableReques
 struct Job {
   std::string log;
   fs::path stem;  ///< without the suffix of a table
-  std::vector<OutputFailure> failures{};
+  std::optional<OutputFailure> failure{};
   gamelog::ParseErrors errors{};
   std::string unreadable{};
   std::size_t frames = 0;
@@ -186,17 +186,15 @@ void run_job(Job& job, analysis::TrackingColumns columns) {
   job.frames = record.frames();
   if (record.frames() == 0 && !record.errors.empty()) return;
   if (const auto created = base::create_folders(job.stem.parent_path()); !created) {
-    job.failures.push_back({kCannotCreate, created.error().message});
+    job.failure = {kCannotCreate, created.error().message};
     return;
   }
   for (const MatchTable table : kTables) {
-    auto failure = write_output(file_of(job, table), [&](base::ByteSink& sink) {
+    job.failure = write_output(file_of(job, table), [&](base::ByteSink& sink) {
       write_table(table, record, columns, sink);
       return true;
     });
-    if (!failure) continue;
-    job.failures.push_back(*std::move(failure));
-    return;
+    if (job.failure) return;
   }
 }
 
@@ -258,7 +256,7 @@ int write_match_tables(const TableRequest& request, TableCounts& counts) {
   counts.matches = jobs.size();
   for (const Job& job : jobs) {
     exit_code = report_log(exit_code, job.unreadable, job.log, job.errors);
-    for (const OutputFailure& failure : job.failures) exit_code = report_failure(failure);
+    if (job.failure) exit_code = report_failure(job.failure);
     counts.frames += job.frames;
     counts.errors += job.errors.count;
   }

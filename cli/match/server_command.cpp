@@ -22,7 +22,7 @@
 
 #include "base/text/json_text.h"
 #include "cli/command/help.h"
-#include "cli/command/parse.h"
+#include "cli/command/usage_errors.h"
 #include "cli/match/server_lines.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"

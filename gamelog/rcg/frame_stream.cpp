@@ -1,9 +1,6 @@
 // Empties the record whenever the reader asks for more bytes, because its frames are complete then.
 #include "gamelog/rcg/frame_stream.h"
 
-#include <string_view>
-#include <variant>
-
 #include "gamelog/rcg/rcg_reader.h"
 
 namespace cls::gamelog {
@@ -19,11 +16,6 @@ void keep_last_frame(MatchRecord& record) {
   record.mode.front() = record.mode.back();
   record.team_state.front() = record.team_state.back();
   resize_frames(record, 1);
-}
-
-bool is_result(const Note& note) {
-  const auto* message = std::get_if<Message>(&note.content);
-  return message != nullptr && message->text.starts_with("(result ");
 }
 
 }  // namespace

@@ -15,10 +15,7 @@ constexpr std::size_t kBinaryHeaderSize = 4;
 
 bool has_end(const MatchRecord& record) {
   if (!record.mode.empty() && record.mode.back() == soccer::PlayMode::kTimeOver) return true;
-  return std::any_of(record.notes.rbegin(), record.notes.rend(), [](const Note& note) {
-    const auto* message = std::get_if<Message>(&note.content);
-    return message != nullptr && message->text.starts_with("(result ");
-  });
+  return std::any_of(record.notes.rbegin(), record.notes.rend(), is_result);
 }
 
 void check_end(const base::InputBuffer& input, RecordBuilder& builder) {
@@ -62,6 +59,11 @@ void read_by_kind(base::InputBuffer& input, RecordBuilder& builder) {
 }
 
 }  // namespace
+
+bool is_result(const Note& note) {
+  const auto* message = std::get_if<Message>(&note.content);
+  return message != nullptr && message->text.starts_with("(result ");
+}
 
 MatchRecord read_rcg(base::ByteSource& source) {
   base::InputBuffer input(source);

@@ -20,6 +20,9 @@ MatchRecord read_rcg(base::InputBuffer& input);
 /// a source that waits for a growing log can look at what was read.
 void read_rcg(base::InputBuffer& input, MatchRecord& record);
 
+/// True for the message that says the result, after which a log is complete.
+bool is_result(const Note& note);
+
 /// Reads a plain or gzip game log, "-" for standard input. Fails if the file does not exist or
 /// cannot be opened.
 base::Result<MatchRecord> read_rcg_file(const std::string& path);

@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
-#include <type_traits>
 
 #include "base/text/byte_size.h"
+#include "base/text/value_text.h"
 #include "player/formation/formation_set.h"
 #include "soccer/protocol/protocol_version.h"
 
@@ -61,32 +60,12 @@ Error wrong(std::string_view key, std::string_view text, std::string_view what) 
   return Error{fmt::format("{} '{}': {}", option_name(key), text, what)};
 }
 
-// A text that has the form of the option, as the type of the member.
+// The value of a text that has the form of the option.
 template <typename Value>
 Result<Value> value_of(std::string_view key, const std::string& text) {
-  if constexpr (std::is_same_v<Value, bool>) {
-    return text == "true";
-  } else if constexpr (std::is_arithmetic_v<Value>) {
-    Value value{};
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (read.ec != std::errc()) return wrong(key, text, "too large");
-    return value;
-  } else {
-    return Value(text);
-  }
-}
-
-template <typename Value>
-std::string text_of(const Value& value) {
-  if constexpr (std::is_same_v<Value, std::filesystem::path>) {
-    return value.string();
-  } else {
-    return fmt::format("{}", value);
-  }
-}
-template <typename Value>
-std::string text_of(const std::optional<Value>& value) {
-  return value ? text_of(*value) : "";
+  auto value = base::value_of<Value>(text);
+  if (!value) return wrong(key, text, "too large");
+  return *std::move(value);
 }
 
 // The type of a member, without std::optional.
@@ -108,7 +87,7 @@ Row row(std::string_view key, Member Options::*member, std::string_view placehol
     TRY_INIT(options.*member, value_of<Value>(key, text));
     return {};
   };
-  const auto shown = [member](const Options& options) { return text_of(options.*member); };
+  const auto shown = [member](const Options& options) { return base::text_of(options.*member); };
   return {key, placeholder, help, std::move(form), set, shown};
 }
 
