@@ -85,8 +85,10 @@ struct Store {
   template <class T>
   static bool store(const std::string& text, T& value) {
     auto read = base::value_of<T>(text);
-    if (read) value = *std::move(read);
-    return read.has_value();
+    if (!read) return false;
+
+    value = *std::move(read);
+    return true;
   }
 };
 

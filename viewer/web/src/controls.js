@@ -64,7 +64,12 @@ export class Controls {
       element('summary', {class: 'button', 'aria-label': 'What to show on the field', title: 'What to show on the field'}, icon('layers')),
       element('div', {class: 'menu-body'}, ...this.boxes.map(({row}) => row)));
     const place = () => menu.open && placeMenu(menu);
-    menu.addEventListener('toggle', place);
+    // The event 'toggle' comes later: for a frame the menu would be where the last one was.
+    menu.firstElementChild.addEventListener('click', (event) => {
+      event.preventDefault();
+      menu.open = !menu.open;
+      place();
+    });
     window.addEventListener('resize', place);
     window.addEventListener('scroll', place, {passive: true});
     menu.addEventListener('keydown', (event) => {
