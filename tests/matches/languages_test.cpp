@@ -48,10 +48,12 @@ std::pair<int, int> version_in(const std::string& text) {
 
 // Registries are unreachable on some hosts; then nothing can be built.
 bool is_about_network(const std::string& text) {
-  for (const char* phrase : {"Could not transfer artifact", "Could not resolve", "EAI_AGAIN",
-                             "ENOTFOUND", "ECONNREFUSED", "ETIMEDOUT", "dial tcp",
-                             "failed to download", "failed to query replaced source",
-                             "Couldn't connect to server", "network failure", "error NU1301"}) {
+  for (const char* phrase :
+       {"Could not transfer artifact", "Could not resolve", "EAI_AGAIN", "ENOTFOUND",
+        "ECONNREFUSED", "ETIMEDOUT", "dial tcp", "failed to download",
+        "failed to query replaced source", "Couldn't connect to server", "network failure",
+        "error NU1301", "npm error network", "npm ERR! network", "ECONNRESET",
+        "ERR_SOCKET_TIMEOUT"}) {
     if (text.find(phrase) != std::string::npos) return true;
   }
   return false;
