@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/text/split.h"
 #include "base/text/value_text.h"
 
 namespace cls::cli {
@@ -63,12 +64,10 @@ std::string default_of(const T& value) {
   }
 }
 
-// "-p,--port" -> "-p", "--port".
+// "-p,--port" -> "-p", "--port"; the name after a `!` switches the flag off.
 std::vector<std::string> split_names(std::string_view names) {
   std::vector<std::string> parts;
-  while (!names.empty()) {
-    const std::string_view name = names.substr(0, names.find(','));
-    names.remove_prefix(std::min(names.size(), name.size() + 1));
+  for (const std::string_view name : base::split(names, ',')) {
     parts.emplace_back(name.substr(name.starts_with('!') ? 1 : 0));
   }
   return parts;

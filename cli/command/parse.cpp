@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "base/text/split.h"
 #include "base/text/value_text.h"
 #include "cli/command/usage_errors.h"
 
@@ -96,10 +97,8 @@ Words split(const Words& values, char separator) {
   if (separator == '\0') return values;
   Words parts;
   for (const std::string& value : values) {
-    for (std::size_t at = 0; at <= value.size();) {
-      const std::size_t end = std::min(value.find(separator, at), value.size());
-      if (end > at) parts.push_back(value.substr(at, end - at));
-      at = end + 1;
+    for (const std::string_view part : base::split(value, separator)) {
+      if (!part.empty()) parts.emplace_back(part);
     }
   }
   return parts;

@@ -1,12 +1,12 @@
 // Interactive stepping on stdin.
 #include "cli/match/match_stepper.h"
+#include "base/text/number_text.h"
 
 #include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
 
 #include <array>
-#include <charconv>
 #include <cstdio>
 
 namespace cls::cli {
@@ -41,9 +41,8 @@ void MatchStepper::execute(const std::string& line) {
   } else if (line == "c") {
     continue_ = true;
   } else if (!line.empty()) {
-    const char* end = line.data() + line.size();
-    const auto [stop, code] = std::from_chars(line.data(), end, cycles);
-    waiting_ = code != std::errc{} || stop != end || cycles < 1;
+    cycles = base::parse_int(line).value_or(0);
+    waiting_ = cycles < 1;
   }
   if (waiting_) {
     fmt::print(stderr, "Enter: one cycle; N: N cycles; c: continue; q: quit\n");

@@ -2,9 +2,9 @@
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
+#include <fnmatch.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -18,6 +18,8 @@
 #include "base/io/whole_file.h"
 #include "base/text/json_document.h"
 #include "base/text/json_text.h"
+#include "base/text/number_text.h"
+#include "base/text/split.h"
 #include "base/text/suggestion.h"
 #include "cli/support/ci_reports.h"
 #include "cli/support/exit_code.h"
@@ -84,25 +86,10 @@ struct Failure {
   std::string message;
 };
 
-// `*` matches any text; a pattern without `*` matches anywhere in the name.
-bool matches(std::string_view pattern, std::string_view name) {
-  if (pattern.find('*') == std::string_view::npos) return name.find(pattern) != std::string::npos;
-  std::size_t at = 0;
-  bool first = true;
-  while (true) {
-    const std::size_t star = std::min(pattern.find('*'), pattern.size());
-    const std::string_view part = pattern.substr(0, star);
-    const bool last = star == pattern.size();
-    const std::size_t found = last && name.size() >= part.size() + at
-                                  ? std::max(at, name.size() - part.size())
-                                  : name.find(part, at);
-    if (found == std::string_view::npos || name.substr(found, part.size()) != part) return false;
-    if (first && found != 0) return false;
-    if (last) return true;
-    at = found + part.size();
-    pattern.remove_prefix(star + 1);
-    first = false;
-  }
+// A pattern of the shell; one without `*` matches anywhere in the name.
+bool matches(const std::string& pattern, const std::string& name) {
+  if (pattern.find('*') == std::string::npos) return name.find(pattern) != std::string::npos;
+  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
 }
 
 std::optional<Failure> add_file(const std::string& name, std::vector<Scenario>& chosen) {
@@ -137,20 +124,16 @@ std::optional<Failure> add_named(const std::string& name, const std::vector<Scen
 
 // Keeps one part: "2/4" is the second of four.
 std::optional<Failure> select_shard(const std::string& shard, std::vector<Scenario>& scenarios) {
-  std::size_t index = 0;
-  std::size_t count = 0;
-  const std::size_t slash = shard.find('/');
-  const char* end = shard.data() + shard.size();
-  if (slash != std::string::npos) {
-    std::from_chars(shard.data(), shard.data() + slash, index);
-    std::from_chars(shard.data() + slash + 1, end, count);
-  }
+  const std::vector<std::string_view> parts = base::split(shard, '/');
+  const int index = base::parse_int(parts.front()).value_or(0);
+  const int count = parts.size() == 2 ? base::parse_int(parts.back()).value_or(0) : 0;
   if (index < 1 || count < index) {
     return Failure{kUsage, fmt::format("--shard '{}': must be K/N, such as 1/4", shard)};
   }
   std::vector<Scenario> selected;
-  for (std::size_t i = index - 1; i < scenarios.size(); i += count)
-    selected.push_back(scenarios[i]);
+  for (int i = index - 1; i < std::ssize(scenarios); i += count) {
+    selected.push_back(scenarios[static_cast<std::size_t>(i)]);
+  }
   scenarios = std::move(selected);
   return std::nullopt;
 }

@@ -157,14 +157,14 @@ player::Situation situation_of(const protos::State& state) {
   read_ball(world, now);
 
   for (const protos::Player& player : world.teammates()) {
-    now.teammates.add({player.uniform_number(), point_of(player.position()),
-                       point_of(player.velocity()), player.pos_count(), player.is_goalie(),
-                       player.is_tackling()});
+    now.teammates.push_back({player.uniform_number(), point_of(player.position()),
+                             point_of(player.velocity()), player.pos_count(), player.is_goalie(),
+                             player.is_tackling()});
   }
 
   for (const protos::Player& player : world.opponents()) {
     if (player.pos_count() > player::Situation::kMaxAge) continue;
-    now.opponents.add(point_of(player.position()));
+    now.opponents.push_back(point_of(player.position()));
   }
 
   return now;

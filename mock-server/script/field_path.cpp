@@ -7,6 +7,7 @@
 #include <charconv>
 #include <optional>
 
+#include "base/text/split.h"
 #include "base/text/suggestion.h"
 
 namespace cls::mock_server {
@@ -31,16 +32,6 @@ Error no_such_field(const Descriptor& type, std::string_view name) {
   for (int i = 0; i < type.field_count(); ++i) names.push_back(type.field(i)->name());
   return Error{
       fmt::format("{} has no field '{}'{}", type.name(), name, base::did_you_mean(name, names))};
-}
-
-std::vector<std::string_view> split(std::string_view text) {
-  std::vector<std::string_view> parts;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t dot = std::min(text.find('.', at), text.size());
-    parts.push_back(text.substr(at, dot - at));
-    at = dot + 1;
-  }
-  return parts;
 }
 
 const FieldDescriptor* map_value(const FieldDescriptor& field) {
@@ -122,7 +113,7 @@ Result<FieldPath::Step> FieldPath::compile_step(const Descriptor& type, std::str
 }
 
 Result<FieldPath> FieldPath::compile(const Descriptor& root, std::string_view text) {
-  std::vector<std::string_view> names = split(text);
+  std::vector<std::string_view> names = base::split(text, '.');
   const Descriptor* type = &root;
   const FieldDescriptor* world = find_field(root, "world_model");
   if (world != nullptr && find_field(root, names.front()) == nullptr &&

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "base/text/number_text.h"
 #include "base/text/suggestion.h"
 #include "orchestration/scenario/referee_messages.h"
 #include "orchestration/scenario/scenario.h"
@@ -38,11 +38,9 @@ Result<int> parse_player(const JsonValue& json) {
   TRY_INIT(const auto text, json.string());
   const std::size_t space = text.find(' ');
   const auto side = soccer::parse_side(text.substr(0, space));
-  int unum = 0;
-  const char* end = text.data() + text.size();
-  const char* begin = space == std::string::npos ? end : text.data() + space + 1;
-  const auto [stop, code] = std::from_chars(begin, end, unum);
-  if (!side || code != std::errc{} || stop != end || unum < 1 || unum > soccer::kPlayersPerTeam) {
+  const std::size_t number = space == std::string::npos ? text.size() : space + 1;
+  const int unum = base::parse_int(text.substr(number)).value_or(0);
+  if (!side || unum < 1 || unum > soccer::kPlayersPerTeam) {
     return json.error(fmt::format("'{}' is not a player; use the form \"left 9\"", text));
   }
   return soccer::slot_of(*side, unum);

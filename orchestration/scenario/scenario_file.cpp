@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/text/number_text.h"
 #include "base/text/schema.h"
 #include "base/text/stored_formats.h"
 #include "mock-server/mock.h"
@@ -157,10 +157,8 @@ Result<void> parse_team(const JsonValue& json, ScenarioSide& side) {
   const JsonValue players = json["players"];
   if (!players.is_object()) return players.error("must be an object by uniform number");
   for (const std::string& key : players.keys()) {
-    int unum = 0;
-    const auto [end, code] = std::from_chars(key.data(), key.data() + key.size(), unum);
-    if (code != std::errc{} || end != key.data() + key.size() || unum < 1 ||
-        unum > soccer::kPlayersPerTeam) {
+    const int unum = base::parse_int(key).value_or(0);
+    if (unum < 1 || unum > soccer::kPlayersPerTeam) {
       return players[key].error(fmt::format("'{}' is not a uniform number", key));
     }
     TRY_INIT(const auto place, parse_place(players[key]));

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "base/fixed_list.h"
 #include "player/ball_skills/kick.h"
 #include "player/ball_skills/smart_kick.h"
-#include "player/world/fixed_list.h"
 #include "player/world/motion.h"
 #include "soccer/pitch.h"
 
@@ -39,7 +39,7 @@ struct Stopper {
     return dist < (straight ? ahead[cycle] : aside[cycle]);
   }
 };
-using Stoppers = FixedList<Stopper, 44>;
+using Stoppers = base::FixedList<Stopper, 44>;
 
 Stopper stopper_of(const WorldModel& world, const PlayerState& player) {
   const auto& server = world.server();

@@ -1,7 +1,7 @@
 // Threats to the ball by nearby opponents in the next cycles.
 #pragma once
 
-#include "player/world/fixed_list.h"
+#include "base/fixed_list.h"
 #include "player/world/world_model.h"
 
 namespace cls::player {
@@ -26,7 +26,7 @@ class Threats {
     soccer::Vec2 body;  ///< unit vector; zero if unknown
     bool tackling;
   };
-  FixedList<Opponent, 22> near_;
+  base::FixedList<Opponent, 22> near_;
   double tackle_dist_;
   double tackle_width_;
 

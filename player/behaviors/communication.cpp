@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "base/fixed_list.h"
 #include "player/perception/say_message.h"
-#include "player/world/fixed_list.h"
 #include "player/world/motion.h"
 #include "soccer/pitch.h"
 
@@ -32,7 +32,7 @@ struct Seen {
   double relevance;
 };
 
-using SeenPlayers = FixedList<Seen, 2 * PlayerList::capacity()>;
+using SeenPlayers = base::FixedList<Seen, 2 * PlayerList::capacity()>;
 
 /// Adds a player before those of lower relevance.
 void insert(const Seen& one, SeenPlayers& seen) {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "player/world/fixed_list.h"
+#include "base/fixed_list.h"
 #include "player/world/motion.h"
 #include "player/world/running.h"
 #include "soccer/interval.h"
@@ -31,7 +31,7 @@ struct Shooter {
 
 /// Ball positions of one shot by cycle until the goal line.
 struct Flight {
-  FixedList<Vec2, kMaxCycles> ball;
+  base::FixedList<Vec2, kMaxCycles> ball;
   int notice = 0;
   double weight = 1.0;
 };
@@ -101,7 +101,7 @@ class OpenGoal {
   ReachTable reach_;
   double arms_;
   double half_goal_;
-  FixedList<Flight, kTargets * 4> flights_;
+  base::FixedList<Flight, kTargets * 4> flights_;
 };
 
 /// Point on the line from the ball to a point behind the goal, which roughly bisects the angle.

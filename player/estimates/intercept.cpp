@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "player/world/fixed_list.h"
+#include "base/fixed_list.h"
 #include "soccer/math.h"
 
 namespace cls::player {
@@ -89,7 +89,7 @@ class FullRuns {
 
  private:
   const soccer::ServerParams& server_;
-  FixedList<FullRun, 18> runs_;  // as many types as servers have
+  base::FixedList<FullRun, 18> runs_;  // as many types as servers have
 };
 
 /// Cycles until another player can intercept the ball; kNever beyond the horizon. Assumes the best

@@ -61,7 +61,7 @@ class DashCourse {
   const soccer::ServerParams* server_ = nullptr;
   const soccer::PlayerType* type_ = nullptr;
   Stamina strength_;
-  FixedList<Dash, kInterceptHorizon> dashes_;
+  base::FixedList<Dash, kInterceptHorizon> dashes_;
 };
 
 /// Simulates a run of the agent cycle by cycle.

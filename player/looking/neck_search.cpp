@@ -69,7 +69,7 @@ void NeckSearch::add_players(const WorldModel& world, const PlayerList& list, Ve
   const bool attack = world.self.kickable || world.kickable_teammate() ||
                       world.intercept.first_teammate_steps < world.intercept.first_opponent_steps;
 
-  FixedList<Vec2, PlayerList::capacity()> relatives;
+  base::FixedList<Vec2, PlayerList::capacity()> relatives;
   for (const PlayerState& player : list) relatives.push_back(player.position - here);
   std::array<double, PlayerList::capacity()> degrees;
   soccer::directions(relatives.begin(), relatives.size(), degrees.data());

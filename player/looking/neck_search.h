@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "base/fixed_list.h"
 #include "player/commands/command_slots.h"
-#include "player/world/fixed_list.h"
 #include "player/world/view_cone.h"
 #include "player/world/world_model.h"
 
@@ -37,7 +37,7 @@ class NeckSearch {
   double neck_now_;
   soccer::AngleDeg body_;
   bool all_players_ = false;
-  FixedList<WeightedDirection, 44> players_;
+  base::FixedList<WeightedDirection, 44> players_;
   /// Sum of the scores of the direction sectors before each one, twice around.
   std::array<int, 2 * ViewMemory::kSectors + 1> field_before_{};
 };

@@ -1,7 +1,7 @@
 // Which team gets a ball that the agent tackles away.
 #pragma once
 
-#include "player/world/fixed_list.h"
+#include "base/fixed_list.h"
 #include "player/world/running.h"
 #include "player/world/world_model.h"
 
@@ -36,9 +36,9 @@ class BallRace {
   bool gets_ball(const Runner& runner, soccer::Vec2 ball, int cycle) const;
 
   const WorldModel& world_;
-  FixedList<const soccer::PlayerType*, 22> types_;
-  FixedList<ReachTable, 22> reach_;  ///< by index into types_
-  FixedList<Runner, 22> runners_;
+  base::FixedList<const soccer::PlayerType*, 22> types_;
+  base::FixedList<ReachTable, 22> reach_;  ///< by index into types_
+  base::FixedList<Runner, 22> runners_;
 };
 
 }  // namespace cls::player

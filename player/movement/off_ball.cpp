@@ -122,7 +122,7 @@ std::optional<Mark> find_mark(const WorldModel& world, const TeamPoints& home,
   if (!their_attack(world) || world.goalie) return std::nullopt;
   const Vec2 ball = first_reach_point(world);
 
-  FixedList<const PlayerState*, 22> attackers;
+  base::FixedList<const PlayerState*, 22> attackers;
   for (const PlayerState& opponent : world.opponents) {
     constexpr double kHasBall = 2.5;
     if (opponent.goalie || opponent.ghost() || opponent.pos_count > kMaxMarkAge) continue;

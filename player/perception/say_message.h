@@ -6,7 +6,7 @@
 #include <string_view>
 #include <variant>
 
-#include "player/world/fixed_list.h"
+#include "base/fixed_list.h"
 #include "soccer/geometry.h"
 #include "soccer/parameters/server_params.h"
 
@@ -88,7 +88,7 @@ struct SayBallGoalie {
 };
 /// 'P', 'Q', 'R' + 3, 6, 9: one to three players (0.63 m).
 struct SayPlayers {
-  FixedList<SaidPlayer, 3> players;
+  base::FixedList<SaidPlayer, 3> players;
 };
 /// 'S' + 4 (0.4 m, 6 degrees, stamina as a fraction in tenths)
 struct SaySelf {

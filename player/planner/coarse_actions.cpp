@@ -167,7 +167,7 @@ bool can_shoot_from(const PlannerField& field, Vec2 ball, int holder, int max_ag
     double half_width;
   };
 
-  FixedList<Shadow, 44> shadows;
+  base::FixedList<Shadow, 44> shadows;
   for (const FieldOpponent& opponent : field.opponents) {
     const Vec2 relative = opponent.position - ball;
     const double dist = relative.length();

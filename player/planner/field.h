@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "player/world/fixed_list.h"
+#include "base/fixed_list.h"
 #include "player/world/planner_parameters.h"
 #include "player/world/running.h"
 #include "player/world/world_model.h"
@@ -58,7 +58,7 @@ class PlannerField {
   bool open_play = true;    ///< play_on or a penalty kick
   int held = 0;             ///< cycles since the agent got the ball
   FieldPlayer self;
-  FixedList<FieldPlayer, 22> teammates;
+  base::FixedList<FieldPlayer, 22> teammates;
   std::vector<FieldOpponent> opponents;  ///< including players of unknown team
   /// Opponents that stopped the last ball and got to the last point (caches).
   mutable std::size_t last_stopper = 0;

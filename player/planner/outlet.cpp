@@ -127,7 +127,7 @@ class OutletSearch {
 
   const PlannerField& field_;
   bool goal_kick_;
-  FixedList<const FieldPlayer*, 22> teammates_;
+  base::FixedList<const FieldPlayer*, 22> teammates_;
   std::optional<Outlet> best_;
 };
 

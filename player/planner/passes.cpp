@@ -263,7 +263,7 @@ class PassSearch {
 
   const PlannerField& field_;
   std::vector<PlanAction>& out_;
-  FixedList<const FieldPlayer*, 22> receivers_;
+  base::FixedList<const FieldPlayer*, 22> receivers_;
   double usual_speed_ = 1.0;
 };
 

@@ -6,8 +6,8 @@ namespace cls::player {
 using Kind = TeamAction::Kind;
 
 void ActionList::add(Kind kind, soccer::Vec2 point, double first, double second, int count) {
-  actions_.add({kind, static_cast<float>(point.x), static_cast<float>(point.y),
-                static_cast<float>(first), static_cast<float>(second), count});
+  actions_.push_back({kind, static_cast<float>(point.x), static_cast<float>(point.y),
+                      static_cast<float>(first), static_cast<float>(second), count});
 }
 
 void ActionList::smart_kick(soccer::Vec2 target, double speed, double min_speed, int kicks) {

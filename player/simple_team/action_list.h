@@ -1,7 +1,7 @@
 // Actions of the simple team as plain data, in the order of preference.
 #pragma once
 
-#include "player/simple_team/few.h"
+#include "base/fixed_list.h"
 #include "soccer/geometry.h"
 
 namespace cls::player {
@@ -71,7 +71,7 @@ class ActionList {
 
   /// No decision has more.
   static constexpr std::size_t kMaxActions = 12;
-  const Few<TeamAction, kMaxActions>& actions() const { return actions_; }
+  const base::FixedList<TeamAction, kMaxActions>& actions() const { return actions_; }
 
   bool places_itself = false;  ///< the agent must not place itself by its own formation
 
@@ -79,7 +79,7 @@ class ActionList {
   void add(TeamAction::Kind kind, soccer::Vec2 point = {}, double first = 0.0, double second = 0.0,
            int count = 0);
 
-  Few<TeamAction, kMaxActions> actions_;
+  base::FixedList<TeamAction, kMaxActions> actions_;
 };
 
 }  // namespace cls::player

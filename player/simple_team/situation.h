@@ -1,7 +1,7 @@
 // What the simple team knows when it decides, as plain data.
 #pragma once
 
-#include "player/simple_team/few.h"
+#include "base/fixed_list.h"
 #include "soccer/geometry.h"
 #include "soccer/pitch.h"
 
@@ -64,8 +64,8 @@ struct Situation {
   bool opponent_kicks = false;
 
   double offside_line = 0.0;  ///< x at which teammates become offside
-  Few<SeenPlayer, kMaxPlayers> teammates;
-  Few<soccer::Vec2, kMaxPlayers> opponents;  ///< not older than kMaxAge
+  base::FixedList<SeenPlayer, kMaxPlayers> teammates;
+  base::FixedList<soccer::Vec2, kMaxPlayers> opponents;  ///< not older than kMaxAge
 
   bool ball_is_known() const { return ball_age < 10; }
   int own_reach() const { return kickable ? 0 : own_steps; }

@@ -29,7 +29,7 @@ bool has_motion(const Observation& seen) { return seen.detail >= ObservedDetail:
 
 double square(double x) { return x * x; }
 
-using SlabList = FixedList<Slab<4>, 4>;
+using SlabList = base::FixedList<Slab<4>, 4>;
 
 void add_motion(const Viewpoint& view, const ObservedPosition& observed, const Observation& seen,
                 SlabList& slabs) {

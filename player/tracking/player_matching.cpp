@@ -115,7 +115,7 @@ PlayerState* track_for_number(WorldModel& world, const PlayerObservation& observ
 
 void match_numbers(WorldModel& world, const Viewpoint& view,
                    const PlayerObservationList& observations, UpdateTrack update) {
-  FixedList<const PlayerObservation*, 24> open;
+  base::FixedList<const PlayerObservation*, 24> open;
 
   for (const PlayerObservation& observation : observations) {
     if (observation.seen->unum == 0) continue;
@@ -153,7 +153,7 @@ double track_cost(const PlayerState& track, const PlayerObservation& observation
   return m.squared + math::log(m.determinant) + kTwoLogTwoPi;
 }
 
-using TrackPointers = FixedList<PlayerState*, CostTable::kMaxColumns>;
+using TrackPointers = base::FixedList<PlayerState*, CostTable::kMaxColumns>;
 
 void add_unmatched(PlayerList& list, Side side, TrackPointers& out) {
   for (PlayerState& track : list) {
@@ -164,7 +164,7 @@ void add_unmatched(PlayerList& list, Side side, TrackPointers& out) {
 
 void match_team(WorldModel& world, const Viewpoint& view, const PlayerObservationList& observations,
                 Side side, UpdateTrack update) {
-  FixedList<const PlayerObservation*, CostTable::kMaxRows> rows;
+  base::FixedList<const PlayerObservation*, CostTable::kMaxRows> rows;
   for (const PlayerObservation& observation : observations) {
     if (observation.side == side && observation.seen->unum == 0) rows.push_back(&observation);
   }

@@ -14,7 +14,7 @@ struct PlayerObservation {
   soccer::Side side = soccer::Side::kNeutral;
 };
 
-using PlayerObservationList = FixedList<PlayerObservation, 24>;
+using PlayerObservationList = base::FixedList<PlayerObservation, 24>;
 
 /// Updates a track by an observation and marks it as matched.
 using UpdateTrack = void (*)(PlayerState& track, const Viewpoint& view,

@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "player/world/fixed_list.h"
+#include "base/fixed_list.h"
 #include "soccer/math.h"
 #include "soccer/pitch.h"
 
@@ -27,7 +27,7 @@ constexpr double kHalfDegree = 0.5;
 // Tolerance for rounding errors.
 constexpr double kSlack = 1e-4;
 
-using SlabList = FixedList<Slab<3>, kMaxSlabs>;
+using SlabList = base::FixedList<Slab<3>, kMaxSlabs>;
 
 struct Pose {
   Vec2 position;

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <span>
 
-#include "player/world/fixed_list.h"
+#include "base/fixed_list.h"
 #include "player/world/truncated_normal.h"
 
 namespace cls::player {
@@ -103,7 +103,7 @@ void condition(Gaussian<N>& estimate, std::span<const Slab<N>> slabs, int sweeps
   };
 
   const std::size_t count = std::min(slabs.size(), kMaxSlabs);
-  FixedList<Site, kMaxSlabs> sites;
+  base::FixedList<Site, kMaxSlabs> sites;
   for (std::size_t i = 0; i < count; ++i) sites.push_back({});
 
   for (int sweep = 0; sweep < sweeps; ++sweep) {

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "base/fixed_list.h"
 #include "player/world/age.h"
-#include "player/world/fixed_list.h"
 #include "soccer/angle.h"
 #include "soccer/geometry.h"
 
@@ -43,7 +43,7 @@ struct InterceptTable {
   int second_teammate_id = 0;
   int first_opponent_id = 0;
   int second_opponent_id = 0;
-  FixedList<InterceptPlan, kMaxInterceptPlans> plans;  ///< by steps, ascending
+  base::FixedList<InterceptPlan, kMaxInterceptPlans> plans;  ///< by steps, ascending
 
   /// Minimum over exhausting and other plans.
   int best_self_steps() const {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/fixed_list.h"
 #include "player/world/age.h"
-#include "player/world/fixed_list.h"
 #include "soccer/angle.h"
 #include "soccer/geometry.h"
 #include "soccer/messages/see.h"
@@ -67,6 +67,6 @@ struct PlayerState {
 };
 
 /// Tracks of one team: numbered players by number, then the others by id.
-using PlayerList = FixedList<PlayerState, 22>;
+using PlayerList = base::FixedList<PlayerState, 22>;
 
 }  // namespace cls::player

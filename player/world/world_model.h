@@ -108,7 +108,7 @@ struct WorldModel {
   int their_goalie_unum = 0;
   std::array<int, soccer::kPlayersPerTeam> our_types{};    ///< type id by unum - 1
   std::array<int, soccer::kPlayersPerTeam> their_types{};  ///< -1: substituted, type unknown
-  FixedList<HeardMessage, 8> heard;                        ///< in the current step
+  base::FixedList<HeardMessage, 8> heard;                  ///< in the current step
 
   SelfTracker self_tracker;  ///< used by perception only
   BallTracker ball_tracker;

@@ -41,7 +41,7 @@ class Angles {
   }
 
   void set() {
-    player::FixedList<soccer::Vec2, kBatch> vectors;
+    base::FixedList<soccer::Vec2, kBatch> vectors;
     std::array<double, kBatch> degrees;
     for (const protos::RpcVector2D* message : waiting_) {
       vectors.push_back({message->x(), message->y()});
@@ -53,7 +53,7 @@ class Angles {
 
  private:
   static constexpr std::size_t kBatch = 64;
-  player::FixedList<protos::RpcVector2D*, kBatch> waiting_;
+  base::FixedList<protos::RpcVector2D*, kBatch> waiting_;
 };
 
 void fill_vector(soccer::Vec2 vector, protos::RpcVector2D& out, Angles& angles) {
@@ -386,7 +386,7 @@ void fill_team(const player::WorldModel& world, const player::PlayerList& player
     filled[static_cast<std::size_t>(key + kMaxKey)] = true;
     return map[key];
   };
-  player::FixedList<Numbered, player::PlayerList::capacity()> numbered;
+  base::FixedList<Numbered, player::PlayerList::capacity()> numbered;
   int unnumbered = 0;
   Angles angles;
   for (const player::PlayerState& player : players) {

@@ -87,15 +87,15 @@ Situation situation_of(const WorldModel& world) {
 
   for (const PlayerState& player : world.teammates) {
     if (!player.position_valid() || player.unum == 0) continue;
-    now.teammates.add({player.unum, shortened(player.position), shortened(player.velocity),
-                       player.pos_count, player.goalie, player.tackling});
+    now.teammates.push_back({player.unum, shortened(player.position), shortened(player.velocity),
+                             player.pos_count, player.goalie, player.tackling});
   }
 
   for (const PlayerState& player : world.opponents) {
     if (!player.position_valid() || player.unum == 0 || player.pos_count > Situation::kMaxAge) {
       continue;
     }
-    now.opponents.add(shortened(player.position));
+    now.opponents.push_back(shortened(player.position));
   }
   return now;
 }

@@ -8,13 +8,61 @@
 #include <vector>
 
 #include "training/episode/episode.h"
-#include "training/pool/buffers.h"
-#include "training/pool/code.h"
 #include "training/pool/crew.h"
 #include "training/pool/pool_config.h"
 #include "training/pool/recording.h"
 
 namespace cls::training {
+
+/// Numbers are part of the C interface (training/c_api/cls_training.h describes them).
+enum class Code : int {
+  kOk = 0,
+  kBadPointer = -1,
+  kBadHandle = -2,
+  kBadConfig = -3,
+  kBadSize = -4,
+  kBadIndex = -5,
+  kBadAction = -6,
+  kBadOrder = -7,
+  kBadFile = -8,
+  kSmallBuffer = -9,
+  kForked = -10,
+  kInternal = -11,
+};
+
+/// `text` is empty for kOk.
+struct [[nodiscard]] Outcome {
+  Code code = Code::kOk;
+  std::string text{};
+
+  bool ok() const { return code == Code::kOk; }
+};
+
+/// Arrays of a pool, owned by the caller. Shapes and meanings: training/c_api/cls_training.h. Null
+/// pointers are not filled.
+struct Buffers {
+  const std::int32_t* action_ids = nullptr;
+  const float* action_values = nullptr;
+  const std::uint64_t* next_seeds = nullptr;
+
+  float* observations = nullptr;
+  float* rewards = nullptr;
+  std::uint8_t* terminated = nullptr;
+  std::uint8_t* truncated = nullptr;
+  std::int32_t* status = nullptr;
+  std::uint8_t* alive = nullptr;
+  std::uint8_t* action_masks = nullptr;
+  float* state = nullptr;
+  float* reward_terms = nullptr;
+  float* final_observations = nullptr;
+  float* final_state = nullptr;
+  std::uint8_t* was_reset = nullptr;
+  std::int32_t* cycles = nullptr;
+  std::int32_t* score = nullptr;
+  std::int32_t* illegal = nullptr;
+  std::uint64_t* seeds = nullptr;
+  std::int32_t* opponent = nullptr;
+};
 
 /// Meanings of all functions: training/c_api/cls_training.h. Not for concurrent use.
 class Pool {

@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "base/text/number_text.h"
+#include "base/text/split.h"
 #include "base/text/suggestion.h"
 #include "proto/rpc.h"
 #include "soccer/side.h"
@@ -58,21 +59,9 @@ std::size_t selector_length(std::string_view text) {
   return std::all_of(selector.begin(), selector.end(), is_selector_character) ? equals + 1 : 0;
 }
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> pieces;
-  while (true) {
-    const std::size_t end = text.find(separator);
-    pieces.push_back(trimmed(text.substr(0, end)));
-    if (end == std::string_view::npos) return pieces;
-    text.remove_prefix(end + 1);
-  }
-}
-
 std::optional<int> parse_unum(std::string_view text) {
-  int unum = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), unum);
-  const bool whole = error == std::errc{} && end == text.data() + text.size();
-  return whole && unum >= 1 && unum <= soccer::kPlayersPerTeam ? std::optional(unum) : std::nullopt;
+  const std::optional<int> unum = base::parse_int(text);
+  return unum && *unum >= 1 && *unum <= soccer::kPlayersPerTeam ? unum : std::nullopt;
 }
 
 Error unknown_agents(std::string_view word) {
@@ -130,7 +119,8 @@ Result<std::vector<MixedPart>> parse_mixed_side(std::string_view text) {
   std::map<int, std::size_t> owner;
   std::optional<std::size_t> others;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    for (const std::string_view word : split(parts[i].label, ',')) {
+    for (const std::string_view piece : base::split(parts[i].label, ',')) {
+      const std::string_view word = trimmed(piece);
       if (word == kOthers) {
         if (others) return Error{"two parts are named others"};
         others = i;

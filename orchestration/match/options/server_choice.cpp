@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <vector>
 
 #include "base/system/socket_address.h"
+#include "base/text/number_text.h"
 #include "base/text/suggestion.h"
 #include "orchestration/match/options/host_name.h"
 
@@ -22,10 +22,8 @@ constexpr std::array<MatchMode, 3> kModes = {MatchMode::kLockstep, MatchMode::kS
 
 // 0: not a port number.
 int port_in(std::string_view text) {
-  int port = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
-  const bool whole = error == std::errc{} && end == text.data() + text.size();
-  return whole && port >= 1 && port <= 65535 ? port : 0;
+  const int port = base::parse_int(text).value_or(0);
+  return port >= 1 && port <= 65535 ? port : 0;
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace cls::player {
+namespace cls::base {
 
 /// Elements of a list.
 template <typename T, std::size_t N, bool kPlain>
@@ -65,4 +65,4 @@ class FixedList {
   std::size_t size_ = 0;
 };
 
-}  // namespace cls::player
+}  // namespace cls::base
