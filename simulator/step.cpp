@@ -22,9 +22,11 @@ void reset_commands(Player& player) {
   decrement(player.dash_cycles, -1);
   decrement(player.tackle_cycles, 0);
   decrement(player.foul_cycles, 0);
+
   if (player.kick_cycles <= 0 && player.tackle_cycles == 0 && player.foul_cycles == 0) {
     player.command_done = false;
   }
+
   player.turn_neck_done = false;
   player.legs = {};
 }
@@ -47,10 +49,12 @@ void run_before_kick_off(World& world, Events& events) {
 
 void run_stopped(World& world, Events& events) {
   const PlayMode before = world.mode;
+
   world.ball_catcher = kNoPlayer;
   move_objects(world, events);
   ++world.clock.stoppage;
   run_referee(world, events);
+
   if (world.mode != before) advance_clock(world.clock);
 }
 
@@ -66,6 +70,7 @@ void recover_stamina_and_hearing(World& world) {
   for (Player& player : world.players) {
     if (!player.enabled) continue;
     update_stamina(world, player);
+
     Ears& ears = player.ears;
     ears.teammate_capacity = std::min(ears.teammate_capacity + server.hear_inc, server.hear_max);
     ears.opponent_capacity = std::min(ears.opponent_capacity + server.hear_inc, server.hear_max);
@@ -81,6 +86,7 @@ void clear_transient_state(Player& player) {
   if (player.kick_cycles > 0) retained |= state::kKick | state::kKickFault;
   if (player.tackle_cycles > 0) retained |= state::kTackle | state::kTackleFault;
   if (player.foul_cycles > 0) retained |= state::kFoulCharged;
+
   player.state &= retained;
 }
 
@@ -100,6 +106,7 @@ void wait_for_kick_off(World& world, Events& events) {
 
 void step(World& world, Events& events) {
   apply_dashes(world);
+
   switch (soccer::mode_class(world.mode)) {
     case soccer::ModeClass::kWaiting:
       run_before_kick_off(world, events);
@@ -114,6 +121,7 @@ void step(World& world, Events& events) {
       ++world.clock.stoppage;
       break;
   }
+
   recover_stamina_and_hearing(world);
 }
 
@@ -125,11 +133,13 @@ void finish_step(World& world, Events& events) {
 void run_auto_mode(World& world, Events& events) {
   const soccer::ServerParams& server = world.params();
   if (!server.auto_mode) return;
+
   AutoMode& state = world.auto_mode;
   if (world.mode == PlayMode::kTimeOver) {
     if (--state.game_over_wait <= 0) state.ended = true;
     return;
   }
+
   const bool can_start = world.rules->half_time <= 0 || world.clock.time < world.rules->total_time;
   if (world.mode == PlayMode::kBeforeKickOff && can_start) {
     wait_for_kick_off(world, events);

@@ -37,8 +37,10 @@ bool succeeds(World& world, const Player& player, const CatchArea& area, Vec2 ba
     const double beyond = (ball.x - area.reliable_length) / (area.length - area.reliable_length);
     probability = std::clamp(probability * (1.0 - beyond), 0.0, 1.0);
   }
+
   const Slot slot = player.slot();
   const bool drawn = world.random.catch_ball[static_cast<std::size_t>(slot)].bernoulli(probability);
+
   if (!world.overrides) return drawn;
   return world.overrides->catch_ball.replace(slot, drawn, probability < 1.0);
 }
@@ -49,9 +51,11 @@ double gap_to_ball(const World& world, const Player& player, Vec2 to_ball) {
   constexpr double kRounding = 3e-4;
   const double gap =
       to_ball.length() - world.params().ball_size - world.type_of(player).player_size;
+
   if (!world.overrides || std::fabs(gap) > kRounding) return gap;
   const auto body = world.overrides->body[static_cast<std::size_t>(player.slot())];
   if (!body) return gap;
+
   const double turned = math::normalize_radians(*body - soccer::direction_radians(to_ball));
   return std::fabs(turned) > math::kPi / 2.0 ? -std::fabs(gap) : std::fabs(gap);
 }
@@ -60,15 +64,19 @@ double gap_to_ball(const World& world, const Player& player, Vec2 to_ball) {
 void take_ball(World& world, Player& player, Events& events) {
   const Vec2 to_ball = world.ball.position - player.position;
   const Vec2 move = soccer::with_length(to_ball, gap_to_ball(world, player, to_ball));
+
   player.position += move;
   player.pending_body = soccer::direction_radians(move);
   player.velocity = {};
+
   if (!soccer::is_penalty_mode(world.mode)) {
     announce(world, {"goalie_catch_ball", player.side}, events);
   }
+
   resolve_collisions(world, events);
   on_ball_touched(world, player.slot(), events);
   on_ball_caught(world, player.slot(), events);
+
   if (world.mode == PlayMode::kFreeKickLeft || world.mode == PlayMode::kFreeKickRight) {
     world.ball_catcher = player.slot();
   }
@@ -77,10 +85,12 @@ void take_ball(World& world, Player& player, Events& events) {
 void punch_ball(World& world, Player& player, double direction, Events& events) {
   player.state |= state::kCatchFault;
   const Vec2 velocity = world.ball.velocity;
+
   Vec2 mirrored = soccer::rotated_radians(velocity, -direction);
   mirrored.x = -mirrored.x;
   mirrored = soccer::rotated_radians(mirrored, direction);
   world.ball.acceleration += mirrored - velocity;
+
   on_ball_touched(world, player.slot(), events);
   on_ball_punched(world, player.slot(), events);
 }
@@ -95,27 +105,34 @@ bool may_catch(const World& world, const Player& player) {
 void catch_ball(World& world, Player& player, const soccer::Catch& command, Events& events) {
   if (player.command_done) return;
   const soccer::ServerParams& server = world.params();
+
   player.command_done = true;
   player.state |= state::kCatch;
+
   if (!may_catch(world, player)) {
     player.state |= state::kCatchFault;
     return;
   }
+
   player.catch_ban = server.catch_ban_cycle;
   const double direction =
       player.body + exact_radians(soccer::between(command.direction, server.min_catch_angle,
                                                   server.max_catch_angle));
+
   const CatchArea area = catch_area(server, world.type_of(player));
   const Vec2 ball = ball_relative_to(world, player, direction);
+
   if (!area.contains(ball)) {
     player.state |= state::kCatchFault;
     return;
   }
+
   if (succeeds(world, player, area, ball)) {
     take_ball(world, player, events);
   } else {
     punch_ball(world, player, direction, events);
   }
+
   ++player.counters.catches;
   player.moves_since_catch = 0;
 }

@@ -52,6 +52,7 @@ Push push_by_angle(const soccer::ServerParams& server, const Player& player, dou
   const double power =
       server.max_back_tackle_power + (server.max_tackle_power - server.max_back_tackle_power) *
                                          (1.0 - std::fabs(angle) / math::kPi);
+
   return {soccer::polar_radians(power * server.tackle_power_rate * side_rate, angle + player.body),
           1.0};
 }
@@ -60,12 +61,14 @@ Push push_by_power(const soccer::ServerParams& server, const Player& player, dou
                    double side_rate) {
   const double power =
       soccer::between(commanded_power, -server.max_back_tackle_power, server.max_tackle_power);
+
   double rate = 1.0;
   if (power >= 0.0) {
     rate = power / server.max_tackle_power;
   } else if (server.max_back_tackle_power != 0.0) {
     rate = -power / server.max_back_tackle_power;
   }
+
   return {soccer::polar_radians(power * server.tackle_power_rate * side_rate, player.body), rate};
 }
 
@@ -92,18 +95,22 @@ void tackle(World& world, Player& player, const soccer::Tackle& command, Events&
     player.state |= state::kTackleFault;
     return;
   }
+
   const bool foul = command.foul && opponent_has_ball(world, player);
   const double failure = failure_probability(server, ball, reach, foul);
+
   if (failure >= 1.0) {
     on_ball_missed(world, player.slot(), events);
     player.state |= state::kTackleFault;
     return;
   }
+
   if (!succeeds(world, player, failure)) {
     on_ball_missed(world, player.slot(), events);
     player.state |= state::kTackle | state::kTackleFault;
     return;
   }
+
   player.state |= state::kTackle;
   if (!moves_the_ball(world.mode)) return;
   if (foul) player.tackle_cycles = 0;
@@ -113,6 +120,7 @@ void tackle(World& world, Player& player, const soccer::Tackle& command, Events&
   push.acceleration += ball_noise(
       world, kick_rand(world, player) * server.tackle_rand_factor * push.power_rate * noise_rate,
       world.random.tackle_noise[static_cast<std::size_t>(player.slot())]);
+
   world.ball_catcher = kNoPlayer;
   world.ball.acceleration += push.acceleration;
   on_tackle_taken(world, player.slot(), push.acceleration.length(), foul, events);

@@ -91,18 +91,22 @@ void move_player(World& world, Slot slot, Vec2 position, std::optional<double> b
                  std::optional<Vec2> velocity, Events& events) {
   Player& player = world.player(slot);
   player.position = limited(position);
+
   if (body_degrees) {
     const soccer::ServerParams& server = world.params();
     player.body = exact_radians(soccer::between(*body_degrees, server.minmoment, server.maxmoment));
   }
+
   player.pending_body = player.body;  // discards a turn of this cycle
   if (velocity) player.velocity = limited(*velocity);
+
   resolve_collisions(world, events);
 }
 
 soccer::BallPlace locate_ball(const World& world) {
   if (is_in_goal_box(world, -1.0)) return soccer::BallPlace::kGoalLeft;
   if (is_in_goal_box(world, 1.0)) return soccer::BallPlace::kGoalRight;
+
   const double margin = world.params().ball_size;
   const bool is_out = std::fabs(world.ball.position.x) > soccer::kHalfLength + margin ||
                       std::fabs(world.ball.position.y) > soccer::kHalfWidth + margin;

@@ -37,20 +37,25 @@ Vec2 reflect(Vec2 v, Vec2 axis) {
 bool push_out(const Posts& posts, Vec2& position, Vec2& velocity, soccer::RandomStream& stream) {
   bool hit = false;
   Vec2 post = posts.nearest_to(position);
+
   while (distance(position, post) < posts.reach) {
     hit = true;
+
     Vec2 away = position - post;
     away = away.is_zero()
                ? soccer::polar_radians(posts.reach, stream.uniform(-math::kPi, math::kPi))
                : soccer::with_length(away, posts.reach);
     position = post + away;
+
     while (distance(position, post) < posts.reach) {
       away *= 1.01;
       position = post + away;
     }
+
     velocity = reflect(velocity, post - position);
     post = posts.nearest_to(position);
   }
+
   return hit;
 }
 
@@ -59,8 +64,10 @@ std::optional<Vec2> first_intersection(Vec2 from, Vec2 to, Vec2 center, double r
   const Vec2 path = to - from;
   const double length2 = path.squared_length();
   if (length2 == 0.0) return std::nullopt;
+
   const Vec2 start = from - center;
   if (std::sqrt(length2) < start.length() - radius) return std::nullopt;
+
   const double area = cross(start, to - center);
   const double discriminant = radius * radius * length2 - area * area;
   if (discriminant <= 0.0) return std::nullopt;
@@ -70,11 +77,13 @@ std::optional<Vec2> first_intersection(Vec2 from, Vec2 to, Vec2 center, double r
   const double first = middle - half;
   const double second = middle + half;
   const auto on_segment = [](double t) { return t >= 0.0 && t <= 1.0; };
+
   if (on_segment(first)) {
     // Leaving the circle along its tangent is not a contact.
     if (first == 0.0 && !on_segment(second)) return std::nullopt;
     return from + path * first;
   }
+
   if (on_segment(second) && second != 0.0) return from + path * second;
   return std::nullopt;
 }
@@ -85,6 +94,7 @@ bool advance_past_posts(Vec2& position, Vec2& velocity, double radius, double go
                         soccer::RandomStream& stream) {
   const Posts posts{soccer::kHalfLength - soccer::kGoalPostRadius,
                     goal_width / 2.0 + soccer::kGoalPostRadius, soccer::kGoalPostRadius + radius};
+
   const double speed = velocity.length();
   if (!posts.can_reach(position, speed)) {
     position += velocity;
@@ -96,11 +106,14 @@ bool advance_past_posts(Vec2& position, Vec2& velocity, double radius, double go
   for (int bounce = 0; bounce < kMaxBounces && !(position == target); ++bounce) {
     Vec2 post = posts.nearest_to(position);
     std::optional<Vec2> contact = first_intersection(position, target, post, posts.reach);
+
     if (const Vec2 other = posts.nearest_to(target); !contact && !(other == post)) {
       post = other;
       contact = first_intersection(position, target, post, posts.reach);
     }
+
     if (!contact) break;
+
     hit = true;
     const Vec2 rest = reflect(target - *contact, post - *contact);
     // Slightly outside the circle, so that the next iteration does not find the same contact.
@@ -108,6 +121,7 @@ bool advance_past_posts(Vec2& position, Vec2& velocity, double radius, double go
     target = position + rest;
     velocity = soccer::polar_radians(speed, soccer::direction_radians(rest));
   }
+
   position = target;
   return hit;
 }

@@ -32,6 +32,7 @@ Physics player_physics(const World& world, const Player& player) {
   const soccer::ServerParams& server = world.params();
   const soccer::PlayerType& type = world.type_of(player);
   const double slowness = slowness_on_top(world, player);
+
   return {type.player_size,
           type.player_decay,
           player_rand(world, player),
@@ -55,6 +56,7 @@ void accelerate(Vec2& velocity, Vec2 acceleration, const Physics& physics) {
 Vec2 motion_noise(double radius_max, RandomStream& stream) {
   const double radius = stream.uniform(0.0, radius_max);
   const double angle = stream.uniform(-math::kPi, math::kPi);
+
   if (radius == 0.0) return {};
   return soccer::polar_radians(radius, angle);
 }
@@ -63,11 +65,14 @@ Vec2 motion_noise(double radius_max, RandomStream& stream) {
 // plus the rounding of the log.
 Vec2 explaining_noise(Vec2 expected, double radius_max, RecordedMotion& recorded) {
   constexpr double kRounding = 3e-4;
+
   recorded.expected = expected;
   recorded.reach = radius_max;
+
   const Vec2 noise = *recorded.arrival - expected;
   recorded.explained = radius_max > 0.0 && noise.length() <= radius_max + kRounding;
   recorded.noise = recorded.explained ? noise : Vec2{};
+
   return recorded.noise;
 }
 
@@ -79,9 +84,11 @@ double max_wind(const Wind& wind, double speed, double weight) {
 
 Vec2 wind_push(const Wind& wind, double speed, double weight, RandomStream& stream) {
   if (wind.rand < math::kEps) return {};
+
   const double scale = speed / (weight * 10000.0);
   const double x = wind.vector.x + stream.uniform(-wind.rand, wind.rand);
   const double y = wind.vector.y + stream.uniform(-wind.rand, wind.rand);
+
   return Vec2{x, y} * scale;
 }
 
@@ -90,9 +97,11 @@ template <typename Object>
 bool increment(const World& world, Object& object, const Physics& physics, RandomStream& stream,
                RecordedMotion* recorded) {
   accelerate(object.velocity, object.acceleration, physics);
+
   const double speed = object.velocity.length();
   const double noise_max = physics.rand * speed;
   const Vec2 noise = motion_noise(noise_max, stream);
+
   if (recorded != nullptr && recorded->arrival) {
     recorded->noise_max = noise_max;
     const double wind_max = max_wind(world.wind, speed, physics.weight);
@@ -102,10 +111,12 @@ bool increment(const World& world, Object& object, const Physics& physics, Rando
     object.velocity += noise;
     object.velocity += wind_push(world.wind, object.velocity.length(), physics.weight, stream);
   }
+
   const bool hit = advance_past_posts(object.position, object.velocity, physics.radius,
                                       world.params().goal_width, stream);
   object.velocity *= physics.decay;
   object.acceleration = {};
+
   return hit;
 }
 
@@ -116,6 +127,7 @@ void commit_angles(Player& player) {
 
 void carry_ball(World& world) {
   if (world.ball_catcher == kNoPlayer) return;
+
   const Player& catcher = world.player(world.ball_catcher);
   const double reach = world.type_of(catcher).player_size + world.params().ball_size;
   world.ball.position = catcher.position + soccer::polar_radians(reach, catcher.body);
@@ -126,6 +138,7 @@ void carry_ball(World& world) {
 double player_rand(const World& world, const Player& player) {
   const soccer::ServerParams& server = world.params();
   if (!server.team_actuator_noise) return server.player_rand;
+
   return server.player_rand *
          (player.side == Side::kLeft ? server.prand_factor_l : server.prand_factor_r);
 }
@@ -149,8 +162,10 @@ void move_objects(World& world, Events& events) {
   Physics ball = ball_physics(world.params());
   ReplayOverrides* overrides = world.overrides ? &*world.overrides : nullptr;
   if (overrides != nullptr) ball.push_noise_max = overrides->push_noise_max;
+
   increment(world, world.ball, ball, world.random.ball_motion,
             overrides != nullptr ? &overrides->ball : nullptr);
+
   for (std::size_t i = 0; i < world.players.size(); ++i) {
     Player& player = world.players[i];
     if (!player.enabled) continue;
@@ -161,6 +176,7 @@ void move_objects(World& world, Events& events) {
       player.contacts.post = true;
     }
   }
+
   resolve_collisions(world, events);
   carry_ball(world);
 }

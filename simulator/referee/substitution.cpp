@@ -46,23 +46,29 @@ bool is_after_the_match(const World& world) {
 std::optional<ServerReply> reject_substitution(World& world, Side side, int unum, int type) {
   const soccer::PlayerParams& params = world.rules->player;
   if (world.mode == PlayMode::kPlayOn) return warning(WarningCode::kCannotSubstituteWhilePlayOn);
+
   if (is_after_the_match(world)) {
     return warning(WarningCode::kCannotSubstituteWhilePenaltyShootouts);
   }
+
   if (world.team(side).substitutions >= params.subs_max) {
     return warning(WarningCode::kNoSubstitutionsLeft);
   }
+
   if (type < 0 || type >= params.player_types) return error(ErrorCode::kOutOfRangePlayerType);
   const int uses = used(world, side, type);
   if (uses > 0 && uses >= params.pt_max && !is_unlimited(world, type)) {
     return warning(WarningCode::kNoLeftOfThatType);
   }
+
   if (!find_player(world, side, unum)) return warning(WarningCode::kNoSuchPlayer);
   const Player& player = world.player(side, unum);
   const bool has_type = player.substituted && player.type == type;
+
   if (on_field(world, side, type) >= params.pt_max && !is_unlimited(world, type) && !has_type) {
     return warning(WarningCode::kMaxOfThatTypeOnField);
   }
+
   return std::nullopt;
 }
 
@@ -79,6 +85,7 @@ void assign_type(World& world, Player& player, Events& events) {
   const int max_uses = world.rules->player.pt_max;
   const Side side = player.side;
   if (player.substituted && used(world, side, player.type) <= max_uses) return;
+
   for (int type = 0; type < world.rules->player.player_types; ++type) {
     if (used(world, side, type) >= max_uses) continue;
     if (player.substituted) --used(world, side, player.type);
@@ -97,10 +104,12 @@ void substitute(World& world, Slot slot, int type, Events& events) {
   player.cards = 0;
   player.state &= kRetainedState;
   recover(world, player);
+
   if (world.clock.time > 0) {
     ++world.team(player.side).substitutions;
     ++used(world, player.side, type);
   }
+
   report(events, world, TypeChanged{player.side, player.unum, type});
 }
 
@@ -108,6 +117,7 @@ ServerReply change_type(World& world, Side side, int unum, int type, Events& eve
   if (std::optional<ServerReply> refusal = reject_substitution(world, side, unum, type)) {
     return *std::move(refusal);
   }
+
   substitute(world, soccer::slot_of(side, unum), type, events);
   return soccer::OkChangePlayerType{{}, unum, type};
 }
@@ -116,11 +126,14 @@ ServerReply change_type(World& world, const soccer::TrainerChangePlayerType& com
                         Events& events) {
   const Side side = find_side(world, command.team);
   if (side == Side::kNeutral) return warning(WarningCode::kNoTeamFound);
+
   if (command.type < 0 || command.type >= world.rules->player.player_types) {
     return error(ErrorCode::kOutOfRangePlayerType);
   }
+
   const std::optional<Slot> slot = find_player(world, side, command.unum);
   if (!slot) return warning(WarningCode::kNoSuchPlayer);
+
   substitute(world, *slot, command.type, events);
   return soccer::OkChangePlayerType{soccer::TeamName(command.team), command.unum, command.type};
 }
@@ -128,28 +141,34 @@ ServerReply change_type(World& world, const soccer::TrainerChangePlayerType& com
 ServerReply change_goalie(World& world, Side side, int unum, Events& events) {
   const PlayMode mode = world.mode;
   if (mode == PlayMode::kPlayOn) return warning(WarningCode::kCannotChangeGoalieWhilePlayOn);
+
   if (is_either(mode, PlayMode::kPenaltyReadyLeft) ||
       is_either(mode, PlayMode::kPenaltyTakenLeft)) {
     return warning(WarningCode::kCannotChangeGoalieWhilePenaltyTaken);
   }
+
   if (has_enabled_goalie(world, side)) return error(ErrorCode::kGoalieAlreadyExists);
   const std::optional<Slot> slot = find_player(world, side, unum);
   if (!slot || !world.player(*slot).enabled) return warning(WarningCode::kNoSuchPlayer);
+
   Player& player = world.player(*slot);
   player.goalie = true;
   player.state = state::kStand | state::kGoalie;
+
   report(events, world, GoalieAppointed{side, unum});
   return soccer::OkChangePlayerType{{}, unum, std::nullopt};
 }
 
 void assign_types(World& world, Side side, Events& events) {
   if (!world.team(side).connected) return;
+
   count_used(world, side);
   const soccer::ServerParams& server = world.params();
   if (world.rules->player.allow_mult_default_type ||
       (server.nr_normal_halfs == 0 && server.nr_extra_halfs == 0)) {
     return;
   }
+
   for (const bool goalies : {true, false}) {
     for (Player& player : world.players) {
       if (player.joined && player.side == side && player.goalie == goalies) {

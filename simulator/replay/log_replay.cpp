@@ -40,6 +40,7 @@ constexpr std::uint32_t kPersistentBits =
 bool is_noisy(const Rules& rules) {
   const soccer::ServerParams& server = rules.server;
   const bool windy = !server.wind_none && (server.wind_random || server.wind_rand != 0.0);
+
   return server.player_rand != 0.0 || server.ball_rand != 0.0 || windy ||
          std::any_of(rules.types.begin(), rules.types.end(),
                      [](const soccer::PlayerType& type) { return type.kick_rand != 0.0; });
@@ -56,9 +57,11 @@ class LogReplay {
     for (std::size_t i = 0; i < world_.teams.size(); ++i) {
       world_.teams[i].name = soccer::TeamName(game.final_teams()[i].name);
     }
+
     adopt_score(frame_at(game, 0));
     result_.has_noise = is_noisy(*world_.rules);
     result_.frames = static_cast<int>(game.frames());
+
     for (const auto& [when, step] : text.steps()) {
       all_calls_.insert(all_calls_.end(), step.calls.begin(), step.calls.end());
       for (const LoggedDatagram& sent : step.received) set_client_version(sent);
@@ -70,12 +73,15 @@ class LogReplay {
     Frame now = printed_frame(game_, 0);
     const std::size_t frames = covered_frames(game_, text_);
     result_.skipped = static_cast<int>(game_.frames() - frames);
+
     for (std::size_t i = 0; i + 1 < frames; ++i) {
       Frame next = printed_frame(game_, i + 1);
       const Clock clock{next.time, game_.stopped[i + 1]};
       restore(world_, now);
+
       const Transition transition = step_to(next, follows(clock, {now.time, game_.stopped[i]}));
       fill_missing_fields(next);
+
       if (transition == Transition::kGap) {
         ++result_.skipped;
         // Calls in a gap are not compared.
@@ -85,11 +91,13 @@ class LogReplay {
                       push_cut_off_, noise_decided_},
                      result_);
       }
+
       finish_step(world_, events_);
       collect_simulated_calls();
       adopt(next, clock);
       now = std::move(next);
     }
+
     compare_calls(start, game_.time[frames - 1]);
     return std::move(result_);
   }
@@ -100,6 +108,7 @@ class LogReplay {
   // Fields that the rcg version lacks continue as simulated.
   void fill_missing_fields(Frame& frame) const {
     if (game_.version == RcgVersion::kV6 || game_.version == RcgVersion::kJson) return;
+
     for (std::size_t i = 0; i < frame.players.size(); ++i) {
       frame.players[i].counts.change_focus = world_.players[i].counters.change_focus;
     }
@@ -116,19 +125,23 @@ class LogReplay {
       discard_lost_pushes();
       record_push_limits();
       simulate_step(after);
+
       if (world_.mode != PlayMode::kBeforeKickOff || after.mode == PlayMode::kBeforeKickOff) {
         if (steps > 0) return Transition::kHalfTime;
         return one_step ? Transition::kOneStep : Transition::kGap;
       }
+
       finish_step(world_, events_);
       kick_off_as_recorded();
     }
+
     return Transition::kGap;
   }
 
   void simulate_step(const Frame& after) {
     noise_decided_ = {};
     if (!result_.has_noise) return step(world_, events_);
+
     update_contestants(after);
     noise_decided_ = step_as_recorded(world_, events_, after, contestants_);
   }
@@ -147,6 +160,7 @@ class LogReplay {
       // With noise, every push counts as stronger than a touch.
       state.touch_acceleration = std::max(state.touch_acceleration, soccer::math::kEps);
     }
+
     const bool is_one_of_them =
         std::find(contestants_.begin(), contestants_.end(), state.toucher) != contestants_.end();
     if (state.touch_time != contest_time_ || !is_one_of_them) contestants_.clear();
@@ -158,8 +172,10 @@ class LogReplay {
     if (shows_any(after, state::kBallCollide | state::kCatch) || after.ball_velocity.is_zero()) {
       return std::nullopt;
     }
+
     const Vec2 displacement = after.ball_position - world_.ball.position;
     const Vec2 expected = after.ball_velocity / world_.params().ball_decay;
+
     if (distance(displacement, expected) > kSamePosition) return std::nullopt;
     return displacement;
   }
@@ -169,6 +185,7 @@ class LogReplay {
     for (std::size_t i = 0; i < recorded_contact_.size(); ++i) {
       recorded_contact_[i] = (after.players[i].state & state::kBallCollide) != 0;
     }
+
     override_shoot_out(*world_.overrides, all_calls_);
     if (const LoggedStep* step = text_.at(world_.clock)) {
       override_fouls(*world_.overrides, step->calls, step->called_after);
@@ -179,6 +196,7 @@ class LogReplay {
   void kick_off_as_recorded() {
     const LoggedStep* step = text_.at(world_.clock);
     if (step == nullptr || world_.mode != PlayMode::kBeforeKickOff) return;
+
     const bool called = std::any_of(step->calls.begin(), step->calls.end(),
                                     [](const auto& call) { return call.starts_with("kick_off_"); });
     if (called) kick_off(world_, events_);
@@ -188,6 +206,7 @@ class LogReplay {
     pushes_.clear();
     const LoggedStep* step = text_.at(world_.clock);
     if (step == nullptr) return;
+
     for (const LoggedDatagram& sent : step->received) {
       if (sent.source == RclSource::kPlayer) apply_player(sent);
       if (sent.source == RclSource::kCoach) apply_coach(sent);
@@ -199,6 +218,7 @@ class LogReplay {
     commands_.clear();
     soccer::parse_player_commands(sent.text, commands_);
     const Slot slot = soccer::slot_of(sent.side, sent.unum);
+
     for (const soccer::PlayerCommand& command : commands_) {
       if (std::holds_alternative<soccer::Bye>(command)) {
         leave(world_, slot);
@@ -208,6 +228,7 @@ class LogReplay {
         const Vec2 given = world_.ball.acceleration;
         const double noise = world_.overrides->push_noise_max;
         apply(world_, slot, command, events_);
+
         const double more_noise = world_.overrides->push_noise_max - noise;
         if (more_noise > 0.0) {
           pushes_.push_back({slot, world_.ball.acceleration - given, more_noise});
@@ -224,6 +245,7 @@ class LogReplay {
     const World start = world_;
     const std::size_t event_count = events_.size();
     const bool recorded = recorded_contact_[static_cast<std::size_t>(slot)];
+
     apply(world_, slot, command, events_);
     for (int i = 1; i <= kTries && world_.player(slot).has(state::kBallCollide) != recorded; ++i) {
       world_ = start;
@@ -236,8 +258,10 @@ class LogReplay {
   void apply_coach(const LoggedDatagram& sent) {
     soccer::CoachCommand command;
     if (soccer::parse(sent.text, soccer::CoachRole::kOnlineCoach, command)) return;
+
     const auto* change = std::get_if<soccer::ChangePlayerType>(&command);
     if (change == nullptr) return;
+
     if (change->type) {
       change_type(world_, sent.side, change->unum, *change->type, events_);
     } else {
@@ -254,8 +278,10 @@ class LogReplay {
   // The parameter of tackle is a power before version 12, later an angle.
   void set_client_version(const LoggedDatagram& sent) {
     if (sent.source != RclSource::kPlayer || !sent.text.starts_with("(init ")) return;
+
     soccer::GameRequest request;
     if (soccer::parse(sent.text, request)) return;
+
     if (const auto* init = std::get_if<soccer::PlayerInit>(&request)) {
       world_.player(sent.side, sent.unum).client_version = static_cast<int>(init->version);
     }
@@ -266,6 +292,7 @@ class LogReplay {
     if (!world_.ball.acceleration.is_zero()) return;
     Vec2 sum;
     for (const BallPush& push : pushes_) sum += push.acceleration;
+
     const bool is_in_play = soccer::mode_class(world_.mode) == soccer::ModeClass::kRunning;
     if (!is_in_play || !sum.is_zero()) world_.overrides->push_noise_max = 0.0;
   }
@@ -284,11 +311,14 @@ class LogReplay {
       change_mode(world_, frame.mode, events_);
       events_.clear();
     }
+
     world_.clock = clock;
     adopt_score(frame);
+
     for (std::size_t i = 0; i < world_.players.size(); ++i) {
       const bool is_enabled = (frame.players[i].state & state::kStand) != 0;
       if (world_.players[i].enabled && !is_enabled) leave(world_, static_cast<Slot>(i));
+
       std::uint32_t& bits = world_.players[i].state;
       bits = (bits & ~kPersistentBits) | (frame.players[i].state & kPersistentBits);
     }
@@ -319,6 +349,7 @@ class LogReplay {
       if (when.first < start.time || when.first > end) continue;
       for (const std::string& call : step.calls) recorded_calls.insert({when, call});
     }
+
     const auto add_difference = [&](const std::multiset<TimedCall>& one,
                                     const std::multiset<TimedCall>& other,
                                     std::vector<std::string>& out) {
@@ -330,8 +361,10 @@ class LogReplay {
         out.push_back(std::to_string(when.first) + ',' + std::to_string(when.second) + ' ' + call);
       }
     };
+
     add_difference(recorded_calls, simulated_calls_, result_.missing_calls);
     add_difference(simulated_calls_, recorded_calls, result_.extra_calls);
+
     result_.calls.steps = static_cast<int>(recorded_calls.size());
     result_.calls.agreed = result_.calls.steps - static_cast<int>(result_.missing_calls.size());
   }
@@ -370,6 +403,7 @@ base::Result<LogAgreement> replay_log(const MatchRecord& game, const gamelog::Rc
         "rcg versions 1 to 3 lack the precision for replay; use version 4, 5, 6 or JSON"};
   }
   if (game.frames() < 2) return base::Error{"the game log has fewer than two frames"};
+
   const TextLogIndex index(text, game.final_teams());
   if (!index.knows_a_team()) {
     return base::Error{"the text log has no messages of the teams of the game log, '" +
@@ -378,6 +412,7 @@ base::Result<LogAgreement> replay_log(const MatchRecord& game, const gamelog::Rc
   if (!same_match(game, index)) {
     return base::Error{"the logs are of different matches: their play modes differ"};
   }
+
   TRY_INIT(auto rules, make_rules(game.server, game.player, game.types));
   return LogReplay(game, index, std::move(rules)).run();
 }

@@ -37,6 +37,7 @@ PostBounce recorded_bounce(const World& start, const RecordedMotion& motion, Vec
 bool find_bounces(World& start, const World& stepped, const gamelog::Frame& after) {
   bool found = false;
   const bool touched = shows_any(after, state::kBallCollide);
+
   if (!touched && stepped.overrides->ball.arrival && is_off(ball_deviation(stepped, after))) {
     PostBounce bounce = recorded_bounce(start, stepped.overrides->ball, start.ball.position);
     bounce.radius = start.params().ball_size;
@@ -45,6 +46,7 @@ bool find_bounces(World& start, const World& stepped, const gamelog::Frame& afte
     bounce.velocity = after.ball_velocity;
     found = set_arrival(start.overrides->ball, bounce);
   }
+
   for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
     const auto i = static_cast<std::size_t>(slot);
     const gamelog::PlayerFrame& shown = after.players[i];
@@ -53,15 +55,19 @@ bool find_bounces(World& start, const World& stepped, const gamelog::Frame& afte
         !is_off(player_deviation(stepped, after, slot))) {
       continue;
     }
+
     PostBounce bounce =
         recorded_bounce(start, stepped.overrides->players[i], start.player(slot).position);
+
     const soccer::PlayerType& type = start.type_of(start.player(slot));
     bounce.radius = type.player_size;
     bounce.decay = type.player_decay;
     bounce.to = shown.position;
     bounce.velocity = shown.velocity;
+
     found = set_arrival(start.overrides->players[i], bounce) || found;
   }
+
   return found;
 }
 
@@ -85,18 +91,21 @@ class Trials {
     events_.resize(event_count_);
     world_.overrides->ball.arrival = ball_arrival;
     if (toucher != kNoPlayer) world_.referee.touch.toucher = toucher;
+
     step(world_, events_);
     return world_.mode == wanted_;
   }
 
   bool step_with_other_noise(const RecordedMotion& recorded, Slot toucher) {
     if (recorded.reach == 0.0) return false;
+
     for (int i = 0; i < 2 * kDirections; ++i) {
       const double share = i < kDirections ? 0.999 : 0.5;
       const Vec2 noise =
           soccer::polar_degrees(share * recorded.reach, 360.0 / kDirections * (i % kDirections));
       if (step_with(recorded.expected + noise, toucher)) return true;
     }
+
     return false;
   }
 
@@ -113,18 +122,24 @@ class Trials {
 NoiseDecisions step_as_recorded(World& world, Events& events, const gamelog::Frame& after,
                                 const std::vector<Slot>& contestants) {
   Trials trials(world, events, after.mode);
+
   bool same_mode = trials.step_from_start();
   if (find_bounces(trials.start(), world, after)) same_mode = trials.step_from_start();
   if (same_mode) return {};
+
   const RecordedMotion recorded = world.overrides->ball;
   const std::optional<Vec2> arrival = trials.start().overrides->ball.arrival;
+
   for (const Slot toucher : contestants) {
     if (trials.step_with(arrival, toucher)) return {false, true};
   }
+
   if (trials.step_with_other_noise(recorded, kNoPlayer)) return {true, false};
+
   for (const Slot toucher : contestants) {
     if (trials.step_with_other_noise(recorded, toucher)) return {true, true};
   }
+
   trials.step_from_start();
   return {};
 }

@@ -30,6 +30,7 @@ bool record_touch(World& world, const Player& player) {
   CatchState& state = world.referee.catch_ball;
   state.touched[player.side == Side::kRight ? 1 : 0] = true;
   if (!state.touched[0] || !state.touched[1]) return false;
+
   clear_passers(state);
   return true;
 }
@@ -37,6 +38,7 @@ bool record_touch(World& world, const Player& player) {
 void kick_taken(World& world, Player& kicker, double, Events&) {
   if (record_touch(world, kicker)) return;
   CatchState& state = world.referee.catch_ball;
+
   if (state.passer != kicker.slot()) {
     state.passer_before = state.passer;
     state.passer = kicker.slot();
@@ -90,11 +92,13 @@ void ball_caught(World& world, Player& catcher, Events& events) {
     call_catch_fault(world, catcher.side, events);
     return;
   }
+
   if (back_pass_applies(world, catcher) && !is_own_ball(world, catcher) &&
       !is_same_cycle_kick(world, catcher)) {
     punish_back_pass(world, catcher, events);
     return;
   }
+
   clear_passers(world.referee.catch_ball);
   award_free_kick(world, catcher.side, world.ball.position, events);
 }
@@ -102,6 +106,7 @@ void ball_caught(World& world, Player& catcher, Events& events) {
 void ball_punched(World& world, Player& catcher, Events& events) {
   if (soccer::is_penalty_mode(world.mode)) return;
   CatchState& state = world.referee.catch_ball;
+
   if (is_outside_penalty_area(world, catcher)) {
     call_catch_fault(world, catcher.side, events);
   } else if (!back_pass_applies(world, catcher) || state.pass_time == world.clock.time) {
@@ -114,8 +119,10 @@ void ball_punched(World& world, Player& catcher, Events& events) {
 void analyze(World& world, Events& events) {
   CatchState& state = world.referee.catch_ball;
   state.touched = {};
+
   const PlayMode mode = world.mode;
   const bool is_back_pass = is_either(mode, PlayMode::kBackPassLeft);
+
   if (is_back_pass || is_either(mode, PlayMode::kCatchFaultLeft)) {
     const Side offender = soccer::side(mode);
     if (!wait_after_offense(world, state.counter, offender, events)) return;
@@ -123,6 +130,7 @@ void analyze(World& world, Events& events) {
     change_mode(world, for_side(kick, opponent(offender)), events);
     return;
   }
+
   if (world.ball_catcher == kNoPlayer) return;
   const Player& catcher = world.player(world.ball_catcher);
   if (is_outside_penalty_area(world, catcher)) call_catch_fault(world, catcher.side, events);

@@ -13,6 +13,7 @@ namespace {
 void call_double_touch(World& world, Player& player, Events& events) {
   player.state |= state::kFreeKickFault;
   const Side side = player.side;
+
   world.ball_catcher = kNoPlayer;
   world.referee.free_kick.counter = 0;
   place_ball(world, for_side(PlayMode::kFreeKickFaultLeft, side), opponent(side),
@@ -36,10 +37,12 @@ void kick_at_goal_kick(World& world, Player& kicker, Events& events) {
   const soccer::ServerParams& server = world.params();
   const FreeKickState& state = world.referee.free_kick;
   const Side side = soccer::side(world.mode);
+
   if (kicker.side != side) {
     repeat_goal_kick(world, side, events);
     return;
   }
+
   if (state.taken) {
     const bool is_other_player = state.taker != kicker.slot();
     const bool is_second_touch = !is_other_player && state.taker_dashes != kicker.counters.dash;
@@ -49,6 +52,7 @@ void kick_at_goal_kick(World& world, Player& kicker, Events& events) {
       award_goal_kick(world, side, events);
     }
   }
+
   record_taker(world, kicker);
 }
 
@@ -56,6 +60,7 @@ void kick_at_goal_kick(World& world, Player& kicker, Events& events) {
 void check_double_touch(World& world, Player& player, bool reset_without_rule, Events& events) {
   FreeKickState& state = world.referee.free_kick;
   if (!state.taken) return;
+
   if (state.taker != player.slot()) {
     state.taken = false;
   } else if (!world.params().free_kick_faults) {
@@ -68,6 +73,7 @@ void check_double_touch(World& world, Player& player, bool reset_without_rule, E
 void kick_taken(World& world, Player& kicker, double, Events& events) {
   const PlayMode mode = world.mode;
   if (soccer::is_penalty_mode(mode) || is_either(mode, PlayMode::kOffsideLeft)) return;
+
   if (is_goal_kick(mode)) {
     kick_at_goal_kick(world, kicker, events);
   } else if (mode == PlayMode::kPlayOn) {
@@ -82,17 +88,20 @@ void ball_touched(World& world, Player& player, Events& events) {
   if (is_goal_kick(world.mode) && player.side != soccer::side(world.mode)) {
     repeat_goal_kick(world, soccer::side(world.mode), events);
   }
+
   check_double_touch(world, player, false, events);
 }
 
 void mode_changed(World& world, PlayMode mode, Events& events) {
   FreeKickState& state = world.referee.free_kick;
   if (mode != PlayMode::kPlayOn) state.taken = false;
+
   if (soccer::is_set_play(mode)) {
     clear_players_from_ball(world, opponent(soccer::side(mode)), events);
   } else if (mode == PlayMode::kDropBall) {
     clear_players_from_ball(world, Side::kNeutral, events);
   }
+
   state.goal_kicks = is_goal_kick(mode) ? state.goal_kicks + 1 : 0;
   state.timer = soccer::is_set_play(mode) ? world.params().drop_ball_time : -1;
 }
@@ -106,8 +115,10 @@ void analyze_goal_kick(World& world, Events& events) {
   const soccer::ServerParams& server = world.params();
   const FreeKickState& state = world.referee.free_kick;
   const Side side = soccer::side(world.mode);
+
   clear_penalty_area(world, side);
   keep_players_in_field(world);
+
   if (!in_penalty_area(Side::kNeutral, world.ball.position)) {
     change_mode(world, PlayMode::kPlayOn, events);
   } else if (!state.taken || !server.proper_goal_kicks) {
@@ -132,6 +143,7 @@ bool requires_distance(PlayMode mode) {
 void analyze(World& world, Events& events) {
   const PlayMode mode = world.mode;
   if (soccer::is_penalty_mode(mode)) return;
+
   if (is_either(mode, PlayMode::kFreeKickFaultLeft)) {
     const Side offender = soccer::side(mode);
     if (wait_after_offense(world, world.referee.free_kick.counter, offender, events)) {
@@ -139,18 +151,23 @@ void analyze(World& world, Events& events) {
     }
     return;
   }
+
   if (is_either(mode, PlayMode::kBackPassLeft) || is_either(mode, PlayMode::kCatchFaultLeft)) {
     return;
   }
+
   if (is_goal_kick(mode)) {
     analyze_goal_kick(world, events);
     return;
   }
+
   if (resumes_when_ball_moves(mode) && !world.ball.velocity.is_zero()) {
     change_mode(world, PlayMode::kPlayOn, events);
   }
+
   keep_players_in_field(world);
   if (!requires_distance(mode)) return;
+
   clear_players_from_ball(world, opponent(world.kick_off_side), events);
   count_down_to_drop(world, events);
 }

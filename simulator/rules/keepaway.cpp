@@ -27,10 +27,12 @@ Area area_of(const World& world) {
 Vec2 keeper_position(World& world, int corner) {
   const Area area = area_of(world);
   RandomStream& stream = world.random.placement;
+
   if (corner > 2) {
     const double x = stream.uniform(-1.0, 1.0);
     return {x, stream.uniform(-1.0, 1.0)};
   }
+
   const double inset_x = stream.uniform(0.0, kCornerSpread);
   const double inset_y = stream.uniform(0.0, kCornerSpread);
   return {corner == 0 ? -area.half_length + inset_x : area.half_length - inset_x,
@@ -47,6 +49,7 @@ Vec2 taker_position(World& world) {
 void start_episode(World& world) {
   KeepawayState& state = world.referee.keepaway;
   int corner = world.random.placement.integer(state.keepers);
+
   for (Player& player : world.players) {
     if (!player.enabled) continue;
     if (player.side == Side::kLeft) {
@@ -57,9 +60,11 @@ void start_episode(World& world) {
     }
     player.velocity = {};
   }
+
   const Area area = area_of(world);
   place_ball(world, world.kick_off_side,
              {-area.half_length + kBallInset, -area.half_width + kBallInset});
+
   recover_all(world);
   state.possession = 0;
 }
@@ -69,6 +74,7 @@ void start_game(World& world) {
   for (const Player& player : world.players) {
     if (player.enabled) ++(player.side == Side::kLeft ? state.keepers : state.takers);
   }
+
   state.episode = 1;
   start_episode(world);
 }
@@ -91,6 +97,7 @@ void count_possession(World& world) {
   const soccer::ServerParams& server = world.params();
   const double reach = server.player_size + server.ball_size + server.kickable_margin;
   bool keepers_have_it = false;
+
   for (const Player& player : world.players) {
     if (!player.enabled || distance(player.position, world.ball.position) > reach) continue;
     keepers_have_it = player.side == Side::kLeft;
@@ -98,6 +105,7 @@ void count_possession(World& world) {
     ++state.possession;
     break;
   }
+
   if (keepers_have_it) state.possession = 0;
 }
 
@@ -105,6 +113,7 @@ void analyze(World& world, Events& events) {
   const soccer::ServerParams& server = world.params();
   KeepawayState& state = world.referee.keepaway;
   if (!server.keepaway) return;
+
   if (state.won_by_takers()) state.possession = 0;
   if (world.mode != PlayMode::kPlayOn) {
     // rcssserver waits in wall-clock seconds; here a second is 1000 / simulator_step steps.

@@ -21,6 +21,7 @@ Slot goalie_of(const World& world, Side side) {
   for (const Player& player : world.players) {
     if (player.enabled && player.goalie && player.side == side) return player.slot();
   }
+
   return kNoPlayer;
 }
 
@@ -39,9 +40,11 @@ OutsidePlayers outside(const World& world, Side side) {
   for (const Player& player : world.players) {
     if (!player.enabled || player.goalie || player.side != side) continue;
     if (center_circle(world, player).contains(player.position)) continue;
+
     ++result.count;
     result.last = player.slot();
   }
+
   return result;
 }
 
@@ -57,8 +60,10 @@ bool waits_beside_goal(const Player& goalie) {
 // Closest to the ball of the players that have not kicked yet; the goalie comes last.
 Slot next_taker(const World& world) {
   if (world.referee.penalty.last_taker != kNoPlayer) return world.referee.penalty.last_taker;
+
   Slot best = kNoPlayer;
   Slot goalie = kNoPlayer;
+
   for (const Player& player : world.players) {
     if (!player.enabled || player.side != taker_side(world) || has_kicked(world, player)) continue;
     if (player.goalie) {
@@ -68,6 +73,7 @@ Slot next_taker(const World& world) {
       best = player.slot();
     }
   }
+
   return best != kNoPlayer ? best : goalie;
 }
 
@@ -78,9 +84,11 @@ void move_into(const Circle& circle, Player& player) {
 bool is_taker_team_placed(const World& world) {
   const Slot goalie_slot = goalie_of(world, taker_side(world));
   if (goalie_slot == kNoPlayer) return false;
+
   const Player& goalie = world.player(goalie_slot);
   const OutsidePlayers others = outside(world, taker_side(world));
   Slot taker = others.last;
+
   if (others.count == 0) {
     if (is_penalty_setup(world.mode) && distance_to_ball(world, goalie) <= kTakerDistance) {
       taker = goalie_slot;
@@ -92,6 +100,7 @@ bool is_taker_team_placed(const World& world) {
       return false;
     }
   }
+
   return taker == kNoPlayer ||
          world.mode != for_side(PlayMode::kPenaltySetupLeft, taker_side(world)) ||
          !has_kicked(world, world.player(taker));
@@ -100,21 +109,26 @@ bool is_taker_team_placed(const World& world) {
 bool is_defending_team_placed(const World& world, Side side) {
   const Slot goalie_slot = goalie_of(world, side);
   if (goalie_slot == kNoPlayer) return false;
+
   const Vec2 goalie = world.player(goalie_slot).position;
   const soccer::ServerParams& server = world.params();
+
   if (!is_penalty_taken(world.mode) &&
       (std::fabs(goalie.x) < soccer::kHalfLength - server.pen_max_goalie_dist_x ||
        std::fabs(goalie.y) > server.goal_width / 2.0)) {
     return false;
   }
+
   return outside(world, side).count == 0;
 }
 
 void place_taker_team(World& world) {
   const Slot taker = next_taker(world);
   const Vec2 ball = world.ball.position;
+
   for (Player& player : world.players) {
     if (!player.enabled || player.side != taker_side(world)) continue;
+
     if (player.slot() == taker) {
       if (!is_penalty_taken(world.mode)) move_into({ball, kTakerDistance}, player);
     } else if (player.goalie) {
@@ -132,8 +146,10 @@ void place_defending_team(World& world) {
   const soccer::ServerParams& server = world.params();
   const double end = world.referee.penalty.goal_side == Side::kLeft ? -1.0 : 1.0;
   const double limit = soccer::kHalfLength - server.pen_max_goalie_dist_x;
+
   for (Player& player : world.players) {
     if (!player.enabled || player.side == taker_side(world)) continue;
+
     if (!player.goalie) {
       move_into(center_circle(world, player), player);
     } else if (!is_penalty_taken(world.mode) && player.position.x * end < limit) {

@@ -38,9 +38,11 @@ void restore_capacity(World& world) {
 void end_half(World& world, std::string_view message, Events& events) {
   const int half = ++world.referee.time.finished_halves;
   announce(world, {message}, events);
+
   world.ball_catcher = kNoPlayer;
   place_ball(world, PlayMode::kBeforeKickOff, kick_off_side_of_half(half), {}, events);
   world.clock.time = start_of_half(world, half);
+
   if (half == world.params().nr_normal_halfs) restore_capacity(world);
   world.wind.vector = -world.wind.vector;
   keep_players_in_own_half(world);
@@ -52,12 +54,15 @@ void analyze_extra_time(World& world, Events& events) {
     end_match(world, "time_up_without_a_team", events);
     return;
   }
+
   if (rules.server.golden_goal && !is_level(world)) {
     end_match(world, "time_up", events);
     return;
   }
+
   const int extra_halves = world.referee.time.finished_halves + 1 - rules.server.nr_normal_halfs;
   if (world.clock.time < rules.normal_time + rules.extra_half_time * extra_halves) return;
+
   if (extra_halves == 0 && !is_level(world)) {
     end_match(world, "time_up", events);
   } else {
@@ -70,6 +75,7 @@ void analyze(World& world, Events& events) {
   if (soccer::mode_class(world.mode) != soccer::ModeClass::kRunning || rules.half_time <= 0) {
     return;
   }
+
   const int time = world.clock.time;
   if (time >= rules.total_time) {
     const bool has_shoot_out = rules.server.penalty_shoot_outs && is_level(world);
@@ -85,6 +91,7 @@ void analyze(World& world, Events& events) {
 std::optional<int> starting_half(const World& world) {
   const Rules& rules = *world.rules;
   const int time = world.clock.time;
+
   if (rules.half_time <= 0) {  // unlimited halves may start at any time
     // rcssserver rounds a negative half up: -1 s is -9 cycles.
     const int half = rules.half_time < 0 ? rules.half_time + 1 : 0;
@@ -92,11 +99,14 @@ std::optional<int> starting_half(const World& world) {
     const int length = time > normal ? rules.extra_half_time : half;
     return length <= 0 ? 0 : (time - normal) / length;
   }
+
   if (time <= rules.normal_time && time % rules.half_time == 0) return time / rules.half_time;
+
   const int extra = time - rules.normal_time;
   if (extra > 0 && rules.extra_half_time > 0 && extra % rules.extra_half_time == 0) {
     return extra / rules.extra_half_time;
   }
+
   return std::nullopt;
 }
 
@@ -109,14 +119,18 @@ void kick_off(World& world, Events& events) {
     change_mode(world, PlayMode::kPlayOn, events);
     return;
   }
+
   const std::optional<int> half = starting_half(world);
   if (!half) return;
+
   const Side side = kick_off_side_of_half(*half);
   if (world.clock.time < world.rules->normal_time) recover_all(world);
   place_ball(world, side, {});
+
   if (world.clock.time == 0 && side == Side::kLeft) {
     for (const Side team : {Side::kLeft, Side::kRight}) assign_types(world, team, events);
   }
+
   change_mode(world, for_side(PlayMode::kKickOffLeft, side), events);
 }
 

@@ -25,24 +25,29 @@ soccer::FullStatePlayer full_state_player(const World& world, const Player& play
   out.unum = player.unum;
   out.goalie = player.goalie;
   out.type = player.type;
+
   out.position = player.position;
   out.velocity = player.velocity;
   out.body = exact_degrees(player.body);
   out.neck = exact_degrees(player.neck);
+
   if (is_pointing(world, player)) {
     const ArmAim aim = arm_aim(player);
     out.pointing = true;
     out.point_distance = aim.distance;
     out.point_direction_radians = aim.direction;
   }
+
   out.focus_distance = player.view.focus_distance;
   out.focus_direction = exact_degrees(player.view.focus_direction);
   out.stamina = player.stamina.value;
   out.effort = player.stamina.effort;
   out.recovery = player.stamina.recovery;
   out.capacity = player.stamina.capacity;
+
   out.mark = mark(player);
   out.card = card(player);
+
   return out;
 }
 
@@ -64,6 +69,7 @@ soccer::ActionMark mark(const Player& player, int level, bool pointing) {
   if (level < kFirstWithFoulAndCard || pointing || player.foul_cycles <= 0) {
     return soccer::ActionMark::kNone;
   }
+
   return soccer::ActionMark::kFoulCharged;
 }
 
@@ -77,18 +83,22 @@ soccer::GlobalViewPlayer global_view_player(const World& world, const Player& pl
   soccer::GlobalViewPlayer out;
   out.unum = player.unum;
   out.goalie = player.goalie;
+
   out.position = player.position;
   out.velocity = player.velocity;
   out.body = rounded_degrees(player.body);
   out.neck = rounded_degrees(player.neck);
+
   if (level < kFirstWithArm) return out;
   out.pointing = is_pointing(world, player);
   if (out.pointing) {
     out.point_direction = rounded_degrees(
         math::normalize_radians(arm_aim(player).direction + player.neck + player.body));
   }
+
   out.mark = mark(player, level, out.pointing);
   if (level >= kFirstWithFoulAndCard) out.card = card(player);
+
   return out;
 }
 
@@ -102,15 +112,19 @@ void full_state(const World& world, Slot slot, soccer::FullState& out) {
   const Player& player = world.player(slot);
   out.time = world.clock.time;
   out.mode = world.mode;
+
   out.ball_caught = goalie_holds_ball(world);
   out.quality = player.view.quality;
   out.width = player.view.width;
   out.counts = command_counts(player.counters);
+
   out.arm = arm_state(world, player, false);
   out.our_score = world.team(player.side).score;
   out.opponent_score = world.team(soccer::opponent(player.side)).score;
+
   out.ball_position = world.ball.position;
   out.ball_velocity = world.ball.velocity;
+
   out.players.clear();
   for (const Player& other : world.players) {
     if (other.enabled) out.players.push_back(full_state_player(world, other));
@@ -120,11 +134,13 @@ void full_state(const World& world, Slot slot, soccer::FullState& out) {
 void coach_view(const World& world, Side side, int version, bool is_look_reply,
                 soccer::GlobalView& out) {
   const int level = level_of(version, is_look_reply);
+
   out.is_look_reply = is_look_reply;
   out.time = world.clock.time;
   out.ball_position = world.ball.position;
   out.ball_velocity = world.ball.velocity;
   out.players.clear();
+
   for (const Player& player : world.players) {
     if (!player.enabled) continue;
     out.players.push_back(global_view_player(world, player, level));

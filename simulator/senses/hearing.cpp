@@ -20,12 +20,15 @@ PendingMessages::Say take_next(const Player& listener, std::vector<PendingMessag
   const auto is_attended = [&](const PendingMessages::Say& say) {
     return say.speaker == listener.attention;
   };
+
   auto count = std::count_if(says.begin(), says.end(), is_attended);
   const bool attended = count > 0;
   if (!attended) count = static_cast<std::ptrdiff_t>(says.size());
+
   int skip = choice.integer(static_cast<int>(count));
   auto chosen = says.begin();
   while ((attended && !is_attended(*chosen)) || skip-- > 0) ++chosen;
+
   PendingMessages::Say say = std::move(*chosen);
   says.erase(chosen);
   return say;
@@ -53,6 +56,7 @@ void hear_trainer(const World& world, std::vector<std::string>& messages,
     hear.sender = soccer::Hear::Sender::kTrainer;
     hear.text = std::move(message);
   }
+
   messages.clear();
 }
 
@@ -65,6 +69,7 @@ void hear_own_says(const World& world, Slot listener, std::vector<PendingMessage
     own.sender = soccer::Hear::Sender::kSelf;
     own.text = std::move(say.text);
   }
+
   const auto is_own = [&](const PendingMessages::Say& say) { return say.speaker == listener; };
   says.erase(std::remove_if(says.begin(), says.end(), is_own), says.end());
 }
@@ -75,15 +80,18 @@ void queue_say(const World& world, const PlayerSaid& said, Slot listener,
                PendingMessages& pending) {
   const Player& player = world.player(listener);
   if (!player.enabled) return;
+
   if (listener != said.speaker) {
     const double reach = world.params().audio_cut_dist;
     if (soccer::distance(player.position, said.position) > reach) return;
     const std::size_t side = index(soccer::side_of_slot(said.speaker));
     if (!player.ears.complete[side] && !player.ears.partial[side]) return;
   }
+
   const auto of_speaker = [&](const PendingMessages::Say& say) {
     return say.speaker == said.speaker;
   };
+
   if (std::count_if(pending.says.begin(), pending.says.end(), of_speaker) <
       PendingMessages::kMaxMessagesPerSpeaker) {
     pending.says.push_back({said.speaker, said.text});
@@ -94,14 +102,17 @@ void hear(World& world, Slot slot, PendingMessages& pending, RandomStream& choic
           std::vector<soccer::Hear>& out) {
   hear_trainer(world, pending.trainer, out);
   hear_own_says(world, slot, pending.says, out);
+
   Player& listener = world.player(slot);
   const int cost = world.params().hear_decay;
+
   while (!pending.says.empty()) {
     PendingMessages::Say say = take_next(listener, pending.says, choice);
     const Player& speaker = world.player(say.speaker);
     const std::size_t side = index(speaker.side);
     int& capacity = speaker.side == listener.side ? listener.ears.teammate_capacity
                                                   : listener.ears.opponent_capacity;
+
     if (capacity >= cost) {
       if (!listener.ears.complete[side]) continue;
       capacity -= cost;

@@ -63,6 +63,7 @@ Observer make_observer(const World& world, const Player& player) {
   const bool with_focus = player.client_version >= kFirstFocusVersion;
   const double direction = face_direction(player);
   const double half_cone = view_cone(player.view, world.params().visible_angle) / 2.0;
+
   Observer observer{player,
                     world.type_of(player),
                     world.params(),
@@ -73,6 +74,7 @@ Observer make_observer(const World& world, const Player& player) {
                     signed_square(math::cos(half_cone) - 1e-6),
                     signed_square(world.params().visible_distance) * (1.0 + 1e-9),
                     player.view.quality == soccer::ViewQuality::kHigh};
+
   if (with_focus) {
     const soccer::PlayerType& type = observer.type;
     observer.landmark_motion = {type.flag_chg_far_length, type.flag_chg_too_far_length};
@@ -80,9 +82,11 @@ Observer make_observer(const World& world, const Player& player) {
     observer.unum = {type.unum_far_length, type.unum_too_far_length};
     observer.team = {type.team_far_length, type.team_too_far_length};
   }
+
   for (const Side side : {Side::kLeft, Side::kRight}) {
     observer.team_names[side == Side::kRight ? 1 : 0] = visible_team_name(world, player.side, side);
   }
+
   return observer;
 }
 
@@ -101,10 +105,12 @@ double approximate_direction(const Vec2& offset) {
   const double y = std::fabs(offset.y);
   const double slope = std::min(x, y) / std::max(x, y);
   const double square = slope * slope;
+
   double angle =
       slope *
       (0.9998660 +
        square * (-0.3302995 + square * (0.1801410 + square * (-0.0851330 + square * 0.0208351))));
+
   if (y > x) angle = math::kPi / 2.0 - angle;
   if (offset.x < 0.0) angle = math::kPi - angle;
   return std::copysign(angle, offset.y);
@@ -116,6 +122,7 @@ bool needs_exact_direction(const Observer& observer, double direction) {
   const double magnitude = std::fabs(direction);
   const double degrees = math::to_degrees(magnitude);
   const double from_rounding = std::fabs(degrees - std::floor(degrees) - 0.5);
+
   return from_rounding < math::to_degrees(kDirectionError) ||
          std::fabs(magnitude - observer.half_cone) < kDirectionError ||
          magnitude > math::kPi - kDirectionError;
@@ -131,6 +138,7 @@ double direction_to(const Observer& observer, const Vec2& offset, double squared
     const double rough = relative_to_face(observer, approximate_direction(offset));
     if (!needs_exact_direction(observer, rough)) return rough;
   }
+
   return relative_to_face(observer, soccer::direction_radians(offset));
 }
 
@@ -142,6 +150,7 @@ std::optional<Sighting> sight(const Observer& observer, const Vec2& object, doub
       signed_square(dot(offset, observer.face)) < squared * observer.edge) {
     return std::nullopt;
   }
+
   const double distance = std::sqrt(squared);
   const bool near = distance <= observer.params.visible_distance;
   const double direction = direction_to(observer, offset, squared);
@@ -165,10 +174,12 @@ double noisy_distance(const Observer& observer, const DistanceQuantizer& quantiz
                       const NoiseRates& rates, Vec2 object, double distance, RandomStream& noise) {
   const double from_focus =
       observer.focus_elsewhere ? soccer::distance(object, observer.focus) : distance;
+
   if (observer.player.view.gaussian) {
     const double deviation = distance * rates.distance + from_focus * rates.focus_distance;
     return std::max(0.0, noise.normal(distance, deviation));
   }
+
   const double off = distance - quantize(distance);
   const double off_focus = observer.focus_elsewhere ? from_focus - quantize(from_focus) : off;
   return math::quantize(std::max(0.0, distance - (off_focus + off) / 2.0), kDistanceStep);
@@ -185,11 +196,14 @@ void set_motion(const Observer& observer, const Sighting& seen, Vec2 velocity, O
   out.distance_change = 0.0;
   out.direction_change = 0.0;
   if (seen.distance == 0.0) return;
+
   const Vec2 relative = velocity - observer.player.velocity;
   const Vec2 away = seen.offset / seen.distance;
   const double radial = dot(relative, away);
   const double turning = exact_degrees(cross(away, relative) / seen.distance);
+
   if (turning != 0.0) out.direction_change = math::quantize(turning, kDirectionChangeStep);
+
   out.distance_change =
       observer.player.view.gaussian
           ? math::quantize(radial * out.distance / seen.distance, kGaussianDistanceChangeStep)
@@ -212,10 +226,12 @@ void see_landmarks(const VisionModel& model, const Observer& observer, RandomStr
                    soccer::See& out) {
   const NoiseRates rates = {observer.type.land_dist_noise_rate,
                             observer.type.land_focus_dist_noise_rate};
+
   for (std::size_t i = 0; i < soccer::kLandmarks.size(); ++i) {
     const soccer::Landmark& landmark = soccer::kLandmarks[i];
     const auto seen = sight(observer, landmark.position, observer.type.flag_max_observation_length);
     if (!seen) continue;
+
     const double distance =
         noisy_distance(observer, model.landmarks, rates, landmark.position, seen->distance, noise);
     const ObservedKind near =
@@ -238,12 +254,15 @@ void see_ball(const VisionModel& model, const Observer& observer, const Ball& ba
               RandomStream& noise, soccer::See& out) {
   const auto seen = sight(observer, ball.position, observer.type.ball_max_observation_length);
   if (!seen) return;
+
   const double distance = noisy_distance(observer, model.objects, object_rates(observer),
                                          ball.position, seen->distance, noise);
   Observation& object = add_observation(observer, *seen, ObservedKind::kBall,
                                         ObservedKind::kCloseBall, distance, out);
+
   if (!seen->in_view || !observer.high_quality) return;
   if (is_missed(distance, observer.ball_motion, noise)) return;
+
   object.detail = ObservedDetail::kMotion;
   set_motion(observer, *seen, ball.velocity, object);
 }
@@ -251,12 +270,15 @@ void see_ball(const VisionModel& model, const Observer& observer, const Ball& ba
 void set_arm(const World& world, const Observer& observer, const Player& other, double distance,
              RandomStream& noise, Observation& out) {
   if (!is_pointing(world, other)) return;
+
   const double min_deviation = math::to_radians(kPointDeviation);
   const double share = distance / observer.type.team_too_far_length;
   const double deviation =
       share * share * share * share * (math::kPi - min_deviation) + min_deviation;
+
   const double direction = arm_aim(other).direction +
                            (other.neck + other.body - observer.player.body - observer.player.neck);
+
   out.pointing = true;
   out.point_direction = static_cast<std::int16_t>(
       rounded_degrees(math::normalize_radians(noise.normal(direction, deviation))));
@@ -266,18 +288,23 @@ void see_player(const VisionModel& model, const World& world, const Observer& ob
                 const Player& other, RandomStream& noise, soccer::See& out) {
   const auto seen = sight(observer, other.position, observer.type.player_max_observation_length);
   if (!seen) return;
+
   const double distance = noisy_distance(observer, model.objects, object_rates(observer),
                                          other.position, seen->distance, noise);
   Observation& object = add_observation(observer, *seen, ObservedKind::kPlayer,
                                         ObservedKind::kClosePlayer, distance, out);
+
   if (!seen->in_view || is_missed(distance, observer.team, noise)) return;
   object.team = observer.team_names[other.side == Side::kRight ? 1 : 0];
+
   const bool anonymous = is_missed(distance, observer.unum, noise);
   if (!anonymous) {
     object.unum = static_cast<std::uint8_t>(other.unum);
     object.goalie = other.goalie;
   }
+
   if (!observer.high_quality) return;
+
   if (!anonymous) {
     object.detail = ObservedDetail::kPose;
     set_motion(observer, *seen, other.velocity, object);
@@ -285,6 +312,7 @@ void see_player(const VisionModel& model, const World& world, const Observer& ob
     object.head = static_cast<std::int16_t>(seen_angle(observer, other.body + other.neck));
   }
   set_arm(world, observer, other, seen->distance, noise, object);
+
   if (other.tackle_cycles > 0) {
     object.mark = soccer::ActionMark::kTackling;
   } else if (observer.player.client_version >= kFirstKickMarkVersion && other.kick_cycles >= 0) {
@@ -317,10 +345,12 @@ DistanceQuantizer::DistanceQuantizer(double step) : step_(step) {
   constexpr double kMinDistance = 0.05;
   constexpr double kMaxDistance = 250.0;
   constexpr double kMaxValues = 100000.0;
+
   if (step_ < math::kEps) return;
   const double first = std::rint(math::log(kMinDistance) / step_);
   const double last = std::rint(math::log(kMaxDistance) / step_);
   if (last - first > kMaxValues) return;
+
   first_ = static_cast<int>(first);
   for (double k = first; k <= last; k += 1.0) values_.push_back(math::exp(k * step_));
   for (double k = first; k <= last + 1.0; k += 1.0) edges_.push_back(math::exp((k - 0.5) * step_));
@@ -331,9 +361,11 @@ DistanceQuantizer::DistanceQuantizer(double step) : step_(step) {
 void DistanceQuantizer::make_table() {
   constexpr double kMinStep = 0.5 / (1 << kMantissaBits);
   if (step_ < kMinStep) return;
+
   first_bits_ = leading_bits(edges_.front()) + 1;
   const std::uint64_t end_bits = leading_bits(edges_.back());
   std::uint32_t edge = 0;
+
   for (std::uint64_t bits = first_bits_; bits < end_bits; ++bits) {
     const double min = std::bit_cast<double>(bits << kRestBits);
     while (edges_[edge + 1] < min) ++edge;
@@ -346,8 +378,10 @@ const double* DistanceQuantizer::look_up(double distance) const {
   constexpr double kMargin = 1e-12;
   const std::uint64_t bits = leading_bits(distance) - first_bits_;
   if (bits >= begins_.size()) return nullptr;
+
   std::size_t edge = begins_[bits];
   while (edges_[edge + 1] < distance) ++edge;
+
   const double margin = distance * kMargin;
   if (distance - edges_[edge] < margin || edges_[edge + 1] - distance < margin) return nullptr;
   return &values_[edge];
@@ -356,17 +390,21 @@ const double* DistanceQuantizer::look_up(double distance) const {
 double DistanceQuantizer::operator()(double distance) const {
   if (step_ < math::kEps) return distance + math::kEps;
   if (const double* value = look_up(distance + math::kEps)) return *value;
+
   const double multiple = std::rint(math::log(distance + math::kEps) / step_);
   const double index = multiple - first_;
+
   if (index >= 0.0 && index < static_cast<double>(values_.size())) {
     return values_[static_cast<std::size_t>(index)];
   }
+
   return math::exp(multiple * step_);
 }
 
 int view_interval(const View& view) {
   const int width = static_cast<int>(view.width);
   if (view.synchronous) return width + 1;
+
   const int rounds = 2 << width;
   return view.quality == soccer::ViewQuality::kHigh ? rounds : rounds / 2;
 }
@@ -374,8 +412,10 @@ int view_interval(const View& view) {
 void see(const VisionModel& model, const World& world, Slot slot, RandomStream& noise,
          soccer::See& out) {
   const Observer observer = make_observer(world, world.player(slot));
+
   out.time = world.clock.time;
   out.objects.clear();
+
   see_landmarks(model, observer, noise, out);
   see_ball(model, observer, world.ball, noise, out);
   for (const Player& other : world.players) {

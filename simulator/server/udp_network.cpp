@@ -56,10 +56,12 @@ class UdpChannel : public soccer::Channel {
   bool send(std::string_view message) override {
     if (closed_) return false;
     if (outgoing_.empty()) unflushed_.push_back(this);
+
     if (compression_ == nullptr) {
       outgoing_.add(message, with_nul_);
       return true;
     }
+
     buffer_ = message;
     if (with_nul_) buffer_ += '\0';
     outgoing_.add(compression_->compress(buffer_), false);
@@ -110,11 +112,14 @@ class UdpNetwork::Sockets {
       return base::Error{"cannot listen on " + address + " port " + std::to_string(port) + ": " +
                          cause};
     };
+
     const auto local = base::parse_ip_address(address, port);
     if (!local) return error(local.error().message);
+
     auto socket = UdpSocket::bind(*local);
     if (!socket) return error(socket.error().message);
     if (!watch(*socket, listening_mark(listening_.size()))) return error(std::strerror(errno));
+
     listening_.push_back({role, *local, std::move(*socket)});
     return {};
   }
@@ -123,6 +128,7 @@ class UdpNetwork::Sockets {
     for (const ListeningSocket& listening : listening_) {
       if (listening.role == role) return listening.socket.local_port();
     }
+
     return 0;
   }
 
@@ -185,6 +191,7 @@ class UdpNetwork::Sockets {
   int wait(int timeout_ms) {
     const UdpChannel* awaited = last_awaited();
     if (awaited == nullptr) return timeout_ms;
+
     pollfd socket{awaited->socket().fd(), POLLIN, 0};
     ::poll(&socket, 1, timeout_ms);
     return 0;
@@ -197,6 +204,7 @@ class UdpNetwork::Sockets {
         return client_at(id).channel;
       }
     }
+
     return nullptr;
   }
 
@@ -205,6 +213,7 @@ class UdpNetwork::Sockets {
   bool handle_ready(int timeout_ms) {
     std::array<epoll_event, 128> ready;  // exceeds the number of sockets
     const int count = ::epoll_wait(epoll_.get(), ready.data(), ready.size(), timeout_ms);
+
     for (int i = 0; i < count; ++i) {
       const std::uint64_t mark = ready[static_cast<std::size_t>(i)].data.u64;
       if ((mark & kListeningMark) != 0) {
@@ -214,6 +223,7 @@ class UdpNetwork::Sockets {
                          static_cast<std::uint32_t>(mark >> 16));
       }
     }
+
     return count > 0;
   }
 
@@ -230,7 +240,9 @@ class UdpNetwork::Sockets {
     if (const Connection* known = connection_of(listening, sender)) {
       return match_.receive_on_listening_port(known->client, text, datagram.null_terminated);
     }
+
     if (text.ends_with('\n')) text.remove_suffix(1);
+
     const auto admission = match_.admit(listening.role, text);
     if (const auto* admitted = std::get_if<Admission>(&admission)) {
       accept(listening, *admitted, text, sender);
@@ -244,12 +256,14 @@ class UdpNetwork::Sockets {
     Client& client = client_at(admission.client);
     SocketAddress local = listening.address;
     local.set_port(0);
+
     auto socket = UdpSocket::bind(local);
     if (!socket || !socket->connect(sender) ||
         !watch(*socket, client_mark(admission.client, client.generation + 1))) {
       match_.cancel(admission);
       return refuse(listening, soccer::ErrorCode::kSocketOpenFailed, sender);
     }
+
     auto channel = std::make_unique<UdpChannel>(std::move(*socket), !admission.binary, unflushed_);
     client = {sender, &listening, channel.get(), client.generation + 1};
     match_.complete_handshake(admission, std::move(channel), request);
@@ -264,6 +278,7 @@ class UdpNetwork::Sockets {
   bool is_connected(ClientId id, std::uint32_t generation) {
     const Client& client = client_at(id);
     const Connection* connection = match_.connection(id);
+
     return client.generation == generation && connection != nullptr &&
            connection->channel.get() == client.channel;
   }
@@ -271,14 +286,17 @@ class UdpNetwork::Sockets {
   // The client of a pending event may be disconnected, or its id reused, by now.
   void receive_commands(ClientId id, std::uint32_t generation) {
     if (!is_connected(id, generation)) return;
+
     UdpChannel& channel = *client_at(id).channel;
     if (incoming_.receive(channel.socket()) == ECONNREFUSED) return match_.mark_lost(id);
+
     for (std::size_t k = 0; k < incoming_.size() && is_connected(id, generation); ++k) {
       // Decompressing what will be dropped would take the time of other clients.
       if (channel.compresses() && match_.has_used_quota(id)) {
         match_.receive(id, kDoneCommand, false);
         continue;
       }
+
       const Datagram datagram = channel.decode(incoming_.bytes(k));
       match_.receive(id, datagram.text, datagram.null_terminated);
     }
@@ -293,6 +311,7 @@ class UdpNetwork::Sockets {
         return match_.connection(id);
       }
     }
+
     return nullptr;
   }
 

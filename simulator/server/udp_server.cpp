@@ -21,14 +21,17 @@ constexpr std::chrono::milliseconds kLastPollLimit{1};
 base::Result<std::unique_ptr<UdpServer>> UdpServer::open(UdpConfig config) {
   TRY_INIT(auto match, MatchServer::create(config.match));
   std::unique_ptr<UdpServer> server(new UdpServer(std::move(config), std::move(match)));
+
   const UdpConfig& options = server->config_;
   const std::pair<ListeningPort, int> ports[] = {
       {ListeningPort::kPlayers, options.port},
       {ListeningPort::kTrainers, options.trainer_port},
       {ListeningPort::kOnlineCoaches, options.coach_port}};
+
   for (const auto& [role, port] : ports) {
     TRY(server->network_->open(role, options.address, port));
   }
+
   return server;
 }
 
@@ -49,8 +52,10 @@ const World& UdpServer::world() const { return match_->world(); }
 UdpServerExit UdpServer::run(const std::atomic<bool>& stop) {
   const UdpServerExit end =
       world().params().synch_mode ? run_synchronous(stop) : run_in_real_time(stop);
+
   network_->flush();
   match_->finish();
+
   return end;
 }
 
@@ -71,29 +76,35 @@ UdpServerExit UdpServer::run_synchronous(const std::atomic<bool>& stop) {
     if (!run_cycle(stop)) return UdpServerExit::kUnresponsiveClients;
     if (is_over()) return UdpServerExit::kFinished;
   }
+
   return UdpServerExit::kStopped;
 }
 
 bool UdpServer::run_cycle(const std::atomic<bool>& stop) {
   make_step();
   match_->sense();
+
   const bool started = world().clock.time > 0;
   if (!started) {
     network_->receive_until(WallClock::now() + config_.pause_before_start, [] { return false; });
   }
+
   const bool coaches_are_late = match_->coaches_are_late();
   match_->think_players();
   if (!coaches_are_late) match_->think_coaches();
   bool missed = !wait_for_clients(stop, [this] { return !match_->awaits_any_client(); });
   report_connections();
+
   match_->execute_players();
   if (coaches_are_late) {
     match_->think_coaches();
     const auto coaches_are_done = [this] { return !match_->awaits_coaches(); };
     missed = !wait_for_clients(stop, coaches_are_done) || missed;
   }
+
   match_->execute_coaches();
   report_connections();
+
   if (missed) {
     ++missed_cycles_;
     if (started) ++missed_in_a_row_;
@@ -101,6 +112,7 @@ bool UdpServer::run_cycle(const std::atomic<bool>& stop) {
   } else {
     missed_in_a_row_ = 0;
   }
+
   return missed_in_a_row_ <= config_.max_missed;
 }
 
@@ -109,9 +121,11 @@ bool UdpServer::wait_for_clients(const std::atomic<bool>& stop,
                                  const std::function<bool()>& enough) {
   constexpr std::chrono::milliseconds kPollInterval{20};
   const auto deadline = WallClock::now() + config_.max_wait;
+
   do {
     network_->receive_until(std::min(deadline, WallClock::now() + kPollInterval), enough);
   } while (!enough() && !stop.load() && WallClock::now() < deadline);
+
   return enough();
 }
 
@@ -120,6 +134,7 @@ UdpServerExit UdpServer::run_in_real_time(const std::atomic<bool>& stop) {
   const int step_ms = params.simulator_step * params.slow_down_factor;
   const std::chrono::milliseconds step(step_ms);
   StepTimer timer(step, WallClock::now() + step);
+
   while (!stop.load()) {
     receive_until(timer.due(), step_ms, stop);
     timer.record_step(WallClock::now());
@@ -128,6 +143,7 @@ UdpServerExit UdpServer::run_in_real_time(const std::atomic<bool>& stop) {
     lateness_ = timer.lateness();
     if (is_over()) return UdpServerExit::kFinished;
   }
+
   return UdpServerExit::kStopped;
 }
 
@@ -137,14 +153,17 @@ void UdpServer::receive_until(StepTimer::Time next_step, int step_ms,
                               const std::atomic<bool>& stop) {
   const soccer::ServerParams& params = world().params();
   const std::chrono::milliseconds tick(params.recv_step);
+
   for (auto due = next_step - std::chrono::milliseconds(step_ms) + tick; !stop.load();
        due = std::min(due + tick, next_step)) {
     network_->flush();
     std::this_thread::sleep_until(due);
+
     const bool last = due >= next_step;
     network_->poll(WallClock::now() + (last ? kLastPollLimit : tick / 2));
     execute();
     if (last) return;
+
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(next_step - due);
     match_->see((step_ms - static_cast<int>(left.count())) / params.slow_down_factor);
   }
@@ -167,9 +186,11 @@ void UdpServer::report_connections() {
     const auto client = static_cast<ClientId>(i);
     const Connection*& reported = reported_[i];
     const Connection* now = match_->connection(client);
+
     if (now == reported) continue;
     if (now == nullptr) report(UdpServerEvent::Kind::kDisconnected, client);
     if (now != nullptr) report(UdpServerEvent::Kind::kConnected, client, now->version);
+
     reported = now;
   }
 }

@@ -50,10 +50,13 @@ int window_quota(const soccer::ServerParams& params, ClangKind kind) {
 // In play_on, freeform messages are allowed for freeform_send_period cycles per period.
 bool is_freeform_time(const World& world) {
   if (world.mode != PlayMode::kPlayOn) return true;
+
   const soccer::ServerParams& params = world.params();
   const int elapsed = world.clock.time - world.last_play_on;
+
   // As unsigned, a negative period is a very long one.
   const auto period = static_cast<unsigned>(params.freeform_wait_period);
+
   return elapsed > params.freeform_wait_period && period != 0 &&
          static_cast<int>(static_cast<unsigned>(elapsed) % period) < params.freeform_send_period;
 }
@@ -73,6 +76,7 @@ std::optional<ErrorCode> CoachLanguage::say(const World& world, const soccer::Co
     if (left <= 0) return quota_error(message.kind);
     --left;
   }
+
   queue_.push_back({message, world.clock.time});
   return std::nullopt;
 }
@@ -83,11 +87,13 @@ void CoachLanguage::begin_step(const World& world, std::vector<Message>& out) {
   const auto is_due = [&](const Message& message) {
     return world.mode != PlayMode::kPlayOn || now - message.received >= params.clang_mess_delay;
   };
+
   // clang_mess_per_cycle is a limit by name only: in rcssserver any value but 0 has no effect.
   while (params.clang_mess_per_cycle > 0 && !queue_.empty() && is_due(queue_.front())) {
     out.push_back(std::move(queue_.front()));
     queue_.pop_front();
   }
+
   if (window_start_ && now - *window_start_ < params.clang_win_size) return;
   window_start_ = now;
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
@@ -103,6 +109,7 @@ bool understands(const soccer::Clang& versions, ClangKind kind) {
   const auto within = [&](int version) {
     return versions.min_version <= version && version <= versions.max_version;
   };
+
   switch (kind) {
     case ClangKind::kFreeform:
     case ClangKind::kDefine:

@@ -33,11 +33,14 @@ AdmissionResult CoachRegistry::admit(const World& world, ListeningPort port,
 AdmissionResult CoachRegistry::admit_coach(const World& world, std::string_view datagram) {
   soccer::CoachInit init;
   if (const auto error = soccer::parse(datagram, init)) return *error;
+
   const Side side = find_side(world, init.team.view());
   if (side == Side::kNeutral) return ErrorCode::kNoSuchTeam;
+
   const ClientId client = side == Side::kLeft ? kLeftCoach : kRightCoach;
   if (slot(client) != nullptr) return ErrorCode::kAlreadyHaveCoach;
   if (!is_supported_version(init.version)) return ErrorCode::kIllegalClientVersion;
+
   names_[index(side)] = std::move(init.coach_name);
   return Admission{client, static_cast<int>(init.version), false};
 }
@@ -45,8 +48,10 @@ AdmissionResult CoachRegistry::admit_coach(const World& world, std::string_view 
 AdmissionResult CoachRegistry::admit_trainer(const World& world, std::string_view datagram) {
   if (!allows_trainer(world)) return ErrorCode::kTrainerWithoutCoachMode;
   if (slot(kTrainer) != nullptr) return ErrorCode::kAlreadyHaveTrainer;
+
   soccer::TrainerInit init;
   if (const auto error = soccer::parse(datagram, init)) return *error;
+
   if (!is_supported_version(init.version)) return ErrorCode::kIllegalClientVersion;
   return Admission{kTrainer, static_cast<int>(init.version), false};
 }
@@ -54,13 +59,16 @@ AdmissionResult CoachRegistry::admit_trainer(const World& world, std::string_vie
 CoachSession& CoachRegistry::connect(const World& world, const Admission& admission,
                                      std::unique_ptr<soccer::Channel> channel) {
   slot(admission.client) = std::make_unique<CoachSession>();
+
   CoachSession& coach = *slot(admission.client);
   coach.client = admission.client;
   coach.version = admission.version;
   coach.channel = std::move(channel);
+
   coach.reply(soccer::CoachInitReply{coach.side()});
   send_parameters(world, coach);
   if (!coach.is_trainer()) send_changed_types(world, coach.side(), coach);
+
   return coach;
 }
 
@@ -78,6 +86,7 @@ void CoachRegistry::begin_step(const World& world, std::vector<CoachMessage>& ou
   for (auto& coach : sessions_) {
     if (coach != nullptr) coach->begin_step();
   }
+
   for (const Side side : {Side::kLeft, Side::kRight}) {
     due_.clear();
     language_[index(side)].begin_step(world, due_);
@@ -88,10 +97,12 @@ void CoachRegistry::begin_step(const World& world, std::vector<CoachMessage>& ou
 void CoachRegistry::end_step(const World& world) {
   const soccer::ServerParams& params = world.params();
   const int game_time = world.rules->normal_time;
+
   if (params.nr_normal_halfs <= 0 || game_time == 0) return;
   if (world.clock.stoppage != 0 || world.clock.time <= 0 || world.clock.time % game_time != 0) {
     return;
   }
+
   for (CoachLanguage& language : language_) language.extend_freeform_quota(params);
 }
 
@@ -111,6 +122,7 @@ void CoachRegistry::send_say(const World& world, const PlayerSaid& said) {
   const Player& speaker = world.player(said.speaker);
   for (auto& coach : sessions_) {
     if (coach == nullptr || !coach->hears()) continue;
+
     soccer::Hear hear;
     hear.time = world.clock.time;
     hear.sender = soccer::Hear::Sender::kPlayer;
@@ -118,6 +130,7 @@ void CoachRegistry::send_say(const World& world, const PlayerSaid& said) {
     hear.unum = speaker.unum;
     hear.goalie = speaker.goalie;
     hear.text = said.text;
+
     send(*coach, hear);
   }
 }
@@ -126,12 +139,14 @@ void CoachRegistry::send_coach_message(const World& world, const CoachMessage& m
   soccer::Hear hear;
   hear.time = world.clock.time;
   hear.text = message.say.text;
+
   if (message.side != Side::kNeutral) {
     hear.sender = message.side == Side::kLeft ? soccer::Hear::Sender::kOnlineCoachLeft
                                               : soccer::Hear::Sender::kOnlineCoachRight;
     if (slot(kTrainer) != nullptr && slot(kTrainer)->ear) send(*slot(kTrainer), hear);
     return;
   }
+
   hear.sender = soccer::Hear::Sender::kTrainer;
   for (auto& coach : sessions_) {
     if (coach != nullptr && coach->hears()) send(*coach, hear);
@@ -141,6 +156,7 @@ void CoachRegistry::send_coach_message(const World& world, const CoachMessage& m
 void CoachRegistry::send_type_change(const TypeChanged& change) {
   for (auto& coach : sessions_) {
     if (coach == nullptr || coach->is_trainer()) continue;
+
     soccer::PlayerTypeChange message{change.unum, std::nullopt};
     if (coach->side() == change.side) message.type = change.type;
     coach->reply(message);
@@ -151,12 +167,14 @@ void CoachRegistry::send_goalie_change(const GoalieAppointed& change) {
   for (auto& coach : sessions_) {
     if (coach == nullptr || coach->is_trainer()) continue;
     if (coach->version < kFirstGoalieChangeVersion) continue;
+
     coach->reply(soccer::PlayerTypeChange{change.unum, std::nullopt, change.side});
   }
 }
 
 void CoachRegistry::send_view(const World& world, CoachSession& coach, bool is_look_reply) {
   coach_view(world, coach.side(), coach.version, is_look_reply, view_);
+
   text_.clear();
   soccer::format(view_, text_);
   coach.send(text_);
@@ -172,6 +190,7 @@ void CoachRegistry::send_views(const World& world) {
 void CoachRegistry::send_think() {
   text_.clear();
   soccer::format(soccer::ServerReply(soccer::Think{}), text_);
+
   for (auto& coach : sessions_) {
     if (coach == nullptr || !coach->eye) continue;
     coach->send(text_);

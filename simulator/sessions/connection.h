@@ -63,6 +63,7 @@ class ReceiveQuota {
       exceeded_ = true;
       return false;
     }
+
     ++datagrams_;
     bytes_ += datagram_bytes;
     return true;

@@ -63,21 +63,26 @@ AdmissionResult MatchServer::admit(ListeningPort port, std::string_view datagram
   if (port == ListeningPort::kOnlineCoaches || port == ListeningPort::kTrainers) {
     return coaches_.admit(world_, port, datagram);
   }
+
   soccer::GameRequest request;
   if (const auto error = soccer::parse(datagram, request)) return *error;
   if (const auto* init = std::get_if<soccer::MonitorInit>(&request)) return admit_monitor(*init);
   if (port == ListeningPort::kMonitors) return ErrorCode::kUnknownCommand;
+
   if (const auto* init = std::get_if<soccer::PlayerInit>(&request)) {
     return PlayerRegistry::admit(world_, *init);
   }
+
   return PlayerRegistry::admit(world_, std::get<soccer::PlayerReconnect>(request));
 }
 
 AdmissionResult MatchServer::admit_monitor(const soccer::MonitorInit& init) {
   const int version = monitor_version(init.version);
   if (version == 0) return ErrorCode::kIllegalClientVersion;
+
   const auto id = monitors_.admit(world_.params().max_monitors);
   if (!id) return ErrorCode::kNoMoreMonitor;
+
   return Admission{*id, version, false,
                    gamelog::is_binary(static_cast<gamelog::MonitorVersion>(version))};
 }
@@ -89,8 +94,10 @@ void MatchServer::complete_handshake(const Admission& admission,
     monitors_.connect(admission.client, admission.version, std::move(channel), *world_.rules);
     return;
   }
+
   recorder_.command(world_, admission.client, request);
   if (!is_player(admission.client)) return connect_coach(admission, std::move(channel));
+
   PlayerSession& session = players_.connect(world_, admission, std::move(channel));
   if (!admission.reconnected && admission.version >= kFirstSynchronousVersion) {
     execute(session, soccer::SynchSee{});
@@ -101,11 +108,13 @@ void MatchServer::connect_coach(const Admission& admission,
                                 std::unique_ptr<soccer::Channel> channel) {
   CoachSession& coach = coaches_.connect(world_, admission, std::move(channel));
   if (coach.is_trainer()) return;
+
   for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
     if (players_.session(slot) == nullptr) continue;
     const soccer::Clang& versions = players_.clang_versions(slot);
     if (versions.min_version != 0 || versions.max_version != 0) send_clang_versions(coach, slot);
   }
+
   send_coach_file(world_, coach);
 }
 
@@ -142,6 +151,7 @@ void MatchServer::modify_world(const std::function<void(World&, Events&)>& chang
 void MatchServer::receive(ClientId id, std::string_view datagram, bool null_terminated) {
   Connection* client = connection(id);
   if (client == nullptr) return;
+
   if (!client->quota.consume(datagram.size())) {
     // A client that floods the server must not delay the others by its missing (done).
     if (datagram.find("(done)") != std::string_view::npos) client->done = true;
@@ -161,10 +171,13 @@ void MatchServer::receive_on_listening_port(ClientId id, std::string_view datagr
                                             bool null_terminated) {
   Connection* client = connection(id);
   if (client == nullptr) return;
+
   if (may_use_listening_port(*client)) return receive(id, datagram, null_terminated);
   if (!client->quota.consume(datagram.size())) return;
+
   std::string error;
   soccer::format(ErrorCode::kOnlyInitAllowedOnInitPort, error);
+
   if (is_monitor(id)) {
     monitors_.send(id, world_.clock, error);
   } else {
@@ -181,18 +194,22 @@ void MatchServer::execute_players() {
   std::array<Slot, soccer::kPlayersOnPitch> order;
   std::iota(order.begin(), order.end(), 0);
   clock_stream(world_, "command order", 0).shuffle(std::span<Slot>(order));
+
   for (const Slot slot : order) {
     if (PlayerSession* player = session(slot)) execute(*player);
   }
+
   remove_lost();
 }
 
 void MatchServer::execute_coaches() {
   std::array<ClientId, 2> order = {kLeftCoach, kRightCoach};
   clock_stream(world_, "coach order", 0).shuffle(std::span<ClientId>(order));
+
   for (const ClientId client : {order[0], order[1], kTrainer}) {
     if (CoachSession* coach = coaches_.session(client)) execute(*coach);
   }
+
   remove_lost();
 }
 
@@ -206,6 +223,7 @@ void MatchServer::execute(PlayerSession& session) {
     }
     if (!datagram.complete) session.reply(ErrorCode::kIllegalCommandForm);
   }
+
   session.inbox.clear();
 }
 
@@ -224,16 +242,20 @@ void MatchServer::execute(PlayerSession& session, const soccer::PlayerCommand& c
   } else if (auto reply = apply(world_, session.slot(), command, events_)) {
     session.reply(*reply);
   }
+
   dispatch_events();
 }
 
 void MatchServer::execute(CoachSession& coach) {
   for (const CoachInbox::Datagram& datagram : coach.inbox.datagrams()) {
     if (coach.lost) break;
+
     recorder_.command(world_, coach.client, datagram.text);
     if (!datagram.null_terminated) coach.reply(soccer::WarningCode::kMessageNotNullTerminated);
+
     const CoachCommandResult result = coaches_.execute(world_, coach, datagram, events_);
     dispatch_events();
+
     if (result.message) send_coach_message(*result.message);
     if (result.tile) {
       recorder_.tile(world_, *result.tile);
@@ -241,6 +263,7 @@ void MatchServer::execute(CoachSession& coach) {
     }
     if (result.reply) coach.reply(*result.reply);
   }
+
   coach.inbox.clear();
 }
 
@@ -248,6 +271,7 @@ void MatchServer::declare_clang_versions(PlayerSession& session, const soccer::C
   const Slot slot = session.slot();
   players_.clang_versions(slot) = versions;
   session.reply(soccer::OkClang{versions.min_version, versions.max_version});
+
   const ClientId coach = soccer::side_of_slot(slot) == Side::kLeft ? kLeftCoach : kRightCoach;
   if (coaches_.session(coach) != nullptr) send_clang_versions(*coaches_.session(coach), slot);
 }
@@ -256,14 +280,18 @@ void MatchServer::step() {
   see(world_.params().simulator_step - 1);
   players_.begin_step();
   monitors_.begin_step();
+
   coach_messages_.clear();
   coaches_.begin_step(world_, coach_messages_);
   for (const CoachMessage& message : coach_messages_) send_coach_message(message);
+
   simulator::step(world_, events_);
   dispatch_events();
+
   coaches_.end_step(world_);
   recorder_.step(world_);
   monitors_.send_frame(world_);
+
   finish_step(world_, events_);
   dispatch_events();
   players_.end_step();
@@ -298,6 +326,7 @@ bool MatchServer::awaits(ClientId client) const {
     const CoachSession* coach = coaches_.session(client);
     return coach != nullptr && coach->is_awaited();
   }
+
   const PlayerSession* player = players_.session(client);
   return player != nullptr && player->is_awaited() && world_.player(client).enabled;
 }

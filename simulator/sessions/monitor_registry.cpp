@@ -38,9 +38,11 @@ std::optional<ClientId> MonitorRegistry::admit(int limit) {
       limit > 0 ? std::min<std::size_t>(static_cast<std::size_t>(limit), kMaxMonitors)
                 : kMaxMonitors;
   if (connected() >= max_monitors) return std::nullopt;
+
   const auto free = std::find(monitors_.begin(), monitors_.end(), nullptr);
   const auto index = free - monitors_.begin();
   if (free == monitors_.end()) monitors_.emplace_back();
+
   return kFirstMonitor + static_cast<ClientId>(index);
 }
 
@@ -48,11 +50,14 @@ void MonitorRegistry::connect(ClientId id, int version, std::unique_ptr<soccer::
                               const Rules& rules) {
   auto& monitor = monitors_[static_cast<std::size_t>(id - kFirstMonitor)];
   monitor = std::make_unique<Connection>();
+
   tiles_sent_.resize(monitors_.size());
   tiles_sent_[static_cast<std::size_t>(id - kFirstMonitor)] = 0;
+
   monitor->client = id;
   monitor->version = version;
   monitor->channel = std::move(channel);
+
   gamelog::send_monitor_parameters(protocol_version(*monitor), rules.server, rules.player,
                                    rules.types,
                                    [&](std::string_view message) { monitor->send(message); });
@@ -66,13 +71,17 @@ void MonitorRegistry::begin_step() {
 
 void MonitorRegistry::send_frame(const World& world) {
   if (connected() == 0) return;
+
   to_frame(world, frame_);
   for (std::string& text : frame_text_) text.clear();
+
   for (std::size_t index = 0; index < monitors_.size(); ++index) {
     Connection* monitor = monitors_[index].get();
     if (monitor == nullptr) continue;
+
     std::string& text = frame_text_[static_cast<std::size_t>(monitor->version + 1)];
     if (text.empty()) gamelog::append_monitor_show(protocol_version(*monitor), frame_, text);
+
     monitor->send(text);
     send_tiles(index, world);
   }
@@ -83,9 +92,11 @@ void MonitorRegistry::send_tiles(std::size_t index, const World& world) {
   constexpr std::size_t kTilesBeforeKickOff = 32;
   constexpr std::size_t kTilesInPlay = 8;
   std::size_t& sent = tiles_sent_[index];
+
   const std::size_t max_tiles =
       world.mode == PlayMode::kBeforeKickOff ? kTilesBeforeKickOff : kTilesInPlay;
   const std::size_t end = std::min(tiles_.size(), sent + max_tiles);
+
   for (; sent < end; ++sent) {
     send_text(*monitors_[index], world.clock, format_tile(tiles_[sent]), text_);
   }
@@ -96,6 +107,7 @@ void MonitorRegistry::add_tile(const TeamGraphicTile& tile) {
     return other.side == tile.side && other.graphic.x == tile.graphic.x &&
            other.graphic.y == tile.graphic.y;
   };
+
   const auto found = std::find_if(tiles_.begin(), tiles_.end(), is_same_position);
   if (found != tiles_.end()) {
     *found = tile;

@@ -52,14 +52,18 @@ AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerInit& in
       return ErrorCode::kConflictWithFixedTeamName;
     }
   }
+
   const std::optional<Side> side = assign_side(world, name);
   if (!side) return ErrorCode::kNoMoreTeam;
+
   if (!is_supported_version(init.version)) {
     return ErrorCode::kNoMorePlayerOrGoalieOrIllegalVersion;
   }
+
   const int version = static_cast<int>(init.version);
   const std::optional<Slot> slot = join(world, *side, init.goalie, version);
   if (!slot) return ErrorCode::kNoMorePlayerOrGoalieOrIllegalVersion;
+
   return Admission{*slot, version, false};
 }
 
@@ -68,15 +72,19 @@ AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerReconnec
   for (const Side side : {Side::kLeft, Side::kRight}) {
     if (request.team != world.team(side).name.view()) continue;
     if (request.unum < 1 || request.unum > soccer::kPlayersPerTeam) break;
+
     Player& player = world.player(side, request.unum);
     if (!player.joined) break;
     if (player.has(state::kRedCard)) return ErrorCode::kRedCardedPlayer;
+
     rejoin(world, player.slot());
     player.ears.complete = {true, true};
     player.ears.partial = {false, false};
     player.attention = kNoPlayer;
+
     return Admission{player.slot(), player.client_version, true};
   }
+
   return ErrorCode::kNoSuchTeamOrPlayer;
 }
 
@@ -94,8 +102,10 @@ PlayerSession& PlayerRegistry::connect(const World& world, const Admission& admi
   } else {
     session->reply(soccer::PlayerInitReply{player.side, player.unum, world.mode});
   }
+
   send_parameters(world, *session);
   send_changed_types(world, player.side, *session);
+
   return *session;
 }
 
@@ -111,6 +121,7 @@ void PlayerRegistry::disconnect_all() {
 void PlayerRegistry::remove_lost(World& world) {
   for (auto& session : sessions_) {
     if (session == nullptr || !session->lost) continue;
+
     Player& player = world.player(session->slot());
     if (player.enabled) leave(world, player.slot());
     player.state &= ~state::kDiscard;  // logged until the connection is closed
@@ -133,6 +144,7 @@ void PlayerRegistry::end_step() {
 void PlayerRegistry::send_referee_message(const World& world, const soccer::Hear& message) {
   text_.clear();
   soccer::format(message, soccer::Recipient::kPlayer, text_);
+
   for (auto& session : sessions_) {
     if (session == nullptr || session->lost) continue;
     const Player& player = world.player(session->slot());
@@ -153,13 +165,16 @@ void PlayerRegistry::send_coach_message(const World& world, const CoachMessage& 
       session->pending.trainer.push_back(message.say.text);
       continue;
     }
+
     if (message.side != soccer::side_of_slot(session->slot())) continue;
+
     soccer::Hear hear;
     hear.time = world.clock.time;
     hear.sender = message.side == Side::kLeft ? soccer::Hear::Sender::kOnlineCoachLeft
                                               : soccer::Hear::Sender::kOnlineCoachRight;
     hear.text = understands(clang_versions(session->slot()), message.say.kind) ? message.say.text
                                                                                : kUnsupportedClang;
+
     text_.clear();
     soccer::format(hear, soccer::Recipient::kPlayer, text_);
     session->send(text_);
@@ -169,6 +184,7 @@ void PlayerRegistry::send_coach_message(const World& world, const CoachMessage& 
 void PlayerRegistry::send_type_change(const TypeChanged& change) {
   for (auto& session : sessions_) {
     if (session == nullptr) continue;
+
     soccer::PlayerTypeChange message{change.unum, std::nullopt};
     if (soccer::side_of_slot(session->slot()) == change.side) message.type = change.type;
     session->reply(message);
@@ -185,6 +201,7 @@ void PlayerRegistry::send_goalie_change(const GoalieAppointed& change) {
 void PlayerRegistry::send_think(const World& world) {
   text_.clear();
   soccer::format(soccer::ServerReply(soccer::Think{}), text_);
+
   for (auto& session : sessions_) {
     if (session == nullptr || !world.player(session->slot()).enabled) continue;
     session->send(text_);
@@ -195,6 +212,7 @@ void PlayerRegistry::send_think(const World& world) {
 void PlayerRegistry::send_senses(World& world) {
   for (auto& session : sessions_) {
     if (session == nullptr || !world.player(session->slot()).enabled) continue;
+
     Player& player = world.player(session->slot());
     send_sense_body(world, *session);
     player.contacts = {};
@@ -211,6 +229,7 @@ void PlayerRegistry::send_sense_body(const World& world, PlayerSession& player) 
 
 void PlayerRegistry::send_full_state(const World& world, PlayerSession& player) {
   full_state(world, player.slot(), full_state_);
+
   text_.clear();
   soccer::format(full_state_, player.version, text_);
   player.send(text_);
@@ -218,9 +237,11 @@ void PlayerRegistry::send_full_state(const World& world, PlayerSession& player) 
 
 void PlayerRegistry::send_heard(World& world, PlayerSession& player) {
   if (player.pending.says.empty() && player.pending.trainer.empty()) return;
+
   RandomStream choice = clock_stream(world, "hear", player.slot());
   heard_.clear();
   hear(world, player.slot(), player.pending, choice, heard_);
+
   for (const soccer::Hear& message : heard_) {
     text_.clear();
     soccer::format(message, soccer::Recipient::kPlayer, text_);
@@ -230,7 +251,9 @@ void PlayerRegistry::send_heard(World& world, PlayerSession& player) {
 
 void PlayerRegistry::send_see(const World& world, PlayerSession& player) {
   RandomStream noise = clock_stream(world, "see", player.slot());
+
   see(vision_, world, player.slot(), noise, see_);
+
   text_.clear();
   soccer::format(see_, text_);
   player.send(text_);
@@ -246,9 +269,11 @@ void PlayerRegistry::send_due_sees(const World& world, int ms) {
 void PlayerRegistry::run_view_round(const World& world, bool synchronous) {
   for (auto& session : sessions_) {
     if (session == nullptr) continue;
+
     const Player& player = world.player(session->slot());
     if (!player.enabled || player.view.synchronous != synchronous) continue;
     if (++session->view_rounds < view_interval(player.view)) continue;
+
     session->view_rounds = 0;
     send_see(world, *session);
   }
