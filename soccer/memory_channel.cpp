@@ -22,8 +22,10 @@ class Mailbox {
 
   bool take(std::string& message) {
     if (next_ == ends_.size()) return false;
+
     const std::size_t begin = next_ == 0 ? 0 : ends_[next_ - 1];
     message.assign(bytes_, begin, ends_[next_] - begin);
+
     ++next_;
     if (next_ == ends_.size()) clear();
     return true;

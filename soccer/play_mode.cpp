@@ -73,12 +73,14 @@ std::optional<PlayMode> parse_play_mode(std::string_view name) {
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (kNames[i] == name) return static_cast<PlayMode>(i);
   }
+
   return std::nullopt;
 }
 
 Side side(PlayMode mode) {
   const std::string_view text = name(mode);
   if (text.size() < 2 || text[text.size() - 2] != '_') return Side::kNeutral;
+
   if (text.back() == 'l') return Side::kLeft;
   if (text.back() == 'r') return Side::kRight;
   return Side::kNeutral;

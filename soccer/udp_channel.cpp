@@ -52,6 +52,7 @@ class Connection {
     if (socket_.send(message, true, has_own_port_ ? nullptr : &server_) == ECONNREFUSED) {
       gone_ = true;
     }
+
     return !gone();
   }
 
@@ -60,16 +61,20 @@ class Connection {
     while (!gone()) {
       base::SocketAddress sender;
       std::size_t size = 0;
+
       if (const int error = socket_.receive(buffer_, size, sender); error != 0) {
         if (error == ECONNREFUSED) gone_ = true;
         return false;
       }
+
       if (!has_own_port_ && !sender.same_host(server_)) continue;
       if (!has_own_port_ && sender.port() != server_.port()) connect(sender);
+
       text = std::string_view(buffer_.data(), size);
       if (text.ends_with('\0')) text.remove_suffix(1);
       return true;
     }
+
     return false;
   }
 
@@ -113,6 +118,7 @@ struct UdpClients::Sockets {
 
   void stop() {
     if (!thread.joinable()) return;
+
     stopping = true;
     wake_up();
     thread.join();  // `wake` stays open, so that has_thread() remains true
@@ -127,12 +133,14 @@ struct UdpClients::Sockets {
   std::vector<std::shared_ptr<Client>> collect(std::vector<pollfd>& polled) {
     std::vector<std::shared_ptr<Client>> open;
     const std::lock_guard lock(mutex);
+
     for (const std::weak_ptr<Client>& each : clients) {
       std::shared_ptr<Client> client = each.lock();
       if (client == nullptr || client->connection.gone()) continue;
       polled.push_back({client->connection.fd(), POLLIN, 0});
       open.push_back(std::move(client));
     }
+
     return open;
   }
 
@@ -142,8 +150,10 @@ struct UdpClients::Sockets {
       polled.assign(1, {wake.get(), POLLIN, 0});
       const auto open = collect(polled);
       if (::poll(polled.data(), polled.size(), -1) < 0 && errno != EINTR) return;
+
       std::uint64_t wakeups = 0;
       [[maybe_unused]] const ssize_t taken = ::read(wake.get(), &wakeups, sizeof wakeups);
+
       for (std::size_t i = 0; i < open.size(); ++i) {
         if (polled[i + 1].revents != 0) read(*open[i]);
       }
@@ -159,18 +169,22 @@ struct UdpClients::Sockets {
       if (client.waiting.size() < kMaxWaiting) client.waiting.push_back({std::string(text), now});
       changed = true;
     }
+
     if (!changed && !client.connection.gone()) return;
     {
       const std::lock_guard lock(mutex);
       ++arrivals;
     }
+
     arrived.notify_one();
   }
 
   bool wait_for_thread(Time deadline) {
     std::unique_lock lock(mutex);
+
     const bool arrived_in_time =
         arrived.wait_until(lock, deadline, [this] { return arrivals != reported; });
+
     reported = arrivals;
     return arrived_in_time;
   }
@@ -189,6 +203,7 @@ struct UdpClients::Sockets {
     std::array<epoll_event, 32> events;
     const int count = ::epoll_wait(ready.get(), events.data(), static_cast<int>(events.size()), 0);
     bool any = false;
+
     for (int i = 0; i < count; ++i) {
       auto& client = *static_cast<Client*>(events[static_cast<std::size_t>(i)].data.ptr);
       if (client.connection.gone()) {
@@ -197,16 +212,20 @@ struct UdpClients::Sockets {
         client.readable = any = true;
       }
     }
+
     return any;
   }
 
   bool wait_for_sockets(Time deadline) const {
     if (mark_readable()) return true;
+
     const auto left = deadline - std::chrono::steady_clock::now();
     if (left <= Time::duration::zero()) return false;
+
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
     const timespec limit{static_cast<time_t>(seconds.count()),
                          static_cast<long>(std::chrono::nanoseconds(left - seconds).count())};
+
     pollfd polled{ready.get(), POLLIN, 0};
     return ::ppoll(&polled, 1, &limit, nullptr) > 0 && mark_readable();
   }
@@ -243,11 +262,14 @@ class UdpClients::Sockets::ClientChannel : public Channel {
       received_at_ = std::chrono::steady_clock::now();
       return true;
     }
+
     const std::lock_guard lock(sockets_->mutex);
     if (client_->waiting.empty()) return false;
+
     message.swap(client_->waiting.front().text);
     received_at_ = client_->waiting.front().received_at;
     client_->waiting.pop_front();
+
     return true;
   }
 
@@ -262,8 +284,10 @@ class UdpClients::Sockets::ClientChannel : public Channel {
 base::Result<std::unique_ptr<UdpClients>> UdpClients::create(const std::string& host, int port) {
   const base::Result<base::SocketAddress> server = base::resolve_udp(host, port);
   if (!server) return base::Error{"soccer server host '" + host + "': " + server.error().message};
+
   auto sockets = std::make_shared<Sockets>(*server);
   if (!sockets->ready) return base::Error{"no file descriptor left for connections"};
+
   return std::unique_ptr<UdpClients>(new UdpClients(std::move(sockets)));
 }
 
@@ -278,15 +302,19 @@ void UdpClients::read_on_thread() {
 std::unique_ptr<Channel> UdpClients::connect(int port) {
   base::SocketAddress server = sockets_->server;
   if (port != 0) server.set_port(port);
+
   auto socket = base::UdpSocket::open(server.family());
   if (!socket) return nullptr;
+
   auto client = std::make_shared<Sockets::Client>(*std::move(socket), server);
   if (!sockets_->add(*client)) return nullptr;
+
   {
     const std::lock_guard lock(sockets_->mutex);
     std::erase_if(sockets_->clients, [](const auto& other) { return other.expired(); });
     sockets_->clients.push_back(client);
   }
+
   if (sockets_->has_thread()) sockets_->wake_up();
   return std::make_unique<Sockets::ClientChannel>(sockets_, std::move(client));
 }

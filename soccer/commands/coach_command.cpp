@@ -50,12 +50,14 @@ Reply compression(LooseScanner& in, CoachCommand& out) {
 Reply change_player_type(LooseScanner& in, CoachCommand& out) {
   ChangePlayerType change;
   if (!in.integer(change.unum)) return ErrorCode::kIllegalCommandForm;
+
   int type = 0;
   if (in.integer(type)) {
     change.type = type;
   } else if (!in.run(is_switch_character, kMaxSwitchSize).starts_with("goalie")) {
     return ErrorCode::kIllegalCommandForm;
   }
+
   out = change;
   return std::nullopt;
 }
@@ -66,6 +68,7 @@ Reply trainer_change_player_type(LooseScanner& in, CoachCommand& out) {
   if (change.team.empty() || !in.integer(change.unum) || !in.integer(change.type)) {
     return ErrorCode::kIllegalCommandForm;
   }
+
   out = std::move(change);
   return std::nullopt;
 }
@@ -100,6 +103,7 @@ bool read_xpm_header(LooseScanner& in, XpmHeader& header) {
         in.integer(header.colors) && in.integer(header.characters_per_pixel) && in.token("\""))) {
     return false;
   }
+
   const auto in_range = [](int value, int limit) { return value >= 0 && value <= limit; };
   return in_range(header.width, kMaxXpmWidth) && in_range(header.height, kMaxXpmLines) &&
          in_range(header.colors, kMaxXpmLines) &&
@@ -113,14 +117,17 @@ std::string format(const XpmHeader& header) {
     if (!text.empty()) text.push_back(' ');
     base::append_int(value, text);
   }
+
   return text;
 }
 
 bool read_xpm_line(LooseScanner& in, std::vector<std::string>& out) {
   if (!in.token("\"")) return false;
+
   const std::string_view rest = in.rest();
   const std::size_t length = rest.find('"');
   if (length == std::string_view::npos || length == 0) return false;
+
   out.emplace_back(rest.substr(0, length));
   in.skip_to('"');
   return in.token("\"");
@@ -130,18 +137,22 @@ bool read_xpm_line(LooseScanner& in, std::vector<std::string>& out) {
 // characters. Stores the lines without quotes, and the header with single spaces.
 bool parse_xpm(std::string_view text, std::vector<std::string>& out) {
   out.clear();
+
   LooseScanner in(text);
   XpmHeader header;
   if (!read_xpm_header(in, header)) return false;
   out.push_back(format(header));
+
   for (int i = 0; i < header.colors; ++i) {
     if (!read_xpm_line(in, out)) return false;
   }
+
   const auto line_size = static_cast<std::size_t>(header.width) *
                          static_cast<std::size_t>(header.characters_per_pixel);
   for (int i = 0; i < header.height; ++i) {
     if (!read_xpm_line(in, out) || out.back().size() != line_size) return false;
   }
+
   return true;
 }
 
@@ -150,6 +161,7 @@ Reply team_graphic(LooseScanner& in, CoachCommand& out) {
   if (!(in.token("(") && in.integer(graphic.x) && in.integer(graphic.y))) {
     return ErrorCode::kIllegalCommandForm;
   }
+
   in.skip_to('"');
   if (!parse_xpm(in.rest(), graphic.xpm)) return ErrorCode::kInvalidXpmData;
   return std::nullopt;
@@ -158,8 +170,10 @@ Reply team_graphic(LooseScanner& in, CoachCommand& out) {
 Reply change_mode(LooseScanner& in, CoachCommand& out) {
   const std::string_view token = in.run(is_command_character, kMaxTokenSize);
   if (token.empty()) return ErrorCode::kIllegalCommandForm;
+
   const std::optional<PlayMode> mode = parse_play_mode(token);
   if (!mode || *mode == PlayMode::kNull) return ErrorCode::kIllegalMode;
+
   out = ChangeMode{*mode};
   return std::nullopt;
 }
@@ -168,35 +182,43 @@ Reply change_mode(LooseScanner& in, CoachCommand& out) {
 Reply read_placement(LooseScanner& in, Vec2& position, std::optional<double>& angle,
                      std::optional<Vec2>& velocity) {
   if (!in.number(position.x) || !in.number(position.y)) return ErrorCode::kIllegalObjectForm;
+
   double value = 0.0;
   if (!in.number(value)) return std::nullopt;
   angle = value;
+
   Vec2 v;
   if (!in.number(v.x)) return std::nullopt;
   if (!in.number(v.y)) return ErrorCode::kIllegalCommandForm;
+
   velocity = v;
   return std::nullopt;
 }
 
 Reply move(LooseScanner& in, CoachCommand& out) {
   if (!in.token("(")) return ErrorCode::kIllegalObjectForm;
+
   LooseScanner object(in.run(is_not_closing, kMaxMoveObjectSize));
   if (!in.token(")")) return ErrorCode::kIllegalObjectForm;
+
   if (object.rest() == "ball") {
     MoveBall command;
     const Reply error = read_placement(in, command.position, command.angle, command.velocity);
     out = command;
     return error;
   }
+
   MovePlayer command;
   const Reply error = read_placement(in, command.position, command.angle, command.velocity);
   if (error == ErrorCode::kIllegalObjectForm) return error;
+
   if (!object.token("player")) return ErrorCode::kIllegalObjectForm;
   command.team = object.run(is_not_space, kMaxTokenSize);
   if (command.team.empty() || !object.integer(command.unum) || command.unum < 1 ||
       command.unum > kPlayersPerTeam) {
     return ErrorCode::kIllegalObjectForm;
   }
+
   out = std::move(command);
   return error;
 }
@@ -234,6 +256,7 @@ constexpr std::array kEntries = std::to_array<Entry>({
 
 std::string_view CoachSay::freeform() const {
   if (kind != ClangKind::kFreeform) return {};
+
   const std::string_view all = text;
   const std::size_t first = all.find('"');
   const std::size_t last = all.rfind('"');
@@ -243,12 +266,15 @@ std::string_view CoachSay::freeform() const {
 std::optional<ErrorCode> parse(std::string_view datagram, CoachRole role, CoachCommand& out) {
   LooseScanner in(datagram);
   if (!in.token("(")) return ErrorCode::kIllegalCommandForm;
+
   const std::string_view token = in.run(is_command_character, kMaxTokenSize);
   if (token.empty()) return ErrorCode::kIllegalCommandForm;
   const unsigned wanted = role == CoachRole::kOnlineCoach ? kCoach : kTrainer;
+
   for (const Entry& entry : kEntries) {
     if (entry.name == token && (entry.roles & wanted) != 0) return entry.read(in, out);
   }
+
   return ErrorCode::kUnknownCommand;
 }
 

@@ -31,6 +31,7 @@ bool write(const ChangePlayerType& c, std::string& out) {
   out.append("(change_player_type ");
   base::append_int(c.unum, out);
   if (!c.type) return write_text(" goalie)", out);
+
   out.push_back(' ');
   base::append_int(*c.type, out);
   return write_text(")", out);
@@ -49,6 +50,7 @@ bool write(const CoachSay& c, std::string& out) {
   const std::string message = c.text + ")";
   const std::optional<CoachSay> read = parse_clang_say(message);
   if (!read || read->kind != c.kind) return false;
+
   out.append("(say ").append(message);
   return true;
 }
@@ -64,10 +66,12 @@ bool write(const TeamGraphic& c, std::string& out) {
   base::append_int(c.x, out);
   out.push_back(' ');
   base::append_int(c.y, out);
+
   for (const std::string& line : c.xpm) {
     if (line.find('"') != std::string::npos) return false;
     out.append(" \"").append(line).push_back('"');
   }
+
   return write_text("))", out);
 }
 
@@ -84,9 +88,11 @@ bool write(const MoveBall& c, std::string& out) {
 
 bool write(const MovePlayer& c, std::string& out) {
   if (!is_token(c.team)) return false;
+
   std::string object = "player " + c.team + ' ';
   base::append_int(c.unum, object);
   if (object.size() > kMaxMoveObjectSize) return false;
+
   out.append("(move (").append(object).push_back(')');
   return write_placement(c.position, c.angle, c.velocity, out);
 }

@@ -35,9 +35,11 @@ std::optional<ErrorCode> parse_player_init(LooseScanner& in, PlayerInit& out) {
   const std::string_view team = in.run(is_name_character, TeamName::kMaxSize);
   if (team.empty()) return ErrorCode::kIllegalTeamName;
   out.team = TeamName(team);
+
   in.skip_space();
   if (!at_parenthesis(in)) return ErrorCode::kIllegalTeamNameOrTooLong;
   in.skip_to('(');
+
   while (!in.at_end() && in.peek() != ')') {
     if (in.looking_at("(version ")) {
       if (!read_version(in, out.version)) return ErrorCode::kIllegalCommandForm;
@@ -49,6 +51,7 @@ std::optional<ErrorCode> parse_player_init(LooseScanner& in, PlayerInit& out) {
     }
     if (!at_parenthesis(in)) return ErrorCode::kIllegalCommandForm;
   }
+
   return std::nullopt;
 }
 
@@ -70,6 +73,7 @@ void append_version(double version, std::string& out) {
 std::optional<ErrorCode> parse(std::string_view datagram, GameRequest& out) {
   const std::string_view text = without_line_feed(datagram);
   LooseScanner in(text);
+
   if (text.starts_with("(dispinit)")) {
     out = MonitorInit{};
     return std::nullopt;
@@ -78,6 +82,7 @@ std::optional<ErrorCode> parse(std::string_view datagram, GameRequest& out) {
       in.number(out.emplace<MonitorInit>().version)) {
     return std::nullopt;
   }
+
   constexpr std::string_view kInit = "(init ";
   constexpr std::string_view kReconnect = "(reconnect ";
   if (text.starts_with(kInit)) {
@@ -88,6 +93,7 @@ std::optional<ErrorCode> parse(std::string_view datagram, GameRequest& out) {
     in = LooseScanner(text.substr(kReconnect.size()));
     return parse_reconnect(in, out.emplace<PlayerReconnect>());
   }
+
   return ErrorCode::kUnknownCommand;
 }
 
@@ -95,21 +101,26 @@ std::optional<ErrorCode> parse(std::string_view datagram, CoachInit& out) {
   out = CoachInit{};
   const std::string_view text = without_line_feed(datagram);
   LooseScanner in(text);
+
   if (!(text.starts_with("(init") && in.token("(init"))) return ErrorCode::kIllegalCommandForm;
   const std::string_view team = in.run(is_name_character, TeamName::kMaxSize);
   if (team.empty()) return ErrorCode::kIllegalCommandForm;
+
   out.team = TeamName(team);
   in.skip_space();
+
   if (in.peek() != '(') {
     out.coach_name = in.run(is_name_character, kMaxLongNameSize);
     if (out.coach_name.empty()) return ErrorCode::kIllegalCommandForm;
     in.skip_space();
     if (!at_parenthesis(in)) return ErrorCode::kIllegalCoachNameOrTooLong;
   }
+
   in.skip_to('(');
   if (!in.looking_at("(version")) return std::nullopt;
   if (!read_version(in, out.version)) return ErrorCode::kIllegalCommandForm;
   if (!at_parenthesis(in)) return ErrorCode::kIllegalClientVersion;
+
   return std::nullopt;
 }
 
@@ -119,6 +130,7 @@ std::optional<ErrorCode> parse(std::string_view datagram, TrainerInit& out) {
   if (!in.token("(") || in.run(is_command_character, kMaxLongNameSize) != "init" || in.at_end()) {
     return ErrorCode::kIllegalCommandForm;
   }
+
   if (in.token("(") && in.token("version")) in.number(out.version);
   if (out.version < 1.0) return ErrorCode::kIllegalCommandForm;
   return std::nullopt;

@@ -60,6 +60,7 @@ Read read_discard(LooseScanner& in) {
 Read read_card(LooseScanner& in) {
   DispCard card;
   if (!read_player(in, card.side, card.unum)) return std::nullopt;
+
   const std::string_view color = in.run(is_lower, kMaxTokenSize);
   if (color != "yellow" && color != "red") return std::nullopt;
   card.red = color == "red";
@@ -122,9 +123,11 @@ struct Formatter {
 
 std::optional<MonitorCommand> parse_monitor_command(std::string_view datagram) {
   if (!datagram.starts_with('(')) return std::nullopt;
+
   LooseScanner in(datagram.substr(1));
   if (LooseScanner::is_space(in.peek())) return std::nullopt;
   const std::string_view token = in.run(is_lower, kMaxTokenSize);
+
   if (datagram == "(dispstart)") return DispStart{};
   if (datagram == "(dispbye)") return DispBye{};
   if (token == "dispfoul") return read_foul(in);

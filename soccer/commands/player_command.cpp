@@ -139,32 +139,39 @@ bool CommandParser::command() {
     advance();
     return true;
   }
+
   if (!open()) return false;
   for (const Entry& entry : kEntries) {
     if (accept_keyword(entry.name)) return (this->*entry.arguments)();
   }
+
   return false;
 }
 
 bool CommandParser::dash() {
   if (token_.kind == Kind::kOpen) return leg_dash();
+
   Dash dash;
   if (!number(dash.power)) return false;
   if (token_.kind != Kind::kClose && !number(dash.direction)) return false;
+
   return finish(dash);
 }
 
 // "(l P D)" for a leg that is not set yet.
 bool CommandParser::dash_leg(LegDash& legs) {
   if (!open()) return false;
+
   const bool left = at_keyword("l") || at_keyword("left");
   if (!left && !at_keyword("r") && !at_keyword("right")) return false;
   std::optional<Dash>& leg = left ? legs.left : legs.right;
   if (leg) return false;
+
   advance();
   Dash dash;
   if (!(number(dash.power) && number(dash.direction) && close())) return false;
   leg = dash;
+
   return true;
 }
 
@@ -179,6 +186,7 @@ bool CommandParser::leg_dash() {
 bool CommandParser::say() {
   const bool quoted = token_.kind == Kind::kQuoted;
   if (!quoted && (token_.kind != Kind::kName || is_command_keyword(token_.text))) return false;
+
   const std::string_view text = token_.text;
   advance();
   return finish(Say{std::string(quoted ? text.substr(1, text.size() - 2) : text)});
@@ -186,9 +194,11 @@ bool CommandParser::say() {
 
 bool CommandParser::change_view() {
   if (token_.kind != Kind::kName) return false;
+
   ChangeView view;
   const std::optional<ViewWidth> width = parse_view_width(token_.text);
   if (!width) return false;
+
   view.width = *width;
   advance();
   if (token_.kind == Kind::kName) {
@@ -196,6 +206,7 @@ bool CommandParser::change_view() {
     if (!view.quality) return false;
     advance();
   }
+
   return finish(view);
 }
 
@@ -217,14 +228,17 @@ bool CommandParser::team(std::optional<TeamReference>& team) {
                                            {"left", Team::kLeft},
                                            {"r", Team::kRight},
                                            {"right", Team::kRight}}};
+
   for (const Name& name : kNames) {
     if (!accept_keyword(name.text)) continue;
     team = TeamReference{name.kind, {}};
     return true;
   }
+
   const bool named = token_.kind == Kind::kQuoted ||
                      (token_.kind == Kind::kName && !is_command_keyword(token_.text));
   if (!named) return false;
+
   team = TeamReference{Team::kNamed, std::string(token_.text)};
   advance();
   return true;
@@ -232,6 +246,7 @@ bool CommandParser::team(std::optional<TeamReference>& team) {
 
 bool CommandParser::attention_to() {
   if (accept_keyword("off")) return plain<AttentionToOff>();
+
   std::optional<TeamReference> reference;
   int unum = 0;
   return team(reference) && integer(unum) && finish(AttentionTo{std::move(*reference), unum});
@@ -240,6 +255,7 @@ bool CommandParser::attention_to() {
 bool CommandParser::boolean(bool& value) {
   value = at_keyword("on") || at_keyword("true");
   if (!value && !at_keyword("off") && !at_keyword("false")) return false;
+
   advance();
   return true;
 }
@@ -260,6 +276,7 @@ bool CommandParser::clang() {
 bool CommandParser::ear() {
   Ear ear;
   if (!open()) return false;
+
   if (accept_keyword("on")) {
     ear.on = true;
   } else if (accept_keyword("off")) {
@@ -267,12 +284,14 @@ bool CommandParser::ear() {
   } else {
     return false;
   }
+
   team(ear.team);
   if (accept_keyword("partial") || accept_keyword("p")) {
     ear.mode = EarMode::kPartial;
   } else if (accept_keyword("complete") || accept_keyword("c")) {
     ear.mode = EarMode::kComplete;
   }
+
   return close() && finish(std::move(ear));
 }
 

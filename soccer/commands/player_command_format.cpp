@@ -15,6 +15,7 @@ bool write(std::string_view name, std::initializer_list<double> numbers, std::st
   for (const double number : numbers) {
     if (!write_number(number, out)) return false;
   }
+
   out.push_back(')');
   return true;
 }
@@ -32,6 +33,7 @@ bool write(const TeamReference& team, std::string& out) {
     case TeamReference::Kind::kNamed:
       break;
   }
+
   const CommandToken token = CommandLexer(team.name).next();
   const bool plain = token.kind == CommandToken::Kind::kName && !is_command_keyword(token.text);
   if (!plain && token.kind != CommandToken::Kind::kQuoted) return false;
@@ -59,10 +61,12 @@ bool write(const PointTo& c, std::string& out) {
 
 bool write(const LegDash& c, std::string& out) {
   if (!c.left && !c.right) return false;
+
   out.append("(dash ");
   if (c.left && !write("l", {c.left->power, c.left->direction}, out)) return false;
   if (c.left && c.right) out.push_back(' ');
   if (c.right && !write("r", {c.right->power, c.right->direction}, out)) return false;
+
   out.push_back(')');
   return true;
 }
@@ -70,6 +74,7 @@ bool write(const LegDash& c, std::string& out) {
 bool write(const Tackle& c, std::string& out) {
   if (!c.foul) return write("tackle", {c.angle_or_power}, out);
   if (!write("tackle", {c.angle_or_power}, out)) return false;
+
   out.pop_back();
   return write_text(" on)", out);
 }
@@ -96,10 +101,12 @@ bool write(const AttentionTo& c, std::string& out) {
 
 bool write(const Ear& c, std::string& out) {
   out.append(c.on ? "(ear (on" : "(ear (off");
+
   if (c.team) {
     out.push_back(' ');
     if (!write(*c.team, out)) return false;
   }
+
   if (c.mode) out.append(*c.mode == EarMode::kPartial ? " partial" : " complete");
   return write_text("))", out);
 }

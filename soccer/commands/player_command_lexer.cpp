@@ -82,6 +82,7 @@ bool is_command_keyword(std::string_view token) {
       "true",
       "false",
   });
+
   return std::find(kKeywords.begin(), kKeywords.end(), token) != kKeywords.end();
 }
 
@@ -98,10 +99,13 @@ bool CommandLexer::take_unquoted_say(CommandToken& token) {
   constexpr std::string_view kStart = "(say ";
   const std::string_view rest = text_.substr(at_);
   if (!rest.starts_with(kStart)) return false;
+
   const std::string_view run =
       rest.substr(kStart.size(), run_length(rest.substr(kStart.size()), is_say_character));
+
   const std::size_t closing = run.rfind(')');
   if (closing == std::string_view::npos || closing == 0) return false;
+
   token = take(Kind::kUnquotedSay, kStart.size() + closing + 1);
   token.text = run.substr(0, closing);
   return true;
@@ -111,16 +115,20 @@ CommandToken CommandLexer::next() {
   while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n')) {
     ++at_;
   }
+
   if (at_ == text_.size()) return take(Kind::kEnd, 0);
   CommandToken token;
   if (take_unquoted_say(token)) return token;
+
   const std::string_view rest = text_.substr(at_);
   if (rest[0] == '(') return take(Kind::kOpen, 1);
   if (rest[0] == ')') return take(Kind::kClose, 1);
+
   double number = 0.0;
   int integer = 0;
   const std::size_t number_length = base::parse_number_prefix(rest, number);
   const std::size_t name_length = run_length(rest, is_name_character);
+
   if (number_length > 0 && number_length >= name_length) {
     const bool whole = parse_wrapped_int(rest, integer) == number_length;
     token = take(whole ? Kind::kInteger : Kind::kReal, number_length);
@@ -128,6 +136,7 @@ CommandToken CommandLexer::next() {
     token.integer = integer;
     return token;
   }
+
   if (name_length > 0) return take(Kind::kName, name_length);
   if (const std::size_t length = quoted_length(rest); length > 0)
     return take(Kind::kQuoted, length);

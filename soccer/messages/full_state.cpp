@@ -19,13 +19,16 @@ bool read_mode(Scanner& in, FullState& out) {
   std::string_view mode;
   const std::size_t start = in.position();
   if (!in.token(mode)) return false;
+
   out.ball_caught = mode == "goalie_catch_ball_l" || mode == "goalie_catch_ball_r";
   if (out.ball_caught) {
     out.mode = mode.back() == 'l' ? PlayMode::kFreeKickLeft : PlayMode::kFreeKickRight;
     return true;
   }
+
   const std::optional<PlayMode> known = parse_play_mode(mode);
   if (!known) return in.fail_at(start, "a play mode");
+
   out.mode = *known;
   return true;
 }
@@ -39,6 +42,7 @@ bool read_counts(Scanner& in, CommandCounts& counts, bool& has_focus) {
         in.integer(counts.change_view) && in.literal(" ") && in.integer(counts.say))) {
     return false;
   }
+
   has_focus = in.optional(" ");
   return (!has_focus || in.integer(counts.change_focus)) && in.literal(")");
 }
@@ -48,6 +52,7 @@ bool read_name(Scanner& in, FullStatePlayer& player) {
         in.integer(player.unum, 1, kPlayersPerTeam) && in.literal(" "))) {
     return false;
   }
+
   player.goalie = in.optional("g ");
   return in.integer(player.type) && in.literal(") ");
 }
@@ -74,6 +79,7 @@ bool read_player(Scanner& in, bool has_focus, FullStatePlayer& player) {
                      in.literal(" ") && in.number(player.focus_direction) && in.literal(")"))) {
     return false;
   }
+
   if (!read_stamina(in, player)) return false;
   read_marks(in, player.mark, player.card);
   return in.literal(")");
@@ -85,6 +91,7 @@ void append_counts(const CommandCounts& counts, int version, TextWriter& out) {
                           counts.change_view, counts.say}) {
     append(out, " ", count);
   }
+
   if (version >= kFirstWithFocus) append(out, " ", counts.change_focus);
   out.append(") ");
 }
@@ -104,28 +111,34 @@ ActionMark mark_shown(const FullStatePlayer& player, int version) {
   if (version < kFirstWithCards && player.mark == ActionMark::kFoulCharged) {
     return ActionMark::kNone;
   }
+
   return player.mark;
 }
 
 void append_player(const FullStatePlayer& player, int version, TextWriter& out) {
   append_name(player, version, out);
   append_motion(player.position, player.velocity, out);
+
   append(out, " ", player.body);
   append(out, " ", player.neck);
+
   if (player.pointing) {
     append(out, " ", player.point_distance);
     append(out, " ", player.point_direction_radians);
   }
+
   if (version >= kFirstWithFocus) {
     append(out, " (focus_point ", player.focus_distance);
     append(out, " ", player.focus_direction);
     out.push_back(')');
   }
+
   append(out, " (stamina ", player.stamina);
   append(out, " ", player.effort);
   append(out, " ", player.recovery);
   if (version >= kFirstWithMarks) append(out, " ", player.capacity);
   out.push_back(')');
+
   append_marks(mark_shown(player, version), version >= kFirstWithCards ? player.card : Card::kNone,
                out);
   out.push_back(')');
@@ -137,6 +150,7 @@ base::Result<void> parse(std::string_view message, FullState& out) {
   Scanner in(message);
   bool has_focus = false;
   out.players.clear();
+
   bool ok = in.literal("(fullstate ") && in.integer(out.time) && in.literal(" (pmode ") &&
             read_mode(in, out) && in.literal(") (vmode ") &&
             read_view_mode(in, out.quality, out.width) && in.literal(")") &&
@@ -144,6 +158,7 @@ base::Result<void> parse(std::string_view message, FullState& out) {
             in.literal(" (score ") && in.integer(out.our_score) && in.literal(" ") &&
             in.integer(out.opponent_score) && in.literal(") ((b) ") &&
             read_motion(in, out.ball_position, out.ball_velocity) && in.literal(")");
+
   while (ok && in.peek() == ' ') {
     if (out.players.size() == kPlayersOnPitch) {
       ok = in.fail("no more players");
@@ -151,6 +166,7 @@ base::Result<void> parse(std::string_view message, FullState& out) {
       ok = read_player(in, has_focus, out.players.emplace_back());
     }
   }
+
   if (ok && in.literal(")") && in.end()) return {};
   return in.error("fullstate");
 }
@@ -159,22 +175,26 @@ void format(const FullState& state, int version, std::string& text) {
   TextWriter out(text);
   append(out, "(fullstate ", state.time);
   out.append(" (pmode ");
+
   if (state.ball_caught) {
     out.append(kCatchPrefix);
     out.push_back(letter(side(state.mode)));
   } else {
     out.append(name(state.mode));
   }
+
   out.append(") (vmode ");
   append_view_mode(state.quality, state.width, out);
   out.push_back(')');
   append_counts(state.counts, version, out);
   append_arm(state.arm, out);
+
   append(out, " (score ", state.our_score);
   append(out, " ", state.opponent_score);
   out.append(") ((b) ");
   append_motion(state.ball_position, state.ball_velocity, out);
   out.push_back(')');
+
   for (const FullStatePlayer& player : state.players) append_player(player, version, out);
   out.push_back(')');
 }

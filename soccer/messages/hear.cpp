@@ -16,9 +16,11 @@ using Sender = Hear::Sender;
 // The rest of the message as text, with or without quotes.
 bool read_text(Scanner& in, bool quoted, std::string& out) {
   std::string_view text;
+
   if (quoted && !in.literal("\"")) return false;
   if (!in.rest_before(quoted ? "\")" : ")", text)) return false;
   if (text.empty()) return in.fail("a text");
+
   out.assign(text);
   return true;
 }
@@ -46,12 +48,14 @@ bool read_side_and_text(Scanner& in, Hear& out) {
   } else {
     return in.fail("our or opp");
   }
+
   if (out.partial) return in.literal(")");
   return in.literal(" ") && read_text(in, true, out.text);
 }
 
 bool read_sender(Scanner& in, Hear& out) {
   if (in.optional("referee ")) return read_referee_or_trainer(in, out);
+
   if (in.optional("coach ")) {
     out.sender = Sender::kTrainer;
     return read_text(in, true, out.text);
@@ -61,11 +65,13 @@ bool read_sender(Scanner& in, Hear& out) {
     return read_text(in, true, out.text);
   }
   if (in.optional("(p ")) return read_speaker(in, out);
+
   const bool left = in.optional("online_coach_left ");
   if (left || in.optional("online_coach_right ")) {
     out.sender = left ? Sender::kOnlineCoachLeft : Sender::kOnlineCoachRight;
     return read_text(in, in.peek() == '"', out.text);
   }
+
   out.partial = in.peek() == 'o';
   return (out.partial || (in.integer(out.direction) && in.literal(" "))) &&
          read_side_and_text(in, out);
@@ -73,10 +79,12 @@ bool read_sender(Scanner& in, Hear& out) {
 
 bool read_message(Scanner& in, Hear& out) {
   if (!in.literal("(hear ")) return false;
+
   if (in.optional("referee ")) {  // to a trainer, name before time
     out.sender = Sender::kReferee;
     return in.integer(out.time) && in.literal(" ") && read_text(in, false, out.text);
   }
+
   return in.integer(out.time) && in.literal(" ") && read_sender(in, out);
 }
 
@@ -97,6 +105,7 @@ void append_coach(const Hear& hear, Recipient recipient, std::string& out) {
 void append_trainer(const Hear& hear, Recipient recipient, std::string& out) {
   if (recipient == Recipient::kPlayer) return append_quoted("coach ", hear.text, out);
   if (recipient == Recipient::kTrainer) return append_quoted("referee ", hear.text, out);
+
   out.append("referee ");
   out.append(hear.text);
 }
@@ -106,11 +115,13 @@ void append_player_message(const Hear& hear, std::string& out) {
     base::append_int(hear.direction, out);
     out.push_back(' ');
   }
+
   if (hear.sender == Sender::kTeammate) {
     append(out, "our ", hear.unum);
   } else {
     out.append("opp");
   }
+
   if (!hear.partial) append_quoted(" ", hear.text, out);
 }
 
@@ -121,6 +132,7 @@ base::Result<void> parse(std::string_view message, Hear& out) {
   out.direction = out.unum = 0;
   out.team = TeamName();
   out.text.clear();
+
   Scanner in(message);
   if (read_message(in, out) && in.end()) return {};
   return in.error("hear");
@@ -134,8 +146,10 @@ void format(const Hear& hear, Recipient recipient, std::string& out) {
     out.push_back(')');
     return;
   }
+
   append(out, "(hear ", hear.time);
   out.push_back(' ');
+
   switch (hear.sender) {
     case Sender::kReferee:
       out.append("referee ");
@@ -161,6 +175,7 @@ void format(const Hear& hear, Recipient recipient, std::string& out) {
       append_quoted(") ", hear.text, out);
       break;
   }
+
   out.push_back(')');
 }
 

@@ -48,6 +48,7 @@ void format_all(std::string_view start, const Params& params, const ParameterTab
     std::visit([&](auto member) { append_value(params.*member, out); }, row.member);
     out.push_back(')');
   }
+
   out.push_back(')');
 }
 
@@ -55,6 +56,7 @@ template <typename Params>
 bool read_pair(Scanner& in, const ParameterTable<Params>& table, Params& out) {
   std::string_view name;
   if (!(in.literal("(") && in.token(name) && in.literal(" "))) return false;
+
   const Parameter<Params>* row = find_parameter(table, name);
   const bool read =
       row == nullptr
@@ -69,6 +71,7 @@ base::Result<void> parse_all(std::string_view start, std::string_view message,
   Scanner in(message);
   bool ok = in.literal(start);
   while (ok && in.peek() == '(') ok = read_pair(in, table, out);
+
   if (ok && in.literal(")") && in.end()) return {};
   return in.error(start.substr(1, start.size() - 2));
 }

@@ -21,6 +21,7 @@ bool read_line(Scanner& in, Observation& object) {
     object.index = static_cast<std::uint8_t>(line);
     return true;
   }
+
   return in.fail("l, r, t or b");
 }
 
@@ -28,6 +29,7 @@ bool read_player_name(Scanner& in, Observation& object) {
   if (in.peek() == ')') return true;
   if (!(in.literal(" ") && read_team(in, object.team))) return false;
   if (!in.optional(" ")) return true;
+
   int unum = 0;
   if (!in.integer(unum, 1, kPlayersPerTeam)) return false;
   object.unum = static_cast<std::uint8_t>(unum);
@@ -46,6 +48,7 @@ bool read_name(Scanner& in, Observation& object) {
                                             {"G)", ObservedKind::kCloseGoal},
                                             {"B)", ObservedKind::kCloseBall},
                                             {"P)", ObservedKind::kClosePlayer}}};
+
   const char first = in.peek();
   if (first == 'f' || first == 'g') {
     object.kind = ObservedKind::kLandmark;
@@ -59,11 +62,13 @@ bool read_name(Scanner& in, Observation& object) {
     object.kind = ObservedKind::kLine;
     return read_line(in, object);
   }
+
   for (const Plain& plain : kPlain) {
     if (!in.looking_at(plain.text)) continue;
     object.kind = plain.kind;
     return in.literal(plain.text.substr(0, 1));
   }
+
   return in.fail("an object name");
 }
 
@@ -81,9 +86,11 @@ bool read_numbers(Scanner& in, Numbers& numbers, ActionMark& mark) {
       mark = next == 't' ? ActionMark::kTackling : ActionMark::kKicked;
       return in.literal(next == 't' ? "t)" : "k)");
     }
+
     if (numbers.count == kMaxNumbers) return in.fail(")");
     if (!in.number(numbers.values[numbers.count++])) return false;
   }
+
   return in.literal(")");
 }
 
@@ -98,26 +105,33 @@ bool assign(const Numbers& numbers, Observation& object) {
   const auto& v = numbers.values;
   const bool player = object.kind == ObservedKind::kPlayer;
   const std::size_t count = numbers.count;
+
   if (count == 1) {
     object.detail = ObservedDetail::kDirection;
     return whole(v[0], object.direction);
   }
+
   object.distance = v[0];
   if (count < 2 || !whole(v[1], object.direction)) return false;
+
   if (count == 2) {
     object.detail = ObservedDetail::kPosition;
     return true;
   }
+
   if (player && count == 3) {
     object.detail = ObservedDetail::kPosition;
     object.pointing = true;
     return whole(v[2], object.point_direction);
   }
+
   if (count < 4 || player != (count >= 6) || count == 5) return false;
   object.distance_change = v[2];
   object.direction_change = v[3];
   object.detail = player ? ObservedDetail::kPose : ObservedDetail::kMotion;
+
   if (!player) return count == 4;
+
   object.pointing = count == 7;
   return whole(v[4], object.body) && whole(v[5], object.head) &&
          (!object.pointing || whole(v[6], object.point_direction));
@@ -127,9 +141,11 @@ bool read_object(Scanner& in, Observation& object) {
   Numbers numbers;
   if (!(in.literal(" ((") && read_name(in, object) && in.literal(")"))) return false;
   if (!read_numbers(in, numbers, object.mark)) return false;
+
   if (object.mark != ActionMark::kNone && object.kind != ObservedKind::kPlayer) {
     return in.fail("no mark on this object");
   }
+
   return assign(numbers, object) || in.fail("another set of numbers before this");
 }
 
@@ -185,6 +201,7 @@ void append_numbers(const Observation& object, TextWriter& out) {
     append(out, " ", object.body);
     append(out, " ", object.head);
   }
+
   if (object.pointing) append(out, " ", object.point_direction);
   if (object.mark == ActionMark::kTackling) out.append(" t");
   if (object.mark == ActionMark::kKicked) out.append(" k");
@@ -195,6 +212,7 @@ void append_numbers(const Observation& object, TextWriter& out) {
 base::Result<void> parse(std::string_view message, See& out) {
   Scanner in(message);
   out.objects.clear();
+
   bool ok = in.literal("(see ") && in.integer(out.time);
   while (ok && in.peek() == ' ') {
     if (out.objects.size() == kMaxObservations) {
@@ -203,6 +221,7 @@ base::Result<void> parse(std::string_view message, See& out) {
       ok = read_object(in, out.objects.emplace_back());
     }
   }
+
   if (ok && in.literal(")") && in.end()) return {};
   return in.error("see");
 }
@@ -210,6 +229,7 @@ base::Result<void> parse(std::string_view message, See& out) {
 void format(const See& see, std::string& text) {
   TextWriter out(text);
   append(out, "(see ", see.time);
+
   for (const Observation& object : see.objects) {
     out.append(" ((");
     append_name(object, out);
@@ -217,6 +237,7 @@ void format(const See& see, std::string& text) {
     append_numbers(object, out);
     out.push_back(')');
   }
+
   out.push_back(')');
 }
 

@@ -32,30 +32,36 @@ bool read_counts(Scanner& in, SenseBody& out) {
         in.integer(counts.change_view) && in.literal(")"))) {
     return false;
   }
+
   out.has_focus_point = in.optional(" (change_focus ");
   return !out.has_focus_point || (in.integer(counts.change_focus) && in.literal(")"));
 }
 
 bool read_attention(Scanner& in, SenseBody& out) {
   if (!in.literal(" (focus (target ")) return false;
+
   out.attention_side = Side::kNeutral;
   out.attention_unum = 0;
   if (!in.optional("none") && !(read_side(in, out.attention_side) && in.literal(" ") &&
                                 in.integer(out.attention_unum, 1, kPlayersPerTeam))) {
     return false;
   }
+
   return in.literal(") (count ") && in.integer(out.attention_count) && in.literal("))");
 }
 
 bool read_collision(Scanner& in, SenseBody& out) {
   if (!in.literal(" (collision ")) return false;
   out.collided_with_ball = out.collided_with_player = out.collided_with_post = false;
+
   if (in.optional("none)")) return true;
+
   out.collided_with_ball = in.optional("(ball)");
   if (out.collided_with_ball) in.optional(" ");
   out.collided_with_player = in.optional("(player)");
   if (out.collided_with_player) in.optional(" ");
   out.collided_with_post = in.optional("(post)");
+
   if (!out.collided_with_ball && !out.collided_with_player && !out.collided_with_post) {
     return in.fail("none, (ball), (player) or (post)");
   }
@@ -66,6 +72,7 @@ bool read_foul(Scanner& in, SenseBody& out) {
   if (!(in.literal(" (foul (charged ") && in.integer(out.foul_charged) && in.literal(") (card "))) {
     return false;
   }
+
   if (in.optional("none")) {
     out.card = Card::kNone;
   } else if (in.optional("yellow")) {
@@ -75,6 +82,7 @@ bool read_foul(Scanner& in, SenseBody& out) {
   } else {
     return in.fail("none, yellow or red");
   }
+
   return in.literal("))");
 }
 
@@ -94,12 +102,14 @@ void append_counts(const CommandCounts& counts, int version, TextWriter& out) {
   append(out, ") (catch ", counts.catches);
   append(out, ") (move ", counts.move);
   append(out, ") (change_view ", counts.change_view);
+
   if (version >= kFirstWithFocus) append(out, ") (change_focus ", counts.change_focus);
   out.append(") ");
 }
 
 void append_attention(const SenseBody& sense, TextWriter& out) {
   out.append(" (focus (target ");
+
   if (sense.attention_side == Side::kNeutral) {
     out.append("none");
   } else {
@@ -112,12 +122,14 @@ void append_attention(const SenseBody& sense, TextWriter& out) {
 void append_collision(const SenseBody& sense, TextWriter& out) {
   out.append(" (collision ");
   std::string_view separator;
+
   const auto add = [&](bool collided, std::string_view text) {
     if (!collided) return;
     out.append(separator);
     out.append(text);
     separator = " ";
   };
+
   add(sense.collided_with_ball, "(ball)");
   add(sense.collided_with_player, "(player)");
   add(sense.collided_with_post, "(post)");
@@ -152,21 +164,26 @@ base::Result<void> parse(std::string_view message, SenseBody& out) {
 void format(const SenseBody& sense, int version, std::string& text) {
   TextWriter out(text);
   append(out, "(sense_body ", sense.time);
+
   out.append(" (view_mode ");
   append_view_mode(sense.quality, sense.width, out);
   append(out, ") (stamina ", sense.stamina);
   append(out, " ", sense.effort);
   if (version >= kFirstWithCapacity) append(out, " ", sense.capacity);
+
   append(out, ") (speed ", sense.speed);
   append(out, " ", sense.speed_direction);
   append(out, ") (head_angle ", sense.head_angle);
   out.push_back(')');
+
   append_counts(sense.counts, version, out);
   append_arm(sense.arm, out);
   append_attention(sense, out);
+
   append(out, ")) (tackle (expires ", sense.tackle_expires_in);
   append(out, ") (count ", sense.tackle_count);
   out.append("))");
+
   if (version >= kFirstWithCollision) append_collision(sense, out);
   if (version >= kFirstWithFoul) append_foul(sense, out);
   if (version >= kFirstWithFocus) {
@@ -174,6 +191,7 @@ void format(const SenseBody& sense, int version, std::string& text) {
     append(out, " ", sense.focus_direction);
     out.push_back(')');
   }
+
   out.push_back(')');
 }
 

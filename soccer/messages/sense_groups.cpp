@@ -11,11 +11,13 @@ bool read_view_mode(Scanner& in, ViewQuality& quality, ViewWidth& width) {
   } else {
     return in.fail("high or low");
   }
+
   for (const ViewWidth candidate : {ViewWidth::kNarrow, ViewWidth::kNormal, ViewWidth::kWide}) {
     if (!in.optional(name(candidate))) continue;
     width = candidate;
     return true;
   }
+
   return in.fail("narrow, normal or wide");
 }
 
@@ -74,6 +76,7 @@ void read_marks(Scanner& in, ActionMark& mark, Card& card) {
   } else {
     mark = ActionMark::kNone;
   }
+
   if (in.optional(" y")) {
     card = Card::kYellow;
   } else if (in.optional(" r")) {
@@ -87,6 +90,7 @@ void append_marks(ActionMark mark, Card card, TextWriter& out) {
   if (mark == ActionMark::kTackling) out.append(" t");
   if (mark == ActionMark::kKicked) out.append(" k");
   if (mark == ActionMark::kFoulCharged) out.append(" f");
+
   if (card == Card::kYellow) out.append(" y");
   if (card == Card::kRed) out.append(" r");
 }

@@ -14,6 +14,7 @@ bool read_mode(Scanner& in, PlayMode& mode) {
   if (!in.token(text)) return false;
   const std::optional<PlayMode> known = parse_play_mode(text);
   if (!known) return in.fail_at(start, "a play mode");
+
   mode = *known;
   return true;
 }
@@ -22,6 +23,7 @@ bool read_plain_team(Scanner& in, TeamName& team) {
   std::string_view text;
   const std::size_t start = in.position();
   if (!in.token(text)) return false;
+
   if (text.size() > TeamName::kMaxSize) return in.fail_at(start, "a team name");
   team = TeamName(text);
   return true;
@@ -38,12 +40,14 @@ bool read_init(Scanner& in, ServerReply& out) {
     out = CoachInitReply{};
     return true;
   }
+
   Side side = Side::kNeutral;
   if (!(read_side(in, side) && in.literal(" "))) return false;
   if (in.optional("ok)")) {
     out = CoachInitReply{side};
     return true;
   }
+
   auto& reply = out.emplace<PlayerInitReply>();
   reply.side = side;
   return in.integer(reply.unum, 1, kPlayersPerTeam) && in.literal(" ") &&
@@ -82,6 +86,7 @@ bool read_type_change(Scanner& in, ServerReply& out) {
     return read_side(in, reply.goalie_side) && in.literal(" ") &&
            in.integer(reply.unum, 1, kPlayersPerTeam) && in.literal(" goalie)");
   }
+
   if (!in.integer(reply.unum, 1, kPlayersPerTeam)) return false;
   return in.optional(")") ||
          (in.literal(" ") && in.integer(reply.type.emplace()) && in.literal(")"));
@@ -98,10 +103,12 @@ bool read_include(Scanner& in, ServerReply& out) {
   int size = 0;
   std::string_view text;
   const std::size_t start = in.position();
+
   if (!(in.integer(size) && in.literal(" ") && in.rest_before(")", text))) return false;
   if (size < 0 || static_cast<std::size_t>(size) != text.size()) {
     return in.fail_at(start, "the length of the text");
   }
+
   out = CoachInclude{std::string(text)};
   return true;
 }
@@ -118,12 +125,14 @@ bool read_ok_compression(Scanner& in, ServerReply& out) {
 
 bool read_ok_team_names(Scanner& in, ServerReply& out) {
   auto& reply = out.emplace<OkTeamNames>();
+
   if (in.optional(" (team l ") && !(read_plain_team(in, reply.left) && in.literal(")"))) {
     return false;
   }
   if (in.optional(" (team r ") && !(read_plain_team(in, reply.right) && in.literal(")"))) {
     return false;
   }
+
   if (!in.literal(")")) return false;
   in.optional("\n");
   return true;
@@ -131,6 +140,7 @@ bool read_ok_team_names(Scanner& in, ServerReply& out) {
 
 bool read_ok_check_ball(Scanner& in, ServerReply& out) {
   auto& reply = out.emplace<OkCheckBall>();
+
   if (!(in.integer(reply.time) && in.literal(" "))) return false;
   for (const BallPlace place :
        {BallPlace::kInField, BallPlace::kGoalLeft, BallPlace::kGoalRight, BallPlace::kOutOfField}) {
@@ -138,6 +148,7 @@ bool read_ok_check_ball(Scanner& in, ServerReply& out) {
     reply.place = place;
     return in.literal(")");
   }
+
   return in.fail("a place");
 }
 
@@ -146,6 +157,7 @@ bool read_ok_change_player_type(Scanner& in, ServerReply& out) {
   auto& reply = out.emplace<OkChangePlayerType>();
   const std::string_view rest = in.rest();
   const bool has_team = rest.find(' ') != rest.rfind(' ');
+
   if (has_team && !(read_plain_team(in, reply.team) && in.literal(" "))) return false;
   if (!(in.integer(reply.unum, 1, kPlayersPerTeam) && in.literal(" "))) return false;
   if (!has_team && in.optional("goalie)")) return true;
@@ -174,10 +186,12 @@ bool read_ok(Scanner& in, ServerReply& out) {
   if (in.optional("check_ball ")) return read_ok_check_ball(in, out);
   if (in.optional("change_player_type ")) return read_ok_change_player_type(in, out);
   if (in.optional("team_graphic ")) return read_ok_team_graphic(in, out);
+
   if (read_plain<OkRecover>(in, "recover)", out)) {
     in.optional("\n");
     return true;
   }
+
   return read_plain<OkSynchSee>(in, "synch_see)", out) ||
          read_plain<OkGaussianSee>(in, "gaussian_see)", out) ||
          read_plain<OkSay>(in, "say)", out) || read_plain<OkStart>(in, "start)", out) ||

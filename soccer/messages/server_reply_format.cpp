@@ -19,6 +19,7 @@ void write(const ReconnectReply& reply, std::string& out) {
 
 void write(const CoachInitReply& reply, std::string& out) {
   out.append("(init ");
+
   if (reply.side != Side::kNeutral) {
     out.push_back(letter(reply.side));
     out.push_back(' ');
@@ -43,12 +44,14 @@ void write(const ScoreReply& reply, std::string& out) {
 
 void write(const PlayerTypeChange& reply, std::string& out) {
   out.append("(change_player_type ");
+
   if (reply.goalie_side != Side::kNeutral) {
     out.push_back(letter(reply.goalie_side));
     append(out, " ", reply.unum);
     out.append(" goalie)");
     return;
   }
+
   base::append_int(reply.unum, out);
   if (reply.type) append(out, " ", *reply.type);
   out.push_back(')');
@@ -101,13 +104,16 @@ void write(const OkCheckBall& reply, std::string& out) {
 void write(const OkChangePlayerType& reply, std::string& out) {
   out.append("(ok change_player_type ");
   if (!reply.team.empty()) out.append(reply.team.view()).push_back(' ');
+
   base::append_int(reply.unum, out);
   out.push_back(' ');
+
   if (reply.type) {
     base::append_int(*reply.type, out);
   } else {
     out.append("goalie");
   }
+
   out.push_back(')');
 }
 

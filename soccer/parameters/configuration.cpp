@@ -28,6 +28,7 @@ class ConfigurationParser {
       if (!item) return base::Error{"line " + std::to_string(line_) + ": " + error_};
       items.push_back(std::move(*item));
     }
+
     if (!error_.empty()) return base::Error{"line " + std::to_string(line_) + ": " + error_};
     return items;
   }
@@ -70,6 +71,7 @@ class ConfigurationParser {
   std::string_view parse_name() {
     std::size_t size = 0;
     while (size < rest().size() && is_name_character(rest()[size])) ++size;
+
     const std::string_view name = rest().substr(0, size);
     at_ += size;
     return name;
@@ -78,23 +80,28 @@ class ConfigurationParser {
   std::optional<ConfigurationItem> parse_item() {
     ConfigurationItem item;
     item.line = line_;
+
     const std::string_view begin = token();
     for (int dashes = 0; dashes < 2 && rest().starts_with('-'); ++dashes) ++at_;
     item.name = parse_name();
+
     if (rest().starts_with("::")) {
       at_ += 2;
       item.module = std::exchange(item.name, std::string(parse_name()));
     }
+
     if (item.name == "help") return item;
     if (item.name.empty() || !skip() || !rest().starts_with('=')) {
       fail("'" + std::string(begin) + "' is not of the form server::NAME=VALUE");
       return std::nullopt;
     }
+
     ++at_;
     if (!skip() || !parse_value(item.value)) {
       fail("'" + std::string(begin) + "' has no value");
       return std::nullopt;
     }
+
     return item;
   }
 
@@ -105,8 +112,10 @@ class ConfigurationParser {
       at_ += value.size();
       return true;
     }
+
     const std::size_t end = rest().find(quote, 1);
     if (end == std::string_view::npos) return fail("unterminated quote");
+
     value = rest().substr(1, end - 1);
     advance(end + 1);
     return true;
@@ -121,9 +130,11 @@ class ConfigurationParser {
 // Restores the quotes around a value with spaces, which the shell has removed.
 std::string quoted(const std::string& argument) {
   if (argument.find_first_of(kSpaces) == std::string::npos) return argument;
+
   const char quote = argument.find('\'') == std::string::npos ? '\'' : '"';
   const std::size_t equals = argument.find('=');
   const std::size_t begin = equals == std::string::npos ? 0 : equals + 1;
+
   const bool has_quotes = argument.find_first_of("'\"") != std::string::npos;
   if (has_quotes || begin == argument.size()) return argument;
   return argument.substr(0, begin) + quote + argument.substr(begin) + quote;
@@ -141,6 +152,7 @@ std::string join_arguments(const std::vector<std::string>& arguments) {
     if (!text.empty()) text += ' ';
     text += quoted(argument);
   }
+
   return text;
 }
 

@@ -73,6 +73,7 @@ base::Result<void> set_parameter(Params& params, const ParameterTable<Params>& t
     if (!nearest.empty()) message += "; did you mean '" + std::string(nearest) + "'?";
     return base::Error{std::move(message)};
   }
+
   const base::Result<void> done =
       std::visit([&](auto member) { return detail::assign(params.*member, text); }, row->member);
   if (!done) return base::Error{"parameter '" + std::string(name) + "': " + done.error().message};

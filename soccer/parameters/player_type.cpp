@@ -20,6 +20,7 @@ class TypeDraw {
   double delta(double low, double high) {
     if (low == high) return low;
     if (low > high) std::swap(low, high);
+
     const double first = static_cast<double>(engine_());
     const double second = static_cast<double>(engine_());
     const double unit = (first + second * 0x1.0p32) / 0x1.0p64;
@@ -95,6 +96,7 @@ const ParameterTable<PlayerType>& player_type_table() {
 
 PlayerType default_player_type(const ServerParams& server) {
   PlayerType type;
+
   type.player_speed_max = server.player_speed_max;
   type.stamina_inc_max = server.stamina_inc_max;
   type.player_decay = server.player_decay;
@@ -120,6 +122,7 @@ std::vector<PlayerType> draw_player_types(const ServerParams& server, const Play
   constexpr int kMaxTrials = 1000;
   TypeDraw draw(seed);
   std::vector<PlayerType> types = {default_player_type(server)};
+
   while (static_cast<int>(types.size()) < player.player_types) {
     PlayerType type = default_player_type(server);
     for (int i = 0; i < kMaxTrials; ++i) {
@@ -128,9 +131,11 @@ std::vector<PlayerType> draw_player_types(const ServerParams& server, const Play
         break;
       }
     }
+
     type.id = static_cast<int>(types.size());
     types.push_back(type);
   }
+
   return types;
 }
 

@@ -22,6 +22,7 @@ class LandmarkNames {
       const std::uint64_t key = key_of(kLandmarks[i].name);
       std::size_t slot = slot_of(key);
       while (keys_[slot] != 0) slot = (slot + 1) % kSlots;
+
       keys_[slot] = key;
       indices_[slot] = static_cast<std::uint8_t>(i);
     }
@@ -29,12 +30,14 @@ class LandmarkNames {
 
   bool find(std::string_view name, std::uint8_t& index) const {
     if (name.empty() || name.size() > kMaxNameSize) return false;
+
     const std::uint64_t key = key_of(name);
     for (std::size_t slot = slot_of(key); keys_[slot] != 0; slot = (slot + 1) % kSlots) {
       if (keys_[slot] != key) continue;
       index = indices_[slot];
       return true;
     }
+
     return false;
   }
 
@@ -65,9 +68,11 @@ bool read_landmark(Scanner& in, std::uint8_t& index) {
 
 bool read_team(Scanner& in, TeamName& team) {
   if (!in.literal("\"")) return false;
+
   const std::string_view rest = in.rest();
   const std::size_t size = rest.substr(0, TeamName::kMaxSize + 1).find('"');
   if (size == std::string_view::npos || size == 0) return in.fail("a team name");
+
   team = TeamName(rest.substr(0, size));
   return in.literal(rest.substr(0, size + 1));
 }
@@ -76,6 +81,7 @@ bool read_player(Scanner& in, TeamName& team, int& unum, bool& goalie) {
   if (!(read_team(in, team) && in.literal(" ") && in.integer(unum, 1, kPlayersPerTeam))) {
     return false;
   }
+
   goalie = in.optional(" goalie");
   return true;
 }

@@ -81,6 +81,7 @@ class Scanner {
       at_ = text_.size();
       return fail(closing);
     }
+
     value = rest().substr(0, rest().size() - closing.size());
     at_ = text_.size();
     return true;
