@@ -38,14 +38,17 @@ std::vector<std::string> logs_below(const std::string& folder) {
   std::vector<std::string> found;
   std::error_code error;
   const auto options = fs::directory_options::skip_permission_denied;
+
   for (fs::recursive_directory_iterator at(folder, options, error), end; !error && at != end;
        at.increment(error)) {
     const std::string path = at->path().string();
     if (!is_text_log(path) && !is_game_log(path)) continue;
+
     std::error_code ignored;
     // Reading a pipe of that name would wait for a writer.
     if (at->is_regular_file(ignored)) found.push_back(path);
   }
+
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -56,6 +59,7 @@ std::vector<std::string> matches_of(const std::string& pattern) {
   if (::glob(pattern.c_str(), 0, nullptr, &result) == 0) {
     found.assign(result.gl_pathv, result.gl_pathv + result.gl_pathc);
   }
+
   ::globfree(&result);
   return found;
 }
@@ -63,18 +67,22 @@ std::vector<std::string> matches_of(const std::string& pattern) {
 // The log files that one argument refers to.
 std::vector<std::string> files_of(const std::string& argument) {
   if (argument == "-") return {argument};
+
   std::error_code ignored;
   if (fs::is_directory(argument, ignored)) return logs_below(argument);
   if (exists(argument)) return {argument};
+
   std::vector<std::string> files;
   for (const std::string& match : matches_of(argument)) {
     if (!fs::is_directory(match, ignored)) {
       files.push_back(match);
       continue;
     }
+
     const std::vector<std::string> below = logs_below(match);
     files.insert(files.end(), below.begin(), below.end());
   }
+
   return files;
 }
 
@@ -95,21 +103,26 @@ FoundLogs find_logs(const std::vector<std::string>& arguments) {
   FoundLogs found;
   std::map<std::string, std::size_t> by_stem;
   std::vector<std::string> stems;
+
   for (const std::string& argument : arguments) {
     const std::vector<std::string> files = files_of(argument);
     if (files.empty()) found.missing.push_back(argument);
+
     for (const std::string& file : files) {
       const auto [known, added] = by_stem.emplace(stem_of(file), found.matches.size());
       if (added) {
         found.matches.emplace_back();
         stems.push_back(known->first);
       }
+
       MatchLogs& logs = found.matches[known->second];
       std::string& path = is_text_log(file) ? logs.text : logs.game;
       if (path.empty()) path = file;
     }
   }
+
   for (std::size_t i = 0; i < stems.size(); ++i) find_text_log(stems[i], found.matches[i]);
+
   return found;
 }
 

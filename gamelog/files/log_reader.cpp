@@ -21,10 +21,12 @@ bool skip_digits(std::string_view& text) {
 // `time,stopped` and a tab, or only the time before server version 13.
 bool starts_text_log(std::string_view text) {
   if (!skip_digits(text)) return false;
+
   if (text.starts_with(',')) {
     text.remove_prefix(1);
     if (!skip_digits(text)) return false;
   }
+
   return text.starts_with('\t');
 }
 

@@ -193,6 +193,7 @@ int common_step(const soccer::ServerParams& params) {
                         params.sense_body_step, params.send_vi_step}) {
     if (one > 0 && step < 32768) step = std::lcm(step, std::min(one, 32767));
   }
+
   return step;
 }
 
@@ -246,6 +247,7 @@ std::string block_of(const Params& params, const Field<Params> (&fields)[kCount]
     const BlockWriter write{block, field.offset, rounding};
     std::visit([&](auto member) { write(params.*member); }, field.member);
   }
+
   return block;
 }
 
@@ -276,6 +278,7 @@ void read_player_params(std::string_view block, soccer::PlayerParams& params) {
 
 void read_player_type(std::string_view block, soccer::PlayerType& type) {
   type.id = read_int16(block.data());
+
   const char* at = block.data() + kFirstTypeField;
   for (const auto member : kTypeFields) {
     type.*member = read_real(at);
@@ -296,8 +299,10 @@ void write_int32(std::int64_t value, std::string& out) {
 
 void write_real(double value, Rounding rounding, std::string& out) {
   double scaled = std::clamp(value * kRealScale, -2147483648.0, 2147483647.0);
+
   if (rounding == Rounding::kNearest) scaled = std::rint(scaled);
   if (rounding == Rounding::kAddHalfAndTruncate) scaled += 0.5;
+
   write_int32(static_cast<std::int64_t>(scaled), out);
 }
 
@@ -306,21 +311,25 @@ void write_server_params(const soccer::ServerParams& params, std::string& out) {
   const auto write = [&block](std::size_t offset, auto value) {
     BlockWriter{block, offset, Rounding::kTruncate}(value);
   };
+
   // Values derived from other parameters.
   write(144, params.control_radius - params.player_size);
   write(204, params.kickable_margin + params.ball_size + params.player_size);
   write(264, common_step(params));
   write(340, params.slowness_on_top_for_left_team);
   for (std::size_t offset = kFirstUnset; offset <= kLastUnset; offset += 4) write(offset, -1.0);
+
   out += block;
 }
 
 void write_player_params(const soccer::PlayerParams& params, std::string& out) {
   std::string block =
       block_of(params, kPlayerFields, kPlayerParamSize, Rounding::kAddHalfAndTruncate);
+
   std::string seed;
   write_int32(params.random_seed, seed);
   put(block, kRandomSeedOffset, seed);
+
   out += block;
 }
 
@@ -328,8 +337,10 @@ void write_player_type(const soccer::PlayerType& type, std::string& out) {
   std::string block;
   write_int16(type.id, block);
   block.resize(kFirstTypeField, '\0');
+
   for (const auto member : kTypeFields)
     write_real(type.*member, Rounding::kAddHalfAndTruncate, block);
+
   block.resize(kPlayerTypeSize, '\0');
   out += block;
 }

@@ -48,6 +48,7 @@ class Datagram {
 void add_head(const Frame& frame, Datagram& datagram) {
   datagram.int8(static_cast<int>(frame.mode));
   datagram.int8(0);
+
   for (const TeamFrame& team : frame.teams) {
     datagram.text(team.name, kNameSize);
     datagram.int16(team.score);
@@ -72,18 +73,22 @@ void add_short_object(int state, int side, int unum, int angle, soccer::Vec2 pos
 
 void add_long_player(const PlayerFrame& player, Datagram& datagram) {
   using soccer::math::to_radians;
+
   datagram.int16(low_bits(player.state));
   datagram.int16(player.type);
   datagram.point(player.position);
   datagram.point(player.velocity);
+
   datagram.real(to_radians(player.body));
   datagram.real(to_radians(player.neck));
   datagram.real(to_radians(player.view_width));
   datagram.int16(player.high_quality ? 1 : 0);
   datagram.int16(0);
+
   datagram.real(player.stamina);
   datagram.real(player.effort);
   datagram.real(player.recovery);
+
   const CommandCounts& c = player.counts;
   for (const int count :
        {c.kick, c.dash, c.turn, c.say, c.turn_neck, c.catches, c.move, c.change_view}) {
@@ -112,12 +117,14 @@ void append_short_show(const Frame& frame, std::string& out) {
   Datagram datagram(kShow, out);
   add_head(frame, datagram);
   add_short_object(0, 0, 0, 0, frame.ball_position, datagram);
+
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
     const PlayerFrame& player = frame.players[static_cast<std::size_t>(slot)];
     const int side = soccer::side_of_slot(slot) == soccer::Side::kLeft ? 1 : -1;
     add_short_object(low_bits(player.state), side, soccer::unum_of_slot(slot), rounded(player.body),
                      player.position, datagram);
   }
+
   datagram.int16(frame.time);
   datagram.pad_to(kShortSize);
 }
@@ -129,7 +136,9 @@ void append_long_show(const Frame& frame, std::string& out) {
   datagram.int16(0);
   datagram.point(frame.ball_position);
   datagram.point(frame.ball_velocity);
+
   for (const PlayerFrame& player : frame.players) add_long_player(player, datagram);
+
   datagram.int16(frame.time);
   datagram.pad_to(kLongSize);
 }
@@ -137,6 +146,7 @@ void append_long_show(const Frame& frame, std::string& out) {
 void append_binary_text(int version, int board, std::string_view text, std::string& out) {
   const bool first = version == 1;
   Datagram datagram(kMessage, out);
+
   if (!first) datagram.int16(0);
   datagram.int16(board);
   datagram.text(text.substr(0, kMaxText), kMaxText + 1);
@@ -159,13 +169,17 @@ void append_binary_header(RcgVersion version, const soccer::ServerParams& server
                           const soccer::PlayerParams& player,
                           const std::vector<soccer::PlayerType>& types, std::string& out) {
   if (version == RcgVersion::kV1) return;
+
   out += "ULG";
   out += static_cast<char>(version);
+
   if (version == RcgVersion::kV2) return;
+
   write_int16(kServerParam, out);
   write_server_params(server, out);
   write_int16(kPlayerParam, out);
   write_player_params(player, out);
+
   for (const soccer::PlayerType& type : types) {
     write_int16(kType, out);
     write_player_type(type, out);
@@ -186,12 +200,14 @@ void append_binary_teams(RcgVersion version, const TeamFrames& teams, std::strin
 
 void append_binary_show(RcgVersion version, const Frame& frame, std::string& out) {
   if (version == RcgVersion::kV1) return append_short_show(frame, out);
+
   const std::size_t start = out.size();
   if (version == RcgVersion::kV2) {
     append_short_show(frame, out);
     out.resize(start + kKindSize + kShortShowSize);
     return;
   }
+
   append_long_show(frame, out);
   out.erase(start + kKindSize, kLongObjectsOffset - kKindSize);
   out.resize(start + kKindSize + kLongShowSize);
@@ -199,8 +215,10 @@ void append_binary_show(RcgVersion version, const Frame& frame, std::string& out
 
 void append_binary_message(RcgVersion version, int board, std::string_view text, std::string& out) {
   if (version == RcgVersion::kV1) return append_binary_text(1, board, text, out);
+
   text = text.substr(0, kMaxMessage);
   if (text.empty()) text = std::string_view("\0", 1);
+
   write_int16(kMessage, out);
   write_int16(board, out);
   write_int16(static_cast<int>(text.size()), out);

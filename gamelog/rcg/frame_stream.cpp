@@ -38,6 +38,7 @@ class FrameStream::DrainingSource : public base::ByteSource {
       listener_.on_frame(record_, kept_);
       ++passed_on_;
     }
+
     keep_last_frame(record_);
     kept_ = record_.frames();
     std::erase_if(record_.notes, [](const Note& note) { return !is_result(note); });

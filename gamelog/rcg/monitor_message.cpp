@@ -25,10 +25,12 @@ void append_score(const TeamFrames& teams, std::string& out) {
     out += ' ';
     out += team.name.empty() ? std::string_view("null") : std::string_view(team.name);
   }
+
   const auto append = [&out](int value) {
     out += ' ';
     append_int(value, out);
   };
+
   for (const TeamFrame& team : teams) append(team.score);
   if (teams[0].penalties_taken() > 0 || teams[1].penalties_taken() > 0) {
     for (const TeamFrame& team : teams) {
@@ -36,6 +38,7 @@ void append_score(const TeamFrames& teams, std::string& out) {
       append(team.penalty_missed);
     }
   }
+
   out += ')';
 }
 
@@ -43,6 +46,7 @@ template <typename Params>
 void append_parameters(MonitorVersion version, const Params& params, std::string& out) {
   if (is_binary(version)) return append_binary_parameters(params, out);
   if (version != MonitorVersion::kJson) return soccer::format(params, soccer::kAllVersions, out);
+
   std::string line;
   soccer::format(params, soccer::kAllVersions, line);
   append_json_parameters(line, out);
@@ -69,11 +73,13 @@ void append_monitor_show(MonitorVersion version, const Frame& frame, std::string
   if (version == MonitorVersion::kJson) return append_json_show(frame, out, JsonShow::kMonitor);
   if (version == MonitorVersion::k1) return append_short_show(frame, out);
   if (version == MonitorVersion::k2) return append_long_show(frame, out);
+
   out += "(show ";
   append_int(frame.time, out);
   out += " (pm ";
   append_int(static_cast<int>(frame.mode), out);
   out += ')';
+
   append_score(frame.teams, out);
   append_objects(frame, out, log_version(version));
   out += ')';
@@ -87,7 +93,9 @@ void append_monitor_text(MonitorVersion version, int time, int stopped, int boar
     message.text = text;
     return append_json_message(time, stopped, message, out);
   }
+
   if (is_binary(version)) return append_binary_text(static_cast<int>(version), board, text, out);
+
   out += "(msg ";
   append_int(time, out);
   out += ' ';

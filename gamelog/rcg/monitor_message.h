@@ -49,12 +49,14 @@ void send_monitor_parameters(MonitorVersion version, const soccer::ServerParams&
                              const soccer::PlayerParams& player,
                              const std::vector<soccer::PlayerType>& types, Send&& send) {
   if (version == MonitorVersion::k1) return;
+
   std::string message;
   const auto send_one = [&](const auto& params) {
     message.clear();
     append_monitor_parameters(version, params, message);
     send(std::string_view(message));
   };
+
   send_one(server);
   send_one(player);
   for (const soccer::PlayerType& type : types) send_one(type);

@@ -50,6 +50,7 @@ void read_short_player(const char* at, PlayerFrame& player) {
 // The order of counters differs from text logs.
 void read_long_player(const char* at, PlayerFrame& player) {
   player = PlayerFrame{};
+
   player.state = static_cast<std::uint16_t>(read_int16(at));
   player.type = std::clamp(read_int16(at + 2), -1, kMaxPlayerType);
   player.position = read_point(at + 4);
@@ -58,10 +59,12 @@ void read_long_player(const char* at, PlayerFrame& player) {
   player.neck = degrees_of(read_real(at + 24));
   player.view_width = degrees_of(read_real(at + 28));
   player.high_quality = read_int16(at + 32) != 0;
+
   player.stamina = read_real(at + 36);
   player.effort = read_real(at + 40);
   player.recovery = read_real(at + 44);
   player.capacity = -1.0;
+
   CommandCounts& counts = player.counts;
   const char* counter = at + 48;
   for (int* count : {&counts.kick, &counts.dash, &counts.turn, &counts.say, &counts.turn_neck,
@@ -79,6 +82,7 @@ class BinaryReader {
   void read_all() {
     while (read_record()) {
     }
+
     if (teams_ != builder_.record().final_teams()) builder_.add_teams(last_time(), teams_);
     if (has_parameters_) write_parameter_lines();
   }
@@ -89,6 +93,7 @@ class BinaryReader {
     if (start.empty()) return false;
     if (start.size() < kKindSize) return fail(kTruncated);
     if (!builder_.has_room()) return fail(kTooManyRecords);
+
     const int kind = read_int16(start.data());
     return version_ == RcgVersion::kV1 ? read_fixed(kind) : read_packed(kind);
   }
@@ -96,6 +101,7 @@ class BinaryReader {
   bool read_fixed(int kind) {
     const std::string_view body = input_.take(kFixedRecord - kKindSize);
     if (body.size() < kFixedRecord - kKindSize) return fail(kTruncated);
+
     if (kind == kShow) {
       read_short_show(body);
     } else if (kind == kMessage) {
@@ -105,15 +111,19 @@ class BinaryReader {
     } else if (kind < kNothing || kind > kBlank) {
       return fail("unknown record kind " + std::to_string(kind));
     }
+
     return true;
   }
 
   bool read_packed(int kind) {
     if (kind == kMessage) return read_message();
+
     const std::size_t size = body_size(kind);
     if (size == kUnknownSize) return fail("unknown record kind " + std::to_string(kind));
+
     const std::string_view body = input_.take(size);
     if (body.size() < size) return fail(kTruncated);
+
     switch (kind) {
       case kShow:
         version_ == RcgVersion::kV2 ? read_short_show(body) : read_long_show(body);
@@ -137,6 +147,7 @@ class BinaryReader {
       default:
         break;
     }
+
     return true;
   }
 
@@ -170,10 +181,13 @@ class BinaryReader {
   bool read_message() {
     const std::string head = std::string(input_.take(4));
     if (head.size() < 4) return fail(kTruncated);
+
     const auto size = static_cast<std::size_t>(std::max(read_int16(head.data() + 2), 0));
     if (size > kMaxMessage) return fail("message longer than 8192 bytes");
+
     std::string_view text = input_.take(size);
     if (text.size() < size) return fail(kTruncated);
+
     while (text.ends_with('\0')) text.remove_suffix(1);
     add_message(read_int16(head.data()), std::string(text));
     return true;
@@ -186,12 +200,15 @@ class BinaryReader {
     const char* at = body.data();
     set_mode(read_int8(at));
     teams_ = {read_team(at + 2), read_team(at + 20)};
+
     const char* objects = at + 38;
     frame_.ball_position = {read_int16(objects + 8) / kShortScale,
                             read_int16(objects + 10) / kShortScale};
+
     for (std::size_t slot = 0; slot < kSlots; ++slot) {
       read_short_player(objects + (slot + 1) * kObjectSize, frame_.players[slot]);
     }
+
     append(read_int16(at + 314));
   }
 
@@ -199,9 +216,11 @@ class BinaryReader {
     const char* at = body.data();
     frame_.ball_position = read_point(at);
     frame_.ball_velocity = read_point(at + 8);
+
     for (std::size_t slot = 0; slot < kSlots; ++slot) {
       read_long_player(at + 16 + slot * kPlayerSize, frame_.players[slot]);
     }
+
     append(read_int16(at + 1424));
   }
 
@@ -211,6 +230,7 @@ class BinaryReader {
       fail("negative time");
       return;
     }
+
     frame_.time = time;
     frame_.teams = teams_;
     builder_.append_frame(frame_);
@@ -229,10 +249,13 @@ class BinaryReader {
   void write_parameter_lines() {
     const MatchRecord& record = builder_.record();
     std::string line;
+
     soccer::format(record.server, soccer::kAllVersions, line);
     builder_.add_parameter_line(std::exchange(line, {}));
+
     soccer::format(record.player, soccer::kAllVersions, line);
     builder_.add_parameter_line(std::exchange(line, {}));
+
     for (const soccer::PlayerType& type : record.types) {
       soccer::format(type, soccer::kAllVersions, line);
       builder_.add_parameter_line(std::exchange(line, {}));

@@ -31,6 +31,7 @@ class JsonReader {
       const bool truncated = kind == base::InputBuffer::Line::kUnfinished;
       add_error(column_, truncated ? kTruncated : "not an element of a JSON game log");
     });
+
     if (!closed_ && input_.source().error().empty() && builder_.record().errors.empty()) {
       add_error(0, "closing bracket missing: the log is incomplete");
     }
@@ -42,15 +43,19 @@ class JsonReader {
     column_ = 0;
     const std::size_t first = line.find_first_not_of(" \t\r,[");
     if (first == std::string_view::npos) return true;
+
     if (line[first] == ']') {
       closed_ = true;
       return true;
     }
+
     element_ = line.substr(first, line.find_last_of('}') + 1 - first);
     base::JsonCursor in(line.substr(first));
     const bool read = read_element(in);
     column_ = first + in.position();
+
     if (!read) return false;
+
     if (in.peek() == ',') in.open(',');
     if (in.peek() == ']') closed_ = in.open(']');
     return in.at_end();
@@ -59,24 +64,29 @@ class JsonReader {
   bool read_element(base::JsonCursor& in) {
     std::string_view key;
     if (!in.open('{') || !in.next_key(key)) return false;
+
     if (key == "type") {  // servers 17 and 18
       std::string kind;
       return in.string(kind) && read_tagged(kind, in);
     }
+
     const std::string kind(key);
     if (kind == "version" || kind == "timestamp") {
       return in.string(header_field(kind)) && !in.next_key(key) && in.good();
     }
+
     return in.open('{') && read_body(kind, in) && !in.next_key(key) && in.good();
   }
 
   bool read_tagged(const std::string& kind, base::JsonCursor& in) {
     if (kind != "header") return read_body(kind, in);
+
     std::string_view key;
     while (in.next_key(key)) {
       const bool known = key == "version" || key == "timestamp";
       if (!(known ? in.string(header_field(key)) : in.skip_value())) return false;
     }
+
     return in.good();
   }
 
@@ -94,10 +104,12 @@ class JsonReader {
     if (kind == "server_param") return read_parameters(kind, in, builder_.record().server);
     if (kind == "player_param") return read_parameters(kind, in, builder_.record().player);
     if (kind == "player_type") return read_player_type(in);
+
     std::string_view key;
     while (in.next_key(key)) {
       if (!in.skip_value()) return false;
     }
+
     return in.good() && add_unknown();
   }
 
@@ -125,12 +137,15 @@ class JsonReader {
     int stopped = 0;
     std::string name;
     std::string_view key;
+
     while (in.next_key(key)) {
       const bool read = key == "mode" ? in.string(name) : read_time_or_skip(key, in, time, stopped);
       if (!read) return false;
     }
+
     const auto mode = soccer::parse_play_mode(name);
     if (!mode) return in.good() && add_unknown();
+
     builder_.add_play_mode(time, *mode);
     set_stopped(stopped);
     return in.good();
@@ -141,6 +156,7 @@ class JsonReader {
     int stopped = 0;
     TeamFrames teams;
     std::string_view key;
+
     while (in.next_key(key)) {
       bool read = false;
       if (key == "l" || key == "r") {
@@ -152,6 +168,7 @@ class JsonReader {
       }
       if (!read) return false;
     }
+
     builder_.add_teams(time, teams);
     set_stopped(stopped);
     return in.good();
@@ -164,6 +181,7 @@ class JsonReader {
   static int read_one_team(base::JsonCursor& in, TeamFrame& team) {
     Side side = Side::kNeutral;
     std::string_view key;
+
     while (in.next_key(key)) {
       const bool read = key == "name"        ? in.string_or_null(team.name)
                         : key == "score"     ? read_integer(in, team.score)
@@ -173,19 +191,23 @@ class JsonReader {
                                              : in.skip_value();
       if (!read) return kNoTeam;
     }
+
     if (!in.good() || team.name.size() > kMaxNameLength) return kNoTeam;
     return soccer::sign(side);
   }
 
   static bool read_team_array(base::JsonCursor& in, TeamFrames& teams) {
     if (!in.open('[')) return false;
+
     while (in.next_element()) {
       TeamFrame team;
       if (!in.open('{')) return false;
+
       const int side = read_one_team(in, team);
       if (side == kNoTeam || side == 0) return false;
       teams[side > 0 ? 0 : 1] = team;
     }
+
     return in.good();
   }
 
@@ -195,12 +217,14 @@ class JsonReader {
     int board = 1;
     std::string text;
     std::string_view key;
+
     while (in.next_key(key)) {
       const bool read = key == "board"     ? read_integer(in, board)
                         : key == "message" ? in.string(text)
                                            : read_time_or_skip(key, in, time, stopped);
       if (!read) return false;
     }
+
     builder_.add_message(time, board, std::move(text));
     set_stopped(stopped);
     return in.good();
@@ -213,6 +237,7 @@ class JsonReader {
     int y = 0;
     std::string picture;
     std::string_view key;
+
     while (in.next_key(key)) {
       bool read = false;
       if (key == "xpm") {
@@ -229,6 +254,7 @@ class JsonReader {
       }
       if (!read || !in.good()) return false;
     }
+
     builder_.add_message(0, 1,
                          "(team_graphic_" + side + " (" + std::to_string(x) + " " +
                              std::to_string(y) + picture + ")");
@@ -240,11 +266,13 @@ class JsonReader {
   static bool append_parameter(std::string_view raw_name, base::JsonCursor& in, std::string& line) {
     const std::string name = base::JsonCursor::unescape(raw_name);
     std::string value;
+
     if (!in.scalar_text(value)) return false;
     if (name.empty() || name.find_first_of(" ()\"\n") != std::string::npos ||
         value.find_first_of('\n') != std::string::npos || value.find("\")") != std::string::npos) {
       return false;
     }
+
     line += '(' + name + ' ' + value + ')';
     return true;
   }
@@ -258,6 +286,7 @@ class JsonReader {
                               : append_parameter(key, in, line);
       if (!read) return false;
     }
+
     return in.good();
   }
 
@@ -265,6 +294,7 @@ class JsonReader {
   bool read_parameters(const std::string& kind, base::JsonCursor& in, Params& params) {
     std::string line = "(" + kind + " ";
     if (!append_parameters(in, false, line)) return false;
+
     line += ')';
     const base::Result<void> read = soccer::parse(line, params);
     if (!read) {
@@ -272,6 +302,7 @@ class JsonReader {
     } else {
       builder_.add_parameter_line(std::move(line));
     }
+
     return true;
   }
 

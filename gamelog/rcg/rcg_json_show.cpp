@@ -65,6 +65,7 @@ std::size_t find_key(std::string_view key, std::size_t expected) {
     const std::size_t at = (expected + i) % kPlayerKeys.size();
     if (kPlayerKeys[at] == key) return at;
   }
+
   return kPlayerKeys.size();
 }
 
@@ -151,6 +152,7 @@ bool read_player_value(base::JsonCursor& in, PlayerKey key, ReadPlayer& player) 
     default:
       break;
   }
+
   if (key >= PlayerKey::kKick) return in.integer(*counter(key, player.frame.counts));
   return in.number(*real(key, player));
 }
@@ -159,18 +161,22 @@ bool read_player_value(base::JsonCursor& in, PlayerKey key, ReadPlayer& player) 
 bool read_player_fields(base::JsonCursor& in, ReadPlayer& player, bool within_counts) {
   std::size_t expected = 0;
   std::string_view name;
+
   while (in.next_key(name)) {
     if (name == kNestedCounters && !within_counts) {
       if (!in.open('{') || !read_player_fields(in, player, true)) return false;
       continue;
     }
+
     const std::size_t found = find_key(name, expected);
     expected = found + 1;
     const bool read = found == kPlayerKeys.size()
                           ? in.skip_value()
                           : read_player_value(in, static_cast<PlayerKey>(found), player);
+
     if (!read) return false;
   }
+
   return in.good();
 }
 
@@ -186,21 +192,26 @@ bool is_possible(const ReadPlayer& player) {
 
 bool read_players(base::JsonCursor& in, Frame& frame) {
   if (!in.open('[')) return false;
+
   while (in.next_element()) {
     ReadPlayer player;
     player.frame.capacity = -1.0;
+
     if (!in.open('{') || !read_player_fields(in, player, false) || !is_possible(player))
       return false;
+
     if (player.points) player.frame.pointing_at = player.pointing_at;
     frame.players[static_cast<std::size_t>(soccer::slot_of(player.side, player.unum))] =
         player.frame;
   }
+
   return in.good();
 }
 
 bool read_ball(base::JsonCursor& in, Frame& frame) {
   std::string_view key;
   if (!in.open('{')) return false;
+
   while (in.next_key(key)) {
     double* value = key == "x"    ? &frame.ball_position.x
                     : key == "y"  ? &frame.ball_position.y
@@ -209,6 +220,7 @@ bool read_ball(base::JsonCursor& in, Frame& frame) {
                                   : nullptr;
     if (!(value == nullptr ? in.skip_value() : in.number(*value))) return false;
   }
+
   return in.good();
 }
 
@@ -225,6 +237,7 @@ bool read_json_show(base::JsonCursor& in, Frame& frame) {
   constexpr int kMaxStopped = 1'000'000'000;
   frame = Frame{};
   std::string_view key;
+
   while (in.next_key(key)) {
     bool read = false;
     if (key == "time") {
@@ -238,8 +251,10 @@ bool read_json_show(base::JsonCursor& in, Frame& frame) {
     } else {
       read = in.skip_value();
     }
+
     if (!read) return false;
   }
+
   return in.good() && frame.time >= 0 && frame.stopped >= 0 && frame.stopped <= kMaxStopped;
 }
 

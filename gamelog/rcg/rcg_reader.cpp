@@ -32,10 +32,12 @@ void read_by_kind(base::InputBuffer& input, RecordBuilder& builder) {
   MatchRecord& record = builder.record();
   constexpr std::size_t kHeaderSize = 7;
   const std::string start(input.peek(kHeaderSize));
+
   // A log may have been sent through Windows or a mail: then its lines end with CR LF.
   const std::size_t end = start.find('\n');
   std::string first = start.substr(0, end);
   if (first.ends_with('\r')) first.pop_back();
+
   const bool has_array = end != std::string::npos && start.substr(end + 1).starts_with('[');
   std::string_view header;
   if (start.starts_with('[') || (has_array && (first == "ULG6" || first == "JSON"))) {

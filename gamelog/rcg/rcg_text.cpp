@@ -41,8 +41,10 @@ void append_state(std::uint32_t state, TextWriter& out) {
     out += " 0";
     return;
   }
+
   out += " 0x";
   constexpr std::string_view kDigits = "0123456789abcdef";
+
   int shift = 28;
   while ((state >> shift) == 0) shift -= 4;
   for (; shift >= 0; shift -= 4) out += kDigits[(state >> shift) & 0xF];
@@ -54,6 +56,7 @@ void append_counts(const CommandCounts& c, RcgVersion version, TextWriter& out) 
                           c.say, c.tackle, c.pointto, c.attentionto}) {
     append_count(count, out);
   }
+
   if (version >= RcgVersion::kV6) append_count(c.change_focus, out);
   out += ')';
 }
@@ -62,7 +65,9 @@ void append_view(const PlayerFrame& player, RcgVersion version, TextWriter& out)
   out += player.high_quality ? " (v h" : " (v l";
   append_number(player.view_width, out);
   out += ')';
+
   if (version < RcgVersion::kV6) return;
+
   out += " (fp";
   append_number(soccer::math::quantize(player.focus_distance, kLengthStep), out);
   append_number(soccer::math::quantize(player.focus_direction, kLengthStep), out);
@@ -83,21 +88,25 @@ void append_player(int slot, const PlayerFrame& player, RcgVersion version, Text
   out += soccer::letter(soccer::side_of_slot(slot));
   append_count(soccer::unum_of_slot(slot), out);
   out += ')';
+
   append_count(player.type, out);
   append_state(player.state, out);
   append_lengths(player.position, out);
   append_lengths(player.velocity, out);
   append_angle(player.body, out);
   append_angle(player.neck, out);
+
   if (player.pointing_at) append_lengths(*player.pointing_at, out);
   append_view(player, version, out);
   append_stamina(player, version, out);
+
   if (player.attention_side != soccer::Side::kNeutral && (player.state & kStateEnabled) != 0) {
     out += " (f ";
     out += soccer::letter(player.attention_side);
     append_count(player.attention_unum, out);
     out += ')';
   }
+
   append_counts(player.counts, version, out);
   out += ')';
 }
@@ -107,6 +116,7 @@ void append_frame(const Frame& frame, RcgVersion version, TextWriter& out) {
   append_lengths(frame.ball_position, out);
   append_lengths(frame.ball_velocity, out);
   out += ')';
+
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
     append_player(slot, frame.players[static_cast<std::size_t>(slot)], version, out);
   }
@@ -128,6 +138,7 @@ void append_header(RcgVersion version, const soccer::ServerParams& server,
   out += '\n';
   soccer::format(player, soccer::kAllVersions, out);
   out += '\n';
+
   for (const soccer::PlayerType& type : types) {
     soccer::format(type, soccer::kAllVersions, out);
     out += '\n';
@@ -147,10 +158,12 @@ void append_team(int time, const TeamFrames& teams, std::string& text) {
   TextWriter out(text);
   out += "(team";
   append_count(time, out);
+
   for (const TeamFrame& team : teams) {
     out += ' ';
     out += team.name.empty() ? std::string_view("null") : std::string_view(team.name);
   }
+
   for (const TeamFrame& team : teams) append_count(team.score, out);
   if (teams[0].penalties_taken() > 0 || teams[1].penalties_taken() > 0) {
     for (const TeamFrame& team : teams) {
@@ -158,6 +171,7 @@ void append_team(int time, const TeamFrames& teams, std::string& text) {
       append_count(team.penalty_missed, out);
     }
   }
+
   out += ")\n";
 }
 
@@ -180,9 +194,11 @@ void append_message(int time, int board, std::string_view text, std::string& out
   out += ' ';
   base::append_int(board, out);
   out += " \"";
+
   const std::size_t begin = out.size();
   out += text;
   std::replace(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(), '\n', ' ');
+
   out += "\")\n";
 }
 

@@ -33,6 +33,7 @@ std::vector<std::string_view> split_at_spaces(std::string_view text) {
     words.push_back(text.substr(start, end - start));
     start = end;
   }
+
   return words;
 }
 
@@ -50,6 +51,7 @@ bool names_teams(std::string_view result, std::string_view left, std::string_vie
 void set_numbers(const std::vector<int>& numbers, TeamFrames& teams) {
   for (std::size_t i = 0; i < teams.size(); ++i) {
     teams[i].score = numbers[i];
+
     if (numbers.size() < kScoresAndPenalties) continue;
     teams[i].penalty_scored = numbers[2 + 2 * i];
     teams[i].penalty_missed = numbers[3 + 2 * i];
@@ -74,21 +76,27 @@ struct SpacedNames {
 bool parse_spaced_names(std::string_view line, SpacedNames& record) {
   if (!line.starts_with(kTeam) || !line.ends_with(')')) return false;
   line = line.substr(kTeam.size(), line.size() - kTeam.size() - 1);
+
   if (line.find_first_of("()") != std::string_view::npos) return false;
   const std::vector<std::string_view> words = split_at_spaces(line);
+
   std::vector<int> numbers;
   while (numbers.size() < kScoresAndPenalties && words.size() > numbers.size() + 3) {
     const auto number = parse_limited(words[words.size() - 1 - numbers.size()]);
     if (!number) break;
     numbers.push_back(*number);
   }
+
   if (numbers.size() < kScores) return false;
   if (numbers.size() < kScoresAndPenalties) numbers.resize(kScores);
   std::reverse(numbers.begin(), numbers.end());
+
   const auto time = parse_limited(words.front());
   if (!time || *time < 0) return false;
+
   const std::string_view names = joined(words[1], words[words.size() - 1 - numbers.size()]);
   if (names.size() > 2 * kMaxNameLength) return false;
+
   record = {*time, {}, std::string(names)};
   set_numbers(numbers, record.teams);
   return true;
@@ -98,14 +106,17 @@ bool parse_spaced_names(std::string_view line, SpacedNames& record) {
 // space. Both together have a limit, so one may be too long: it is cut as all readers limit names.
 void split_names(std::string_view names, std::string_view result, TeamFrames& teams) {
   const std::vector<std::string_view> words = split_at_spaces(names);
+
   std::size_t left_words = (words.size() + 1) / 2;
   if (words.front() == kNoTeam) left_words = 1;
   if (words.back() == kNoTeam) left_words = words.size() - 1;
+
   for (std::size_t i = 1; i < words.size(); ++i) {
     if (names_teams(result, joined(words.front(), words[i - 1]), joined(words[i], words.back()))) {
       left_words = i;
     }
   }
+
   const std::array<std::string_view, 2> parts = {joined(words.front(), words[left_words - 1]),
                                                  joined(words[left_words], words.back())};
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -118,16 +129,20 @@ bool read_team_state(Scanner& in, TeamFrames& teams) {
     const std::size_t start = in.position();
     std::string_view name;
     if (!in.literal(" ")) return false;
+
     // A name contains neither spaces nor brackets, but other servers allow quotes.
     const std::size_t length = std::min(in.rest().find_first_of(" ()"), in.rest().size());
     name = in.rest().substr(0, length);
+
     if (name.empty() || length > kMaxNameLength) return in.fail_at(start, "a team name");
     in.literal(name);
     team.name = name == kNoTeam ? std::string_view() : name;
   }
+
   for (TeamFrame& team : teams) {
     if (!(in.literal(" ") && in.integer(team.score))) return false;
   }
+
   if (in.peek() == ')') return true;
   for (TeamFrame& team : teams) {
     if (!(in.literal(" ") && in.integer(team.penalty_scored) && in.literal(" ") &&
@@ -135,6 +150,7 @@ bool read_team_state(Scanner& in, TeamFrames& teams) {
       return false;
     }
   }
+
   return true;
 }
 
@@ -156,12 +172,14 @@ class TextReader {
         add_error(error.column, unfinished ? kTruncated : error.message);
         return;
       }
+
       if (!error.message.empty()) add_error(error.column, error.message);
       if (builder_.record().frames() == 1) {
         reserve(line.size());
       }
       return;
     }
+
     Scanner in(line);
     if (!read_other(in, line)) {
       const base::Error error = in.error("record");
@@ -176,6 +194,7 @@ class TextReader {
     if (line.starts_with("(server_param ")) return read_parameters(line, builder_.record().server);
     if (line.starts_with("(player_param ")) return read_parameters(line, builder_.record().player);
     if (line.starts_with("(player_type ")) return read_player_type(line);
+
     if (!line.starts_with('(') || !line.ends_with(')')) return in.fail("a record in parentheses");
     builder_.add_unknown_line(std::string(line));
     return true;
@@ -187,6 +206,7 @@ class TextReader {
     if (!(in.integer(time) && in.literal(" ") && in.token(name) && in.literal(")") && in.end())) {
       return false;
     }
+
     // An unknown mode of a later server: the previous mode stays in force.
     const auto mode = soccer::parse_play_mode(name);
     if (mode) {
@@ -194,16 +214,19 @@ class TextReader {
     } else {
       builder_.add_unknown_line(std::string(line));
     }
+
     return true;
   }
 
   bool read_team(Scanner& in, std::string_view line) {
     int time = 0;
     TeamFrames teams;
+
     if (in.integer(time) && read_team_state(in, teams) && in.literal(")") && in.end()) {
       builder_.add_teams(time, teams);
       return true;
     }
+
     if (!parse_spaced_names(line, spaced_names_)) return false;
     split_names(spaced_names_.names, result_, spaced_names_.teams);
     builder_.add_teams(spaced_names_.time, spaced_names_.teams);
@@ -214,6 +237,7 @@ class TextReader {
   void set_result(std::string_view result) {
     result_ = result;
     if (spaced_names_.names.empty()) return;
+
     const TeamFrames before = spaced_names_.teams;
     split_names(spaced_names_.names, result_, spaced_names_.teams);
     builder_.rename_teams(before, spaced_names_.teams);
@@ -227,6 +251,7 @@ class TextReader {
           in.rest_before("\")", text))) {
       return false;
     }
+
     if (text.starts_with("(result ")) set_result(text);
     builder_.add_message(time, board, std::string(text));
     return true;
@@ -241,12 +266,14 @@ class TextReader {
     } else {
       builder_.add_parameter_line(std::string(line));
     }
+
     return true;
   }
 
   bool read_player_type(std::string_view line) {
     soccer::PlayerType type;
     type.id = -1;
+
     read_parameters(line, type);
     if (!builder_.set_player_type(type)) add_error(0, "player type without an id from 0 to 255");
     return true;

@@ -24,6 +24,7 @@ template <typename Parameters>
 void append_json_element(const Parameters& parameters, std::string& out) {
   std::string line;
   soccer::format(parameters, soccer::kAllVersions, line);
+
   out += kNextElement;
   append_json_parameters(line, out);
 }
@@ -35,6 +36,7 @@ void append_json_header(const soccer::ServerParams& server, const soccer::Player
   append_json_text("version", kServerVersion, out);
   out += kNextElement;
   append_json_text("timestamp", date.second, out);
+
   append_json_element(server, out);
   append_json_element(player, out);
   for (const soccer::PlayerType& type : types) append_json_element(type, out);
@@ -45,9 +47,11 @@ void append_team_result(const TeamFrame& team, bool with_penalties, std::string&
     out += "null";
     return;
   }
+
   out += team.name;
   out += '_';
   base::append_int(team.score, out);
+
   if (with_penalties) {
     out += '_';
     base::append_int(team.penalty_scored, out);
@@ -59,6 +63,7 @@ void append_team_result(const TeamFrame& team, bool with_penalties, std::string&
 std::string match_name(const TeamFrames& teams) {
   const bool with_penalties = teams[0].score == teams[1].score && teams[0].penalties_taken() > 0 &&
                               teams[1].penalties_taken() > 0;
+
   std::string name;
   append_team_result(teams[0], with_penalties, name);
   name += "-vs-";
@@ -69,6 +74,7 @@ std::string match_name(const TeamFrames& teams) {
 soccer::ServerParams without_local_paths(const soccer::ServerParams& params) {
   const soccer::ServerParams defaults;
   soccer::ServerParams result = params;
+
   for (const auto member :
        {&soccer::ServerParams::game_log_dir, &soccer::ServerParams::game_log_fixed_name,
         &soccer::ServerParams::text_log_dir, &soccer::ServerParams::text_log_fixed_name,
@@ -77,6 +83,7 @@ soccer::ServerParams without_local_paths(const soccer::ServerParams& params) {
         &soccer::ServerParams::team_l_start, &soccer::ServerParams::team_r_start}) {
     result.*member = defaults.*member;
   }
+
   return result;
 }
 
@@ -92,6 +99,7 @@ RcgWriter::RcgWriter(base::ByteSink& sink, RcgVersion version, LogDate date)
 void RcgWriter::write_header(const soccer::ServerParams& server, const soccer::PlayerParams& player,
                              const std::vector<soccer::PlayerType>& types) {
   const soccer::ServerParams shown = without_local_paths(server);
+
   if (is_binary()) {
     append_binary_header(version_, shown, player, types, line_);
   } else if (version_ == RcgVersion::kJson) {
@@ -99,21 +107,25 @@ void RcgWriter::write_header(const soccer::ServerParams& server, const soccer::P
   } else {
     append_header(version_, shown, player, types, line_);
   }
+
   flush();
 }
 
 void RcgWriter::write_step(const Frame& frame) {
   if (frame.mode == PlayMode::kBeforeKickOff) return;
   if (frame.mode == PlayMode::kTimeOver && written_mode_ == PlayMode::kTimeOver) return;
+
   if (frame.mode != written_mode_) {
     add_play_mode(frame);
     written_mode_ = frame.mode;
   }
+
   if (!team_written_ || frame.teams != written_teams_) {
     add_teams(frame);
     written_teams_ = frame.teams;
     team_written_ = true;
   }
+
   add_show(frame);
   flush();
 }
@@ -127,12 +139,14 @@ void RcgWriter::write_message(Stamp stamp, int board, std::string_view text) {
   } else {
     append_message(stamp.time, board, text, line_);
   }
+
   flush();
 }
 
 void RcgWriter::write_end(const Frame& last) {
   write_message({last.time, last.stopped}, kMessageBoard,
                 "(result " + date_.minute + ' ' + match_name(last.teams) + ')');
+
   if (is_binary()) return;
   add_teams(last);
   if (version_ == RcgVersion::kJson) line_ += "\n]\n";
@@ -142,6 +156,7 @@ void RcgWriter::write_end(const Frame& last) {
 void RcgWriter::add_play_mode(const Frame& frame) {
   if (is_binary()) return append_binary_play_mode(version_, frame.mode, line_);
   if (version_ != RcgVersion::kJson) return append_play_mode(frame.time, frame.mode, line_);
+
   line_ += kNextElement;
   append_json_play_mode(frame.time, frame.stopped, frame.mode, line_);
 }
@@ -149,6 +164,7 @@ void RcgWriter::add_play_mode(const Frame& frame) {
 void RcgWriter::add_teams(const Frame& frame) {
   if (is_binary()) return append_binary_teams(version_, frame.teams, line_);
   if (version_ != RcgVersion::kJson) return append_team(frame.time, frame.teams, line_);
+
   line_ += kNextElement;
   append_json_team(frame.time, frame.stopped, frame.teams, line_);
 }
@@ -156,6 +172,7 @@ void RcgWriter::add_teams(const Frame& frame) {
 void RcgWriter::add_show(const Frame& frame) {
   if (is_binary()) return append_binary_show(version_, frame, line_);
   if (version_ != RcgVersion::kJson) return append_show(frame, line_, version_);
+
   line_ += kNextElement;
   append_json_show(frame, line_);
 }

@@ -13,6 +13,7 @@ namespace {
 
 std::vector<std::string> parameter_lines(const MatchRecord& record) {
   if (!record.parameter_lines.empty()) return record.parameter_lines;
+
   std::vector<std::string> lines(2);
   soccer::format(record.server, soccer::kAllVersions, lines[0]);
   soccer::format(record.player, soccer::kAllVersions, lines[1]);
@@ -38,6 +39,7 @@ TeamFrames with_text_names(TeamFrames teams) {
       if (static_cast<unsigned char>(c) <= ' ' || c == '(' || c == ')') c = '_';
     }
   }
+
   return teams;
 }
 
@@ -56,6 +58,7 @@ void append_note(const Note& note, std::string& out) {
       out += '\n';
     }
   };
+
   std::visit(Writer{note, out}, note.content);
 }
 
@@ -76,6 +79,7 @@ void append_json_note(const Note& note, std::string& out) {
       if (line.text.starts_with('{')) out += line.text;
     }
   };
+
   std::visit(Writer{note, out}, note.content);
 }
 
@@ -84,6 +88,7 @@ void write_text(const MatchRecord& record, RcgVersion version, base::ByteSink& s
   append_version(version, line);
   for (const std::string& parameters : parameter_lines(record)) line += parameters + "\n";
   sink.write(line);
+
   for_each_line(
       record,
       [&](const Note& note) {
@@ -125,6 +130,7 @@ class JsonArray {
 
 void write_json(const MatchRecord& record, base::ByteSink& sink) {
   JsonArray array(sink);
+
   if (!record.server_version.empty()) {
     append_json_text("version", record.server_version, array.begin());
     array.end();
@@ -133,10 +139,12 @@ void write_json(const MatchRecord& record, base::ByteSink& sink) {
     append_json_text("timestamp", record.timestamp, array.begin());
     array.end();
   }
+
   for (const std::string& parameters : parameter_lines(record)) {
     append_json_parameters(parameters, array.begin());
     array.end();
   }
+
   for_each_line(
       record,
       [&](const Note& note) {
@@ -147,6 +155,7 @@ void write_json(const MatchRecord& record, base::ByteSink& sink) {
         append_json_show(frame, array.begin());
         array.end();
       });
+
   array.close();
 }
 

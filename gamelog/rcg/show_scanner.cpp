@@ -33,6 +33,7 @@ class ShowScanner {
       at_ = static_cast<const char*>(closing) + 1;
       skip_spaces();
     }
+
     return true;
   }
 
@@ -43,13 +44,16 @@ class ShowScanner {
   bool scan_players() {
     std::uint32_t seen = 0;
     skip_spaces();
+
     while (*at_ == '(') {
       if (!player(seen)) return false;
       skip_spaces();
     }
+
     for (std::size_t slot = 0; slot < kSlots; ++slot) {
       if ((seen >> slot & 1) == 0) clear_player(players_, first_entry_ + slot);
     }
+
     return true;
   }
 
@@ -89,12 +93,15 @@ class ShowScanner {
   bool number(float& value) {
     skip_spaces();
     if (base::scan_number(at_, value)) return true;
+
     const char* start = at_;
     if (!base::scan_number_out_of_range(at_, value)) return fail("expected a number");
+
     if (error_.empty()) {
       error_ = "number out of range";
       error_at_ = start;
     }
+
     return true;
   }
 
@@ -108,10 +115,12 @@ class ShowScanner {
   bool side_and_unum(int& slot) {
     const char side = *at_;
     if (side != 'l' && side != 'r') return fail("expected 'l' or 'r'");
+
     ++at_;
     std::int32_t unum = 0;
     if (!integer(unum)) return false;
     if (unum < 1 || unum > soccer::kPlayersPerTeam) return fail("expected a number from 1 to 11");
+
     slot = soccer::slot_of(side == 'l' ? soccer::Side::kLeft : soccer::Side::kRight, unum);
     return literal(")");
   }
@@ -120,9 +129,11 @@ class ShowScanner {
     skip_spaces();
     if (*at_ != '0') return fail("expected a state");
     ++at_;
+
     value = 0;
     if (*at_ != 'x') return true;
     const char* first = ++at_;
+
     for (;; ++at_) {
       const auto c = static_cast<unsigned char>(*at_);
       if (c >= '0' && c <= '9') {
@@ -133,6 +144,7 @@ class ShowScanner {
         break;
       }
     }
+
     return (at_ > first && at_ - first <= 8) || fail("expected a state");
   }
 
@@ -140,6 +152,7 @@ class ShowScanner {
     int slot = 0;
     if (!literal("((") || !side_and_unum(slot)) return false;
     if ((seen >> slot & 1) != 0) return fail("duplicate player");
+
     seen |= std::uint32_t{1} << slot;
     const std::size_t entry = first_entry_ + static_cast<std::size_t>(slot);
     return body(entry) && view(entry) && stamina(entry) && attention(entry) && counters(entry) &&
@@ -153,18 +166,22 @@ class ShowScanner {
     if (unknown_type) ++at_;
     if (!integer(type)) return false;
     if (type > kMaxPlayerType) return fail("player type above 255");
+
     players_.type[entry] = static_cast<std::int16_t>(unknown_type ? -type : type);
     if (!(state(players_.state[entry]) && point(players_.position[entry]) &&
           point(players_.velocity[entry]) && number(players_.body[entry]) &&
           number(players_.neck[entry]))) {
       return false;
     }
+
     skip_spaces();
     Point& arm = players_.pointing_at[entry];
+
     if (*at_ == '(') {
       arm = {kNoNumber, kNoNumber};
       return true;
     }
+
     return point(arm) && (skip_spaces(), true);
   }
 
@@ -173,6 +190,7 @@ class ShowScanner {
     if (*at_ != 'h' && *at_ != 'l') return fail("expected 'h' or 'l'");
     players_.high_quality[entry] = *at_ == 'h' ? 1 : 0;
     ++at_;
+
     if (!(number(players_.view_width[entry]) && literal(")"))) return false;
     skip_spaces();
     if (starts_with("(fp ")) {
@@ -182,6 +200,7 @@ class ShowScanner {
     } else {
       players_.focus[entry] = {0.0F, 0.0F};
     }
+
     return true;
   }
 
@@ -190,6 +209,7 @@ class ShowScanner {
           number(players_.recovery[entry]))) {
       return false;
     }
+
     skip_spaces();
     players_.capacity[entry] = -1.0F;
     if (*at_ != ')' && !number(players_.capacity[entry])) return false;
@@ -199,9 +219,11 @@ class ShowScanner {
   bool attention(std::size_t entry) {
     players_.attention[entry] = -1;
     if (!starts_with("(f ")) return true;
+
     at_ += 3;
     int slot = 0;
     if (!side_and_unum(slot)) return false;
+
     players_.attention[entry] = static_cast<std::int8_t>(slot);
     skip_spaces();
     return true;
@@ -211,9 +233,11 @@ class ShowScanner {
     if (!literal("(c ")) return false;
     Counters& counters = players_.counters[entry];
     constexpr std::size_t kInAllVersions = kCounterCount - 1;
+
     for (std::size_t i = 0; i < kInAllVersions; ++i) {
       if (!integer(counters[i])) return false;
     }
+
     skip_spaces();
     counters[kInAllVersions] = 0;
     if (*at_ != ')' && !integer(counters[kInAllVersions])) return false;
@@ -236,10 +260,12 @@ bool read_show(std::string_view line, RecordBuilder& builder, LineError& error) 
   const std::size_t index = record.frames();
   ShowScanner scanner(line, record.players, index * kSlots);
   std::int32_t time = 0;
+
   if (!scanner.scan_header(time)) {
     error = scanner.error();
     return false;
   }
+
   builder.begin_frame(time);
   if (scanner.skip_monitor_parts() &&
       scanner.scan_ball(record.ball_position[index], record.ball_velocity[index]) &&
@@ -247,6 +273,7 @@ bool read_show(std::string_view line, RecordBuilder& builder, LineError& error) 
     error = scanner.error();
     return true;
   }
+
   builder.drop_frame();
   error = scanner.error();
   return false;

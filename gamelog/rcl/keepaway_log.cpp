@@ -17,6 +17,7 @@ void KeepawayLogWriter::write_header(int keepers, int takers, double length, dou
   append_g(length, text_);
   text_ += " x ";
   append_g(width, text_);
+
   text_ +=
       "\n#\n"
       "# Description of Fields:\n"
@@ -26,6 +27,7 @@ void KeepawayLogWriter::write_header(int keepers, int takers, double length, dou
       "# 4) Duration in simulator steps (100ms)\n"
       "# 5) (o)ut of bounds / (t)aken away\n"
       "#\n";
+
   sink_.write(text_);
 }
 
@@ -35,6 +37,7 @@ void KeepawayLogWriter::write_episode(int number, int start, int end, KeepawayLo
     append_int(value, text_);
     text_ += '\t';
   }
+
   text_ += static_cast<char>(loss);
   text_ += '\n';
   sink_.write(text_);

@@ -27,6 +27,7 @@ struct LetterIndex {
 constexpr LetterIndex index_by_letter() {
   LetterIndex index;
   std::size_t count = 0;
+
   for (std::size_t letter = 0; letter < 26; ++letter) {
     index.first[letter] = static_cast<std::uint8_t>(count);
     for (std::size_t i = 0; i + 1 < kNames.size(); ++i) {
@@ -35,6 +36,7 @@ constexpr LetterIndex index_by_letter() {
       }
     }
   }
+
   index.first[26] = static_cast<std::uint8_t>(count);
   return index;
 }
@@ -43,10 +45,12 @@ constexpr LetterIndex kByLetter = index_by_letter();
 
 CommandKind kind_of(std::string_view name) {
   if (name.empty() || name[0] < 'a' || name[0] > 'z') return CommandKind::kOther;
+
   const auto letter = static_cast<std::size_t>(name[0] - 'a');
   for (std::size_t i = kByLetter.first[letter]; i < kByLetter.first[letter + 1]; ++i) {
     if (kNames[static_cast<std::size_t>(kByLetter.order[i])] == name) return kByLetter.order[i];
   }
+
   return CommandKind::kOther;
 }
 
@@ -63,12 +67,14 @@ std::size_t expression_length(std::string_view text) {
       if (i == std::string_view::npos) return 0;
     }
   }
+
   return 0;
 }
 
 // rcssserver's lexer consumes all say characters, up to the last closing bracket among them.
 std::size_t unquoted_say_length(std::string_view text) {
   if (!text.starts_with(kUnquotedSay)) return 0;
+
   const auto end =
       std::find_if_not(text.begin() + kUnquotedSay.size(), text.end(), soccer::is_say_character);
   const std::size_t closing =
@@ -99,13 +105,17 @@ bool CommandCursor::next(LoggedCommand& command) {
   const std::size_t open = rest_.starts_with('(') ? 0 : rest_.find('(');
   if (open == std::string_view::npos) return false;
   rest_.remove_prefix(open);
+
   std::size_t length = unquoted_say_length(rest_);
   if (length == 0) length = expression_length(rest_);
   if (length == 0) return false;
+
   const std::string_view inside = rest_.substr(1, length - 2);
   rest_.remove_prefix(length);
+
   std::size_t name_end = 0;
   while (name_end < inside.size() && inside[name_end] != ' ' && inside[name_end] != '(') ++name_end;
+
   command.kind = kind_of(inside.substr(0, name_end));
   command.arguments = inside.substr(std::min(name_end + 1, inside.size()));
   return true;

@@ -36,6 +36,7 @@ class RclReader {
         add_error("truncated log");
       }
     }
+
     if (!input_.source().error().empty()) {
       record_.errors.add_cause(error_here(input_.source().error()));
     } else if (record_.lines.empty()) {
@@ -50,8 +51,10 @@ class RclReader {
       add_error("more than 1 GiB of text; the rest is ignored");
       return false;
     }
+
     RclLine entry;
     const char* at = line.data();
+
     if (!read_stamp(at, entry)) return continuation(line);
     read_text(line.substr(static_cast<std::size_t>(at - line.data())), entry);
     return true;
@@ -60,10 +63,12 @@ class RclReader {
   // `time,stopped` and a tab, or only the time before server version 13.
   static bool read_stamp(const char*& at, RclLine& entry) {
     if (*at < '0' || *at > '9' || !base::scan_integer(at, entry.time)) return false;
+
     if (*at == ',') {
       ++at;
       if (*at < '0' || *at > '9' || !base::scan_integer(at, entry.stopped)) return false;
     }
+
     return *at++ == '\t';
   }
 
@@ -73,6 +78,7 @@ class RclReader {
       add_error("not a text log (rcl)");
       return false;
     }
+
     record_.text += '\n';
     record_.text += line;
     record_.lines.back().length += static_cast<std::uint32_t>(line.size() + 1);
@@ -90,6 +96,7 @@ class RclReader {
       entry.source = RclSource::kReferee;
       text = text.substr(kReferee.size(), text.size() - kReferee.size() - 1);
     }
+
     entry.offset = static_cast<std::uint32_t>(record_.text.size());
     entry.length = static_cast<std::uint32_t>(text.size());
     record_.text += text;
@@ -102,14 +109,18 @@ class RclReader {
       entry.source = RclSource::kTrainer;
       return true;
     }
+
     const std::size_t cut = sender.rfind('_');
     if (cut == std::string_view::npos || cut == 0) return false;
+
     const std::string_view role = sender.substr(cut + 1);
     const std::optional<int> unum = base::parse_int(role);
     const bool player = unum && *unum >= 1 && *unum <= soccer::kPlayersPerTeam;
     if (!player && role != kCoach) return false;
+
     const std::optional<std::uint8_t> team = team_index(sender.substr(0, cut));
     if (!team) return false;
+
     entry.team = *team;
     entry.source = player ? RclSource::kPlayer : RclSource::kCoach;
     entry.unum = static_cast<std::uint8_t>(player ? *unum : 0);
@@ -147,6 +158,7 @@ RclRecord read_rcl(base::InputBuffer& input) {
   RclRecord record;
   record.text.reserve(
       static_cast<std::size_t>(std::min<std::uint64_t>(input.source().size_hint(), kMaxText)));
+
   RclReader(input, record).read_all();
   return record;
 }

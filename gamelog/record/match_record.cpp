@@ -55,18 +55,22 @@ PlayerFrame player_at(const PlayerColumns& players, std::size_t entry) {
   player.body = players.body[entry];
   player.neck = players.neck[entry];
   if (!std::isnan(players.pointing_at[entry].x)) player.pointing_at = players.pointing_at[entry];
+
   player.high_quality = players.high_quality[entry] != 0;
   player.view_width = players.view_width[entry];
   player.focus_distance = players.focus[entry].x;
   player.focus_direction = players.focus[entry].y;
+
   player.stamina = players.stamina[entry];
   player.effort = players.effort[entry];
   player.recovery = players.recovery[entry];
   player.capacity = players.capacity[entry];
+
   if (const int slot = players.attention[entry]; slot >= 0) {
     player.attention_side = soccer::side_of_slot(slot);
     player.attention_unum = soccer::unum_of_slot(slot);
   }
+
   player.counts = counts_of(players.counters[entry]);
   return player;
 }
@@ -91,11 +95,14 @@ Frame frame_at(const MatchRecord& record, std::size_t frame) {
   result.stopped = record.stopped[frame];
   result.mode = record.mode[frame];
   result.teams = record.teams[record.team_state[frame]];
+
   result.ball_position = record.ball_position[frame];
   result.ball_velocity = record.ball_velocity[frame];
+
   for (std::size_t slot = 0; slot < kSlots; ++slot) {
     result.players[slot] = player_at(record.players, frame * kSlots + slot);
   }
+
   return result;
 }
 

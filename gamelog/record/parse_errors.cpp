@@ -22,6 +22,7 @@ void ParseErrors::add_cause(ParseError error) {
   const bool same_place =
       count > 0 && count == first.size() &&
       (first.back().byte == error.byte || (error.line > 0 && first.back().line == error.line));
+
   if (same_place) {
     first.back().message += ": " + error.message;
   } else {

@@ -25,13 +25,16 @@ void set_player(PlayerColumns& players, std::size_t entry, const PlayerFrame& pl
   players.body[entry] = static_cast<float>(player.body);
   players.neck[entry] = static_cast<float>(player.neck);
   players.pointing_at[entry] = player.pointing_at ? point(*player.pointing_at) : kNotPointing;
+
   players.view_width[entry] = static_cast<float>(player.view_width);
   players.high_quality[entry] = player.high_quality ? 1 : 0;
   players.focus[entry] = point({player.focus_distance, player.focus_direction});
+
   players.stamina[entry] = static_cast<float>(player.stamina);
   players.effort[entry] = static_cast<float>(player.effort);
   players.recovery[entry] = static_cast<float>(player.recovery);
   players.capacity[entry] = static_cast<float>(player.capacity);
+
   const bool attentive = player.attention_side != soccer::Side::kNeutral;
   players.attention[entry] = static_cast<std::int8_t>(
       attentive ? soccer::slot_of(player.attention_side, player.attention_unum) : -1);
@@ -45,6 +48,7 @@ void RecordBuilder::add(int time, decltype(Note::content) content) {
   note.frame = static_cast<std::uint32_t>(record_.frames());
   note.time = time;
   note.content = std::move(content);
+
   if (!record_.time.empty() && record_.time.back() == time) note.stopped = record_.stopped.back();
   note_bytes_ += sizeof(Note);
 }
@@ -66,6 +70,7 @@ void RecordBuilder::rename_teams(const TeamFrames& before, const TeamFrames& now
     teams[0].name = now[0].name;
     teams[1].name = now[1].name;
   };
+
   for (TeamFrames& teams : record_.teams) correct(teams);
   for (Note& note : record_.notes) {
     if (auto* teams = std::get_if<TeamFrames>(&note.content)) correct(*teams);
@@ -89,8 +94,10 @@ void RecordBuilder::add_parameter_line(std::string text) {
 
 bool RecordBuilder::set_player_type(const soccer::PlayerType& type) {
   if (type.id < 0 || type.id > kMaxPlayerType) return false;
+
   const auto id = static_cast<std::size_t>(type.id);
   if (record_.types.size() <= id) record_.types.resize(id + 1);
+
   record_.types[id] = type;
   return true;
 }
@@ -101,9 +108,11 @@ std::size_t RecordBuilder::begin_frame(int time, int stopped) {
   const std::size_t index = record_.frames();
   const bool stands = index > 0 && record_.time.back() == time;
   if (stopped == 0 && stands) stopped = record_.stopped.back() + 1;
+
   for (std::size_t i = record_.notes.size(); i > 0 && record_.notes[i - 1].frame == index; --i) {
     if (record_.notes[i - 1].time == time) record_.notes[i - 1].stopped = stopped;
   }
+
   resize_frames(record_, index + 1);
   record_.time[index] = time;
   record_.stopped[index] = stopped;
@@ -129,6 +138,7 @@ void RecordBuilder::append_frame(const Frame& frame) {
   if (record_.teams.size() == 1 || frame.teams != record_.teams.back()) {
     add_teams(frame.time, frame.teams);
   }
+
   fill_frame(begin_frame(frame.time), frame);
 }
 

@@ -89,14 +89,17 @@ void for_each_line(base::InputBuffer& input, RecordBuilder& builder, Parse parse
   for (;;) {
     const base::InputBuffer::Line kind = input.next_line(line);
     if (kind == base::InputBuffer::Line::kEnd) return;
+
     if (kind == base::InputBuffer::Line::kTooLong) {
       builder.add_error(input, kLineTooLong);
       continue;
     }
+
     if (!builder.has_room()) {
       builder.add_error(input, kTooManyRecords);
       return;
     }
+
     parse(line, kind);
   }
 }
