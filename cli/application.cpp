@@ -43,12 +43,14 @@ bool is_shared_flag(const std::string& word) {
 Words with_flags_behind_command(const Command& root, Words words) {
   const auto command = std::find_if_not(words.begin(), words.end(), is_shared_flag);
   const Command* place = &root;
+
   auto end = command;
   while (end != words.end() && !place->commands.empty()) {
     place = find_command(*place, *end);
     if (place == nullptr) return words;
     ++end;
   }
+
   std::rotate(words.begin(), command, end);
   return words;
 }
@@ -66,6 +68,7 @@ Words canonical(const Command& root, Words words) {
     words.emplace_back("--help");
     return words;
   }
+
   words = with_flags_behind_command(root, std::move(words));
   const auto first = std::find_if_not(words.begin(), words.end(), is_shared_flag);
   if (first != words.end() && (*first == "--version" || *first == "-V")) {
@@ -81,6 +84,7 @@ Words with_home(Words words) {
     const std::size_t equals = word.find("=~");
     if (!word.starts_with("--") || equals == std::string::npos || word.find('=') != equals)
       continue;
+
     word = word.substr(0, equals + 1) + base::expand_home(word.substr(equals + 1));
   }
   return words;
@@ -89,6 +93,7 @@ Words with_home(Words words) {
 void add_commands(Command& root) {
   add_match_command(root);
   add_tournament_command(root);
+
   add_tune_command(root);
   add_compare_command(root);
   add_test_command(root);

@@ -22,9 +22,11 @@ using namespace cls::cli;
 // such as head(1), knows that.
 int finish_output(int exit_code) {
   std::fflush(stdout);
+
   const int output = cls::base::write_error(cls::base::StandardStream::kOutput);
   const int errors = cls::base::write_error(cls::base::StandardStream::kError);
   if (output == 0 && errors == 0) return exit_code;
+
   const int failed = exit_code == kOk ? static_cast<int>(kWriteFailed) : exit_code;
   if (output == 0 || output == EPIPE) return failed;
   return print_error(failed, std::string("cannot write standard output: ") + std::strerror(output));

@@ -60,6 +60,7 @@ const training::Task* find_task(const std::string& name) {
 base::Result<Description> describe(const Arguments& arguments) {
   const std::string& name = arguments.name;
   if (name.empty()) return Description{training::overview_tables(), training::catalog()};
+
   if (const training::Task* task = find_task(name)) {
     return Description{tables_of(*task), document_of(*task)};
   }
@@ -68,9 +69,11 @@ base::Result<Description> describe(const Arguments& arguments) {
     return Description{tables_of(*set, teammates, arguments.defense),
                        document_of(*set, teammates, arguments.defense)};
   }
+
   if (const training::ActionSet* set = training::find_action_set(name)) {
     return Description{tables_of(*set), document_of(*set)};
   }
+
   return base::Error{fmt::format("unknown task, feature set or action set '{}'{}", name,
                                  base::did_you_mean(name, training::spec_names()))};
 }
@@ -81,8 +84,10 @@ int run_train_spec(const Arguments& arguments) {
     return print_error(
         kUsage, fmt::format("--format '{}': must be text, json or markdown", arguments.format));
   }
+
   base::Result<Description> description = describe(arguments);
   if (!description) return print_error(kUsage, description.error().message);
+
   if (format == "json") {
     nlohmann::ordered_json document = {{"schema", training::kCatalogSchema}};
     document.update(description->document);
@@ -92,6 +97,7 @@ int run_train_spec(const Arguments& arguments) {
   } else {
     fmt::print("{}", training::format_text(description->tables, stdout_width()));
   }
+
   return kOk;
 }
 
@@ -99,9 +105,11 @@ int run_train_spec(const Arguments& arguments) {
 
 void add_train_command(Command& app) {
   Command& train = app.command("train", kDescription);
+
   train.group = kPlayCommands;
   const auto arguments = std::make_shared<Arguments>();
   Command& command = train.command("spec", kSpecDescription);
+
   command.option("NAME", arguments->name, "task, feature set or action set (default: all)");
   command
       .option("--offense", arguments->offense,
@@ -111,6 +119,7 @@ void add_train_command(Command& app) {
   command.option("--defense", arguments->defense, "players of the other team")
       .range(0, 11)
       .shows_default();
+
   command.option("--format", arguments->format, "text, json or markdown").shows_default();
   command.flag("--json", arguments->json, "the same as --format json");
   command.run = [arguments] { return run_train_spec(*arguments); };

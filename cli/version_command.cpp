@@ -89,6 +89,7 @@ int print_version(bool json) {
     fmt::print("{}", base::json_document(versions));
     return kOk;
   }
+
   fmt::print("cls {}\n", base::kVersion);
   const auto row = [](const std::string& name, const nlohmann::ordered_json& version) {
     fmt::print("  {:<14} {}\n", name, version.get<std::string>());
@@ -98,6 +99,7 @@ int print_version(bool json) {
   row("compiler", versions["compiler"]);
   row("protocol",
       fmt::format("{} to {}", soccer::kMinProtocolVersion, soccer::kMaxProtocolVersion));
+
   for (const auto& [name, version] : versions["formats"].items()) row(name, version);
   for (const auto& [name, version] : versions["libraries"].items()) row(name, version);
   return kOk;

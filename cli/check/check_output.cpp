@@ -29,6 +29,7 @@ std::function<void(const CheckStep&)> step_printer(const CheckOutput& output) {
     if (!reached) return;
     if (std::exchange(first, false)) reached = step.result == StepResult::kPass;
     if (output.json || (output.quiet && step.result != StepResult::kFail)) return;
+
     fmt::print("{}", to_text(step));
     std::fflush(stdout);
   };
@@ -38,10 +39,12 @@ int finish_check(const CheckReport& report, const CheckOutput& output, int signa
   fmt::print("{}", output.json ? to_json(report) : summary(report));
   const ExitCode written =
       write_ci_reports(output.reports, {to_junit(report), to_annotations(report)});
+
   if (written != kOk) return written;
   if (signal != 0) return signal_exit_code(signal);
   if (report.steps.front().result != StepResult::kPass) return kUnavailable;
   if (!report.passed()) return kFailed;
+
   const int skipped = report.count(StepResult::kSkip);
   if (!output.strict || skipped == 0) return kOk;
   return print_error(kFailed, fmt::format("{} skipped (--strict)", skipped));

@@ -54,6 +54,7 @@ void report_transcript_errors(const std::string& path,
     print_error(0,
                 fmt::format("{}: line {}: {}", path, check.damage[i].line, check.damage[i].what));
   }
+
   if (check.damage.size() > kMaxShownErrors) {
     print_error(0, fmt::format("{}: {} more errors", path, check.damage.size() - kMaxShownErrors));
   }
@@ -64,10 +65,12 @@ base::Result<void> write_page(const Arguments& arguments, const gamelog::MatchRe
                               const orchestration::checks::PerceptionCheck& check,
                               const std::vector<viewer::DecisionSample>& samples) {
   std::string stream;
+
   viewer::DecisionWriter writer;
   writer.append_header(check.side, check.team, stream);
   for (const viewer::DecisionSample& sample : samples) writer.append(check.unum, sample, stream);
   writer.append_end(stream);
+
   const std::string player = soccer::letter(check.side) + std::to_string(check.unum);
   const std::string file = std::filesystem::path(arguments.truth).filename().string();
   return base::write_file(
@@ -80,30 +83,36 @@ int run_check_perception(const Arguments& arguments) {
   if (!source) {
     return print_error(kNoInput, source.error().message);
   }
+
   const auto log = gamelog::read_rcg_file(arguments.truth);
   if (!log) {
     return print_error(kNoInput, log.error().message);
   }
+
   const std::string transcript = base::read_all(**source);
   const std::string& problem = (*source)->error();
   if (!problem.empty()) print_error(0, fmt::format("{}: {}", arguments.transcript, problem));
   report_errors(arguments.truth, log->errors);
   if (log->frames() == 0) return kBadData;
+
   std::vector<viewer::DecisionSample> samples;
   const auto check = orchestration::checks::check_perception(
       transcript, *log, [&samples](const player::WorldModel& world) {
         samples.push_back(orchestration::match::sample_of(world));
       });
+
   if (!check) {
     print_error(0, fmt::format("{}: {}", arguments.transcript, check.error().message));
     return kBadData;
   }
+
   report_transcript_errors(arguments.transcript, *check);
   if (!arguments.page.empty()) {
     if (const auto written = write_page(arguments, *log, *check, samples); !written) {
       return print_error(kCannotCreate, written.error().message);
     }
   }
+
   fmt::print("{}", arguments.json ? to_json(*check) : to_text(*check));
   return problem.empty() && check->damage.empty() && log->errors.empty() ? kOk : kBadData;
 }
@@ -113,10 +122,12 @@ int run_check_perception(const Arguments& arguments) {
 void add_check_perception_command(Command& check) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = check.command("perception", kDescription);
+
   command.option("TRANSCRIPT", arguments->transcript, "datagrams of one player").required();
   command.option("--truth", arguments->truth, "game log (rcg) of the match").required();
   command.option("--page", arguments->page,
                  "also write a page of the match with the decision debugger of the player");
+
   command.flag("--json", arguments->json, "print one JSON document instead of the table");
   command.run = [arguments] { return run_check_perception(*arguments); };
 }

@@ -50,8 +50,10 @@ int run_check_playmaker(const Arguments& arguments) {
                                    ? "mix: has several Playmakers; check each of them"
                                    : "team:DIR has no Playmaker");
   }
+
   if (const int read = read_tls_files(*endpoint, arguments.tls); read != kOk) return read;
   if (const int read = read_side_files(*endpoint); read != kOk) return read;
+
   orchestration::checks::PlaymakerCheckOptions options;
   options.endpoint = *endpoint;
   options.start_timeout =
@@ -59,12 +61,15 @@ int run_check_playmaker(const Arguments& arguments) {
   options.deadline = orchestration::checks::Milliseconds(arguments.deadline_ms);
   options.calls = arguments.calls;
   options.latency_limit = orchestration::checks::Milliseconds(arguments.latency_limit_ms);
+
   const std::atomic<int>& signal = watch_interrupts();
   const auto report =
       orchestration::checks::check_playmaker(options, step_printer(arguments.output), signal);
+
   if (!report) {
     return print_error(kUnavailable, report.error().message);
   }
+
   return finish_check(*report, arguments.output, signal);
 }
 
@@ -76,6 +81,7 @@ void add_check_playmaker_command(Command& check) {
   command.option("ENDPOINT", arguments->endpoint, "the Playmaker").required();
   add_tls_options(command, arguments->tls);
   add_check_output_options(command, arguments->output);
+
   command.option("--start-timeout", arguments->start_timeout_s, "seconds until the first response")
       .above(0)
       .shows_default();
@@ -85,11 +91,13 @@ void add_check_playmaker_command(Command& check) {
   command.option("--calls", arguments->calls, "number of calls in the memory step")
       .above(0)
       .shows_default();
+
   command
       .option("--latency-limit", arguments->latency_limit_ms,
               "maximum p99 latency of decisions in ms, with 22 players calling")
       .above(0)
       .shows_default();
+
   command.run = [arguments] { return run_check_playmaker(*arguments); };
 }
 

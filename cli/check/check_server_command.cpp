@@ -40,13 +40,16 @@ int run_check_server(const Arguments& arguments) {
   if (!server) {
     return print_error(kUsage, server.error().message);
   }
+
   orchestration::checks::ServerCheckOptions options;
   options.server = *server;
+
   const auto program = base::own_program();
   if (!program) return print_error(kUnavailable, program.error().message);
   options.own_program = *program;
   options.start_timeout =
       std::chrono::milliseconds(static_cast<int>(arguments.start_timeout_s * 1000.0));
+
   const std::atomic<int>& signal = watch_interrupts();
   const auto report =
       orchestration::checks::check_server(options, step_printer(arguments.output), signal);
@@ -63,10 +66,12 @@ void add_check_server_command(Command& check) {
   Command& command = check.command("server", kDescription);
   command.option("SERVER", arguments->server, "HOST:PORT, a program (path or name), or embedded")
       .required();
+
   add_check_output_options(command, arguments->output);
   command.option("--start-timeout", arguments->start_timeout_s, "seconds until the first response")
       .above(0)
       .shows_default();
+
   command.run = [arguments] { return run_check_server(*arguments); };
 }
 

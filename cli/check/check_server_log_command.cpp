@@ -43,16 +43,20 @@ int run_check_server_log(const Arguments& arguments) {
   if (!text) {
     return print_error(kNoInput, text.error().message);
   }
+
   report_errors(arguments.game, game->errors);
   report_errors(arguments.text, text->errors);
+
   const auto agreement = simulator::replay_log(*game, *text);
   if (!agreement) {
     print_error(0, fmt::format("{}: {}", arguments.game, agreement.error().message));
     return kBadData;
   }
+
   const auto log_checks = orchestration::checks::log_checks(*agreement);
   fmt::print("{}", arguments.json ? orchestration::checks::to_json(*agreement, log_checks)
                                   : orchestration::checks::to_text(*agreement, log_checks));
+
   if (!orchestration::checks::passed(log_checks)) return kFailed;
   return game->errors.empty() && text->errors.empty() ? kOk : kBadData;
 }
@@ -62,6 +66,7 @@ int run_check_server_log(const Arguments& arguments) {
 void add_check_server_log_command(Command& check) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = check.command("server-log", kDescription);
+
   command.option("GAME.rcg", arguments->game, "game log of the match").required();
   command.option("GAME.rcl", arguments->text, "its text log").required();
   command.flag("--json", arguments->json, "print one JSON document instead of the report");

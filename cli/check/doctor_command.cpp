@@ -52,6 +52,7 @@ const char* color_of(DoctorStatus status, bool needed) {
   constexpr const char* kGreen = "\x1b[32m";
   constexpr const char* kYellow = "\x1b[33m";
   constexpr const char* kRed = "\x1b[31m";
+
   if (status == DoctorStatus::kOk) return kGreen;
   return needed ? kRed : kYellow;
 }
@@ -60,15 +61,18 @@ void print_row(const DoctorCheck& check, bool color) {
   const std::string status = fmt::format("{:<11}", name(check.status));
   const std::string shown =
       color ? fmt::format("{}{}\x1b[0m", color_of(check.status, check.needed), status) : status;
+
   const auto folded = [](const std::string& text) {
     return base::wrap_text(text, static_cast<std::size_t>(stdout_width()), kFoundColumn);
   };
+
   fmt::print("{}  {:<13}  {}\n", shown, check.name, folded(check.found));
   if (check.status != DoctorStatus::kOk) {
     fmt::print("{:{}}{}\n", "", kFoundColumn, folded("needed for: " + check.purpose));
     if (!check.hint.empty())
       fmt::print("{:{}}{}\n", "", kFoundColumn, folded("hint: " + check.hint));
   }
+
   std::fflush(stdout);
 }
 
@@ -79,6 +83,7 @@ void print_summary(const DoctorReport& report) {
       lacking += (lacking.empty() ? "" : ", ") + check.name;
     }
   }
+
   if (lacking.empty()) {
     fmt::print("\nReady to play: cls match mock mock\n");
   } else {
@@ -94,15 +99,18 @@ int exit_code_of(const DoctorReport& report, int signal) {
 
 int run_doctor(const Arguments& arguments) {
   orchestration::checks::DoctorOptions options;
+
   const auto program = base::own_program();
   if (!program) return print_error(kUnavailable, program.error().message);
   options.own_program = *program;
   options.limit = std::chrono::milliseconds(static_cast<int>(arguments.limit_s * 1000.0));
+
   if (!arguments.server.empty()) {
     auto server = orchestration::match::parse_server(arguments.server);
     if (!server) return print_error(kUsage, server.error().message);
     options.server = *std::move(server);
   }
+
   if (!arguments.playmaker.empty()) {
     auto endpoint = orchestration::match::parse_endpoint(arguments.playmaker);
     if (!endpoint) return print_error(kUsage, endpoint.error().message);
@@ -114,18 +122,21 @@ int run_doctor(const Arguments& arguments) {
     if (const int read = read_tls_files(*endpoint, arguments.tls); read != kOk) return read;
     options.playmaker = *std::move(endpoint);
   }
+
   const std::atomic<int>& signal = watch_interrupts();
   const bool color = stdout_supports_color();
   const auto on_check = [&](const DoctorCheck& check) {
     const bool wanted = check.status != DoctorStatus::kOk || !output_options().quiet;
     if (!arguments.json && wanted) print_row(check, color);
   };
+
   const DoctorReport report = orchestration::checks::examine(options, on_check, signal);
   if (arguments.json) {
     fmt::print("{}", orchestration::checks::to_json(report));
   } else {
     print_summary(report);
   }
+
   return exit_code_of(report, signal);
 }
 
@@ -136,17 +147,20 @@ void add_doctor_command(Command& app) {
   Command& command = app.command("doctor", kDescription);
   command.group = kCheckCommands;
   command.starts_programs = true;
+
   command.option("--server", arguments->server,
                  "check a server: rcssserver, PATH, embedded or HOST:PORT");
   command.option("--playmaker", arguments->playmaker,
                  "check a Playmaker: HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
                  "run:COMMAND");
+
   add_tls_options(command, arguments->tls);
   command
       .option("--start-timeout", arguments->limit_s,
               "timeout of each program and each probe in seconds")
       .above(0)
       .shows_default();
+
   command.flag("--json", arguments->json, "print one JSON document instead of the table");
   command.run = [arguments] { return run_doctor(*arguments); };
 }

@@ -25,6 +25,7 @@ std::string entry(const std::string& name, const std::string& text, std::size_t 
   std::string lines = fmt::format("{:<{}}", "  " + name, column);
   const std::string margin = "\n" + std::string(column, ' ');
   if (name.size() + 2 >= column && !text.empty()) lines += margin;
+
   for (const char c : base::wrap_text(text, kWidth - column)) {
     if (c == '\n') {
       lines += margin;
@@ -60,6 +61,7 @@ std::string command_sections(const Command& command) {
   for (const Command& below : command.commands) {
     if (below.group != kHidden) add_once(groups, below.group);
   }
+
   std::string text;
   for (const std::string& group : groups) {
     text += fmt::format("\n{}:\n", group);
@@ -77,12 +79,14 @@ std::string command_sections(const Command& command) {
 std::string help_text(const Command& command) {
   std::string text = fmt::format("{}\n\nUsage: {} {}\n", command.description, full_name(command),
                                  usage_of(command));
+
   text += section(command, "Arguments", is_argument);
   for (const std::string& group : option_groups(command)) {
     text += section(command, group, [&group](const Option& option) {
       return !is_argument(option) && option.group == group;
     });
   }
+
   text += command_sections(command);
   return without_spaces_at_line_ends(std::move(text));
 }
@@ -94,6 +98,7 @@ std::string usage_of(const Command& command) {
     const std::string name = option.names + (takes_many(option) ? "..." : "");
     usage += option.is_required ? " " + name : " [" + name + "]";
   }
+
   if (!command.commands.empty()) usage += " COMMAND";
   return usage;
 }
@@ -117,6 +122,7 @@ std::vector<std::string> option_groups(const Command& command) {
   for (const Option& option : command.options) {
     if (option.group != kHidden) add_once(groups, option.group);
   }
+
   std::stable_partition(groups.begin(), groups.end(),
                         [](const std::string& group) { return group != kOutputGroup; });
   return groups;

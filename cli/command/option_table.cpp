@@ -108,6 +108,7 @@ std::optional<OptionRow> find_row(const std::string& name) {
     if (option_name(option.key) == name)
       return OptionRow{name, title(option.group), option.placeholder};
   }
+
   const auto row = std::find_if(std::begin(kOptions), std::end(kOptions),
                                 [&name](const OptionRow& one) { return one.name == name; });
   return row == std::end(kOptions) ? std::nullopt : std::optional(*row);

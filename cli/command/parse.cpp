@@ -21,6 +21,7 @@ using Declared = std::map<const CLI::Option*, Option*>;
 
 CLI::Option* declare(CLI::App& app, const Option& option) {
   if (is_flag(option)) return app.add_flag(option.names);
+
   CLI::Option* declared = app.add_option(option.names);
   if (option.max_values == kAnyNumber) {
     declared->expected(option.min_values, CLI::detail::expected_max_vector_size);
@@ -28,6 +29,7 @@ CLI::Option* declare(CLI::App& app, const Option& option) {
   } else {
     declared->expected(option.min_values, option.max_values);
   }
+
   declared->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   return declared;
 }
@@ -36,6 +38,7 @@ void declare(CLI::App& app, Command& command, Declared& declared) {
   app.set_help_flag();  // an option like others
   app.allow_extras(command.takes_any_words);
   app.require_subcommand(0, 1);  // a side may be called as a command: cls match mock mock
+
   for (Option& option : command.options) declared[declare(app, option)] = &option;
   for (Command& below : command.commands) declare(*app.add_subcommand(below.name), below, declared);
 }
@@ -110,12 +113,15 @@ std::string store(const Command& command, Option& option) {
   if (!is_flag(option) && std::ssize(option.given) < option.min_values) {
     return wrong_count(command, option);
   }
+
   const bool once = option.max_values == 1 && !option.is_repeatable;
   if (once && !is_flag(option) && option.given.size() > 1) return given_too_often(option);
+
   const Words texts = split(option.given, option.separator);
   for (const std::string& text : texts) {
     if (!base::fits(option.form, text)) return invalid_value(command, option, text);
   }
+
   if (texts.empty() || std::visit(Store{texts}, option.target)) return "";
   return invalid_value(command, option, texts.front());
 }
@@ -130,6 +136,7 @@ std::string store_values(Command& command) {
   if (command.parent != nullptr) {
     if (std::string error = store_values(*command.parent); !error.empty()) return error;
   }
+
   for (Option& option : command.options) {
     if (std::string error = store(command, option); !error.empty()) return error;
   }

@@ -59,6 +59,7 @@ std::string invalid_value(const Command& command, const Option& option, const st
   if (is_too_large(value, option.form)) return fmt::format("{} '{}': too large", name, value);
   const std::string form = base::phrase_of(option.form);
   if (form.empty()) return fmt::format("{} '{}': invalid{}", name, value, see_help(command));
+
   const std::vector<std::string>& words = option.form.words;
   return fmt::format("{} '{}': must be {}{}", name, value, form,
                      base::did_you_mean(value, {words.begin(), words.end()}));
@@ -72,9 +73,11 @@ std::string given_too_often(const Option& option) {
 std::string wrong_count(const Command& command, const Option& option) {
   const std::string name = name_of(option);
   if (is_flag(option)) return fmt::format("{} takes no value{}", name, see_help(command));
+
   if (option.min_values > 1) {
     return fmt::format("{} requires {} values: {}", name, option.min_values, value_name(option));
   }
+
   const std::string form = base::phrase_of(option.form);
   return fmt::format("{} requires a value: {}", name, form.empty() ? value_name(option) : form);
 }
@@ -84,6 +87,7 @@ std::string missing_options(const Command& command) {
   for (const Option& option : command.options) {
     if (option.is_required && option.given.empty()) names.push_back(name_of(option));
   }
+
   if (names.empty()) return "";
   return fmt::format("{} {} required{}", listed(names), names.size() == 1 ? "is" : "are",
                      see_help(command));
@@ -110,12 +114,14 @@ const Option* option_in(const Command& command, std::string_view text) {
   const Option* best = nullptr;
   std::size_t first = std::string_view::npos;
   const auto is_end = [](char c) { return c == ' ' || c == ':' || c == ','; };
+
   for (const Option& option : command.options) {
     const std::string name = name_of(option);
     const std::size_t at = text.find(name);
     if (at >= first || (at > 0 && text[at - 1] != ' ')) continue;
     const std::size_t end = at + name.size();
     if (end < text.size() && !is_end(text[end])) continue;
+
     // The first name in the text; a value behind it may look like another.
     best = &option;
     first = at;
@@ -133,6 +139,7 @@ std::string unknown_command(const Command& root, const std::vector<std::string>&
   for (const std::string& word : words) {
     if (word.starts_with('-')) continue;
     if (place->commands.empty()) return "";
+
     const Command* chosen = find_command(*place, word);
     if (chosen == nullptr) {
       return fmt::format("unknown command '{}'{}", word,

@@ -55,6 +55,7 @@ std::string plain(std::string_view text) {
 std::vector<const ReferenceEntry*> members_of(const ReferenceEntry& entry) {
   const std::string_view message =
       entry.kind == ReferenceKind::kAction ? fact(entry, "message") : std::string_view(entry.name);
+
   std::vector<const ReferenceEntry*> members;
   for (const ReferenceEntry& one : reference()) {
     if (one.kind != ReferenceKind::kAction && one.group == message) members.push_back(&one);
@@ -74,6 +75,7 @@ std::string members_text(const ReferenceEntry& entry) {
     table.add_row({one->name.substr(one->name.rfind('.') + 1), std::string(fact(*one, "type")),
                    std::string(fact(*one, "unit")), plain(one->text)});
   }
+
   table.allow_cuts(3);
   return table.format_text({2, stdout_width(), 1});
 }
@@ -83,14 +85,17 @@ void print(const ReferenceEntry& entry, bool color) {
   const std::string of = entry.kind == ReferenceKind::kAction ? " of a " + entry.group
                          : entry.group.empty()                ? ""
                                                               : " of " + entry.group;
+
   fmt::print("{}{}{} ({}{})\n", color ? "\x1b[1m" : "", entry.name, color ? "\x1b[0m" : "",
              name(entry.kind), of);
   if (!entry.text.empty()) {
     fmt::print("  {}\n", base::wrap_text(plain(entry.text), width, 2));
   }
+
   for (const auto& [label, value] : entry.facts) {
     fmt::print("  {:<11} {}\n", label, base::wrap_text(plain(value), width, 14));
   }
+
   fmt::print("  {:<11} docs/reference/{}\n", "see", page_of(entry));
   if (has_members(entry) && !members_of(entry).empty()) fmt::print("\n{}", members_text(entry));
 }
@@ -103,11 +108,13 @@ Json document(const std::vector<const ReferenceEntry*>& entries) {
     one["page"] = page_of(*entry);
     one["facts"] = Json::object();
     for (const auto& [label, value] : entry->facts) one["facts"][label] = value;
+
     one["members"] = Json::array();
     if (has_members(*entry)) {
       for (const ReferenceEntry* member : members_of(*entry))
         one["members"].push_back(member->name);
     }
+
     list.push_back(std::move(one));
   }
   return {{"schema", "cls.explain/1"}, {"entries", std::move(list)}};
@@ -116,20 +123,24 @@ Json document(const std::vector<const ReferenceEntry*>& entries) {
 int list(bool json) {
   std::vector<const ReferenceEntry*> all;
   for (const ReferenceEntry& entry : reference()) all.push_back(&entry);
+
   if (json) {
     fmt::print("{}", base::json_document(document(all)));
     return kOk;
   }
+
   for (const ReferenceEntry* entry : all) fmt::print("{:<11} {}\n", name(entry->kind), entry->name);
   return kOk;
 }
 
 int search(const std::string& text, bool json) {
   const auto found = entries_with(text);
+
   if (json) {
     fmt::print("{}", base::json_document(document(found)));
     return kOk;
   }
+
   if (found.empty()) return print_error(kUsage, fmt::format("nothing explains '{}'", text));
   base::Table table;
   table.add_columns({"kind", "name", "meaning"});
@@ -138,6 +149,7 @@ int search(const std::string& text, bool json) {
     table.add_row({std::string(name(entry->kind)), entry->name,
                    plain(effect.empty() ? std::string_view(entry->text) : effect)});
   }
+
   table.allow_cuts(2);
   fmt::print("{}", table.format_text({0, stdout_width(), 1}));
   return kOk;
@@ -147,6 +159,7 @@ int export_pages(const std::string& folder, bool json) {
   if (const auto created = base::create_folders(folder); !created) {
     return print_error(kCannotCreate, created.error().message);
   }
+
   Json files = Json::array();
   for (const auto& [file, text] : reference_pages()) {
     const std::string path = (fs::path(folder) / file).string();
@@ -156,9 +169,11 @@ int export_pages(const std::string& folder, bool json) {
     if (!json) fmt::print("{}\n", path);
     files.push_back(path);
   }
+
   if (json) {
     fmt::print("{}", base::json_document(Json{{"schema", "cls.explain/1"}, {"files", files}}));
   }
+
   return kOk;
 }
 
@@ -170,6 +185,7 @@ int report_unknown(const std::string& word) {
       names.push_back(std::string_view(entry.name).substr(entry.name.rfind('.') + 1));
     }
   }
+
   const std::string near = base::did_you_mean(word, names);
   return print_error(kUsage, fmt::format("unknown name '{}'{}", word,
                                          near.empty() ? " (see cls explain --list)" : near));
@@ -181,16 +197,19 @@ int run(const Arguments& arguments) {
   if (!arguments.search.empty()) return search(arguments.search, arguments.json);
   if (arguments.names.empty())
     return print_error(kUsage, "explain: NAME is missing (see cls explain --list)");
+
   std::vector<const ReferenceEntry*> entries;
   for (const std::string& word : arguments.names) {
     const auto found = find_entries(word);
     if (found.empty()) return report_unknown(word);
     entries.insert(entries.end(), found.begin(), found.end());
   }
+
   if (arguments.json) {
     fmt::print("{}", base::json_document(document(entries)));
     return kOk;
   }
+
   const bool color = stdout_supports_color();
   for (const ReferenceEntry* entry : entries) {
     if (entry != entries.front()) fmt::print("\n");
@@ -204,12 +223,14 @@ int run(const Arguments& arguments) {
 void add_explain_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("explain", kDescription);
+
   command.option("NAME", arguments->names, "a name of the interface, or its last part");
   command.flag("--list", arguments->list, "print all names");
   command.option("--search", arguments->search, "list the entries with a text")
       .placeholder("WORDS");
   command.option("--export", arguments->folder, "write the pages of docs/reference to a folder")
       .placeholder("DIR");
+
   command.flag("--json", arguments->json, "print one JSON document");
   command.run = [arguments] { return run(*arguments); };
 }

@@ -39,6 +39,7 @@ protos::PlayerType default_type() {
 std::string value_of(const Message& message, const std::string& name) {
   const FieldDescriptor* field = message.GetDescriptor()->FindFieldByName(name);
   if (field == nullptr) return {};
+
   const auto& reflection = *message.GetReflection();
   switch (field->cpp_type()) {
     case FieldDescriptor::CPPTYPE_FLOAT:
@@ -61,6 +62,7 @@ std::string spelled_out(std::string_view unit) {
        {"m/cyc2", "m per cycle^2"},
        {"deg", "degrees"},
        {"chars", "characters"}}};
+
   for (const auto& [abbreviation, text] : kUnits) {
     if (unit == abbreviation) return std::string(text);
   }
@@ -73,8 +75,10 @@ void add_row(const soccer::ParameterTable<Params>& table, std::string_view space
   const std::string_view name = proxy::server_parameter_of(field);
   const auto* row = soccer::find_parameter(table, name);
   if (row == nullptr) return;
+
   const bool is_number = std::holds_alternative<double Params::*>(row->member) ||
                          std::holds_alternative<int Params::*>(row->member);
+
   facts.unit = is_number && row->unit.empty() ? "1" : spelled_out(row->unit);
   facts.effect = row->effect;
   if (name != field) facts.setting = fmt::format("{}::{}", space, name);

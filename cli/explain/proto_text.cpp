@@ -25,6 +25,7 @@ std::vector<ProtoBlock> read_proto(std::string_view text) {
   static const std::regex field(kField);
   static const std::regex value(kValue);
   static const std::regex comment(kComment);
+
   std::vector<ProtoBlock> blocks;
   std::string pending;  // comment lines above the next block or field
   bool inside = false;
@@ -50,6 +51,7 @@ std::vector<ProtoBlock> read_proto(std::string_view text) {
     } else if (line == "}") {
       inside = false;
     }
+
     pending.clear();
   }
   return blocks;

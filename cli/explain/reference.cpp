@@ -50,6 +50,7 @@ class Notes {
         if (const auto value = rule[key].value<std::string>()) values[key] = *value;
       }
     }
+
     for (const toml::node& node : *meanings_["fields"].as_array()) {
       const toml::array& row = *node.as_array();
       const bool is_type = row.size() < 3 || row[2].value_or(std::string()) == type;
@@ -57,6 +58,7 @@ class Notes {
         values["meaning"] = row[1].value_or(std::string());
       }
     }
+
     return values;
   }
 
@@ -75,6 +77,7 @@ class Notes {
     const toml::array* types = rule["types"].as_array();
     const auto is_type = [&](const toml::node& one) { return one.value_or(std::string()) == type; };
     if (types != nullptr && std::none_of(types->begin(), types->end(), is_type)) return false;
+
     const toml::array& patterns = *rule["match"].as_array();
     return std::any_of(patterns.begin(), patterns.end(), [&](const toml::node& pattern) {
       return matches(pattern.value_or(std::string_view()), name);
@@ -92,6 +95,7 @@ ReferenceEntry field_entry(const ProtoBlock& message, const ProtoField& field, c
   entry.group = message.name;
   entry.text = field.comment;
   entry.facts = {{"type", field.type}};
+
   auto values = notes.of_field(entry.name, field.type);
   if (is_parameter_message(message.name)) {
     const ParameterFacts facts = parameter_facts(message.name, field.name);
@@ -101,10 +105,12 @@ ReferenceEntry field_entry(const ProtoBlock& message, const ProtoField& field, c
     values["setting"] = facts.setting;
     values["range"].clear();  // a setting may have any value
   }
+
   if (entry.text.empty()) entry.text = values["meaning"];
   for (const char* key : {"unit", "range", "default", "unknown", "set", "setting"}) {
     add_fact(entry.facts, key, values[key]);
   }
+
   return entry;
 }
 
@@ -119,7 +125,9 @@ void add_block(std::vector<ReferenceEntry>& all, const ProtoBlock& block, const 
       all.push_back(field_entry(block, field, notes));
       continue;
     }
+
     const bool is_mode = block.name == kPlayModes;
+
     ReferenceEntry entry;
     entry.kind = is_mode ? ReferenceKind::kPlayMode : ReferenceKind::kValue;
     entry.name = field.name;
@@ -136,6 +144,7 @@ void add_block(std::vector<ReferenceEntry>& all, const ProtoBlock& block, const 
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
   if (line.size() < 2 || line.front() != '|') return cells;
+
   std::istringstream stream(line.substr(1));
   for (std::string cell; std::getline(stream, cell, '|');) {
     const std::size_t begin = cell.find_first_not_of(' ');
@@ -143,6 +152,7 @@ std::vector<std::string> cells_of(const std::string& line) {
                         ? ""
                         : cell.substr(begin, cell.find_last_not_of(' ') - begin + 1));
   }
+
   return cells;
 }
 
@@ -159,17 +169,20 @@ std::vector<ActionRow> action_rows() {
   static const std::regex name_in_code("`([a-z_*]+)`");
   std::vector<ActionRow> rows;
   std::istringstream lines{std::string(file("docs/actions.md"))};
+
   std::size_t columns = 0;  // of the table of actions around the line; 0: none
   for (std::string line; std::getline(lines, line);) {
     const std::vector<std::string> cells = cells_of(line);
     if (!cells.empty() && cells[0] == "action") columns = cells.size();
     if (cells.empty()) columns = 0;
     if (columns == 0 || cells.size() != columns || cells[0].front() != '`') continue;
+
     ActionRow row;
     for (std::sregex_iterator i(cells[0].begin(), cells[0].end(), name_in_code), end; i != end;
          ++i) {
       row.patterns.push_back((*i)[1]);
     }
+
     const bool is_player = columns == 5;
     row.kind = is_player ? cells[1] : "";
     row.effect = cells[is_player ? 2 : 1];
@@ -177,6 +190,7 @@ std::vector<ActionRow> action_rows() {
     row.fails = cells.back();
     rows.push_back(std::move(row));
   }
+
   return rows;
 }
 
@@ -194,6 +208,7 @@ void add_actions(std::vector<ReferenceEntry>& all, const std::vector<ProtoBlock>
   const std::vector<ActionRow> rows = action_rows();
   std::map<std::string, std::string> comments;
   for (const ProtoBlock& block : blocks) comments[block.name] = block.comment;
+
   for (const auto& [message, agent] :
        {std::pair{"PlayerAction", "player"}, std::pair{"CoachAction", "coach"},
         std::pair{"TrainerAction", "trainer"}}) {
@@ -203,11 +218,13 @@ void add_actions(std::vector<ReferenceEntry>& all, const std::vector<ProtoBlock>
     if (block == blocks.end()) continue;
     for (const ProtoField& field : block->fields) {
       ReferenceEntry entry;
+
       entry.kind = ReferenceKind::kAction;
       entry.name = field.name;
       entry.group = agent;
       entry.text = comments[field.type];
       add_fact(entry.facts, "message", field.type);
+
       if (const ActionRow* row = find_row(rows, field.name)) {
         add_fact(entry.facts, "class", row->kind);
         add_fact(entry.facts, "does", row->effect);
@@ -220,6 +237,7 @@ void add_actions(std::vector<ReferenceEntry>& all, const std::vector<ProtoBlock>
           if (same && one.text.empty()) one.text = row->effect;
         }
       }
+
       all.push_back(std::move(entry));
     }
   }
@@ -232,6 +250,7 @@ void add_end_reasons(std::vector<ReferenceEntry>& all) {
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("#")) {
       current = nullptr;
+
       const std::string heading = line.substr(line.find_first_not_of("# "));
       if (line.starts_with("### ") && orchestration::match::parse_end_reason(heading)) {
         current = &all.emplace_back();
@@ -249,6 +268,7 @@ void add_end_reasons(std::vector<ReferenceEntry>& all) {
       current->text += line;
     }
   }
+
   for (ReferenceEntry& entry : all) {
     while (!entry.text.empty() && entry.text.back() == '\n') entry.text.pop_back();
   }
@@ -257,13 +277,16 @@ void add_end_reasons(std::vector<ReferenceEntry>& all) {
 std::vector<ReferenceEntry> build() {
   const Notes notes;
   const std::vector<ProtoBlock> blocks = read_proto(file("proto/playmaker.proto"));
+
   std::vector<ReferenceEntry> all;
   for (const ProtoBlock& block : blocks) add_block(all, block, notes);
   for (const ProtoBlock& block : read_proto(file("proto/team_playmaker.proto"))) {
     add_block(all, block, notes);
   }
+
   add_actions(all, blocks);
   add_end_reasons(all);
+
   return all;
 }
 
@@ -328,7 +351,9 @@ std::vector<const ReferenceEntry*> find_entries(std::string_view word) {
     }
     return found;
   };
+
   auto found = select([&](const ReferenceEntry& entry) { return entry.name == word; });
+
   const std::string wanted = folded(word);
   if (found.empty()) {
     found = select([&](const ReferenceEntry& entry) { return folded(entry.name) == wanted; });
@@ -337,6 +362,7 @@ std::vector<const ReferenceEntry*> find_entries(std::string_view word) {
     found = select(
         [&](const ReferenceEntry& entry) { return folded(last_part(entry.name)) == wanted; });
   }
+
   return found;
 }
 
@@ -345,9 +371,11 @@ std::vector<const ReferenceEntry*> entries_with(std::string_view text) {
     return std::tolower(static_cast<unsigned char>(a)) ==
            std::tolower(static_cast<unsigned char>(b));
   };
+
   const auto has = [&](std::string_view where) {
     return std::search(where.begin(), where.end(), text.begin(), text.end(), same) != where.end();
   };
+
   std::vector<const ReferenceEntry*> found;
   for (const ReferenceEntry& entry : reference()) {
     const bool in_facts = std::any_of(entry.facts.begin(), entry.facts.end(),
@@ -356,6 +384,7 @@ std::vector<const ReferenceEntry*> entries_with(std::string_view text) {
       found.push_back(&entry);
     }
   }
+
   return found;
 }
 

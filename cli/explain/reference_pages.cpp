@@ -36,7 +36,9 @@ std::string fields_of(std::string_view message) {
   for (const ReferenceEntry& entry : reference()) {
     if (entry.kind == ReferenceKind::kField && entry.group == message) fields.push_back(&entry);
   }
+
   if (fields.empty()) return {};
+
   std::vector<std::string_view> labels = {"type"};
   for (const char* label : {"unit", "range", "default", "unknown", "set", "setting"}) {
     for (const ReferenceEntry* field : fields) {
@@ -45,6 +47,7 @@ std::string fields_of(std::string_view message) {
       break;
     }
   }
+
   base::Table table;
   table.add_column("field");
   table.add_columns(labels);
@@ -58,11 +61,13 @@ std::string fields_of(std::string_view message) {
     cells.push_back(field->text);
     table.add_row(std::move(cells));
   }
+
   return table.format_markdown(kStyle);
 }
 
 std::string messages_page() {
   std::string text = fmt::format("# Messages\n\n{}\n", kGenerated);
+
   text +=
       "The messages of [playmaker.proto](../../proto/playmaker.proto), but for "
       "[actions](actions.md) and\n"
@@ -73,15 +78,18 @@ std::string messages_page() {
       "toward +y, in the coordinates of the agent's own team, which attacks toward +x. *unknown* "
       "is the value\n"
       "of a field that is not known; *set* says when a field is set, where that is not always.\n";
+
   std::set<std::string_view> actions;
   for (const ReferenceEntry& entry : reference()) {
     if (entry.kind == ReferenceKind::kAction) actions.insert(fact(entry, "message"));
   }
+
   for (const ReferenceEntry& entry : reference()) {
     const bool is_block =
         entry.kind == ReferenceKind::kMessage || entry.kind == ReferenceKind::kEnum;
     if (!is_block || is_parameter_message(entry.name) || actions.contains(entry.name)) continue;
     if (entry.name == kPlayModes) continue;
+
     fmt::format_to(std::back_inserter(text), "\n## {}\n", entry.name);
     if (!entry.text.empty()) fmt::format_to(std::back_inserter(text), "\n{}\n", entry.text);
     if (entry.kind == ReferenceKind::kMessage) {
@@ -89,12 +97,14 @@ std::string messages_page() {
       if (!fields.empty()) text += "\n" + fields;
       continue;
     }
+
     base::Table table;
     table.add_columns({"value", "number", "meaning"});
     for (const ReferenceEntry& value : reference()) {
       if (value.kind != ReferenceKind::kValue || value.group != entry.name) continue;
       table.add_row({code(value.name), std::string(fact(value, "number")), value.text});
     }
+
     text += "\n" + table.format_markdown(kStyle);
   }
   return text;
@@ -109,10 +119,12 @@ std::string actions_page() {
   std::string_view agent;
   for (const ReferenceEntry& entry : reference()) {
     if (entry.kind != ReferenceKind::kAction) continue;
+
     if (entry.group != agent) {
       agent = entry.group;
       fmt::format_to(std::back_inserter(text), "\n## Of a {}\n", agent);
     }
+
     const std::string_view message = fact(entry, "message");
     fmt::format_to(std::back_inserter(text), "\n### {}\n\n", entry.name);
     if (!entry.text.empty()) fmt::format_to(std::back_inserter(text), "{}\n\n", entry.text);
@@ -120,6 +132,7 @@ std::string actions_page() {
     for (const auto& [label, value] : entry.facts) {
       if (label != "message") fmt::format_to(std::back_inserter(text), "- {}: {}\n", label, value);
     }
+
     const std::string fields = fields_of(message);
     if (!fields.empty()) text += "\n" + fields;
   }
@@ -132,6 +145,7 @@ std::string parameters_page() {
       "What a Playmaker receives before the first decision. `cls match --set server::NAME=VALUE` "
       "changes a\n"
       "parameter.\n";
+
   for (const char* name : {"ServerParam", "PlayerParam", "PlayerType"}) {
     const ReferenceEntry* message = find(ReferenceKind::kMessage, name);
     fmt::format_to(std::back_inserter(text), "\n## {}\n\n{}\n\n{}", name,
@@ -146,12 +160,14 @@ std::string ends_page() {
   text +=
       "`WorldModel.game_mode_type`. A mode whose name ends in `_` has a side: "
       "`game_mode_side`.\n\n";
+
   base::Table modes;
   modes.add_columns({"mode", "number", "meaning"});
   for (const ReferenceEntry& entry : reference()) {
     if (entry.kind != ReferenceKind::kPlayMode) continue;
     modes.add_row({code(entry.name), std::string(fact(entry, "number")), entry.text});
   }
+
   text += modes.format_markdown(kStyle);
   text += "\n## End reasons\n\n`end_reason` of a result.\n";
   for (const ReferenceEntry& entry : reference()) {
@@ -161,8 +177,10 @@ std::string ends_page() {
     static const std::regex beside_page(R"(\]\((?=[a-z-]+\.md))");
     std::string about = std::regex_replace(entry.text, in_page, "](troubleshooting.md#");
     about = std::regex_replace(about, beside_page, "](../");
+
     fmt::format_to(std::back_inserter(text), "\n### {}\n\n{}\n", entry.name, about);
   }
+
   return text;
 }
 
@@ -200,6 +218,7 @@ std::string anchor(std::string_view heading) {
 std::string page_of(const ReferenceEntry& entry) {
   if (entry.kind == ReferenceKind::kAction) return "actions.md#" + anchor(entry.name);
   if (entry.kind == ReferenceKind::kEndReason) return "modes.md#" + anchor(entry.name);
+
   const std::string_view block = entry.group.empty() ? entry.name : entry.group;
   if (block == kPlayModes) return "modes.md#play-modes";
   if (is_parameter_message(block)) return "parameters.md#" + anchor(block);

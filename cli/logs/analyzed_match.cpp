@@ -16,25 +16,32 @@ int read_match(const std::string& what, AnalyzedMatch& match) {
   auto found = find_log(what);
   if (!found) return print_error(kNoInput, found.error().message);
   match.found = *std::move(found);
+
   const std::string& log = match.found.logs.game;
   auto read = viewer::read_log_or_page(log);
   if (!read) return print_error(unreadable_code(log), read.error().message);
   report_errors(log, read->record.errors);
+
   if (read->record.frames() == 0) {
     return print_error(kBadData, fmt::format("{}: no frame", log));
   }
   match.match = *std::move(read);
+
   if (!match.found.logs.text.empty()) {
     if (auto text = gamelog::read_rcl_file(match.found.logs.text)) match.text = *std::move(text);
   }
+
   match.statistics = analysis::compute_statistics(match.match.record, match.text_log());
   match.summary = analysis::summarize(match.match.record, match.text_log());
   match.summary.file = std::filesystem::path(log).filename().string();
+
   namespace recorded = orchestration::match;
   if (const auto end = recorded::recorded_end(log)) analysis::set_end(*end, match.summary);
+
   // Logs of cls have a constant date, so that equal matches have equal logs.
   std::string& date = match.summary.date;
   if (date.empty() || date == gamelog::LogDate().minute) date = recorded::recorded_date(log);
+
   return kOk;
 }
 

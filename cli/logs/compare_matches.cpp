@@ -31,6 +31,7 @@ std::string table_text(const Rows& rows) {
     table.add_column(heading,
                      heading.empty() ? base::Table::Align::kLeft : base::Table::Align::kRight);
   }
+
   for (std::size_t i = 1; i < rows.size(); ++i) table.add_row(rows[i]);
   return table.format_text({2, stdout_width()});
 }
@@ -42,6 +43,7 @@ std::string events_text(const std::vector<viewer::LoneEvent>& events) {
     text += fmt::format("  {:>6}  only {}  {}\n", events[i].cycle, events[i].match == 0 ? 'A' : 'B',
                         events[i].text);
   }
+
   if (events.size() > kShown) {
     text += fmt::format("  and {} more, in the page\n", events.size() - kShown);
   }
@@ -52,6 +54,7 @@ nlohmann::ordered_json json_of(const std::optional<viewer::FrameDifference>& fir
                                const std::vector<viewer::LoneEvent>& events, const fs::path& page) {
   using Json = nlohmann::ordered_json;
   Json document = {{"schema", "cls.watch/1"}, {"page", page.string()}, {"equal", !first}};
+
   document["first_difference"] = nullptr;
   if (first) {
     document["first_difference"] = {{"frame", first->frame},
@@ -59,11 +62,13 @@ nlohmann::ordered_json json_of(const std::optional<viewer::FrameDifference>& fir
                                     {"stopped", first->stopped},
                                     {"what", first->what}};
   }
+
   document["events"] = Json::array();
   for (const viewer::LoneEvent& event : events) {
     document["events"].push_back(
         {{"only", event.match == 0 ? "a" : "b"}, {"cycle", event.cycle}, {"event", event.text}});
   }
+
   return document;
 }
 
@@ -75,16 +80,19 @@ void print_differences(const CompareArguments& arguments, const AnalyzedMatch& a
     fmt::print("{}", base::json_document(json_of(first, events, page)));
     return;
   }
+
   fmt::print("A: {}\nB: {}\nfirst different frame: {}\n", arguments.first, arguments.second,
              viewer::difference_text(first));
   if (first) {
     fmt::print("\n{}", base::printable_lines(table_text(viewer::difference_rows(
                            {&a.summary, &a.statistics}, {&b.summary, &b.statistics}))));
   }
+
   if (!events.empty()) {
     fmt::print("\ngoals, shots and fouls of one match only\n{}",
                base::printable_lines(events_text(events)));
   }
+
   fmt::print("\n{}\n", arguments.out.empty() ? file_url(page) : page.string());
 }
 
@@ -93,22 +101,28 @@ void print_differences(const CompareArguments& arguments, const AnalyzedMatch& a
 int compare_matches(const CompareArguments& arguments) {
   AnalyzedMatch a;
   AnalyzedMatch b;
+
   if (const int exit_code = read_match(arguments.first, a); exit_code != kOk) return exit_code;
   if (const int exit_code = read_match(arguments.second, b); exit_code != kOk) return exit_code;
+
   // The logs of match folders all have the same name.
   a.summary.file = arguments.first;
   b.summary.file = arguments.second;
+
   const fs::path page =
       arguments.out.empty() ? a.found.folder / "compare.html" : fs::path(arguments.out);
   if (const auto why = why_no_page(page)) return print_error(kCannotCreate, *why);
+
   const std::string text = viewer::compare_page(
       a.match.record, {&a.summary, &a.statistics}, b.match.record, {&b.summary, &b.statistics},
       {viewer::read_page_drawings(a.found.folder), viewer::read_page_drawings(b.found.folder)});
   if (const auto written = base::write_file(page, text); !written) {
     return print_error(kCannotCreate, written.error().message);
   }
+
   print_differences(arguments, a, b, page);
   if (arguments.out.empty() && !arguments.no_open) open_in_browser(file_url(page));
+
   const bool clean = a.match.record.errors.empty() && b.match.record.errors.empty();
   return clean ? kOk : kBadData;
 }

@@ -93,6 +93,7 @@ void print_document(const Arguments& arguments, RcgVersion version,
       {"schema", "cls.convert/1"}, {"in", arguments.in},
       {"out", arguments.out},      {"version", static_cast<int>(version)},
       {"frames", record.frames()}, {"errors", record.errors.count}};
+
   if (version == RcgVersion::kJson) document["version"] = "json";
   fmt::print("{}", base::json_document(document));
 }
@@ -105,6 +106,7 @@ void print_document(const Arguments& arguments, const TableCounts& counts) {
   } else {
     document["tables"] = arguments.tables;
   }
+
   document["matches"] = counts.matches;
   document["frames"] = counts.frames;
   document["errors"] = counts.errors;
@@ -116,6 +118,7 @@ int run_tables(const Arguments& arguments) {
   if (arguments.published) request.columns = analysis::TrackingColumns::kPublished;
   request.force = arguments.force;
   request.jobs = arguments.jobs;
+
   TableCounts counts;
   int exit_code = kOk;
   if (arguments.tables.empty()) {
@@ -124,9 +127,11 @@ int run_tables(const Arguments& arguments) {
     request.out = arguments.tables;
     exit_code = write_match_tables(request, counts);
   }
+
   if (arguments.json && (exit_code == kOk || exit_code == kBadData)) {
     print_document(arguments, counts);
   }
+
   return exit_code;
 }
 
@@ -136,9 +141,11 @@ std::string why_wrong(const Arguments& arguments) {
     return arguments.out.empty() ? "convert: name OUT, or a folder with --tables DIR"
                                  : "convert: either OUT or --tables DIR";
   }
+
   if (!arguments.tables.empty() && !arguments.to.empty()) {
     return "--to: --tables writes all tables; name OUT for one of them";
   }
+
   std::optional<RcgVersion> version;
   if (!table_of(arguments) && !parse_target(arguments.to, version)) {
     return fmt::format("--to '{}': must be 4, 5, 6, json, tracking, player_types or event",
@@ -151,13 +158,16 @@ std::string why_wrong(const Arguments& arguments) {
         "siblings, or --to",
         arguments.out, fmt::join(kEndings, ", "));
   }
+
   if (arguments.published && arguments.tables.empty() &&
       table_of(arguments) != MatchTable::kTracking) {
     return "--published: only for tracking tables";
   }
+
   if (arguments.json && arguments.out == "-") {
     return "--json: OUT is stdout already; name a file";
   }
+
   return "";
 }
 
@@ -166,6 +176,7 @@ int write_log(const Arguments& arguments, const viewer::StreamMatch& match, RcgV
     gamelog::write_rcg(match.record, version, sink);
     return true;
   });
+
   if (!failure) return kOk;
   if (failure->message.empty()) return failure->exit_code;
   return print_error(failure->exit_code, failure->message);
@@ -177,6 +188,7 @@ int run_convert_command(const Arguments& arguments) {
   if (const auto failure = why_not_replaced(arguments.out, arguments.force)) {
     return print_error(failure->exit_code, failure->message);
   }
+
   const auto match = viewer::read_log_or_page(arguments.in);
   if (!match) return print_error(unreadable_code(arguments.in), match.error().message);
   if (match->form.compact) {
@@ -184,10 +196,12 @@ int run_convert_command(const Arguments& arguments) {
                                              "without --compact",
                                              arguments.in));
   }
+
   const gamelog::MatchRecord& record = match->record;
   std::optional<RcgVersion> target;
   parse_target(arguments.to, target);
   const RcgVersion version = target ? *target : default_target(arguments.out, *match);
+
   report_errors(arguments.in, record.errors);
   if (record.frames() == 0 && !record.errors.empty()) return kBadData;
 
@@ -202,11 +216,13 @@ void add_convert_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("convert", kDescription);
   command.group = kResultCommands;
+
   command.option("IN", arguments->in, "input game log; for tables also a folder").required();
   command.option("OUT", arguments->out, "output file, compressed if it ends in .gz");
   command.option("--to", arguments->to,
                  "version: 4, 5, 6 or json (default: 6, json for OUT.json, that of\n"
                  "the log for a page); or a table: tracking, player_types or event");
+
   command.option("--tables", arguments->tables, "write all tables of each match into this folder");
   command.flag("--published", arguments->published,
                "tracking tables of 168 columns, as published for 2021 and 2024");
@@ -215,6 +231,7 @@ void add_convert_command(Command& app) {
       .option("--jobs", arguments->jobs,
               "with --tables: logs read in parallel (default: one per core)")
       .above(0);
+
   command.flag("--json", arguments->json, "print frames and errors as one JSON document");
   command.run = [arguments] { return run_convert_command(*arguments); };
 }

@@ -29,6 +29,7 @@ Result<FoundLog> find_in_folder(const fs::path& folder) {
   auto match = find_match_folder(folder, std::nullopt);
   fs::path where = folder;
   if (match) where = match->folder;
+
   const gamelog::FoundLogs found = gamelog::find_logs({where.string()});
   const auto has_game = [](const gamelog::MatchLogs& one) { return !one.game.empty(); };
   const auto first = std::find_if(found.matches.begin(), found.matches.end(), has_game);
@@ -40,6 +41,7 @@ Result<FoundLog> find_in_folder(const fs::path& folder) {
     return Error{fmt::format("{}: {} logs; name one, such as {}", where.string(),
                              found.matches.size(), first->game)};
   }
+
   return FoundLog{*first, where, "match"};
 }
 
@@ -56,20 +58,24 @@ Result<FoundLog> find_log(const std::string& what) {
   std::error_code code;
   if (fs::is_directory(what, code)) return find_in_folder(what);
   if (what == "-") return FoundLog{{what, ""}, "", "match"};
+
   if (what.ends_with(".rcl") || what.ends_with(".rcl.gz")) {
     return Error{fmt::format("{}: a text log; name the game log (rcg) beside it", what)};
   }
   if (const auto why = base::why_no_file(what)) return Error{fmt::format("{}: {}", what, *why)};
+
   const gamelog::FoundLogs found = gamelog::find_logs({what});
   const fs::path path(what);
   const gamelog::MatchLogs logs =
       found.matches.size() == 1 ? found.matches.front() : gamelog::MatchLogs{what, ""};
+
   return FoundLog{logs, path.parent_path(), without_log_suffix(path.filename().string())};
 }
 
 std::optional<std::string> why_no_page(const fs::path& file) {
   std::error_code code;
   if (!fs::exists(file, code)) return std::nullopt;
+
   if (fs::is_directory(file, code)) return fmt::format("{}: a folder, not a file", file.string());
   if (viewer::looks_like_page(start_of(file))) return std::nullopt;
   return fmt::format("{}: exists and is not a page of cls; name another file with --out",

@@ -41,12 +41,14 @@ Result<FoundMatch> found(const fs::path& folder, std::string why) {
 
 Result<FoundMatch> find_in_tournament(const fs::path& folder, std::optional<int> index) {
   TRY_INIT(const auto state, tournament::read_tournament(folder));
+
   const auto latest = [&](const tournament::ScheduledMatch& one) {
     return folder /
            (one.outcome && !one.outcome->folder.empty()
                 ? fs::path(one.outcome->folder)
                 : tournament::match_folder(state.config, one.fixture, std::max(1, one.attempts)));
   };
+
   if (index) {
     for (const auto& one : state.matches) {
       if (one.fixture.index == *index) return found(latest(one), fmt::format("match {}", *index));
@@ -54,6 +56,7 @@ Result<FoundMatch> find_in_tournament(const fs::path& folder, std::optional<int>
     return Error{fmt::format("{} has {} matches, no match {}", folder.string(),
                              state.matches.size(), *index)};
   }
+
   const tournament::ScheduledMatch* failed = nullptr;
   const tournament::ScheduledMatch* played = nullptr;
   for (const auto& one : state.matches) {
@@ -61,10 +64,12 @@ Result<FoundMatch> find_in_tournament(const fs::path& folder, std::optional<int>
     played = &one;
     if (!one.outcome->finished()) failed = &one;
   }
+
   if (failed != nullptr) {
     return found(latest(*failed),
                  fmt::format("match {}, the last that failed", failed->fixture.index));
   }
+
   if (played == nullptr) return Error{fmt::format("{}: no match was played yet", folder.string())};
   return found(latest(*played), fmt::format("match {}; none failed", played->fixture.index));
 }
@@ -79,10 +84,12 @@ Result<FoundMatch> find_below(const fs::path& folder) {
     matches.emplace_back(fs::last_write_time(entry->path() / match::kManifestFile, ignored),
                          entry->path());
   }
+
   if (matches.empty()) {
     return Error{fmt::format("{}: no match folder, no tournament and no folder of matches",
                              folder.string())};
   }
+
   std::sort(matches.rbegin(), matches.rend());
   const auto failed = std::find_if(matches.begin(), matches.end(),
                                    [](const auto& one) { return !finished(one.second); });
@@ -96,10 +103,13 @@ Result<FoundMatch> find_match_folder(const fs::path& folder, std::optional<int> 
   if (const auto why = base::why_no_folder(folder)) {
     return Error{fmt::format("{}: {}", folder.string(), *why)};
   }
+
   if (tournament::holds_plan(folder)) return find_in_tournament(folder, index);
+
   if (index) {
     return Error{fmt::format("--match {}: {} is not a tournament", *index, folder.string())};
   }
+
   if (is_match_folder(folder)) return FoundMatch{folder, ""};
   return find_below(folder);
 }

@@ -45,6 +45,7 @@ void add_linger_option(Command& command, std::optional<double>& linger_s) {
 std::string tunnel_hint(const std::string& url) {
   const char* connection = std::getenv("SSH_CONNECTION");
   if (connection == nullptr || *connection == '\0') return "";
+
   const std::size_t port = url.find(':', url.find("//")) + 1;
   const std::string number = url.substr(port, url.find('/', port) - port);
   const std::string host = base::host_name();
@@ -60,6 +61,7 @@ base::Result<std::unique_ptr<LiveView>> LiveView::start(FollowedMatch match,
            viewer::HttpServer::start(options.address,
                                      viewer::live_site(match.title, options.settings,
                                                        view->match_->feed(), match.folder)));
+
   view->server_ = std::move(server);
   if (options.open_browser) open_in_browser(view->server_->single_use_url());
   return view;
@@ -68,13 +70,16 @@ base::Result<std::unique_ptr<LiveView>> LiveView::start(FollowedMatch match,
 void LiveView::serve(const std::atomic<int>& signal) {
   while (!match_->over() && signal.load() == 0) std::this_thread::sleep_for(kViewPollInterval);
   if (signal.load() != 0) return;
+
   const auto end = end_of_linger(linger_s_);
   if (end == steady_clock::time_point::max()) {
     fmt::print(stderr, "cls: the match is over; Ctrl-C ends its page\n");
   }
+
   while (steady_clock::now() < end && signal.load() == 0) {
     std::this_thread::sleep_for(kViewPollInterval);
   }
+
   drain(signal);
 }
 

@@ -63,6 +63,7 @@ struct Tail {
 
 std::string what_is(const std::string& name) {
   const auto is = [&name](const char* known) { return name == known; };
+
   if (is(match::kResultFile)) return "result (cls.match/1)";
   if (is(match::kManifestFile)) return "command, settings, versions, host";
   if (is(match::kEventsFile)) return "goals and play modes";
@@ -70,6 +71,7 @@ std::string what_is(const std::string& name) {
   if (is(viewer::kRightDebugFile)) return "texts and drawings of the right Playmaker";
   if (is(match::kLeftErrorFile)) return "first failed RPC of the left side";
   if (is(match::kRightErrorFile)) return "first failed RPC of the right side";
+
   if (name.starts_with(match::kGameLogFile)) return "game log";
   if (name.starts_with(match::kTextLogFile)) return "text log";
   return name.ends_with(".log") ? "output" : "";
@@ -81,6 +83,7 @@ std::vector<LogFile> files_in(const fs::path& folder, const match::MatchResult& 
   for (const auto& entry : fs::directory_iterator(folder, code)) {
     std::error_code ignored;
     if (!entry.is_regular_file(ignored)) continue;
+
     const std::string name = entry.path().filename().string();
     LogFile file{name, entry.file_size(ignored), what_is(name), ""};
     for (const match::ProcessResult& process : result.processes) {
@@ -88,8 +91,10 @@ std::vector<LogFile> files_in(const fs::path& folder, const match::MatchResult& 
       file.process = process.name;
       file.what = fmt::format("output of {} ({})", process.name, process.exit);
     }
+
     files.push_back(std::move(file));
   }
+
   std::sort(files.begin(), files.end(),
             [](const LogFile& one, const LogFile& other) { return one.name < other.name; });
   return files;
@@ -105,6 +110,7 @@ std::vector<std::string> last_lines(const std::string& text, std::size_t count) 
     if (feed == std::string::npos) break;
     end = feed;
   }
+
   std::reverse(lines.begin(), lines.end());
   return lines;
 }
@@ -119,6 +125,7 @@ base::Result<std::optional<LogFile>> select_log(const std::vector<LogFile>& file
     if (wanted.empty() ? failed : file.process == wanted || file.name == wanted) return {file};
     if (!file.process.empty()) names.push_back(file.process);
   }
+
   if (wanted.empty()) return std::optional<LogFile>();
   return base::Error{fmt::format("--process '{}': {}", wanted,
                                  names.empty()
@@ -139,6 +146,7 @@ void print_text(const FoundMatch& found, const match::MatchResult& result,
              found.why.empty() ? "" : "  (" + found.why + ")");
   fmt::print("{}{}\n\n", name(result.end_reason),
              result.message.empty() ? "" : ": " + base::printable(result.message));
+
   base::Table table;
   table.add_column("file");
   table.add_column("size", base::Table::Align::kRight);
@@ -146,6 +154,7 @@ void print_text(const FoundMatch& found, const match::MatchResult& result,
   for (const LogFile& file : files) table.add_row({file.name, size_text(file.bytes), file.what});
   table.allow_cuts(2);
   fmt::print("{}", table.format_text({0, static_cast<std::size_t>(stdout_width()), 1}));
+
   if (!tail) return;
   fmt::print("\nlast {} lines of {}:\n", tail->lines.size(), base::printable(tail->file.name));
   for (const std::string& line : tail->lines) fmt::print("  {}\n", line);
@@ -157,22 +166,26 @@ void print_json(const FoundMatch& found, const match::MatchResult& result,
   const auto text = [](const std::string& value) {
     return value.empty() ? Json(nullptr) : Json(value);
   };
+
   for (const LogFile& file : files) {
     list.push_back({{"name", file.name},
                     {"bytes", file.bytes},
                     {"contents", text(file.what)},
                     {"process", text(file.process)}});
   }
+
   Json document = {{"schema", "cls.logs/1"},
                    {"folder", found.folder.string()},
                    {"end_reason", name(result.end_reason)},
                    {"message", text(result.message)},
                    {"files", std::move(list)},
                    {"tail", nullptr}};
+
   if (tail) {
     document["tail"] = {
         {"file", tail->file.name}, {"process", text(tail->file.process)}, {"lines", tail->lines}};
   }
+
   fmt::print("{}", base::json_document(document));
 }
 
@@ -184,6 +197,7 @@ base::Result<match::MatchResult> result_of(const fs::path& folder) {
     if (result) return result;
     return base::Error{fmt::format("{}: {}", file.string(), result.error().message)};
   }
+
   match::MatchResult unknown;
   unknown.end_reason = match::EndReason::kInterrupted;
   unknown.message = "no result.json: cls was killed, or the match is running";
@@ -193,16 +207,20 @@ base::Result<match::MatchResult> result_of(const fs::path& folder) {
 int run_logs_command(const Arguments& arguments) {
   const auto found = find_match_folder(arguments.folder, arguments.match);
   if (!found) return print_error(kNoInput, found.error().message);
+
   const auto result = result_of(found->folder);
   if (!result) return print_error(kBadData, result.error().message);
+
   const std::vector<LogFile> files = files_in(found->folder, *result);
   const auto log = select_log(files, *result, arguments.process);
   if (!log) return print_error(kUsage, log.error().message);
+
   std::optional<Tail> tail;
   if (*log) {
     const auto text = base::read_file(found->folder / (*log)->name);
     tail = Tail{**log, last_lines(text.value_or(""), arguments.tail)};
   }
+
   (arguments.json ? print_json : print_text)(*found, *result, files, tail);
   return kOk;
 }
@@ -213,6 +231,7 @@ void add_logs_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("logs", kDescription);
   command.group = kResultCommands;
+
   command.option("DIR", arguments->folder, "folder of a match, a tournament or matches")
       .shows_default();
   command.option("--match", arguments->match, "number of a match in the tournament")
@@ -221,6 +240,7 @@ void add_logs_command(Command& app) {
       .option("--process", arguments->process,
               "print the output of this process or log file (default: the one that failed)")
       .placeholder("NAME");
+
   command.option("--tail", arguments->tail, "lines to print").shows_default();
   command.flag("--json", arguments->json, "print a JSON document");
   command.run = [arguments] { return run_logs_command(*arguments); };

@@ -63,10 +63,12 @@ int report_failure(const std::optional<OutputFailure>& failure) {
 base::Result<std::string> one_log(const std::string& in) {
   std::error_code code;
   if (!fs::is_directory(in, code)) return in;
+
   std::vector<std::string> logs;
   for (const gamelog::MatchLogs& match : gamelog::find_logs({in}).matches) {
     if (!match.game.empty()) logs.push_back(match.game);
   }
+
   if (logs.size() == 1) return logs.front();
   if (logs.empty()) return base::Error{fmt::format("{}: no game log in this folder", in)};
   return base::Error{
@@ -77,6 +79,7 @@ int finish(const std::string& in, const gamelog::ParseErrors& errors,
            const std::optional<OutputFailure>& failure, TableCounts& counts) {
   counts.errors = errors.count;
   report_errors(in, errors);
+
   if (const int code = report_failure(failure); code != kOk) return code;
   return errors.empty() ? kOk : kBadData;
 }
@@ -95,6 +98,7 @@ int stream_tracking(base::ByteSource& source, const std::string& in, const Table
                     TableCounts& counts) {
   gamelog::ParseErrors errors;
   std::string page_error;
+
   const auto failure = write_output(request.out, [&](base::ByteSink& sink) {
     analysis::TrackingTable table(sink, request.columns);
     gamelog::FrameStream stream(source, table);
@@ -109,6 +113,7 @@ int stream_tracking(base::ByteSource& source, const std::string& in, const Table
     counts.frames = stream.frames();
     return counts.frames > 0 || errors.empty();
   });
+
   if (!page_error.empty()) return print_error(kBadData, page_error);
   return finish(in, errors, failure, counts);
 }
@@ -119,10 +124,12 @@ int write_from_record(MatchTable table, const std::string& in, const TableReques
   if (!match) return print_error(unreadable_code(in), match.error().message);
   const MatchRecord& record = match->record;
   counts.frames = record.frames();
+
   const auto failure = write_output(request.out, [&](base::ByteSink& sink) {
     write_table(table, record, request.columns, sink);
     return record.frames() > 0 || record.errors.empty();
   });
+
   return finish(in, record.errors, failure, counts);
 }
 
@@ -154,6 +161,7 @@ std::vector<Job> plan_jobs(const gamelog::FoundLogs& found, const TableRequest& 
     const fs::path name = below ? log.lexically_relative(request.in) : log.filename();
     jobs.push_back({match.game, fs::path(request.out) / without_endings(name)});
   }
+
   return jobs;
 }
 
@@ -168,6 +176,7 @@ std::optional<OutputFailure> check_outputs(const std::vector<Job>& jobs, bool fo
                                                "folder, whose sub-folders the tables keep",
                                                jobs[other].log, jobs[i].log)};
     }
+
     for (const MatchTable table : kTables) {
       if (auto failure = why_not_replaced(file_of(jobs[i], table), force)) return failure;
     }
@@ -181,14 +190,17 @@ void run_job(Job& job, analysis::TrackingColumns columns) {
     job.unreadable = match.error().message;
     return;
   }
+
   const MatchRecord& record = match->record;
   job.errors = record.errors;
   job.frames = record.frames();
+
   if (record.frames() == 0 && !record.errors.empty()) return;
   if (const auto created = base::create_folders(job.stem.parent_path()); !created) {
     job.failure = {kCannotCreate, created.error().message};
     return;
   }
+
   for (const MatchTable table : kTables) {
     job.failure = write_output(file_of(job, table), [&](base::ByteSink& sink) {
       write_table(table, record, columns, sink);
@@ -215,6 +227,7 @@ std::optional<MatchTable> parse_match_table(std::string_view text) {
 
 std::optional<MatchTable> table_of_file(std::string_view path) {
   if (path.ends_with(".gz")) path.remove_suffix(3);
+
   for (const MatchTable table : kTables) {
     if (path.ends_with(suffix(table))) return table;
   }

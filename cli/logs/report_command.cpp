@@ -67,13 +67,16 @@ void add_result(const fs::path& log, viewer::MatchReport& report) {
   const auto text = base::read_file(log.parent_path() / match::kResultFile);
   const auto result = match::parse_match_result(text.value_or(""));
   if (!result) return;
+
   add_replies(result->left, report.playmakers);
   add_replies(result->right, report.playmakers);
   report.warnings = result->warnings;
   if (!result->message.empty()) report.warnings.insert(report.warnings.begin(), result->message);
+
   const auto manifest = nlohmann::json::parse(
       base::read_file(log.parent_path() / match::kManifestFile).value_or(""), nullptr, false);
   if (!manifest.is_object()) return;
+
   const auto command = manifest.find("command");
   if (command != manifest.end() && command->is_string()) {
     report.command = command->get<std::string>();
@@ -117,11 +120,13 @@ std::vector<File> files_of(const Arguments& arguments, const AnalyzedMatch& matc
                            const fs::path& target) {
   const std::vector<viewer::Chart> charts = viewer::match_charts(match.summary, match.statistics);
   if (arguments.format == "svg") return chart_files(target, charts);
+
   viewer::MatchReport report;
   report.summary = match.summary;
   report.statistics = &match.statistics;
   add_result(match.found.logs.game, report);
   if (arguments.format == "html") return {{target, html_text(arguments, match, report, charts)}};
+
   const std::string folder = target.stem().string() + "-charts";
   std::vector<File> files = chart_files(target.parent_path() / folder, charts);
   files.insert(files.begin(),
@@ -137,6 +142,7 @@ int write_files(const std::vector<File>& files) {
         return print_error(kCannotCreate, created.error().message);
       }
     }
+
     if (const auto written = base::write_file(file.path, file.text); !written) {
       return print_error(kCannotCreate, written.error().message);
     }
@@ -157,19 +163,24 @@ int run_report_command(const Arguments& arguments) {
     return print_error(kUsage,
                        fmt::format("--format '{}': must be html, md or svg", arguments.format));
   }
+
   AnalyzedMatch match;
   if (const int exit_code = read_match(arguments.what, match); exit_code != kOk) return exit_code;
   const fs::path target = target_of(arguments, match.found);
+
   if (arguments.format == "html") {
     if (const auto why = why_no_page(target)) return print_error(kCannotCreate, *why);
   }
+
   const std::vector<File> files = files_of(arguments, match, target);
   if (const int exit_code = write_files(files); exit_code != kOk) return exit_code;
+
   if (arguments.json) {
     print_document(files, match);
   } else {
     fmt::print("{}\n", target.string());
   }
+
   return match.match.record.errors.empty() ? kOk : kBadData;
 }
 
@@ -184,10 +195,12 @@ void add_report_command(Command& app) {
       .option("--format", arguments->format,
               "html, md (Markdown and a folder of charts) or svg (the folder alone)")
       .shows_default();
+
   command.option("--out", arguments->out,
                  "file to write, for svg the folder (default: beside the log)");
   command.flag("--no-replay", arguments->without_replay,
                "HTML: without the match to watch, about 1.5 MB less");
+
   command.flag("--json", arguments->json, "print the written files as one JSON document");
   command.run = [arguments] { return run_report_command(*arguments); };
 }

@@ -68,6 +68,7 @@ int run_results_command(const Arguments& arguments) {
         0, fmt::format("--format '{}': must be table, json, csv or markdown", arguments.format));
     return kUsage;
   }
+
   const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);
   int exit_code = report_missing(found);
   std::vector<analysis::MatchSummary> summaries;
@@ -75,11 +76,13 @@ int run_results_command(const Arguments& arguments) {
     exit_code = report_log(exit_code, result.unreadable, result.error_file, result.errors);
     if (result.usable) summaries.push_back(std::move(result.summary));
   }
+
   if (!summaries.empty() || *format == ResultsFormat::kJson) {
     // Names of logs are cut on a terminal only: in a pipe or file they are used.
     const std::size_t width = stdout_is_terminal() ? stdout_width() : 0;
     fmt::print("{}", format_results(summaries, *format, width));
   }
+
   return exit_code;
 }
 
@@ -89,12 +92,14 @@ void add_results_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("results", kDescription);
   command.group = kResultCommands;
+
   command.option("LOG", arguments->logs, "logs, folders or patterns").required();
   command.option("--format", arguments->format, "table, json, csv or markdown").shows_default();
   command.flag("--json", arguments->json, "the same as --format json");
   command
       .option("--jobs", arguments->jobs, "logs read in parallel (default: one per processor core)")
       .above(0);
+
   command.run = [arguments] { return run_results_command(*arguments); };
 }
 

@@ -31,6 +31,7 @@ bool changed_lately(const fs::path& file) {
 std::optional<FollowedMatch> in_folder(const std::string& what) {
   const auto found = find_match_folder(what, std::nullopt);
   if (!found || has_result(found->folder)) return std::nullopt;
+
   const fs::path folder = found->folder;
   const fs::path log = game_log_in(folder);
   if (!changed_lately(log) && !changed_lately(folder / match::kManifestFile)) return std::nullopt;
@@ -41,11 +42,14 @@ std::optional<FollowedMatch> in_folder(const std::string& what) {
 base::Result<std::optional<FollowedMatch>> on_server(const std::string& what) {
   const std::size_t colon = what.rfind(':');
   if (colon == std::string::npos || colon == 0) return std::optional<FollowedMatch>();
+
   const auto port = base::parse_int(std::string_view(what).substr(colon + 1));
   if (!port || what.find('/') != std::string::npos) return std::optional<FollowedMatch>();
+
   if (*port < 1 || *port > 65535) {
     return base::Error{fmt::format("{}: a port is a number from 1 to 65535", what)};
   }
+
   TRY_INIT(auto input, viewer::follow_server(base::strip_brackets(what.substr(0, colon)), *port));
   return std::optional(FollowedMatch{std::move(input), {}, what, {}});
 }
@@ -55,6 +59,7 @@ base::Result<std::optional<FollowedMatch>> on_server(const std::string& what) {
 fs::path game_log_in(const fs::path& folder) {
   fs::path log = folder / match::kGameLogFile;
   std::error_code code;
+
   if (fs::exists(log, code)) return log;
   fs::path packed = log.string() + ".gz";
   return fs::exists(packed, code) ? packed : log;
@@ -73,6 +78,7 @@ base::Result<std::optional<FollowedMatch>> find_running_match(const std::string&
     auto found = on_server(what);
     if (!found || *found) return found;
   }
+
   if (!is_live_log) return std::optional<FollowedMatch>();
   if (const auto why = base::why_no_file(what)) {
     return base::Error{fmt::format("{}: {}", what, *why)};

@@ -67,12 +67,14 @@ int run_stats_command(const Arguments& arguments) {
                                arguments.format));
     return kUsage;
   }
+
   const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);
   int exit_code = report_missing(found);
   const analysis::StatisticsOutput output = read_all(found.matches, *format, arguments);
   for (const analysis::LogProblem& problem : output.problems) {
     exit_code = report_log(exit_code, problem.unreadable, problem.file, problem.errors);
   }
+
   fmt::print("{}", output.text);
   return exit_code;
 }
@@ -87,6 +89,7 @@ void add_stats_command(Command& app) {
   command
       .option("--format", arguments->format, "text, json, csv (teams), csv-players or csv-events")
       .shows_default();
+
   command.flag("--json", arguments->json, "the same as --format json");
   command.flag("--events", arguments->events, "with JSON: list each pass, shot, tackle and foul");
   command

@@ -73,6 +73,7 @@ class RawTerminal {
       raw.c_cc[VSUSP] = _POSIX_VDISABLE;
       ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &raw);
     }
+
     print_all("\x1b[?1049h\x1b[?25l\x1b[2J");
   }
   ~RawTerminal() {
@@ -86,12 +87,14 @@ class RawTerminal {
   std::vector<viewer::Key> keys(double seconds) {
     pollfd polled{has_keys_ ? STDIN_FILENO : -1, POLLIN, 0};
     if (::poll(&polled, 1, static_cast<int>(seconds * 1000.0)) <= 0) return {};
+
     std::array<char, 64> bytes{};
     const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
     if (count <= 0) {
       has_keys_ = false;
       return {};
     }
+
     bytes_.append(bytes.data(), static_cast<std::size_t>(count));
     return viewer::take_keys(bytes_);
   }
@@ -108,8 +111,10 @@ class Cast {
   /// An empty path: none.
   base::Result<void> open(const std::string& path, Size size, const std::string& title) {
     if (path.empty()) return {};
+
     TRY_INIT(auto sink, base::FileSink::create(path));
     sink_ = std::move(sink);
+
     sink_->write(viewer::cast_header(size.columns, size.rows, title));
     return {};
   }
@@ -132,8 +137,10 @@ class Painter {
     if (shown_ && *shown_ == next) return "";
     const bool same_size =
         shown_ && shown_->columns() == next.columns() && shown_->rows() == next.rows();
+
     std::string output = same_size ? "" : "\x1b[2J";
     output += next.update(same_size ? &*shown_ : nullptr, color_);
+
     shown_ = std::move(next);
     return output;
   }
@@ -171,9 +178,11 @@ void run(MatchScreen& match, Painter& painter, Update update) {
     const auto now = steady_clock::now();
     match.advance(std::chrono::duration<double>(now - last).count());
     last = now;
+
     const std::string output = painter.paint(match, terminal_size());
     print_all(output);
     painter.record(std::chrono::duration<double>(now - start).count(), output);
+
     for (const viewer::Key key : terminal.keys(kPictureSeconds)) match.press(key);
   }
 }
@@ -203,6 +212,7 @@ int print_lines(MatchScreen& match, Update update) {
       shown = line;
     }
     if (over) break;
+
     ::poll(nullptr, 0, static_cast<int>(kPictureSeconds * 1000.0));
   }
   return kOk;
@@ -213,14 +223,17 @@ int print_lines(MatchScreen& match, Update update) {
 int show_in_terminal(const gamelog::MatchRecord& record, const TerminalViewOptions& options) {
   MatchScreen match(record);
   if (options.at) match.seek(frame_of_cycle(record, *options.at));
+
   Cast cast;
   if (const auto opened = cast.open(options.cast, {}, options.title); !opened) {
     return print_error(kCannotCreate, opened.error().message);
   }
+
   if (!options.cast.empty()) return write_cast(match, cast);
   if (::isatty(STDOUT_FILENO) != 1) {
     return print_error(kUsage, "--view terminal: stdout is not a terminal; --cast FILE records");
   }
+
   Painter painter(cast, stdout_supports_color());
   run(match, painter, [] {});
   return kOk;
@@ -231,6 +244,7 @@ int show_in_terminal(std::unique_ptr<viewer::LiveInput> input, const TerminalVie
   viewer::ChunkReader reader;
   MatchScreen match(reader.match().record);
   match.set_live(true);
+
   std::size_t received = 0;
   const auto update = [&] {
     for (;;) {
@@ -241,11 +255,14 @@ int show_in_terminal(std::unique_ptr<viewer::LiveInput> input, const TerminalVie
       if (piece.bytes.empty() || piece.ended || broken) return piece.ended || broken;
     }
   };
+
   if (::isatty(STDOUT_FILENO) != 1) return print_lines(match, update);
+
   Cast cast;
   if (const auto opened = cast.open(options.cast, terminal_size(), options.title); !opened) {
     return print_error(kCannotCreate, opened.error().message);
   }
+
   Painter painter(cast, stdout_supports_color());
   run(match, painter, update);
   return close_cast(cast);

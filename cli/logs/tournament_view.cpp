@@ -53,16 +53,20 @@ class TournamentSite {
     const auto state = tournament::read_tournament(folder_);
     if (!state) return not_found(state.error().message);
     if (path.empty()) return list(*state);
+
     // match/INDEX/, match/INDEX/live, match/INDEX/drawings-left
     constexpr std::string_view kMatch = "match/";
     if (!path.starts_with(kMatch)) return not_found("not found");
     path.remove_prefix(kMatch.size());
+
     const std::size_t slash = std::min(path.find('/'), path.size());
     const auto index = base::parse_int(path.substr(0, slash));
+
     const auto match = std::find_if(
         state->matches.begin(), state->matches.end(),
         [&](const ScheduledMatch& one) { return index && one.fixture.index == *index; });
     if (match == state->matches.end() || slash == path.size()) return not_found("not found");
+
     const std::string_view rest = path.substr(slash + 1);
     if (rest == viewer::kStreamPath) return stream(*match, query);
     return rest.empty() ? page(*state, *match)
@@ -77,11 +81,14 @@ class TournamentSite {
     list.status = status(report, state.running.size());
     list.running = !report.complete;
     list.facts = facts(report, state.running.size());
+
     for (const tournament::RankedTable& ranked : report.tables) {
       add_table(tournament::standings_table(report, ranked, tournament::Headings::kShort), list);
     }
+
     add_table(tournament::crosstable(report, false), list);
     for (const ScheduledMatch& match : state.matches) list.matches.push_back(row(state, match));
+
     return viewer::page_reply(viewer::match_list_page(list));
   }
 
@@ -92,6 +99,7 @@ class TournamentSite {
   // What a visitor wants to know first.
   static std::vector<viewer::Fact> facts(const tournament::Report& report, std::size_t running) {
     const tournament::MatchCounts& counts = report.counts;
+
     int goals = 0;
     int counted = 0;
     for (const ScheduledMatch& match : report.matches) {
@@ -99,6 +107,7 @@ class TournamentSite {
       goals += match.outcome->left_score + match.outcome->right_score;
       ++counted;
     }
+
     const auto& ranked = report.tables;
     const bool leads = counted > 0 && !ranked.empty() && !ranked.back().standings.empty();
     const std::string waiting = fmt::to_string(counts.open - static_cast<int>(running));
@@ -114,10 +123,12 @@ class TournamentSite {
   std::string status(const tournament::Report& report, std::size_t running) {
     std::string text = tournament::counts_text(report.counts);
     if (running > 0) text += fmt::format(", {} played now", running);
+
     const auto now = std::chrono::steady_clock::now();
     const int done = report.counts.done();
     if (!first_look_) first_look_ = {now, done};
     if (running == 0 || done <= first_look_->second) return text;
+
     const double seconds = std::chrono::duration<double>(now - first_look_->first).count() *
                            report.counts.open / (done - first_look_->second);
     return text + (seconds < kShortlySeconds
@@ -131,11 +142,13 @@ class TournamentSite {
     };
     viewer::ListedMatch row{
         match.fixture.index, name(match.fixture.left), name(match.fixture.right), "", "", false};
+
     std::error_code code;
     const bool running =
         std::binary_search(state.running.begin(), state.running.end(), match.fixture.index);
     row.has_page = (running || match.attempts > 0) &&
                    fs::exists(game_log_in(match_folder(state, match)), code);
+
     if (!match.outcome) {
       row.state = running ? "starting" : match.attempts > 0 ? "not finished" : "planned";
       row.live = true;
@@ -146,6 +159,7 @@ class TournamentSite {
       if (!match.outcome->counts()) row.state = "failed: " + match.outcome->message;
       row.has_page = row.has_page && !match.outcome->folder.empty();
     }
+
     return row;
   }
 
@@ -159,11 +173,13 @@ class TournamentSite {
   HttpReply page(const tournament::TournamentState& state, const ScheduledMatch& match) {
     const fs::path folder = match_folder(state, match);
     const std::string title = fmt::format("match {}", match.fixture.index);
+
     if (!match.outcome) {
       follow(match.fixture.index, folder);
       return viewer::page_reply(
           viewer::live_page(title, {viewer::kStreamPath, viewer::kDrawingsPath}, {}));
     }
+
     const auto read = viewer::read_log_or_page(game_log_in(folder).string());
     if (!read || read->record.frames() == 0) return not_found("the match has no log");
     return viewer::page_reply(viewer::match_page(read->record, nullptr,
@@ -175,12 +191,15 @@ class TournamentSite {
   // Score and clock of a match that is played now.
   void look_at(int index, const fs::path& folder, viewer::ListedMatch& row) {
     const fs::path log = game_log_in(folder);
+
     auto found = glances_.find(index);
     if (found == glances_.end() || found->second.first != log) {
       found = glances_.insert_or_assign(index, std::pair(log, viewer::LogGlance(log))).first;
     }
+
     const auto glance = found->second.second.now();
     if (!glance) return;
+
     row.score = fmt::format("{} : {}", glance->left, glance->right);
     row.state = fmt::format("cycle {}", glance->cycle);
     row.ball = glance->ball;
@@ -189,6 +208,7 @@ class TournamentSite {
   void follow(int index, const fs::path& folder) {
     const auto found = followed_.find(index);
     if (found != followed_.end() && found->second.first == folder) return;
+
     auto input = viewer::follow_log(game_log_in(folder), [folder] { return has_result(folder); });
     followed_[index] = {folder, std::make_unique<viewer::LiveMatch>(std::move(input))};
   }
@@ -223,14 +243,17 @@ int serve_tournament(const fs::path& folder, const LiveViewOptions& options,
       options.address,
       [&site](std::string_view path, std::string_view query) { return site.reply(path, query); });
   if (!server) return print_error(kTryAgain, server.error().message);
+
   on_start((*server)->url());
   if (options.open_browser) open_in_browser((*server)->single_use_url());
+
   while (signal.load() == 0 && !is_over(folder))
     std::this_thread::sleep_for(10 * kTournamentPollInterval);
   const auto end = end_of_linger(options.linger_s);
   while (signal.load() == 0 && std::chrono::steady_clock::now() < end) {
     std::this_thread::sleep_for(kTournamentPollInterval);
   }
+
   return kOk;
 }
 

@@ -92,6 +92,7 @@ std::optional<std::string> player_error(std::string_view option,
 void show(const Arguments& arguments, const fs::path& page) {
   const std::string url = file_url(page);
   const bool opened = !arguments.no_open && arguments.out.empty() && open_in_browser(url);
+
   if (arguments.json) return;
   fmt::print("{}\n", arguments.out.empty() ? url : page.string());
   if (opened) fmt::print(stderr, "cls: opened in the browser\n");
@@ -114,6 +115,7 @@ std::optional<viewer::CycleRange> cycles_of(const std::string& word) {
   const auto first = base::parse_int(std::string_view(word).substr(0, dash));
   const auto last =
       dash < word.size() ? base::parse_int(std::string_view(word).substr(dash + 1)) : first;
+
   if (!first || !last || *first < 0 || *last < *first) return std::nullopt;
   return viewer::CycleRange{*first, *last};
 }
@@ -126,6 +128,7 @@ base::Result<std::optional<viewer::DecisionChoice>> decision_choice(
     const auto cycles = cycles_of(word);
     if (words.size() == 1 && word == "none") return std::optional<viewer::DecisionChoice>();
     if (words.size() == 1 && word == "all") break;
+
     if (is_player(word)) {
       choice.players.push_back(word);
     } else if (cycles) {
@@ -137,6 +140,7 @@ base::Result<std::optional<viewer::DecisionChoice>> decision_choice(
                       word)};
     }
   }
+
   return std::optional(std::move(choice));
 }
 
@@ -144,19 +148,24 @@ base::Result<std::vector<viewer::PageDecisions>> decisions_of(const Arguments& a
                                                               const FoundLog& found) {
   constexpr double kWorthALine = 2e6;
   constexpr double kBase64 = 4.0 / 3.0;
+
   TRY_INIT(const auto choice, decision_choice(arguments.world_models));
   if (!choice) return std::vector<viewer::PageDecisions>();
+
   auto decisions = viewer::read_page_decisions(found.folder, *choice);
   if (!decisions) return decisions;
+
   double size = 0.0;
   for (const viewer::PageDecisions& each : *decisions)
     size += kBase64 * static_cast<double>(each.packed.size());
+
   if (size > kWorthALine && arguments.world_models.empty()) {
     fmt::print(stderr,
                "cls: {:.1f} MB of decisions go into the page; --world-models none, l7,r1 or "
                "1200-1400 makes it smaller\n",
                size / 1e6);
   }
+
   return decisions;
 }
 
@@ -165,6 +174,7 @@ int write_match_page(const Arguments& arguments, const FoundLog& found, const fs
   if (!match) {
     return print_error(unreadable_code(found.logs.game), match.error().message);
   }
+
   report_errors(found.logs.game, match->record.errors);
   if (match->record.frames() == 0) {
     if (match->record.errors.empty()) {
@@ -172,12 +182,15 @@ int write_match_page(const Arguments& arguments, const FoundLog& found, const fs
     }
     return kBadData;
   }
+
   std::optional<gamelog::RclRecord> text;
   if (!found.logs.text.empty()) {
     if (auto read = gamelog::read_rcl_file(found.logs.text)) text = *std::move(read);
   }
+
   const auto decisions = decisions_of(arguments, found);
   if (!decisions) return print_error(kBadData, decisions.error().message);
+
   const bool compact = arguments.compact || match->form.compact;
   const std::string html = viewer::match_page(
       match->record, text ? &*text : nullptr, fs::path(found.logs.game).filename().string(),
@@ -185,9 +198,11 @@ int write_match_page(const Arguments& arguments, const FoundLog& found, const fs
       {arguments.at, arguments.players, viewer::read_missed_decisions(found.folder),
        viewer::read_page_drawings(found.folder)},
       *decisions);
+
   if (const auto written = base::write_file(page, html); !written) {
     return print_error(kCannotCreate, written.error().message);
   }
+
   if (arguments.json) print_document(*match, page, compact);
   show(arguments, page);
   return match->record.errors.empty() ? kOk : kBadData;
@@ -200,6 +215,7 @@ void print_live(const std::string& url, bool json) {
   } else {
     fmt::print("{}\n", url);
   }
+
   std::fflush(stdout);
   if (const std::string hint = tunnel_hint(url); !hint.empty()) {
     fmt::print(stderr, "cls: from another host: {}\n", hint);
@@ -210,9 +226,11 @@ int serve(const Arguments& arguments, FollowedMatch match) {
   LiveViewOptions options = arguments.view;
   options.settings = {arguments.at, arguments.players, {}};
   options.open_browser = !arguments.no_open;
+
   const std::atomic<int>& signal = watch_interrupts();
   const auto view = LiveView::start(std::move(match), options);
   if (!view) return print_error(kTryAgain, view.error().message);
+
   print_live((*view)->url(), arguments.json);
   (*view)->serve(signal);
   return kOk;
@@ -235,6 +253,7 @@ int show_log_in_terminal(const Arguments& arguments, const FoundLog& found) {
   if (!match) return print_error(unreadable_code(found.logs.game), match.error().message);
   report_errors(found.logs.game, match->record.errors);
   if (match->record.frames() == 0) return kBadData;
+
   return show_in_terminal(match->record, {found.name, arguments.at, arguments.cast});
 }
 
@@ -243,27 +262,33 @@ int run_watch_command(const Arguments& arguments) {
     return compare_matches(
         {arguments.what, arguments.other, arguments.out, arguments.no_open, arguments.json});
   }
+
   if (const auto error = player_error("--players", arguments.players)) {
     return print_error(kUsage, *error);
   }
   if (const auto choice = decision_choice(arguments.world_models); !choice) {
     return print_error(kUsage, choice.error().message);
   }
+
   if (arguments.out.empty() && !arguments.in_terminal() &&
       orchestration::tournament::holds_plan(arguments.what)) {
     return serve_matches(arguments);
   }
+
   if (arguments.out.empty()) {
     auto running = find_running_match(arguments.what, arguments.live);
     if (!running) return print_error(kNoInput, running.error().message);
     if (*running) return show_running(arguments, **std::move(running));
   }
+
   const auto found = find_log(arguments.what);
   if (!found) return print_error(kNoInput, found.error().message);
   if (arguments.in_terminal()) return show_log_in_terminal(arguments, *found);
+
   const fs::path page =
       arguments.out.empty() ? found->folder / (found->name + ".html") : fs::path(arguments.out);
   if (const auto why = why_no_page(page)) return print_error(kCannotCreate, *why);
+
   return write_match_page(arguments, *found, page);
 }
 
@@ -273,11 +298,13 @@ void add_watch_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("watch", kDescription);
   command.group = kResultCommands;
+
   command.option("WHAT", arguments->what, "game log, page or match folder").required();
   command.option("OTHER", arguments->other, "a second match, beside the first one");
   command.option("--out", arguments->out,
                  "write the page to this file and do not open it (default: beside\n"
                  "the log)");
+
   command.option("--at", arguments->at, "cycle to show first");
   command.option("--players", arguments->players, "players to select, such as l7,r1").split_at(',');
   command
@@ -286,10 +313,12 @@ void add_watch_command(Command& app) {
               "recorded: all, none, players such as l7,r1, cycles such as 1200-1400, or\n"
               "both (default: all)")
       .split_at(',');
+
   command.flag("--compact", arguments->compact,
                "half the size: centimeters, degrees, no velocities; the page is then\n"
                "no log");
   command.flag("--no-open", arguments->no_open, "do not open the browser");
+
   command
       .option("--view", arguments->viewer,
               "browser, or terminal: the match in characters, with keys (default: browser)")
@@ -297,6 +326,7 @@ void add_watch_command(Command& app) {
   command.option("--cast", arguments->cast,
                  "record what a terminal shows, for asciinema; of a log: all of it, without "
                  "waiting");
+
   command.flag("--live", arguments->live,
                "WHAT is a log that a server writes now (found out for match folders)");
   command.option("--listen", arguments->view.address.host,
@@ -305,6 +335,7 @@ void add_watch_command(Command& app) {
   command.option("--port", arguments->view.address.port, "its port (default: a free one)")
       .range(0, 65535);
   add_linger_option(command, arguments->view.linger_s);
+
   command.flag("--json", arguments->json, "print page, size and frames as one JSON document");
   command.run = [arguments] { return run_watch_command(*arguments); };
 }

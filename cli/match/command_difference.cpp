@@ -23,11 +23,13 @@ using Decision = std::tuple<int, int, int>;
 std::map<Decision, std::string> commands_of(std::string_view log, std::string_view name) {
   base::MemorySource source(log);
   const gamelog::RclRecord record = gamelog::read_rcl(source);
+
   std::map<Decision, std::string> commands;
   for (const gamelog::RclLine& line : record.lines) {
     const bool coach = line.source == RclSource::kCoach;
     if (!coach && line.source != RclSource::kPlayer) continue;
     if (record.teams[line.team] != name) continue;
+
     const int agent = coach ? proto::kCoachNumber : line.unum;
     std::string& text = commands[{line.time, line.stopped, agent}];
     if (!text.empty()) text += ' ';
@@ -45,6 +47,7 @@ std::optional<CommandDifference> compare_commands(std::string_view before, std::
   std::map<Decision, std::pair<std::string_view, std::string_view>> all;
   for (const auto& [decision, text] : old_commands) all[decision].first = text;
   for (const auto& [decision, text] : new_commands) all[decision].second = text;
+
   std::optional<CommandDifference> difference;
   for (const auto& [decision, texts] : all) {
     if (texts.first == texts.second) continue;
@@ -59,6 +62,7 @@ std::optional<CommandDifference> compare_commands(std::string_view before, std::
       difference->total =
           static_cast<std::int64_t>(std::max(old_commands.size(), new_commands.size()));
     }
+
     ++difference->differ;
   }
   return difference;

@@ -32,6 +32,7 @@ void print_json(const std::vector<SettingRow>& rows) {
                                                     : nlohmann::ordered_json(row.value)},
                         {"origin", row.origin}});
   }
+
   const nlohmann::ordered_json document = {{"schema", "cls.config/1"}, {"settings", settings}};
   fmt::print("{}", base::json_document(document));
 }
@@ -40,11 +41,13 @@ int run_config_command(const Command& command, MatchArguments& arguments) {
   if (arguments.left.empty()) arguments.left = "mock";
   if (arguments.right.empty()) arguments.right = "mock";
   if (const int resolved = resolve_match(command, arguments); resolved != kOk) return resolved;
+
   const std::vector<SettingRow> rows = setting_rows(arguments);
   if (arguments.json) {
     print_json(rows);
     return kOk;
   }
+
   for (const SettingRow& row : rows) {
     fmt::print("{} = {}  ({})\n", row.name, row.value.empty() ? "none" : row.value, row.origin);
   }
@@ -56,6 +59,7 @@ int run_config_command(const Command& command, MatchArguments& arguments) {
 void add_config_command(Command& app) {
   const auto arguments = std::make_shared<MatchArguments>();
   Command& command = app.command("config", kDescription);
+
   command.option("LEFT", arguments->left, "SIDE on the left (default: mock)");
   command.option("RIGHT", arguments->right, "SIDE on the right (default: mock)");
   add_match_options(command, *arguments);

@@ -72,6 +72,7 @@ class DevSession {
   void play(const std::vector<std::string>& changed) {
     Json document = {{"schema", "cls.dev/1"}, {"changed", changed}, {"scenarios", Json::array()}};
     if (!changed.empty()) print("changed: {}\n", fmt::join(changed, ", "));
+
     for (const std::string& name : arguments_.scenarios) {
       const auto scenarios = read(name);
       if (!scenarios) {
@@ -84,6 +85,7 @@ class DevSession {
         document["scenarios"].push_back(play(scenario));
       }
     }
+
     if (arguments_.json) fmt::print("{}\n", base::json_line(document));
     std::fflush(stdout);
   }
@@ -96,8 +98,10 @@ class DevSession {
 
   static base::Result<std::vector<Scenario>> read(const std::string& name) {
     if (!base::absence(name)) return orchestration::scenario::read_scenarios(name);
+
     auto shipped = orchestration::scenario::shipped_scenarios();
     if (!shipped) return shipped;
+
     std::vector<std::string_view> names;
     for (Scenario& scenario : *shipped) {
       if (scenario.name == name) return std::vector<Scenario>{std::move(scenario)};
@@ -109,11 +113,13 @@ class DevSession {
 
   Json play(const Scenario& scenario) {
     constexpr double kTimeToBuild = 600.0;
+
     orchestration::scenario::RunSettings settings;
     settings.seed = scenario.seeds.front();
     settings.host = &host_;
     settings.folder = fs::absolute(fs::path(arguments_.folder) / scenario.name);
     settings.start_timeout_s = kTimeToBuild;
+
     if (!arguments_.against.empty()) {
       auto side = orchestration::match::parse_endpoint(arguments_.against);
       if (!side) return problem(scenario, side.error().message);
@@ -122,9 +128,11 @@ class DevSession {
       }
       settings.against = *std::move(side);
     }
+
     if (const auto created = base::create_folders(settings.folder); !created) {
       return problem(scenario, created.error().message);
     }
+
     const auto record = run_scenario(scenario, settings, signal_);
     if (!record) return problem(scenario, record.error().message);
     if (signal_.load() != 0) return Json(nullptr);
@@ -145,11 +153,13 @@ class DevSession {
         failures.push_back(fmt::format("line {}: {}: {}", check.line, check.name, failure));
       }
     }
+
     const bool passed = failures.empty();
     const bool color = !arguments_.json && stdout_supports_color();
     const std::string verdict = passed ? "ok" : "FAIL";
     print("{}{:<5}{} {}{}\n", color ? (passed ? "\x1b[32m" : "\x1b[31m") : "", verdict,
           color ? "\x1b[0m" : "", scenario.name, change_of_verdict(scenario, passed));
+
     Json document = {{"name", scenario.name},
                      {"seed", record.seed},
                      {"passed", passed},
@@ -157,16 +167,19 @@ class DevSession {
                      {"difference", nullptr},
                      {"errors", Json::array()},
                      {"message", record.result.message}};
+
     print_errors_of(scenario, settings, record, document);
     print_end(record);
     for (const std::string& failure : failures) {
       if (!is_consequence(failure, record)) print("      {}\n", failure);
     }
+
     LastRun& last = last_[scenario.name];
     if (record.result.valid()) {
       print_difference(scenario, record, document);
       last.text_log = record.text_log;
     }
+
     last.passed = passed;
     return document;
   }
@@ -191,8 +204,10 @@ class DevSession {
   void print_end(const RunRecord& record) const {
     if (record.result.valid()) return;
     print("      {}\n", record.result.message);
+
     const bool has_error = record.errors[0] || record.errors[1];
     if (!record.result.failure || has_error) return;
+
     constexpr std::size_t kLines = 10;
     const auto& output = record.result.failure->output;
     for (std::size_t i = output.size() - std::min(output.size(), kLines); i < output.size(); ++i) {
@@ -203,19 +218,24 @@ class DevSession {
   void print_difference(const Scenario& scenario, const RunRecord& record, Json& document) const {
     const auto last = last_.find(scenario.name);
     if (last == last_.end() || last->second.text_log.empty()) return;
+
     const soccer::Side side = scenario.under_test.value_or(soccer::Side::kLeft);
     const auto difference =
         compare_commands(last->second.text_log, record.text_log, soccer::side_name(side));
+
     if (!difference) {
       print("      the same commands as before\n");
       return;
     }
+
     const auto shown = [](const std::string& commands) {
       return commands.empty() ? std::string("nothing") : commands;
     };
+
     print("      first difference: cycle {}, {}: {}, before {}\n", difference->cycle,
           difference->agent, shown(difference->now), shown(difference->before));
     print("      {} of {} decisions differ\n", difference->differ, difference->total);
+
     document["difference"] = {{"cycle", difference->cycle},   {"agent", difference->agent},
                               {"before", difference->before}, {"now", difference->now},
                               {"differ", difference->differ}, {"total", difference->total}};
@@ -227,13 +247,16 @@ class DevSession {
                        const RunRecord& record, Json& document) const {
     using orchestration::match::kLeftErrorFile;
     using orchestration::match::kRightErrorFile;
+
     for (const soccer::Side side : {soccer::Side::kLeft, soccer::Side::kRight}) {
       const bool left = side == soccer::Side::kLeft;
       const auto& error = record.errors.at(left ? 0 : 1);
       if (!error) continue;
+
       print("      {}\n", error->describe());
       const fs::path file =
           fs::path(arguments_.folder) / scenario.name / (left ? kLeftErrorFile : kRightErrorFile);
+
       recording::RecordingHeader header;
       header.set_seed(settings.seed);
       header.set_left_name("left");
@@ -246,6 +269,7 @@ class DevSession {
               orchestration::process::shell_quoted(file.string()),
               orchestration::process::shell_quoted(endpoint.text));
       }
+
       document["errors"].push_back({{"side", soccer::side_name(side)},
                                     {"text", error->describe()},
                                     {"recording", written ? Json(file.string()) : Json(nullptr)}});
@@ -273,6 +297,7 @@ std::vector<std::string> wait_for_change(const fs::path& folder, FileVersions& v
     versions = std::move(seen);
     return changed;
   }
+
   return {};
 }
 
@@ -280,6 +305,7 @@ int run(Arguments& arguments) {
   if (const auto why = base::why_no_folder(arguments.watched)) {
     return print_error(kNoInput, fmt::format("--watch: {}: {}", arguments.watched, *why));
   }
+
   if (arguments.scenarios.empty()) {
     if (base::why_no_folder("tests")) {
       return print_error(kNoInput,
@@ -288,27 +314,34 @@ int run(Arguments& arguments) {
     }
     arguments.scenarios = {"tests"};
   }
+
   if (!arguments.against.empty()) {
     std::string name;
     if (const int code = resolve_team_name(arguments.against, name, ""); code != kOk) return code;
     const auto side = parse_side(arguments.against, "");
     if (!side) return print_error(kUsage, "--against: " + side.error().message);
   }
+
   auto host = orchestration::process::ProcessHost::create();
   if (!host) return print_error(kInternalError, host.error().message);
+
   const std::atomic<int>& signal = watch_interrupts();
   DevSession session(arguments, *host, signal);
+
   std::vector<std::string> changed;
   while (signal.load() == 0) {
     FileVersions versions = file_versions(arguments.watched);
     session.play(changed);
+
     if (signal.load() != 0) break;
     if (!arguments.json) {
       fmt::print("watching {} (Ctrl-C ends)\n", arguments.watched);
       std::fflush(stdout);
     }
+
     changed = wait_for_change(arguments.watched, versions, signal);
   }
+
   return signal_exit_code(signal);
 }
 
@@ -319,12 +352,14 @@ void add_dev_command(Command& app) {
   Command& command = app.command("dev", kDescription);
   command.group = kPlayCommands;
   command.starts_programs = true;
+
   command.option("SCENARIO", arguments->scenarios, "names, files or folders (default: tests/)");
   command.option("--against", arguments->against,
                  "SIDE that plays the side under test (default: as the scenario says)");
   command.option("--watch", arguments->watched, "folder whose files count (default: .)")
       .placeholder("DIR");
   command.option("--dir", arguments->folder, "folder of logs and recordings").shows_default();
+
   command.flag("--json", arguments->json, "print one line of JSON per round");
   command.run = [arguments] { return run(*arguments); };
 }

@@ -33,6 +33,7 @@ std::set<std::string> ignored_names(const fs::path& folder) {
 bool is_own_output(const fs::path& file) {
   struct stat found {};
   if (::stat(file.c_str(), &found) != 0) return false;
+
   for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
     struct stat output {};
     if (::fstat(stream, &output) == 0 && output.st_dev == found.st_dev &&
@@ -48,16 +49,19 @@ bool is_own_output(const fs::path& file) {
 FileVersions file_versions(const fs::path& folder) {
   FileVersions files;
   const std::set<std::string> ignored = ignored_names(folder);
+
   std::error_code code;
   fs::recursive_directory_iterator entry(folder, code);
   for (; !code && entry != fs::recursive_directory_iterator(); entry.increment(code)) {
     const std::string name = entry->path().filename().string();
     const std::string path = entry->path().lexically_relative(folder).string();
+
     std::error_code failed;
     if (name.starts_with(".") || ignored.contains(name) || ignored.contains(path)) {
       if (entry->is_directory(failed)) entry.disable_recursion_pending();
       continue;
     }
+
     if (!entry->is_regular_file(failed) || is_own_output(entry->path())) continue;
     const auto time = entry->last_write_time(failed);
     const auto size = entry->file_size(failed);
@@ -75,6 +79,7 @@ std::vector<std::string> changed_files(const FileVersions& before, const FileVer
   for (const auto& [path, version] : before) {
     if (!now.contains(path)) changed.push_back(path);
   }
+
   std::sort(changed.begin(), changed.end());
   return changed;
 }

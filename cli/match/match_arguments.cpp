@@ -28,21 +28,25 @@ using orchestration::tournament::ParsedConfig;
 
 void add_match_options(Command& command, MatchArguments& arguments) {
   for (const MatchOption& row : match_options()) add_match_option(command, row);
+
   command.flag("--force", arguments.force,
                "rename an existing --dir, --record-rpc or --save-at file to NAME.old");
   command.option("--config", arguments.config_file,
                  "cls.toml with teams and settings (default: for the name of a team, the one in "
                  "or above the working directory)");
+
   command.option("--set", arguments.settings, "server::NAME=VALUE, repeatable").repeatable();
   command.flag("--dry-run", arguments.dry_run, "print the commands without starting anything");
   command.flag("--step", arguments.step,
                "wait for a line on stdin before each cycle (see docs/testing.md)");
+
   command.option("--at", arguments.at, "--step, starting at this game time").from(0);
   command.flag("--watch", arguments.watch,
                "serve a page that shows the match while it is played, and print its "
                "address (docs/watching.md)");
   command.flag("--open", arguments.open, "--watch, and open the page in the browser");
   add_linger_option(command, arguments.linger_s);
+
   command.flag("--json", arguments.json, "print only the result document");
   command.flag("--strict", arguments.strict, "fail (exit 1) on any warning");
   command.flag("--quiet", arguments.quiet, "print no progress and no warnings");
@@ -54,6 +58,7 @@ namespace {
 std::vector<std::string> resolve(MatchArguments& arguments) {
   std::vector<std::string> errors;
   MatchOptions& options = arguments.options;
+
   const auto read_side = [&](const std::string& text, orchestration::match::Endpoint& endpoint) {
     const auto parsed = parse_side(text, arguments.config_file);
     if (parsed) {
@@ -62,6 +67,7 @@ std::vector<std::string> resolve(MatchArguments& arguments) {
       errors.push_back(parsed.error().message);
     }
   };
+
   read_side(arguments.left, options.left);
   read_side(arguments.right, options.right);
   for (std::string& error : set_options(options, arguments.texts)) {
@@ -71,12 +77,14 @@ std::vector<std::string> resolve(MatchArguments& arguments) {
     const auto applied = apply_match_setting(options, setting);
     if (!applied) errors.push_back("--set: " + applied.error().message);
   }
+
   options.replace = arguments.force;
   options.command_line = command_line();
   if (options.pin) {
     const auto pinned = pin_sides(options);
     if (!pinned) errors.push_back(pinned.error().message);
   }
+
   options.step = arguments.step || arguments.at;
   for (std::string& error : validate_options(options)) errors.push_back(std::move(error));
   return errors;
@@ -93,12 +101,14 @@ ResolvedNames resolve_names(MatchArguments& arguments) {
   const bool names_given = texts.contains("left_name") || texts.contains("right_name");
   std::string names[2];
   ResolvedNames resolved;
+
   const auto resolve = [&](std::string& side, std::string& name) {
     const std::string written = side;
     const int code = resolve_team_name(side, name, arguments.config_file);
     if (resolved.exit_code == kOk) resolved.exit_code = code;
     resolved.any = resolved.any || side != written;
   };
+
   resolve(arguments.left, names[0]);
   for (const MatchOption& row : match_options()) {
     std::string name_of_side;
@@ -129,6 +139,7 @@ void note_options(const Command& command, MatchArguments& arguments) {
     arguments.origins[side == std::string_view("LEFT") ? "left" : "right"] =
         fmt::format("argument {}", side);
   }
+
   for (const MatchOption& row : match_options()) {
     const std::string name = option_name(row.key);
     const Option& option = *find_option(command, name);
@@ -137,9 +148,11 @@ void note_options(const Command& command, MatchArguments& arguments) {
     arguments.origins[shown_row(row)] =
         option.from_environment ? "environment " + option.environment : "option " + name;
   }
+
   if (arguments.texts.contains("no_deadline")) {
     arguments.origins["rpc_deadline"] = "option --no-deadline";
   }
+
   for (const std::string& setting : arguments.settings) {
     arguments.origins[setting.substr(0, setting.find('='))] = "option --set";
   }
@@ -173,6 +186,7 @@ int take_config(const ParsedConfig& parsed, const fs::path& file, MatchArguments
     arguments.texts[std::string(row.key)] =
         row.key == "server" ? server_from(parsed.config.folder, text->second) : text->second;
   }
+
   if (claim("seed", "seed")) arguments.texts["seed"] = fmt::to_string(parsed.config.seed);
   return kOk;
 }
@@ -185,9 +199,11 @@ int read_config_file(MatchArguments& arguments, bool names_used) {
     if (found) file = *found;
   }
   if (file.empty()) return kOk;
+
   if (const auto why = base::why_no_file(file)) {
     return print_error(kNoInput, fmt::format("--config {}: {}", file.string(), *why));
   }
+
   const ParsedConfig parsed = orchestration::tournament::read_config(file);
   if (!parsed.errors.empty()) return print_errors(kBadConfig, parsed.errors);
   return take_config(parsed, file, arguments);
@@ -198,19 +214,24 @@ int resume(MatchArguments& arguments) {
   MatchOptions& options = arguments.options;
   const std::string file = options.resume.string();
   if (file.empty()) return kOk;
+
   if (arguments.texts.contains("half_time") || !arguments.settings.empty()) {
     return print_error(kUsage,
                        "--resume: the parameters are those of the saved match; no --set, no "
                        "--half-time");
   }
+
   if (const auto why = base::why_no_file(file)) {
     return print_error(kNoInput, fmt::format("--resume {}: {}", file, *why));
   }
+
   const auto match = orchestration::match::read_saved_match(file);
   if (!match) return print_error(kBadData, "--resume " + match.error().message);
+
   if (arguments.origins["seed"] != "option --seed") options.seed.reset();
   const auto resumed = orchestration::match::resume_from(*match, options);
   if (!resumed) return print_error(kBadData, "--resume: " + resumed.error().message);
+
   const std::vector<std::string> errors = validate_options(options);
   return errors.empty() ? kOk : print_errors(kUsage, errors);
 }
@@ -238,6 +259,7 @@ int resolve_match(const Command& command, MatchArguments& arguments) {
   const std::vector<std::string> errors = resolve(arguments);
   if (!errors.empty()) return print_errors(kUsage, errors);
   if (const int resumed = resume(arguments); resumed != kOk) return resumed;
+
   std::vector<orchestration::match::Endpoint*> sides = {&arguments.options.left,
                                                         &arguments.options.right};
   if (arguments.options.trainer) sides.push_back(&*arguments.options.trainer);
@@ -245,6 +267,7 @@ int resolve_match(const Command& command, MatchArguments& arguments) {
     if (const int read = read_side_files(*side); read != kOk) return read;
     if (const int read = read_tls_files(*side, arguments.options.tls); read != kOk) return read;
   }
+
   return kOk;
 }
 
@@ -252,15 +275,19 @@ std::vector<SettingRow> setting_rows(const MatchArguments& arguments) {
   const MatchOptions& options = arguments.options;
   std::vector<SettingRow> rows = {{"left", options.left.text, ""},
                                   {"right", options.right.text, ""}};
+
   for (const MatchOption& row : match_options()) {
     if (row.shown_as.empty()) rows.push_back({std::string(row.key), row.shown(options), ""});
   }
+
   add_parameters(rows, "server", server_params(options), soccer::server_param_table());
   add_parameters(rows, "player", options.player, soccer::player_param_table());
+
   for (SettingRow& row : rows) {
     const auto origin = arguments.origins.find(row.name);
     row.origin = origin == arguments.origins.end() ? "default" : origin->second;
   }
+
   return rows;
 }
 

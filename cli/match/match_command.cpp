@@ -64,6 +64,7 @@ class WatchedMatch : public ProgressLine {
 
   void on_folder(const std::filesystem::path& folder, const std::string& game_log) override {
     if (!arguments_.watch && !arguments_.open) return;
+
     LiveViewOptions options;
     options.open_browser = arguments_.open;
     options.linger_s = arguments_.linger_s;
@@ -71,8 +72,10 @@ class WatchedMatch : public ProgressLine {
         {viewer::follow_log(folder / game_log, [this] { return over_.load(); }),
          folder / orchestration::match::kTextLogFile, folder.filename().string(), folder},
         options);
+
     if (!view) return on_warning(view.error().message);
     view_ = *std::move(view);
+
     // Prints the address also with --quiet: without it the page is of no use.
     clear();
     fmt::print(stderr, "{}", message_line(fmt::format("watch {}", view_->url())));
@@ -125,11 +128,13 @@ void print_last_output(const orchestration::match::ProcessFailure& failure) {
 int print_dry_run(const MatchArguments& arguments) {
   const auto text = orchestration::match::dry_run(arguments.options);
   if (!text) return print_error(kUnavailable, text.error().message);
+
   if (arguments.json) {
     const nlohmann::ordered_json document = {{"schema", "cls.dry-run/1"}, {"script", *text}};
     fmt::print("{}", base::json_document(document));
     return kOk;
   }
+
   fmt::print("{}", *text);
   for (const SettingRow& row : setting_rows(arguments)) {
     if (row.origin == "default") continue;
@@ -152,20 +157,24 @@ int run_match_command(const Command& command, MatchArguments& arguments) {
                        "--watch: the page shows the game log, which server::game_logging "
                        "switches off");
   }
+
   if (arguments.dry_run) return print_dry_run(arguments);
   // A match without its programs leaves nothing in runs/.
   if (arguments.options.folder.empty()) {
     const auto plan = orchestration::match::dry_run(arguments.options);
     if (!plan) return print_error(kUnavailable, plan.error().message);
   }
+
   const bool live = stderr_is_terminal() && !arguments.quiet && !arguments.step && !arguments.at;
   WatchedMatch progress(live, arguments);
+
   const std::atomic<int>& signal = watch_interrupts();
   MatchStepper stepper(arguments.at.value_or(0), STDIN_FILENO, signal);
   const bool steps = arguments.step || arguments.at;
   const auto result = run_match(arguments.options, progress, signal, steps ? &stepper : nullptr);
   progress.clear();
   if (!result) return print_error(kCannotCreate, result.error().message);
+
   if (result->end_reason == EndReason::kInterrupted) {
     print_interrupted(*result);
   } else if (!result->message.empty()) {
@@ -173,13 +182,16 @@ int run_match_command(const Command& command, MatchArguments& arguments) {
   }
   if (result->failure) print_last_output(*result->failure);
   if (!result->write_error.empty()) print_error(0, result->write_error);
+
   if (arguments.json) {
     fmt::print("{}", to_json(*result));
   } else {
     fmt::print("{}", match_report(*result, stdout_supports_color()));
   }
+
   std::fflush(stdout);
   progress.serve_the_end(signal);
+
   const int exit_code = exit_code_of(*result);
   if (!arguments.strict || exit_code != kOk || result->warnings.empty()) return exit_code;
   return print_error(kFailed, base::counted(result->warnings.size(), "warning") + " (--strict)");
@@ -190,10 +202,12 @@ int run_match_command(const Command& command, MatchArguments& arguments) {
 void add_match_command(Command& app) {
   const auto arguments = std::make_shared<MatchArguments>();
   Command& command = app.command("match", kDescription);
+
   command.group = kPlayCommands;
   command.starts_programs = true;
   command.option("LEFT", arguments->left, "SIDE on the left").required();
   command.option("RIGHT", arguments->right, "SIDE on the right").required();
+
   add_match_options(command, *arguments);
   command.run = [arguments, &command] { return run_match_command(command, *arguments); };
 }

@@ -46,6 +46,7 @@ std::string latency(const TeamResult& team, double orchestration::match::RpcLate
     for (const PlayerResult& player : team.players) values.push_back(player.rpc_us.*which);
     return worst ? *std::max_element(values.begin(), values.end()) : base::median(values);
   };
+
   if (team.players.empty()) return "-";
   return fmt::format("{:.0f} / {:.0f} us", figure(first), figure(second));
 }
@@ -81,10 +82,12 @@ class Rows {
 std::string score_line(const MatchResult& result) {
   std::string line = fmt::format("{} {} : {} {}", result.left.name, result.left.score,
                                  result.right.score, result.right.name);
+
   if (result.left.penalty_score && result.right.penalty_score) {
     line += fmt::format(" ({} : {} on penalties)", *result.left.penalty_score,
                         *result.right.penalty_score);
   }
+
   return line;
 }
 
@@ -97,6 +100,7 @@ std::string goals_line(const MatchResult& result) {
     if (goal.unum > 0) fmt::format_to(std::back_inserter(line), " {}", goal.unum);
     line += &goal == &result.goals.back() ? "\n" : ",";
   }
+
   return line;
 }
 
@@ -121,11 +125,13 @@ std::int64_t actions(const TeamResult& team, std::string_view outcome) {
 // Requested actions by outcome; those that no proxy can execute only if there were any.
 void add_actions(Rows& rows, const MatchResult& result) {
   rows.add("actions executed", [](const TeamResult& team) { return actions(team, "executed"); });
+
   const auto rest = [](const TeamResult& team) {
     if (team.players.empty()) return std::string("-");
     return fmt::format("{}, {}", actions(team, "failed"), actions(team, "skipped"));
   };
   rows.add("failed, skipped", rest(result.left), rest(result.right));
+
   const auto wrong = [](const TeamResult& team) {
     return actions(team, "invalid") + actions(team, "unimplemented");
   };
@@ -146,6 +152,7 @@ void add_losses(Rows& rows) {
   const std::pair<const char*, Count> losses[] = {{"undecided cycles", &PlayerResult::undecided},
                                                   {"late commands", &PlayerResult::lost_commands},
                                                   {"late wake-ups", &PlayerResult::late_wakeups}};
+
   for (const auto& [label, count] : losses) {
     rows.add(label, [count = count](const TeamResult& team) {
       return total(team, [count](const PlayerResult& player) { return player.*count; });
@@ -160,6 +167,7 @@ std::string server_line(const MatchResult& result) {
   line += fmt::format(", missed cycles: {}", result.server_missed_cycles);
   if (result.server_cpu_seconds)
     line += fmt::format(", {:.2f} s of CPU", *result.server_cpu_seconds);
+
   return line + "\n";
 }
 
@@ -167,23 +175,28 @@ std::string figures(const MatchResult& result) {
   Rows rows(result);
   rows.add("", result.left.name, result.right.name);
   rows.add("playmaker", shortened(result.left.endpoint), shortened(result.right.endpoint));
+
   rows.add("decisions", [](const TeamResult& team) {
     return total(team, [](const PlayerResult& player) { return player.decisions; });
   });
   rows.add("missed (late)", missed(result.left), missed(result.right));
   add_reconnects(rows, result);
+
   using Latency = orchestration::match::RpcLatency;
   rows.add("rpc p50 / p95", latency(result.left, &Latency::p50, &Latency::p95, false),
            latency(result.right, &Latency::p50, &Latency::p95, false));
   rows.add("rpc worst p99 / max", latency(result.left, &Latency::p99, &Latency::max, true),
            latency(result.right, &Latency::p99, &Latency::max, true));
+
   add_actions(rows, result);
   for (const char* kind : {"kick", "dash", "turn", "tackle", "catch"}) {
     rows.add(kind, [kind](const TeamResult& team) { return commands(team, kind); });
   }
   if (result.mode != "lockstep") add_losses(rows);
+
   rows.add("cpu seconds", fmt::format("{:.2f}", result.left.cpu_seconds),
            fmt::format("{:.2f}", result.right.cpu_seconds));
+
   return rows.take();
 }
 
@@ -198,23 +211,27 @@ std::string parts(const TeamResult& team) {
         base::counted(part.decisions, "decision"), part.missed, part.rpc_us.p50, part.rpc_us.p99,
         part.cpu_seconds);
   }
+
   return text.empty() ? text : text + "\n";
 }
 
 // What a side's Playmaker answered with an error, and how to ask it again.
 std::string errors(const MatchResult& result, const TeamResult& team) {
   if (!team.errors.first) return {};
+
   const auto& first = *team.errors.first;
   std::string text =
       fmt::format("  {}: {}, the first at cycle {} ({}, {})\n    {}\n", team.name,
                   base::counted(team.errors.count, "RPC error"), first.cycle, first.rpc,
                   proxy::agent_name(first.unum),
                   base::wrap_text(first.status + ": " + first.message, kLineWidth, 4));
+
   if (!first.recording.empty()) {
     fmt::format_to(std::back_inserter(text), "    try again: cls test --replay {} {}\n",
                    orchestration::process::shell_quoted(result.folder + "/" + first.recording),
                    orchestration::process::shell_quoted(team.endpoint));
   }
+
   return text;
 }
 
@@ -223,9 +240,11 @@ std::string exceptions(const MatchResult& result) {
   std::string text;
   for (const auto& process : result.processes) {
     if (process.exception.empty()) continue;
+
     if (!is_reported(result, process.exception)) {
       text += "  " + base::wrap_text(process.name + ": " + process.exception, kLineWidth, 2) + "\n";
     }
+
     fmt::format_to(std::back_inserter(text), "    output is in {}/{}\n", result.folder,
                    process.log);
   }
@@ -243,21 +262,25 @@ std::string refusal(const MatchResult& result) {
 
 std::string match_report(const MatchResult& result, bool color) {
   if (!result.valid() && result.steps == 0) return refusal(result);
+
   const std::string score = score_line(result);
   std::string text = color ? fmt::format("\x1b[1m{}\x1b[0m\n", score) : score + "\n";
   if (!result.valid()) {
     fmt::format_to(std::back_inserter(text), "  invalid match: {} at cycle {}\n  {}\n",
                    name(result.end_reason), result.cycles, troubleshooting_hint(result.end_reason));
   }
+
   text += goals_line(result);
   text += errors(result, result.left) + errors(result, result.right) + exceptions(result);
   text += "\n" + figures(result) + "\n" + parts(result.left) + parts(result.right);
+
   fmt::format_to(std::back_inserter(text),
                  "  {} cycles in {:.1f} s ({:.0f} cycles/s), {}, seed {}{}\n", result.cycles,
                  result.wall_seconds, result.cycles_per_second, result.mode, result.seed,
                  result.deterministic ? "" : ", not deterministic");
   if (result.speed) text += fmt::format("  {}\n", describe(*result.speed));
   if (result.mode != "lockstep") text += server_line(result);
+
   fmt::format_to(std::back_inserter(text), "  {}/\n", result.folder);
   return text;
 }

@@ -23,8 +23,10 @@ bool MatchStepper::read_line(std::string& line) {
       pending_.erase(0, end + 1);
       return true;
     }
+
     pollfd wait{input_, POLLIN, 0};
     if (poll(&wait, 1, kPollIntervalMs) <= 0) continue;
+
     std::array<char, 256> bytes;
     const ssize_t count = read(input_, bytes.data(), bytes.size());
     if (count <= 0) return false;
@@ -36,6 +38,7 @@ bool MatchStepper::read_line(std::string& line) {
 void MatchStepper::execute(const std::string& line) {
   waiting_ = false;
   int cycles = 1;
+
   if (line == "q") {
     quit_ = true;
   } else if (line == "c") {
@@ -44,6 +47,7 @@ void MatchStepper::execute(const std::string& line) {
     cycles = base::parse_int(line).value_or(0);
     waiting_ = cycles < 1;
   }
+
   if (waiting_) {
     fmt::print(stderr, "Enter: one cycle; N: N cycles; c: continue; q: quit\n");
   } else {
@@ -53,10 +57,12 @@ void MatchStepper::execute(const std::string& line) {
 
 void MatchStepper::before_decisions(const orchestration::match::MatchView& view) {
   if (continue_ || quit_ || view.progress.cycle < first_) return;
+
   if (skip_ > 0) {
     --skip_;
     return;
   }
+
   waiting_ = true;
   while (waiting_) {
     const orchestration::match::MatchProgress& progress = view.progress;
@@ -65,6 +71,7 @@ void MatchStepper::before_decisions(const orchestration::match::MatchView& view)
                progress.left_score, progress.right_score,
                view.ball ? fmt::format("ball ({:.2f}, {:.2f})  ", view.ball->x, view.ball->y) : "");
     std::fflush(stderr);
+
     std::string line;
     if (read_line(line)) {
       execute(line);

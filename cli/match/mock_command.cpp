@@ -68,6 +68,7 @@ void add_fault_options(Command& command, Arguments& arguments) {
                               const std::string& help) -> Option& {
     return command.option(name, member, help).of_group("Faults");
   };
+
   add("--delay", faults.delay_ms, "delay of each decision in ms").from(0);
   add("--jitter", faults.jitter_ms, "maximum random extra delay in ms").from(0);
   add("--drop", faults.drop, "fraction of decisions without a reply").range(0, 1);
@@ -76,6 +77,7 @@ void add_fault_options(Command& command, Arguments& arguments) {
   add("--message", faults.message, "message of --error (default: injected error)");
   add("--garbage", faults.garbage, "fraction of replies with invalid bytes").range(0, 1);
   add("--oversize", faults.oversize, "fraction of replies of 5 MiB").range(0, 1);
+
   add("--crash-at-cycle", faults.crash_at_cycle, "crash at the first request of this cycle")
       .from(0);
   add("--hang-at-cycle", faults.hang_at_cycle, "stop replying at this cycle").from(0);
@@ -84,17 +86,20 @@ void add_fault_options(Command& command, Arguments& arguments) {
   add("--restart-after", arguments.restart_after_ms, "downtime of the restart in ms")
       .from(0)
       .shows_default();
+
   command.flag("--wrong-client-id", faults.wrong_client_id, "give all clients the same client id")
       .of_group("Faults");
   add("--unimplemented", arguments.unimplemented, "comma-separated RPCs that are not implemented")
       .split_at(',');
   command.flag("--full-states", faults.full_states, "no LEAN_STATES in one call per team")
       .of_group("Faults");
+
   add("--slow-start", arguments.slow_start_s, "seconds before listening").from(0);
   add("--fault-cycles", arguments.only_cycles, "FROM TO: delays and fractions only in these cycles")
       .takes(2);
   add("--fault-unum", faults.unums, "delays and fractions only for these uniform numbers")
       .split_at(',');
+
   add("--fault-seed", faults.seed, "random seed of the faults").shows_default();
 }
 
@@ -105,6 +110,7 @@ std::optional<std::string> resolve_faults(const Arguments& arguments, Faults& fa
   const auto merge = [&](auto member) {
     if (flags.*member != stock.*member) faults.*member = flags.*member;
   };
+
   for (const auto member : {&Faults::delay_ms, &Faults::jitter_ms}) merge(member);
   for (const auto member : {&Faults::drop, &Faults::error, &Faults::garbage, &Faults::oversize}) {
     merge(member);
@@ -113,15 +119,18 @@ std::optional<std::string> resolve_faults(const Arguments& arguments, Faults& fa
        {&Faults::crash_at_cycle, &Faults::hang_at_cycle, &Faults::restart_at_cycle}) {
     merge(member);
   }
+
   merge(&Faults::status);
   merge(&Faults::message);
   merge(&Faults::wrong_client_id);
   merge(&Faults::full_states);
   merge(&Faults::unums);
   merge(&Faults::seed);
+
   if (const auto code = mock_server::status_code(faults.status); !code) {
     return "--status: " + code.error().message;
   }
+
   for (const std::string& name : arguments.unimplemented) {
     const auto rpc = proto::rpc_from_name(name);
     if (!rpc) {
@@ -130,11 +139,13 @@ std::optional<std::string> resolve_faults(const Arguments& arguments, Faults& fa
     }
     faults.unimplemented.push_back(*rpc);
   }
+
   for (const int unum : flags.unums) {
     if (unum >= 1 && unum <= kMaxUnum) continue;
     return fmt::format("--fault-unum: {} is not a uniform number (1 to 11, 12 coach, 13 trainer)",
                        unum);
   }
+
   if (!arguments.only_cycles.empty()) {
     if (arguments.only_cycles[0] > arguments.only_cycles[1]) {
       return fmt::format("--fault-cycles: {} is after {}", arguments.only_cycles[0],
@@ -142,6 +153,7 @@ std::optional<std::string> resolve_faults(const Arguments& arguments, Faults& fa
     }
     faults.cycles = {arguments.only_cycles[0], arguments.only_cycles[1], 1};
   }
+
   return std::nullopt;
 }
 
@@ -164,12 +176,14 @@ class ServingProcess {
       mock.faults.crash_at_cycle = mock.faults.restart_at_cycle;
       mock.faults.restart_at_cycle.reset();
     }
+
     mock.die = [this, restarts] {
       if (!restarts) kill(getpid(), SIGKILL);
       const std::lock_guard lock(mutex_);
       restart_due_ = true;
       due_.notify_one();
     };
+
     TRY_INIT(auto server, Server::start(std::move(mock), arguments_.host, port()));
     server_ = std::move(server);
     port_ = server_->port();
@@ -187,11 +201,13 @@ class ServingProcess {
   base::Result<void> restart(Mock mock, const std::atomic<int>& signal) {
     server_.reset();
     wait(milliseconds(arguments_.restart_after_ms), signal);
+
     mock.faults.crash_at_cycle.reset();
     mock.faults.restart_at_cycle = 0;
     mock.faults.restart_cycles = 0;
     TRY_INIT(auto server, Server::start(std::move(mock), arguments_.host, port()));
     server_ = std::move(server);
+
     const std::lock_guard lock(mutex_);
     restart_due_ = false;
     return {};
@@ -221,23 +237,28 @@ base::Result<Mock> make(const Arguments& arguments, Failure& failure) {
     failure.code = kNoInput;
     return base::Error{fmt::format("{}: {}", arguments.behavior, *absence)};
   }
+
   auto mock = mock_server::make_mock(arguments.behavior);
   if (!mock) {
     failure.code = mock_server::is_script_name(arguments.behavior) ? kBadData : kUsage;
     return mock.error();
   }
+
   if (const auto error = resolve_faults(arguments, mock->faults)) {
     failure.code = kUsage;
     return base::Error{*error};
   }
+
   return mock;
 }
 
 // A host of others, or a port that is taken, with its owner.
 Failure why_not_listening(const Arguments& arguments, const std::string& error) {
   using orchestration::process::Protocol;
+
   const std::string host = orchestration::process::unusable_host(arguments.host);
   if (!host.empty()) return {fmt::format("--host '{}': {}", arguments.host, host), kUsage};
+
   const std::string taken = orchestration::process::taken_port(Protocol::kTcp, {arguments.port});
   return {taken.empty() ? error : taken + "; --port 0 selects a free port", kTryAgain};
 }
@@ -255,16 +276,20 @@ int run_mock(const Arguments& arguments) {
   Failure failure;
   auto mock = make(arguments, failure);
   if (!mock) return print_error(failure.code, mock.error().message);
+
   const std::atomic<int>& signal = watch_interrupts();
   failure.code = kTryAgain;
   wait(milliseconds(static_cast<int>(arguments.slow_start_s * 1000.0)), signal);
   raise_descriptor_limit();
+
   const JsonStdout json(arguments.json);
   ServingProcess process(arguments);
+
   if (const auto started = process.start(*std::move(mock)); !started) {
     failure = why_not_listening(arguments, started.error().message);
     return print_error(failure.code, failure.message);
   }
+
   if (json.active()) {
     const nlohmann::ordered_json line = {{"schema", "cls.mock/1"},
                                          {"host", arguments.host},
@@ -272,8 +297,10 @@ int run_mock(const Arguments& arguments) {
                                          {"behavior", arguments.behavior}};
     json.print_line(base::json_line(line));
   }
+
   fmt::print("listening on {}:{}\n", arguments.host, process.port());
   std::fflush(stdout);
+
   while (signal.load() == 0) {
     if (!process.wait_restart_due(milliseconds(50))) continue;
     auto again = make(arguments, failure);
@@ -282,6 +309,7 @@ int run_mock(const Arguments& arguments) {
       return print_error(failure.code, back.error().message);
     }
   }
+
   const auto failed = process.server().failed_expectations();
   if (!failed.empty()) return print_errors(kFailed, failed);
   return signal_exit_code(signal);
@@ -293,6 +321,7 @@ void add_mock_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("mock", kDescription);
   command.group = kPartCommands;
+
   command
       .option("BEHAVIOR", arguments->behavior,
               "simple, planner, hold, random, random:SEED, replay:FILE or FILE.json")
@@ -301,8 +330,10 @@ void add_mock_command(Command& app) {
       .shows_default()
       .range(0, 65535);
   command.option("--host", arguments->host, "address to listen on").shows_default();
+
   command.flag("--json", arguments->json,
                "print host and port as one line of JSON; all else goes to stderr");
+
   add_fault_options(command, *arguments);
   command.run = [arguments] { return run_mock(*arguments); };
 }

@@ -87,6 +87,7 @@ void add_playmaker_options(Command& command, Arguments& arguments) {
   command.option("--playmaker", arguments.playmaker,
                  "HOST:PORT, HOST:PORT+step, tls:HOST:PORT or unix:PATH; replaces the next "
                  "three options");
+
   command.option("--rpc-host", options.playmaker.host, "host of the Playmaker").shows_default();
   command.option("--rpc-port", options.playmaker.port, "port of the Playmaker")
       .range(1, kMaxPort)
@@ -101,9 +102,11 @@ void add_playmaker_options(Command& command, Arguments& arguments) {
       .range(1, 3600);
   command.option("--rpc-deadline", arguments.deadline_ms, "deadline of an RPC in ms, if shorter")
       .above(0);
+
   add_match_option(command, "on_late", arguments.on_late);
   add_match_option(command, "batch", arguments.batch);
   add_tls_options(command, arguments.tls);
+
   command.option("--result", arguments.result_file, "write the result as JSON, per player, to FILE")
       .placeholder("FILE");
   command.option("--rpc-type", arguments.rpc_type, "RPC framework: grpc");
@@ -114,16 +117,19 @@ void add_options(Command& command, Arguments& arguments) {
   command.options.front().names = "--help";  // -h is the host
   options.playmaker.host = "localhost";
   options.playmaker.port = 50051;
+
   command.option("-h,--host", options.server_host,
                  "host of the soccer server (default: localhost)");
   command.option("-p,--port", options.server_port, "player port of the soccer server")
       .range(1, kMaxPort)
       .shows_default();
+
   command.option("-t,--teamname,--team_name", arguments.team_name, "name of the team")
       .shows_default();
   command.option("-n,--number", arguments.number, "number of players, goalie first")
       .shows_default()
       .range(1, soccer::kPlayersPerTeam);
+
   command
       .option("-u,--unum", arguments.unum,
               "only this uniform number; 1 is the goalie, 12 the coach")
@@ -133,19 +139,23 @@ void add_options(Command& command, Arguments& arguments) {
       .range(soccer::kMinProtocolVersion, soccer::kMaxProtocolVersion);
   command.flag("-r,--reconnect", options.team.reconnect,
                "reconnect as players that lost their connection");
+
   add_playmaker_options(command, arguments);
   command
       .option("--start-timeout", options.start_timeout_s,
               "seconds until the first response of server and Playmaker")
       .shows_default()
       .above(0);
+
   command.flag("--quiet", arguments.quiet, "print no progress and no warnings");
   command.flag("--json", arguments.json,
                "print side and players as one line of JSON; all else goes to stderr");
+
   command
       .option("-P,--coach-port", arguments.coach_port,
               "coach port of the soccer server (default: --port + 2)")
       .range(1, kMaxPort);
+
   command.flag("-C,--without-coach", arguments.without_coach, "connect only the players");
   command.flag("--coach", arguments.coach_only, "connect only the coach");
   command.flag("--trainer", arguments.trainer, "connect a trainer instead of the coach");
@@ -153,6 +163,7 @@ void add_options(Command& command, Arguments& arguments) {
       .option("--trainer-port", arguments.trainer_port,
               "trainer port of the soccer server (default: --port + 1)")
       .range(1, kMaxPort);
+
   command.option("-f,--formation", arguments.formation,
                  "folder with formations, see docs/formations.md (default: built-in)");
   command.option("--debug-log", options.team.debug_log,
@@ -165,6 +176,7 @@ void add_options(Command& command, Arguments& arguments) {
 int read_playmaker(Arguments& arguments) {
   if (arguments.playmaker.empty()) return kOk;
   auto endpoint = orchestration::match::parse_endpoint(arguments.playmaker);
+
   using Kind = orchestration::match::Endpoint::Kind;
   if (!endpoint || (endpoint->kind != Kind::kAddress && endpoint->kind != Kind::kUnixSocket)) {
     return print_error(
@@ -172,8 +184,10 @@ int read_playmaker(Arguments& arguments) {
                             "planner:FILE= may precede it",
                             arguments.playmaker));
   }
+
   if (const int code = read_tls_files(*endpoint, arguments.tls); code != kOk) return code;
   if (const int code = read_side_files(*endpoint); code != kOk) return code;
+
   arguments.options.playmaker = target_of(*endpoint);
   arguments.options.team.planner = endpoint->planner;
   return kOk;
@@ -192,13 +206,16 @@ void resolve_coach_ports(Arguments& arguments, std::vector<std::string>& errors)
   if (arguments.coach_only && arguments.trainer) {
     errors.push_back("--trainer excludes --coach");
   }
+
   // For a single player or a reconnect, the coach is connected already.
   const bool whole_team = arguments.unum == 0 && !options.team.reconnect;
   const bool coach =
       arguments.coach_only || (whole_team && !arguments.without_coach && !arguments.trainer);
+
   if (coach) {
     options.coach_port = arguments.coach_port != 0 ? arguments.coach_port : options.server_port + 2;
   }
+
   if (arguments.trainer) {
     options.trainer_port =
         arguments.trainer_port != 0 ? arguments.trainer_port : options.server_port + 1;
@@ -210,8 +227,10 @@ void check_hosts(StandaloneTeamOptions& options, std::vector<std::string>& error
   const std::string playmaker = options.playmaker.host;
   const std::string problem = playmaker.empty() ? "" : host_problem(playmaker);
   if (!problem.empty()) errors.push_back(fmt::format("--rpc-host '{}': {}", playmaker, problem));
+
   options.server_host = base::strip_brackets(options.server_host);
   if (base::parse_ip_address(options.server_host, options.server_port)) return;
+
   const std::string server = host_problem(options.server_host);
   if (!server.empty())
     errors.push_back(fmt::format("--host '{}': {}", options.server_host, server));
@@ -220,17 +239,21 @@ void check_hosts(StandaloneTeamOptions& options, std::vector<std::string>& error
 std::vector<std::string> resolve(Arguments& arguments) {
   std::vector<std::string> errors;
   StandaloneTeamOptions& options = arguments.options;
+
   const auto name = orchestration::match::check_team_name(arguments.team_name);
   if (name) {
     options.team.name = soccer::TeamName(*name);
   } else {
     errors.push_back(name.error().message);
   }
+
   if (arguments.rpc_type != "grpc") {
     errors.push_back(fmt::format("--rpc-type '{}': must be grpc", arguments.rpc_type));
   }
+
   check_hosts(options, errors);
   resolve_coach_ports(arguments, errors);
+
   if (!arguments.formation.empty()) {
     if (auto set = player::read_formations(arguments.formation)) {
       options.team.formations = std::move(*set);
@@ -238,28 +261,34 @@ std::vector<std::string> resolve(Arguments& arguments) {
       errors.push_back("--formation: " + set.error().message);
     }
   }
+
   if (!options.team.debug_log.empty()) {
     if (const auto why = base::why_no_folder(options.team.debug_log)) {
       errors.push_back(fmt::format("--debug-log '{}': {}", options.team.debug_log, *why));
     }
   }
+
   options.team.shared_playmaker = !options.playmaker.port_step;
   const int highest = options.playmaker.port + (options.playmaker.port_step ? kMaxPortStep : 0) +
                       (options.add_20_for_right ? kRightPortOffset : 0);
   if (highest > 65535) errors.push_back("--rpc-port: port plus step exceeds 65535");
+
   options.team.players = arguments.coach_only ? 0 : arguments.unum != 0 ? 1 : arguments.number;
   options.team.first_unum = arguments.unum != 0 ? arguments.unum : 1;
   options.team.goalie = options.team.first_unum == 1;
+
   options.team.decision_timeout = std::chrono::seconds(arguments.timeout_s);
   if (arguments.deadline_ms) {
     options.team.decision_timeout =
         std::min(options.team.decision_timeout, proxy::RpcTimeout(*arguments.deadline_ms));
   }
+
   options.team.on_late = *proxy::parse_on_late(arguments.on_late);
   options.batch = *proxy::parse_batch_mode(arguments.batch);
   if (options.playmaker.port_step && options.batch == proxy::BatchMode::kRequired) {
     errors.push_back("--batch always: a Playmaker with a port per player gets single calls");
   }
+
   options.team.start_timeout = std::chrono::duration_cast<proxy::RpcTimeout>(
       std::chrono::duration<double>(options.start_timeout_s));
   return errors;
@@ -285,9 +314,11 @@ void print_ready(const proxy::Team& team) {
     who = fmt::format("players {} to {}", team.players().front()->unum(),
                       team.players().back()->unum());
   }
+
   if (team.coach() != nullptr) {
     who += fmt::format("{}{}", who.empty() ? "" : " and the ", team.coach()->role_name());
   }
+
   fmt::print("{} plays on the {} in {}, {}\n", team.name(), side_name(team.side()),
              team.synchronous() ? "synchronous mode" : "real time", who);
   std::fflush(stdout);
@@ -296,6 +327,7 @@ void print_ready(const proxy::Team& team) {
 std::string json_line(const proxy::Team& team) {
   std::vector<int> unums;
   for (const auto& player : team.players()) unums.push_back(player->unum());
+
   const nlohmann::ordered_json line = {{"schema", "cls.proxy-ready/1"},
                                        {"team", std::string(team.name())},
                                        {"side", side_name(team.side())},
@@ -314,6 +346,7 @@ orchestration::match::RpcLatency worst_latency(const StandaloneTeamResult& resul
     worst.p99 = std::max(worst.p99, player.rpc_us.p99);
     worst.max = std::max(worst.max, player.rpc_us.max);
   }
+
   return worst;
 }
 
@@ -324,6 +357,7 @@ void print_result(const Arguments& arguments, const StandaloneTeamResult& result
     for (const PlayerResult& player : result.players) sum += player.*count;
     return sum;
   };
+
   if (total(&PlayerResult::decisions) == 0) return;
   fmt::print(
       "{} on the {}: {} to {} at cycle {}; {} decisions, {} missed, {} undecided cycles, "
@@ -332,6 +366,7 @@ void print_result(const Arguments& arguments, const StandaloneTeamResult& result
       result.their_score, result.cycles, total(&PlayerResult::decisions),
       total(&PlayerResult::missed), total(&PlayerResult::undecided),
       total(&PlayerResult::lost_commands), total(&PlayerResult::late_wakeups));
+
   const orchestration::match::RpcLatency worst = worst_latency(result);
   fmt::print(
       "rpc latency of the slowest player: p50 {:.0f} p95 {:.0f} p99 {:.0f} max {:.0f} us; {} "
@@ -350,6 +385,7 @@ int run_proxy(Arguments& arguments) {
     if (json.active()) json.print_line(json_line(team));
     print_ready(team);
   };
+
   ProgressLine progress(stderr_is_terminal() && !arguments.quiet, arguments.quiet);
   const StandaloneTeamResult result =
       run_standalone_team(arguments.options, progress, watch_interrupts());
@@ -358,12 +394,15 @@ int run_proxy(Arguments& arguments) {
     print_error(0, result.message);
     fmt::print(stderr, "  {}\n", troubleshooting_hint(result.end_reason));
   }
+
   print_result(arguments, result);
+
   if (!arguments.result_file.empty()) {
     const auto written =
         base::write_file(arguments.result_file, to_json(arguments.options, result));
     if (!written) return print_error(kCannotCreate, written.error().message);
   }
+
   return exit_code_of(result);
 }
 
@@ -397,6 +436,7 @@ void add_proxy_command(Command& app) {
   command.group = kPartCommands;
   add_options(command, *arguments);
   add_ignored_options(command);
+
   command.run = [arguments, &command] {
     for (const std::string& option : given_ignored_options(command)) {
       if (!arguments->quiet) fmt::print(stderr, "cls: warning: {} has no effect\n", option);

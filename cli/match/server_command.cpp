@@ -71,10 +71,13 @@ base::Result<ServerSettings> read_settings(const Arguments& arguments,
                                            const std::vector<std::string>& texts, int& exit_code) {
   ServerSettings settings;
   exit_code = kBadConfig;
+
   TRY_INIT(const auto files, apply_folder(settings, orchestration::match::configuration_folder()));
   for (const auto& file : files) fmt::print("configuration: {}\n", file.string());
+
   exit_code = kUsage;
   TRY(apply_arguments(settings, texts));
+
   if (arguments.folder.empty()) return settings;
   // --dir: fixed names in that folder.
   soccer::ServerParams& server = settings.server;
@@ -91,9 +94,11 @@ UdpServerExit serve(UdpServer& server, const std::atomic<int>& signal) {
   std::atomic<bool> stop{false};
   std::promise<UdpServerExit> result;
   std::future<UdpServerExit> end = result.get_future();
+
   std::thread thread([&] { result.set_value(server.run(stop)); });
   while (end.wait_for(kPollInterval) != std::future_status::ready && signal.load() == 0) {
   }
+
   stop = true;
   thread.join();
   return end.get();
@@ -103,6 +108,7 @@ orchestration::match::ReportedTeam reported(const UdpServer& server, soccer::Sid
   const simulator::Team& team = server.world().team(side);
   orchestration::match::ReportedTeam report;
   report.coach = server.coach_name(side);
+
   report.name = team.name.view();
   report.score = team.score;
   report.penalties_taken = team.penalty_kicks;
@@ -113,11 +119,13 @@ orchestration::match::ReportedTeam reported(const UdpServer& server, soccer::Sid
 orchestration::match::ServerReport report_of(const UdpServer& server, std::time_t start) {
   orchestration::match::ServerReport report;
   report.start = start;
+
   report.left = reported(server, soccer::Side::kLeft);
   report.right = reported(server, soccer::Side::kRight);
   for (const auto side : {soccer::Side::kLeft, soccer::Side::kRight}) {
     if (server.world().team(side).won_coin_toss) report.coin_toss_winner = side;
   }
+
   return report;
 }
 
@@ -126,20 +134,25 @@ base::Result<void> save_csv(const std::string& file,
                             const orchestration::match::ServerReport& report) {
   std::error_code error;
   const bool is_new = !std::filesystem::exists(file, error);
+
   std::ofstream out(file, std::ios::app | std::ios::binary);
+
   if (is_new) out << orchestration::match::csv_header();
   out << csv_line(report) << std::flush;
+
   if (!out) return base::Error{fmt::format("{}: cannot write", file)};
   return {};
 }
 
 void print_times(const UdpServer& server) {
   const simulator::World& world = server.world();
+
   fmt::print("{} cycles", world.clock.time);
   if (world.params().synch_mode) {
     fmt::print(", {} of them missed by a client\n", server.missed_cycles());
     return;
   }
+
   const auto late = server.lateness();
   fmt::print("; step lateness: mean {:.2f} ms, p99 {:.1f} ms, max {:.1f} ms\n", late.mean_ms,
              late.p99_ms, late.worst_ms);
@@ -149,17 +162,21 @@ void print_times(const UdpServer& server) {
 base::Result<void> finish(const UdpServer& server, const ServerSettings& settings,
                           orchestration::match::ServerLogs& logs, std::time_t start) {
   const orchestration::match::ServerReport report = report_of(server, start);
+
   base::Result<void> saved;
   if (settings.save_csv) saved = save_csv(settings.csv_file, report);
   fmt::print("{}", console_report(report, settings.save_csv && saved));
   print_times(server);
+
   gamelog::Frame last;
   simulator::to_frame(server.world(), last);
+
   // In names of logs the coach name follows the team name.
   for (const auto side : {soccer::Side::kLeft, soccer::Side::kRight}) {
     const std::string& coach = server.coach_name(side);
     if (!coach.empty()) last.teams[side == soccer::Side::kRight ? 1 : 0].name += "_" + coach;
   }
+
   if (auto closed = logs.finish(last.teams); !closed) return closed;
   for (const auto& path : logs.paths()) fmt::print("log: {}\n", path.string());
   return saved;
@@ -170,6 +187,7 @@ int exit_code_of(UdpServerExit end, int signal) {
     fmt::print(stderr, "Waiting too long for clients! Exiting\n");
     return kFailed;
   }
+
   if (end == UdpServerExit::kFinished) return kOk;
   return signal_exit_code(signal);
 }
@@ -180,6 +198,7 @@ simulator::UdpConfig config_of(const Arguments& arguments, const ServerSettings&
   config.match.player = settings.player;
   config.match.seed = arguments.seed.value_or(std::random_device()());
   config.match.cycle_limit = arguments.cycles;
+
   // Clients and logs see the requested ports, as with server::port.
   soccer::ServerParams& params = config.match.server;
   if (arguments.port) {
@@ -187,12 +206,14 @@ simulator::UdpConfig config_of(const Arguments& arguments, const ServerSettings&
     params.coach_port = *arguments.port == 0 ? 0 : *arguments.port + 1;
     params.olcoach_port = *arguments.port == 0 ? 0 : *arguments.port + 2;
   }
+
   config.address = arguments.host;
   config.port = params.port;
   config.trainer_port = params.coach_port;
   config.coach_port = params.olcoach_port;
   config.max_wait = std::chrono::milliseconds(settings.max_wait_ms);
   config.max_missed = settings.max_missed;
+
   return config;
 }
 
@@ -214,6 +235,7 @@ void watch_hang_up() {
   struct sigaction now = {};
   sigaction(SIGHUP, nullptr, &now);
   if (now.sa_handler == SIG_IGN) return;
+
   struct sigaction interrupt = {};
   sigaction(SIGINT, nullptr, &interrupt);
   sigaction(SIGHUP, &interrupt, nullptr);
@@ -239,6 +261,7 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings,
   const std::atomic<int>& signal = watch_interrupts();
   watch_hang_up();
   const std::time_t start = std::time(nullptr);
+
   auto server = UdpServer::open(config);
   if (!server) {
     const std::string taken =
@@ -247,17 +270,22 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings,
     return print_error(kTryAgain, taken.empty() ? server.error().message
                                                 : taken + "; --port 0 selects free ports");
   }
+
   if (const std::string log = earlier_log(arguments.folder); !log.empty()) {
     return print_error(kCannotCreate, fmt::format("{}: exists; give --dir another folder", log));
   }
+
   auto logs = orchestration::match::ServerLogs::open(settings.server, start);
   if (!logs) return print_error(kCannotCreate, logs.error().message);
   (*server)->record(logs->sinks());
+
   std::optional<simulator::KeepawayRecorder> keepaway;
   if (logs->keepaway() != nullptr) keepaway.emplace(*logs->keepaway());
+
   const orchestration::match::ServerPorts ports = ports_of(**server);
   auto teams = orchestration::match::ServerTeams::create(settings.server, ports);
   if (!teams) return print_error(kInternalError, teams.error().message);
+
   ServerLines lines(**server);
   (*server)->on_step([&](const simulator::World& world) {
     lines.step(world);
@@ -266,6 +294,7 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings,
                 !world.team(soccer::Side::kLeft).name.empty());
   });
   (*server)->on_event([&lines](const simulator::UdpServerEvent& event) { lines.event(event); });
+
   if (json.active()) json.print_line(json_line(arguments, ports, config.match.seed));
   fmt::print(
       "listening on {}:{}, trainer {}, coaches {}\nSimulator Random Seed: {}\nHit CTRL-C to exit\n",
@@ -279,6 +308,7 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings,
     fmt::print("\nGame Over. Exiting...\n");
   }
   if (end == UdpServerExit::kStopped) fmt::print("\nServer Killed. Exiting...\n");
+
   const auto finished = finish(**server, settings, *logs, start);
   if (!finished) return print_error(kWriteFailed, finished.error().message);
   return exit_code_of(end, signal.load());
@@ -290,11 +320,13 @@ std::optional<std::string> mistyped_option(const std::vector<std::string>& texts
     return text.starts_with('-') && text.find("::") == std::string::npos &&
            text.find('=') == std::string::npos && !text.ends_with("help");
   };
+
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const bool is_value = i > 0 && texts[i - 1].ends_with('=');
     const bool has_value = i + 1 < texts.size() && texts[i + 1].starts_with('=');
     if (is_option(texts[i]) && !is_value && !has_value) return texts[i];
   }
+
   return std::nullopt;
 }
 
@@ -303,19 +335,23 @@ int run_server(const Arguments& arguments, const Command& command) {
   if (const auto option = mistyped_option(command.words)) {
     return print_error(kUsage, unknown_option(command, *option));
   }
+
   const JsonStdout json(arguments.json);
   const auto settings = read_settings(arguments, command.words, problem);
   if (!settings) return print_error(problem, settings.error().message);
+
   if (settings->help) {
     fmt::print("{}", help_text(command));
     return kOk;
   }
+
   const soccer::ServerParams& server = settings->server;
   if (server.game_logging && !gamelog::rcg_version(server.game_log_version)) {
     return print_error(kUsage,
                        fmt::format("server::game_log_version={}: must be 1 to 6, or -1 (JSON)",
                                    server.game_log_version));
   }
+
   const auto made = simulator::MatchServer::create(config_of(arguments, *settings).match);
   if (!made) return print_error(kUsage, made.error().message);
   return serve_match(arguments, *settings, json);
@@ -329,6 +365,7 @@ void add_server_command(Command& app) {
   command.group = kPartCommands;
   command.starts_programs = true;
   command.takes_any_words = true;  // the settings, in order
+
   command.option("--host", arguments->host, "address to listen on").shows_default();
   command
       .option(
@@ -336,13 +373,16 @@ void add_server_command(Command& app) {
           "player port; trainer and coach ports are the next two; 0 selects free ports (default: "
           "server::port, 6000)")
       .range(0, 65533);
+
   command.option("--seed", arguments->seed, "random seed of the match (default: random, printed)");
   command.option("--cycles", arguments->cycles, "end the match at this game time").above(0);
   command.option(
       "--dir", arguments->folder,
       "folder for match.rcg, match.rcl and match.kwy (default: rcssserver's folders and names)");
+
   command.flag("--json", arguments->json,
                "print host and ports as one line of JSON; all else goes to stderr");
+
   command.run = [arguments, &command] { return run_server(*arguments, command); };
 }
 

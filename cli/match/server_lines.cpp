@@ -54,6 +54,7 @@ void ServerLines::connected(const UdpServerEvent& event) {
   const World& world = server_.world();
   const ClientId client = event.client;
   const std::string version = fmt::format("(v{})", event.version);
+
   if (simulator::is_player(client)) {
     const auto slot = static_cast<std::size_t>(client);
     const std::string name = player_name(world, client);
@@ -95,9 +96,12 @@ void ServerLines::step(const World& world) {
     if (world.mode == PlayMode::kKickOffRight) fmt::print("Kick_off_right\n");
     std::fflush(stdout);
   }
+
   mode_ = world.mode;
+
   const soccer::ServerParams& params = world.params();
   if (!params.auto_mode) return;
+
   const simulator::AutoMode& now = world.auto_mode;
   const char* line = nullptr;
   if (mode_ == PlayMode::kTimeOver) {
@@ -109,7 +113,9 @@ void ServerLines::step(const World& world) {
   } else if (started(now.kick_off_wait, waits_.kick_off_wait, params.kick_off_wait)) {
     line = "Waiting to kick off\n";
   }
+
   waits_ = now;
+
   if (line == nullptr) return;
   fmt::print("{}", line);
   std::fflush(stdout);

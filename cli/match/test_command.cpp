@@ -96,8 +96,10 @@ std::optional<Failure> add_file(const std::string& name, std::vector<Scenario>& 
   if (const auto absence = base::absence(name)) {
     return Failure{kNoInput, fmt::format("{}: {}", name, *absence)};
   }
+
   auto read = orchestration::scenario::read_scenarios(name);
   if (!read) return Failure{kBadData, read.error().message};
+
   chosen.insert(chosen.end(), read->begin(), read->end());
   return std::nullopt;
 }
@@ -117,6 +119,7 @@ std::optional<Failure> add_named(const std::string& name, const std::vector<Scen
     }
     names.push_back(scenario.name);
   }
+
   if (!base::absence(name)) return add_file(name, chosen);
   return Failure{kNoInput,
                  fmt::format("unknown scenario '{}'{}", name, base::did_you_mean(name, names))};
@@ -130,6 +133,7 @@ std::optional<Failure> select_shard(const std::string& shard, std::vector<Scenar
   if (index < 1 || count < index) {
     return Failure{kUsage, fmt::format("--shard '{}': must be K/N, such as 1/4", shard)};
   }
+
   std::vector<Scenario> selected;
   for (int i = index - 1; i < std::ssize(scenarios); i += count) {
     selected.push_back(scenarios[static_cast<std::size_t>(i)]);
@@ -146,19 +150,23 @@ std::optional<Failure> choose(const Arguments& arguments, std::vector<Scenario>&
     if (!read) return Failure{kInternalError, read.error().message};
     shipped = *std::move(read);
   }
+
   if (arguments.scenarios.empty()) chosen = shipped;
   for (const std::string& argument : arguments.scenarios) {
     auto failure =
         is_path(argument) ? add_file(argument, chosen) : add_named(argument, shipped, chosen);
     if (failure) return failure;
   }
+
   const auto unwanted = [&](const Scenario& scenario) {
     return !matches(arguments.filter, scenario.name);
   };
   chosen.erase(std::remove_if(chosen.begin(), chosen.end(), unwanted), chosen.end());
+
   if (chosen.empty()) {
     return Failure{kUsage, fmt::format("--filter '{}': no scenario matches", arguments.filter)};
   }
+
   return arguments.shard.empty() ? std::nullopt : select_shard(arguments.shard, chosen);
 }
 
@@ -169,17 +177,22 @@ std::optional<Failure> resolve(const Arguments& arguments, SuiteOptions& options
   options.jobs = arguments.jobs;
   if (options.jobs == 0) options.jobs = static_cast<int>(std::thread::hardware_concurrency());
   options.jobs = std::max(options.jobs, 1);
+
   if (arguments.against.empty()) return std::nullopt;
   auto endpoint = orchestration::match::parse_endpoint(arguments.against);
   if (!endpoint) return Failure{kUsage, "--against: " + endpoint.error().message};
+
   int read = read_side_files(*endpoint);
   if (read == kOk) read = read_tls_files(*endpoint, arguments.tls);
   if (read != kOk) return Failure{static_cast<ExitCode>(read), ""};
+
   options.against = *std::move(endpoint);
   options.against_text = arguments.against;
+
   // A user's Playmaker need not support parallel matches.
   const bool shared = options.against->kind != orchestration::match::Endpoint::Kind::kMock;
   if (shared && arguments.jobs == 0) options.jobs = 1;
+
   return std::nullopt;
 }
 
@@ -193,9 +206,11 @@ int list(const std::vector<Scenario>& scenarios, bool json) {
     fmt::print("{}", base::json_document(document));
     return kOk;
   }
+
   for (const Scenario& scenario : scenarios) {
     fmt::print("{:<32} {}\n", scenario.name, scenario.about);
   }
+
   return kOk;
 }
 
@@ -207,6 +222,7 @@ std::vector<fs::path> changed_files(const fs::path& folder) {
     const fs::path path = folder / file.name;
     if (fs::exists(path, code) && base::read_file(path) != file.text) changed.push_back(path);
   }
+
   return changed;
 }
 
@@ -215,6 +231,7 @@ int export_to(const fs::path& folder, bool force, bool json) {
   if (const auto created = base::create_folders(folder); !created) {
     return print_error(kCannotCreate, created.error().message);
   }
+
   const std::vector<fs::path> changed = changed_files(folder);
   if (!changed.empty() && !force) {
     std::vector<std::string> errors;
@@ -224,17 +241,20 @@ int export_to(const fs::path& folder, bool force, bool json) {
     errors.emplace_back("nothing written; --force renames these files to NAME.old first");
     return print_errors(kCannotCreate, errors);
   }
+
   for (const fs::path& file : changed) {
     const auto kept = base::set_aside(file);
     if (!kept) return print_error(kCannotCreate, kept.error().message);
     fmt::print(stderr, "cls: {} renamed to {}\n", file.string(), kept->filename().string());
   }
+
   for (const orchestration::scenario::ShippedFile& file :
        orchestration::scenario::shipped_files()) {
     const auto written = base::write_file(folder / file.name, file.text);
     if (written) continue;
     return print_error(kCannotCreate, written.error().message);
   }
+
   const std::size_t count = orchestration::scenario::shipped_files().size();
   if (json) {
     const nlohmann::ordered_json document = {
@@ -243,6 +263,7 @@ int export_to(const fs::path& folder, bool force, bool json) {
   } else {
     fmt::print("{} files in {}\n", count, folder.string());
   }
+
   return kOk;
 }
 
@@ -267,15 +288,18 @@ int finish(const Arguments& arguments, const SuiteVerdict& suite, double seconds
   } else {
     fmt::print("{}", summary(suite, seconds, stdout_supports_color()));
   }
+
   const ExitCode reported = write_ci_reports(
       arguments.reports, {to_junit(suite), to_annotations(suite), to_markdown(suite)});
   if (reported != kOk) return reported;
+
   if (arguments.accept_golden) {
     const auto changed = accept_golden_values(suite);
     if (!changed) return print_error(kCannotCreate, changed.error().message);
     fmt::print(stderr, "{} golden values changed\n", *changed);
     return only_golden_failed(suite) ? kOk : kFailed;
   }
+
   if (!suite.passed()) return kFailed;
   const int skipped = suite.count(Verdict::kSkipped);
   if (!arguments.strict || skipped == 0) return kOk;
@@ -292,30 +316,37 @@ std::optional<Failure> resolve(const Arguments& arguments,
                                orchestration::match::ReplayOptions& options) {
   if (arguments.scenarios.size() != 1)
     return Failure{kUsage, "--replay FILE requires one ENDPOINT"};
+
   auto endpoint = orchestration::match::parse_endpoint(arguments.scenarios.front());
   if (!endpoint) return Failure{kUsage, endpoint.error().message};
   if (!endpoint->has_one_playmaker())
     return Failure{kUsage, "--replay requires one Playmaker, not team:DIR or mix:"};
+
   int read = read_side_files(*endpoint);
   if (read == kOk) read = read_tls_files(*endpoint, arguments.tls);
   if (read != kOk) return Failure{static_cast<ExitCode>(read), ""};
+
   options.endpoint = *std::move(endpoint);
   options.file = arguments.replay;
   options.folder = arguments.folder;
   if (const auto absence = base::absence(options.file)) {
     return Failure{kNoInput, fmt::format("{}: {}", options.file, *absence)};
   }
+
   if (options.endpoint.starts_programs()) {
     const auto created = base::create_folders(options.folder);
     if (!created) return Failure{kCannotCreate, created.error().message};
   }
+
   options.cycle = arguments.at;
   options.agent = arguments.player;
+
   if (arguments.side.empty()) return std::nullopt;
   options.side = soccer::parse_side(arguments.side);
   if (!options.side) {
     return Failure{kUsage, fmt::format("--side '{}': must be left or right", arguments.side)};
   }
+
   return std::nullopt;
 }
 
@@ -323,12 +354,14 @@ int run_replay(const Arguments& arguments) {
   constexpr std::size_t kShownDifferences = 20;
   orchestration::match::ReplayOptions options;
   if (const auto failure = resolve(arguments, options)) return report_failure(*failure);
+
   const std::atomic<int>& signal = watch_interrupts();
   const auto result = replay_recording(options, signal);
   if (!result) {
     const bool about_file = result.error().message.rfind(options.file, 0) == 0;
     return report_failure({about_file ? kBadData : kUnavailable, result.error().message});
   }
+
   fmt::print("{}", arguments.json ? to_json(*result) : to_text(*result, kShownDifferences));
   if (result->interrupted) return signal_exit_code(signal);
   return result->passed() ? kOk : kFailed;
@@ -341,6 +374,7 @@ void warn_without_sandbox(const std::vector<Scenario>& scenarios, const SuiteOpt
       std::any_of(scenarios.begin(), scenarios.end(), [&](const Scenario& scenario) {
         return std::any_of(scenario.sides.begin(), scenario.sides.end(), is_external);
       });
+
   const std::string missing = orchestration::match::missing_sandbox();
   if (!external || !options.sandbox || missing.empty()) return;
   print_error(kOk, "warning: " + missing);
@@ -354,12 +388,15 @@ int run_test_command(const Arguments& arguments) {
   if (!arguments.export_folder.empty()) {
     return export_to(arguments.export_folder, arguments.force, arguments.json);
   }
+
   std::vector<Scenario> scenarios;
   if (const auto failure = choose(arguments, scenarios)) return report_failure(*failure);
   if (arguments.list) return list(scenarios, arguments.json);
+
   SuiteOptions options;
   if (const auto failure = resolve(arguments, options)) return report_failure(*failure);
   warn_without_sandbox(scenarios, options);
+
   const bool color = !arguments.json && stdout_supports_color();
   const auto on_done = [&](const orchestration::scenario::ScenarioVerdict& verdict) {
     // The summary counts those that an interrupt cut off.
@@ -369,10 +406,12 @@ int run_test_command(const Arguments& arguments) {
     fmt::print(arguments.json ? stderr : stdout, "{}", to_text(verdict, color));
     std::fflush(arguments.json ? stderr : stdout);
   };
+
   const std::atomic<int>& signal = watch_interrupts();
   const auto start = std::chrono::steady_clock::now();
   const SuiteVerdict suite = run_suite(scenarios, options, on_done, signal);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+
   const int code = finish(arguments, suite, took.count());
   if (signal.load() != 0) return signal_exit_code(signal);
   return code;
@@ -385,7 +424,9 @@ void add_test_command(Command& app) {
   Command& command = app.command("test", kDescription);
   command.group = kPlayCommands;
   command.starts_programs = true;
+
   Arguments& a = *arguments;
+
   command.option("SCENARIO", a.scenarios,
                  "names, files or folders (default: all shipped scenarios)");
   command.option("--against", a.against, "SIDE that plays the side under test");
@@ -393,28 +434,34 @@ void add_test_command(Command& app) {
                  "only names that contain this text or match this pattern (*)");
   command.option("--seed", a.seed, "only this seed");
   command.option("--shard", a.shard, "K/N: play the K-th of N parts");
+
   command
       .option("--jobs", a.jobs,
               "parallel runs (default: processor cores; 1 with --against your Playmaker)")
       .range(1, 1000);
+
   add_ci_options(command, a.reports);
   command.flag("--json", a.json, "print only the result document");
+
   command.option("--dir", a.folder, "folder of failed runs").shows_default();
   command.flag("--accept", a.accept_golden, "accept current values as the new golden values");
   command.flag("--bless", a.accept_golden, "").of_group(kHidden);  // former name of --accept
   command.flag("--list", a.list, "list names and descriptions");
   command.option("--export", a.export_folder, "write the shipped scenarios to a folder");
   command.flag("--force", a.force, "with --export: rename changed files to NAME.old first");
+
   command.option("--replay", a.replay,
                  "send a recording of `cls match --record-rpc` to the Playmaker ENDPOINT");
   command.option("--side", a.side, "side of the recording for --replay: left or right");
   command.option("--at", a.at, "with --replay: only decisions of this cycle");
   command.option("--player", a.player, "with --replay: only calls of this player")
       .range(1, proto::kTrainerNumber);
+
   add_match_option(command, "sandbox", a.sandbox);
   add_tls_options(command, a.tls);
   command.flag("--strict", a.strict, "fail (exit 1) on any skipped scenario");
   command.flag("--quiet", a.quiet, "print only failures and the summary");
+
   command.run = [arguments] { return run_test_command(*arguments); };
 }
 

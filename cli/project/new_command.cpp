@@ -44,6 +44,7 @@ base::Result<void> write_project(const fs::path& folder, const std::vector<Proje
     if (auto created = base::create_folders(path.parent_path()); !created) return created;
     if (auto written = base::write_file(path, file.text); !written) return written;
   }
+
   std::error_code code;
   fs::permissions(folder / "run",
                   fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
@@ -61,6 +62,7 @@ void print(const Arguments& arguments, const std::string& dir,
     fmt::print("{}", base::json_document(document));
     return;
   }
+
   fmt::print(
       "{0}/: {1} files; README.md has the next steps:\n"
       "  cd {0}\n"
@@ -72,16 +74,20 @@ void print(const Arguments& arguments, const std::string& dir,
 int run(const Arguments& arguments) {
   const auto name = orchestration::match::check_team_name(arguments.name);
   if (!name) return print_error(kUsage, name.error().message);
+
   const auto files = project_files(arguments.language, arguments.name, arguments.team_template);
   if (!files) return print_error(kUsage, files.error().message);
+
   const std::string dir = arguments.dir.empty() ? arguments.name : arguments.dir;
   if (const std::string contents = base::contents_of(dir); !contents.empty()) {
     return print_error(kCannotCreate,
                        fmt::format("{}: has {}; select a new folder with --dir", dir, contents));
   }
+
   if (const auto written = write_project(dir, *files); !written) {
     return print_error(kCannotCreate, written.error().message);
   }
+
   print(arguments, dir, *files);
   return kOk;
 }
@@ -95,10 +101,12 @@ void add_new_command(Command& app) {
       .option("LANGUAGE", arguments->language,
               "python, javascript, typescript, go, java, rust or csharp")
       .required();
+
   command.option("NAME", arguments->name, "name of the team").required();
   command.option("--template", arguments->team_template,
                  "team, minimal, high-level or rl (default: team)");
   command.option("--dir", arguments->dir, "folder of the project (default: NAME)");
+
   command.flag("--json", arguments->json, "print one JSON document");
   command.run = [arguments] { return run(*arguments); };
 }

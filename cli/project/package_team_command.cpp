@@ -45,6 +45,7 @@ int report_unknown_team(const Arguments& arguments, const fs::path& file,
                         const TournamentConfig& config) {
   std::vector<std::string_view> teams;
   for (const TeamEntry& team : config.teams) teams.push_back(team.name);
+
   return print_error(kUsage, fmt::format("{} has no team '{}'{}", file.string(), arguments.name,
                                          base::did_you_mean(arguments.name, teams)));
 }
@@ -58,6 +59,7 @@ int write(const Arguments& arguments, const TeamPackage& package) {
   if (const auto written = write_package(package, dir); !written) {
     return print_error(kCannotCreate, written.error().message);
   }
+
   if (arguments.json) {
     const nlohmann::ordered_json document = {
         {"schema", "cls.package-team/1"}, {"dir", dir}, {"command", package.command}};
@@ -80,13 +82,16 @@ int run(const Arguments& arguments) {
     return print_error(kNoInput,
                        "no cls.toml in or above the working directory; cls init writes one");
   }
+
   if (const auto why = base::why_no_file(*file)) {
     return print_error(kNoInput, fmt::format("{}: {}", file->string(), *why));
   }
+
   const ParsedConfig parsed = read_config(*file);
   if (!parsed.errors.empty()) return print_errors(kBadConfig, parsed.errors);
   const int team = team_index(parsed.config, arguments.name);
   if (team < 0) return report_unknown_team(arguments, *file, parsed.config);
+
   const std::string& endpoint = parsed.config.teams[static_cast<std::size_t>(team)].endpoint;
   if (!endpoint.starts_with(kRunForm)) {
     return print_error(kUsage,
@@ -94,6 +99,7 @@ int run(const Arguments& arguments) {
                                    "the Playmaker",
                                    arguments.name, endpoint));
   }
+
   return write(arguments, {arguments.name, endpoint.substr(kRunForm.size()), parsed.config.folder,
                            "/proc/self/exe"});
 }
@@ -104,9 +110,11 @@ void add_package_team_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("package-team", kDescription);
   command.option("NAME", arguments->name, "a team of cls.toml").required();
+
   command.option("--dir", arguments->dir, "folder of the package (default: NAME-team)");
   command.option("--config", arguments->config,
                  "cls.toml with the team (default: in or above the working directory)");
+
   command.flag("--json", arguments->json, "print one JSON document");
   command.run = [arguments] { return run(*arguments); };
 }

@@ -81,15 +81,18 @@ std::optional<std::string> project_path(std::string_view name, const Language& l
     }
     return path;
   }
+
   if (const auto path = inside(name, "proto/")) return "proto/" + *path;
   if (const auto path = inside(name, "python/")) {
     if (language.folder != "python") return std::nullopt;
     return "package/" + *path;  // beside the program it would hide the generated modules
   }
+
   if (auto path = inside(name, fmt::format("examples/{}/", team_template))) {
     if (*path == file_name(language.decide)) return std::string(language.decide);
     return is_decide(*path) ? std::nullopt : path;
   }
+
   const auto path = inside(name, fmt::format("examples/{}/", language.folder));
   if (path && team_template != kTeam && *path == language.decide) return std::nullopt;
   return path;
@@ -132,10 +135,12 @@ base::Result<std::vector<ProjectFile>> project_files(std::string_view language_n
                                                      std::string_view team_template) {
   const Language* language = find_language(language_name);
   if (language == nullptr) return unknown("language", language_name, project_languages());
+
   const auto& templates = project_templates();
   if (std::find(templates.begin(), templates.end(), team_template) == templates.end()) {
     return unknown("template", team_template, templates);
   }
+
   std::vector<ProjectFile> files;
   for (const EmbeddedFile& file : embedded_files()) {
     auto path = project_path(file.name, *language, team_template);

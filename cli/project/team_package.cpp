@@ -40,6 +40,7 @@ void copy_project(const fs::path& from, const fs::path& to, const fs::path& pack
   fs::create_directories(to);
   for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
     if (is_left_out(entry.path(), package)) continue;
+
     const fs::path target = to / entry.path().filename();
     if (entry.is_directory() && !entry.is_symlink()) {
       copy_project(entry.path(), target, package);
@@ -54,8 +55,10 @@ void copy_project(const fs::path& from, const fs::path& to, const fs::path& pack
 std::string start_script(const TeamPackage& package) {
   std::string command = package.command;
   base::replace_all(command, "{port}", "\"$port\"");
+
   orchestration::match::RunValues values;
   values.team_name = package.name;
+
   std::string script = embedded("cli/project/league/start");
   base::replace_all(script, "@NAME@", package.name);
   base::replace_all(script, "@COMMAND@", orchestration::match::fill_in(command, values));

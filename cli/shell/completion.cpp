@@ -52,14 +52,17 @@ bool find_place(Place& place, const Words& before) {
       if (--values == 0) place.option = nullptr;
       continue;
     }
+
     if (word.size() < 2 || word.front() != '-') {
       if (!advance(place, word)) return false;
       continue;
     }
+
     const std::size_t equals = word.find('=');
     place.options.push_back(word.substr(0, equals));
     const Option* option = find_option(*place.command, place.options.back());
     if (option == nullptr || is_flag(*option) || equals != std::string::npos) continue;
+
     place.option = option;
     values = option->min_values;
   }
@@ -103,6 +106,7 @@ void add_topics(const Command& root, const Words& arguments, Completion& complet
     place = find_visible(*place, word);
     if (place == nullptr) return;
   }
+
   add_commands(*place, completion);
   if (arguments.empty()) add_topic_names(completion);
 }
@@ -116,10 +120,13 @@ void keep_matching(std::string_view word, Completion& completion) {
 // "--mode=lock": candidates are whole words.
 Completion complete_attached(const Place& place, const std::string& word) {
   Completion completion;
+
   const std::size_t equals = word.find('=');
   const Option* option = find_option(*place.command, word.substr(0, equals));
   if (option == nullptr || is_flag(*option)) return completion;
+
   completion = values_of(*option, {place.options, word.substr(equals + 1)});
+
   const std::string head = word.substr(0, equals + 1);
   for (Candidate& candidate : completion.candidates) candidate.text.insert(0, head);
   completion.path_prefix.insert(0, head);
@@ -130,10 +137,12 @@ Completion complete_attached(const Place& place, const std::string& word) {
 
 Completion complete(const Command& root, const Words& words) {
   Completion completion;
+
   if (words.empty()) return completion;
   const std::string& word = words.back();
   Place place{&root, nullptr, {}, {}};
   if (!find_place(place, {words.begin(), words.end() - 1})) return completion;
+
   if (place.option != nullptr) {
     completion = values_of(*place.option, {place.options, word});
   } else if (word.starts_with("--") && word.find('=') != std::string::npos) {
@@ -149,6 +158,7 @@ Completion complete(const Command& root, const Words& words) {
   } else if (const Option* argument = argument_at(*place.command, place.arguments.size())) {
     completion = values_of(*argument, {place.options, word});
   }
+
   keep_matching(word, completion);
   return completion;
 }

@@ -38,6 +38,7 @@ int run(const Arguments& arguments) {
                                            fmt::join(shell_names(), ", "),
                                            base::did_you_mean(arguments.shell, shell_names())));
   }
+
   if (arguments.json) {
     const nlohmann::ordered_json document = {
         {"schema", "cls.completion/1"}, {"shell", arguments.shell}, {"script", script->text}};
@@ -45,6 +46,7 @@ int run(const Arguments& arguments) {
   } else {
     fmt::print("{}", script->text);
   }
+
   return kOk;
 }
 
@@ -56,6 +58,7 @@ int print_completion(const Command& root, std::vector<std::string> words) {
   for (const Candidate& candidate : completion.candidates) {
     fmt::print("{}\t{}\n", candidate.text, candidate.note);
   }
+
   if (completion.paths != PathKind::kNone) {
     fmt::print("{}\t{}\n", completion.paths == PathKind::kFiles ? ":files" : ":folders",
                completion.path_prefix);
@@ -66,6 +69,7 @@ int print_completion(const Command& root, std::vector<std::string> words) {
 void add_completion_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("completion", kDescription);
+
   command.option("SHELL", arguments->shell, fmt::format("{}", fmt::join(shell_names(), ", ")))
       .required();
   command.flag("--json", arguments->json, "print one JSON document");

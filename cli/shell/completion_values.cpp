@@ -60,11 +60,14 @@ void add_sides(const ValueContext& context, Completion& completion) {
                                                              {"unix:", PathKind::kFiles},
                                                              {"planner:", PathKind::kFiles},
                                                              {"team:", PathKind::kFolders}};
+
   for (const auto& [prefix, kind] : kPathForms) {
     if (context.word.starts_with(prefix)) add_paths(completion, kind, prefix);
   }
+
   if (context.word.starts_with("mock:")) return add_behaviors(completion, "mock:");
   if (completion.paths != PathKind::kNone) return;
+
   add_teams(completion);
   for (const auto& [form, note] : {std::pair{"mock", "the bundled Playmaker"},
                                    {"mock:", "a behavior or FILE.json"},
@@ -93,6 +96,7 @@ void add_scenarios(const ValueContext&, Completion& completion) {
       completion.candidates.push_back({scenario.name, scenario.about});
     }
   }
+
   add_paths(completion, PathKind::kFiles);
 }
 
@@ -157,6 +161,7 @@ void add_table(Completion& completion, std::string_view module, const std::strin
   for (const auto& row : table) {
     const std::string name = fmt::format("{}::{}=", module, row.name);
     const bool is_switch = std::holds_alternative<bool Params::*>(row.member);
+
     if (!word.starts_with(name)) {
       completion.candidates.push_back({name, std::string(row.effect)});
     } else if (is_switch) {
@@ -171,6 +176,7 @@ Completion values_of(const Option& option, const ValueContext& context) {
   Completion completion;
   for (const std::string& word : option.form.words) completion.candidates.push_back({word, ""});
   if (!completion.candidates.empty()) return completion;
+
   const bool argument = is_argument(option);
   Source source = source_of(name_of(option));
   if (source == nullptr && !argument) source = source_of(value_name(option));

@@ -64,6 +64,7 @@ int report_unknown_topic(const Command& root, const std::string& name) {
   std::vector<std::string> names = {std::string(kListOfTopics)};
   for (const Command& command : root.commands) names.push_back(command.name);
   for (const HelpTopic& topic : help_topics()) names.push_back(topic.name);
+
   const std::string near = base::did_you_mean(name, {names.begin(), names.end()});
   return print_error(kUsage, fmt::format("unknown command or topic '{}'{}", name,
                                          near.empty() ? " (see cls help topics)" : near));
@@ -73,6 +74,7 @@ int write_man_pages(const Command& root, const fs::path& folder) {
   if (const auto created = base::create_folders(folder); !created) {
     return print_error(kCannotCreate, created.error().message);
   }
+
   for (const ManPage& page : man_pages(root)) {
     const auto written = base::write_file(folder / page.file, page.text);
     if (!written) return print_error(kWriteFailed, written.error().message);
@@ -82,7 +84,9 @@ int write_man_pages(const Command& root, const fs::path& folder) {
 
 int run(const Command& root, const Arguments& arguments) {
   if (!arguments.man_folder.empty()) return write_man_pages(root, arguments.man_folder);
+
   if (arguments.topic == kListOfTopics) return list_topics(arguments.json);
+
   const HelpTopic* topic = find_topic(arguments.topic);
   return topic == nullptr ? report_unknown_topic(root, arguments.topic)
                           : print_topic(*topic, arguments.json);
@@ -93,6 +97,7 @@ int run(const Command& root, const Arguments& arguments) {
 void add_help_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("help", kDescription);
+
   command.option("TOPIC", arguments->topic, "a command, a page of the manual, or topics");
   command.option("--man", arguments->man_folder, "write the manual pages of all commands")
       .placeholder("DIR");

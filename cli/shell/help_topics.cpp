@@ -39,6 +39,7 @@ std::string page_text(const HelpTopic& topic) {
   static const std::regex comment("<!--[^>]*-->\n?");
   static const std::regex picture(R"(!\[[^\]]*\]\([^)]*\)\n?)");
   static const std::regex link(R"(\[([^\]]+)\]\([^)\n]*\))");
+
   std::string text = std::regex_replace(std::string(topic.text), comment, "");
   text = std::regex_replace(text, picture, "");
   return std::regex_replace(text, link, "$1");

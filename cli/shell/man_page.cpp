@@ -19,6 +19,7 @@ namespace {
 std::string plain(std::string_view text) {
   std::string out;
   if (text.starts_with('.') || text.starts_with('\'')) out += "\\&";
+
   for (const char c : text) {
     if (c == '\\') {
       out += "\\e";
@@ -111,6 +112,7 @@ std::string closing_sections(const Command& command) {
   std::string text =
       ".SH EXIT STATUS\n0: success. 1: a test or check failed, or the match is invalid. "
       "2: wrong usage.\n.B cls help cli\nlists all exit codes.\n.SH SEE ALSO\n";
+
   if (command.parent != nullptr) {
     text += fmt::format(".BR {} (1)\n.PP\n", plain(page_name(*command.parent)));
   }
@@ -120,14 +122,17 @@ std::string closing_sections(const Command& command) {
 std::string page_of(const Command& command) {
   const std::string name = page_name(command);
   const Description description = parts_of(command);
+
   std::string title = name;
   std::transform(title.begin(), title.end(), title.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+
   std::string text =
       fmt::format(".TH {} 1 \"\" \"cls {}\" \"cls manual\"\n", plain(title), base::kVersion);
   text += fmt::format(".SH NAME\n{} \\- {}\n", plain(name), plain(description.purpose));
   text +=
       fmt::format(".SH SYNOPSIS\n.B {}\n{}\n", plain(full_name(command)), plain(usage_of(command)));
+
   if (!description.sentences.empty()) text += ".SH DESCRIPTION\n" + description.sentences;
   if (!description.examples.empty()) {
     text += fmt::format(".SH EXAMPLES\n.nf\n{}.fi\n", description.examples);

@@ -32,11 +32,13 @@ std::string file_url(const std::filesystem::path& file) {
 
 bool open_in_browser(const std::string& url) {
   if (!has_display()) return false;
+
   posix_spawn_file_actions_t quiet;
   if (posix_spawn_file_actions_init(&quiet) != 0) return false;
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     posix_spawn_file_actions_addopen(&quiet, descriptor, "/dev/null", O_RDWR, 0);
   }
+
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t ignored;
@@ -44,9 +46,11 @@ bool open_in_browser(const std::string& url) {
   for (const int signal : {SIGPIPE, SIGXFSZ}) sigaddset(&ignored, signal);
   posix_spawnattr_setsigdefault(&attributes, &ignored);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+
   std::string program = "xdg-open";
   std::string argument = url;
   std::array<char*, 3> arguments = {program.data(), argument.data(), nullptr};
+
   pid_t process = 0;
   const int failed =
       posix_spawnp(&process, program.c_str(), &quiet, &attributes, arguments.data(), environ);

@@ -22,6 +22,7 @@ bool runs_in_github_actions() {
 void add_to_job_summary(const std::string& markdown) {
   const char* file = std::getenv("GITHUB_STEP_SUMMARY");
   if (file == nullptr || *file == '\0' || markdown.empty()) return;
+
   std::ofstream out(file, std::ios::app);
   out << markdown << '\n';
   out.flush();
@@ -41,6 +42,7 @@ ExitCode write_ci_reports(const CiReports& reports, const CiTexts& texts) {
     fmt::print(stderr, "{}", texts.annotations);
     add_to_job_summary(texts.summary);
   }
+
   if (reports.junit.empty()) return kOk;
   const auto written = base::write_file(reports.junit, texts.junit);
   if (written) return kOk;

@@ -22,6 +22,7 @@ void report_errors(std::string_view path, const gamelog::ParseErrors& errors) {
   for (std::size_t i = 0; i < shown; ++i) {
     print_error(0, gamelog::format_error(path, errors.first[i]));
   }
+
   if (errors.count > shown) {
     print_error(0, fmt::format("{}: {} more errors", path, errors.count - shown));
   }
@@ -40,6 +41,7 @@ int report_log(int exit_code, const std::string& unreadable, std::string_view pa
     print_error(0, unreadable);
     exit_code = kNoInput;
   }
+
   report_errors(path, errors);
   return !errors.empty() && exit_code == kOk ? kBadData : exit_code;
 }

@@ -18,10 +18,12 @@ std::string names_of(const MatchOption& row) {
 
 Option& add_match_option(Command& command, const MatchOption& row) {
   Option& option = command.option(names_of(row), std::string(row.help));
+
   // set_options() checks the range, so that all errors of a match are reported together.
   option.form = row.form;
   option.form.min.reset();
   option.form.max.reset();
+
   option.environment = row.environment;
   option.min_values = option.max_values = row.values;
   return option;

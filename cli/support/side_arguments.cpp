@@ -39,13 +39,16 @@ std::string unknown(const std::string& side, const std::string& near, const fs::
 
 int resolve_team_name(std::string& side, std::string& team_name, const std::string& config_file) {
   if (is_endpoint(side)) return kOk;
+
   std::error_code code;
   const std::optional<fs::path> file = config_file.empty() ? find_config(fs::current_path(code))
                                                            : std::optional<fs::path>(config_file);
+
   if (!file) return kOk;
   if (const auto why = base::why_no_file(*file)) {
     return print_error(kNoInput, fmt::format("{}: {}", file->string(), *why));
   }
+
   const ParsedConfig parsed = read_config(*file);
   if (!parsed.errors.empty()) return print_errors(kBadConfig, parsed.errors);
   if (const int team = team_index(parsed.config, side); team >= 0) {
@@ -54,6 +57,7 @@ int resolve_team_name(std::string& side, std::string& team_name, const std::stri
                          parsed.config.teams[static_cast<std::size_t>(team)].endpoint);
     return kOk;
   }
+
   std::vector<std::string_view> teams;
   for (const TeamEntry& team : parsed.config.teams) teams.push_back(team.name);
   const std::string near(base::nearest_name(side, teams));
@@ -70,6 +74,7 @@ base::Result<orchestration::match::Endpoint> parse_side(const std::string& side,
       find_config(fs::current_path(code))) {
     return endpoint;
   }
+
   return base::Error{endpoint.error().message +
                      "; names of teams need a cls.toml here or above, or --config FILE"};
 }

@@ -31,12 +31,14 @@ int read_pem(const PemFile& file) {
   if (!text) {
     return print_error(kNoInput, fmt::format("{}: {}: cannot read", file.option, file.name));
   }
+
   const bool fits = text->find("-----BEGIN ") != std::string::npos &&
                     text->find(fmt::format("{}-----", file.label)) != std::string::npos;
   if (!fits) {
     return print_error(kBadData, fmt::format("{}: {}: contains no {} in PEM format", file.option,
                                              file.name, file.label));
   }
+
   file.text = *text;
   return kOk;
 }
@@ -55,17 +57,21 @@ int read_tls_files(orchestration::match::Endpoint& endpoint, const TlsFileNames&
     if (const int code = read_tls_files(part, options); code != kOk) return code;
   }
   if (endpoint.tls == nullptr) return kOk;
+
   if (options.certificate.empty() != options.key.empty()) {
     return print_error(kUsage, "--tls-cert and --tls-key require each other");
   }
+
   auto files = std::make_shared<proxy::TlsFiles>();
   files->server_name = options.server_name;
+
   for (const PemFile& file :
        {PemFile{"--tls-ca", options.authorities, files->authorities, "CERTIFICATE"},
         PemFile{"--tls-cert", options.certificate, files->certificate, "CERTIFICATE"},
         PemFile{"--tls-key", options.key, files->key, "PRIVATE KEY"}}) {
     if (const int code = read_pem(file); code != kOk) return code;
   }
+
   endpoint.tls = std::move(files);
   return kOk;
 }

@@ -30,6 +30,7 @@ std::string difference_text(const Comparison& comparison, const ComparisonVerdic
                        advantage(comparison, goals.score_interval.low),
                        advantage(comparison, goals.score_interval.high));
   }
+
   if (is_direct(comparison)) {
     return fmt::format("{:+.0f} Elo ({:+.0f}..{:+.0f})", rounded(strength.elo),
                        strength.elo_interval.low, strength.elo_interval.high);
@@ -42,6 +43,7 @@ std::string difference_text(const Comparison& comparison, const ComparisonVerdic
 // How far the test is.
 std::string test_state(const Comparison& comparison, const ComparisonVerdict& known) {
   const Hypotheses& h = known.hypotheses;
+
   if (comparison.test.kind == TestKind::kSprt) {
     return fmt::format("LLR {:+.2f} ({:.2f}..{:+.2f})", rounded(known.llr, 100), lower_llr(h),
                        upper_llr(h));
@@ -58,11 +60,13 @@ std::string comparison_status(const Comparison& comparison, const ComparisonVerd
   if (comparison.max_samples) text += fmt::format("/{}", *comparison.max_samples);
   if (total(known.samples) > 0) text += "  " + difference_text(comparison, known);
   text += "  " + test_state(comparison, known);
+
   if (progress.done_in_this_run > 0 && progress.seconds > 0) {
     const double seconds_per_match = progress.seconds / progress.done_in_this_run;
     text += "  " + time_left(expected_samples_left(comparison, known) *
                              matches_in_sample(comparison) * seconds_per_match);
   }
+
   return text;
 }
 
@@ -73,6 +77,7 @@ std::string comparison_outlook(const Comparison& comparison, const ComparisonVer
     return fmt::format("{} done: {:.0f}, to play: about {:.0f}", samples, samples_done(known),
                        likely);
   }
+
   const double most = std::ceil(max_expected_samples(comparison));
   if (most <= likely) return fmt::format("{} to play: {:.0f}", samples, likely);
   return fmt::format("{} to play: {} if NEW wins all, about {:.0f} at H0 or H1, {:.0f} halfway",
@@ -88,6 +93,7 @@ bool CompareProgress::is_due(const RunProgress& /*progress*/,
   const double samples = samples_done(known_);
   const bool is_first = shown_samples_ == 0;
   if (samples <= shown_samples_ || (!is_first && since_last < kLineInterval)) return false;
+
   shown_samples_ = samples;
   return true;
 }

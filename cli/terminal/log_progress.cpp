@@ -18,18 +18,22 @@ LogProgress::LogProgress(std::size_t logs)
 
 void LogProgress::update(std::size_t count) {
   if (!shown_) return;
+
   const std::unique_lock lock(mutex_, std::try_to_lock);
   const Clock::time_point now = Clock::now();
   if (!lock || now - last_shown_ < kInterval) return;
+
   last_shown_ = now;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double share = static_cast<double>(count) / static_cast<double>(logs_);
   std::string text = fmt::format("{} {}/{} logs", progress_bar(share), count, logs_);
+
   if (elapsed > kMinElapsed) {
     const double speed = static_cast<double>(count) / elapsed;
     text += fmt::format("  {:.0f} logs/s  {}", speed,
                         time_left(static_cast<double>(logs_ - count) / speed));
   }
+
   line_.show(text);
 }
 

@@ -15,9 +15,11 @@ std::string progress_text(const orchestration::match::MatchProgress& progress,
   const double share = progress.last_cycle > 0 ? static_cast<double>(progress.cycle) /
                                                      static_cast<double>(progress.last_cycle)
                                                : 0.0;
+
   std::string text =
       fmt::format("{} {}/{}  {}:{}  {}", progress_bar(share), progress.cycle, progress.last_cycle,
                   progress.left_score, progress.right_score, name(progress.mode));
+
   if (cycles_per_second > 0.0) {
     const double left = (progress.last_cycle - progress.cycle) / cycles_per_second;
     text += fmt::format("  {:.0f} cycles/s  {}", cycles_per_second, time_left(left));
@@ -31,6 +33,7 @@ void ProgressLine::on_phase(std::string_view what) {
 
 void ProgressLine::on_cycle(const orchestration::match::MatchProgress& progress) {
   if (!shown_) return;
+
   const Clock::time_point now = Clock::now();
   if (cycles_at_start_ < 0 && progress.cycle > 0) {
     cycles_at_start_ = progress.cycle;
@@ -38,6 +41,7 @@ void ProgressLine::on_cycle(const orchestration::match::MatchProgress& progress)
   }
   if (now - last_shown_ < kInterval) return;
   last_shown_ = now;
+
   const double elapsed = std::chrono::duration<double>(now - first_cycle_).count();
   const bool known = cycles_at_start_ >= 0 && elapsed > 0.5;
   line_.show(progress_text(progress, known ? (progress.cycle - cycles_at_start_) / elapsed : 0.0));

@@ -57,7 +57,9 @@ std::size_t stdout_width() { return static_cast<std::size_t>(width_of(STDOUT_FIL
 
 std::string message_line(std::string_view text) {
   constexpr std::size_t kIndent = 5;
+
   const std::string safe = base::printable_lines(text);
+
   if (!stderr_is_terminal()) return fmt::format("cls: {}\n", safe);
   return fmt::format("cls: {}\n",
                      base::wrap_text(safe, static_cast<std::size_t>(terminal_width()), kIndent));
@@ -65,6 +67,7 @@ std::string message_line(std::string_view text) {
 
 void TerminalLine::show(std::string_view text) {
   const auto width = static_cast<std::size_t>(terminal_width() - 1);
+
   const std::string safe = base::printable(text);
   fmt::print(stderr, "\r\x1b[K{}", std::string_view(safe).substr(0, width));
   std::fflush(stderr);

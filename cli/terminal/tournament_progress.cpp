@@ -18,24 +18,29 @@ std::string progress_text(const RunProgress& progress) {
       "{} {}/{} matches  {} running",
       progress_bar(progress.total > 0 ? static_cast<double>(progress.done) / progress.total : 0.0),
       progress.done, progress.total, progress.running);
+
   if (progress.invalid > 0) text += fmt::format("  {} invalid", progress.invalid);
   if (progress.done_in_this_run > 0 && progress.seconds > 0) {
     const double rate = progress.done_in_this_run / progress.seconds;
     text += fmt::format("  {:.1f} a minute  {}", rate * 60,
                         time_left((progress.total - progress.done) / rate));
   }
+
   return text;
 }
 
 std::string match_line(const TournamentConfig& config, const ScheduledMatch& match, int total) {
   const Outcome& outcome = *match.outcome;
+
   const auto team = [&](int index) {
     return std::string_view(config.teams[static_cast<std::size_t>(index)].name);
   };
+
   std::string how = fmt::format("{}, {:.1f} s", name(outcome.end_reason), outcome.run_seconds);
   if (const std::size_t count = outcome.warnings.size(); count > 0) {
     how += ", " + base::counted(count, "warning");
   }
+
   std::string line = fmt::format(
       "match {}/{}  {} {} {}  ({})", match.fixture.index, total, team(match.fixture.left),
       outcome.counts() ? score_text(match) : "-", team(match.fixture.right), how);
@@ -61,6 +66,7 @@ void TournamentProgress::print(std::string_view line) {
 void TournamentProgress::on_progress(const RunProgress& progress) {
   if (quiet_) return;
   if (on_terminal_) return line_.show(status(progress));
+
   const Clock::time_point now = Clock::now();
   if (!is_due(progress, now - last_status_)) return;
   last_status_ = now;

@@ -61,16 +61,20 @@ int add_team(TournamentConfig& config, std::string side, const std::string& suff
   if (const int exit_code = resolve_team_name(side, name, config_file); exit_code != kOk) {
     return exit_code;
   }
+
   const auto endpoint = parse_side(side, config_file);
   if (!endpoint) return print_error(kUsage, endpoint.error().message);
+
   constexpr std::size_t kMaxStem = 10;
   if (name.empty()) {
     name = match::default_team_name(*endpoint);
     if (team_index(config, name) >= 0) name = name.substr(0, kMaxStem) + suffix;
   }
+
   if (team_index(config, name) >= 0) {
     return print_error(kUsage, fmt::format("'{}' is named twice", side));
   }
+
   config.teams.push_back({name, side});
   return kOk;
 }
@@ -78,6 +82,7 @@ int add_team(TournamentConfig& config, std::string side, const std::string& suff
 int make_comparison(const Arguments& arguments, Comparison& comparison) {
   ChosenConfig chosen = choose_conditions(arguments.options);
   if (chosen.exit_code != kOk) return chosen.exit_code;
+
   TournamentConfig& config = comparison.config;
   config = std::move(chosen.config);
   config.format = Format::kList;
@@ -85,29 +90,35 @@ int make_comparison(const Arguments& arguments, Comparison& comparison) {
   config.swap_sides = true;
   config.gauntlet.clear();
   config.teams.clear();
+
   // Sides are resolved for the working directory already.
   config.folder = fs::current_path();
+
   const std::string& file = arguments.options.config_file;
   if (const int code = add_team(config, arguments.candidate, "", file); code != kOk) return code;
   if (const int code = add_team(config, arguments.base, "_base", file); code != kOk) return code;
   for (const std::string& opponent : arguments.opponents) {
     if (const int code = add_team(config, opponent, "_opp", file); code != kOk) return code;
   }
+
   config.matches = {{config.teams[0].name, config.teams[1].name}};
   comparison.test = arguments.test;
   comparison.test.kind = arguments.test_name == "sprt" ? TestKind::kSprt : TestKind::kBetting;
   comparison.test.measure = arguments.measure == "goals" ? Measure::kGoals : Measure::kPoints;
   comparison.max_samples = arguments.max_pairs;
+
   const auto errors = validate(config);
   print_errors(kUsage, errors);
   const std::string error = test_error(comparison.test);
   if (!error.empty()) return print_error(kUsage, error);
+
   return errors.empty() ? kOk : kUsage;
 }
 
 // Derived from the plan, so that the same command finds it again.
 fs::path folder_of(const Arguments& arguments, const Comparison& comparison) {
   if (!arguments.options.folder.empty()) return arguments.options.folder;
+
   const TournamentConfig& config = comparison.config;
   const auto plan = static_cast<std::uint32_t>(base::fnv1a(format_config(config, true)));
   return fs::path("runs") /
@@ -127,9 +138,11 @@ void add_test_options(Command& command, Arguments& arguments) {
               "betting adapts to the difference; sprt as in chess engine testing")
       .one_of({"betting", "sprt"})
       .shows_default();
+
   command.option("--measure", arguments.measure, "what counts: points, or goal difference")
       .one_of({"points", "goals"})
       .shows_default();
+
   command.option("--elo0", test.elo0, "Elo difference of H0").shows_default();
   command.option("--elo1", test.elo1, "Elo difference of H1").shows_default();
   command
@@ -138,9 +151,11 @@ void add_test_options(Command& command, Arguments& arguments) {
   command
       .option("--goals1", test.goals1, "with --measure goals: goal difference per match under H1")
       .shows_default();
+
   command.option("--max-goals", test.max_goals, "a goal difference above it counts as this")
       .range(1, 20)
       .shows_default();
+
   command.option("--alpha", test.alpha, "probability of a type I error (NEW wrongly called better)")
       .shows_default();
   command
@@ -155,6 +170,7 @@ void add_compare_command(Command& app) {
   Command& command = app.command("compare", kDescription);
   command.group = kPlayCommands;
   command.starts_programs = true;
+
   command.option("NEW", arguments->candidate, "the team under test").required();
   command.option("BASE", arguments->base, "the reference team").required();
   command
@@ -162,14 +178,17 @@ void add_compare_command(Command& app) {
               "opponents of both teams: A,B,... (default: each other)")
       .split_at(',')
       .takes(1);
+
   add_test_options(command, *arguments);
   command
       .option("--max-pairs", arguments->max_pairs,
               "maximum pairs; with --opponents: per team (default: no limit)")
       .above(0);
+
   command.option("--dir", arguments->options.folder,
                  "folder (default: ./runs/compare-<NEW>-<BASE>-<hash of the plan>)");
   add_condition_options(command, arguments->options);
+
   add_session_options(command, arguments->session, "verdict");
   command.run = [arguments] { return run(*arguments); };
 }

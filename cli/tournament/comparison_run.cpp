@@ -46,35 +46,44 @@ int run_comparison(const Comparison& comparison, const std::filesystem::path& fo
   options.next = [&](std::span<const ScheduledMatch> so_far) {
     return next_fixtures(comparison, so_far);
   };
+
   ComparisonVerdict known;
   options.decided = [&](std::span<const ScheduledMatch> matches) {
     known = verdict(comparison, matches);
     return known.decision != Decision::kOpen;
   };
+
   const auto outlook_of = [&](const std::vector<ScheduledMatch>& matches) {
     const ComparisonVerdict so_far = verdict(comparison, matches);
     return Outlook{
         expected_samples_left(comparison, so_far) * matches_in_sample(comparison),
         fmt::format("{}/: {}", options.folder.string(), comparison_outlook(comparison, so_far))};
   };
+
   const OpenedFolder opened = begin_session(options.folder, options.config, session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
+
   known = verdict(comparison, opened.matches);
   CompareProgress progress(comparison, known, stderr_is_terminal(), session.quiet);
+
   const auto make =
       [&](const TournamentConfig& config) -> base::Result<std::unique_ptr<MatchExecutor>> {
     TRY_INIT(const auto program, base::own_program());
     return make_executor(config, options.folder, program);
   };
+
   const auto summary = run_tournament(options, make, progress, watch_interrupts());
   progress.clear();
   if (!summary) return print_error(kWriteFailed, summary.error().message);
+
   if (prints) print_result(comparison, summary->matches, folder, session.json);
   const int exit_code =
       end_session(*summary, options.config, session, exit_code_of(*summary, known), false);
+
   if (summary->end == RunEnd::kComplete && prints && !session.quiet) {
     print_error(0, "undecided; the same command with a larger --max-pairs continues");
   }
+
   return exit_code;
 }
 

@@ -44,9 +44,11 @@ const char* group_title(KeyGroup group) {
 std::optional<fs::path> config_path(const TournamentOptions& options) {
   if (!options.config_file.empty()) return options.config_file;
   std::error_code code;
+
   const fs::path inside = fs::path(options.folder) / kConfigFile;
   if (fs::is_regular_file(inside, code)) return inside;
   if (auto above = find_config(fs::current_path(code))) return above;
+
   const fs::path plan = fs::path(options.folder) / kPlanFile;
   if (fs::is_regular_file(plan, code)) return plan;
   return std::nullopt;
@@ -60,11 +62,13 @@ std::vector<std::string> apply_teams(TournamentConfig& config, const TournamentO
       errors.push_back(fmt::format("--team '{}': must be NAME=ENDPOINT", team));
       continue;
     }
+
     const std::string name = team.substr(0, equals);
     const auto good = match::check_team_name(name);
     if (!good) errors.push_back("--team: " + good.error().message);
     const auto endpoint = match::parse_endpoint(team.substr(equals + 1));
     if (!endpoint) errors.push_back("--team: " + endpoint.error().message);
+
     const int known = team_index(config, name);
     if (known < 0) {
       config.teams.push_back({name, team.substr(equals + 1)});
@@ -78,6 +82,7 @@ std::vector<std::string> apply_teams(TournamentConfig& config, const TournamentO
 std::vector<std::string> apply_overrides(TournamentConfig& config,
                                          const TournamentOptions& options) {
   std::vector<std::string> errors = apply_teams(config, options);
+
   for (const auto& [name, text] : options.overrides) {
     const ConfigKey& key = *find_key(name);
     const auto read = key.parse(config, parse_config_value(key, text));
@@ -85,6 +90,7 @@ std::vector<std::string> apply_overrides(TournamentConfig& config,
       errors.push_back(fmt::format("{} {}: {}", option_of(name), text, read.error().message));
     }
   }
+
   for (const std::string& setting : options.settings) {
     const std::size_t equals = setting.find('=');
     const std::string name = setting.substr(0, equals);
@@ -92,6 +98,7 @@ std::vector<std::string> apply_overrides(TournamentConfig& config,
     config.settings.push_back(
         {name, equals == std::string::npos ? "" : setting.substr(equals + 1)});
   }
+
   return errors;
 }
 
@@ -101,6 +108,7 @@ void add_shared_options(Command& command, TournamentOptions& options, bool sched
       schedule ? "configuration file (default: DIR/cls.toml, or cls.toml in or above the working "
                  "directory)"
                : "configuration file (default: cls.toml in or above the working directory)");
+
   command.option("--set", options.settings, "server::NAME=VALUE, repeatable").repeatable();
   for (const ConfigKey& key : tournament_keys()) {
     const bool of_tournament =
@@ -115,6 +123,7 @@ void add_shared_options(Command& command, TournamentOptions& options, bool sched
 
 ChosenConfig read_and_override(TournamentOptions options, const std::optional<fs::path>& path) {
   std::erase_if(options.overrides, [](const auto& one) { return one.second.empty(); });
+
   ParsedConfig reading;
   if (path) {
     if (const auto why = base::why_no_file(*path)) {
@@ -123,6 +132,7 @@ ChosenConfig read_and_override(TournamentOptions options, const std::optional<fs
     reading = read_config(*path);
     if (!reading.errors.empty()) return {print_errors(kBadConfig, reading.errors), {}};
   }
+
   if (reading.config.folder.empty()) reading.config.folder = fs::current_path();
   const auto usage = apply_overrides(reading.config, options);
   if (!usage.empty()) return {print_errors(kUsage, usage), {}};
@@ -160,6 +170,7 @@ ChosenConfig choose_config(const TournamentOptions& options) {
                                 kConfigFile, options.folder)),
         {}};
   }
+
   ChosenConfig chosen = read_and_override(options, path);
   if (chosen.exit_code != kOk) return chosen;
   auto errors = validate(chosen.config);
@@ -167,6 +178,7 @@ ChosenConfig choose_config(const TournamentOptions& options) {
   for (std::string& error : errors) {
     if (path) error = path->string() + ": " + error;
   }
+
   const bool overridden =
       !options.settings.empty() || std::any_of(options.overrides.begin(), options.overrides.end(),
                                                [](const auto& one) { return !one.second.empty(); });

@@ -77,6 +77,7 @@ void print_json(const TournamentConfig& config, const std::vector<Fixture>& fixt
     fmt::print("{}{}", separator, base::json_line(json_of(config, planned(fixture))));
     separator = ",\n";
   }
+
   fmt::print("\n], \"standings\": []}}\n");
 }
 
@@ -84,16 +85,19 @@ int plan(const PlanArguments& arguments) {
   const ChosenConfig chosen = choose_config(arguments.tournament);
   if (chosen.exit_code != kOk) return chosen.exit_code;
   const TournamentConfig& config = chosen.config;
+
   const std::vector<Fixture> fixtures = next_fixtures(config, {});
   if (arguments.json) {
     print_json(config, fixtures);
     return kOk;
   }
+
   for (const Fixture& fixture : fixtures) fmt::print("{}\n", schedule_text(config, fixture));
   const bool later = config.format == Format::kGroups || config.format == Format::kKnockout ||
                      config.format == Format::kDoubleElimination || config.format == Format::kSwiss;
   fmt::print("{}, {} teams, seed {}: {} matches{}\n", name(config.format), config.teams.size(),
              config.seed, fixtures.size(), later ? ", more follow from results" : "");
+
   return kOk;
 }
 
@@ -113,9 +117,11 @@ int read(const std::string& folder, TournamentState& state) {
     return print_error(kNoInput,
                        fmt::format("{}: no tournament; `cls tournament run` creates one", folder));
   }
+
   auto read = read_tournament(folder);
   if (!read) return print_error(kBadData, read.error().message);
   state = *std::move(read);
+
   return kOk;
 }
 
@@ -129,6 +135,7 @@ int choose_presentation(const FolderArguments& arguments, TournamentConfig& conf
       config.columns = std::move(now.config.columns);
     }
   }
+
   if (arguments.columns.empty()) return kOk;
   const ConfigKey& key = *find_key("columns");
   const auto parsed = key.parse(config, parse_config_value(key, arguments.columns));
@@ -148,8 +155,10 @@ TextOptions text_options(const FolderArguments& arguments) {
 int status(const FolderArguments& arguments) {
   TournamentState state;
   if (const int exit_code = read_to_report(arguments, state); exit_code != kOk) return exit_code;
+
   const Report report = make_report(state.config, state.matches, arguments.folder);
   const MatchCounts& counts = report.counts;
+
   if (arguments.json) {
     const nlohmann::ordered_json document = {
         {"schema", "cls.status/1"},      {"complete", report.complete},
@@ -159,12 +168,14 @@ int status(const FolderArguments& arguments) {
     fmt::print("{}", base::json_document(document));
     return kOk;
   }
+
   fmt::print("{}; {}\n", counts_text(counts),
              report.complete ? "complete" : fmt::format("{} running", state.running.size()));
   for (const int index : state.running) {
     const Fixture& fixture = state.matches[static_cast<std::size_t>(index) - 1].fixture;
     fmt::print("{}\n", schedule_text(state.config, fixture));
   }
+
   fmt::print("\n{}", standings_text(report, text_options(arguments)));
   return kOk;
 }
@@ -190,6 +201,7 @@ constexpr std::array<ReportFormat, 6> kFormats = {{{"text", report_text},
 fs::path link_base(const FolderArguments& arguments) {
   if (arguments.file.empty()) return arguments.folder;
   std::error_code code;
+
   const fs::path from = fs::absolute(arguments.file, code).parent_path();
   return fs::weakly_canonical(arguments.folder, code)
       .lexically_relative(fs::weakly_canonical(from, code));
@@ -199,14 +211,18 @@ fs::path link_base(const FolderArguments& arguments) {
 bool write_replay(const fs::path& folder) {
   const auto found = find_log(folder.string());
   if (!found) return false;
+
   const auto match = viewer::read_log_or_page(found->logs.game);
   if (!match || match->record.frames() == 0) return false;
+
   std::optional<gamelog::RclRecord> text;
   if (auto read = gamelog::read_rcl_file(found->logs.text)) text = *std::move(read);
+
   const std::string page = viewer::match_page(match->record, text ? &*text : nullptr,
                                               fs::path(found->logs.game).filename().string(), false,
                                               {.missed = viewer::read_missed_decisions(folder),
                                                .drawings = viewer::read_page_drawings(folder)});
+
   return bool(base::write_file(folder / kReplayPage, page));
 }
 
@@ -217,18 +233,21 @@ std::set<int> replay_pages(const Report& report, bool write) {
   std::size_t done = 0;
   for (const ScheduledMatch& match : report.matches) {
     if (write) progress.update(++done);
+
     if (!match.outcome || match.outcome->folder.empty()) continue;
     const fs::path folder = report.folder / match.outcome->folder;
     std::error_code code;
     const bool exists = fs::exists(folder / kReplayPage, code);
     if (exists || (write && write_replay(folder))) found.insert(match.fixture.index);
   }
+
   return found;
 }
 
 int unknown_format(const std::string& format) {
   std::vector<std::string_view> names;
   for (const ReportFormat& known : kFormats) names.push_back(known.name);
+
   const std::string_view near = base::nearest_name(format, names);
   return print_error(
       kUsage, near.empty()
@@ -242,16 +261,20 @@ int report(const FolderArguments& arguments) {
       std::find_if(kFormats.begin(), kFormats.end(),
                    [&format](const ReportFormat& known) { return known.name == format; });
   if (chosen == kFormats.end()) return unknown_format(format);
+
   TournamentState state;
   if (const int exit_code = read_to_report(arguments, state); exit_code != kOk) return exit_code;
+
   Report report = make_report(state.config, state.matches, arguments.folder);
   report.link_base = link_base(arguments);
   report.replays = replay_pages(report, arguments.replays);
   const std::string text = chosen->write(report, text_options(arguments));
+
   if (arguments.file.empty()) {
     fmt::print("{}", text);
     return kOk;
   }
+
   const auto written = base::write_file(arguments.file, text);
   return written ? kOk : print_error(kCannotCreate, written.error().message);
 }
@@ -272,15 +295,18 @@ int stop(const FolderArguments& arguments) {
   if (!holds_plan(arguments.folder)) {
     return print_error(kNoInput, fmt::format("{}: no tournament", arguments.folder));
   }
+
   const auto lock = FolderLock::try_lock(arguments.folder);
   if (lock && *lock) {
     print_stop(arguments, false);
     return kOk;
   }
+
   const fs::path file = fs::path(arguments.folder) / kStopFile;
   if (!std::ofstream(file, std::ios::app)) {
     return print_error(kCannotCreate, fmt::format("{}: cannot create", file.string()));
   }
+
   print_stop(arguments, true);
   return kOk;
 }
@@ -308,6 +334,7 @@ void add_columns_option(Command& command, FolderArguments& arguments) {
 void add_tournament_plan_command(Command& app) {
   const auto arguments = std::make_shared<PlanArguments>();
   Command& command = app.command("plan", kPlanDescription);
+
   add_tournament_options(command, arguments->tournament);
   command.flag("--json", arguments->json, "print the list as JSON");
   command.run = [arguments] { return plan(*arguments); };
@@ -323,15 +350,18 @@ void add_tournament_status_command(Command& app) {
 void add_tournament_report_command(Command& app) {
   const auto arguments = std::make_shared<FolderArguments>();
   Command& command = add_folder_command(app, "report", kReportDescription, arguments, report);
+
   command.option("--format", arguments->format, "text, md, csv, json, junit or html")
       .shows_default();
   command.option("--out", arguments->file, "write to FILE (default: stdout)").placeholder("FILE");
   command.flag("--json", arguments->json, "the same as --format json");
+
   command.flag("--matches", arguments->all_matches,
                "text: list all matches with their logs and commands");
   command.flag("--replays", arguments->replays,
                "write a replay page into each match folder (1.5 MB each), to which the\n"
                "lists of matches in Markdown and HTML link");
+
   add_columns_option(command, *arguments);
 }
 

@@ -69,31 +69,38 @@ int exit_code_of(const RunSummary& summary) {
 int run(const Arguments& arguments) {
   const ChosenConfig chosen = choose_config(arguments.tournament);
   if (chosen.exit_code != kOk) return chosen.exit_code;
+
   const fs::path folder = arguments.tournament.folder;
   const auto outlook_of = [&chosen](const std::vector<ScheduledMatch>& matches) {
     const std::size_t to_play = matches_to_play(chosen.config, matches);
     return Outlook{static_cast<double>(to_play), fmt::format("{} matches to play", to_play)};
   };
+
   const OpenedFolder opened = begin_session(folder, chosen.config, arguments.session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
+
   if (const auto checked = check_schedule(chosen.config, opened.matches); !checked) {
     return print_error(kBadData,
                        fmt::format("{}: {}; --force renames the old folder and starts "
                                    "again",
                                    (folder / kStoreFile).string(), checked.error().message));
   }
+
   RunOptions options;
   options.folder = folder;
   options.config = chosen.config;
+
   TournamentProgress progress(stderr_is_terminal(), arguments.session.quiet);
   const auto make =
       [&](const TournamentConfig& config) -> base::Result<std::unique_ptr<MatchExecutor>> {
     TRY_INIT(const auto program, base::own_program());
     return make_executor(config, folder, program);
   };
+
   const auto summary = run_tournament(options, make, progress, watch_interrupts());
   progress.clear();
   if (!summary) return print_error(kWriteFailed, summary.error().message);
+
   const Report report = make_report(chosen.config, summary->matches, folder);
   const bool any = std::any_of(summary->matches.begin(), summary->matches.end(),
                                [](const ScheduledMatch& match) { return match.outcome; });
@@ -102,6 +109,7 @@ int run(const Arguments& arguments) {
   } else if (any) {
     fmt::print("{}", report_text(report, {stdout_width(), false}));
   }
+
   const bool listed = !arguments.session.json;  // the report lists them
   return end_session(*summary, chosen.config, arguments.session, exit_code_of(*summary), listed);
 }
@@ -111,6 +119,7 @@ int run(const Arguments& arguments) {
 void add_tournament_run_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("run", kDescription);
+
   add_tournament_options(command, arguments->tournament);
   add_session_options(command, arguments->session, "report");
   command.run = [arguments] { return run(*arguments); };

@@ -35,11 +35,13 @@ int start_over(const fs::path& folder) {
   const auto aside = base::set_aside(folder);
   if (!aside) return print_error(kCannotCreate, aside.error().message);
   fmt::print(stderr, "cls: old tournament moved to {}\n", aside->string());
+
   std::error_code code;
   fs::create_directories(folder, code);
   if (fs::exists(*aside / kConfigFile, code)) {
     fs::copy_file(*aside / kConfigFile, folder / kConfigFile, code);
   }
+
   return kOk;
 }
 
@@ -75,6 +77,7 @@ std::vector<Warning> warnings_of(const std::vector<ScheduledMatch>& matches) {
       known->matches.push_back(&match);
     }
   }
+
   return warnings;
 }
 
@@ -83,6 +86,7 @@ std::string warning_line(const TournamentConfig& config, const Warning& warning)
   std::string where = fmt::format("match {} ({} - {})", first.index,
                                   config.teams[static_cast<std::size_t>(first.left)].name,
                                   config.teams[static_cast<std::size_t>(first.right)].name);
+
   if (const std::size_t more = warning.matches.size() - 1; more > 0) {
     where += fmt::format(" and {} more", more);
   }
@@ -94,6 +98,7 @@ void print_warnings(const TournamentConfig& config, const std::vector<Warning>& 
   for (std::size_t i = 0; i < std::min(kShown, warnings.size()); ++i) {
     print_error(0, "warning: " + warning_line(config, warnings[i]));
   }
+
   if (warnings.size() <= kShown) return;
   print_error(0, fmt::format("{} more kinds of warnings: `warnings` in the JSON report",
                              warnings.size() - kShown));
@@ -107,6 +112,7 @@ std::string warning_counts(const std::vector<ScheduledMatch>& matches) {
     warnings += count;
     warned += count > 0;
   }
+
   return base::counted(warnings, "warning") + " in " + base::counted(warned, "match", "matches");
 }
 
@@ -119,21 +125,26 @@ int check_idle(const fs::path& folder) {
 
 OpenedFolder open_folder(const fs::path& folder, const TournamentConfig& config, bool afresh) {
   const auto failed = [](int exit_code) { return OpenedFolder{exit_code, {}, {}}; };
+
   if (afresh) {
     if (const int code = start_over(folder); code != kOk) return failed(code);
   }
+
   if (const auto created = base::create_folders(folder); !created) {
     return failed(print_error(kCannotCreate, created.error().message));
   }
+
   auto lock = FolderLock::try_lock(folder);
   if (!lock) return failed(print_error(kCannotCreate, lock.error().message));
   if (!*lock) return failed(busy(folder));
+
   if (const auto same = check_plan(folder, config); !same) {
     return failed(print_error(kBadConfig, same.error().message));
   }
   if (const auto written = write_plan(folder, config); !written) {
     return failed(print_error(kCannotCreate, written.error().message));
   }
+
   auto state = read_tournament(folder);
   if (!state) return failed(print_error(kBadData, state.error().message));
   state->matches.resize(state->stored);
@@ -146,6 +157,7 @@ int run_preflight(const fs::path& folder, const TournamentConfig& config,
                   const Outlook& outlook) {
   constexpr double kPatienceS = 5.0;
   if (outlook.to_play <= 0) return kOk;
+
   if (!options.no_preflight) {
     const std::chrono::duration<double> patience(
         std::min(kPatienceS, match_options(config).start_timeout_s));
@@ -156,6 +168,7 @@ int run_preflight(const fs::path& folder, const TournamentConfig& config,
       return print_error(exit_code_of(problems.front().kind),
                          "no match was started; --no-preflight starts without this check");
     }
+
     const auto warnings = host_warnings(config, matches, outlook.to_play, folder);
     const bool fails = options.strict && !warnings.empty();
     for (const std::string& line : warnings) {
@@ -163,6 +176,7 @@ int run_preflight(const fs::path& folder, const TournamentConfig& config,
     }
     if (fails) return print_error(kFailed, "no match was started (--strict)");
   }
+
   if (options.quiet) return kOk;
   const auto seconds = expected_seconds(config, matches, outlook.to_play);
   fmt::print(stderr, "cls: {}{}\n", outlook.text,
@@ -184,17 +198,20 @@ void add_session_options(Command& command, SessionOptions& options, const std::s
 OpenedFolder begin_session(const fs::path& folder, const TournamentConfig& config,
                            const SessionOptions& options, const OutlookOf& outlook_of) {
   if (const int code = check_idle(folder); code != kOk) return {code, {}, {}};
+
   // What cannot start renames nothing.
   const bool afresh = options.force && holds_plan(folder);
   if (afresh) {
     const int code = run_preflight(folder, config, options, {}, outlook_of({}));
     if (code != kOk) return {code, {}, {}};
   }
+
   OpenedFolder opened = open_folder(folder, config, afresh);
   if (opened.exit_code == kOk && !afresh) {
     opened.exit_code =
         run_preflight(folder, config, options, opened.matches, outlook_of(opened.matches));
   }
+
   return opened;
 }
 
@@ -202,17 +219,21 @@ int end_session(const RunSummary& summary, const TournamentConfig& config,
                 const SessionOptions& options, int exit_code, bool listed) {
   const std::vector<Warning> warnings = warnings_of(summary.matches);
   if (!options.quiet && !listed) print_warnings(config, warnings);
+
   if (!summary.message.empty()) print_error(0, summary.message);
   if (summary.end != RunEnd::kComplete && summary.end != RunEnd::kDecided) {
     print_error(0, fmt::format("{} ({})", counts_text(count(summary.matches)), name(summary.end)));
     fmt::print(stderr, "cls: resume: {}\n", resume_command());  // one line, to be copied
   }
+
   if (!summary.write_error.empty()) {
     print_error(0, summary.write_error);
     if (exit_code == kOk) exit_code = kWriteFailed;
   }
+
   if (warnings.empty()) return exit_code;
   const std::string counts = warning_counts(summary.matches);
+
   const bool fails = options.strict && (exit_code == kOk || exit_code == kUndecided);
   if (fails) return print_error(kFailed, fmt::format("{} (--strict)", counts));
   if (!options.quiet) print_error(0, counts);

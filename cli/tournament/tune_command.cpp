@@ -63,6 +63,7 @@ int write_new(const fs::path& file, const std::string& text, bool force) {
       return print_error(kCannotCreate, old.error().message);
     }
   }
+
   const auto written = base::write_file(file, text);
   return written ? kOk : print_error(kCannotCreate, written.error().message);
 }
@@ -72,10 +73,12 @@ int init(const std::string& folder, bool force, bool json) {
   if (const auto created = base::create_folders(folder); !created) {
     return print_error(kCannotCreate, created.error().message);
   }
+
   const fs::path file = fs::path(folder) / kTuneFile;
   if (const int code = write_new(file, commented_tune_config(), force); code != kOk) return code;
   const fs::path script = fs::path(folder) / kTemplateName;
   if (const int code = write_new(script, kTemplate, force); code != kOk) return code;
+
   if (json) {
     const nlohmann::ordered_json document = {
         {"schema", "cls.init/1"}, {"file", file.string()}, {"template", script.string()}};
@@ -90,6 +93,7 @@ void add_init(Command& app) {
   const auto folder = std::make_shared<std::string>(".");
   const auto force = std::make_shared<bool>(false);
   const auto json = std::make_shared<bool>(false);
+
   Command& command = app.command("init", kInitDescription);
   command.option("DIR", *folder, "folder of the files (default: working directory)");
   command.flag("--force", *force, "rename existing files to NAME.old");

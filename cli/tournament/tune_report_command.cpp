@@ -41,10 +41,12 @@ struct Arguments {
 int read_search(const std::string& folder, std::optional<Tuning>& tuning) {
   TuneConfig config;
   if (const int code = read_tune_config(folder, config); code != kOk) return code;
+
   tuning.emplace(std::move(config));
   if (const auto replayed = replay_generations(*tuning, folder); !replayed) {
     return print_error(kBadData, replayed.error().message);
   }
+
   if (!tuning->history().empty()) return kOk;
   return print_error(kNoInput, fmt::format("{}: no generation is finished; `cls tune run {}` plays "
                                            "them",
@@ -54,6 +56,7 @@ int read_search(const std::string& folder, std::optional<Tuning>& tuning) {
 int status(const Arguments& arguments) {
   std::optional<Tuning> tuning;
   if (const int code = read_search(arguments.folder, tuning); code != kOk) return code;
+
   fmt::print("{}", arguments.json
                        ? tune_json(*tuning, known_verdict(tuning->config(), arguments.folder))
                        : generation_line(*tuning) + "\n");
@@ -63,10 +66,12 @@ int status(const Arguments& arguments) {
 int report(const Arguments& arguments) {
   std::optional<Tuning> tuning;
   if (const int code = read_search(arguments.folder, tuning); code != kOk) return code;
+
   if (!arguments.picture.empty()) {
     const auto written = base::write_file(arguments.picture, tune_picture(*tuning));
     if (!written) return print_error(kCannotCreate, written.error().message);
   }
+
   const auto verdict = known_verdict(tuning->config(), arguments.folder);
   fmt::print("{}", arguments.json ? tune_json(*tuning, verdict)
                                   : tune_text(*tuning, verdict, stdout_width()));
@@ -79,6 +84,7 @@ void add_tune_status_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("status", kStatusDescription);
   command.option("DIR", arguments->folder, "folder of tune.toml").required();
+
   command.flag("--json", arguments->json, "print one JSON document");
   command.run = [arguments] { return status(*arguments); };
 }
@@ -88,6 +94,7 @@ void add_tune_report_command(Command& app) {
   Command& command = app.command("report", kDescription);
   command.option("DIR", arguments->folder, "folder of tune.toml").required();
   command.option("--picture", arguments->picture, "write an SVG image to FILE").placeholder("FILE");
+
   command.flag("--json", arguments->json, "print one JSON document");
   command.run = [arguments] { return report(*arguments); };
 }

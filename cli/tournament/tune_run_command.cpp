@@ -76,9 +76,11 @@ class TuneProgress : public TournamentProgress {
     const Race race = tuning_.race();
     std::string text = fmt::format("generation {}/{}  match {}/{}", race.generation,
                                    config.generations, progress.done, progress.total);
+
     if (!tuning_.history().empty()) {
       text += "  " + score_text(config, tuning_.history().back().score);
     }
+
     const int played = played_ + progress.done_in_this_run;
     if (played > 0) {
       const int per_generation = (race.opponents == 0 ? 1 : race.candidates) * config.pairs * 2;
@@ -101,10 +103,12 @@ int play_generation(const TuneSetup& setup, Tuning& tuning, const Arguments& arg
   const fs::path folder = fs::absolute(arguments.options.folder);
   const auto config = generation_config(tuning, setup.conditions, setup.opponents, folder);
   if (!config) return print_error(kCannotCreate, config.error().message);
+
   if (const auto errors = validate(*config); !errors.empty()) {
     print_errors(kBadConfig, errors);
     return kBadConfig;
   }
+
   RunOptions options;
   const Race race = tuning.race();
   options.folder = generation_folder(arguments.options.folder, race.generation);
@@ -112,28 +116,34 @@ int play_generation(const TuneSetup& setup, Tuning& tuning, const Arguments& arg
   options.next = [&](std::span<const ScheduledMatch> so_far) {
     return next_round(tuning.config(), race, so_far);
   };
+
   // Teams and host are checked once, before the first generation of this run.
   SessionOptions session = arguments.session;
   session.force = false;
   session.no_preflight = session.no_preflight || race.generation > 1;
   session.quiet = true;
+
   const auto outlook_of = [&](const std::vector<ScheduledMatch>&) { return Outlook{1.0, ""}; };
   const OpenedFolder opened = begin_session(options.folder, options.config, session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
+
   const auto make =
       [&](const TournamentConfig& one) -> base::Result<std::unique_ptr<MatchExecutor>> {
     TRY_INIT(const auto program, base::own_program());
     return make_executor(one, options.folder, program);
   };
+
   const auto summary = run_tournament(options, make, progress, watch_interrupts());
   progress.clear();
   if (!summary) return print_error(kWriteFailed, summary.error().message);
   progress.finish_generation(summary->progress.seconds);
+
   if (summary->end == RunEnd::kComplete) {
     if (write_error.empty()) write_error = summary->write_error;
     tuning.record(race_results(tuning.config(), race, summary->matches));
     return kOk;
   }
+
   const int code = summary->end == RunEnd::kInterrupted ? signal_exit_code(summary->signal)
                    : summary->end == RunEnd::kFault     ? kFailed
                                                         : kInterrupted;
@@ -154,6 +164,7 @@ int write_result(const Tuning& tuning, const fs::path& folder) {
 int search(const TuneSetup& setup, Tuning& tuning, const Arguments& arguments,
            std::string& write_error) {
   const fs::path folder = arguments.options.folder;
+
   TuneProgress progress(tuning, stderr_is_terminal(), arguments.session.quiet);
   while (!tuning.finished()) {
     const int code = play_generation(setup, tuning, arguments, progress, write_error);
@@ -161,6 +172,7 @@ int search(const TuneSetup& setup, Tuning& tuning, const Arguments& arguments,
     if (const int written = write_result(tuning, folder); written != kOk) return written;
     if (!arguments.session.quiet) fmt::print(stderr, "{}\n", generation_line(tuning));
   }
+
   return kOk;
 }
 
@@ -181,11 +193,13 @@ int compare_best(const TuneSetup& setup, const Tuning& tuning, const Arguments& 
   const fs::path folder = arguments.options.folder;
   Comparison comparison;
   if (const int code = make_verdict(setup, tuning, folder, comparison); code != kOk) return code;
+
   if (!check_plan(folder / kVerdictFolder, comparison.config)) {
     const auto aside = base::set_aside(folder / kVerdictFolder);
     if (!aside) return print_error(kCannotCreate, aside.error().message);
     if (const int code = make_verdict(setup, tuning, folder, comparison); code != kOk) return code;
   }
+
   SessionOptions session = arguments.session;
   session.force = false;
   return run_comparison(comparison, folder / kVerdictFolder, session, false);
@@ -195,6 +209,7 @@ int run(const Arguments& arguments) {
   TuneSetup setup;
   if (const int code = make_tune_setup(arguments.options, setup); code != kOk) return code;
   if (arguments.generations) setup.tune.generations = *arguments.generations;
+
   const fs::path folder = arguments.options.folder;
   const auto lock = FolderLock::try_lock(folder);
   if (!lock) return print_error(kCannotCreate, lock.error().message);
@@ -202,20 +217,25 @@ int run(const Arguments& arguments) {
     return print_error(kTryAgain,
                        fmt::format("{}: another `cls tune run` is in progress", folder.string()));
   }
+
   if (arguments.session.force) {
     if (const int code = start_over(folder); code != kOk) return code;
   }
   if (const int code = check_tune_plan(folder, setup.tune); code != kOk) return code;
+
   Tuning tuning(setup.tune);
   if (const auto replayed = replay_generations(tuning, folder); !replayed) {
     return print_error(kBadData, replayed.error().message);
   }
+
   std::string write_error;
   if (const int code = search(setup, tuning, arguments, write_error); code != kOk) return code;
+
   const int exit_code = compare_best(setup, tuning, arguments);
   const auto verdict = known_verdict(setup.tune, folder);
   fmt::print("{}", arguments.session.json ? tune_json(tuning, verdict)
                                           : tune_text(tuning, verdict, stdout_width()));
+
   if (write_error.empty() || exit_code != kOk) return exit_code;
   return print_error(kWriteFailed, write_error);
 }
@@ -225,11 +245,13 @@ int run(const Arguments& arguments) {
 void add_tune_run_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("run", kDescription);
+
   command.option("DIR", arguments->options.folder, "folder of tune.toml").required();
   command
       .option("--generations", arguments->generations,
               "number of generations (default: that of tune.toml)")
       .above(0);
+
   add_condition_options(command, arguments->options);
   add_session_options(command, arguments->session, "report");
   command.run = [arguments] { return run(*arguments); };

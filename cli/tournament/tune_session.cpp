@@ -30,18 +30,22 @@ int add_opponent(TuneSetup& setup, const std::string& side) {
   if (const int team = team_index(setup.conditions, side); team >= 0) {
     entry = setup.conditions.teams[static_cast<std::size_t>(team)];
   }
+
   const auto endpoint = match::parse_endpoint(entry.endpoint);
   if (!endpoint) return print_error(kBadConfig, "opponents: " + endpoint.error().message);
   if (entry.name.empty()) entry.name = match::default_team_name(*endpoint);
+
   const auto taken = [&](const std::string& name) {
     return name.starts_with("tune") ||
            std::any_of(setup.opponents.begin(), setup.opponents.end(),
                        [&](const TeamEntry& one) { return one.name == name; });
   };
+
   if (taken(entry.name)) {
     constexpr std::size_t kMaxStem = 10;
     entry.name = fmt::format("{}_op{}", entry.name.substr(0, kMaxStem), setup.opponents.size() + 1);
   }
+
   setup.opponents.push_back(std::move(entry));
   return kOk;
 }
@@ -52,6 +56,7 @@ bool is_fresh(const TuneConfig& config, std::uint64_t seed, int generations) {
   for (int pairing = 1; pairing <= generations * config.pairs; ++pairing) {
     used.insert(pairing_seed(config.seed, pairing));
   }
+
   for (int pairing = 1; pairing <= config.verdict_pairs; ++pairing) {
     if (used.contains(pairing_seed(seed, pairing))) return false;
   }
@@ -60,6 +65,7 @@ bool is_fresh(const TuneConfig& config, std::uint64_t seed, int generations) {
 
 TestSettings test_of(const TuneConfig& config) {
   TestSettings test;
+
   test.measure = config.measure;
   test.max_goals = config.max_goals;
   test.goals1 = std::min(test.goals1, config.max_goals / 2.0);
@@ -75,11 +81,14 @@ int read_tune_config(const fs::path& folder, TuneConfig& config) {
     return print_error(kNoInput, fmt::format("{}: not found; `cls tune init {}` writes one",
                                              file.string(), folder.string()));
   }
+
   ParsedTuneConfig parsed = parse_tune_config(*text, file.string());
   print_errors(kBadConfig, parsed.errors);
   if (!parsed.errors.empty()) return kBadConfig;
   config = std::move(parsed.config);
+
   if (config.file_template.empty()) return kOk;
+
   const fs::path path = folder / config.file_template;
   const auto content = base::read_file(path);
   if (!content) return print_error(kNoInput, fmt::format("{}: cannot read", path.string()));
@@ -91,18 +100,22 @@ int read_tune_config(const fs::path& folder, TuneConfig& config) {
       return print_error(kBadConfig, fmt::format("{}: does not use {}", path.string(), place));
     }
   }
+
   return kOk;
 }
 
 int make_tune_setup(const TournamentOptions& options, TuneSetup& setup) {
   if (const int code = read_tune_config(options.folder, setup.tune); code != kOk) return code;
+
   ChosenConfig chosen = choose_conditions(options);
   if (chosen.exit_code != kOk) return chosen.exit_code;
   setup.conditions = std::move(chosen.config);
   if (setup.conditions.folder.empty()) setup.conditions.folder = fs::absolute(options.folder);
+
   if (is_given(options, "seed")) setup.tune.seed = setup.conditions.seed;
   // Hundreds of match folders are of no use; --keep-logs all retains them.
   if (!is_given(options, "keep_logs")) setup.conditions.keep_logs = KeepLogs::kFailed;
+
   for (const std::string& side : setup.tune.opponents) {
     if (const int code = add_opponent(setup, side); code != kOk) return code;
   }
@@ -112,13 +125,16 @@ int make_tune_setup(const TournamentOptions& options, TuneSetup& setup) {
 int check_tune_plan(const fs::path& folder, const TuneConfig& config) {
   std::string plan;
   for (const std::string& line : plan_lines(config)) plan += line + "\n";
+
   const fs::path file = folder / kTunePlanFile;
   const auto before = base::read_file(file);
   if (!before) {
     const auto written = base::write_file(file, plan);
     return written ? kOk : print_error(kCannotCreate, written.error().message);
   }
+
   if (*before == plan) return kOk;
+
   const auto differs = std::mismatch(plan.begin(), plan.end(), before->begin(), before->end());
   const auto at = static_cast<std::size_t>(differs.first - plan.begin());
   const auto line_at = [&](const std::string& text) {
@@ -126,6 +142,7 @@ int check_tune_plan(const fs::path& folder, const TuneConfig& config) {
     const std::size_t begin = end == 0 ? 0 : text.rfind('\n', end - 1) + 1;
     return text.substr(begin, text.find('\n', begin) - begin);
   };
+
   return print_error(
       kBadConfig,
       fmt::format("{}: another search has begun here: '{}', was '{}'; --force starts over",
@@ -142,8 +159,10 @@ int make_verdict(const TuneSetup& setup, const Tuning& tuning, const fs::path& f
   config.gauntlet.clear();
   config.teams.clear();
   config.seed = setup.tune.seed + 1;
+
   const int generations = static_cast<int>(tuning.history().size());
   while (!is_fresh(setup.tune, config.seed, generations)) ++config.seed;
+
   const auto& parameters = setup.tune.parameters;
   const Values start = values_at(parameters, start_point(parameters));
   for (const auto& [name, values] : {std::pair{"BEST", tuning.best()}, {"START", start}}) {
@@ -152,10 +171,12 @@ int make_verdict(const TuneSetup& setup, const Tuning& tuning, const fs::path& f
     if (!side) return print_error(kCannotCreate, side.error().message);
     config.teams.push_back({name, *std::move(side)});
   }
+
   config.teams.insert(config.teams.end(), setup.opponents.begin(), setup.opponents.end());
   config.matches = {{"BEST", "START"}};
   comparison.test = test_of(setup.tune);
   comparison.max_samples = setup.tune.verdict_pairs;
+
   return kOk;
 }
 
@@ -164,10 +185,12 @@ std::optional<TuneVerdict> known_verdict(const TuneConfig& config, const fs::pat
   if (!holds_plan(verdict_folder)) return std::nullopt;
   auto state = read_tournament(verdict_folder);
   if (!state) return std::nullopt;
+
   Comparison comparison;
   comparison.config = std::move(state->config);
   comparison.test = test_of(config);
   comparison.max_samples = config.verdict_pairs;
+
   const ComparisonVerdict known = verdict(comparison, state->matches);
   return TuneVerdict{comparison_text(comparison, state->matches, stdout_width()),
                      std::string(verdict_name(known))};
