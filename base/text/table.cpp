@@ -7,6 +7,7 @@
 
 #include "base/text/number_text.h"
 #include "base/text/printable.h"
+#include "base/text/wrap_text.h"
 #include "base/text/xml.h"
 
 namespace cls::base {
@@ -76,7 +77,7 @@ std::string csv_row(const std::vector<std::string>& cells) {
 
 void Table::add_column(std::string heading, Align align) {
   assert(rows_.empty());
-  columns_.push_back({std::move(heading), align, false});
+  columns_.push_back({std::move(heading), align});
 }
 
 void Table::add_columns(const std::vector<std::string_view>& headings, Align align) {
@@ -88,7 +89,12 @@ void Table::add_row(std::vector<std::string> cells) {
   rows_.push_back(std::move(cells));
 }
 
-void Table::allow_cuts(std::size_t column) { columns_.at(column).cut = true; }
+void Table::allow_cuts(std::size_t column) { columns_.at(column).may_narrow = true; }
+
+void Table::allow_folds(std::size_t column) {
+  columns_.at(column).may_narrow = true;
+  columns_.at(column).folds = true;
+}
 
 void Table::link_last_row(std::size_t column, std::string address) {
   assert(!rows_.empty() && column < columns_.size());
@@ -117,7 +123,7 @@ std::vector<std::size_t> Table::widths() const {
   return result;
 }
 
-// The widths that fit into the layout if cuts make it possible, else those without cuts.
+// The widths that fit into the layout if cuts and folds make it possible, else those without.
 std::vector<std::size_t> Table::widths_within(const TextLayout& layout) const {
   constexpr std::size_t kMinCutWidth = 12;
   std::vector<std::size_t> result = widths();
@@ -125,7 +131,7 @@ std::vector<std::size_t> Table::widths_within(const TextLayout& layout) const {
   std::size_t total = layout.indent + kGap * (result.size() - 1);
   for (const std::size_t width : result) total += width;
   for (std::size_t i = 0; i < result.size() && total > layout.width; ++i) {
-    if (!columns_[i].cut || result[i] <= kMinCutWidth) continue;
+    if (!columns_[i].may_narrow || result[i] <= kMinCutWidth) continue;
     const std::size_t least = std::max(kMinCutWidth, width_of(columns_[i].heading));
     const std::size_t narrowed = result[i] - std::min(result[i] - least, total - layout.width);
     total -= result[i] - narrowed;
@@ -145,6 +151,28 @@ std::string Table::text_line(const std::vector<std::string>& cells,
   }
   line.resize(line.find_last_not_of(' ') + 1);
   return line + '\n';
+}
+
+// One line, and those on which folded cells continue.
+std::string Table::text_row(std::vector<std::string> cells, const std::vector<std::size_t>& columns,
+                            const std::vector<std::size_t>& widths, std::size_t indent) const {
+  std::string text;
+  for (bool more = true; more;) {
+    more = false;
+    std::vector<std::string> rest(cells.size());
+    for (const std::size_t i : columns) {
+      if (!columns_[i].folds || width_of(cells[i]) <= widths[i]) continue;
+      const std::string folded = wrap_text(cells[i], widths[i]);
+      const std::size_t end = std::min(folded.find('\n'), folded.size());
+      rest[i] = cells[i].substr(std::min(end + 1, cells[i].size()));
+      cells[i].resize(end);
+      more |= !rest[i].empty();
+    }
+
+    text += text_line(cells, columns, widths, indent);
+    cells = std::move(rest);
+  }
+  return text;
 }
 
 std::string Table::format_text(std::size_t indent) const { return format_text({indent, 0}); }
@@ -169,7 +197,7 @@ std::string Table::format_text(const TextLayout& layout) const {
       add(next++);
     }
     text += text_line(headings(), block, width, layout.indent);
-    for (const auto& row : rows_) text += text_line(row, block, width, layout.indent);
+    for (const auto& row : rows_) text += text_row(row, block, width, layout.indent);
   }
   return text;
 }

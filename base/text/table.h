@@ -37,6 +37,8 @@ class Table {
   void add_row(std::vector<std::string> cells);
   /// Where a table as text would be too wide, cells of `column` are cut and end in "...".
   void allow_cuts(std::size_t column);
+  /// Where a table as text would be too wide, cells of `column` continue on further lines.
+  void allow_folds(std::size_t column);
   /// Makes a cell of the last row a link in Markdown and HTML. `address` is a URL.
   void link_last_row(std::size_t column, std::string address);
   /// Moves the rows of `other`, which has the same columns and no links, to the end of this table.
@@ -63,13 +65,16 @@ class Table {
   struct Column {
     std::string heading;
     Align align;
-    bool cut = false;
+    bool may_narrow = false;
+    bool folds = false;  ///< instead of being cut
   };
   std::vector<std::size_t> widths() const;
   std::vector<std::size_t> widths_within(const TextLayout& layout) const;
   std::string text_line(const std::vector<std::string>& cells,
                         const std::vector<std::size_t>& columns,
                         const std::vector<std::size_t>& widths, std::size_t indent) const;
+  std::string text_row(std::vector<std::string> cells, const std::vector<std::size_t>& columns,
+                       const std::vector<std::size_t>& widths, std::size_t indent) const;
   std::vector<std::string> headings() const;
 
   std::vector<Column> columns_;

@@ -30,7 +30,7 @@ constexpr const char* kDescription =
     "The steps cover the handshake, every RPC, edge-case States, 22 agents in\n"
     "parallel, broken connections, second matches and memory. Each step prints what\n"
     "it measured; a failed one, why it matters. ENDPOINT is HOST:PORT,\n"
-    "tls:HOST:PORT, unix:PATH, run:COMMAND (with {port}) or mock.";
+    "tls:HOST:PORT, unix:PATH, run:COMMAND (with {port}), a team of cls.toml or mock.";
 
 struct Arguments {
   std::string endpoint;
@@ -43,19 +43,10 @@ struct Arguments {
 };
 
 int run_check_playmaker(const Arguments& arguments) {
-  auto endpoint = orchestration::match::parse_endpoint(arguments.endpoint);
-  if (!endpoint || !endpoint->has_one_playmaker()) {
-    return print_error(kUsage, !endpoint ? endpoint.error().message
-                               : endpoint->has_playmaker()
-                                   ? "mix: has several Playmakers; check each of them"
-                                   : "team:DIR has no Playmaker");
-  }
-
-  if (const int read = read_tls_files(*endpoint, arguments.tls); read != kOk) return read;
-  if (const int read = read_side_files(*endpoint); read != kOk) return read;
-
   orchestration::checks::PlaymakerCheckOptions options;
-  options.endpoint = *endpoint;
+  const int read = read_playmaker("", arguments.endpoint, arguments.tls, options.endpoint);
+  if (read != kOk) return read;
+
   options.start_timeout =
       orchestration::checks::Milliseconds(static_cast<int>(arguments.start_timeout_s * 1000.0));
   options.deadline = orchestration::checks::Milliseconds(arguments.deadline_ms);

@@ -13,6 +13,7 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/support/side_arguments.h"
 #include "cli/support/tls_options.h"
 #include "cli/terminal/terminal.h"
 #include "orchestration/checks/doctor/doctor.h"
@@ -112,15 +113,9 @@ int run_doctor(const Arguments& arguments) {
   }
 
   if (!arguments.playmaker.empty()) {
-    auto endpoint = orchestration::match::parse_endpoint(arguments.playmaker);
-    if (!endpoint) return print_error(kUsage, endpoint.error().message);
-    if (!endpoint->has_one_playmaker()) {
-      return print_error(kUsage, endpoint->has_playmaker()
-                                     ? "--playmaker: mix: has several; check each of them"
-                                     : "--playmaker: team:DIR has no Playmaker");
-    }
-    if (const int read = read_tls_files(*endpoint, arguments.tls); read != kOk) return read;
-    options.playmaker = *std::move(endpoint);
+    const int read = read_playmaker("--playmaker: ", arguments.playmaker, arguments.tls,
+                                    options.playmaker.emplace());
+    if (read != kOk) return read;
   }
 
   const std::atomic<int>& signal = watch_interrupts();

@@ -76,7 +76,7 @@ std::string members_text(const ReferenceEntry& entry) {
                    std::string(fact(*one, "unit")), plain(one->text)});
   }
 
-  table.allow_cuts(3);
+  table.allow_folds(3);
   return table.format_text({2, stdout_width(), 1});
 }
 
@@ -150,7 +150,7 @@ int search(const std::string& text, bool json) {
                    plain(effect.empty() ? std::string_view(entry->text) : effect)});
   }
 
-  table.allow_cuts(2);
+  table.allow_folds(2);
   fmt::print("{}", table.format_text({0, stdout_width(), 1}));
   return kOk;
 }

@@ -343,7 +343,25 @@ std::string_view fact(const ReferenceEntry& entry, std::string_view label) {
   return {};
 }
 
-std::vector<const ReferenceEntry*> find_entries(std::string_view word) {
+namespace {
+
+// Words of users for names of the interface.
+constexpr std::pair<std::string_view, std::string_view> kSynonyms[] = {
+    {"goalie", "helios_goalie"}, {"keeper", "helios_goalie"},    {"goalkeeper", "helios_goalie"},
+    {"speed", "velocity"},       {"energy", "stamina"},          {"number", "uniform_number"},
+    {"unum", "uniform_number"},  {"run", "body_go_to_point"},    {"shot", "helios_shoot"},
+    {"draw", "debug_client"},    {"look", "neck_turn_to_point"},
+};
+
+// The singular of a plural, the name that a synonym means; empty for other words.
+std::string other_form(std::string_view word) {
+  for (const auto& [synonym, name] : kSynonyms) {
+    if (folded(word) == synonym) return std::string(name);
+  }
+  return word.size() > 3 && word.ends_with('s') ? std::string(word.substr(0, word.size() - 1)) : "";
+}
+
+std::vector<const ReferenceEntry*> entries_named(std::string_view word) {
   const auto select = [](auto matches) {
     std::vector<const ReferenceEntry*> found;
     for (const ReferenceEntry& entry : reference()) {
@@ -363,6 +381,18 @@ std::vector<const ReferenceEntry*> find_entries(std::string_view word) {
         [&](const ReferenceEntry& entry) { return folded(last_part(entry.name)) == wanted; });
   }
 
+  return found;
+}
+
+}  // namespace
+
+std::vector<const ReferenceEntry*> find_entries(std::string_view word) {
+  auto found = entries_named(word);
+  if (!found.empty()) return found;
+
+  std::string other = other_form(word);
+  found = entries_named(other);
+  if (found.empty()) found = entries_named(other_form(other));  // "shots"
   return found;
 }
 

@@ -36,7 +36,8 @@ const std::vector<ReferenceEntry>& reference();
 std::string_view fact(const ReferenceEntry& entry, std::string_view label);
 
 /// The entries that `word` names: a full name, or the last part of it ("stamina"). Case, `_` and
-/// `-` do not count. Exact names win.
+/// `-` do not count. Exact names win; where there are none, a plural means its singular
+/// ("tackles"), and some words of users mean a name ("keeper").
 std::vector<const ReferenceEntry*> find_entries(std::string_view word);
 
 /// The entries whose name, text or facts have `text`, whatever its case.

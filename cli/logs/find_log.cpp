@@ -26,7 +26,7 @@ std::string without_log_suffix(std::string name) {
 }
 
 Result<FoundLog> find_in_folder(const fs::path& folder) {
-  auto match = find_match_folder(folder, std::nullopt);
+  auto match = find_match_folder(folder, std::nullopt, WantedMatch::kWithGameLog);
   fs::path where = folder;
   if (match) where = match->folder;
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/io/whole_file.h"
+#include "gamelog/files/log_files.h"
 #include "orchestration/match/result/match_folder.h"
 #include "orchestration/match/result/match_result.h"
 #include "orchestration/tournament/store/folder.h"
@@ -74,7 +75,13 @@ Result<FoundMatch> find_in_tournament(const fs::path& folder, std::optional<int>
   return found(latest(*played), fmt::format("match {}; none failed", played->fixture.index));
 }
 
-Result<FoundMatch> find_below(const fs::path& folder) {
+bool has_game_log(const fs::path& folder) {
+  const gamelog::FoundLogs logs = gamelog::find_logs({folder.string()});
+  return std::any_of(logs.matches.begin(), logs.matches.end(),
+                     [](const gamelog::MatchLogs& one) { return !one.game.empty(); });
+}
+
+Result<FoundMatch> find_below(const fs::path& folder, WantedMatch wanted) {
   std::vector<std::pair<fs::file_time_type, fs::path>> matches;
   std::error_code code;
   for (fs::directory_iterator entry(folder, code), end; !code && entry != end;
@@ -91,6 +98,13 @@ Result<FoundMatch> find_below(const fs::path& folder) {
   }
 
   std::sort(matches.rbegin(), matches.rend());
+  if (wanted == WantedMatch::kWithGameLog) {
+    const auto logged = std::find_if(matches.begin(), matches.end(),
+                                     [](const auto& one) { return has_game_log(one.second); });
+    const bool none = logged == matches.end();
+    return FoundMatch{none ? matches.front().second : logged->second, "the latest"};
+  }
+
   const auto failed = std::find_if(matches.begin(), matches.end(),
                                    [](const auto& one) { return !finished(one.second); });
   if (failed == matches.end()) return FoundMatch{matches.front().second, "the latest; none failed"};
@@ -99,7 +113,8 @@ Result<FoundMatch> find_below(const fs::path& folder) {
 
 }  // namespace
 
-Result<FoundMatch> find_match_folder(const fs::path& folder, std::optional<int> index) {
+Result<FoundMatch> find_match_folder(const fs::path& folder, std::optional<int> index,
+                                     WantedMatch wanted) {
   if (const auto why = base::why_no_folder(folder)) {
     return Error{fmt::format("{}: {}", folder.string(), *why)};
   }
@@ -111,7 +126,7 @@ Result<FoundMatch> find_match_folder(const fs::path& folder, std::optional<int> 
   }
 
   if (is_match_folder(folder)) return FoundMatch{folder, ""};
-  return find_below(folder);
+  return find_below(folder, wanted);
 }
 
 }  // namespace cls::cli

@@ -152,7 +152,7 @@ void print_text(const FoundMatch& found, const match::MatchResult& result,
   table.add_column("size", base::Table::Align::kRight);
   table.add_column("contents");
   for (const LogFile& file : files) table.add_row({file.name, size_text(file.bytes), file.what});
-  table.allow_cuts(2);
+  table.allow_folds(2);
   fmt::print("{}", table.format_text({0, static_cast<std::size_t>(stdout_width()), 1}));
 
   if (!tail) return;

@@ -179,14 +179,10 @@ std::optional<Failure> resolve(const Arguments& arguments, SuiteOptions& options
   options.jobs = std::max(options.jobs, 1);
 
   if (arguments.against.empty()) return std::nullopt;
-  auto endpoint = orchestration::match::parse_endpoint(arguments.against);
-  if (!endpoint) return Failure{kUsage, "--against: " + endpoint.error().message};
-
-  int read = read_side_files(*endpoint);
-  if (read == kOk) read = read_tls_files(*endpoint, arguments.tls);
+  const int read =
+      read_side("--against: ", arguments.against, arguments.tls, options.against.emplace());
   if (read != kOk) return Failure{static_cast<ExitCode>(read), ""};
 
-  options.against = *std::move(endpoint);
   options.against_text = arguments.against;
 
   // A user's Playmaker need not support parallel matches.
@@ -317,16 +313,10 @@ std::optional<Failure> resolve(const Arguments& arguments,
   if (arguments.scenarios.size() != 1)
     return Failure{kUsage, "--replay FILE requires one ENDPOINT"};
 
-  auto endpoint = orchestration::match::parse_endpoint(arguments.scenarios.front());
-  if (!endpoint) return Failure{kUsage, endpoint.error().message};
-  if (!endpoint->has_one_playmaker())
-    return Failure{kUsage, "--replay requires one Playmaker, not team:DIR or mix:"};
-
-  int read = read_side_files(*endpoint);
-  if (read == kOk) read = read_tls_files(*endpoint, arguments.tls);
+  const int read =
+      read_playmaker("--replay: ", arguments.scenarios.front(), arguments.tls, options.endpoint);
   if (read != kOk) return Failure{static_cast<ExitCode>(read), ""};
 
-  options.endpoint = *std::move(endpoint);
   options.file = arguments.replay;
   options.folder = arguments.folder;
   if (const auto absence = base::absence(options.file)) {

@@ -20,26 +20,49 @@ struct Language {
   std::string_view decide;    ///< the file of decisions, in the project
   std::string_view packages;  ///< of Debian, for the project's CI
   std::string_view setup;     ///< steps of that CI for tools that Debian 12 lacks
+  std::string_view launch;    ///< lines of .vscode/launch.json
 };
 
 constexpr Language kLanguages[] = {
-    {"python", "Python", "decide.py", "python3-grpcio python3-protobuf protobuf-compiler-grpc", ""},
+    {"python", "Python", "decide.py", "python3-grpcio python3-protobuf protobuf-compiler-grpc", "",
+     "      \"type\": \"debugpy\",\n"
+     "      \"program\": \"${workspaceFolder}/playmaker.py\",\n"
+     "      \"env\": {\"PYTHONPATH\": \"${workspaceFolder}/.build\", \"PYTHONDONTWRITEBYTECODE\": "
+     "\"1\"},\n"},
     {"javascript", "JavaScript", "src/decide.js", "xz-utils",
      "      - uses: actions/setup-node@v4\n"
-     "        with: {node-version: 20}\n"},
+     "        with: {node-version: 20}\n",
+     "      \"type\": \"node\",\n"
+     "      \"program\": \"${workspaceFolder}/src/main.js\",\n"},
     {"typescript", "TypeScript", "src/decide.ts", "xz-utils",
      "      - uses: actions/setup-node@v4\n"
-     "        with: {node-version: 20}\n"},
+     "        with: {node-version: 20}\n",
+     "      \"type\": \"node\",\n"
+     "      \"program\": \"${workspaceFolder}/.build/js/main.js\",\n"
+     "      \"outFiles\": [\"${workspaceFolder}/.build/js/**/*.js\"],\n"
+     "      \"env\": {\"PROTO\": \"${workspaceFolder}/proto\"},\n"},
     {"go", "Go", "decide.go", "protobuf-compiler",
      "      - uses: actions/setup-go@v5\n"
-     "        with: {go-version: '1.26', cache: false}\n"},
-    {"java", "Java", "src/main/java/team/Decide.java", "openjdk-17-jdk-headless maven", ""},
+     "        with: {go-version: '1.26', cache: false}\n",
+     "      \"type\": \"go\",\n"
+     "      \"mode\": \"debug\",\n"
+     "      \"program\": \"${workspaceFolder}\",\n"},
+    {"java", "Java", "src/main/java/team/Decide.java", "openjdk-17-jdk-headless maven", "",
+     "      \"type\": \"java\",\n"
+     "      \"mainClass\": \"team.Main\",\n"
+     "      \"classPaths\": [\"${workspaceFolder}/.build/classes\", "
+     "\"${workspaceFolder}/.build/lib/*\"],\n"},
     {"rust", "Rust", "src/decide.rs", "curl",
      "      - uses: dtolnay/rust-toolchain@master\n"
-     "        with: {toolchain: '1.88'}\n"},
+     "        with: {toolchain: '1.88'}\n",
+     "      \"type\": \"lldb\",\n"
+     "      \"cargo\": {\"args\": [\"build\"], \"env\": {\"CARGO_TARGET_DIR\": "
+     "\"${workspaceFolder}/.build\"}},\n"},
     {"csharp", "C#", "Decide.cs", "ca-certificates curl libicu72",
      "      - uses: actions/setup-dotnet@v4\n"
-     "        with: {dotnet-version: 8.0.x}\n"},
+     "        with: {dotnet-version: 8.0.x}\n",
+     "      \"type\": \"dotnet\",\n"
+     "      \"projectPath\": \"${workspaceFolder}/Team.csproj\",\n"},
 };
 
 constexpr std::string_view kTeam = "team";
@@ -48,6 +71,7 @@ constexpr std::string_view kTeam = "team";
 constexpr std::pair<std::string_view, std::string_view> kRenamed[] = {
     {"gitignore", ".gitignore"},
     {"editorconfig", ".editorconfig"},
+    {"launch.json", ".vscode/launch.json"},
     {"tasks.json", ".vscode/tasks.json"},
     {"test.yml", ".github/workflows/test.yml"},
 };
@@ -105,6 +129,7 @@ std::string filled_in(std::string_view text, std::string_view name, const Langua
   base::replace_all(filled, "@DECIDE@", language.decide);
   base::replace_all(filled, "@PACKAGES@", language.packages);
   base::replace_all(filled, "@SETUP@\n", language.setup);
+  base::replace_all(filled, "@LAUNCH@\n", language.launch);
   return filled;
 }
 

@@ -1,4 +1,4 @@
-// `cls help`: pages of the manual; application.cpp handles the names of commands.
+// `cls help`: pages of the manual and a search; application.cpp handles the names of commands.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -11,11 +11,14 @@
 #include "base/io/whole_file.h"
 #include "base/text/json_text.h"
 #include "base/text/suggestion.h"
+#include "base/text/table.h"
+#include "cli/shell/help_search.h"
 #include "cli/shell/help_topics.h"
 #include "cli/shell/man_page.h"
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/terminal.h"
 
 namespace cls::cli {
 namespace {
@@ -23,16 +26,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kDescription =
-    "print help of a command or a topic\n"
+    "print help of a command or a topic, or search it\n"
     "\n"
     "  cls help tournament run    a command, as cls tournament run --help\n"
     "  cls help topics            the pages of the manual\n"
-    "  cls help testing           one of them";
+    "  cls help testing           one of them\n"
+    "  cls help offside line      all commands, options, pages, fields, actions and\n"
+    "                             end reasons that have these words";
 
 constexpr std::string_view kListOfTopics = "topics";
 
 struct Arguments {
-  std::string topic;
+  std::vector<std::string> words;
   std::string man_folder;
   bool json = false;
 };
@@ -70,6 +75,27 @@ int report_unknown_topic(const Command& root, const std::string& name) {
                                          near.empty() ? " (see cls help topics)" : near));
 }
 
+int print_matches(const std::vector<HelpMatch>& found, bool json) {
+  nlohmann::ordered_json document = {{"schema", "cls.help_search/1"}};
+  base::Table table;
+  table.add_columns({"kind", "name", "text"});
+  for (const HelpMatch& one : found) {
+    table.add_row({one.kind, one.name, one.text});
+    document["found"].push_back(
+        {{"kind", one.kind}, {"name", one.name}, {"text", one.text}, {"read", one.read}});
+  }
+
+  if (json) {
+    fmt::print("{}", base::json_document(document));
+    return kOk;
+  }
+
+  table.allow_folds(2);
+  fmt::print("{}\ncls help PAGE, cls COMMAND --help and cls explain NAME print the rest\n",
+             table.format_text({0, stdout_width(), 1}));
+  return kOk;
+}
+
 int write_man_pages(const Command& root, const fs::path& folder) {
   if (const auto created = base::create_folders(folder); !created) {
     return print_error(kCannotCreate, created.error().message);
@@ -85,11 +111,15 @@ int write_man_pages(const Command& root, const fs::path& folder) {
 int run(const Command& root, const Arguments& arguments) {
   if (!arguments.man_folder.empty()) return write_man_pages(root, arguments.man_folder);
 
-  if (arguments.topic == kListOfTopics) return list_topics(arguments.json);
+  const std::string first = arguments.words.empty() ? "" : arguments.words.front();
+  if (arguments.words.size() == 1) {
+    if (first == kListOfTopics) return list_topics(arguments.json);
+    if (const HelpTopic* topic = find_topic(first)) return print_topic(*topic, arguments.json);
+  }
 
-  const HelpTopic* topic = find_topic(arguments.topic);
-  return topic == nullptr ? report_unknown_topic(root, arguments.topic)
-                          : print_topic(*topic, arguments.json);
+  const std::vector<HelpMatch> found = search_help(root, arguments.words);
+  if (found.empty()) return report_unknown_topic(root, first);
+  return print_matches(found, arguments.json);
 }
 
 }  // namespace
@@ -98,7 +128,8 @@ void add_help_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("help", kDescription);
 
-  command.option("TOPIC", arguments->topic, "a command, a page of the manual, or topics");
+  command.option("WORDS", arguments->words,
+                 "a command, a page of the manual, topics, or what to search for");
   command.option("--man", arguments->man_folder, "write the manual pages of all commands")
       .placeholder("DIR");
   command.flag("--json", arguments->json, "print one JSON document");

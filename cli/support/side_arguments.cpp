@@ -12,6 +12,7 @@
 #include "base/text/suggestion.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/support/tls_options.h"
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/tournament/config/config_file.h"
 
@@ -77,6 +78,30 @@ base::Result<orchestration::match::Endpoint> parse_side(const std::string& side,
 
   return base::Error{endpoint.error().message +
                      "; names of teams need a cls.toml here or above, or --config FILE"};
+}
+
+int read_side(const std::string& label, std::string text,
+              const orchestration::match::TlsFileNames& tls, orchestration::match::Endpoint& side) {
+  std::string team_name;
+  if (const int code = resolve_team_name(text, team_name, ""); code != kOk) return code;
+
+  auto parsed = parse_side(text, "");
+  if (!parsed) return print_error(kUsage, label + parsed.error().message);
+
+  side = *std::move(parsed);
+  if (const int code = read_tls_files(side, tls); code != kOk) return code;
+  return read_side_files(side);
+}
+
+int read_playmaker(const std::string& label, const std::string& text,
+                   const orchestration::match::TlsFileNames& tls,
+                   orchestration::match::Endpoint& side) {
+  if (const int code = read_side(label, text, tls, side); code != kOk) return code;
+  if (side.has_one_playmaker()) return kOk;
+
+  return print_error(
+      kUsage, label + (side.has_playmaker() ? "mix: has several Playmakers; check each of them"
+                                            : "team:DIR has no Playmaker"));
 }
 
 int read_side_files(orchestration::match::Endpoint& side) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "orchestration/match/options/endpoint.h"
+#include "orchestration/match/options/match_options.h"
 
 namespace cls::cli {
 
@@ -16,6 +17,17 @@ int resolve_team_name(std::string& side, std::string& team_name, const std::stri
 /// if there is no such file.
 base::Result<orchestration::match::Endpoint> parse_side(const std::string& side,
                                                         const std::string& config_file);
+
+/// The side that a command plays with or checks: an endpoint, or the name of a team of cls.toml;
+/// with its files and certificates. Prints errors, which begin with `label` ("--against: ");
+/// returns kOk, kUsage, kNoInput, kBadConfig or kBadData.
+int read_side(const std::string& label, std::string text,
+              const orchestration::match::TlsFileNames& tls, orchestration::match::Endpoint& side);
+
+/// read_side() for a side that must have one Playmaker.
+int read_playmaker(const std::string& label, const std::string& text,
+                   const orchestration::match::TlsFileNames& tls,
+                   orchestration::match::Endpoint& side);
 
 /// Reads the script of a mock side and the parameters of the planner, if the side has them. Prints
 /// errors; returns kOk, kNoInput or kBadData.

@@ -135,5 +135,22 @@ TEST(Table, AppendsRowsOfAnotherTable) {
   EXPECT_FALSE(table.empty());
 }
 
+TEST(Table, FoldsCellsOfAColumnThatMayFold) {
+  Table table;
+  table.add_columns({"name", "meaning"});
+  table.add_row({"ball", "where the ball was seen by the agent"});
+  table.add_row({"unum", "its number"});
+  table.allow_folds(1);
+  EXPECT_EQ(table.format_text({0, 26, 1}),
+            "name  meaning\n"
+            "ball  where the ball was\n"
+            "      seen by the agent\n"
+            "unum  its number\n");
+  EXPECT_EQ(table.format_text(),
+            "name  meaning\n"
+            "ball  where the ball was seen by the agent\n"
+            "unum  its number\n");
+}
+
 }  // namespace
 }  // namespace cls::base

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -46,6 +47,21 @@ TEST(HelpCommand, SuggestsCommandsAndTopics) {
             "cls: unknown command or topic 'mtch'; did you mean 'match'?\n");
   EXPECT_EQ(run({cls_binary(), "help", "troubleshoting"}).err,
             "cls: unknown command or topic 'troubleshoting'; did you mean 'troubleshooting'?\n");
+}
+
+TEST(HelpCommand, SearchesCommandsPagesAndNames) {
+  const CommandResult found = run({cls_binary(), "help", "offside", "line", "--json"});
+  ASSERT_EQ(found.exit_code, 0) << found.err;
+  const auto document = nlohmann::json::parse(found.out);
+  EXPECT_EQ(document["schema"], "cls.help_search/1");
+  std::map<std::string, int> kinds;
+  for (const auto& one : document["found"]) ++kinds[one["kind"]];
+  EXPECT_GE(kinds["page"], 1) << found.out;
+  EXPECT_GE(kinds["field"], 1) << found.out;
+
+  const CommandResult option = run({cls_binary(), "help", "no-deadline"});
+  EXPECT_THAT(option.out, HasSubstr("--no-deadline of cls match")) << option.out;
+  EXPECT_EQ(run({cls_binary(), "help", "zebra", "crossing"}).exit_code, 2);
 }
 
 TEST(ManPages, DescribeAllCommandsAndOptions) {

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -44,9 +45,10 @@ TEST_F(NewCommand, WritesProjectOfEachLanguage) {
     }
     EXPECT_EQ(access((project / "run").c_str(), X_OK), 0);
     EXPECT_THAT(read_file(project / "cls.toml"), HasSubstr("[teams.ada]"));
-    for (const char* file : {"README.md", ".gitignore", ".editorconfig", ".vscode/tasks.json",
-                             ".github/workflows/test.yml", "tests/scores.json",
-                             "proto/playmaker.proto", "proto/team_playmaker.proto"}) {
+    for (const char* file :
+         {"README.md", ".gitignore", ".editorconfig", ".vscode/tasks.json", ".vscode/launch.json",
+          ".github/workflows/test.yml", "tests/scores.json", "proto/playmaker.proto",
+          "proto/team_playmaker.proto"}) {
       EXPECT_TRUE(fs::exists(project / file)) << language << " " << file;
     }
   }
@@ -82,6 +84,32 @@ TEST_F(NewCommand, TemplatesAddFilesOfTheirOwn) {
   }
   const std::string train = read_file(folder_.path() / "go-rl/train.py");
   EXPECT_THAT(train, HasSubstr("\"cls\", \"match\", \"ada\""));
+}
+
+// What the debugger of each language starts is a file of the project, or its build makes it.
+TEST_F(NewCommand, DebuggerStartsTheProgramOfTheProject) {
+  const std::map<std::string, std::pair<std::string, std::string>> kStarted = {
+      {"python", {"program", "playmaker.py"}},
+      {"javascript", {"program", "src/main.js"}},
+      {"typescript", {"outFiles", ""}},
+      {"go", {"mode", ""}},
+      {"java", {"mainClass", ""}},
+      {"rust", {"cargo", ""}},
+      {"csharp", {"projectPath", "Team.csproj"}}};
+  for (const std::string language : kLanguages) {
+    run_new({language, "ada", "--dir", language});
+    const fs::path project = folder_.path() / language;
+    const auto launch = nlohmann::json::parse(read_file(project / ".vscode/launch.json"));
+    const auto& configuration = launch["configurations"][0];
+    const auto& [key, file] = kStarted.at(language);
+    EXPECT_TRUE(configuration.contains(key)) << language;
+    if (!file.empty()) {
+      EXPECT_EQ(configuration[key], "${workspaceFolder}/" + file);
+      EXPECT_TRUE(fs::exists(project / file)) << language;
+    }
+    const auto tasks = nlohmann::json::parse(read_file(project / ".vscode/tasks.json"));
+    EXPECT_EQ(tasks["tasks"][0]["label"], configuration["preLaunchTask"]);
+  }
 }
 
 // Debian 12 lacks .NET, and has no Go, Node.js and Rust as recent as the projects need.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <utility>
 
 #include "base/io/home_path.h"
 #include "base/io/whole_file.h"
@@ -32,11 +33,25 @@ bool is_team_character(char c) {
          c == '_' || c == '+';
 }
 
+// "python3 team.py" for "team.py"; empty for what is not a script.
+std::string command_of_script(std::string_view text) {
+  constexpr std::pair<std::string_view, std::string_view> kPrograms[] = {
+      {".py", "python3 "}, {".js", "node "}, {".mjs", "node "}, {".sh", "sh "}};
+  for (const auto& [ending, program] : kPrograms) {
+    if (text.ends_with(ending)) return fmt::format("{}{}", program, text);
+  }
+  return text.starts_with("./") ? std::string(text) : "";
+}
+
 Error unknown_form(std::string_view text) {
   std::string message = fmt::format("unknown side '{}'", text);
   const std::string_view near = base::nearest_name(text, {"mock", "mock:hold"});
   if (text.ends_with(".json")) {
     message += fmt::format("; did you mean 'mock:{}'?", text);
+  } else if (text.find("{port}") != std::string_view::npos) {
+    message += fmt::format("; did you mean 'run:{}'?", text);
+  } else if (const std::string command = command_of_script(text); !command.empty()) {
+    message += fmt::format("; did you mean 'run:{} --port {{port}}'?", command);
   } else if (!near.empty()) {
     message += fmt::format("; did you mean '{}'?", near);
   }

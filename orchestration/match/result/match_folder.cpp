@@ -10,12 +10,15 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <vector>
 
 #include "base/io/occupied_path.h"
+#include "base/io/whole_file.h"
 #include "base/system/host.h"
 #include "base/system/version.h"
 #include "base/text/json_text.h"
 #include "orchestration/match/options/option_table.h"
+#include "orchestration/match/result/match_result.h"
 #include "soccer/parameters/player_params.h"
 #include "soccer/parameters/server_params.h"
 
@@ -90,8 +93,32 @@ Result<void> make_way(const MatchOptions& options, const fs::path& path,
   return {};
 }
 
+bool is_written_before_first_cycle(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return name == kResultFile || name == kManifestFile || name == kEventsFile ||
+         name.ends_with(".log");
+}
+
+// Removes what a match left that ended before its first cycle: then a command can be repeated.
+// Leaves a folder alone that holds anything else.
+void remove_match_that_never_began(const fs::path& folder) {
+  const auto text = base::read_file(folder / kResultFile);
+  if (!text) return;
+  const auto result = parse_match_result(*text);
+  if (!result || result->cycles > 0) return;
+
+  std::error_code code;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, code)) {
+    if (!entry.is_regular_file(code) || !is_written_before_first_cycle(entry.path())) return;
+    files.push_back(entry.path());
+  }
+  for (const fs::path& file : files) fs::remove(file, code);
+}
+
 Result<void> keep_earlier_files(const MatchOptions& options) {
   std::error_code code;
+  if (!options.folder.empty()) remove_match_that_never_began(options.folder);
   const std::string contents = base::contents_of(options.folder);
   if (!options.folder.empty() && !contents.empty()) {
     const auto made = make_way(options, options.folder, "holds " + contents);

@@ -19,6 +19,7 @@ inline constexpr const char* kTextLogFile = "match.rcl";
 /// Creates the folder the options name, or ./runs/<UTC>-<left>-vs-<right> (with -2, -3, ... when
 /// two matches start in the same second). Nothing is overwritten: a folder that holds something is
 /// an error, or renamed to NAME.old if the options say so; the same for the file of recorded calls.
+/// Only the files of a match that ended before its first cycle give way without a word.
 base::Result<std::filesystem::path> make_match_folder(const MatchOptions& options,
                                                       const TeamNames& names);
 

@@ -1,0 +1,104 @@
+// Searches commands, options, pages and names of the interface.
+#include "cli/shell/help_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+#include "base/text/split.h"
+#include "cli/explain/reference.h"
+#include "cli/shell/help_topics.h"
+
+namespace cls::cli {
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string_view::const_iterator find_in(std::string_view text, std::string_view word) {
+  const auto same = [](unsigned char a, unsigned char b) {
+    return std::tolower(a) == std::tolower(b);
+  };
+  return std::search(text.begin(), text.end(), word.begin(), word.end(), same);
+}
+
+bool has_all(std::string_view text, const Words& words) {
+  return std::all_of(words.begin(), words.end(),
+                     [text](const std::string& word) { return find_in(text, word) != text.end(); });
+}
+
+std::string first_line(std::string_view text) {
+  return std::string(text.substr(0, text.find('\n')));
+}
+
+void add_commands(const Command& command, const std::string& name, const Words& words,
+                  std::vector<HelpMatch>& found) {
+  const std::string read = name + " --help";
+  if (has_all(name + " " + command.description, words)) {
+    found.push_back({"command", name, first_line(command.description), read});
+  }
+
+  for (const Option& option : command.options) {
+    if (option.group == kHidden || !has_all(option.names + " " + option.help, words)) continue;
+    found.push_back({"option", fmt::format("{} of {}", name_of(option), name), option.help, read});
+  }
+
+  for (const Command& below : command.commands) {
+    if (below.group != kHidden) add_commands(below, name + " " + below.name, words, found);
+  }
+}
+
+// The first line that has all the words, from a few words before the first of them; empty if the
+// words are in several lines.
+std::string line_with(const std::string& page, const Words& words) {
+  constexpr std::size_t kBefore = 30;
+  constexpr std::size_t kLength = 110;
+  for (std::string_view line : base::split(page, '\n')) {
+    if (!has_all(line, words)) continue;
+
+    const auto at = static_cast<std::size_t>(find_in(line, words.front()) - line.begin());
+    if (at > kBefore) line.remove_prefix(line.find(' ', at - kBefore) + 1);
+    line.remove_prefix(std::min(line.find_first_not_of("# |-"), line.size()));
+    if (line.size() > kLength) line = line.substr(0, line.rfind(' ', kLength));
+    return std::string(line);
+  }
+  return "";
+}
+
+void add_pages(const Words& words, std::vector<HelpMatch>& found) {
+  for (const HelpTopic& topic : help_topics()) {
+    if (!has_all(topic.text, words)) continue;
+    std::string line = line_with(page_text(topic), words);
+    if (line.empty()) continue;
+    found.push_back({"page", topic.name, std::move(line), "cls help " + topic.name});
+  }
+}
+
+void add_entries(const Words& words, std::vector<HelpMatch>& found) {
+  for (const ReferenceEntry* entry : entries_with(words.front())) {
+    std::string all = entry->name + " " + entry->text;
+    for (const auto& [label, value] : entry->facts) all += " " + value;
+    if (!has_all(all, words)) continue;
+
+    const std::string_view effect = fact(*entry, "does");
+    found.push_back({std::string(name(entry->kind)), entry->name,
+                     first_line(effect.empty() ? std::string_view(entry->text) : effect),
+                     "cls explain " + entry->name});
+  }
+}
+
+}  // namespace
+
+std::vector<HelpMatch> search_help(const Command& root, const std::vector<std::string>& words) {
+  std::vector<HelpMatch> found;
+  if (words.empty()) return found;
+
+  add_commands(root, "cls", words, found);
+  add_pages(words, found);
+  add_entries(words, found);
+  return found;
+}
+
+}  // namespace cls::cli

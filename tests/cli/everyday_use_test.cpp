@@ -1,0 +1,93 @@
+// What users do from the first hour on: repeat commands, and call sides by their names in cls.toml.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+class EverydayUse : public testing::Test {
+ protected:
+  EverydayUse() { write("cls.toml", "[teams.ada]\nendpoint = \"mock:hold\"\n"); }
+
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_.path() / name) << text;
+  }
+
+  CommandResult cls(Words words) {
+    words.insert(words.begin(), cls_binary());
+    Command command(words, {}, folder_.path());
+    return command.finish();
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(EverydayUse, MatchTakesTheFolderOfOneThatNeverBegan) {
+  const CommandResult refused = cls({"match", "run:false {port}", "mock", "--dir", "first"});
+  EXPECT_NE(refused.exit_code, 0);
+  ASSERT_TRUE(fs::exists(folder_.path() / "first/result.json")) << refused.err;
+
+  const Words again = {"match", "mock", "mock", "--dir", "first", "--cycles", "20"};
+  EXPECT_EQ(cls(again).exit_code, 0);
+  EXPECT_THAT(cls(again).err, HasSubstr("first holds ")) << "a match that was played";
+}
+
+TEST_F(EverydayUse, MatchLeavesFilesOfUsersAlone) {
+  cls({"match", "run:false {port}", "mock", "--dir", "first"});
+  write("first/notes.txt", "mine");
+  const CommandResult again = cls({"match", "mock", "mock", "--dir", "first", "--cycles", "20"});
+  EXPECT_THAT(again.err, HasSubstr("first holds "));
+  EXPECT_EQ(read_file(folder_.path() / "first/notes.txt"), "mine");
+}
+
+TEST_F(EverydayUse, WatchTakesTheLatestMatchThatHasALog) {
+  ASSERT_EQ(cls({"match", "mock", "mock", "--dir", "runs/1", "--cycles", "20"}).exit_code, 0);
+  cls({"match", "run:false {port}", "mock", "--dir", "runs/2"});
+  const CommandResult watched = cls({"watch", "runs", "--out", "page.html", "--no-open"});
+  EXPECT_EQ(watched.exit_code, 0) << watched.err;
+  EXPECT_TRUE(fs::exists(folder_.path() / "page.html"));
+}
+
+TEST_F(EverydayUse, NamesOfTeamsAreSidesOfTestsAndChecks) {
+  const CommandResult tested =
+      cls({"test", "--against", "ada", "--filter", "team_stays*", "--jobs", "1"});
+  EXPECT_THAT(tested.err, Not(HasSubstr("unknown side")));
+  const CommandResult checked = cls({"check", "playmaker", "ada", "--calls", "20"});
+  EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
+
+  EXPECT_THAT(cls({"test", "--against", "adda"}).err, HasSubstr("did you mean 'ada'?"));
+  EXPECT_THAT(cls({"check", "playmaker", "adda"}).err, HasSubstr("did you mean 'ada'?"));
+}
+
+TEST_F(EverydayUse, ProgramsAsSidesSuggestRun) {
+  fs::remove(folder_.path() / "cls.toml");
+  EXPECT_THAT(cls({"match", "team.py", "mock"}).err,
+              HasSubstr("did you mean 'run:python3 team.py --port {port}'?"));
+  EXPECT_THAT(cls({"match", "node team.js --port {port}", "mock"}).err,
+              HasSubstr("did you mean 'run:node team.js --port {port}'?"));
+}
+
+TEST_F(EverydayUse, ExplainKnowsPluralsAndWordsOfUsers) {
+  EXPECT_THAT(cls({"explain", "tackles"}).out, StartsWith("tackle (action"));
+  EXPECT_THAT(cls({"explain", "keeper"}).out, StartsWith("helios_goalie (action"));
+  EXPECT_THAT(cls({"explain", "zebras"}).err, HasSubstr("unknown name 'zebras'"));
+}
+
+}  // namespace
+}  // namespace cls::tests
