@@ -40,11 +40,13 @@ struct PassNetworkData {
     soccer::Vec2 position;
     int passes = 0;  ///< given and received
   };
+
   struct Edge {
     std::size_t first = 0;  ///< indices into nodes
     std::size_t second = 0;
     int passes = 0;  ///< both directions
   };
+
   ChartTitle title;
   Tone tone = Tone::kLeft;
   std::vector<Node> nodes;
@@ -61,6 +63,7 @@ struct ShotMapData {
     bool goal = false;
     std::string tip;
   };
+
   ChartTitle title;
   std::array<std::string, 2> teams;  ///< legend of each team
   std::vector<Shot> shots;
@@ -73,6 +76,7 @@ struct TimeAxis {
     double at = 0.0;  ///< frame
     std::string text;
   };
+
   double last = 0.0;  ///< frame
   std::vector<Tick> ticks;
   std::vector<double> halves;  ///< frames where the second half and extra time begin
@@ -86,6 +90,7 @@ struct RaceData {
     bool goal = false;
     std::string tip;
   };
+
   ChartTitle title;
   TimeAxis axis;
   std::array<std::string, 2> teams;  ///< legend of each team
@@ -99,6 +104,7 @@ struct SharesData {
     std::string name;
     std::vector<double> shares;  ///< 0 to 1 at equal distances from first to last frame; NaN: none
   };
+
   ChartTitle title;
   TimeAxis axis;
   std::array<std::string, 2> teams;
@@ -115,6 +121,7 @@ struct SceneData {
     double body = 0.0;  ///< degrees
     bool marked = false;
   };
+
   ChartTitle title;
   std::array<std::string, 2> teams;
   std::vector<Player> players;
@@ -131,11 +138,13 @@ struct SearchData {
     double low = 0.0;
     double high = 0.0;
   };
+
   struct Trace {
     std::string name;
     std::array<std::string, 2> ends;  ///< texts of the lowest and the highest value
     std::vector<Value> values;        ///< 0 to 1 of the range, from the start values on
   };
+
   ChartTitle title;
   std::string unit;           ///< of the scores: "goals a match"
   double even = 0.0;          ///< the score of equals
@@ -151,6 +160,7 @@ struct RatingsData {
     double elo = 0.0;
     double error = 0.0;  ///< half of the interval
   };
+
   ChartTitle title;
   std::vector<Team> teams;  ///< from the top
 };

@@ -24,6 +24,7 @@ struct Mean {
 std::vector<Mean> means_of(const std::vector<int>& differences) {
   constexpr double kFirst = 5.0;
   constexpr double kNormal95 = 1.96;
+
   std::vector<Mean> means;
   double sum = 0.0;
   double squares = 0.0;
@@ -33,6 +34,7 @@ std::vector<Mean> means_of(const std::vector<int>& differences) {
     squares += difference * difference;
     ++count;
     if (count < kFirst) continue;
+
     const double mean = sum / count;
     const double variance = std::max(0.0, (squares - sum * mean) / (count - 1));
     means.push_back({count, mean, kNormal95 * std::sqrt(variance / count)});
@@ -56,6 +58,7 @@ class MeansPlot {
 
   void draw_axes(Drawing& drawing) const {
     drawing.text({place_.left, place_.top - 10}, "mean after each match, 95 % interval", "soft");
+
     const double step = tick_step(high_ - low_, 5.0, 0.1);
     const double last = std::floor(high_ / step);
     for (double tick = std::ceil(low_ / step); tick <= last; ++tick) {
@@ -63,6 +66,7 @@ class MeansPlot {
       drawing.line({place_.left, height}, {place_.right, height}, {tick == 0.0 ? "zero" : "axis"});
       drawing.text({place_.left - 8, height + 4}, svg_number(tick * step), "soft", Anchor::kEnd);
     }
+
     TimeAxis axis;
     const double matches = tick_step(place_.frames, 6.0, 1.0);
     for (double tick = matches; tick <= place_.frames; tick += matches) {
@@ -86,6 +90,7 @@ void draw_means(Drawing& drawing, const DifferencesData& data) {
   const MeansPlot plot(means, data.differences.size());
   plot.draw_axes(drawing);
   if (means.empty()) return;
+
   std::vector<Vec2> line;
   std::vector<Vec2> band;
   for (const Mean& one : means) {
@@ -95,6 +100,7 @@ void draw_means(Drawing& drawing, const DifferencesData& data) {
   for (auto one = means.rbegin(); one != means.rend(); ++one) {
     band.push_back(plot.at(one->matches, one->mean - one->error));
   }
+
   drawing.polygon(band, {"left", 0.0, 0.2});
   drawing.polyline(line, {"left-line", 2.0});
 }
@@ -110,15 +116,18 @@ void draw_histogram(Drawing& drawing, const DifferencesData& data) {
   constexpr double kCountHeight = 16.0;
   drawing.text({kLeft, kTop - 10}, "matches with each difference", "soft");
   drawing.line({kLeft, kBottom}, {kRight, kBottom}, {"zero"});
+
   std::map<double, double> counts;
   double most = 0.0;
   for (const int difference : data.differences) most = std::max(most, ++counts[difference]);
   if (counts.empty()) return;
+
   const double first = counts.begin()->first;
   const double columns = counts.rbegin()->first - first + 1;
   const double width = std::min(40.0, (kRight - kLeft) / columns);
   const double scale = (kBottom - kTop - kCountHeight) / most;
   const double labelled = tick_step(columns, 8.0, 1.0);
+
   for (const auto& [difference, count] : counts) {
     const double left = kLeft + (difference - first) * width;
     const double top = kBottom - count * scale;

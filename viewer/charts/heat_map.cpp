@@ -34,14 +34,17 @@ std::string heat_map(const HeatMapData& data) {
   constexpr double kTop = 34.0;
   Drawing drawing(kChartWidth, height_with_pitch(kTop, kChartMargin), data.title.text);
   draw_title(drawing, data.title);
+
   const bool complete = data.cells.size() == data.columns * data.rows && !data.cells.empty();
   const PitchPlace place = draw_pitch(drawing, kTop);
   if (!complete) return std::move(drawing).finish();
+
   const double size = data.cell_size;
   const double left = -size * static_cast<double>(data.columns) / 2;
   const double top = -size * static_cast<double>(data.rows) / 2;
   const std::string side = svg_number(size * place.scale);
   const double most = largest(data.cells);
+
   for (std::size_t level = 1; level < kLevels; ++level) {
     std::string cells;
     for (std::size_t i = 0; i < data.cells.size(); ++i) {

@@ -33,6 +33,7 @@ std::string half_path(const PitchPlace& place, double sign) {
     const double b = sign * (soccer::kHalfLength - to);
     return rect_path(place, {std::min(a, b), std::max(a, b), -width / 2, width / 2});
   };
+
   constexpr double kGoalWidth = 14.02;  // of rcssserver, wider than the rules of soccer say
   return box(0.0, soccer::kPenaltyAreaLength, soccer::kPenaltyAreaWidth) +
          box(0.0, soccer::kGoalAreaLength, soccer::kGoalAreaWidth) +
@@ -73,6 +74,7 @@ PitchPlace draw_pitch(Drawing& drawing, double top) {
                          scale};
   const Vec2 size = Vec2{soccer::kHalfLength + kPitchFrame, soccer::kHalfWidth + kPitchFrame};
   drawing.rect(place.at(-size), 2 * scale * size, {"pitch"});
+
   const Vec2 upper = place.at({0.0, -soccer::kHalfWidth});
   const std::string lines = rect_path(place, {-soccer::kHalfLength, soccer::kHalfLength,
                                               -soccer::kHalfWidth, soccer::kHalfWidth}) +
@@ -81,10 +83,12 @@ PitchPlace draw_pitch(Drawing& drawing, double top) {
                             half_path(place, -1.0) + half_path(place, 1.0);
   drawing.path(lines, {"lines"});
   drawing.circle(place.center, soccer::kCenterCircleRadius * scale, {"lines"});
+
   constexpr double kSpotRadius = 2.0;
   const double spot = soccer::kHalfLength - soccer::kPenaltySpotDistance;
   for (const double x : {-spot, 0.0, spot})
     drawing.circle(place.at({x, 0.0}), kSpotRadius, {"spot"});
+
   return place;
 }
 
@@ -102,6 +106,7 @@ void draw_time_axis(Drawing& drawing, const PlotPlace& place, const TimeAxis& ax
     drawing.line({x, place.top}, {x, place.bottom}, {"axis"});
     drawing.text({x, place.bottom + 17}, tick.text, "soft", Anchor::kMiddle);
   }
+
   for (const double half : axis.halves) {
     drawing.line({place.x(half), place.top}, {place.x(half), place.bottom}, {"half"});
   }

@@ -26,10 +26,12 @@ void draw_edges(Drawing& drawing, const PitchPlace& place, const PassNetworkData
   std::vector<Edge> edges = data.edges;
   std::stable_sort(edges.begin(), edges.end(),
                    [](const Edge& a, const Edge& b) { return a.passes < b.passes; });
+
   const int shown = shown_passes(edges);
   for (const Edge& edge : edges) {
     const bool known = edge.first < data.nodes.size() && edge.second < data.nodes.size();
     if (!known || edge.passes < shown) continue;
+
     const double share = static_cast<double>(edge.passes) / edges.back().passes;
     drawing.line(place.at(data.nodes[edge.first].position),
                  place.at(data.nodes[edge.second].position),
@@ -42,6 +44,7 @@ void draw_nodes(Drawing& drawing, const PitchPlace& place, const PassNetworkData
   constexpr double kMaxRadius = 19.0;
   int most = 1;
   for (const Node& node : data.nodes) most = std::max(most, node.passes);
+
   for (const Node& node : data.nodes) {
     const soccer::Vec2 center = place.at(node.position);
     const double share = static_cast<double>(std::max(0, node.passes)) / most;
@@ -59,11 +62,13 @@ void draw_nodes(Drawing& drawing, const PitchPlace& place, const PassNetworkData
 std::string pass_network_chart(const PassNetworkData& data) {
   constexpr double kTop = 34.0;
   constexpr double kBelow = 28.0;
+
   Drawing drawing(kChartWidth, height_with_pitch(kTop, kBelow), data.title.text);
   draw_title(drawing, data.title);
   const PitchPlace place = draw_pitch(drawing, kTop);
   draw_edges(drawing, place, data);
   draw_nodes(drawing, place, data);
+
   const int shown = shown_passes(data.edges);
   drawing.text({kChartMargin, place.bottom() + 18},
                data.nodes.empty() ? "no completed pass"

@@ -35,6 +35,7 @@ class Race {
 
   void draw() {
     draw_time_axis(drawing_, place_, data_.axis);
+
     constexpr double kParts = 5.0;
     const double step = tick_step(range_, kParts, 0.05);
     for (int i = 0; i * step <= range_; ++i) {
@@ -42,6 +43,7 @@ class Race {
       drawing_.line({place_.left, at}, {place_.right, at}, {i == 0 ? "zero" : "axis"});
       drawing_.text({place_.left - 8, at + 4}, svg_number(i * step), "soft", Anchor::kEnd);
     }
+
     const std::array<Vec2, 2> ends = {draw_line(0), draw_line(1)};
     draw_ends(ends);
   }
@@ -61,12 +63,14 @@ class Race {
       points.push_back({x, y(sum)});
       if (step.goal) goals.emplace_back(points.back(), &step);
     }
+
     points.push_back({place_.right, y(sum)});
     drawing_.polyline(points, {line_of(tone_of(team)), 2.0});
     for (const auto& [at, step] : goals) {
       drawing_.circle(at, 5.5, {fill_of(tone_of(team))}, step->tip);
       drawing_.circle(at, 5.5, {"ring", 1.5});
     }
+
     sums_[team] = sum;
     return points.back();
   }
@@ -81,6 +85,7 @@ class Race {
       high.y = std::min(high.y, place_.bottom - kLine);
       low.y = high.y + kLine;
     }
+
     for (std::size_t team = 0; team < 2; ++team) {
       drawing_.text(ends[team] + Vec2{8.0, 4.0}, svg_number(sums_[team]), fill_of(tone_of(team)));
     }

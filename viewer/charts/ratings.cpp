@@ -35,6 +35,7 @@ std::string ratings_chart(const RatingsData& data) {
   const double bottom = kTop + kRow * static_cast<double>(data.teams.size());
   Drawing drawing(kChartWidth, bottom + kAxisHeight, data.title.text);
   draw_title(drawing, data.title);
+
   const Range range = range_of(data);
   const double pixels = (kChartWidth - kNames - 24.0) / (range.high - range.low);
   const auto x = [&](double elo) { return kNames + (elo - range.low) * pixels; };
@@ -47,6 +48,7 @@ std::string ratings_chart(const RatingsData& data) {
     drawing.text({at, bottom + 17}, (tick > 0 ? "+" : "") + svg_number(tick * step), "soft",
                  Anchor::kMiddle);
   }
+
   double y = kTop + kRow / 2;
   for (const RatingsData::Team& team : data.teams) {
     drawing.text({kNames - 12, y + 4.5}, shortened_name(team.name), "", Anchor::kEnd);

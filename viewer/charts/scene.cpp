@@ -13,6 +13,7 @@ void draw_player(Drawing& drawing, const PitchPlace& place, const Player& player
   constexpr double kRadius = 8.5;
   const Vec2 center = place.at(player.position);
   const Tone tone = tone_of(player.team);
+
   if (player.marked) drawing.circle(center, kRadius + 5.5, {line_of(tone), 2.5});
   drawing.line(center, center + soccer::polar_degrees(kRadius + 5, player.body),
                {line_of(tone), 3});
@@ -31,9 +32,11 @@ std::string scene_chart(const SceneData& data) {
   draw_title(drawing, data.title);
   draw_teams(drawing, kTeams, data.teams);
   const PitchPlace place = draw_pitch(drawing, kTop);
+
   std::vector<Vec2> path;
   for (const Vec2 point : data.ball_path) path.push_back(place.at(point));
   if (path.size() > 1) drawing.polyline(path, {"ball-line", 1.5});
+
   for (const Player& player : data.players) draw_player(drawing, place, player);
   drawing.circle(place.at(data.ball), 4.0, {"ball"});
   return std::move(drawing).finish();

@@ -50,6 +50,7 @@ void draw_series(Drawing& drawing, const Panel& panel, const std::vector<SearchD
   for (std::size_t i = series.size(); i > 0; --i) {
     band.push_back(panel.at(first + static_cast<double>(i - 1), series[i - 1].low));
   }
+
   drawing.polygon(band, {"left", 0.0, 0.2});
   drawing.polyline(line, {"left-line", 2.0});
 }
@@ -68,6 +69,7 @@ void draw_scores(Drawing& drawing, const SearchData& data, const PlotPlace& plac
   Panel panel{place, *std::min_element(ends.begin(), ends.end()),
               *std::max_element(ends.begin(), ends.end())};
   if (!(panel.low < panel.high)) panel.high = panel.low + 1;
+
   draw_frame(drawing, panel, data.unit, {svg_number(panel.low), svg_number(panel.high)});
   drawing.line(panel.at(0, data.even), panel.at(place.frames, data.even), {"zero"});
   draw_series(drawing, panel, data.scores, 1.0);
@@ -89,9 +91,11 @@ std::string search_chart(const SearchData& data) {
       kScoreTop + kScoreHeight + traces * (kTraceHeight + kTraceGap) + kGenerationsHeight;
   Drawing drawing(kChartWidth, height, data.title.text);
   draw_title(drawing, data.title);
+
   PlotPlace place{76.0, kChartWidth - 20.0, kScoreTop, kScoreTop + kScoreHeight,
                   std::max<double>(1.0, static_cast<double>(data.scores.size()))};
   draw_scores(drawing, data, place);
+
   for (const SearchData::Trace& trace : data.traces) {
     place.top = place.bottom + kTraceGap;
     place.bottom = place.top + kTraceHeight;
@@ -103,6 +107,7 @@ std::string search_chart(const SearchData& data) {
     }
     draw_series(drawing, panel, trace.values, 0.0);
   }
+
   draw_generations(drawing, place);
   return std::move(drawing).finish();
 }

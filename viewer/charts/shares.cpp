@@ -27,8 +27,10 @@ std::vector<Run> runs_of(const Strip& strip, double last) {
       open = false;
       continue;
     }
+
     const Vec2 point = {last * static_cast<double>(i) / count,
                         std::clamp(strip.shares[i], 0.0, 1.0)};
+
     if (!open) runs.emplace_back();
     open = true;
     Run& run = runs.back();
@@ -46,6 +48,7 @@ std::vector<Vec2> area_of(const Run& run, const PlotPlace& place, std::size_t te
   const auto at = [&](double frame, double share) {
     return Vec2{place.x(frame), place.bottom - (place.bottom - place.top) * share};
   };
+
   std::vector<Vec2> points = {at(run.front().x, 0.5)};
   for (const Vec2 point : run) {
     points.push_back(at(point.x, team == 0 ? std::max(0.5, point.y) : std::min(0.5, point.y)));
@@ -61,6 +64,7 @@ void draw_strip(Drawing& drawing, const PlotPlace& place, const Strip& strip) {
     drawing.line({place.left, y}, {place.right, y}, {share == 0.5 ? "zero" : "axis"});
     drawing.text({place.left - 8, y + 4}, svg_number(100 * share), "soft", Anchor::kEnd);
   }
+
   for (const Run& run : runs_of(strip, place.frames)) {
     for (std::size_t team = 0; team < 2; ++team) {
       drawing.polygon(area_of(run, place, team), {fill_of(tone_of(team)), 0.0, 0.85});
@@ -76,11 +80,13 @@ std::string shares_chart(const SharesData& data) {
   Drawing drawing(kChartWidth, height, data.title.text);
   draw_title(drawing, data.title);
   draw_teams(drawing, 46.0, data.teams);
+
   PlotPlace place{44.0, kChartWidth - 20.0, kTop + kStripGap - kChartMargin, 0.0,
                   std::max(1.0, data.axis.last)};
   PlotPlace all = place;
   all.bottom = place.top + strips * (kStripHeight + kStripGap) - kStripGap;
   draw_time_axis(drawing, all, data.axis);
+
   for (const Strip& strip : data.strips) {
     place.bottom = place.top + kStripHeight;
     draw_strip(drawing, place, strip);

@@ -46,12 +46,14 @@ std::string shot_map(const ShotMapData& data) {
   draw_title(drawing, data.title);
   draw_teams(drawing, kTeams, data.teams);
   const PitchPlace place = draw_pitch(drawing, kTop);
+
   // Small circles and goals last: nothing hides them.
   std::vector<const Shot*> shots;
   for (const Shot& shot : data.shots) shots.push_back(&shot);
   std::stable_sort(shots.begin(), shots.end(), [](const Shot* a, const Shot* b) {
     return a->goal != b->goal ? b->goal : radius_of(a->expected) > radius_of(b->expected);
   });
+
   for (const Shot* shot : shots) draw_shot(drawing, place.at(shot->position), *shot);
   draw_key(drawing, place.bottom() + 25);
   return std::move(drawing).finish();

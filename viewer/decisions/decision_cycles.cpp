@@ -21,6 +21,7 @@ base::Result<std::string> select_cycles(std::string_view stream,
                                         const std::vector<CycleRange>& ranges) {
   if (ranges.empty()) return std::string(stream);
   TRY_INIT(auto decisions, read_decisions(stream));
+
   std::string selected;
   DecisionWriter writer;
   writer.append_header(decisions.side, decisions.team, selected);
@@ -29,6 +30,7 @@ base::Result<std::string> select_cycles(std::string_view stream,
       if (in_one_of(ranges, sample.cycle)) writer.append(unum, sample, selected);
     }
   }
+
   writer.append_end(selected);
   return selected;
 }

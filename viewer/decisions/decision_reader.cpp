@@ -34,6 +34,7 @@ std::optional<Chunk> next_chunk(std::string_view& rest) {
   const auto kind = static_cast<char>(reader.byte());
   const std::string_view contents = reader.string();
   if (!reader.good()) return std::nullopt;
+
   const std::size_t size = rest.size() - reader.left();
   const Chunk chunk{kind, contents, rest.substr(0, size)};
   rest.remove_prefix(size);
@@ -67,6 +68,7 @@ class Reader {
     if (chunk.kind == kLatencyChunk) return read_latencies(chunk.contents);
     return std::nullopt;
   }
+
   TeamDecisions take() && { return std::move(decisions_); }
 
  private:
@@ -74,13 +76,14 @@ class Reader {
     DecisionStates states;
     std::array<TextShapes, kDecisionTexts.size()> shapes;
     std::array<std::size_t, kDecisionTexts.size()> texts{};  ///< how many decisions have them
-    std::size_t latencies = 0;                               ///< the same
+    std::size_t latencies = 0;                               ///< how many decisions have one
     std::int64_t last_latency = 0;
   };
 
   std::optional<base::Error> read_header(std::string_view contents) {
     const Json json = Json::parse(contents, nullptr, false);
     if (auto error = header_error(json)) return error;
+
     decisions_.side = *soccer::parse_side(json.value("side", ""));
     decisions_.team = json.value("team", "");
     has_header_ = true;
@@ -101,6 +104,7 @@ class Reader {
     std::size_t count = 0;
     const int unum = read_start(in, count);
     if (unum == 0 || count == 0) return corrupt("a chunk of decisions");
+
     const auto player = static_cast<std::size_t>(unum - 1);
     std::vector<SlottedSample> samples(count);
     std::size_t index = 0;
@@ -114,12 +118,14 @@ class Reader {
       }
     }
     if (!in.good() || !in.at_end()) return corrupt("a chunk of decisions");
+
     for (SlottedSample& slotted : samples) {
       for (const UnnumberedPlayer& other : slotted.unnumbered) {
         if (other.id != 0) slotted.sample.unnumbered.push_back(other);
       }
       decisions_.players[player].push_back(std::move(slotted.sample));
     }
+
     return std::nullopt;
   }
 
@@ -129,10 +135,12 @@ class Reader {
     const int unum = read_start(in, count);
     const auto kind = static_cast<std::size_t>(in.varint());
     if (unum == 0 || kind >= kDecisionTexts.size()) return corrupt("texts");
+
     Player& player = players_[static_cast<std::size_t>(unum - 1)];
     std::size_t& first = player.texts[kind];
     std::vector<DecisionSample>& samples = decisions_.players[static_cast<std::size_t>(unum - 1)];
     if (first + count > samples.size()) return corrupt("texts");
+
     std::vector<std::string> texts = decode_texts(count, player.shapes[kind], room_, in);
     if (!in.good() || !in.at_end()) return corrupt("texts");
     for (std::string& text : texts) {
@@ -147,9 +155,11 @@ class Reader {
     std::size_t count = 0;
     const int unum = read_start(in, count);
     if (unum == 0) return corrupt("latencies");
+
     Player& player = players_[static_cast<std::size_t>(unum - 1)];
     std::vector<DecisionSample>& samples = decisions_.players[static_cast<std::size_t>(unum - 1)];
     if (player.latencies + count > samples.size()) return corrupt("latencies");
+
     for (std::size_t i = 0; i < count; ++i) {
       player.last_latency += in.zigzag();
       samples[player.latencies++].latency_us = player.last_latency;
@@ -198,6 +208,7 @@ base::Result<std::string> select_players(std::string_view stream, const std::vec
       append_string(base::json_line(end), selected);
       return selected;
     }
+
     if (chunk->kind == kHeaderChunk) {
       if (auto error = header_error(Json::parse(chunk->contents, nullptr, false))) return *error;
     } else {
@@ -207,6 +218,7 @@ base::Result<std::string> select_players(std::string_view stream, const std::vec
           unums.empty() || std::find(unums.begin(), unums.end(), unum) != unums.end();
       if (!wanted) continue;
     }
+
     selected += chunk->bytes;
     if (chunk->kind != kLatencyChunk) add_to_checksum(chunk->bytes, checksum);
   }

@@ -41,6 +41,7 @@ bool read_number(std::string_view text, std::size_t& at, Number& number) {
   const bool negative = text[end] == '-';
   if (negative) ++end;
   if (end >= text.size() || !is_digit(text[end])) return false;
+
   const std::int64_t whole = read_digits(text, text[end] == '0' ? 1 : kMaxDigits, end);
   number = {whole * kUnits[0], 0};
   if (end + 1 < text.size() && text[end] == '.' && is_digit(text[end + 1])) {
@@ -49,6 +50,7 @@ bool read_number(std::string_view text, std::size_t& at, Number& number) {
     number.decimals = end - start;
     number.thousandths += fraction * kUnits.at(number.decimals);
   }
+
   if (negative && number.thousandths == 0) return false;
   if (negative) number.thousandths = -number.thousandths;
   at = end;
@@ -60,6 +62,7 @@ void append_number(const Number& number, std::string& out) {
   if (number.thousandths < 0) out += '-';
   out += std::to_string(size / kUnits[0]);
   if (number.decimals == 0) return;
+
   const std::string fraction = std::to_string(kUnits[0] + size % kUnits[0]);
   out += '.' + fraction.substr(1, number.decimals);
 }
@@ -76,6 +79,7 @@ Split split(std::string_view text, TextShapes& shapes) {
   Split result;
   std::string shape;
   text = text.substr(0, kMaxDecisionText);
+
   for (std::size_t at = 0; at < text.size();) {
     Number number;
     if (read_number(text, at, number)) {
@@ -86,6 +90,7 @@ Split split(std::string_view text, TextShapes& shapes) {
       ++at;
     }
   }
+
   const auto known = shapes.ids.find(shape);
   result.shape = known != shapes.ids.end() ? known->second : shapes.shapes.size();
   if (known == shapes.ids.end()) add_shape(std::move(shape), shapes);
@@ -106,6 +111,7 @@ template <typename Run>
 void for_each_number(const std::vector<std::size_t>& ids, const TextShapes& shapes, Run run) {
   std::vector<std::vector<std::size_t>> texts_of(shapes.shapes.size());
   for (std::size_t i = 0; i < ids.size(); ++i) texts_of[ids[i]].push_back(i);
+
   for (std::size_t shape = 0; shape < texts_of.size(); ++shape) {
     if (texts_of[shape].empty()) continue;
     for (std::size_t place = 0; place < shapes.last[shape].size(); ++place) {
@@ -154,9 +160,11 @@ void encode_texts(const std::vector<std::string_view>& texts, TextShapes& shapes
     parts.push_back(split(text, shapes));
     ids.push_back(parts.back().shape);
   }
+
   append_varint(shapes.shapes.size() - known, out);
   for (std::size_t i = known; i < shapes.shapes.size(); ++i) append_string(shapes.shapes[i], out);
   for (const std::size_t id : ids) append_varint(id, out);
+
   for_each_number(ids, shapes, [&](std::size_t text, std::size_t place) {
     const Number& number = parts[text].numbers[place];
     std::int64_t& last = shapes.last[ids[text]][place];
@@ -172,6 +180,7 @@ void encode_texts(const std::vector<std::string_view>& texts, TextShapes& shapes
 std::vector<std::string> decode_texts(std::size_t count, TextShapes& shapes, std::size_t room,
                                       ByteReader& in) {
   decode_shapes(shapes, in);
+
   std::vector<std::size_t> ids;
   std::size_t size = 0;
   for (std::size_t i = 0; i < count && in.good(); ++i) {
@@ -181,9 +190,11 @@ std::vector<std::string> decode_texts(std::size_t count, TextShapes& shapes, std
     ids.push_back(id);
     size += shapes.shapes[id].size();
   }
+
   // Each number takes a byte at least.
   if (size > room || numbers_in(ids, shapes) > in.left()) in.fail();
   if (!in.good()) return {};
+
   std::vector<std::vector<Number>> numbers(count);
   for_each_number(ids, shapes, [&](std::size_t text, std::size_t) {
     const std::uint64_t code = in.varint();
@@ -196,6 +207,7 @@ std::vector<std::string> decode_texts(std::size_t count, TextShapes& shapes, std
     if (!in.good()) last = 0;
     numbers[text].push_back({last, decimals});
   });
+
   if (!in.good()) return {};
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < count; ++i)

@@ -40,11 +40,13 @@ void assign_slots(const std::vector<UnnumberedPlayer>& players, Slots& slots) {
     return std::find_if(slots.begin(), slots.end(),
                         [id](const UnnumberedPlayer& slot) { return slot.id == id; });
   };
+
   for (UnnumberedPlayer& slot : slots) {
     const bool tracked = std::any_of(players.begin(), players.end(),
                                      [&](const auto& player) { return player.id == slot.id; });
     if (!tracked) slot.id = 0;
   }
+
   for (const UnnumberedPlayer& player : players) {
     auto slot = slot_of_id(player.id);
     if (slot == slots.end()) slot = slot_of_id(0);
@@ -110,6 +112,7 @@ void DecisionWriter::append(int unum, const DecisionSample& sample, std::string&
   SlottedSample slotted{sample, player.unnumbered};
   keep_last_numbers(player.samples.empty() ? player.last : player.samples.back().sample,
                     slotted.sample);
+
   player.samples.push_back(std::move(slotted));
   ++decisions_;
   if (player.samples.size() == kDecisionBlock) append_blocks(out);
@@ -132,6 +135,7 @@ std::string DecisionWriter::texts_of(int unum, std::size_t kind) {
   for (const SlottedSample& row : player.samples) {
     texts.emplace_back(row.sample.*kDecisionTexts.at(kind));
   }
+
   std::string contents = block_start(unum, texts.size());
   append_varint(kind, contents);
   encode_texts(texts, player.shapes.at(kind), contents);
@@ -154,11 +158,13 @@ void DecisionWriter::append_blocks(std::string& out) {
   for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
     if (!player_of(unum).samples.empty()) unums.push_back(unum);
   }
+
   for (const int unum : unums) append_chunk(kDecisionsChunk, numbers_of(unum), out);
   for (std::size_t kind = 0; kind < kDecisionTexts.size(); ++kind) {
     for (const int unum : unums) append_chunk(kTextsChunk, texts_of(unum, kind), out);
   }
   for (const int unum : unums) append_chunk(kLatencyChunk, latencies_of(unum), out);
+
   for (const int unum : unums) {
     Player& player = player_of(unum);
     player.last = std::move(player.samples.back().sample);

@@ -73,12 +73,15 @@ struct HttpServer::State {
   HttpRoutes routes;
   std::string shown_host;
   std::string token = random_token();
+
   std::mutex ticket_mutex;
   std::string ticket;  ///< of single_use_url(); empty: none or used
+
   /// Ends the sessions that have not sent the token yet, oldest first.
   std::list<std::function<void()>> strangers;
   std::atomic<std::size_t> connections{0};
   std::atomic<std::size_t> streams{0};
+
   asio::io_context io{1};  // sessions end with it, before what they use
   tcp::acceptor acceptor{io};
   std::thread thread;
@@ -122,6 +125,7 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   void read_request() {
     parser_.emplace();
     parser_->header_limit(kMaxHeader);
+
     stream_.expires_after(kRequestTimeout);
     http::async_read_header(stream_, buffer_, *parser_,
                             [self = this->shared_from_this()](ErrorCode error, std::size_t) {
@@ -144,9 +148,11 @@ class Session : public std::enable_shared_from_this<Session<State>> {
       return refuse(400, "no HTTP request\n");
     }
     if (error) return close();
+
     const auto& request = parser_->get();
     const bool head = request.method() == http::verb::head;
     if (!head && request.method() != http::verb::get) return refuse(405, "GET and HEAD only\n");
+
     // The body of a request is not read, so nothing may follow it.
     const bool keep = request.keep_alive() && parser_->is_done();
     if (!is_own_host(view(request[http::field::host]))) return refuse(403, "unknown host\n");
@@ -162,8 +168,10 @@ class Session : public std::enable_shared_from_this<Session<State>> {
         CRYPTO_memcmp(target.data(), prefix.data(), prefix.size()) != 0) {
       return {404, HttpReply().type, "not found\n", nullptr, 0};
     }
+
     leave_strangers();
     target.remove_prefix(prefix.size());
+
     const std::size_t mark = std::min(target.find('?'), target.size());
     const std::string_view query = mark < target.size() ? target.substr(mark + 1) : "";
     return state_.routes(target.substr(0, mark), query);
@@ -199,12 +207,15 @@ class Session : public std::enable_shared_from_this<Session<State>> {
     set_fields(*text_, reply.type);
     if (!location_.empty()) text_->set(http::field::location, location_);
     if (reply.status == 405) text_->set(http::field::allow, "GET, HEAD");
+
     text_->keep_alive(keep);
     if (reply.feed == nullptr) text_->content_length(reply.body.size());
     if (!head) text_->body() = std::move(reply.body);
+
     serializer_.emplace(*text_);
     if (head) serializer_->split(true);
     stream_.expires_after(kWriteTimeout);
+
     const auto sent = [self = this->shared_from_this(), keep](ErrorCode error, std::size_t) {
       if (error || !keep) return self->close();
       self->read_request();
@@ -220,10 +231,12 @@ class Session : public std::enable_shared_from_this<Session<State>> {
     feed_ = std::move(reply.feed);
     from_ = reply.from;
     ++state_.streams;
+
     head_.emplace(http::status::ok, 11);
     set_fields(*head_, reply.type);
     head_->chunked(true);
     head_->keep_alive(false);
+
     head_serializer_.emplace(*head_);
     stream_.expires_after(kWriteTimeout);
     http::async_write_header(stream_, *head_serializer_,
@@ -244,9 +257,11 @@ class Session : public std::enable_shared_from_this<Session<State>> {
     if (closed_) return;
     LiveFeed::Piece piece = feed_->read(from_, kPiece);
     if (piece.bytes.empty() && !piece.ended) return wait_for_bytes();
+
     from_ += piece.bytes.size();
     piece_ = std::move(piece.bytes);
     stream_.expires_after(kWriteTimeout);
+
     const auto sent = [self = this->shared_from_this()](ErrorCode error, std::size_t) {
       error || self->piece_.empty() ? self->close() : self->send_piece();
     };
@@ -275,15 +290,20 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   beast::tcp_stream stream_;
   asio::steady_timer timer_;
   State& state_;
+
   beast::flat_buffer buffer_{2 * kMaxHeader};
   std::optional<http::request_parser<http::empty_body>> parser_;
+
   std::optional<http::response<http::string_body>> text_;
   std::optional<http::response_serializer<http::string_body>> serializer_;
+
   std::optional<http::response<http::empty_body>> head_;
   std::optional<http::response_serializer<http::empty_body>> head_serializer_;
+
   std::shared_ptr<const LiveFeed> feed_;
   std::size_t from_ = 0;
   std::string piece_;
+
   std::string location_;  ///< of a redirection
   std::optional<std::list<std::function<void()>>::iterator> entry_;
   bool closed_ = false;
@@ -318,11 +338,13 @@ std::string listen(tcp::acceptor& acceptor, const HttpAddress& address) {
   ErrorCode error;
   const auto ip = asio::ip::make_address(address.host, error);
   if (error) return "not an IP address of this host";
+
   const tcp::endpoint endpoint(ip, static_cast<unsigned short>(address.port));
   acceptor.open(endpoint.protocol(), error);
   if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
   if (!error) acceptor.bind(endpoint, error);
   if (!error) acceptor.listen(tcp::acceptor::max_listen_connections, error);
+
   return error ? error.message() : "";
 }
 
@@ -335,6 +357,7 @@ base::Result<std::unique_ptr<HttpServer>> HttpServer::start(const HttpAddress& a
     return base::Error{
         fmt::format("cannot listen on {} port {}: {}", address.host, address.port, error)};
   }
+
   accept_next(*state);
   state->thread = std::thread([io = &state->io] { io->run(); });
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(state)));

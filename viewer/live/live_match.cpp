@@ -44,9 +44,11 @@ class Publisher {
 
   void publish() {
     if (record_.frames() == writer_.frames()) return;
+
     std::string bytes;
     append_header(bytes);
     writer_.append_frames(record_, record_.frames(), bytes);
+
     const auto now = std::chrono::steady_clock::now();
     if (now - counted_ >= statistics_interval_) {
       counted_ = now;
@@ -154,6 +156,7 @@ bool LiveMatch::wait_for_reader() {
 void LiveMatch::follow() {
   yield_to_others();
   if (!wait_for_reader()) return feed_->finish();
+
   gamelog::MatchRecord record;
   Publisher publisher(record, *feed_, statistics_interval_);
   // Detecting gzip reads from the source, which waits until the log begins.
@@ -161,6 +164,7 @@ void LiveMatch::follow() {
       base::decompress(std::make_unique<WaitingSource>(*input_, record, publisher, stop_));
   base::InputBuffer buffer(*source);
   gamelog::read_rcg(buffer, record);
+
   const auto text = read_text_log(text_log_);
   publisher.end(text ? &*text : nullptr);
   feed_->finish();

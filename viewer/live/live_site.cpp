@@ -24,6 +24,7 @@ std::optional<std::size_t> offset_of(std::string_view query) {
   constexpr std::string_view kFrom = "from=";
   std::size_t offset = 0;
   if (query.empty()) return offset;
+
   const std::string_view number = query.substr(query.starts_with(kFrom) ? kFrom.size() : 0);
   const char* end = number.data() + number.size();
   const auto parsed = std::from_chars(number.data(), end, offset);
@@ -58,6 +59,7 @@ HttpReply page_reply(std::string html) {
 HttpReply feed_reply(std::shared_ptr<const LiveFeed> feed, std::string_view query) {
   const auto from = offset_of(query);
   if (!from) return bad_query();
+
   HttpReply reply = bytes_reply();
   reply.from = *from;
   reply.feed = std::move(feed);
@@ -70,8 +72,10 @@ HttpReply drawings_reply(const std::filesystem::path& folder, std::string_view p
   if (!path.starts_with(drawings)) return not_found();
   path.remove_prefix(drawings.size());
   if (path != "-left" && path != "-right") return not_found();
+
   const auto from = offset_of(query);
   if (!from) return bad_query();
+
   HttpReply reply = bytes_reply();
   const soccer::Side side = path == "-left" ? soccer::Side::kLeft : soccer::Side::kRight;
   reply.body = read_drawings(folder, side, *from, kMaxDrawingsReply);

@@ -39,6 +39,7 @@ void LogGlance::read_lines(std::string& text) {
 void LogGlance::read_compressed() {
   const auto source = base::open_source(file_.string());
   if (!source) return;
+
   std::string rest;
   std::string block(kBlock, '\0');
   while (const std::size_t size = (*source)->read(block.data(), block.size())) {
@@ -51,6 +52,7 @@ std::optional<Glance> LogGlance::now() {
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(file_, code);
   if (code) return std::nullopt;
+
   const bool compressed = file_.extension() == ".gz";
   if (size < read_ || (compressed && size != read_)) *this = LogGlance(file_);
   if (compressed) {
@@ -58,6 +60,7 @@ std::optional<Glance> LogGlance::now() {
     read_ = size;
     return any_ ? std::optional(glance_) : std::nullopt;
   }
+
   std::ifstream in(file_, std::ios::binary);
   in.seekg(static_cast<std::streamoff>(read_));
   std::string rest;
@@ -69,6 +72,7 @@ std::optional<Glance> LogGlance::now() {
     rest.append(block, 0, count);
     read_lines(rest);
   }
+
   read_ -= rest.size();
   return any_ ? std::optional(glance_) : std::nullopt;
 }

@@ -20,6 +20,7 @@ class LogInput : public LiveInput {
   std::size_t read(char* to, std::size_t size) override {
     if (!file_) file_ = base::UniqueFd(::open(log_.c_str(), O_RDONLY | O_CLOEXEC));
     if (!file_) return 0;
+
     ssize_t count = 0;
     do {
       count = ::read(file_.get(), to, size);
@@ -38,6 +39,7 @@ class LogInput : public LiveInput {
       if (status.st_size < offset_) return State::kEnded;
       if (status.st_size > offset_) return State::kOpen;
     }
+
     if (last_look_) return State::kEnded;
     last_look_ = complete_ && complete_();
     return State::kOpen;

@@ -61,6 +61,7 @@ std::string row(const ListedMatch& match) {
                                    match.index, match.live ? "live page" : "replay")
                      : "";
   const std::string state = base::escape_xml(match.state);
+
   return fmt::format(
       "<tr><th scope=\"row\" class=\"number\">{}</th><td>{}</td><td class=\"score\">{}</td>"
       "<td class=\"w\">{}</td><td class=\"state\" title=\"{}\">{}{}</td>"
@@ -96,6 +97,7 @@ std::string head(const MatchList& list) {
   const std::string policy =
       list.running ? fmt::format("script-src {}; connect-src 'self'; ", csp_hash(list_script()))
                    : "";
+
   std::string head = fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; {}style-src {}; "
@@ -103,6 +105,7 @@ std::string head(const MatchList& list) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<link rel=\"icon\" href=\"data:,\">\n",
       policy, csp_hash(kStyle));
+
   if (list.running) {
     head += fmt::format("<noscript><meta http-equiv=\"refresh\" content=\"{}\"></noscript>\n",
                         kReloadSeconds);
@@ -118,11 +121,13 @@ std::string match_list_page(const MatchList& list) {
   page += fmt::format("<body{}>\n<main>\n<h1>{}</h1>\n<p id=\"status\" role=\"status\">{}</p>\n",
                       list.running ? " data-running" : "", base::escape_xml(list.title),
                       base::escape_xml(list.status));
+
   page += facts_table(list.facts);
   for (const std::string& table : list.tables) {
     const bool first = &table == &list.tables.front();
     page += fmt::format("<section{}>\n{}</section>\n", first ? " class=\"standings\"" : "", table);
   }
+
   page += "<section>\n" + matches_table(list.matches) + "</section>\n</main>\n";
   if (list.running) page += fmt::format("<script>{}</script>\n", list_script());
   return page + "</body>\n</html>\n";

@@ -32,7 +32,7 @@ struct MatchList {
   std::vector<std::string> tables;  ///< <table> elements of base::Table, for example the standings
   std::vector<ListedMatch> matches;
   bool running = false;
-  std::vector<Fact> facts = {};  ///< the same ones each time
+  std::vector<Fact> facts = {};  ///< always the same names
 };
 
 /// HTML. While matches are running, a script fetches the page again and copies what changed into

@@ -39,6 +39,7 @@ bool parse_head(const std::string& show, ShowHead& head) {
   }
   const std::size_t end = show.find(')', static_cast<std::size_t>(teams));
   if (teams == 0 || end == std::string::npos) return false;
+
   head.teams = std::string_view(show).substr(static_cast<std::size_t>(teams),
                                              end - static_cast<std::size_t>(teams));
   head.rest = std::string_view(show).substr(end);
@@ -58,6 +59,7 @@ class MonitorInput : public LiveInput {
     socket_.send("(dispinit version 5)", true, &server_);
     const auto deadline = steady_clock::now() + kConnectTimeout;
     if (!base::wait_for_events(socket_.fd(), POLLIN, deadline)) return "no soccer server answers";
+
     receive();
     const std::size_t line = lines_.find('\n') + 1;
     if (lines_.compare(line, 7, "(error ") != 0) return "";
@@ -101,12 +103,14 @@ class MonitorInput : public LiveInput {
   void add_show(const std::string& message) {
     ShowHead head;
     if (!parse_head(message, head)) return;
+
     const bool changed = head.mode != mode_ || head.teams != teams_;
     if (head.mode != mode_) {
       const auto mode = static_cast<soccer::PlayMode>(head.mode);
       lines_ += fmt::format("(playmode {} {})\n", head.time, soccer::name(mode));
     }
     if (head.teams != teams_) lines_ += fmt::format("(team {} {})\n", head.time, head.teams);
+
     mode_ = head.mode;
     teams_ = head.teams;
     if (!changed && head.rest == rest_) return;
@@ -117,6 +121,7 @@ class MonitorInput : public LiveInput {
   base::UdpSocket socket_;
   base::SocketAddress server_;
   base::IncomingDatagrams incoming_;
+
   std::string lines_ = "ULG6\n";
   steady_clock::time_point heard_ = steady_clock::now();
   int mode_ = 0;
@@ -130,9 +135,11 @@ base::Result<std::unique_ptr<LiveInput>> follow_server(const std::string& host, 
   const auto place = [&](const std::string& why) {
     return base::Error{fmt::format("{}:{}: {}", host, port, why)};
   };
+
   TRY_INIT(const auto server, base::resolve_udp(host, port));
   auto socket = base::UdpSocket::open(server.family());
   if (!socket) return place(socket.error().message);
+
   auto input = std::make_unique<MonitorInput>(*std::move(socket), server);
   if (const std::string why = input->connect(); !why.empty()) return place(why);
   return std::unique_ptr<LiveInput>(std::move(input));

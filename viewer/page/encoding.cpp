@@ -39,6 +39,7 @@ std::string base64(std::string_view bytes) {
 base::Result<std::string> from_base64(std::string_view text) {
   std::string bytes;
   bytes.reserve(text.size() / 4 * 3);
+
   unsigned buffer = 0;
   int bits = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -47,6 +48,7 @@ base::Result<std::string> from_base64(std::string_view text) {
     if (digit == kNoDigit) {
       return base::Error{"no base64 at character " + std::to_string(i + 1) + " of the match"};
     }
+
     buffer = buffer << 6 | static_cast<unsigned>(digit);
     bits += 6;
     if (bits < 8) continue;
@@ -77,6 +79,7 @@ std::string gzip(std::string_view bytes) {
 
 base::Result<std::string> gunzip(std::string_view bytes, std::size_t max_size) {
   if (!bytes.starts_with("\x1f\x8b")) return base::Error{"the match is not gzip"};
+
   const auto source = base::decompress(std::make_unique<base::MemorySource>(bytes));
   std::string unpacked;
   std::array<char, 64 * 1024> block;
@@ -84,6 +87,7 @@ base::Result<std::string> gunzip(std::string_view bytes, std::size_t max_size) {
     unpacked.append(block.data(), size);
     if (unpacked.size() > max_size) return base::Error{"the match is too large"};
   }
+
   if (!source->error().empty())
     return base::Error{"the match does not inflate: " + source->error()};
   return unpacked;

@@ -46,6 +46,7 @@ std::string page_of_logs(const std::string& game_log, const std::string& text_lo
   base::MemorySource game(game_log);
   const gamelog::MatchRecord record = gamelog::read_rcg(game);
   if (record.frames() == 0) return {};
+
   base::MemorySource commands(text_log);
   const gamelog::RclRecord text = gamelog::read_rcl(commands);
   return match_page(record, &text, file, false, {});

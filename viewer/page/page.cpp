@@ -51,11 +51,13 @@ std::string plain_text(const MatchSummary& summary) {
     text += fmt::format("<p>Penalty shoot-out {} : {}</p>\n", summary.teams[0].penalty_score,
                         summary.teams[1].penalty_score);
   }
+
   if (!summary.goals.empty()) {
     text += "<ul>\n";
     for (const analysis::GoalSummary& goal : summary.goals) text += goal_line(goal);
     text += "</ul>\n";
   }
+
   text += "<p>This page shows the match with JavaScript, which is switched off.</p>\n";
   return text + "</noscript>\n";
 }
@@ -66,6 +68,7 @@ std::string settings_json(const PageSettings& settings, const LivePaths* live) {
                {"at", settings.at ? Json(*settings.at) : Json(nullptr)},
                {"players", settings.players},
                {"live", live != nullptr ? Json(live->stream) : Json(nullptr)}};
+
   if (live != nullptr && !live->drawings.empty()) json["drawings"] = live->drawings;
   for (const MissedDecision& each : settings.missed) {
     json["missed"].push_back({each.cycle, each.stopped, each.player, each.reason});
@@ -90,10 +93,12 @@ std::string page_start(const std::string& title, const std::string& without_scri
                       policy(script, live != nullptr));
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   page += fmt::format("<meta name=\"generator\" content=\"cls {}\">\n", base::kVersion);
+
   // Browsers ask servers for an icon, unless there is one.
   if (live != nullptr) page += "<link rel=\"icon\" href=\"data:,\">\n";
   page += fmt::format("<title>{}</title>\n", title);
   page += fmt::format("<style>{}</style>\n</head>\n<body>\n", viewer_style());
+
   page += without_scripts;
   page += "<div id=\"app\"></div>\n";
   page += fmt::format("<script type=\"application/json\" id=\"settings\">{}</script>\n",
@@ -175,17 +180,19 @@ bool looks_like_page(std::string_view start) {
 }
 
 base::Result<StreamMatch> read_page(std::string_view page) {
-  // The last one: only data in base64 follow it, while names and programs come before it.
+  // The last tag counts: only data in base64 follow it, while names and programs come before it.
   const std::size_t tag = page.rfind(kDataTag);
   if (!looks_like_page(page) || tag == std::string_view::npos) {
     return base::Error{"an HTML page without a match of cls"};
   }
+
   std::string_view rest = page.substr(tag + kDataTag.size());
   const std::size_t quote = std::min(rest.find("\">"), rest.size());
   const auto length = base::parse_int(rest.substr(0, quote));
   if (!length || *length < 0 || quote == rest.size()) {
     return base::Error{"corrupt: the size of the match is missing"};
   }
+
   rest.remove_prefix(quote + 2);
   const std::string_view text = rest.substr(0, std::min(rest.find(kEndTag), rest.size()));
   const auto size = static_cast<std::size_t>(*length);
@@ -193,6 +200,7 @@ base::Result<StreamMatch> read_page(std::string_view page) {
     return base::Error{fmt::format("truncated: {} % of the match is there",
                                    100 * std::uint64_t{text.size()} / size)};
   }
+
   TRY_INIT(const auto packed, from_base64(text));
   TRY_INIT(const auto stream, gunzip(packed, kMaxStream));
   return read_stream(stream);
@@ -201,12 +209,14 @@ base::Result<StreamMatch> read_page(std::string_view page) {
 base::Result<StreamMatch> read_log_or_page(const std::string& path) {
   TRY_INIT(auto source, base::open_source(path));
   base::InputBuffer input(*source);
+
   if (!looks_like_page(input.peek(kDoctype.size()))) {
     StreamMatch match;
     match.record = gamelog::read_rcg(input);
     match.ended = true;
     return match;
   }
+
   std::string page;
   for (;;) {
     const std::string_view block = input.take(base::InputBuffer::kMaxLine);
@@ -214,6 +224,7 @@ base::Result<StreamMatch> read_log_or_page(const std::string& path) {
     page += block;
     if (page.size() > kMaxStream) return base::Error{path + ": too large for a page"};
   }
+
   auto match = read_page(page);
   if (!match) return in_file(path, match.error());
   match->from_page = true;

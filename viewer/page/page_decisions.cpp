@@ -33,6 +33,7 @@ std::vector<int> numbers_of(const std::vector<std::string>& players, soccer::Sid
 std::optional<MissedDecision> missed_of(std::string_view line) {
   const auto json = nlohmann::json::parse(line, nullptr, false);
   if (!json.is_object()) return std::nullopt;
+
   const auto integer = [&](const char* key) {
     const auto found = json.find(key);
     return found != json.end() && found->is_number_integer() ? found->get<int>() : -1;
@@ -41,6 +42,7 @@ std::optional<MissedDecision> missed_of(std::string_view line) {
     const auto found = json.find(key);
     return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
   };
+
   const auto side = soccer::parse_side(text("side"));
   const int unum = integer("unum");
   if (!side || unum < 1 || unum > soccer::kPlayersPerTeam || integer("t") < 0) return std::nullopt;
@@ -70,17 +72,20 @@ base::Result<std::vector<PageDecisions>> read_page_decisions(const std::filesyst
                                    std::pair(soccer::Side::kRight, kRightWorldModelsFile)}) {
     const std::vector<int> numbers = numbers_of(choice.players, side);
     if (!choice.players.empty() && numbers.empty()) continue;
+
     auto packed = base::read_file(folder / name);
     if (!packed) continue;
     const auto in_file = [&, file = (folder / name).string()](const base::Error& error) {
       return base::Error{file + ": " + error.message};
     };
+
     const auto stream = gunzip(*packed, kMaxDecisions);
     if (!stream) return in_file(stream.error());
     const auto players = select_players(*stream, numbers);
     if (!players) return in_file(players.error());
     const auto selected = select_cycles(*players, choice.cycles);
     if (!selected) return in_file(selected.error());
+
     const bool all = numbers.empty() && choice.cycles.empty();
     decisions.push_back({side, all ? *std::move(packed) : gzip(*selected)});
   }

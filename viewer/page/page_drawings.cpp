@@ -29,6 +29,7 @@ std::string read_drawings(const std::filesystem::path& folder, soccer::Side side
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(drawings_file(folder, side), code);
   if (!file || code || from >= size) return {};
+
   std::string bytes(std::min<std::size_t>(max, size - from), '\0');
   file.seekg(static_cast<std::streamoff>(from));
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));

@@ -9,7 +9,7 @@ namespace cls::viewer {
 std::string_view viewer_script();
 /// The viewer script for pages that may have texts and drawings of Playmakers.
 std::string_view drawings_script();
-/// The same with the decision debugger, for pages with recorded decisions.
+/// The viewer script with the decision debugger, for pages with recorded decisions.
 std::string_view debugger_script();
 /// The viewer script for two matches side by side.
 std::string_view comparison_script();

@@ -25,11 +25,13 @@ std::string document_of(const gamelog::MatchRecord& first, const ComparedMatch& 
   if (difference) {
     json["first"] = {{"frame", difference->frame}, {"text", difference_text(difference)}};
   }
+
   json["events"] = Json::array();
   for (const LoneEvent& event : lone_events(*a.statistics, *b.statistics)) {
     json["events"].push_back(
         {{"match", event.match}, {"cycle", event.cycle}, {"text", event.text}});
   }
+
   const std::vector<std::vector<std::string>> rows = difference_rows(a, b);
   json["columns"] = rows.front();
   json["rows"] = std::vector(rows.begin() + 1, rows.end());
@@ -44,6 +46,7 @@ std::string compare_page(const gamelog::MatchRecord& first, const ComparedMatch&
   const std::string other = base64(gzip(stream_of(second)));
   std::string page =
       write_page(*a.summary, stream_of(first), {.drawings = drawings[0], .compared = true});
+
   const std::size_t end = page.rfind("</body>");
   page.insert(end, data_elements("other-", drawings[1]));
   page.insert(end, fmt::format("<script type=\"application/cls-view;base64\" id=\"other\" "

@@ -54,6 +54,7 @@ TeamShots shots_of(const MatchStatistics& all, std::size_t team) {
     ++sum.count;
     sum.expected += all.expected[i];
   }
+
   for (const Goal& goal : all.goals) {
     sum.goals += goal.side == (team == 0 ? soccer::Side::kLeft : soccer::Side::kRight) ? 1 : 0;
   }
@@ -85,20 +86,24 @@ std::string race_svg(const MatchSummary& summary, const MatchStatistics& all) {
   data.title = {"Expected goals over time", "circles: goals"};
   data.axis = time_axis(*all.flow.record);
   data.teams = shot_legend(summary, all);
+
   for (std::size_t i = 0; i < all.shots.size(); ++i) {
     const std::size_t team = analysis::team_of(analysis::slot_index(all.shots[i].slot));
     const double frame = all.flow.touches[all.shots[i].touch].frame;
     data.steps[team].push_back({frame, all.expected[i], false, {}});
   }
+
   for (const Goal& goal : all.goals) {
     const std::size_t team = goal.side == soccer::Side::kLeft ? 0 : 1;
     data.steps[team].push_back(
         {static_cast<double>(goal.frame), 0.0, true, goal_text(summary, goal)});
   }
+
   for (auto& steps : data.steps) {
     std::stable_sort(steps.begin(), steps.end(),
                      [](const RaceData::Step& a, const RaceData::Step& b) { return a.at < b.at; });
   }
+
   return race_chart(data);
 }
 
@@ -106,6 +111,7 @@ std::string shots_svg(const MatchSummary& summary, const MatchStatistics& all) {
   ShotMapData data;
   data.title = {"Shots", "the left team shoots to the right"};
   data.teams = shot_legend(summary, all);
+
   for (std::size_t i = 0; i < all.shots.size(); ++i) {
     const Shot& shot = all.shots[i];
     data.shots.push_back({analysis::team_of(analysis::slot_index(shot.slot)),
@@ -121,6 +127,7 @@ std::string possession_svg(const MatchSummary& summary, const MatchStatistics& a
   data.title = {"Possession and field tilt", "mean over a tenth of the match"};
   data.axis = time_axis(*all.flow.record);
   data.teams = {short_label(summary, 0), short_label(summary, 1)};
+
   data.strips = {
       {"possession: the left team's share of the time in play, %", possession_over_time(all)},
       {"field tilt: the left team's share of the touches in the opponents' third, %",
@@ -137,20 +144,24 @@ std::string network_svg(const MatchSummary& summary, const MatchStatistics& all,
     const auto from = analysis::slot_index(pass.passer);
     const auto to = analysis::slot_index(pass.receiver);
     if (analysis::team_of(from) != team) continue;
+
     sums[from % analysis::kTeamSize] += pass.from;
     sums[to % analysis::kTeamSize] += pass.to;
     ++counts[from % analysis::kTeamSize];
     ++counts[to % analysis::kTeamSize];
   }
+
   PassNetworkData data;
   data.title = {fmt::format("Passes of {}", team_label(summary, team)), kAttacksRight};
   data.tone = tone_of(team);
+
   std::array<std::size_t, analysis::kTeamSize> nodes = {};
   for (std::size_t i = 0; i < analysis::kTeamSize; ++i) {
     nodes[i] = data.nodes.size();
     if (counts[i] == 0) continue;
     data.nodes.push_back({static_cast<int>(i) + 1, sums[i] / counts[i], counts[i]});
   }
+
   const auto& edges = all.networks[team].edges;
   for (std::size_t a = 0; a < analysis::kTeamSize; ++a) {
     for (std::size_t b = a + 1; b < analysis::kTeamSize; ++b) {
@@ -158,6 +169,7 @@ std::string network_svg(const MatchSummary& summary, const MatchStatistics& all,
       if (passes > 0) data.edges.push_back({nodes[a], nodes[b], passes});
     }
   }
+
   return pass_network_chart(data);
 }
 
@@ -182,12 +194,14 @@ std::string team_heat_svg(const MatchSummary& summary, const MatchStatistics& al
   HeatMapData data =
       heat_data({fmt::format("Field players of {}", team_label(summary, team)), kAttacksRight},
                 tone_of(team));
+
   for (const std::size_t slot : analysis::kTeamSlots[team]) {
     if (plays_in_goal(*all.flow.record, slot)) continue;
     const analysis::HeatMap& heat = all.positions.players[slot].heat;
     std::transform(heat.begin(), heat.end(), data.cells.begin(), data.cells.begin(),
                    [](int frames, double sum) { return sum + frames; });
   }
+
   if (team == 1) std::reverse(data.cells.begin(), data.cells.end());
   return heat_map(data);
 }
@@ -201,9 +215,11 @@ std::string goal_svg(const MatchSummary& summary, const MatchStatistics& all, co
     frame = all.flow.touches[all.shots[static_cast<std::size_t>(goal.shot)].touch].frame;
     frame -= std::min(frame, 1U);
   }
+
   SceneData data;
   data.title = {goal_text(summary, goal), {}};
   data.teams = {short_label(summary, 0), short_label(summary, 1)};
+
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
     const std::size_t entry = analysis::entry_of(frame, slot);
     if (!gamelog::is_enabled(record, entry)) continue;
@@ -211,6 +227,7 @@ std::string goal_svg(const MatchSummary& summary, const MatchStatistics& all, co
                             record.players.position[entry], record.players.body[entry],
                             static_cast<std::int8_t>(slot) == goal.scorer});
   }
+
   data.ball = record.ball_position[frame];
   for (std::uint32_t i = frame - std::min(frame, kBefore); i <= goal.frame; ++i) {
     data.ball_path.emplace_back(record.ball_position[i]);
@@ -229,10 +246,12 @@ std::vector<Chart> match_charts(const MatchSummary& summary, const MatchStatisti
   constexpr std::size_t kMaxScenes = 12;
   std::vector<Chart> charts;
   if (all.flow.record->frames() == 0) return charts;
+
   charts.push_back({"expected-goals", "Expected goals over time", race_svg(summary, all)});
   charts.push_back({"possession", "Possession and field tilt", possession_svg(summary, all)});
   charts.push_back({"shots", "Shots", shots_svg(summary, all)});
   charts.push_back({"ball", "Where the ball was", ball_heat_svg(all)});
+
   for (std::size_t team = 0; team < 2; ++team) {
     charts.push_back({team == 0 ? "passes-left" : "passes-right",
                       fmt::format("Passes of {}", team_label(summary, team)),
@@ -243,10 +262,12 @@ std::vector<Chart> match_charts(const MatchSummary& summary, const MatchStatisti
                       fmt::format("Field players of {}", team_label(summary, team)),
                       team_heat_svg(summary, all, team)});
   }
+
   for (std::size_t i = 0; i < std::min(kMaxScenes, all.goals.size()); ++i) {
     charts.push_back({fmt::format("goal-{}", i + 1), goal_text(summary, all.goals[i]),
                       goal_svg(summary, all, all.goals[i])});
   }
+
   return charts;
 }
 

@@ -41,6 +41,7 @@ void add_players(const MatchRecord& a, const MatchRecord& b, std::size_t frame,
       what.push_back(fmt::format("{} {} {}", soccer::side_name(soccer::side_of_slot(index)),
                                  soccer::unum_of_slot(index), name));
     };
+
     add(differs(p.position, q.position, at), "position");
     add(differs(p.velocity, q.velocity, at), "velocity");
     add(differs(p.body, q.body, at), "body");
@@ -68,6 +69,7 @@ std::vector<std::string> differences_at(const MatchRecord& a, const MatchRecord&
   const auto score = [frame](const MatchRecord& record, std::size_t team) {
     return record.teams[record.team_state[frame]][team].score;
   };
+
   add(differs(a.time, b.time, frame) || differs(a.stopped, b.stopped, frame), "clock");
   add(differs(a.mode, b.mode, frame), "play mode");
   add(score(a, 0) != score(b, 0) || score(a, 1) != score(b, 1), "score");
@@ -153,6 +155,7 @@ std::optional<FrameDifference> first_difference(const MatchRecord& a, const Matc
     std::vector<std::string> what = differences_at(a, b, frame);
     if (!what.empty()) return FrameDifference{frame, a.time[frame], a.stopped[frame], what};
   }
+
   if (a.frames() == b.frames()) return std::nullopt;
   const MatchRecord& longer = a.frames() > b.frames() ? a : b;
   return FrameDifference{both, longer.time[both], longer.stopped[both], {"end of the log"}};
@@ -161,6 +164,7 @@ std::optional<FrameDifference> first_difference(const MatchRecord& a, const Matc
 std::string difference_text(const std::optional<FrameDifference>& difference) {
   constexpr std::size_t kShown = 4;
   if (!difference) return "none";
+
   const std::vector<std::string>& what = difference->what;
   const std::size_t shown = std::min(kShown, what.size());
   std::string text = fmt::format(
@@ -174,6 +178,7 @@ std::string difference_text(const std::optional<FrameDifference>& difference) {
 std::vector<LoneEvent> lone_events(const MatchStatistics& a, const MatchStatistics& b) {
   const std::vector<EventKey> first = keys_of(a);
   const std::vector<EventKey> second = keys_of(b);
+
   std::vector<LoneEvent> events;
   add_missing(first, second, 0, events);
   add_missing(second, first, 1, events);
@@ -186,6 +191,7 @@ std::vector<std::vector<std::string>> difference_rows(const ComparedMatch& a,
                                                       const ComparedMatch& b) {
   std::vector<std::vector<std::string>> rows = {
       {"", "left A", "left B", "B - A", "right A", "right B", "B - A"}};
+
   std::array<std::array<analysis::Json, 2>, 2> fields;  // by match and team
   const std::array<const ComparedMatch*, 2> matches = {&a, &b};
   for (std::size_t match = 0; match < 2; ++match) {
@@ -195,6 +201,7 @@ std::vector<std::vector<std::string>> difference_rows(const ComparedMatch& a,
           analysis::team_fields(*matches[match]->summary, all, analysis::sum_team(all, team), team);
     }
   }
+
   for (const Figure& figure : kFigures) {
     const analysis::Json::json_pointer path(figure.path.text);
     std::vector<std::string> row = {figure.name};

@@ -55,6 +55,7 @@ std::vector<std::string> head_lines(const MatchReport& report) {
   std::string first = fmt::format("{}, half time {}:{}", base::counted(summary.cycles, "cycle"),
                                   summary.teams[0].first_half, summary.teams[1].first_half);
   if (!summary.date.empty()) first += ", " + date_text(summary.date);
+
   std::vector<std::string> lines = {first};
   if (!summary.file.empty()) lines.push_back(summary.file);
   return lines;
@@ -87,9 +88,11 @@ Happening goal_row(const MatchSummary& summary, const analysis::MatchStatistics&
   const bool known = goal.scorer != analysis::kNoPlayer;
   const soccer::Side side = known ? soccer::side_of_slot(goal.scorer) : goal.side;
   const int unum = known ? soccer::unum_of_slot(goal.scorer) : 0;
+
   Happening row{
       goal.cycle, goal.own_goal ? "own goal" : "goal", player_text(summary, side, unum), {}};
   if (goal.shot < 0) return row;
+
   const auto shot = static_cast<std::size_t>(goal.shot);
   row.more = fmt::format("from {:.1f} m, {:.2f} xG", all.shots[shot].distance, all.expected[shot]);
   return row;
@@ -110,15 +113,18 @@ base::Table events_table(const MatchReport& report) {
   for (const analysis::PlayerEvent& one : summary.disconnections) {
     rows.push_back({one.cycle, "disconnected", player_text(summary, one.side, one.unum), {}});
   }
+
   base::Table table;
   if (rows.empty()) return table;
   std::stable_sort(rows.begin(), rows.end(),
                    [](const Happening& a, const Happening& b) { return a.cycle < b.cycle; });
+
   table.add_column("cycle", Align::kRight);
   table.add_columns({"event", "player", "shot"});
   for (const Happening& row : rows) {
     table.add_row({fmt::to_string(row.cycle), row.what, row.who, row.more});
   }
+
   return table;
 }
 
@@ -127,8 +133,10 @@ std::string latency_text(double microseconds) { return fmt::format("{:.0f} us", 
 base::Table playmakers_table(const MatchReport& report) {
   base::Table table;
   if (report.playmakers.empty()) return table;
+
   table.add_columns({"team", "Playmaker"});
   table.add_columns({"decisions", "late", "missed", "p50", "p95", "p99", "max"}, Align::kRight);
+
   for (const PlaymakerReplies& one : report.playmakers) {
     table.add_row({one.team, one.endpoint, fmt::to_string(one.decisions), fmt::to_string(one.late),
                    fmt::to_string(one.missed), latency_text(one.p50_us), latency_text(one.p95_us),
@@ -142,6 +150,7 @@ std::string policy(bool replay) {
     return fmt::format("default-src 'none'; style-src {} {}; base-uri 'none'; form-action 'none'",
                        csp_hash(report_style()), csp_hash(chart_style()));
   }
+
   // The frame of the replay inherits this policy.
   return fmt::format(
       "default-src 'none'; script-src {}; style-src {} {} {}; img-src data: blob:; base-uri "
@@ -159,6 +168,7 @@ std::string head_html(const MatchReport& report, bool replay) {
       "<title>{1}</title>\n<style>{2}</style>\n<style>{3}</style>\n</head>\n<body>\n<main>\n"
       "<header class=\"head\">\n<h1>{1}</h1>\n",
       policy(replay), title, report_style(), chart_style());
+
   for (const std::string& line : head_lines(report)) text += text_element("p", line);
   if (replay) text += "<p><a href=\"#replay\">Watch the match</a></p>\n";
   return text + "</header>\n";
@@ -180,6 +190,7 @@ std::string charts_html(const std::vector<Chart>& charts) {
 // Quotes stay as they are in an attribute with apostrophes, so read_page() finds the match.
 std::string replay_html(const std::string& replay) {
   if (replay.empty()) return {};
+
   std::string page;
   page.reserve(replay.size() + replay.size() / 16);
   for (const char c : replay) {
@@ -191,6 +202,7 @@ std::string replay_html(const std::string& replay) {
       page += c;
     }
   }
+
   return "<h2 id=\"replay\">replay</h2>\n<iframe title=\"Replay of the match\" srcdoc='" + page +
          "'></iframe>\n";
 }
@@ -203,10 +215,12 @@ std::string report_html(const MatchReport& report, const std::vector<Chart>& cha
   text += table_section("goals and cards", events_table(report));
   text += warnings_html(report);
   text += charts_html(charts);
+
   text += table_section("teams", team_figures(report.summary, *report.statistics));
   text += table_section("players", player_figures(report.summary, *report.statistics), {},
                         "scroll dense");
   text += table_section("Playmakers", playmakers_table(report), kLatencyNote, "scroll long");
+
   text += replay_html(replay);
   if (!report.command.empty()) {
     text += "<h2>rerun</h2>\n" + commands_box(report.command);
@@ -222,13 +236,16 @@ std::string report_markdown(const MatchReport& report, const std::vector<Chart>&
     return fmt::format("\n## {}\n\n{}{}", title, table.format_markdown(),
                        note.empty() ? "" : fmt::format("\n{}\n", note));
   };
+
   std::string text = fmt::format("# {}\n\n", markdown_text(title_of(report.summary)));
   for (const std::string& line : head_lines(report)) text += markdown_text(line) + "\n";
   text += section("Goals and cards", events_table(report));
+
   if (const auto lines = warning_lines(report); !lines.empty()) {
     text += "\n## Warnings\n\n";
     for (const std::string& line : lines) text += fmt::format("- {}\n", markdown_text(line));
   }
+
   if (!folder.empty() && !charts.empty()) {
     text += "\n## Charts\n";
     for (const Chart& chart : charts) {
@@ -236,6 +253,7 @@ std::string report_markdown(const MatchReport& report, const std::vector<Chart>&
     }
     text += fmt::format("\n{}\n", kExpectedGoalsNote);
   }
+
   text += section("Teams", team_figures(report.summary, *report.statistics));
   text += section("Players", player_figures(report.summary, *report.statistics));
   text += section("Playmakers", playmakers_table(report), kLatencyNote);

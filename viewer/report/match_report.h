@@ -19,9 +19,9 @@ struct PlaymakerReplies {
   std::int64_t late = 0;
   std::int64_t missed = 0;
   double p50_us = 0.0;  ///< median player
-  double p95_us = 0.0;  ///< this and the next two: slowest player
-  double p99_us = 0.0;
-  double max_us = 0.0;
+  double p95_us = 0.0;  ///< slowest player
+  double p99_us = 0.0;  ///< slowest player
+  double max_us = 0.0;  ///< slowest player
 };
 
 struct MatchReport {
@@ -29,7 +29,7 @@ struct MatchReport {
   const analysis::MatchStatistics* statistics = nullptr;
   std::vector<PlaymakerReplies> playmakers;  ///< empty: not known
   std::vector<std::string> warnings;         ///< of the match
-  std::string command;                       ///< that played it; empty: not known
+  std::string command;                       ///< the command that played it; empty: not known
 };
 
 /// One file without requests. `replay` is the page of the match (match_page.h), which it embeds;

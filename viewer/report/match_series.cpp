@@ -28,6 +28,7 @@ std::vector<double> left_shares(const Sums& sums) {
     const std::size_t middle = (frames - 1) * i / (kSamples - 1);
     const std::size_t from = middle - std::min(middle, half);
     const std::size_t to = std::min(frames, middle + half + 1);
+
     const int left = sums[0][to] - sums[0][from];
     const int right = sums[1][to] - sums[1][from];
     shares.push_back(left + right == 0 ? std::numeric_limits<double>::quiet_NaN()
@@ -54,9 +55,11 @@ std::int64_t tick_step(std::int64_t range) {
 TimeAxis time_axis(const gamelog::MatchRecord& record) {
   TimeAxis axis;
   if (record.frames() == 0) return axis;
+
   axis.last = static_cast<double>(record.frames() - 1);
   const std::int64_t last = *std::max_element(record.time.begin(), record.time.end());
   const std::int64_t step = tick_step(std::max<std::int64_t>(1, last));
+
   const double half = analysis::half_time_cycles(record.server);
   std::int64_t next = 0;
   double next_half = half;
@@ -67,6 +70,7 @@ TimeAxis time_axis(const gamelog::MatchRecord& record) {
       axis.ticks.push_back({static_cast<double>(frame), fmt::to_string(tick)});
       next = tick + step;
     }
+
     // Extra halves and a shoot-out have other lengths: only normal time is divided.
     if (half >= 1.0 && axis.halves.size() < 2 && static_cast<double>(time) > next_half) {
       axis.halves.push_back(static_cast<double>(frame));
@@ -80,11 +84,13 @@ std::vector<double> possession_over_time(const analysis::MatchStatistics& all) {
   const std::size_t frames = all.flow.record->frames();
   Sums sums;
   for (std::vector<int>& counts : sums) counts.assign(frames + 1, 0);
+
   for (std::size_t frame = 0; frame < frames; ++frame) {
     const std::int8_t owner = all.flow.owner[frame];
     if (!all.flow.is_live(frame) || owner == analysis::kNoPlayer) continue;
     ++sums[analysis::team_of(analysis::slot_index(owner))][frame + 1];
   }
+
   add_up(sums);
   return left_shares(sums);
 }
@@ -92,6 +98,7 @@ std::vector<double> possession_over_time(const analysis::MatchStatistics& all) {
 std::vector<double> field_tilt_over_time(const analysis::MatchStatistics& all) {
   Sums sums;
   for (std::vector<int>& counts : sums) counts.assign(all.flow.record->frames() + 1, 0);
+
   for (const analysis::Touch& touch : all.flow.touches) {
     if (touch.live_phase < 0) continue;
     for (const std::int8_t player : touch.nearest) {
@@ -101,6 +108,7 @@ std::vector<double> field_tilt_over_time(const analysis::MatchStatistics& all) {
       ++sums[analysis::team_of(slot)][touch.frame + 1];
     }
   }
+
   add_up(sums);
   return left_shares(sums);
 }

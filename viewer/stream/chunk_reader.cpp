@@ -53,6 +53,7 @@ gamelog::Note read_note(ByteReader& in) {
   note.frame = static_cast<std::uint32_t>(frame);
   note.time = read_int32(in);
   note.stopped = read_int32(in);
+
   const int kind = in.byte();
   if (kind == kModeNote) {
     note.content = read_mode(in);
@@ -66,6 +67,7 @@ gamelog::Note read_note(ByteReader& in) {
   } else {
     in.fail();
   }
+
   return note;
 }
 
@@ -79,6 +81,7 @@ void clear_frames(MatchRecord& record, std::size_t first) {
     record.ball_position[i] = {0.0F, 0.0F};
     record.ball_velocity[i] = {0.0F, 0.0F};
   }
+
   for (std::size_t i = first * gamelog::kSlots; i < record.players.state.size(); ++i) {
     gamelog::clear_player(record.players, i);
   }
@@ -133,6 +136,7 @@ base::Result<void> ChunkReader::add(std::string_view bytes) {
   while (error_.empty() && read_chunk(rest)) {
   }
   waiting_.erase(0, waiting_.size() - rest.size());
+
   if (error_.empty()) return {};
   return base::Error{error_};
 }
@@ -152,17 +156,20 @@ bool ChunkReader::read_chunk(std::string_view& rest) {
     return false;
   }
   if (in.left() < length) return false;
+
   const std::string_view contents = in.take(length);
   const std::size_t size = rest.size() - in.left();
   read(kind, contents);
   add_to_checksum(rest.substr(0, size), checksum_);
   rest.remove_prefix(size);
+
   return error_.empty();
 }
 
 void ChunkReader::read(char kind, std::string_view contents) {
   if (match_.ended) return fail("a chunk after the end");
   if (kind != kHeaderChunk && !has_header_) return fail("no header: not a match of cls");
+
   switch (kind) {
     case kHeaderChunk:
       return read_header(contents);
@@ -185,6 +192,7 @@ void ChunkReader::read(char kind, std::string_view contents) {
 void ChunkReader::read_header(std::string_view contents) {
   auto header = parse_header(contents);
   if (!header) return fail(header.error().message);
+
   match_.record.version = header->version;
   match_.form = header->form;
   state_.set_header(*std::move(header));
@@ -195,9 +203,11 @@ void ChunkReader::read_parameters(std::string_view contents) {
   ByteReader in(contents);
   MatchRecord& record = match_.record;
   gamelog::RecordBuilder builder(record);
+
   record.server_version = in.string();
   record.timestamp = in.string();
   record.parameter_lines.clear();
+
   for (std::uint64_t left = in.varint(); left > 0 && in.good(); --left) {
     const std::string_view line = in.string();
     // Only lines without errors were stored; of a corrupt stream, the readable values count.
@@ -211,6 +221,7 @@ void ChunkReader::read_parameters(std::string_view contents) {
     }
     builder.add_parameter_line(std::string(line));
   }
+
   if (!in.good()) fail("corrupt parameters");
 }
 
@@ -222,12 +233,14 @@ void ChunkReader::read_notes(std::string_view contents) {
     if (!in.good()) break;
     if (!record.notes.empty() && note.frame < record.notes.back().frame)
       return fail("corrupt note");
+
     if (const auto* teams = std::get_if<gamelog::TeamFrames>(&note.content)) {
       record.teams.push_back(*teams);
     }
     record.notes.push_back(std::move(note));
     note_bytes_ += sizeof(gamelog::Note);
   }
+
   note_bytes_ += contents.size();
   if (note_bytes_ > gamelog::kMaxNoteBytes) return fail(gamelog::kTooManyRecords);
   if (!in.good()) fail("corrupt note");
@@ -239,14 +252,17 @@ void ChunkReader::read_frames(std::string_view contents) {
   const std::size_t first = match_.record.frames();
   if (count > in.left() / kMinFrameBytes) return fail("corrupt frames");
   if (first + count > gamelog::kMaxFrames) return fail(gamelog::kTooManyRecords);
+
   const auto frames = static_cast<std::size_t>(count);
   gamelog::resize_frames(match_.record, first + frames);
   clear_frames(match_.record, first);
   state_.begin_frames();
+
   const std::size_t columns = state_.header().columns.size();
   for (std::size_t i = 0; i < columns && in.good() && frames > 0; ++i) {
     read_column(i, first, frames, in);
   }
+
   if (in.good() && in.at_end()) return;
   gamelog::resize_frames(match_.record, first);
   fail("corrupt frames");
@@ -258,6 +274,7 @@ void ChunkReader::read_column(std::size_t index, std::size_t first, std::size_t 
   MatchRecord& record = match_.record;
   const CodingInput input = state_.input(index, frames);
   Integers integers = decode_column(input, frames, state_.state(index), in);
+
   const std::size_t entry = first * column.series;
   if (column.scale != 0) {
     std::vector<float> values = reals_of(integers, column);
@@ -273,6 +290,7 @@ void ChunkReader::read_column(std::size_t index, std::size_t first, std::size_t 
     column.spec->store_integers(record, entry, integers.size(),
                                 transposed(integers, frames).data());
   }
+
   state_.keep(index, std::move(integers));
 }
 
@@ -289,6 +307,7 @@ void ChunkReader::read_end(std::string_view contents) {
   } catch (const Json::exception&) {
     return fail("corrupt end of the match");
   }
+
   const auto& notes = match_.record.notes;
   if (!notes.empty() && notes.back().frame > match_.record.frames()) return fail("corrupt note");
   match_.ended = true;

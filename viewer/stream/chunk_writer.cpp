@@ -62,6 +62,7 @@ void append_note(const gamelog::Note& note, std::string& out) {
   append_varint(note.frame, out);
   append_zigzag(note.time, out);
   append_zigzag(note.stopped, out);
+
   std::visit(base::Overloaded{[&](soccer::PlayMode mode) {
                                 out += static_cast<char>(kModeNote);
                                 out += static_cast<char>(mode);
@@ -128,6 +129,7 @@ void ChunkWriter::append_notes(const MatchRecord& record, std::size_t before, st
     append_note(record.notes[notes_], notes);
   }
   if (notes_ == first) return;
+
   std::string contents;
   append_varint(notes_ - first, contents);
   append(kNotesChunk, contents + notes, out);
@@ -138,6 +140,7 @@ void ChunkWriter::append_column(const MatchRecord& record, std::size_t index, st
   const StreamColumn& column = state_.header().columns[index];
   const std::size_t first = frames_ * column.series;
   const std::size_t count = (end - frames_) * column.series;
+
   Integers integers(count);
   Exceptions exceptions;
   if (column.spec->is_real()) {
@@ -149,9 +152,11 @@ void ChunkWriter::append_column(const MatchRecord& record, std::size_t index, st
     column.spec->load_integers(record, first, count, integers.data());
     integers = transposed(integers, column.series);
   }
+
   const CodingInput input = state_.input(index, end - frames_);
   encode_column(input, integers, state_.state(index), contents);
   state_.keep(index, std::move(integers));
+
   if (!column.spec->is_real()) return;
   append_varint(exceptions.count, contents);
   contents += exceptions.pairs;
@@ -160,12 +165,14 @@ void ChunkWriter::append_column(const MatchRecord& record, std::size_t index, st
 void ChunkWriter::append_frames(const MatchRecord& record, std::size_t end, std::string& out) {
   if (end <= frames_) return;
   append_notes(record, end, out);
+
   std::string contents;
   append_varint(end - frames_, contents);
   state_.begin_frames();
   for (std::size_t i = 0; i < state_.header().columns.size(); ++i) {
     append_column(record, i, end, contents);
   }
+
   append(kFramesChunk, contents, out);
   frames_ = end;
 }

@@ -22,12 +22,14 @@ void encode_changes(const Integers& values, ColumnState& state, std::string& out
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::int64_t& previous = state.previous[i / frames];
     if (values[i] == previous) continue;
+
     append_varint(i - next, pairs);
     append_zigzag(values[i] - previous, pairs);
     previous = values[i];
     next = i + 1;
     ++count;
   }
+
   append_varint(count, out);
   out += pairs;
 }
@@ -46,6 +48,7 @@ Integers decode_changes(std::size_t frames, ColumnState& state, ByteReader& in) 
     }
     values[i] = previous;
   }
+
   if (left > 0) in.fail();
   return values;
 }
@@ -57,6 +60,7 @@ std::int64_t encoded(const CodingInput& input, std::int64_t value, std::size_t e
   if (input.coding == Coding::kSecond) code = step - difference;
   if (input.coding == Coding::kAngle) code = wrapped(step, input.half_turn);
   if (input.coding == Coding::kVelocity) code = value - (*input.predictions)[entry];
+
   previous = value;
   difference = step;
   return code;
@@ -103,6 +107,7 @@ Integers predicted_velocities(const Integers& positions, const std::vector<std::
 void encode_column(const CodingInput& input, const Integers& values, ColumnState& state,
                    std::string& out) {
   if (input.coding == Coding::kChanges) return encode_changes(values, state, out);
+
   const std::size_t frames = values.size() / state.previous.size();
   for (std::size_t series = 0; series < state.previous.size(); ++series) {
     std::int64_t previous = state.previous[series];
@@ -118,6 +123,7 @@ void encode_column(const CodingInput& input, const Integers& values, ColumnState
 Integers decode_column(const CodingInput& input, std::size_t frames, ColumnState& state,
                        ByteReader& in) {
   if (input.coding == Coding::kChanges) return decode_changes(frames, state, in);
+
   Integers values(frames * state.previous.size());
   for (std::size_t series = 0; series < state.previous.size(); ++series) {
     std::int64_t previous = state.previous[series];

@@ -29,6 +29,7 @@ ColumnSpec integers(std::string_view name, Coding coding, std::size_t series, st
   ColumnSpec column{name, coding, series};
   column.min = min;
   column.max = max;
+
   column.load_integers = [](const MatchRecord& record, std::size_t first, std::size_t count,
                             std::int64_t* to) {
     for (std::size_t i = 0; i < count; ++i)
@@ -90,6 +91,7 @@ void add_match_columns(std::vector<ColumnSpec>& table) {
   table.push_back(integers("stopped", Coding::kSecond, 1, 0, kMaxInt, CLS_AT(stopped[i])));
   table.push_back(integers("mode", Coding::kChanges, 1, 0, soccer::kPlayModeCount - 1, CLS_AT(mode[i])));
   table.push_back(integers("teams", Coding::kChanges, 1, 0, kMaxInt, CLS_AT(team_state[i])));
+
   table.push_back(reals("ball_x", Coding::kSecond, 1, kLength, kCentimeter, CLS_AT(ball_position[i].x)));
   table.push_back(reals("ball_y", Coding::kSecond, 1, kLength, kCentimeter, CLS_AT(ball_position[i].y)));
   table.push_back(velocities("ball_vx", 1, "ball_x", CLS_AT(ball_velocity[i].x)));
@@ -101,18 +103,22 @@ void add_player_columns(std::vector<ColumnSpec>& table) {
   table.push_back(integers("state", Coding::kChanges, kSlots, 0, kMaxState, CLS_AT(players.state[i])));
   table.push_back(integers("type", Coding::kChanges, kSlots, -gamelog::kMaxPlayerType, gamelog::kMaxPlayerType,
                            CLS_AT(players.type[i])));
+
   table.push_back(reals("x", Coding::kSecond, kSlots, kLength, kCentimeter, CLS_AT(players.position[i].x)));
   table.push_back(reals("y", Coding::kSecond, kSlots, kLength, kCentimeter, CLS_AT(players.position[i].y)));
   table.push_back(velocities("vx", kSlots, "x", CLS_AT(players.velocity[i].x)));
   table.push_back(velocities("vy", kSlots, "y", CLS_AT(players.velocity[i].y)));
+
   table.push_back(reals("body", Coding::kAngle, kSlots, kDegree, 1, CLS_AT(players.body[i])));
   table.push_back(reals("neck", Coding::kAngle, kSlots, kDegree, 1, CLS_AT(players.neck[i])));
   table.push_back(points("point_x", CLS_AT(players.pointing_at[i].x)));
   table.push_back(points("point_y", CLS_AT(players.pointing_at[i].y)));
+
   table.push_back(reals("view_width", Coding::kChanges, kSlots, kDegree, 1, CLS_AT(players.view_width[i])));
   table.push_back(integers("high_quality", Coding::kChanges, kSlots, 0, 1, CLS_AT(players.high_quality[i])));
   table.push_back(reals("focus_distance", Coding::kChanges, kSlots, kLength, 10, CLS_AT(players.focus[i].x)));
   table.push_back(reals("focus_direction", Coding::kChanges, kSlots, kLength, 1, CLS_AT(players.focus[i].y)));
+
   table.push_back(reals("stamina", Coding::kFirst, kSlots, kStamina, 1, CLS_AT(players.stamina[i])));
   table.push_back(reals("effort", Coding::kChanges, kSlots, kFactor, 100, CLS_AT(players.effort[i])));
   table.push_back(reals("recovery", Coding::kChanges, kSlots, kFactor, 100, CLS_AT(players.recovery[i])));

@@ -34,7 +34,7 @@ struct ColumnSpec {
   Coding coding;
   std::size_t series;        ///< 1, or 22: one per player slot
   int scale = 0;             ///< stored integers per unit; 0: a column of integers
-  int compact_scale = 0;     ///< the same in compact streams; 0 in a column of reals: left out
+  int compact_scale = 0;     ///< `scale` of compact streams; 0: they lack this column of reals
   bool optional = false;     ///< NaN means: no value, and is stored as kNone
   std::string_view of = {};  ///< kVelocity: the column of positions
   std::int64_t min = 0;      ///< integers: smallest and largest value that the record can hold

@@ -101,9 +101,11 @@ bool changes_often(const std::vector<float>& values, std::size_t series) {
 void fit(const MatchRecord& record, StreamColumn& column) {
   const ColumnSpec& spec = *column.spec;
   if (spec.coding == Coding::kSecond || spec.coding == Coding::kVelocity) return;
+
   std::vector<float> values(record.frames() * spec.series);
   spec.load_reals(record, 0, values.size(), values.data());
   column.scale = coarsest_scale(values, spec.scale);
+
   const bool may_change = spec.coding == Coding::kChanges && !spec.optional;
   if (may_change && changes_often(values, spec.series)) column.coding = Coding::kFirst;
 }
@@ -118,13 +120,16 @@ bool link_columns(const std::vector<std::string>& names, const std::vector<std::
   std::vector<StreamColumn>& columns = header.columns;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (columns[i].coding != Coding::kVelocity) continue;
+
     const auto end = names.begin() + static_cast<std::ptrdiff_t>(i);
     const auto position = std::find(names.begin(), end, of[i]);
     if (position == end) return false;
     columns[i].of = static_cast<std::size_t>(position - names.begin());
+
     StreamColumn& positions = columns[columns[i].of];
     positions.keeps_integers = true;
     if (positions.series != columns[i].series) return false;
+
     if (columns[i].series == 1) continue;
     const auto type = std::find(names.begin(), end, "type");
     if (type == end) return false;
@@ -138,11 +143,13 @@ bool link_columns(const std::vector<std::string>& names, const std::vector<std::
 
 bool parse_column(const Json& json, StreamColumn& column) {
   if (!json.is_object() || !parse_coding(json.value("coding", ""), column.coding)) return false;
+
   column.series = json.value("series", std::size_t{0});
   column.scale = json.value("scale", std::int64_t{0});
   if (column.series != 1 && column.series != gamelog::kSlots) return false;
   if (column.scale < 0 || column.scale > kMaxScale) return false;
   if (column.coding == Coding::kAngle && column.scale == 0) return false;
+
   const ColumnSpec* spec = find_column(json.value("name", ""));
   const bool fits =
       spec != nullptr && spec->series == column.series && spec->is_real() == (column.scale != 0);
@@ -152,6 +159,7 @@ bool parse_column(const Json& json, StreamColumn& column) {
 
 bool parse_columns(const Json& list, StreamHeader& header) {
   if (!list.is_array() || list.size() > kMaxColumns) return false;
+
   std::vector<std::string> names;
   std::vector<std::string> of;
   for (const Json& json : list) {
@@ -161,6 +169,7 @@ bool parse_columns(const Json& list, StreamHeader& header) {
     const bool repeated = std::find(names.begin(), names.end() - 1, names.back()) < names.end() - 1;
     if (repeated) return false;
   }
+
   return link_columns(names, of, header);
 }
 
@@ -169,6 +178,7 @@ bool parse_decays(const Json& json, Decays& decays) {
   decays.ball = json.value("ball_decay", decays.ball);
   const Json types = json.value("type_decay", Json::array());
   if (!in_range(decays.ball) || !types.is_array()) return false;
+
   for (const Json& decay : types) decays.by_type.push_back(decay.get<std::int64_t>());
   return std::all_of(decays.by_type.begin(), decays.by_type.end(), in_range);
 }
@@ -192,10 +202,12 @@ StreamHeader header_of(const MatchRecord& record, StreamForm form) {
   StreamHeader header;
   header.version = record.version;
   header.form = form;
+
   header.decays.ball = decay_integer(record.server.ball_decay);
   for (const soccer::PlayerType& type : record.types) {
     header.decays.by_type.push_back(decay_integer(type.player_decay));
   }
+
   std::vector<std::string> names;
   std::vector<std::string> of;
   for (const ColumnSpec& spec : column_table()) {
@@ -206,6 +218,7 @@ StreamHeader header_of(const MatchRecord& record, StreamForm form) {
     names.emplace_back(spec.name);
     of.emplace_back(spec.of);
   }
+
   link_columns(names, of, header);
   return header;
 }
@@ -216,6 +229,7 @@ std::string header_json(const MatchRecord& record, const StreamHeader& header) {
   const auto penalties = [](const gamelog::TeamFrame& team) {
     return Json::array({team.penalty_scored, team.penalty_missed});
   };
+
   const Json json = {{"schema", kViewSchema},
                      {"cls", base::kVersion},
                      {"log", version_text(header.version)},
@@ -240,6 +254,7 @@ base::Result<StreamHeader> parse_header(std::string_view text) {
     const Json json = Json::parse(text);
     const std::string schema = json.value("schema", "");
     if (auto error = base::schema_error(schema, kViewSchema)) return base::Error{*std::move(error)};
+
     StreamHeader header;
     header.form = {json.value("compact", false), json.value("live", false)};
     if (!parse_version(json.value("log", ""), header.version) ||

@@ -22,6 +22,7 @@ void StreamState::set_header(StreamHeader header) {
   const bool continues = same_columns(header_.columns, header.columns);
   header_ = std::move(header);
   if (continues) return;
+
   states_.clear();
   for (const StreamColumn& column : header_.columns) states_.emplace_back(column.series);
   integers_.assign(states_.size(), {});
@@ -38,12 +39,14 @@ CodingInput StreamState::input(std::size_t index, std::size_t frames) {
   const StreamColumn& column = header_.columns[index];
   CodingInput input{column.coding, 180 * column.scale, nullptr};
   if (column.coding != Coding::kVelocity) return input;
+
   Integers decays(frames * column.series, header_.decays.ball);
   if (column.series > 1) {
     const Integers& types = integers_[header_.type];
     std::transform(types.begin(), types.end(), decays.begin(),
                    [&](std::int64_t id) { return header_.decays.of_type(id); });
   }
+
   predictions_ = predicted_velocities(integers_[column.of], before_[column.of], decays);
   input.predictions = &predictions_;
   return input;

@@ -54,11 +54,13 @@ class Dots {
       dot({from.x + (to.x - from.x) * share, from.y + (to.y - from.y) * share});
     }
   }
+
   void rectangle(double x, double y, double half_height) {
     line({x, -half_height}, {x, half_height});
     line({x, -half_height}, {y, -half_height});
     line({x, half_height}, {y, half_height});
   }
+
   void circle(double radius) {
     const int steps = std::max(8, static_cast<int>(kTau * radius * scale_));
     for (int i = 0; i < steps; ++i) {
@@ -85,6 +87,7 @@ class Dots {
   void dot(Vec2 at) {
     const int x = std::clamp(static_cast<int>(x_of(at.x)), 0, kDotColumns * columns_ - 1);
     const int y = std::clamp(static_cast<int>(y_of(at.y)), 0, kDotRows * rows_ - 1);
+
     constexpr std::array<std::array<unsigned, kDotColumns>, kDotRows> kBits = {
         {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}}};
     const auto bit =
@@ -108,6 +111,7 @@ void draw_lines(Dots& dots) {
     dots.rectangle(end - side * kGoalAreaLength, end, kGoalAreaWidth / 2);
     dots.rectangle(end + side * kGoalDepth, end, kGoalHalfWidth);
   }
+
   dots.line({0, -kHalfWidth}, {0, kHalfWidth});
   dots.circle(kCenterCircleRadius);
 }
@@ -126,16 +130,19 @@ void draw_field(const gamelog::Frame& frame, const FieldArea& area, Screen& scre
   Dots dots(screen.columns(), std::max(1, area.rows));
   draw_lines(dots);
   dots.put(area.top, screen);
+
   const int ball_row = dots.row_of(frame.ball_position.y);
   const int ball_column = dots.column_of(frame.ball_position.x);
   const auto is_inside = [&](int row) { return row >= 0 && row < area.rows; };
   if (is_inside(ball_row)) {
     screen.put(area.top + ball_row, ball_column, {"●", Ink::kBold, false});
   }
+
   for (std::size_t slot = 0; slot < frame.players.size(); ++slot) {
     const gamelog::PlayerFrame& player = frame.players[slot];
     const int row = dots.row_of(player.position.y);
     if ((player.state & gamelog::kStateEnabled) == 0 || !is_inside(row)) continue;
+
     Cell cell = player_cell(slot, area.letters);
     const int column = dots.column_of(player.position.x);
     // A player on the ball hides it; the cell is reversed instead.

@@ -72,6 +72,7 @@ std::size_t sequence_length(std::string_view bytes) {
   if (bytes[0] != '\x1b') return 1;
   if (bytes.size() < 2) return 0;
   if (bytes[1] != '[' && bytes[1] != 'O') return 1;
+
   for (std::size_t i = 2; i < bytes.size(); ++i) {
     if (bytes[i] >= '@' && bytes[i] <= '~') return i + 1;
   }
@@ -85,6 +86,7 @@ std::vector<Key> take_keys(std::string& bytes) {
   while (!bytes.empty()) {
     const std::size_t length = sequence_length(bytes);
     if (length == 0) break;
+
     const std::string_view sequence = std::string_view(bytes).substr(0, length);
     for (const auto& [text, key] : kKeys) {
       if (text == sequence) keys.push_back(key);
@@ -163,6 +165,7 @@ void MatchScreen::find_goal(int direction) {
     const auto& teams = record_.teams[record_.team_state[frame]];
     return teams[0].score + teams[1].score;
   };
+
   for (std::size_t i = frame(); direction > 0 ? i < last() : i > 1;) {
     direction > 0 ? ++i : --i;
     if (score(i) > score(i - 1)) return seek(i);
@@ -192,6 +195,7 @@ Screen MatchScreen::draw(int columns, int rows, bool color) const {
     screen.write(rows / 2, std::max(0, columns / 2 - 12), "waiting for the kick-off");
     return screen;
   }
+
   draw_head(screen);
   const int field_rows = rows - kHeadRows - kFootRows;
   if (field_rows > 0) {
@@ -206,11 +210,13 @@ void MatchScreen::draw_head(Screen& screen) const {
   const auto& [left, right] = frame.teams;
   const std::string left_name = team_name(left, "left");
   const std::string score = fmt::format("{} : {}", left.score, right.score);
+
   int column = 1;
   const auto append = [&](std::string_view text, Ink ink) {
     screen.write(0, column, text, ink);
     column += static_cast<int>(text.size()) + 1;
   };
+
   append(left_name, Ink::kLeft);
   append(score, Ink::kBold);
   append(team_name(right, "right"), Ink::kRight);
@@ -218,6 +224,7 @@ void MatchScreen::draw_head(Screen& screen) const {
     append(fmt::format(" penalties {} : {}", left.penalty_scored, right.penalty_scored),
            Ink::kPlain);
   }
+
   const std::string clock = fmt::format("{}  {}", name(frame.mode), clock_text(frame));
   const int start = std::max(column, screen.columns() - static_cast<int>(clock.size()) - 1);
   screen.write(0, start, clock, Ink::kBold);
@@ -228,10 +235,12 @@ void MatchScreen::draw_foot(Screen& screen) const {
   const double share =
       last() == 0 ? 0.0 : static_cast<double>(frame()) / static_cast<double>(last());
   const int cursor = static_cast<int>(share * std::max(0, width - 1));
+
   const int row = screen.rows() - kFootRows;
   for (int i = 0; i < width; ++i) {
     screen.put(row, 1 + i, {i == cursor ? "┃" : "─", i <= cursor ? Ink::kBold : Ink::kDim, false});
   }
+
   const std::string state = following_ ? "LIVE" : playing_ ? "play" : "pause";
   std::string text = fmt::format("{:5} {:g}x  space pause  arrows step  , . speed  g goal", state,
                                  kSpeeds[speed_]);

@@ -75,6 +75,7 @@ std::string Screen::update(const Screen* before, bool color) const {
         adjacent = false;
         continue;
       }
+
       if (!adjacent) out += fmt::format("\x1b[{};{}H", row + 1, column + 1);
       adjacent = true;
       if (const std::string wanted = style(cell, color); wanted != shown_style) {
@@ -84,6 +85,7 @@ std::string Screen::update(const Screen* before, bool color) const {
       out += cell.text;
     }
   }
+
   out += "\x1b[0m";
   return out.append(kEndUpdate);
 }
