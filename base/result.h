@@ -68,7 +68,7 @@ class [[nodiscard]] Result<void> {
   if (auto CLS_JOIN(result_at_, __LINE__) = (__VA_ARGS__); !CLS_JOIN(result_at_, __LINE__)) \
   return std::move(CLS_JOIN(result_at_, __LINE__)).error()
 
-/// The same, and initializes a variable with the value:
+/// Returns the error of a result, if it has one; else initializes a variable with the value:
 ///   TRY_INIT(const int steps, json["steps"].integer(1, 100));
 #define TRY_INIT(declaration, ...)                                                               \
   auto CLS_JOIN(result_at_, __LINE__) = (__VA_ARGS__);                                           \

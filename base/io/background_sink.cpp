@@ -77,10 +77,12 @@ Result<std::unique_ptr<ByteSink>> create_log_file(const std::string& path, int l
 Result<void> compress_file(const std::string& path, int level) {
   const auto text = read_file(path);
   if (!text) return Error{fmt::format("cannot read {}", path)};
+
   TRY_INIT(auto file, FileSink::create(path + ".gz"));
   GzipSink gzip(std::move(file), level);
   gzip.write(*text);
   if (const auto closed = gzip.close(); !closed) return closed;
+
   std::error_code code;
   std::filesystem::remove(path, code);
   return {};

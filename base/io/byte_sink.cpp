@@ -20,6 +20,7 @@ Result<std::unique_ptr<FileSink>> FileSink::create(const std::string& path) {
   if (file == nullptr) {
     return Error{"cannot create '" + path + "': " + std::strerror(errno)};
   }
+
   std::setvbuf(file, nullptr, _IONBF, 0);
   return std::unique_ptr<FileSink>(new FileSink(path, file));
 }

@@ -66,6 +66,7 @@ class InflatedSource : public ByteSource {
 
   std::size_t read(char* to, std::size_t size) override {
     if (!usable_ || !error().empty()) return 0;
+
     stream_.next_out = reinterpret_cast<Bytef*>(to);
     stream_.avail_out = static_cast<uInt>(std::min(size, std::size_t{1} << 30));
     const uInt wanted = stream_.avail_out;
@@ -82,12 +83,14 @@ class InflatedSource : public ByteSource {
         fail(inner_->error().empty() ? "gzip data is truncated" : inner_->error());
       return false;
     }
+
     within_member_ = true;
     const int outcome = inflate(&stream_, Z_NO_FLUSH);
     if (outcome == Z_STREAM_END) {
       within_member_ = false;
       return start_next_member();
     }
+
     if (outcome == Z_OK || outcome == Z_BUF_ERROR) return true;
     fail(std::string("gzip data is corrupt: ") + (stream_.msg != nullptr ? stream_.msg : "?"));
     return false;
@@ -134,10 +137,12 @@ class PlainSource : public ByteSource {
       first_.erase(0, count);
       return count;
     }
+
     const std::size_t count = inner_->read(to, size);
     if (count == 0 && !inner_->error().empty()) fail(inner_->error());
     return count;
   }
+
   std::uint64_t size_hint() const override { return inner_->size_hint(); }
 
  private:
@@ -164,6 +169,7 @@ std::unique_ptr<ByteSource> decompress(std::unique_ptr<ByteSource> inner) {
     if (more == 0) break;
     count += more;
   }
+
   const std::string_view first(start.data(), count);
   if (first == kGzipMagic) return std::make_unique<InflatedSource>(std::move(inner), first);
   return std::make_unique<PlainSource>(std::move(inner), first);
@@ -171,10 +177,12 @@ std::unique_ptr<ByteSource> decompress(std::unique_ptr<ByteSource> inner) {
 
 Result<std::unique_ptr<ByteSource>> open_source(const std::string& path) {
   if (path == "-") return decompress(std::make_unique<FileSource>(STDIN_FILENO));
+
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
     return Error{"cannot open '" + path + "': " + std::strerror(errno)};
   }
+
   auto file = std::make_unique<FileSource>(descriptor);
   struct stat status = {};
   if (::fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode)) {

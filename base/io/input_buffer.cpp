@@ -11,7 +11,7 @@ constexpr std::size_t kBlock = 256 * 1024;  // fits into the L2 cache
 constexpr std::size_t kLookAhead = 64;
 constexpr std::size_t kLongLinePrefix = 1024;
 
-// Of a line that ends with CR LF. A line feed takes its place, for scanners that read on.
+// Cuts off the CR of CR LF. A line feed takes its place, for scanners that read on.
 std::string_view without_carriage_return(char* start, std::size_t length) {
   if (length == 0 || start[length - 1] != '\r') return {start, length};
   start[length - 1] = '\n';
@@ -26,17 +26,20 @@ InputBuffer::InputBuffer(ByteSource& source) : source_(source) {
 
 bool InputBuffer::fill(std::size_t wanted) {
   if (available() >= wanted) return true;
+
   if (begin_ > 0) {
     std::memmove(bytes_.data(), bytes_.data() + begin_, available());
     end_ -= begin_;
     begin_ = 0;
   }
+
   if (bytes_.size() < wanted + kLookAhead) bytes_.resize(wanted + kLookAhead);
   while (!at_end_ && end_ < wanted) {
     const std::size_t count = source_.read(bytes_.data() + end_, bytes_.size() - kLookAhead - end_);
     end_ += count;
     at_end_ = count == 0;
   }
+
   std::fill_n(bytes_.begin() + static_cast<std::ptrdiff_t>(end_), kLookAhead, '\n');
   return available() >= wanted;
 }
@@ -59,6 +62,7 @@ InputBuffer::Line InputBuffer::next_line(std::string_view& line) {
       ++line_number_;
       return Line::kWhole;
     }
+
     searched = available();
     if (searched >= kMaxLine) {
       ++line_number_;
@@ -67,12 +71,14 @@ InputBuffer::Line InputBuffer::next_line(std::string_view& line) {
       skip_line();
       return Line::kTooLong;
     }
+
     // Larger blocks for long lines, but no more than what the source has now: a line of a growing
     // file is returned when it is complete.
     const std::size_t block = std::min(std::max(searched * 2, kBlock), kMaxLine);
     if (bytes_.size() < block + kLookAhead) bytes_.resize(block + kLookAhead);
     if (fill(searched + 1)) continue;
     if (searched == 0) return Line::kEnd;
+
     ++line_number_;
     line = without_carriage_return(bytes_.data() + begin_, searched);
     advance(searched);

@@ -16,11 +16,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// In one step, because another process may do the same. False with errno.
+// Renames in one step, because another process may do the same. Sets errno when false.
 bool rename_to_free_name(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
   if (errno != EINVAL && errno != ENOSYS) return false;
-  // A file system without that flag.
+
+  // The file system does not know that flag.
   std::error_code code;
   if (fs::exists(fs::symlink_status(to, code))) {
     errno = EEXIST;
@@ -39,6 +40,7 @@ std::string contents_of(const fs::path& folder) {
        entry.increment(code)) {
     names.push_back(entry->path().filename().string());
   }
+
   std::sort(names.begin(), names.end());
   if (names.size() <= kNamed) return fmt::format("{}", fmt::join(names, " and "));
   const std::size_t more = names.size() - kNamed;
@@ -49,12 +51,14 @@ std::string contents_of(const fs::path& folder) {
 Result<fs::path> set_aside(const fs::path& path) {
   fs::path present = fs::absolute(path).lexically_normal();
   if (!present.has_filename()) present = present.parent_path();  // a trailing slash
+
   std::error_code code;
   const fs::file_type type = fs::symlink_status(present, code).type();
   if (type != fs::file_type::regular && type != fs::file_type::directory &&
       type != fs::file_type::symlink && type != fs::file_type::not_found) {
     return Error{fmt::format("cannot rename {}: not a regular file", present.string())};
   }
+
   fs::path renamed = present.string() + ".old";
   for (int i = 2; !rename_to_free_name(present, renamed); ++i) {
     if (errno != EEXIST) {

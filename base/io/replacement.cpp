@@ -24,7 +24,7 @@ Error cannot_create(const fs::path& file, const std::string& cause) {
 std::string temporary_name(const fs::path& file) {
   constexpr std::size_t kMaxExtension = 16;
   std::uint64_t number = 0;
-  static_cast<void>(::getentropy(&number, sizeof(number)));  // fails for no size as small
+  static_cast<void>(::getentropy(&number, sizeof(number)));  // never fails for so few bytes
   const std::string extension = file.extension().string();
   return fmt::format(".partial-{:016x}{}", number,
                      extension.size() <= kMaxExtension ? extension : "");
@@ -52,6 +52,7 @@ Result<Replacement> Replacement::start(fs::path file) {
   if (type != fs::file_type::regular && type != fs::file_type::not_found) {
     return Replacement(file, file);
   }
+
   while (true) {
     fs::path place = file.parent_path() / temporary_name(file);
     const int created = ::open(place.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

@@ -42,9 +42,11 @@ void write_all(int descriptor, std::string_view bytes, std::atomic<int>& error) 
       bytes.remove_prefix(static_cast<std::size_t>(written));
       continue;
     }
+
     const int cause = written == 0 ? EIO : errno;
     if (cause == EINTR) continue;
     if (cause == EAGAIN && wait_until_writable(descriptor)) continue;
+
     int none = 0;
     error.compare_exchange_strong(none, cause);
     return;
@@ -84,6 +86,7 @@ void protect_standard_streams() {
   // A pipe without a reader, or a file at the size limit, is a failed write like any other.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+
   const int buffering = ::isatty(STDOUT_FILENO) == 1 ? _IOLBF : _IOFBF;
   if (std::FILE* stream = open_stream(output, buffering)) stdout = stream;
   if (std::FILE* stream = open_stream(errors, _IONBF)) stderr = stream;

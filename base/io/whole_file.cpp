@@ -53,10 +53,12 @@ Result<void> write_by_rename(const std::filesystem::path& path, std::string_view
   const int file =
       ::open(replacement.place().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0) return cannot_create(path, std::strerror(errno));
+
   const bool written = write_all(file, bytes) && (!durable || sync_file(file));
   const int cause = errno;
   if (::close(file) != 0 && written) return cannot_write(path, errno);
   if (!written) return cannot_write(path, cause);
+
   if (auto finished = replacement.finish(); !finished) return finished;
   if (durable) sync_folder(path.parent_path());
   return {};
@@ -67,6 +69,7 @@ Result<void> write_by_rename(const std::filesystem::path& path, std::string_view
 std::optional<std::string> read_file(const std::filesystem::path& path) {
   std::error_code code;
   if (std::filesystem::is_directory(path, code)) return std::nullopt;
+
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(file), {});

@@ -30,11 +30,13 @@ void add_case(std::string& out, const JunitCase& one) {
   const auto attribute = [&out](const char* name, const std::string& value) {
     if (!value.empty()) out += fmt::format(" {}=\"{}\"", name, escape_xml(value));
   };
+
   out += "    <testcase";
   attribute("classname", one.group);
   attribute("name", one.name);
   attribute("file", one.file);
   out += fmt::format(" time=\"{:.3f}\"", one.seconds);
+
   // Jenkins and GitLab look for attachments in the output.
   const std::string attachment =
       one.attachment.empty() ? "" : fmt::format("[[ATTACHMENT|{}]]\n", one.attachment);
@@ -42,12 +44,14 @@ void add_case(std::string& out, const JunitCase& one) {
     out += "/>\n";
     return;
   }
+
   const char* element = element_of(one.result);
   out += fmt::format(">\n      <{}", element);
   if (one.result == Result::kPassed) {
     out += fmt::format(">{}</{}>\n    </testcase>\n", escape_xml(one.text + attachment), element);
     return;
   }
+
   attribute("type", one.type);
   attribute("message", one.message);
   out += fmt::format(">{}</{}>\n", escape_xml(one.text), element);
@@ -64,11 +68,13 @@ std::string format_junit(const std::string& suite, const std::vector<JunitCase>&
     return std::count_if(cases.begin(), cases.end(),
                          [result](const JunitCase& one) { return one.result == result; });
   };
+
   double seconds = 0.0;
   for (const JunitCase& one : cases) seconds += one.seconds;
   const std::string totals = fmt::format(
       "name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\"", escape_xml(suite),
       cases.size(), count(Result::kFailed), count(Result::kError), seconds);
+
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {0}>\n"
       "  <testsuite {0} skipped=\"{1}\">\n",

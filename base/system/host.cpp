@@ -55,6 +55,7 @@ Machine this_machine() {
   if (uname(&names) == 0) machine.kernel = fmt::format("{} {}", names.sysname, names.release);
   machine.cpu = value_in("/proc/cpuinfo", "model name");
   machine.cores = usable_cores();
+
   const long pages = sysconf(_SC_PHYS_PAGES);
   if (pages > 0) machine.memory_bytes = std::int64_t{pages} * sysconf(_SC_PAGESIZE);
   return machine;
@@ -70,6 +71,7 @@ std::vector<int> allowed_processors() {
   cpu_set_t allowed;
   CPU_ZERO(&allowed);
   if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return processors;
+
   for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
     if (CPU_ISSET(static_cast<std::size_t>(cpu), &allowed)) processors.push_back(cpu);
   }
@@ -86,6 +88,7 @@ std::vector<std::vector<int>> allowed_cores() {
     if (!std::getline(file, siblings)) siblings = fmt::to_string(cpu);
     cores[siblings].push_back(cpu);
   }
+
   std::vector<std::vector<int>> sorted;
   for (auto& [siblings, processors] : cores) sorted.push_back(std::move(processors));
   std::sort(sorted.begin(), sorted.end());
@@ -100,6 +103,7 @@ std::array<std::vector<int>, 2> split_in_half(const std::vector<std::vector<int>
     if (threads.size() >= 2) halves = split_in_half(threads);
     return halves;
   }
+
   for (std::size_t i = 0; i < cores.size() / 2; ++i) {
     const std::vector<int>& right = cores[cores.size() - cores.size() / 2 + i];
     halves[0].insert(halves[0].end(), cores[i].begin(), cores[i].end());

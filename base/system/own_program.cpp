@@ -12,6 +12,7 @@ namespace cls::base {
 Result<std::filesystem::path> own_program() {
   constexpr const char* kLink = "/proc/self/exe";
   constexpr std::string_view kReplaced = " (deleted)";  // added by the kernel
+
   std::error_code code;
   std::string path = std::filesystem::read_symlink(kLink, code).string();
   if (code) return Error{fmt::format("{}: cannot read: {}", kLink, code.message())};

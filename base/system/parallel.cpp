@@ -21,6 +21,7 @@ void parallel_for(std::size_t count, std::size_t jobs, const std::function<void(
       if (on_done) on_done(so_far);
     }
   };
+
   std::vector<std::thread> others;
   for (std::size_t i = 1; i < std::min(jobs, count); ++i) others.emplace_back(run);
   run();

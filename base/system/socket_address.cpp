@@ -44,10 +44,12 @@ Result<std::vector<SocketAddress>> resolve_all(const std::string& host, int port
   addrinfo hints{};
   hints.ai_family = family;
   hints.ai_socktype = type;
+
   addrinfo* list = nullptr;
   const int error = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &list);
   if (error != 0) return Error{::gai_strerror(error)};
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owner(list, ::freeaddrinfo);
+
   std::vector<SocketAddress> addresses;
   for (const addrinfo* item = list; item != nullptr; item = item->ai_next) {
     SocketAddress& address = addresses.emplace_back();
@@ -75,6 +77,7 @@ Result<SocketAddress> parse_ip_address(const std::string& text, int port) {
     number = &reinterpret_cast<sockaddr_in6&>(address.bytes).sin6_addr;
     if (::inet_pton(AF_INET6, text.c_str(), number) != 1) return Error{"not an IP address"};
   }
+
   address.set_port(port);
   return address;
 }

@@ -17,6 +17,7 @@ using Time = std::chrono::steady_clock::time_point;
 bool connect_to(int fd, const SocketAddress& address, Time deadline) {
   if (::connect(fd, address.get(), address.size) == 0) return true;
   if (errno != EINPROGRESS || !wait_for_events(fd, POLLOUT, deadline)) return false;
+
   int error = 0;
   socklen_t size = sizeof error;
   return ::getsockopt(fd, SOL_SOCKET, SO_ERROR, &error, &size) == 0 && error == 0;

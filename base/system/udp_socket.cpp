@@ -36,6 +36,7 @@ int UdpSocket::send(std::string_view message, bool with_nul, const SocketAddress
   char nul = '\0';
   std::array<iovec, 2> parts = {iovec{const_cast<char*>(message.data()), message.size()},
                                 iovec{&nul, 1}};
+
   msghdr header{};
   header.msg_iov = parts.data();
   header.msg_iovlen = with_nul ? 2 : 1;
@@ -43,6 +44,7 @@ int UdpSocket::send(std::string_view message, bool with_nul, const SocketAddress
     header.msg_name = const_cast<sockaddr*>(peer->get());
     header.msg_namelen = peer->size;
   }
+
   return ::sendmsg(fd(), &header, 0) < 0 ? errno : 0;
 }
 
@@ -86,6 +88,7 @@ int IncomingDatagrams::receive(const UdpSocket& socket) {
   do {
     received = ::recvmmsg(socket.fd(), headers_.data(), kMaxCount, 0, nullptr);
   } while (received < 0 && errno == EINTR);
+
   count_ = static_cast<std::size_t>(std::max(received, 0));
   for (std::size_t i = 0; i < count_; ++i) senders_[i].size = headers_[i].msg_hdr.msg_namelen;
   return received < 0 ? errno : 0;
@@ -110,11 +113,13 @@ bool OutgoingDatagrams::send(const UdpSocket& socket) {
       headers[i].msg_hdr.msg_iov = &parts[i];
       headers[i].msg_hdr.msg_iovlen = 1;
     }
+
     const int sent = ::sendmmsg(socket.fd(), headers.data(), static_cast<unsigned>(count), 0);
     if (sent < 0 && errno == EINTR) continue;
     open = sent >= 0 || errno != ECONNREFUSED;
     next += sent > 0 ? static_cast<std::size_t>(sent) : 1;
   }
+
   bytes_.clear();
   ends_.clear();
   return open;

@@ -22,10 +22,12 @@ std::optional<std::uint64_t> parse_byte_size(std::string_view text) {
   const std::size_t unit = kUnits.find(upper(text.back()));
   if (unit == std::string_view::npos) return std::nullopt;
   text.remove_suffix(1);
+
   std::uint64_t number = 0;
   const char* end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, number);
   if (read.ec != std::errc() || read.ptr != end || number == 0) return std::nullopt;
+
   const unsigned shift = kBitsPerUnit * static_cast<unsigned>(unit + 1);
   if (number > std::numeric_limits<std::uint64_t>::max() >> shift) return std::nullopt;
   return number << shift;

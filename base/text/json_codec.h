@@ -43,6 +43,7 @@ class JsonEncoder {
   void required(const char* key, const T& value) {
     member(key, value);
   }
+
   /// A number with at most log10(per_one) decimals. Division by `per_one` prints as 83.3, where
   /// multiplication by its inverse would print as 83.30000001.
   void rounded(const char* key, double value, double per_one) {
@@ -52,6 +53,7 @@ class JsonEncoder {
     json_[key] = nullptr;
     if (value) rounded(key, *value, per_one);
   }
+
   /// A string; null when it is empty.
   void text_or_null(const char* key, const std::string& value) {
     json_[key] = value.empty() ? Json(nullptr) : Json(value);
@@ -66,6 +68,7 @@ class JsonEncoder {
     json_[key] = nullptr;
     if (first && second) pair(key, *first, *second);
   }
+
   /// An enumerator by its name.
   template <typename T, typename Format, typename Parse>
   void named(const char* key, const T& value, Format format, Parse /*parse*/) {
@@ -75,6 +78,7 @@ class JsonEncoder {
   void named(const char* key, const std::optional<T>& value, Format format, Parse /*parse*/) {
     json_[key] = value ? Json(format(*value)) : Json(nullptr);
   }
+
   /// A member that follows from others: written, not parsed.
   template <typename Compute>
   void derived(const char* key, Compute compute) {
@@ -82,6 +86,7 @@ class JsonEncoder {
   }
   /// The schema of the document; versions up to this one are read.
   void schema(const char* key, const char* value) { json_[key] = value; }
+
   /// A nested object; `list_members` is called with its codec.
   template <typename ListMembers>
   void object(const char* key, ListMembers list_members) {
@@ -138,6 +143,7 @@ class JsonDecoder {
   void required(const char* key, T& value) {
     decode(json_.at(key), value);
   }
+
   template <typename T>
   void rounded(const char* key, T& value, double /*per_one*/) {
     member(key, value);
@@ -159,6 +165,7 @@ class JsonDecoder {
     decode(found->at(0), first);
     decode(found->at(1), second);
   }
+
   template <typename T, typename Format, typename Parse>
   void named(const char* key, T& value, Format /*format*/, Parse parse) {
     value = parsed(key, json_.at(key), parse);
@@ -169,6 +176,7 @@ class JsonDecoder {
     value.reset();
     if (found != nullptr && !found->is_null()) value = parsed(key, *found, parse);
   }
+
   template <typename Compute>
   void derived(const char* /*key*/, Compute /*compute*/) {}
   void schema(const char* key, const char* value) {
@@ -176,6 +184,7 @@ class JsonDecoder {
     const auto error = schema_error(found.is_string() ? found.get<std::string>() : "", value);
     if (error) throw std::invalid_argument(*error);
   }
+
   template <typename ListMembers>
   void object(const char* key, ListMembers list_members) {
     const Json* found = find(key);
@@ -192,6 +201,7 @@ class JsonDecoder {
         throw std::out_of_range("a number is out of range");
       }
     }
+
     if constexpr (std::is_constructible_v<Json, const T&>) {
       value = json.get<T>();
     } else {
@@ -217,7 +227,7 @@ class JsonDecoder {
   }
 
  private:
-  /// Tells whether `number`, without its fraction, is a T. Not a number is none.
+  /// Tells whether `number` without its fraction fits into a T; NaN does not.
   template <typename T>
   static bool fits(double number) {
     using Limits = std::numeric_limits<T>;

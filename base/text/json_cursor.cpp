@@ -34,6 +34,7 @@ void append_unicode(std::string_view& rest, std::string& out) {
     if (digit == std::string_view::npos) return;
     code = code << 4 | static_cast<unsigned>(digit < 16 ? digit : digit - 6);
   }
+
   append_utf8(code, out);
   rest.remove_prefix(4);
 }
@@ -46,6 +47,7 @@ void append_unescaped(std::string_view raw, std::string& out) {
     out += raw.substr(0, plain);
     raw.remove_prefix(plain);
     if (raw.size() < 2) break;
+
     const char c = raw[1];
     raw.remove_prefix(2);
     const std::size_t known = kNames.find(c);
@@ -86,10 +88,12 @@ bool JsonCursor::separator(char closing) {
     first_ = false;
     return false;
   }
+
   if (first_) {
     first_ = false;
     return true;
   }
+
   if (c != ',') return fail();
   ++at_;
   return true;
@@ -117,6 +121,7 @@ bool JsonCursor::raw_string(std::string_view& value) {
   const char* at = first;
   while (at < end_ && *at != '"') at += *at == '\\' && at + 1 < end_ ? 2 : 1;
   if (at >= end_) return fail();
+
   value = {first, static_cast<std::size_t>(at - first)};
   at_ = at + 1;
   return true;
@@ -164,6 +169,7 @@ bool JsonCursor::scalar_text(std::string& out) {
     out += '"';
     return true;
   }
+
   const char* first = at_;
   while (at_ < end_ && *at_ != ',' && *at_ != '}' && *at_ != ']' && *at_ != ' ') ++at_;
   const std::string_view token(first, static_cast<std::size_t>(at_ - first));
@@ -171,6 +177,7 @@ bool JsonCursor::scalar_text(std::string& out) {
     out += token == "true" ? '1' : '0';
     return true;
   }
+
   if (!parse_number(token)) return fail();
   out += token;
   return true;

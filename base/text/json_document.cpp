@@ -42,6 +42,7 @@ class Scan {
   bool enter(const std::string& key) {
     const std::size_t start = at_;
     if (!is_one_of("{[")) return false;
+
     const bool object = text_[at_] == '{';
     ++at_;
     skip_space();
@@ -52,6 +53,7 @@ class Scan {
       if (is_one_of(",")) ++at_;
       skip_space();
     }
+
     at_ = start;
     return false;
   }
@@ -75,6 +77,7 @@ class Scan {
     const std::size_t from = at_;
     skip_string();
     const Json key = Json::parse(text_.substr(from, at_ - from), nullptr, false);
+
     skip_space();
     if (is_one_of(":")) ++at_;
     skip_space();
@@ -95,6 +98,7 @@ class Scan {
         skip_string();
         continue;
       }
+
       depth += is_one_of("{[") ? 1 : is_one_of("}]") ? -1 : 0;
       if (is_one_of("{[}],:")) {
         ++at_;
@@ -138,6 +142,7 @@ Result<JsonDocument> JsonDocument::parse(std::string name, std::string text) {
   JsonDocument result;
   result.name_ = std::move(name);
   result.text_ = std::move(text);
+
   try {
     result.root_ = std::make_shared<const Json>(Json::parse(result.text_, nullptr, true, true));
   } catch (const Json::parse_error& error) {
@@ -146,11 +151,13 @@ Result<JsonDocument> JsonDocument::parse(std::string name, std::string text) {
     const std::size_t line_start = result.text_.rfind('\n', position == 0 ? 0 : position - 1);
     const std::size_t column =
         position - (line_start == std::string::npos ? 0 : line_start + 1) + 1;
+
     std::string what = error.what();
     if (const auto colon = what.rfind(": "); colon != std::string::npos) {
       what = what.substr(
           what.find("syntax error") == std::string::npos ? colon + 2 : what.find("syntax error"));
     }
+
     return Error{
         fmt::format("{}:{}:{}: {}", result.name_, line_at(result.text_, position), column, what)};
   } catch (const Json::out_of_range& error) {
@@ -171,6 +178,7 @@ Result<JsonDocument> JsonDocument::read(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, code)) {
     return Error{fmt::format("{}: is a folder", path.string())};
   }
+
   std::ifstream file(path, std::ios::binary);
   if (!file) return Error{fmt::format("{}: {}", path.string(), std::strerror(errno))};
   return parse(path.string(), {std::istreambuf_iterator<char>(file), {}});
@@ -215,6 +223,7 @@ Result<void> JsonValue::expect_keys(const std::vector<std::string_view>& keys) c
   if (!value_->is_object()) {
     return error(fmt::format("must be an object, not {}", value_->type_name()));
   }
+
   for (const auto& [key, unused] : value_->items()) {
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
     std::string message = fmt::format("unknown key '{}'", key);
@@ -267,6 +276,7 @@ Result<std::string> JsonValue::one_of(const std::vector<std::string_view>& names
   auto value = string();
   if (!value) return value;
   if (std::find(names.begin(), names.end(), *value) != names.end()) return value;
+
   const std::string hint = did_you_mean(*value, names);
   return error(
       fmt::format("unknown '{}'{}", *value,

@@ -56,6 +56,7 @@ bool scan_number_out_of_range(const char*& at, float& value) {
   const std::string_view magnitude = token.substr(negative ? 1 : 0);
   const bool is_nan = magnitude == "nan";
   if (!is_nan && magnitude != "inf" && !detail::is_decimal(magnitude)) return false;
+
   const double limit = negative ? -kMaxNumber : kMaxNumber;
   value = is_nan ? 0.0F : static_cast<float>(limit);
   at += token.size();

@@ -62,6 +62,7 @@ inline bool scan_number(const char*& at, float& value) {
   const std::uint64_t bytes = detail::load8(start);
   const int whole = detail::count_digit_like(bytes);
   if (whole == 8 || whole == 0) return detail::scan_any_number(at, value);
+
   bool ok = true;
   int length = whole;
   std::uint64_t digits = bytes;
@@ -75,9 +76,11 @@ inline bool scan_number(const char*& at, float& value) {
     if (fraction == 0 || (length == 7 && (start[8] & 0x10) != 0))
       return detail::scan_any_number(at, value);
   }
+
   const std::uint32_t magnitude = detail::digits_value(digits, length, ok);
   const char* end = start + length + (fraction > 0 ? 1 : 0);
   if (!ok || *end == 'e' || *end == 'E') return detail::scan_any_number(at, value);
+
   const double exact = magnitude * detail::kTenths[static_cast<std::size_t>(fraction)];
   value = static_cast<float>(start == at ? exact : -exact);
   at = end;
@@ -89,9 +92,11 @@ inline bool scan_integer(const char*& at, std::int32_t& value) {
   const std::uint64_t bytes = detail::load8(at);
   const int length = detail::count_digit_like(bytes);
   if (length == 8 || length == 0) return detail::scan_any_integer(at, value);
+
   bool ok = true;
   const std::uint32_t magnitude = detail::digits_value(bytes, length, ok);
   if (!ok) return detail::scan_any_integer(at, value);
+
   value = static_cast<std::int32_t>(magnitude);
   at += length;
   return true;

@@ -26,6 +26,7 @@ int decimal_exponent(double magnitude) {
     while (magnitude >= kPowersOfTen[static_cast<std::size_t>(exponent) + 1]) ++exponent;
     return exponent;
   }
+
   if (magnitude >= 1e-1) return -1;
   if (magnitude >= 1e-2) return -2;
   if (magnitude >= 1e-3) return -3;
@@ -39,11 +40,13 @@ char* write_fixed(char* to, unsigned digits, int exponent) {
     digits /= 10;
     --count;
   }
+
   std::array<char, kSignificantDigits> text;
   for (int i = count - 1; i >= 0; --i) {
     text[static_cast<std::size_t>(i)] = static_cast<char>('0' + digits % 10);
     digits /= 10;
   }
+
   int next = 0;
   if (exponent < 0) {
     *to++ = '0';
@@ -56,6 +59,7 @@ char* write_fixed(char* to, unsigned digits, int exponent) {
     if (next >= count) return to;
     *to++ = '.';
   }
+
   for (; next < count; ++next) *to++ = text[static_cast<std::size_t>(next)];
   return to;
 }
@@ -101,14 +105,17 @@ char* write_round(char* to, double value) {
   constexpr double kTenThousandths = 1e4;
   const double magnitude = std::fabs(value);
   if (!(magnitude < 99.5)) return nullptr;
+
   const double scaled = magnitude * kTenThousandths;
   const auto whole = static_cast<unsigned>(scaled + 0.5);
   if (std::fabs(scaled - whole) > 1e-7 || (whole == 0 && magnitude != 0.0)) return nullptr;
+
   if (std::signbit(value)) *to++ = '-';
   const unsigned before = whole / 10000;
   const unsigned after = whole % 10000;
   to = write_short(to, before);
   if (after == 0) return to;
+
   *to++ = '.';
   if (after % 100 == 0) return write_decimals(to, after / 100);
   return write_decimals(write_pair(to, after / 100), after % 100);
@@ -120,18 +127,21 @@ char* write_round(char* to, double value) {
 char* write_common(char* to, double value) {
   const double magnitude = std::fabs(value);
   if (!(magnitude >= 1e-4 && magnitude < 999999.0)) return nullptr;
+
   int exponent = decimal_exponent(magnitude);
   const double scaled =
       magnitude * kPowersOfTen[static_cast<std::size_t>(kSignificantDigits - 1 - exponent)];
   const auto below = static_cast<unsigned>(scaled);
   const double rest = scaled - below;
   if (std::fabs(rest - 0.5) < 1e-6) return nullptr;
+
   unsigned digits = below + (rest > 0.5 ? 1 : 0);
   if (digits < 100000) return nullptr;
   if (digits == 1000000) {
     digits = 100000;
     ++exponent;
   }
+
   if (std::signbit(value)) *to++ = '-';
   return write_fixed(to, digits, exponent);
 }
@@ -162,6 +172,7 @@ std::size_t parse_exponent(std::string_view text, int& value) {
   std::size_t at = 1;
   bool negative = false;
   if (at < text.size() && (text[at] == '+' || text[at] == '-')) negative = text[at++] == '-';
+
   const std::size_t first = at;
   int exponent = 0;
   for (; at < text.size() && is_digit(text[at]); ++at) {
@@ -177,6 +188,7 @@ double parse_slowly(std::string_view number, const Decimal& decimal) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
   if (error != std::errc::result_out_of_range) return value;
+
   const bool huge = decimal.digits + decimal.exponent > 0;
   const double magnitude = huge ? std::numeric_limits<double>::max() : 0.0;
   return number.front() == '-' ? -magnitude : magnitude;
@@ -240,11 +252,13 @@ std::size_t parse_number_prefix(std::string_view text, double& value) {
   } else if (!has_whole) {
     return 0;
   }
+
   if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
     int exponent = 0;
     at += parse_exponent(text.substr(at), exponent);
     decimal.exponent += exponent;
   }
+
   value = value_of(decimal, text.substr(0, at));
   return at;
 }
@@ -253,12 +267,14 @@ std::size_t parse_int_prefix(std::string_view text, int& value) {
   std::size_t at = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
   const std::size_t first = at;
   const bool negative = at == 1 && text[0] == '-';
+
   constexpr std::int64_t kLimit = std::int64_t{1} << 31;
   std::int64_t magnitude = 0;
   for (; at < text.size() && is_digit(text[at]); ++at) {
     if (magnitude < kLimit) magnitude = magnitude * 10 + (text[at] - '0');
   }
   if (at == first) return 0;
+
   if (negative) {
     value = static_cast<int>(-std::min(magnitude, kLimit));
   } else {
@@ -276,6 +292,7 @@ std::optional<double> parse_number(std::string_view text) {
 std::optional<int> parse_int(std::string_view text) {
   const bool has_plus = text.size() > 1 && text[0] == '+' && is_digit(text[1]);
   if (has_plus) text.remove_prefix(1);
+
   const char* end = text.data() + text.size();
   int value = 0;
   const auto [stop, error] = std::from_chars(text.data(), end, value);

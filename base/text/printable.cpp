@@ -81,6 +81,7 @@ std::string printable(std::string_view text) {
     } else {
       result += text.front() == '\t' ? ' ' : '?';
     }
+
     const std::size_t skipped = length > 0 ? length : utf8_sequence_length(text);
     text.remove_prefix(std::max<std::size_t>(skipped, 1));
   }
@@ -101,12 +102,14 @@ std::string printable_json(std::string json) {
   if (std::all_of(json.begin(), json.end(), [](char c) { return is_plain(c) || c == '\n'; })) {
     return json;
   }
+
   std::string result;
   std::string_view rest = json;
   while (!rest.empty()) {
     std::size_t length = rest.front() == '\n' ? 1 : printable_length(rest);
     const bool safe = length > 0;
     if (!safe) length = std::max<std::size_t>(utf8_sequence_length(rest), 1);
+
     result +=
         safe ? std::string(rest.substr(0, length)) : escape(code_point(rest.substr(0, length)));
     rest.remove_prefix(length);

@@ -13,6 +13,7 @@ namespace {
 std::pair<std::string_view, int> name_and_version(std::string_view schema) {
   const std::size_t slash = schema.find('/');
   if (slash == std::string_view::npos) return {schema, 0};
+
   const std::string_view digits = schema.substr(slash + 1);
   int version = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), version);

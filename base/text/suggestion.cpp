@@ -23,6 +23,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> last(b.size() + 1);
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
+
   for (std::size_t i = 0; i < a.size(); ++i) {
     before.swap(last);
     last.swap(row);

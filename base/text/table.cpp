@@ -31,12 +31,14 @@ std::string pad(const std::string& text, std::size_t width, bool right) {
 std::string cut_to(std::string text, std::size_t width) {
   constexpr std::string_view kEllipsis = "...";
   if (width_of(text) <= width) return text;
+
   const std::size_t kept = width - std::min(width, kEllipsis.size());
   std::size_t end = 0;
   for (std::size_t seen = 0; end < text.size(); ++end) {
     const bool starts_character = (static_cast<unsigned char>(text[end]) & 0xC0) != 0x80;
     if (starts_character && seen++ == kept) break;
   }
+
   text.resize(end);
   return text.append(kEllipsis);
 }
@@ -44,6 +46,7 @@ std::string cut_to(std::string text, std::size_t width) {
 std::string markdown_cell(std::string cell, std::string_view escaped) {
   std::replace_if(
       cell.begin(), cell.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+
   std::string result;
   for (const char c : printable(cell)) {
     if (escaped.find(c) != std::string_view::npos) result += '\\';
@@ -128,6 +131,7 @@ std::vector<std::size_t> Table::widths_within(const TextLayout& layout) const {
   constexpr std::size_t kMinCutWidth = 12;
   std::vector<std::size_t> result = widths();
   if (layout.width == 0) return result;
+
   std::size_t total = layout.indent + kGap * (result.size() - 1);
   for (const std::size_t width : result) total += width;
   for (std::size_t i = 0; i < result.size() && total > layout.width; ++i) {
@@ -137,6 +141,7 @@ std::vector<std::size_t> Table::widths_within(const TextLayout& layout) const {
     total -= result[i] - narrowed;
     result[i] = narrowed;
   }
+
   return total <= layout.width ? result : widths();
 }
 
@@ -149,6 +154,7 @@ std::string Table::text_line(const std::vector<std::string>& cells,
     line +=
         pad(cut_to(printable(cells[i]), widths[i]), widths[i], columns_[i].align == Align::kRight);
   }
+
   line.resize(line.find_last_not_of(' ') + 1);
   return line + '\n';
 }
@@ -187,6 +193,7 @@ std::string Table::format_text(const TextLayout& layout) const {
       used += width[column] + (block.empty() ? 0 : kGap);
       block.push_back(column);
     };
+
     if (next > 0) {
       text += '\n';
       for (std::size_t key = 0; key < std::min(layout.key_columns, next); ++key) add(key);
@@ -196,6 +203,7 @@ std::string Table::format_text(const TextLayout& layout) const {
            (layout.width == 0 || used + kGap + width[next] <= layout.width)) {
       add(next++);
     }
+
     text += text_line(headings(), block, width, layout.indent);
     for (const auto& row : rows_) text += text_row(row, block, width, layout.indent);
   }
@@ -209,6 +217,7 @@ std::string Table::format_markdown(const MarkdownStyle& style) const {
     text += '|';
   }
   text += '\n';
+
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     text += '|';
     for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -230,9 +239,11 @@ std::string Table::format_csv() const {
 std::string Table::format_html(std::string_view caption) const {
   std::string text = "<table>\n";
   if (!caption.empty()) text += "<caption>" + escape_xml(caption) + "</caption>\n";
+
   const auto class_of = [this](std::size_t column) {
     return columns_[column].align == Align::kLeft ? " class=\"w\"" : "";
   };
+
   text += "<thead><tr>";
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     // A cell without text heads nothing.
@@ -243,6 +254,7 @@ std::string Table::format_html(std::string_view caption) const {
     text += std::string("<th scope=\"col\"") + class_of(i) + '>' + escape_xml(columns_[i].heading) +
             "</th>";
   }
+
   text += "</tr></thead>\n<tbody>\n";
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     text += "<tr>";
@@ -263,6 +275,7 @@ std::string csv_cell(std::string_view cell) {
   std::string text = printable(cell);
   if (is_formula(text)) text.insert(text.begin(), '\'');
   if (text.find_first_of(",\"") == std::string::npos) return text;
+
   std::string quoted = "\"";
   for (const char c : text) {
     if (c == '"') quoted += '"';

@@ -68,6 +68,7 @@ class Table {
     bool may_narrow = false;
     bool folds = false;  ///< instead of being cut
   };
+
   std::vector<std::size_t> widths() const;
   std::vector<std::size_t> widths_within(const TextLayout& layout) const;
   std::string text_line(const std::vector<std::string>& cells,

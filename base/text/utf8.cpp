@@ -12,9 +12,11 @@ std::size_t utf8_sequence_length(std::string_view text) {
                              : first >= 0xF0 && first < 0xF5 ? 4
                                                              : 0;
   if (length == 0 || length > text.size()) return 0;
+
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte(i) & 0xC0) != 0x80) return 0;
   }
+
   if (length < 3) return length;
   const unsigned char second = byte(1);
   const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);

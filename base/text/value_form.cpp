@@ -53,6 +53,7 @@ bool fits(const ValueForm& form, std::string_view text) {
     case ValueKind::kFlag:
       return text == "true" || text == "false";
   }
+
   if (!form.words.empty()) {
     return std::find(form.words.begin(), form.words.end(), text) != form.words.end();
   }
@@ -61,6 +62,7 @@ bool fits(const ValueForm& form, std::string_view text) {
 
 std::string phrase_of(const ValueForm& form) {
   if (!form.words.empty()) return one_of(form.words);
+
   const std::string range = range_text(form);
   switch (form.kind) {
     case ValueKind::kText:

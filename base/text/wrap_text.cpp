@@ -14,6 +14,7 @@ std::string wrap_text(std::string_view text, std::size_t width) {
     } else if (lines[i] == ' ') {
       last = i;
     }
+
     if (i - line < width || last == std::string::npos || lines[i] == '\n') continue;
     lines[last] = '\n';
     line = last + 1;
