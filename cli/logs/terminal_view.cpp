@@ -108,7 +108,7 @@ class RawTerminal {
 /// The recording, if one is wanted.
 class Cast {
  public:
-  /// An empty path: none.
+  /// An empty `path` means no recording.
   base::Result<void> open(const std::string& path, Size size, const std::string& title) {
     if (path.empty()) return {};
 

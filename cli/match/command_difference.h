@@ -12,7 +12,7 @@ struct CommandDifference {
   int cycle = 0;            ///< of the first difference
   std::string agent;        ///< "player 9", "the coach"
   std::string before;       ///< its commands; empty: none
-  std::string now;          ///< likewise
+  std::string now;          ///< its commands now; empty: none
   std::int64_t differ = 0;  ///< decisions that differ: those after the first may follow from it
   std::int64_t total = 0;   ///< decisions of the longer run
 };
