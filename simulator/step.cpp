@@ -49,7 +49,6 @@ void run_before_kick_off(World& world, Events& events) {
 
 void run_stopped(World& world, Events& events) {
   const PlayMode before = world.mode;
-
   world.ball_catcher = kNoPlayer;
   move_objects(world, events);
   ++world.clock.stoppage;
@@ -86,7 +85,6 @@ void clear_transient_state(Player& player) {
   if (player.kick_cycles > 0) retained |= state::kKick | state::kKickFault;
   if (player.tackle_cycles > 0) retained |= state::kTackle | state::kTackleFault;
   if (player.foul_cycles > 0) retained |= state::kFoulCharged;
-
   player.state &= retained;
 }
 

@@ -40,7 +40,6 @@ bool succeeds(World& world, const Player& player, const CatchArea& area, Vec2 ba
 
   const Slot slot = player.slot();
   const bool drawn = world.random.catch_ball[static_cast<std::size_t>(slot)].bernoulli(probability);
-
   if (!world.overrides) return drawn;
   return world.overrides->catch_ball.replace(slot, drawn, probability < 1.0);
 }
@@ -64,7 +63,6 @@ double gap_to_ball(const World& world, const Player& player, Vec2 to_ball) {
 void take_ball(World& world, Player& player, Events& events) {
   const Vec2 to_ball = world.ball.position - player.position;
   const Vec2 move = soccer::with_length(to_ball, gap_to_ball(world, player, to_ball));
-
   player.position += move;
   player.pending_body = soccer::direction_radians(move);
   player.velocity = {};
@@ -85,7 +83,6 @@ void take_ball(World& world, Player& player, Events& events) {
 void punch_ball(World& world, Player& player, double direction, Events& events) {
   player.state |= state::kCatchFault;
   const Vec2 velocity = world.ball.velocity;
-
   Vec2 mirrored = soccer::rotated_radians(velocity, -direction);
   mirrored.x = -mirrored.x;
   mirrored = soccer::rotated_radians(mirrored, direction);
@@ -105,7 +102,6 @@ bool may_catch(const World& world, const Player& player) {
 void catch_ball(World& world, Player& player, const soccer::Catch& command, Events& events) {
   if (player.command_done) return;
   const soccer::ServerParams& server = world.params();
-
   player.command_done = true;
   player.state |= state::kCatch;
 
@@ -121,7 +117,6 @@ void catch_ball(World& world, Player& player, const soccer::Catch& command, Even
 
   const CatchArea area = catch_area(server, world.type_of(player));
   const Vec2 ball = ball_relative_to(world, player, direction);
-
   if (!area.contains(ball)) {
     player.state |= state::kCatchFault;
     return;

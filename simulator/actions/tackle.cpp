@@ -98,7 +98,6 @@ void tackle(World& world, Player& player, const soccer::Tackle& command, Events&
 
   const bool foul = command.foul && opponent_has_ball(world, player);
   const double failure = failure_probability(server, ball, reach, foul);
-
   if (failure >= 1.0) {
     on_ball_missed(world, player.slot(), events);
     player.state |= state::kTackleFault;

@@ -99,7 +99,6 @@ void move_player(World& world, Slot slot, Vec2 position, std::optional<double> b
 
   player.pending_body = player.body;  // discards a turn of this cycle
   if (velocity) player.velocity = limited(*velocity);
-
   resolve_collisions(world, events);
 }
 

@@ -37,16 +37,13 @@ Vec2 reflect(Vec2 v, Vec2 axis) {
 bool push_out(const Posts& posts, Vec2& position, Vec2& velocity, soccer::RandomStream& stream) {
   bool hit = false;
   Vec2 post = posts.nearest_to(position);
-
   while (distance(position, post) < posts.reach) {
     hit = true;
-
     Vec2 away = position - post;
     away = away.is_zero()
                ? soccer::polar_radians(posts.reach, stream.uniform(-math::kPi, math::kPi))
                : soccer::with_length(away, posts.reach);
     position = post + away;
-
     while (distance(position, post) < posts.reach) {
       away *= 1.01;
       position = post + away;
@@ -55,7 +52,6 @@ bool push_out(const Posts& posts, Vec2& position, Vec2& velocity, soccer::Random
     velocity = reflect(velocity, post - position);
     post = posts.nearest_to(position);
   }
-
   return hit;
 }
 
@@ -77,7 +73,6 @@ std::optional<Vec2> first_intersection(Vec2 from, Vec2 to, Vec2 center, double r
   const double first = middle - half;
   const double second = middle + half;
   const auto on_segment = [](double t) { return t >= 0.0 && t <= 1.0; };
-
   if (on_segment(first)) {
     // Leaving the circle along its tangent is not a contact.
     if (first == 0.0 && !on_segment(second)) return std::nullopt;
@@ -106,12 +101,10 @@ bool advance_past_posts(Vec2& position, Vec2& velocity, double radius, double go
   for (int bounce = 0; bounce < kMaxBounces && !(position == target); ++bounce) {
     Vec2 post = posts.nearest_to(position);
     std::optional<Vec2> contact = first_intersection(position, target, post, posts.reach);
-
     if (const Vec2 other = posts.nearest_to(target); !contact && !(other == post)) {
       post = other;
       contact = first_intersection(position, target, post, posts.reach);
     }
-
     if (!contact) break;
 
     hit = true;

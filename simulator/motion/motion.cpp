@@ -65,14 +65,12 @@ Vec2 motion_noise(double radius_max, RandomStream& stream) {
 // plus the rounding of the log.
 Vec2 explaining_noise(Vec2 expected, double radius_max, RecordedMotion& recorded) {
   constexpr double kRounding = 3e-4;
-
   recorded.expected = expected;
   recorded.reach = radius_max;
 
   const Vec2 noise = *recorded.arrival - expected;
   recorded.explained = radius_max > 0.0 && noise.length() <= radius_max + kRounding;
   recorded.noise = recorded.explained ? noise : Vec2{};
-
   return recorded.noise;
 }
 
@@ -88,7 +86,6 @@ Vec2 wind_push(const Wind& wind, double speed, double weight, RandomStream& stre
   const double scale = speed / (weight * 10000.0);
   const double x = wind.vector.x + stream.uniform(-wind.rand, wind.rand);
   const double y = wind.vector.y + stream.uniform(-wind.rand, wind.rand);
-
   return Vec2{x, y} * scale;
 }
 
@@ -97,7 +94,6 @@ template <typename Object>
 bool increment(const World& world, Object& object, const Physics& physics, RandomStream& stream,
                RecordedMotion* recorded) {
   accelerate(object.velocity, object.acceleration, physics);
-
   const double speed = object.velocity.length();
   const double noise_max = physics.rand * speed;
   const Vec2 noise = motion_noise(noise_max, stream);
@@ -116,7 +112,6 @@ bool increment(const World& world, Object& object, const Physics& physics, Rando
                                       world.params().goal_width, stream);
   object.velocity *= physics.decay;
   object.acceleration = {};
-
   return hit;
 }
 

@@ -36,12 +36,10 @@ Clearance clearance(const World& world) {
 
   Clearance result{world.ball.position, is_short ? kShortDistance : soccer::kCenterCircleRadius,
                    false, false};
-
   result.indirect = is_either(mode, PlayMode::kBackPassLeft) || is_foul(mode) ||
                     is_either(mode, PlayMode::kIndirectFreeKickLeft);
   result.at_corner = std::fabs(result.ball.x) > soccer::kOuterHalfLength - result.distance &&
                      std::fabs(result.ball.y) > soccer::kOuterHalfWidth - result.distance;
-
   return result;
 }
 
@@ -62,7 +60,6 @@ Vec2 cleared_position(const Clearance& area, double radius, Vec2 from) {
   const Vec2 ball = area.ball;
   Vec2 position = nearest_edge(Circle{ball, radius + kGap}, from);
   const auto reflect = [&] { position = ball * 2.0 - position; };
-
   if (area.at_corner && std::fabs(position.x) > soccer::kHalfLength &&
       std::fabs(position.y) > soccer::kHalfWidth) {
     reflect();
@@ -87,7 +84,6 @@ Vec2 cleared_position(const Clearance& area, double radius, Vec2 from) {
       std::fabs(position.y) > soccer::kOuterHalfWidth) {
     reflect();
   }
-
   return position;
 }
 
@@ -96,7 +92,6 @@ bool clear_once(World& world, Side side, const Clearance& area) {
   for (Player& player : world.players) {
     if (!player.enabled || (side != Side::kNeutral && player.side != side)) continue;
     if (area.indirect && std::fabs(player.position.x) >= soccer::kHalfLength) continue;
-
     const double radius = area.distance + world.type_of(player).player_size;
     if (!Circle{area.ball, radius}.contains(player.position)) continue;
 
@@ -124,7 +119,6 @@ Vec2 random_position_in_own_half(World& world, const Player& player) {
 void keep_players_in_field(World& world) {
   constexpr Rect kField = Rect::centered({}, soccer::kPitchLength + 2.0 * soccer::kPitchMargin,
                                          soccer::kPitchWidth + 2.0 * soccer::kPitchMargin);
-
   for (Player& player : world.players) {
     if (player.enabled && !kField.contains(player.position)) {
       player.position = nearest_edge(kField, player.position);
@@ -166,7 +160,6 @@ void clear_penalty_area(World& world, Side side) {
   const double goal_line = -soccer::kHalfLength * sign(side);
   for (Player& player : world.players) {
     if (!player.enabled || player.side != opponent(side)) continue;
-
     const double size = world.type_of(player).player_size;
     const double depth = soccer::kPenaltyAreaLength;
     const Rect area = Rect::centered({goal_line + sign(side) * depth / 2.0, 0.0},
@@ -174,7 +167,6 @@ void clear_penalty_area(World& world, Side side) {
 
     if (!area.contains(player.position)) continue;
     player.position = nearest_edge(area, player.position);
-
     if (std::fabs(player.position.x) >= soccer::kHalfLength) {
       player.position.x = goal_line + sign(side) * (depth + size);
     }

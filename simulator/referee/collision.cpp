@@ -43,10 +43,8 @@ bool overlap(Vec2 a, Vec2 b, double radii) { return squared_distance(a, b) < rad
 Separated separated(Vec2 a, Vec2 b, double radii, RandomStream& stream) {
   const Vec2 middle = (a + b) / 2.0;
   const double half = radii / 2.0 + math::kEps;
-
   Vec2 to_a = a - middle;
   Vec2 to_b = b - middle;
-
   if (a == b || (to_a.length() < math::kEps && to_b.length() < math::kEps)) {
     const double direction = stream.uniform(-math::kPi, math::kPi);
     to_a = soccer::polar_radians(half, direction);
@@ -91,7 +89,6 @@ bool collide_with_ball(World& world, Resolution& resolution, Events& events) {
   for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
     Player& player = world.player(slot);
     if (!player.enabled || slot == world.ball_catcher) continue;
-
     const double radii = world.params().ball_size + world.type_of(player).player_size;
     if (!overlap(world.ball.position, player.position, radii)) continue;
 
@@ -127,7 +124,6 @@ void collide(World& world, const Body& first, const Body& second, Resolution& re
 bool collide_players(World& world, Resolution& resolution) {
   std::array<Body, soccer::kPlayersOnPitch> bodies;
   std::size_t count = 0;
-
   for (const Player& player : world.players) {
     if (!player.enabled) continue;
     bodies[count++] = {player.position, world.type_of(player).player_size, player.slot()};
@@ -143,7 +139,6 @@ bool collide_players(World& world, Resolution& resolution) {
       collide(world, first, second, resolution);
     }
   }
-
   return found;
 }
 

@@ -46,11 +46,9 @@ bool is_after_the_match(const World& world) {
 std::optional<ServerReply> reject_substitution(World& world, Side side, int unum, int type) {
   const soccer::PlayerParams& params = world.rules->player;
   if (world.mode == PlayMode::kPlayOn) return warning(WarningCode::kCannotSubstituteWhilePlayOn);
-
   if (is_after_the_match(world)) {
     return warning(WarningCode::kCannotSubstituteWhilePenaltyShootouts);
   }
-
   if (world.team(side).substitutions >= params.subs_max) {
     return warning(WarningCode::kNoSubstitutionsLeft);
   }
@@ -64,11 +62,9 @@ std::optional<ServerReply> reject_substitution(World& world, Side side, int unum
   if (!find_player(world, side, unum)) return warning(WarningCode::kNoSuchPlayer);
   const Player& player = world.player(side, unum);
   const bool has_type = player.substituted && player.type == type;
-
   if (on_field(world, side, type) >= params.pt_max && !is_unlimited(world, type) && !has_type) {
     return warning(WarningCode::kMaxOfThatTypeOnField);
   }
-
   return std::nullopt;
 }
 
@@ -126,7 +122,6 @@ ServerReply change_type(World& world, const soccer::TrainerChangePlayerType& com
                         Events& events) {
   const Side side = find_side(world, command.team);
   if (side == Side::kNeutral) return warning(WarningCode::kNoTeamFound);
-
   if (command.type < 0 || command.type >= world.rules->player.player_types) {
     return error(ErrorCode::kOutOfRangePlayerType);
   }
@@ -141,7 +136,6 @@ ServerReply change_type(World& world, const soccer::TrainerChangePlayerType& com
 ServerReply change_goalie(World& world, Side side, int unum, Events& events) {
   const PlayMode mode = world.mode;
   if (mode == PlayMode::kPlayOn) return warning(WarningCode::kCannotChangeGoalieWhilePlayOn);
-
   if (is_either(mode, PlayMode::kPenaltyReadyLeft) ||
       is_either(mode, PlayMode::kPenaltyTakenLeft)) {
     return warning(WarningCode::kCannotChangeGoalieWhilePenaltyTaken);
@@ -154,7 +148,6 @@ ServerReply change_goalie(World& world, Side side, int unum, Events& events) {
   Player& player = world.player(*slot);
   player.goalie = true;
   player.state = state::kStand | state::kGoalie;
-
   report(events, world, GoalieAppointed{side, unum});
   return soccer::OkChangePlayerType{{}, unum, std::nullopt};
 }

@@ -39,7 +39,6 @@ void restore_player(const World& world, Player& player, const gamelog::PlayerFra
   player.position = frame.position;
   player.velocity = frame.velocity;
   player.acceleration = {};
-
   player.body = player.pending_body = math::to_radians(frame.body);
   player.neck = player.pending_neck = math::to_radians(frame.neck);
   player.stamina = {frame.stamina, frame.effort, frame.recovery, capacity};
@@ -75,10 +74,8 @@ void restore(World& world, const gamelog::Frame& frame) {
 World world_at_kick_off(std::shared_ptr<const Rules> rules, const gamelog::Frame& frame) {
   World world = make_world(std::move(rules), 0);
   for (Team& team : world.teams) team.connected = true;
-
   world.clock = {frame.time, 0};
   restore(world, frame);
-
   for (std::size_t i = 0; i < world.players.size(); ++i) {
     Player& player = world.players[i];
     player.client_version = soccer::kMaxProtocolVersion;
@@ -92,7 +89,6 @@ World world_at_kick_off(std::shared_ptr<const Rules> rules, const gamelog::Frame
   change_mode(world, frame.mode, ignored);
   // The step after the kick-off has already counted once.
   --world.referee.free_kick.timer;
-
   return world;
 }
 
@@ -174,7 +170,6 @@ void override_fouls(ReplayOverrides& overrides, const std::vector<std::string>& 
     const Side side = message[prefix.size()] == 'l' ? Side::kLeft : Side::kRight;
     const int unum = base::parse_int(message.substr(prefix.size() + 2)).value_or(0);
     if (unum < 1 || unum > soccer::kPlayersPerTeam) return;
-
     overrides.foul.recorded[static_cast<std::size_t>(soccer::slot_of(side, unum))] = call;
   };
 
@@ -212,7 +207,6 @@ Deviation ball_deviation(const World& world, const gamelog::Frame& frame) {
 Deviation player_deviation(const World& world, const gamelog::Frame& frame, Slot slot) {
   const Player& player = world.player(slot);
   const gamelog::PlayerFrame& recorded = frame.players[static_cast<std::size_t>(slot)];
-
   Deviation deviation;
   deviation.position = largest(player.position - recorded.position);
   deviation.velocity = largest(player.velocity - recorded.velocity);
@@ -227,7 +221,6 @@ Deviation player_deviation(const World& world, const gamelog::Frame& frame, Slot
 
   deviation.same_counters = as_tuple(player.counters) == as_tuple(recorded.counts);
   deviation.same_state = player.state == recorded.state;
-
   return deviation;
 }
 

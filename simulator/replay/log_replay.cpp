@@ -175,7 +175,6 @@ class LogReplay {
 
     const Vec2 displacement = after.ball_position - world_.ball.position;
     const Vec2 expected = after.ball_velocity / world_.params().ball_decay;
-
     if (distance(displacement, expected) > kSamePosition) return std::nullopt;
     return displacement;
   }
@@ -218,7 +217,6 @@ class LogReplay {
     commands_.clear();
     soccer::parse_player_commands(sent.text, commands_);
     const Slot slot = soccer::slot_of(sent.side, sent.unum);
-
     for (const soccer::PlayerCommand& command : commands_) {
       if (std::holds_alternative<soccer::Bye>(command)) {
         leave(world_, slot);
@@ -281,7 +279,6 @@ class LogReplay {
 
     soccer::GameRequest request;
     if (soccer::parse(sent.text, request)) return;
-
     if (const auto* init = std::get_if<soccer::PlayerInit>(&request)) {
       world_.player(sent.side, sent.unum).client_version = static_cast<int>(init->version);
     }

@@ -37,7 +37,6 @@ PostBounce recorded_bounce(const World& start, const RecordedMotion& motion, Vec
 bool find_bounces(World& start, const World& stepped, const gamelog::Frame& after) {
   bool found = false;
   const bool touched = shows_any(after, state::kBallCollide);
-
   if (!touched && stepped.overrides->ball.arrival && is_off(ball_deviation(stepped, after))) {
     PostBounce bounce = recorded_bounce(start, stepped.overrides->ball, start.ball.position);
     bounce.radius = start.params().ball_size;
@@ -58,16 +57,13 @@ bool find_bounces(World& start, const World& stepped, const gamelog::Frame& afte
 
     PostBounce bounce =
         recorded_bounce(start, stepped.overrides->players[i], start.player(slot).position);
-
     const soccer::PlayerType& type = start.type_of(start.player(slot));
     bounce.radius = type.player_size;
     bounce.decay = type.player_decay;
     bounce.to = shown.position;
     bounce.velocity = shown.velocity;
-
     found = set_arrival(start.overrides->players[i], bounce) || found;
   }
-
   return found;
 }
 
@@ -105,7 +101,6 @@ class Trials {
           soccer::polar_degrees(share * recorded.reach, 360.0 / kDirections * (i % kDirections));
       if (step_with(recorded.expected + noise, toucher)) return true;
     }
-
     return false;
   }
 
@@ -122,20 +117,17 @@ class Trials {
 NoiseDecisions step_as_recorded(World& world, Events& events, const gamelog::Frame& after,
                                 const std::vector<Slot>& contestants) {
   Trials trials(world, events, after.mode);
-
   bool same_mode = trials.step_from_start();
   if (find_bounces(trials.start(), world, after)) same_mode = trials.step_from_start();
   if (same_mode) return {};
 
   const RecordedMotion recorded = world.overrides->ball;
   const std::optional<Vec2> arrival = trials.start().overrides->ball.arrival;
-
   for (const Slot toucher : contestants) {
     if (trials.step_with(arrival, toucher)) return {false, true};
   }
 
   if (trials.step_with_other_noise(recorded, kNoPlayer)) return {true, false};
-
   for (const Slot toucher : contestants) {
     if (trials.step_with_other_noise(recorded, toucher)) return {true, true};
   }

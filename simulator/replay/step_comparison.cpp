@@ -61,7 +61,6 @@ class Comparison {
       return "mode " + std::string(soccer::name(simulated.mode)) + ", recorded " +
              std::string(soccer::name(recorded.mode));
     });
-
     note(result_.clock, simulated.clock == step_.clock,
          [&] { return "clock " + stamp(simulated.clock); });
 
@@ -72,7 +71,6 @@ class Comparison {
              simulated.teams[i].penalty_goals == team.penalty_scored &&
              simulated.teams[i].penalty_kicks == team.penalties_taken();
     }
-
     note(result_.score, same, [] { return std::string("score"); });
   }
 
@@ -92,7 +90,6 @@ class Comparison {
 
     const bool touched = shows_any(step_.recorded, state::kBallCollide);
     count(result_.ball, {kind, kNoPlayer, touched}, off, motion_misses(off, allowed));
-
     sample_ball_noise(kind);
   }
 
@@ -123,7 +120,6 @@ class Comparison {
 
     const Deviation off = player_deviation(step_.after, step_.recorded, slot);
     const Tolerance allowed = tolerance(was, now, kind);
-
     std::string misses = motion_misses(off, allowed);
     add(misses, "body", off.body, allowed.body);
     add(misses, "neck", off.neck, allowed.neck);
@@ -134,7 +130,6 @@ class Comparison {
     // The referee stops players that it clears from the ball.
     const bool cleared = shown.velocity.is_zero() && !now.velocity.is_zero();
     const bool touched = (shown.state & kContacts & ~state::kPostCollide) != 0 || cleared;
-
     count(result_.players, {kind, slot, touched}, off, std::move(misses));
     sample_player_noise(slot, kind);
   }
@@ -169,7 +164,6 @@ class Comparison {
     const Vec2 ball = touches ? step_.recorded.ball_position : step_.after.ball.position;
     const double ball_gap = distance(at, ball) - size - step_.after.params().ball_size;
     bool is_borderline = std::fabs(ball_gap) < kRounding;
-
     for (Slot other = 0; other < soccer::kPlayersOnPitch; ++other) {
       const Player& player = step_.after.player(other);
       if (other == slot || !player.enabled) continue;
@@ -180,7 +174,6 @@ class Comparison {
       const double gap = distance(at, position) - size - step_.after.type_of(player).player_size;
       is_borderline = is_borderline || std::fabs(gap) < kRounding;
     }
-
     return is_borderline;
   }
 
@@ -190,7 +183,6 @@ class Comparison {
 
     const bool turned = now.counters.turn > was.counters.turn || now.has(state::kCatch);
     if (turned || step_.half_time) allowed.body = kBodyAfterTurn;
-
     return allowed;
   }
 
@@ -210,10 +202,8 @@ class Comparison {
 
   static std::string motion_misses(const Deviation& off, const Tolerance& allowed) {
     std::string misses;
-
     add(misses, "position", off.position, allowed.position);
     add(misses, "velocity", off.velocity, allowed.velocity);
-
     return misses;
   }
 
@@ -238,7 +228,6 @@ class Comparison {
     close_step();
     ClassTally& of_class = result_.by_class[static_cast<std::size_t>(what.kind)];
     of_class.worst = std::max({of_class.worst, off.position, off.velocity});
-
     tally.add(misses.empty());
     of_class.add(misses.empty());
 

@@ -38,7 +38,6 @@ bool record_touch(World& world, const Player& player) {
 void kick_taken(World& world, Player& kicker, double, Events&) {
   if (record_touch(world, kicker)) return;
   CatchState& state = world.referee.catch_ball;
-
   if (state.passer != kicker.slot()) {
     state.passer_before = state.passer;
     state.passer = kicker.slot();
@@ -122,7 +121,6 @@ void analyze(World& world, Events& events) {
 
   const PlayMode mode = world.mode;
   const bool is_back_pass = is_either(mode, PlayMode::kBackPassLeft);
-
   if (is_back_pass || is_either(mode, PlayMode::kCatchFaultLeft)) {
     const Side offender = soccer::side(mode);
     if (!wait_after_offense(world, state.counter, offender, events)) return;

@@ -49,7 +49,6 @@ Vec2 taker_position(World& world) {
 void start_episode(World& world) {
   KeepawayState& state = world.referee.keepaway;
   int corner = world.random.placement.integer(state.keepers);
-
   for (Player& player : world.players) {
     if (!player.enabled) continue;
     if (player.side == Side::kLeft) {
@@ -97,7 +96,6 @@ void count_possession(World& world) {
   const soccer::ServerParams& server = world.params();
   const double reach = server.player_size + server.ball_size + server.kickable_margin;
   bool keepers_have_it = false;
-
   for (const Player& player : world.players) {
     if (!player.enabled || distance(player.position, world.ball.position) > reach) continue;
     keepers_have_it = player.side == Side::kLeft;
@@ -105,7 +103,6 @@ void count_possession(World& world) {
     ++state.possession;
     break;
   }
-
   if (keepers_have_it) state.possession = 0;
 }
 

@@ -53,7 +53,6 @@ void call_offside(World& world, Events& events) {
 double offside_line(const World& world, Side side) {
   double last = 0.0;
   double second_last = 0.0;
-
   for (const Player& player : world.players) {
     if (!player.enabled || player.side == side) continue;
 
@@ -72,7 +71,6 @@ double offside_line(const World& world, Side side) {
 void mark_candidates(World& world, const Player& kicker) {
   const Side side = kicker.side;
   const double line = offside_line(world, side);
-
   for (const Player& player : world.players) {
     if (!player.enabled || player.side != side || player.unum == kicker.unum) continue;
     if (player.position.x * sign(side) <= line) continue;
@@ -133,7 +131,6 @@ void ball_touched(World& world, Player& player, Events& events) {
 void ball_missed(World& world, Player& player, Events& events) {
   OffsideState& state = world.referee.offside;
   const auto& mark = state.marks[static_cast<std::size_t>(player.slot())];
-
   if (!mark ||
       distance(player.position, world.ball.position) >= world.params().offside_active_area_size) {
     return;
@@ -156,7 +153,6 @@ void send_back(World& world, Side offender) {
   const soccer::ServerParams& server = world.params();
   const Vec2 mark = world.referee.offside.offense_position;
   const double own_goal_line = -soccer::kHalfLength * sign(offender);
-
   const Rect onside = {std::min(own_goal_line, mark.x), std::max(own_goal_line, mark.x),
                        -soccer::kHalfWidth, soccer::kHalfWidth};
   const Circle around{mark, kClearedRadius};
@@ -182,7 +178,6 @@ void analyze(World& world, Events& events) {
     if (is_over) change_mode(world, for_side(PlayMode::kFreeKickLeft, opponent(offender)), events);
     return;
   }
-
   if (mode == PlayMode::kPlayOn) return;
 
   world.referee.offside.marks = {};

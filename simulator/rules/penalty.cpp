@@ -155,7 +155,6 @@ void analyze_kick(World& world, Events& events) {
 
   const PlayMode mode = world.mode;
   Placement placement = {is_team_placed(world, Side::kLeft), is_team_placed(world, Side::kRight)};
-
   if ((is_penalty_ready(mode) || is_penalty_taken(mode)) &&
       world.params().pen_coach_moves_players) {
     replace_misplaced(world, placement);
@@ -230,7 +229,6 @@ void tackle_taken(World& world, Player& tackler, double acceleration, bool foul,
 
 void ball_held(World& world, Player& catcher, Events& events) {
   if (!soccer::is_penalty_mode(world.mode)) return;
-
   const PenaltyState& state = world.referee.penalty;
 
   if (is_penalty_taken(world.mode)) {

@@ -21,7 +21,6 @@ Slot goalie_of(const World& world, Side side) {
   for (const Player& player : world.players) {
     if (player.enabled && player.goalie && player.side == side) return player.slot();
   }
-
   return kNoPlayer;
 }
 
@@ -44,7 +43,6 @@ OutsidePlayers outside(const World& world, Side side) {
     ++result.count;
     result.last = player.slot();
   }
-
   return result;
 }
 
@@ -63,7 +61,6 @@ Slot next_taker(const World& world) {
 
   Slot best = kNoPlayer;
   Slot goalie = kNoPlayer;
-
   for (const Player& player : world.players) {
     if (!player.enabled || player.side != taker_side(world) || has_kicked(world, player)) continue;
     if (player.goalie) {
@@ -118,14 +115,12 @@ bool is_defending_team_placed(const World& world, Side side) {
        std::fabs(goalie.y) > server.goal_width / 2.0)) {
     return false;
   }
-
   return outside(world, side).count == 0;
 }
 
 void place_taker_team(World& world) {
   const Slot taker = next_taker(world);
   const Vec2 ball = world.ball.position;
-
   for (Player& player : world.players) {
     if (!player.enabled || player.side != taker_side(world)) continue;
 

@@ -91,7 +91,6 @@ void analyze(World& world, Events& events) {
 std::optional<int> starting_half(const World& world) {
   const Rules& rules = *world.rules;
   const int time = world.clock.time;
-
   if (rules.half_time <= 0) {  // unlimited halves may start at any time
     // rcssserver rounds a negative half up: -1 s is -9 cycles.
     const int half = rules.half_time < 0 ? rules.half_time + 1 : 0;
@@ -106,7 +105,6 @@ std::optional<int> starting_half(const World& world) {
   if (extra > 0 && rules.extra_half_time > 0 && extra % rules.extra_half_time == 0) {
     return extra / rules.extra_half_time;
   }
-
   return std::nullopt;
 }
 
@@ -130,7 +128,6 @@ void kick_off(World& world, Events& events) {
   if (world.clock.time == 0 && side == Side::kLeft) {
     for (const Side team : {Side::kLeft, Side::kRight}) assign_types(world, team, events);
   }
-
   change_mode(world, for_side(PlayMode::kKickOffLeft, side), events);
 }
 

@@ -32,7 +32,6 @@ void ball_contact(World& world, Player& player, double acceleration, Events&) {
     state.indirect = false;
     state.indirect_kicker = kNoPlayer;
   }
-
   if (state.indirect) state.indirect_kicker = slot;
 
   // Of several contacts in a cycle, the strongest counts.
@@ -87,7 +86,6 @@ void score_goal(World& world, Side scorer, Events& events) {
 void call_ball_over_goal_line(World& world, Events& events) {
   const Side defender = world.ball.position.x < 0.0 ? Side::kLeft : Side::kRight;
   const Slot toucher = world.referee.touch.toucher;
-
   if (toucher != kNoPlayer && world.player(toucher).side == defender) {
     award_corner_kick(world, opponent(defender), events);
   } else if (world.ball_catcher == kNoPlayer) {
@@ -97,7 +95,6 @@ void call_ball_over_goal_line(World& world, Events& events) {
 
 void call_ball_over_touch_line(World& world, Events& events) {
   const Slot toucher = world.referee.touch.toucher;
-
   if (toucher == kNoPlayer) {
     drop_ball(world, events);
   } else {

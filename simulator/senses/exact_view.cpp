@@ -47,7 +47,6 @@ soccer::FullStatePlayer full_state_player(const World& world, const Player& play
 
   out.mark = mark(player);
   out.card = card(player);
-
   return out;
 }
 
@@ -69,7 +68,6 @@ soccer::ActionMark mark(const Player& player, int level, bool pointing) {
   if (level < kFirstWithFoulAndCard || pointing || player.foul_cycles <= 0) {
     return soccer::ActionMark::kNone;
   }
-
   return soccer::ActionMark::kFoulCharged;
 }
 
@@ -98,7 +96,6 @@ soccer::GlobalViewPlayer global_view_player(const World& world, const Player& pl
 
   out.mark = mark(player, level, out.pointing);
   if (level >= kFirstWithFoulAndCard) out.card = card(player);
-
   return out;
 }
 
@@ -134,7 +131,6 @@ void full_state(const World& world, Slot slot, soccer::FullState& out) {
 void coach_view(const World& world, Side side, int version, bool is_look_reply,
                 soccer::GlobalView& out) {
   const int level = level_of(version, is_look_reply);
-
   out.is_look_reply = is_look_reply;
   out.time = world.clock.time;
   out.ball_position = world.ball.position;

@@ -91,7 +91,6 @@ void queue_say(const World& world, const PlayerSaid& said, Slot listener,
   const auto of_speaker = [&](const PendingMessages::Say& say) {
     return say.speaker == said.speaker;
   };
-
   if (std::count_if(pending.says.begin(), pending.says.end(), of_speaker) <
       PendingMessages::kMaxMessagesPerSpeaker) {
     pending.says.push_back({said.speaker, said.text});
@@ -105,7 +104,6 @@ void hear(World& world, Slot slot, PendingMessages& pending, RandomStream& choic
 
   Player& listener = world.player(slot);
   const int cost = world.params().hear_decay;
-
   while (!pending.says.empty()) {
     PendingMessages::Say say = take_next(listener, pending.says, choice);
     const Player& speaker = world.player(say.speaker);

@@ -86,7 +86,6 @@ Observer make_observer(const World& world, const Player& player) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
     observer.team_names[side == Side::kRight ? 1 : 0] = visible_team_name(world, player.side, side);
   }
-
   return observer;
 }
 
@@ -203,7 +202,6 @@ void set_motion(const Observer& observer, const Sighting& seen, Vec2 velocity, O
   const double turning = exact_degrees(cross(away, relative) / seen.distance);
 
   if (turning != 0.0) out.direction_change = math::quantize(turning, kDirectionChangeStep);
-
   out.distance_change =
       observer.player.view.gaussian
           ? math::quantize(radial * out.distance / seen.distance, kGaussianDistanceChangeStep)
@@ -275,7 +273,6 @@ void set_arm(const World& world, const Observer& observer, const Player& other, 
   const double share = distance / observer.type.team_too_far_length;
   const double deviation =
       share * share * share * share * (math::kPi - min_deviation) + min_deviation;
-
   const double direction = arm_aim(other).direction +
                            (other.neck + other.body - observer.player.body - observer.player.neck);
 
@@ -304,7 +301,6 @@ void see_player(const VisionModel& model, const World& world, const Observer& ob
   }
 
   if (!observer.high_quality) return;
-
   if (!anonymous) {
     object.detail = ObservedDetail::kPose;
     set_motion(observer, *seen, other.velocity, object);
@@ -345,7 +341,6 @@ DistanceQuantizer::DistanceQuantizer(double step) : step_(step) {
   constexpr double kMinDistance = 0.05;
   constexpr double kMaxDistance = 250.0;
   constexpr double kMaxValues = 100000.0;
-
   if (step_ < math::kEps) return;
   const double first = std::rint(math::log(kMinDistance) / step_);
   const double last = std::rint(math::log(kMaxDistance) / step_);
@@ -365,7 +360,6 @@ void DistanceQuantizer::make_table() {
   first_bits_ = leading_bits(edges_.front()) + 1;
   const std::uint64_t end_bits = leading_bits(edges_.back());
   std::uint32_t edge = 0;
-
   for (std::uint64_t bits = first_bits_; bits < end_bits; ++bits) {
     const double min = std::bit_cast<double>(bits << kRestBits);
     while (edges_[edge + 1] < min) ++edge;
@@ -393,11 +387,9 @@ double DistanceQuantizer::operator()(double distance) const {
 
   const double multiple = std::rint(math::log(distance + math::kEps) / step_);
   const double index = multiple - first_;
-
   if (index >= 0.0 && index < static_cast<double>(values_.size())) {
     return values_[static_cast<std::size_t>(index)];
   }
-
   return math::exp(multiple * step_);
 }
 
@@ -412,7 +404,6 @@ int view_interval(const View& view) {
 void see(const VisionModel& model, const World& world, Slot slot, RandomStream& noise,
          soccer::See& out) {
   const Observer observer = make_observer(world, world.player(slot));
-
   out.time = world.clock.time;
   out.objects.clear();
 

@@ -128,7 +128,6 @@ class UdpNetwork::Sockets {
     for (const ListeningSocket& listening : listening_) {
       if (listening.role == role) return listening.socket.local_port();
     }
-
     return 0;
   }
 
@@ -204,7 +203,6 @@ class UdpNetwork::Sockets {
         return client_at(id).channel;
       }
     }
-
     return nullptr;
   }
 
@@ -213,7 +211,6 @@ class UdpNetwork::Sockets {
   bool handle_ready(int timeout_ms) {
     std::array<epoll_event, 128> ready;  // exceeds the number of sockets
     const int count = ::epoll_wait(epoll_.get(), ready.data(), ready.size(), timeout_ms);
-
     for (int i = 0; i < count; ++i) {
       const std::uint64_t mark = ready[static_cast<std::size_t>(i)].data.u64;
       if ((mark & kListeningMark) != 0) {
@@ -242,7 +239,6 @@ class UdpNetwork::Sockets {
     }
 
     if (text.ends_with('\n')) text.remove_suffix(1);
-
     const auto admission = match_.admit(listening.role, text);
     if (const auto* admitted = std::get_if<Admission>(&admission)) {
       accept(listening, *admitted, text, sender);
@@ -311,7 +307,6 @@ class UdpNetwork::Sockets {
         return match_.connection(id);
       }
     }
-
     return nullptr;
   }
 

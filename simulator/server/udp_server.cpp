@@ -27,11 +27,9 @@ base::Result<std::unique_ptr<UdpServer>> UdpServer::open(UdpConfig config) {
       {ListeningPort::kPlayers, options.port},
       {ListeningPort::kTrainers, options.trainer_port},
       {ListeningPort::kOnlineCoaches, options.coach_port}};
-
   for (const auto& [role, port] : ports) {
     TRY(server->network_->open(role, options.address, port));
   }
-
   return server;
 }
 
@@ -55,7 +53,6 @@ UdpServerExit UdpServer::run(const std::atomic<bool>& stop) {
 
   network_->flush();
   match_->finish();
-
   return end;
 }
 
@@ -76,7 +73,6 @@ UdpServerExit UdpServer::run_synchronous(const std::atomic<bool>& stop) {
     if (!run_cycle(stop)) return UdpServerExit::kUnresponsiveClients;
     if (is_over()) return UdpServerExit::kFinished;
   }
-
   return UdpServerExit::kStopped;
 }
 
@@ -101,7 +97,6 @@ bool UdpServer::run_cycle(const std::atomic<bool>& stop) {
     const auto coaches_are_done = [this] { return !match_->awaits_coaches(); };
     missed = !wait_for_clients(stop, coaches_are_done) || missed;
   }
-
   match_->execute_coaches();
   report_connections();
 
@@ -112,7 +107,6 @@ bool UdpServer::run_cycle(const std::atomic<bool>& stop) {
   } else {
     missed_in_a_row_ = 0;
   }
-
   return missed_in_a_row_ <= config_.max_missed;
 }
 
@@ -121,7 +115,6 @@ bool UdpServer::wait_for_clients(const std::atomic<bool>& stop,
                                  const std::function<bool()>& enough) {
   constexpr std::chrono::milliseconds kPollInterval{20};
   const auto deadline = WallClock::now() + config_.max_wait;
-
   do {
     network_->receive_until(std::min(deadline, WallClock::now() + kPollInterval), enough);
   } while (!enough() && !stop.load() && WallClock::now() < deadline);
@@ -143,7 +136,6 @@ UdpServerExit UdpServer::run_in_real_time(const std::atomic<bool>& stop) {
     lateness_ = timer.lateness();
     if (is_over()) return UdpServerExit::kFinished;
   }
-
   return UdpServerExit::kStopped;
 }
 
@@ -153,7 +145,6 @@ void UdpServer::receive_until(StepTimer::Time next_step, int step_ms,
                               const std::atomic<bool>& stop) {
   const soccer::ServerParams& params = world().params();
   const std::chrono::milliseconds tick(params.recv_step);
-
   for (auto due = next_step - std::chrono::milliseconds(step_ms) + tick; !stop.load();
        due = std::min(due + tick, next_step)) {
     network_->flush();
@@ -188,9 +179,9 @@ void UdpServer::report_connections() {
     const Connection* now = match_->connection(client);
 
     if (now == reported) continue;
+
     if (now == nullptr) report(UdpServerEvent::Kind::kDisconnected, client);
     if (now != nullptr) report(UdpServerEvent::Kind::kConnected, client, now->version);
-
     reported = now;
   }
 }

@@ -53,7 +53,6 @@ bool is_freeform_time(const World& world) {
 
   const soccer::ServerParams& params = world.params();
   const int elapsed = world.clock.time - world.last_play_on;
-
   // As unsigned, a negative period is a very long one.
   const auto period = static_cast<unsigned>(params.freeform_wait_period);
 

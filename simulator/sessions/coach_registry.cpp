@@ -51,7 +51,6 @@ AdmissionResult CoachRegistry::admit_trainer(const World& world, std::string_vie
 
   soccer::TrainerInit init;
   if (const auto error = soccer::parse(datagram, init)) return *error;
-
   if (!is_supported_version(init.version)) return ErrorCode::kIllegalClientVersion;
   return Admission{kTrainer, static_cast<int>(init.version), false};
 }
@@ -59,7 +58,6 @@ AdmissionResult CoachRegistry::admit_trainer(const World& world, std::string_vie
 CoachSession& CoachRegistry::connect(const World& world, const Admission& admission,
                                      std::unique_ptr<soccer::Channel> channel) {
   slot(admission.client) = std::make_unique<CoachSession>();
-
   CoachSession& coach = *slot(admission.client);
   coach.client = admission.client;
   coach.version = admission.version;
@@ -68,7 +66,6 @@ CoachSession& CoachRegistry::connect(const World& world, const Admission& admiss
   coach.reply(soccer::CoachInitReply{coach.side()});
   send_parameters(world, coach);
   if (!coach.is_trainer()) send_changed_types(world, coach.side(), coach);
-
   return coach;
 }
 
@@ -97,7 +94,6 @@ void CoachRegistry::begin_step(const World& world, std::vector<CoachMessage>& ou
 void CoachRegistry::end_step(const World& world) {
   const soccer::ServerParams& params = world.params();
   const int game_time = world.rules->normal_time;
-
   if (params.nr_normal_halfs <= 0 || game_time == 0) return;
   if (world.clock.stoppage != 0 || world.clock.time <= 0 || world.clock.time % game_time != 0) {
     return;
@@ -174,7 +170,6 @@ void CoachRegistry::send_goalie_change(const GoalieAppointed& change) {
 
 void CoachRegistry::send_view(const World& world, CoachSession& coach, bool is_look_reply) {
   coach_view(world, coach.side(), coach.version, is_look_reply, view_);
-
   text_.clear();
   soccer::format(view_, text_);
   coach.send(text_);
@@ -190,7 +185,6 @@ void CoachRegistry::send_views(const World& world) {
 void CoachRegistry::send_think() {
   text_.clear();
   soccer::format(soccer::ServerReply(soccer::Think{}), text_);
-
   for (auto& coach : sessions_) {
     if (coach == nullptr || !coach->eye) continue;
     coach->send(text_);

@@ -37,7 +37,6 @@ void to_frame(const World& world, const Player& player, gamelog::PlayerFrame& ou
     out.attention_side = soccer::side_of_slot(player.attention);
     out.attention_unum = soccer::unum_of_slot(player.attention);
   }
-
   out.counts = player.counters;
 }
 
@@ -63,7 +62,6 @@ void append_datagram(const World& world, ClientId client, std::string_view text,
   const Side side = is_player(client)      ? soccer::side_of_slot(client)
                     : client == kLeftCoach ? Side::kLeft
                                            : Side::kRight;
-
   const std::string_view team = world.team(side).name.view();
   if (!is_player(client)) return gamelog::append_coach_command(team, text, out);
   gamelog::append_player_command(team, soccer::unum_of_slot(client), text, out);
@@ -104,7 +102,6 @@ void MatchRecorder::step(const World& world) {
   const PlayMode last_mode = frame_.mode;
   to_frame(world, frame_);
   rcg_->write_step(frame_);
-
   // Readers that follow the log of a running match see mode changes immediately.
   if (world.mode != last_mode) game_log_->flush();
 }

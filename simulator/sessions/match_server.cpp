@@ -82,7 +82,6 @@ AdmissionResult MatchServer::admit_monitor(const soccer::MonitorInit& init) {
 
   const auto id = monitors_.admit(world_.params().max_monitors);
   if (!id) return ErrorCode::kNoMoreMonitor;
-
   return Admission{*id, version, false,
                    gamelog::is_binary(static_cast<gamelog::MonitorVersion>(version))};
 }
@@ -177,7 +176,6 @@ void MatchServer::receive_on_listening_port(ClientId id, std::string_view datagr
 
   std::string error;
   soccer::format(ErrorCode::kOnlyInitAllowedOnInitPort, error);
-
   if (is_monitor(id)) {
     monitors_.send(id, world_.clock, error);
   } else {
@@ -194,7 +192,6 @@ void MatchServer::execute_players() {
   std::array<Slot, soccer::kPlayersOnPitch> order;
   std::iota(order.begin(), order.end(), 0);
   clock_stream(world_, "command order", 0).shuffle(std::span<Slot>(order));
-
   for (const Slot slot : order) {
     if (PlayerSession* player = session(slot)) execute(*player);
   }
@@ -205,7 +202,6 @@ void MatchServer::execute_players() {
 void MatchServer::execute_coaches() {
   std::array<ClientId, 2> order = {kLeftCoach, kRightCoach};
   clock_stream(world_, "coach order", 0).shuffle(std::span<ClientId>(order));
-
   for (const ClientId client : {order[0], order[1], kTrainer}) {
     if (CoachSession* coach = coaches_.session(client)) execute(*coach);
   }

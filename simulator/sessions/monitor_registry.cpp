@@ -42,7 +42,6 @@ std::optional<ClientId> MonitorRegistry::admit(int limit) {
   const auto free = std::find(monitors_.begin(), monitors_.end(), nullptr);
   const auto index = free - monitors_.begin();
   if (free == monitors_.end()) monitors_.emplace_back();
-
   return kFirstMonitor + static_cast<ClientId>(index);
 }
 
@@ -50,7 +49,6 @@ void MonitorRegistry::connect(ClientId id, int version, std::unique_ptr<soccer::
                               const Rules& rules) {
   auto& monitor = monitors_[static_cast<std::size_t>(id - kFirstMonitor)];
   monitor = std::make_unique<Connection>();
-
   tiles_sent_.resize(monitors_.size());
   tiles_sent_[static_cast<std::size_t>(id - kFirstMonitor)] = 0;
 
@@ -81,7 +79,6 @@ void MonitorRegistry::send_frame(const World& world) {
 
     std::string& text = frame_text_[static_cast<std::size_t>(monitor->version + 1)];
     if (text.empty()) gamelog::append_monitor_show(protocol_version(*monitor), frame_, text);
-
     monitor->send(text);
     send_tiles(index, world);
   }
@@ -96,7 +93,6 @@ void MonitorRegistry::send_tiles(std::size_t index, const World& world) {
   const std::size_t max_tiles =
       world.mode == PlayMode::kBeforeKickOff ? kTilesBeforeKickOff : kTilesInPlay;
   const std::size_t end = std::min(tiles_.size(), sent + max_tiles);
-
   for (; sent < end; ++sent) {
     send_text(*monitors_[index], world.clock, format_tile(tiles_[sent]), text_);
   }
@@ -107,7 +103,6 @@ void MonitorRegistry::add_tile(const TeamGraphicTile& tile) {
     return other.side == tile.side && other.graphic.x == tile.graphic.x &&
            other.graphic.y == tile.graphic.y;
   };
-
   const auto found = std::find_if(tiles_.begin(), tiles_.end(), is_same_position);
   if (found != tiles_.end()) {
     *found = tile;

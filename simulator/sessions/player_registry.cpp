@@ -55,7 +55,6 @@ AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerInit& in
 
   const std::optional<Side> side = assign_side(world, name);
   if (!side) return ErrorCode::kNoMoreTeam;
-
   if (!is_supported_version(init.version)) {
     return ErrorCode::kNoMorePlayerOrGoalieOrIllegalVersion;
   }
@@ -81,7 +80,6 @@ AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerReconnec
     player.ears.complete = {true, true};
     player.ears.partial = {false, false};
     player.attention = kNoPlayer;
-
     return Admission{player.slot(), player.client_version, true};
   }
 
@@ -144,7 +142,6 @@ void PlayerRegistry::end_step() {
 void PlayerRegistry::send_referee_message(const World& world, const soccer::Hear& message) {
   text_.clear();
   soccer::format(message, soccer::Recipient::kPlayer, text_);
-
   for (auto& session : sessions_) {
     if (session == nullptr || session->lost) continue;
     const Player& player = world.player(session->slot());
@@ -165,7 +162,6 @@ void PlayerRegistry::send_coach_message(const World& world, const CoachMessage& 
       session->pending.trainer.push_back(message.say.text);
       continue;
     }
-
     if (message.side != soccer::side_of_slot(session->slot())) continue;
 
     soccer::Hear hear;
@@ -201,7 +197,6 @@ void PlayerRegistry::send_goalie_change(const GoalieAppointed& change) {
 void PlayerRegistry::send_think(const World& world) {
   text_.clear();
   soccer::format(soccer::ServerReply(soccer::Think{}), text_);
-
   for (auto& session : sessions_) {
     if (session == nullptr || !world.player(session->slot()).enabled) continue;
     session->send(text_);
@@ -229,7 +224,6 @@ void PlayerRegistry::send_sense_body(const World& world, PlayerSession& player) 
 
 void PlayerRegistry::send_full_state(const World& world, PlayerSession& player) {
   full_state(world, player.slot(), full_state_);
-
   text_.clear();
   soccer::format(full_state_, player.version, text_);
   player.send(text_);
@@ -241,7 +235,6 @@ void PlayerRegistry::send_heard(World& world, PlayerSession& player) {
   RandomStream choice = clock_stream(world, "hear", player.slot());
   heard_.clear();
   hear(world, player.slot(), player.pending, choice, heard_);
-
   for (const soccer::Hear& message : heard_) {
     text_.clear();
     soccer::format(message, soccer::Recipient::kPlayer, text_);
@@ -251,7 +244,6 @@ void PlayerRegistry::send_heard(World& world, PlayerSession& player) {
 
 void PlayerRegistry::send_see(const World& world, PlayerSession& player) {
   RandomStream noise = clock_stream(world, "see", player.slot());
-
   see(vision_, world, player.slot(), noise, see_);
 
   text_.clear();
@@ -273,7 +265,6 @@ void PlayerRegistry::run_view_round(const World& world, bool synchronous) {
     const Player& player = world.player(session->slot());
     if (!player.enabled || player.view.synchronous != synchronous) continue;
     if (++session->view_rounds < view_interval(player.view)) continue;
-
     session->view_rounds = 0;
     send_see(world, *session);
   }
