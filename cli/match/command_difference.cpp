@@ -29,7 +29,6 @@ std::map<Decision, std::string> commands_of(std::string_view log, std::string_vi
     const bool coach = line.source == RclSource::kCoach;
     if (!coach && line.source != RclSource::kPlayer) continue;
     if (record.teams[line.team] != name) continue;
-
     const int agent = coach ? proto::kCoachNumber : line.unum;
     std::string& text = commands[{line.time, line.stopped, agent}];
     if (!text.empty()) text += ' ';
@@ -62,7 +61,6 @@ std::optional<CommandDifference> compare_commands(std::string_view before, std::
       difference->total =
           static_cast<std::int64_t>(std::max(old_commands.size(), new_commands.size()));
     }
-
     ++difference->differ;
   }
   return difference;

@@ -98,7 +98,6 @@ class DevSession {
 
   static base::Result<std::vector<Scenario>> read(const std::string& name) {
     if (!base::absence(name)) return orchestration::scenario::read_scenarios(name);
-
     auto shipped = orchestration::scenario::shipped_scenarios();
     if (!shipped) return shipped;
 
@@ -113,7 +112,6 @@ class DevSession {
 
   Json play(const Scenario& scenario) {
     constexpr double kTimeToBuild = 600.0;
-
     orchestration::scenario::RunSettings settings;
     settings.seed = scenario.seeds.front();
     settings.host = &host_;
@@ -132,7 +130,6 @@ class DevSession {
     if (const auto created = base::create_folders(settings.folder); !created) {
       return problem(scenario, created.error().message);
     }
-
     const auto record = run_scenario(scenario, settings, signal_);
     if (!record) return problem(scenario, record.error().message);
     if (signal_.load() != 0) return Json(nullptr);
@@ -179,7 +176,6 @@ class DevSession {
       print_difference(scenario, record, document);
       last.text_log = record.text_log;
     }
-
     last.passed = passed;
     return document;
   }
@@ -207,7 +203,6 @@ class DevSession {
 
     const bool has_error = record.errors[0] || record.errors[1];
     if (!record.result.failure || has_error) return;
-
     constexpr std::size_t kLines = 10;
     const auto& output = record.result.failure->output;
     for (std::size_t i = output.size() - std::min(output.size(), kLines); i < output.size(); ++i) {
@@ -222,7 +217,6 @@ class DevSession {
     const soccer::Side side = scenario.under_test.value_or(soccer::Side::kLeft);
     const auto difference =
         compare_commands(last->second.text_log, record.text_log, soccer::side_name(side));
-
     if (!difference) {
       print("      the same commands as before\n");
       return;
@@ -231,11 +225,9 @@ class DevSession {
     const auto shown = [](const std::string& commands) {
       return commands.empty() ? std::string("nothing") : commands;
     };
-
     print("      first difference: cycle {}, {}: {}, before {}\n", difference->cycle,
           difference->agent, shown(difference->now), shown(difference->before));
     print("      {} of {} decisions differ\n", difference->differ, difference->total);
-
     document["difference"] = {{"cycle", difference->cycle},   {"agent", difference->agent},
                               {"before", difference->before}, {"now", difference->now},
                               {"differ", difference->differ}, {"total", difference->total}};
@@ -247,7 +239,6 @@ class DevSession {
                        const RunRecord& record, Json& document) const {
     using orchestration::match::kLeftErrorFile;
     using orchestration::match::kRightErrorFile;
-
     for (const soccer::Side side : {soccer::Side::kLeft, soccer::Side::kRight}) {
       const bool left = side == soccer::Side::kLeft;
       const auto& error = record.errors.at(left ? 0 : 1);
@@ -297,7 +288,6 @@ std::vector<std::string> wait_for_change(const fs::path& folder, FileVersions& v
     versions = std::move(seen);
     return changed;
   }
-
   return {};
 }
 
@@ -324,7 +314,6 @@ int run(Arguments& arguments) {
 
   auto host = orchestration::process::ProcessHost::create();
   if (!host) return print_error(kInternalError, host.error().message);
-
   const std::atomic<int>& signal = watch_interrupts();
   DevSession session(arguments, *host, signal);
 
@@ -338,10 +327,8 @@ int run(Arguments& arguments) {
       fmt::print("watching {} (Ctrl-C ends)\n", arguments.watched);
       std::fflush(stdout);
     }
-
     changed = wait_for_change(arguments.watched, versions, signal);
   }
-
   return signal_exit_code(signal);
 }
 
@@ -359,7 +346,6 @@ void add_dev_command(Command& app) {
   command.option("--watch", arguments->watched, "folder whose files count (default: .)")
       .placeholder("DIR");
   command.option("--dir", arguments->folder, "folder of logs and recordings").shows_default();
-
   command.flag("--json", arguments->json, "print one line of JSON per round");
   command.run = [arguments] { return run(*arguments); };
 }

@@ -49,7 +49,6 @@ bool is_own_output(const fs::path& file) {
 FileVersions file_versions(const fs::path& folder) {
   FileVersions files;
   const std::set<std::string> ignored = ignored_names(folder);
-
   std::error_code code;
   fs::recursive_directory_iterator entry(folder, code);
   for (; !code && entry != fs::recursive_directory_iterator(); entry.increment(code)) {
@@ -79,7 +78,6 @@ std::vector<std::string> changed_files(const FileVersions& before, const FileVer
   for (const auto& [path, version] : before) {
     if (!now.contains(path)) changed.push_back(path);
   }
-
   std::sort(changed.begin(), changed.end());
   return changed;
 }

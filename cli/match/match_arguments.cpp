@@ -46,7 +46,6 @@ void add_match_options(Command& command, MatchArguments& arguments) {
                "address (docs/watching.md)");
   command.flag("--open", arguments.open, "--watch, and open the page in the browser");
   add_linger_option(command, arguments.linger_s);
-
   command.flag("--json", arguments.json, "print only the result document");
   command.flag("--strict", arguments.strict, "fail (exit 1) on any warning");
   command.flag("--quiet", arguments.quiet, "print no progress and no warnings");
@@ -58,7 +57,6 @@ namespace {
 std::vector<std::string> resolve(MatchArguments& arguments) {
   std::vector<std::string> errors;
   MatchOptions& options = arguments.options;
-
   const auto read_side = [&](const std::string& text, orchestration::match::Endpoint& endpoint) {
     const auto parsed = parse_side(text, arguments.config_file);
     if (parsed) {
@@ -152,7 +150,6 @@ void note_options(const Command& command, MatchArguments& arguments) {
   if (arguments.texts.contains("no_deadline")) {
     arguments.origins["rpc_deadline"] = "option --no-deadline";
   }
-
   for (const std::string& setting : arguments.settings) {
     arguments.origins[setting.substr(0, setting.find('='))] = "option --set";
   }
@@ -224,14 +221,12 @@ int resume(MatchArguments& arguments) {
   if (const auto why = base::why_no_file(file)) {
     return print_error(kNoInput, fmt::format("--resume {}: {}", file, *why));
   }
-
   const auto match = orchestration::match::read_saved_match(file);
   if (!match) return print_error(kBadData, "--resume " + match.error().message);
 
   if (arguments.origins["seed"] != "option --seed") options.seed.reset();
   const auto resumed = orchestration::match::resume_from(*match, options);
   if (!resumed) return print_error(kBadData, "--resume: " + resumed.error().message);
-
   const std::vector<std::string> errors = validate_options(options);
   return errors.empty() ? kOk : print_errors(kUsage, errors);
 }
@@ -267,7 +262,6 @@ int resolve_match(const Command& command, MatchArguments& arguments) {
     if (const int read = read_side_files(*side); read != kOk) return read;
     if (const int read = read_tls_files(*side, arguments.options.tls); read != kOk) return read;
   }
-
   return kOk;
 }
 
@@ -275,11 +269,9 @@ std::vector<SettingRow> setting_rows(const MatchArguments& arguments) {
   const MatchOptions& options = arguments.options;
   std::vector<SettingRow> rows = {{"left", options.left.text, ""},
                                   {"right", options.right.text, ""}};
-
   for (const MatchOption& row : match_options()) {
     if (row.shown_as.empty()) rows.push_back({std::string(row.key), row.shown(options), ""});
   }
-
   add_parameters(rows, "server", server_params(options), soccer::server_param_table());
   add_parameters(rows, "player", options.player, soccer::player_param_table());
 
@@ -287,7 +279,6 @@ std::vector<SettingRow> setting_rows(const MatchArguments& arguments) {
     const auto origin = arguments.origins.find(row.name);
     row.origin = origin == arguments.origins.end() ? "default" : origin->second;
   }
-
   return rows;
 }
 

@@ -72,7 +72,6 @@ class WatchedMatch : public ProgressLine {
         {viewer::follow_log(folder / game_log, [this] { return over_.load(); }),
          folder / orchestration::match::kTextLogFile, folder.filename().string(), folder},
         options);
-
     if (!view) return on_warning(view.error().message);
     view_ = *std::move(view);
 
@@ -167,7 +166,6 @@ int run_match_command(const Command& command, MatchArguments& arguments) {
 
   const bool live = stderr_is_terminal() && !arguments.quiet && !arguments.step && !arguments.at;
   WatchedMatch progress(live, arguments);
-
   const std::atomic<int>& signal = watch_interrupts();
   MatchStepper stepper(arguments.at.value_or(0), STDIN_FILENO, signal);
   const bool steps = arguments.step || arguments.at;
@@ -191,7 +189,6 @@ int run_match_command(const Command& command, MatchArguments& arguments) {
 
   std::fflush(stdout);
   progress.serve_the_end(signal);
-
   const int exit_code = exit_code_of(*result);
   if (!arguments.strict || exit_code != kOk || result->warnings.empty()) return exit_code;
   return print_error(kFailed, base::counted(result->warnings.size(), "warning") + " (--strict)");
@@ -202,12 +199,10 @@ int run_match_command(const Command& command, MatchArguments& arguments) {
 void add_match_command(Command& app) {
   const auto arguments = std::make_shared<MatchArguments>();
   Command& command = app.command("match", kDescription);
-
   command.group = kPlayCommands;
   command.starts_programs = true;
   command.option("LEFT", arguments->left, "SIDE on the left").required();
   command.option("RIGHT", arguments->right, "SIDE on the right").required();
-
   add_match_options(command, *arguments);
   command.run = [arguments, &command] { return run_match_command(command, *arguments); };
 }

@@ -46,7 +46,6 @@ std::string latency(const TeamResult& team, double orchestration::match::RpcLate
     for (const PlayerResult& player : team.players) values.push_back(player.rpc_us.*which);
     return worst ? *std::max_element(values.begin(), values.end()) : base::median(values);
   };
-
   if (team.players.empty()) return "-";
   return fmt::format("{:.0f} / {:.0f} us", figure(first), figure(second));
 }
@@ -82,12 +81,10 @@ class Rows {
 std::string score_line(const MatchResult& result) {
   std::string line = fmt::format("{} {} : {} {}", result.left.name, result.left.score,
                                  result.right.score, result.right.name);
-
   if (result.left.penalty_score && result.right.penalty_score) {
     line += fmt::format(" ({} : {} on penalties)", *result.left.penalty_score,
                         *result.right.penalty_score);
   }
-
   return line;
 }
 
@@ -100,7 +97,6 @@ std::string goals_line(const MatchResult& result) {
     if (goal.unum > 0) fmt::format_to(std::back_inserter(line), " {}", goal.unum);
     line += &goal == &result.goals.back() ? "\n" : ",";
   }
-
   return line;
 }
 
@@ -131,7 +127,6 @@ void add_actions(Rows& rows, const MatchResult& result) {
     return fmt::format("{}, {}", actions(team, "failed"), actions(team, "skipped"));
   };
   rows.add("failed, skipped", rest(result.left), rest(result.right));
-
   const auto wrong = [](const TeamResult& team) {
     return actions(team, "invalid") + actions(team, "unimplemented");
   };
@@ -152,7 +147,6 @@ void add_losses(Rows& rows) {
   const std::pair<const char*, Count> losses[] = {{"undecided cycles", &PlayerResult::undecided},
                                                   {"late commands", &PlayerResult::lost_commands},
                                                   {"late wake-ups", &PlayerResult::late_wakeups}};
-
   for (const auto& [label, count] : losses) {
     rows.add(label, [count = count](const TeamResult& team) {
       return total(team, [count](const PlayerResult& player) { return player.*count; });
@@ -167,7 +161,6 @@ std::string server_line(const MatchResult& result) {
   line += fmt::format(", missed cycles: {}", result.server_missed_cycles);
   if (result.server_cpu_seconds)
     line += fmt::format(", {:.2f} s of CPU", *result.server_cpu_seconds);
-
   return line + "\n";
 }
 
@@ -175,7 +168,6 @@ std::string figures(const MatchResult& result) {
   Rows rows(result);
   rows.add("", result.left.name, result.right.name);
   rows.add("playmaker", shortened(result.left.endpoint), shortened(result.right.endpoint));
-
   rows.add("decisions", [](const TeamResult& team) {
     return total(team, [](const PlayerResult& player) { return player.decisions; });
   });
@@ -196,7 +188,6 @@ std::string figures(const MatchResult& result) {
 
   rows.add("cpu seconds", fmt::format("{:.2f}", result.left.cpu_seconds),
            fmt::format("{:.2f}", result.right.cpu_seconds));
-
   return rows.take();
 }
 
@@ -211,7 +202,6 @@ std::string parts(const TeamResult& team) {
         base::counted(part.decisions, "decision"), part.missed, part.rpc_us.p50, part.rpc_us.p99,
         part.cpu_seconds);
   }
-
   return text.empty() ? text : text + "\n";
 }
 
@@ -231,7 +221,6 @@ std::string errors(const MatchResult& result, const TeamResult& team) {
                    orchestration::process::shell_quoted(result.folder + "/" + first.recording),
                    orchestration::process::shell_quoted(team.endpoint));
   }
-
   return text;
 }
 
@@ -240,11 +229,9 @@ std::string exceptions(const MatchResult& result) {
   std::string text;
   for (const auto& process : result.processes) {
     if (process.exception.empty()) continue;
-
     if (!is_reported(result, process.exception)) {
       text += "  " + base::wrap_text(process.name + ": " + process.exception, kLineWidth, 2) + "\n";
     }
-
     fmt::format_to(std::back_inserter(text), "    output is in {}/{}\n", result.folder,
                    process.log);
   }
@@ -280,7 +267,6 @@ std::string match_report(const MatchResult& result, bool color) {
                  result.deterministic ? "" : ", not deterministic");
   if (result.speed) text += fmt::format("  {}\n", describe(*result.speed));
   if (result.mode != "lockstep") text += server_line(result);
-
   fmt::format_to(std::back_inserter(text), "  {}/\n", result.folder);
   return text;
 }

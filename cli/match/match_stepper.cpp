@@ -26,7 +26,6 @@ bool MatchStepper::read_line(std::string& line) {
 
     pollfd wait{input_, POLLIN, 0};
     if (poll(&wait, 1, kPollIntervalMs) <= 0) continue;
-
     std::array<char, 256> bytes;
     const ssize_t count = read(input_, bytes.data(), bytes.size());
     if (count <= 0) return false;
@@ -38,7 +37,6 @@ bool MatchStepper::read_line(std::string& line) {
 void MatchStepper::execute(const std::string& line) {
   waiting_ = false;
   int cycles = 1;
-
   if (line == "q") {
     quit_ = true;
   } else if (line == "c") {
@@ -57,7 +55,6 @@ void MatchStepper::execute(const std::string& line) {
 
 void MatchStepper::before_decisions(const orchestration::match::MatchView& view) {
   if (continue_ || quit_ || view.progress.cycle < first_) return;
-
   if (skip_ > 0) {
     --skip_;
     return;

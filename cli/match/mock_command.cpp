@@ -99,7 +99,6 @@ void add_fault_options(Command& command, Arguments& arguments) {
       .takes(2);
   add("--fault-unum", faults.unums, "delays and fractions only for these uniform numbers")
       .split_at(',');
-
   add("--fault-seed", faults.seed, "random seed of the faults").shows_default();
 }
 
@@ -153,7 +152,6 @@ std::optional<std::string> resolve_faults(const Arguments& arguments, Faults& fa
     }
     faults.cycles = {arguments.only_cycles[0], arguments.only_cycles[1], 1};
   }
-
   return std::nullopt;
 }
 
@@ -201,13 +199,11 @@ class ServingProcess {
   base::Result<void> restart(Mock mock, const std::atomic<int>& signal) {
     server_.reset();
     wait(milliseconds(arguments_.restart_after_ms), signal);
-
     mock.faults.crash_at_cycle.reset();
     mock.faults.restart_at_cycle = 0;
     mock.faults.restart_cycles = 0;
     TRY_INIT(auto server, Server::start(std::move(mock), arguments_.host, port()));
     server_ = std::move(server);
-
     const std::lock_guard lock(mutex_);
     restart_due_ = false;
     return {};
@@ -248,17 +244,14 @@ base::Result<Mock> make(const Arguments& arguments, Failure& failure) {
     failure.code = kUsage;
     return base::Error{*error};
   }
-
   return mock;
 }
 
 // A host of others, or a port that is taken, with its owner.
 Failure why_not_listening(const Arguments& arguments, const std::string& error) {
   using orchestration::process::Protocol;
-
   const std::string host = orchestration::process::unusable_host(arguments.host);
   if (!host.empty()) return {fmt::format("--host '{}': {}", arguments.host, host), kUsage};
-
   const std::string taken = orchestration::process::taken_port(Protocol::kTcp, {arguments.port});
   return {taken.empty() ? error : taken + "; --port 0 selects a free port", kTryAgain};
 }
@@ -281,10 +274,8 @@ int run_mock(const Arguments& arguments) {
   failure.code = kTryAgain;
   wait(milliseconds(static_cast<int>(arguments.slow_start_s * 1000.0)), signal);
   raise_descriptor_limit();
-
   const JsonStdout json(arguments.json);
   ServingProcess process(arguments);
-
   if (const auto started = process.start(*std::move(mock)); !started) {
     failure = why_not_listening(arguments, started.error().message);
     return print_error(failure.code, failure.message);
@@ -333,7 +324,6 @@ void add_mock_command(Command& app) {
 
   command.flag("--json", arguments->json,
                "print host and port as one line of JSON; all else goes to stderr");
-
   add_fault_options(command, *arguments);
   command.run = [arguments] { return run_mock(*arguments); };
 }

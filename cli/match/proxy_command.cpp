@@ -106,7 +106,6 @@ void add_playmaker_options(Command& command, Arguments& arguments) {
   add_match_option(command, "on_late", arguments.on_late);
   add_match_option(command, "batch", arguments.batch);
   add_tls_options(command, arguments.tls);
-
   command.option("--result", arguments.result_file, "write the result as JSON, per player, to FILE")
       .placeholder("FILE");
   command.option("--rpc-type", arguments.rpc_type, "RPC framework: grpc");
@@ -150,7 +149,6 @@ void add_options(Command& command, Arguments& arguments) {
   command.flag("--quiet", arguments.quiet, "print no progress and no warnings");
   command.flag("--json", arguments.json,
                "print side and players as one line of JSON; all else goes to stderr");
-
   command
       .option("-P,--coach-port", arguments.coach_port,
               "coach port of the soccer server (default: --port + 2)")
@@ -176,7 +174,6 @@ void add_options(Command& command, Arguments& arguments) {
 int read_playmaker(Arguments& arguments) {
   if (arguments.playmaker.empty()) return kOk;
   auto endpoint = orchestration::match::parse_endpoint(arguments.playmaker);
-
   using Kind = orchestration::match::Endpoint::Kind;
   if (!endpoint || (endpoint->kind != Kind::kAddress && endpoint->kind != Kind::kUnixSocket)) {
     return print_error(
@@ -211,7 +208,6 @@ void resolve_coach_ports(Arguments& arguments, std::vector<std::string>& errors)
   const bool whole_team = arguments.unum == 0 && !options.team.reconnect;
   const bool coach =
       arguments.coach_only || (whole_team && !arguments.without_coach && !arguments.trainer);
-
   if (coach) {
     options.coach_port = arguments.coach_port != 0 ? arguments.coach_port : options.server_port + 2;
   }
@@ -227,7 +223,6 @@ void check_hosts(StandaloneTeamOptions& options, std::vector<std::string>& error
   const std::string playmaker = options.playmaker.host;
   const std::string problem = playmaker.empty() ? "" : host_problem(playmaker);
   if (!problem.empty()) errors.push_back(fmt::format("--rpc-host '{}': {}", playmaker, problem));
-
   options.server_host = base::strip_brackets(options.server_host);
   if (base::parse_ip_address(options.server_host, options.server_port)) return;
 
@@ -239,7 +234,6 @@ void check_hosts(StandaloneTeamOptions& options, std::vector<std::string>& error
 std::vector<std::string> resolve(Arguments& arguments) {
   std::vector<std::string> errors;
   StandaloneTeamOptions& options = arguments.options;
-
   const auto name = orchestration::match::check_team_name(arguments.team_name);
   if (name) {
     options.team.name = soccer::TeamName(*name);
@@ -250,7 +244,6 @@ std::vector<std::string> resolve(Arguments& arguments) {
   if (arguments.rpc_type != "grpc") {
     errors.push_back(fmt::format("--rpc-type '{}': must be grpc", arguments.rpc_type));
   }
-
   check_hosts(options, errors);
   resolve_coach_ports(arguments, errors);
 
@@ -288,7 +281,6 @@ std::vector<std::string> resolve(Arguments& arguments) {
   if (options.playmaker.port_step && options.batch == proxy::BatchMode::kRequired) {
     errors.push_back("--batch always: a Playmaker with a port per player gets single calls");
   }
-
   options.team.start_timeout = std::chrono::duration_cast<proxy::RpcTimeout>(
       std::chrono::duration<double>(options.start_timeout_s));
   return errors;
@@ -314,7 +306,6 @@ void print_ready(const proxy::Team& team) {
     who = fmt::format("players {} to {}", team.players().front()->unum(),
                       team.players().back()->unum());
   }
-
   if (team.coach() != nullptr) {
     who += fmt::format("{}{}", who.empty() ? "" : " and the ", team.coach()->role_name());
   }
@@ -346,7 +337,6 @@ orchestration::match::RpcLatency worst_latency(const StandaloneTeamResult& resul
     worst.p99 = std::max(worst.p99, player.rpc_us.p99);
     worst.max = std::max(worst.max, player.rpc_us.max);
   }
-
   return worst;
 }
 
@@ -357,7 +347,6 @@ void print_result(const Arguments& arguments, const StandaloneTeamResult& result
     for (const PlayerResult& player : result.players) sum += player.*count;
     return sum;
   };
-
   if (total(&PlayerResult::decisions) == 0) return;
   fmt::print(
       "{} on the {}: {} to {} at cycle {}; {} decisions, {} missed, {} undecided cycles, "
@@ -396,13 +385,11 @@ int run_proxy(Arguments& arguments) {
   }
 
   print_result(arguments, result);
-
   if (!arguments.result_file.empty()) {
     const auto written =
         base::write_file(arguments.result_file, to_json(arguments.options, result));
     if (!written) return print_error(kCannotCreate, written.error().message);
   }
-
   return exit_code_of(result);
 }
 

@@ -71,7 +71,6 @@ base::Result<ServerSettings> read_settings(const Arguments& arguments,
                                            const std::vector<std::string>& texts, int& exit_code) {
   ServerSettings settings;
   exit_code = kBadConfig;
-
   TRY_INIT(const auto files, apply_folder(settings, orchestration::match::configuration_folder()));
   for (const auto& file : files) fmt::print("configuration: {}\n", file.string());
 
@@ -94,7 +93,6 @@ UdpServerExit serve(UdpServer& server, const std::atomic<int>& signal) {
   std::atomic<bool> stop{false};
   std::promise<UdpServerExit> result;
   std::future<UdpServerExit> end = result.get_future();
-
   std::thread thread([&] { result.set_value(server.run(stop)); });
   while (end.wait_for(kPollInterval) != std::future_status::ready && signal.load() == 0) {
   }
@@ -108,7 +106,6 @@ orchestration::match::ReportedTeam reported(const UdpServer& server, soccer::Sid
   const simulator::Team& team = server.world().team(side);
   orchestration::match::ReportedTeam report;
   report.coach = server.coach_name(side);
-
   report.name = team.name.view();
   report.score = team.score;
   report.penalties_taken = team.penalty_kicks;
@@ -119,13 +116,11 @@ orchestration::match::ReportedTeam reported(const UdpServer& server, soccer::Sid
 orchestration::match::ServerReport report_of(const UdpServer& server, std::time_t start) {
   orchestration::match::ServerReport report;
   report.start = start;
-
   report.left = reported(server, soccer::Side::kLeft);
   report.right = reported(server, soccer::Side::kRight);
   for (const auto side : {soccer::Side::kLeft, soccer::Side::kRight}) {
     if (server.world().team(side).won_coin_toss) report.coin_toss_winner = side;
   }
-
   return report;
 }
 
@@ -134,19 +129,15 @@ base::Result<void> save_csv(const std::string& file,
                             const orchestration::match::ServerReport& report) {
   std::error_code error;
   const bool is_new = !std::filesystem::exists(file, error);
-
   std::ofstream out(file, std::ios::app | std::ios::binary);
-
   if (is_new) out << orchestration::match::csv_header();
   out << csv_line(report) << std::flush;
-
   if (!out) return base::Error{fmt::format("{}: cannot write", file)};
   return {};
 }
 
 void print_times(const UdpServer& server) {
   const simulator::World& world = server.world();
-
   fmt::print("{} cycles", world.clock.time);
   if (world.params().synch_mode) {
     fmt::print(", {} of them missed by a client\n", server.missed_cycles());
@@ -162,7 +153,6 @@ void print_times(const UdpServer& server) {
 base::Result<void> finish(const UdpServer& server, const ServerSettings& settings,
                           orchestration::match::ServerLogs& logs, std::time_t start) {
   const orchestration::match::ServerReport report = report_of(server, start);
-
   base::Result<void> saved;
   if (settings.save_csv) saved = save_csv(settings.csv_file, report);
   fmt::print("{}", console_report(report, settings.save_csv && saved));
@@ -170,7 +160,6 @@ base::Result<void> finish(const UdpServer& server, const ServerSettings& setting
 
   gamelog::Frame last;
   simulator::to_frame(server.world(), last);
-
   // In names of logs the coach name follows the team name.
   for (const auto side : {soccer::Side::kLeft, soccer::Side::kRight}) {
     const std::string& coach = server.coach_name(side);
@@ -187,7 +176,6 @@ int exit_code_of(UdpServerExit end, int signal) {
     fmt::print(stderr, "Waiting too long for clients! Exiting\n");
     return kFailed;
   }
-
   if (end == UdpServerExit::kFinished) return kOk;
   return signal_exit_code(signal);
 }
@@ -213,7 +201,6 @@ simulator::UdpConfig config_of(const Arguments& arguments, const ServerSettings&
   config.coach_port = params.olcoach_port;
   config.max_wait = std::chrono::milliseconds(settings.max_wait_ms);
   config.max_missed = settings.max_missed;
-
   return config;
 }
 
@@ -235,7 +222,6 @@ void watch_hang_up() {
   struct sigaction now = {};
   sigaction(SIGHUP, nullptr, &now);
   if (now.sa_handler == SIG_IGN) return;
-
   struct sigaction interrupt = {};
   sigaction(SIGINT, nullptr, &interrupt);
   sigaction(SIGHUP, &interrupt, nullptr);
@@ -278,7 +264,6 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings,
   auto logs = orchestration::match::ServerLogs::open(settings.server, start);
   if (!logs) return print_error(kCannotCreate, logs.error().message);
   (*server)->record(logs->sinks());
-
   std::optional<simulator::KeepawayRecorder> keepaway;
   if (logs->keepaway() != nullptr) keepaway.emplace(*logs->keepaway());
 
@@ -326,7 +311,6 @@ std::optional<std::string> mistyped_option(const std::vector<std::string>& texts
     const bool has_value = i + 1 < texts.size() && texts[i + 1].starts_with('=');
     if (is_option(texts[i]) && !is_value && !has_value) return texts[i];
   }
-
   return std::nullopt;
 }
 
@@ -339,7 +323,6 @@ int run_server(const Arguments& arguments, const Command& command) {
   const JsonStdout json(arguments.json);
   const auto settings = read_settings(arguments, command.words, problem);
   if (!settings) return print_error(problem, settings.error().message);
-
   if (settings->help) {
     fmt::print("{}", help_text(command));
     return kOk;
@@ -379,10 +362,8 @@ void add_server_command(Command& app) {
   command.option(
       "--dir", arguments->folder,
       "folder for match.rcg, match.rcl and match.kwy (default: rcssserver's folders and names)");
-
   command.flag("--json", arguments->json,
                "print host and ports as one line of JSON; all else goes to stderr");
-
   command.run = [arguments, &command] { return run_server(*arguments, command); };
 }
 

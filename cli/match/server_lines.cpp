@@ -96,9 +96,7 @@ void ServerLines::step(const World& world) {
     if (world.mode == PlayMode::kKickOffRight) fmt::print("Kick_off_right\n");
     std::fflush(stdout);
   }
-
   mode_ = world.mode;
-
   const soccer::ServerParams& params = world.params();
   if (!params.auto_mode) return;
 
@@ -115,7 +113,6 @@ void ServerLines::step(const World& world) {
   }
 
   waits_ = now;
-
   if (line == nullptr) return;
   fmt::print("{}", line);
   std::fflush(stdout);

@@ -99,7 +99,6 @@ std::optional<Failure> add_file(const std::string& name, std::vector<Scenario>& 
 
   auto read = orchestration::scenario::read_scenarios(name);
   if (!read) return Failure{kBadData, read.error().message};
-
   chosen.insert(chosen.end(), read->begin(), read->end());
   return std::nullopt;
 }
@@ -162,11 +161,9 @@ std::optional<Failure> choose(const Arguments& arguments, std::vector<Scenario>&
     return !matches(arguments.filter, scenario.name);
   };
   chosen.erase(std::remove_if(chosen.begin(), chosen.end(), unwanted), chosen.end());
-
   if (chosen.empty()) {
     return Failure{kUsage, fmt::format("--filter '{}': no scenario matches", arguments.filter)};
   }
-
   return arguments.shard.empty() ? std::nullopt : select_shard(arguments.shard, chosen);
 }
 
@@ -188,7 +185,6 @@ std::optional<Failure> resolve(const Arguments& arguments, SuiteOptions& options
   // A user's Playmaker need not support parallel matches.
   const bool shared = options.against->kind != orchestration::match::Endpoint::Kind::kMock;
   if (shared && arguments.jobs == 0) options.jobs = 1;
-
   return std::nullopt;
 }
 
@@ -206,7 +202,6 @@ int list(const std::vector<Scenario>& scenarios, bool json) {
   for (const Scenario& scenario : scenarios) {
     fmt::print("{:<32} {}\n", scenario.name, scenario.about);
   }
-
   return kOk;
 }
 
@@ -218,7 +213,6 @@ std::vector<fs::path> changed_files(const fs::path& folder) {
     const fs::path path = folder / file.name;
     if (fs::exists(path, code) && base::read_file(path) != file.text) changed.push_back(path);
   }
-
   return changed;
 }
 
@@ -259,7 +253,6 @@ int export_to(const fs::path& folder, bool force, bool json) {
   } else {
     fmt::print("{} files in {}\n", count, folder.string());
   }
-
   return kOk;
 }
 
@@ -288,7 +281,6 @@ int finish(const Arguments& arguments, const SuiteVerdict& suite, double seconds
   const ExitCode reported = write_ci_reports(
       arguments.reports, {to_junit(suite), to_annotations(suite), to_markdown(suite)});
   if (reported != kOk) return reported;
-
   if (arguments.accept_golden) {
     const auto changed = accept_golden_values(suite);
     if (!changed) return print_error(kCannotCreate, changed.error().message);
@@ -322,7 +314,6 @@ std::optional<Failure> resolve(const Arguments& arguments,
   if (const auto absence = base::absence(options.file)) {
     return Failure{kNoInput, fmt::format("{}: {}", options.file, *absence)};
   }
-
   if (options.endpoint.starts_programs()) {
     const auto created = base::create_folders(options.folder);
     if (!created) return Failure{kCannotCreate, created.error().message};
@@ -336,7 +327,6 @@ std::optional<Failure> resolve(const Arguments& arguments,
   if (!options.side) {
     return Failure{kUsage, fmt::format("--side '{}': must be left or right", arguments.side)};
   }
-
   return std::nullopt;
 }
 
@@ -364,7 +354,6 @@ void warn_without_sandbox(const std::vector<Scenario>& scenarios, const SuiteOpt
       std::any_of(scenarios.begin(), scenarios.end(), [&](const Scenario& scenario) {
         return std::any_of(scenario.sides.begin(), scenario.sides.end(), is_external);
       });
-
   const std::string missing = orchestration::match::missing_sandbox();
   if (!external || !options.sandbox || missing.empty()) return;
   print_error(kOk, "warning: " + missing);
@@ -382,7 +371,6 @@ int run_test_command(const Arguments& arguments) {
   std::vector<Scenario> scenarios;
   if (const auto failure = choose(arguments, scenarios)) return report_failure(*failure);
   if (arguments.list) return list(scenarios, arguments.json);
-
   SuiteOptions options;
   if (const auto failure = resolve(arguments, options)) return report_failure(*failure);
   warn_without_sandbox(scenarios, options);
@@ -401,7 +389,6 @@ int run_test_command(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const SuiteVerdict suite = run_suite(scenarios, options, on_done, signal);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-
   const int code = finish(arguments, suite, took.count());
   if (signal.load() != 0) return signal_exit_code(signal);
   return code;
@@ -416,7 +403,6 @@ void add_test_command(Command& app) {
   command.starts_programs = true;
 
   Arguments& a = *arguments;
-
   command.option("SCENARIO", a.scenarios,
                  "names, files or folders (default: all shipped scenarios)");
   command.option("--against", a.against, "SIDE that plays the side under test");
@@ -432,7 +418,6 @@ void add_test_command(Command& app) {
 
   add_ci_options(command, a.reports);
   command.flag("--json", a.json, "print only the result document");
-
   command.option("--dir", a.folder, "folder of failed runs").shows_default();
   command.flag("--accept", a.accept_golden, "accept current values as the new golden values");
   command.flag("--bless", a.accept_golden, "").of_group(kHidden);  // former name of --accept
@@ -451,7 +436,6 @@ void add_test_command(Command& app) {
   add_tls_options(command, a.tls);
   command.flag("--strict", a.strict, "fail (exit 1) on any skipped scenario");
   command.flag("--quiet", a.quiet, "print only failures and the summary");
-
   command.run = [arguments] { return run_test_command(*arguments); };
 }
 

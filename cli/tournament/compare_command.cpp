@@ -61,7 +61,6 @@ int add_team(TournamentConfig& config, std::string side, const std::string& suff
   if (const int exit_code = resolve_team_name(side, name, config_file); exit_code != kOk) {
     return exit_code;
   }
-
   const auto endpoint = parse_side(side, config_file);
   if (!endpoint) return print_error(kUsage, endpoint.error().message);
 
@@ -74,7 +73,6 @@ int add_team(TournamentConfig& config, std::string side, const std::string& suff
   if (team_index(config, name) >= 0) {
     return print_error(kUsage, fmt::format("'{}' is named twice", side));
   }
-
   config.teams.push_back({name, side});
   return kOk;
 }
@@ -90,7 +88,6 @@ int make_comparison(const Arguments& arguments, Comparison& comparison) {
   config.swap_sides = true;
   config.gauntlet.clear();
   config.teams.clear();
-
   // Sides are resolved for the working directory already.
   config.folder = fs::current_path();
 
@@ -111,7 +108,6 @@ int make_comparison(const Arguments& arguments, Comparison& comparison) {
   print_errors(kUsage, errors);
   const std::string error = test_error(comparison.test);
   if (!error.empty()) return print_error(kUsage, error);
-
   return errors.empty() ? kOk : kUsage;
 }
 
@@ -155,7 +151,6 @@ void add_test_options(Command& command, Arguments& arguments) {
   command.option("--max-goals", test.max_goals, "a goal difference above it counts as this")
       .range(1, 20)
       .shows_default();
-
   command.option("--alpha", test.alpha, "probability of a type I error (NEW wrongly called better)")
       .shows_default();
   command
@@ -188,7 +183,6 @@ void add_compare_command(Command& app) {
   command.option("--dir", arguments->options.folder,
                  "folder (default: ./runs/compare-<NEW>-<BASE>-<hash of the plan>)");
   add_condition_options(command, arguments->options);
-
   add_session_options(command, arguments->session, "verdict");
   command.run = [arguments] { return run(*arguments); };
 }

@@ -62,10 +62,8 @@ int run_comparison(const Comparison& comparison, const std::filesystem::path& fo
 
   const OpenedFolder opened = begin_session(options.folder, options.config, session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
-
   known = verdict(comparison, opened.matches);
   CompareProgress progress(comparison, known, stderr_is_terminal(), session.quiet);
-
   const auto make =
       [&](const TournamentConfig& config) -> base::Result<std::unique_ptr<MatchExecutor>> {
     TRY_INIT(const auto program, base::own_program());
@@ -79,11 +77,9 @@ int run_comparison(const Comparison& comparison, const std::filesystem::path& fo
   if (prints) print_result(comparison, summary->matches, folder, session.json);
   const int exit_code =
       end_session(*summary, options.config, session, exit_code_of(*summary, known), false);
-
   if (summary->end == RunEnd::kComplete && prints && !session.quiet) {
     print_error(0, "undecided; the same command with a larger --max-pairs continues");
   }
-
   return exit_code;
 }
 

@@ -41,13 +41,11 @@ int run(const Arguments& arguments) {
   const fs::path folder = arguments.folder;
   const fs::path file =
       folder / (arguments.planner ? kPlannerFile : orchestration::tournament::kConfigFile);
-
   std::error_code code;
   if (fs::exists(file, code) && !arguments.force) {
     return print_error(kCannotCreate, fmt::format("{}: exists; --force renames it to {}.old",
                                                   file.string(), file.filename().string()));
   }
-
   if (fs::exists(file, code)) {
     const auto old = base::set_aside(file);
     if (!old) return print_error(kCannotCreate, old.error().message);
@@ -68,7 +66,6 @@ int run(const Arguments& arguments) {
   } else {
     fmt::print("{}\n", file.string());
   }
-
   return kOk;
 }
 
@@ -77,13 +74,11 @@ int run(const Arguments& arguments) {
 void add_init_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("init", kDescription);
-
   command.option("DIR", arguments->folder, "folder of the file (default: working directory)");
   command.flag("--planner", arguments->planner,
                "write planner.toml, parameters of the planner, instead of cls.toml");
   command.flag("--force", arguments->force, "rename an existing file to NAME.old");
   command.flag("--json", arguments->json, "print one JSON document");
-
   command.run = [arguments] { return run(*arguments); };
 }
 

@@ -44,7 +44,6 @@ const char* group_title(KeyGroup group) {
 std::optional<fs::path> config_path(const TournamentOptions& options) {
   if (!options.config_file.empty()) return options.config_file;
   std::error_code code;
-
   const fs::path inside = fs::path(options.folder) / kConfigFile;
   if (fs::is_regular_file(inside, code)) return inside;
   if (auto above = find_config(fs::current_path(code))) return above;
@@ -82,7 +81,6 @@ std::vector<std::string> apply_teams(TournamentConfig& config, const TournamentO
 std::vector<std::string> apply_overrides(TournamentConfig& config,
                                          const TournamentOptions& options) {
   std::vector<std::string> errors = apply_teams(config, options);
-
   for (const auto& [name, text] : options.overrides) {
     const ConfigKey& key = *find_key(name);
     const auto read = key.parse(config, parse_config_value(key, text));
@@ -98,7 +96,6 @@ std::vector<std::string> apply_overrides(TournamentConfig& config,
     config.settings.push_back(
         {name, equals == std::string::npos ? "" : setting.substr(equals + 1)});
   }
-
   return errors;
 }
 
@@ -123,7 +120,6 @@ void add_shared_options(Command& command, TournamentOptions& options, bool sched
 
 ChosenConfig read_and_override(TournamentOptions options, const std::optional<fs::path>& path) {
   std::erase_if(options.overrides, [](const auto& one) { return one.second.empty(); });
-
   ParsedConfig reading;
   if (path) {
     if (const auto why = base::why_no_file(*path)) {

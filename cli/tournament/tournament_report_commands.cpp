@@ -77,7 +77,6 @@ void print_json(const TournamentConfig& config, const std::vector<Fixture>& fixt
     fmt::print("{}{}", separator, base::json_line(json_of(config, planned(fixture))));
     separator = ",\n";
   }
-
   fmt::print("\n], \"standings\": []}}\n");
 }
 
@@ -97,7 +96,6 @@ int plan(const PlanArguments& arguments) {
                      config.format == Format::kDoubleElimination || config.format == Format::kSwiss;
   fmt::print("{}, {} teams, seed {}: {} matches{}\n", name(config.format), config.teams.size(),
              config.seed, fixtures.size(), later ? ", more follow from results" : "");
-
   return kOk;
 }
 
@@ -117,11 +115,9 @@ int read(const std::string& folder, TournamentState& state) {
     return print_error(kNoInput,
                        fmt::format("{}: no tournament; `cls tournament run` creates one", folder));
   }
-
   auto read = read_tournament(folder);
   if (!read) return print_error(kBadData, read.error().message);
   state = *std::move(read);
-
   return kOk;
 }
 
@@ -155,7 +151,6 @@ TextOptions text_options(const FolderArguments& arguments) {
 int status(const FolderArguments& arguments) {
   TournamentState state;
   if (const int exit_code = read_to_report(arguments, state); exit_code != kOk) return exit_code;
-
   const Report report = make_report(state.config, state.matches, arguments.folder);
   const MatchCounts& counts = report.counts;
 
@@ -175,7 +170,6 @@ int status(const FolderArguments& arguments) {
     const Fixture& fixture = state.matches[static_cast<std::size_t>(index) - 1].fixture;
     fmt::print("{}\n", schedule_text(state.config, fixture));
   }
-
   fmt::print("\n{}", standings_text(report, text_options(arguments)));
   return kOk;
 }
@@ -201,7 +195,6 @@ constexpr std::array<ReportFormat, 6> kFormats = {{{"text", report_text},
 fs::path link_base(const FolderArguments& arguments) {
   if (arguments.file.empty()) return arguments.folder;
   std::error_code code;
-
   const fs::path from = fs::absolute(arguments.file, code).parent_path();
   return fs::weakly_canonical(arguments.folder, code)
       .lexically_relative(fs::weakly_canonical(from, code));
@@ -211,18 +204,15 @@ fs::path link_base(const FolderArguments& arguments) {
 bool write_replay(const fs::path& folder) {
   const auto found = find_log(folder.string());
   if (!found) return false;
-
   const auto match = viewer::read_log_or_page(found->logs.game);
   if (!match || match->record.frames() == 0) return false;
 
   std::optional<gamelog::RclRecord> text;
   if (auto read = gamelog::read_rcl_file(found->logs.text)) text = *std::move(read);
-
   const std::string page = viewer::match_page(match->record, text ? &*text : nullptr,
                                               fs::path(found->logs.game).filename().string(), false,
                                               {.missed = viewer::read_missed_decisions(folder),
                                                .drawings = viewer::read_page_drawings(folder)});
-
   return bool(base::write_file(folder / kReplayPage, page));
 }
 
@@ -233,7 +223,6 @@ std::set<int> replay_pages(const Report& report, bool write) {
   std::size_t done = 0;
   for (const ScheduledMatch& match : report.matches) {
     if (write) progress.update(++done);
-
     if (!match.outcome || match.outcome->folder.empty()) continue;
     const fs::path folder = report.folder / match.outcome->folder;
     std::error_code code;
@@ -247,7 +236,6 @@ std::set<int> replay_pages(const Report& report, bool write) {
 int unknown_format(const std::string& format) {
   std::vector<std::string_view> names;
   for (const ReportFormat& known : kFormats) names.push_back(known.name);
-
   const std::string_view near = base::nearest_name(format, names);
   return print_error(
       kUsage, near.empty()
@@ -261,7 +249,6 @@ int report(const FolderArguments& arguments) {
       std::find_if(kFormats.begin(), kFormats.end(),
                    [&format](const ReportFormat& known) { return known.name == format; });
   if (chosen == kFormats.end()) return unknown_format(format);
-
   TournamentState state;
   if (const int exit_code = read_to_report(arguments, state); exit_code != kOk) return exit_code;
 
@@ -274,7 +261,6 @@ int report(const FolderArguments& arguments) {
     fmt::print("{}", text);
     return kOk;
   }
-
   const auto written = base::write_file(arguments.file, text);
   return written ? kOk : print_error(kCannotCreate, written.error().message);
 }
@@ -334,7 +320,6 @@ void add_columns_option(Command& command, FolderArguments& arguments) {
 void add_tournament_plan_command(Command& app) {
   const auto arguments = std::make_shared<PlanArguments>();
   Command& command = app.command("plan", kPlanDescription);
-
   add_tournament_options(command, arguments->tournament);
   command.flag("--json", arguments->json, "print the list as JSON");
   command.run = [arguments] { return plan(*arguments); };
@@ -350,7 +335,6 @@ void add_tournament_status_command(Command& app) {
 void add_tournament_report_command(Command& app) {
   const auto arguments = std::make_shared<FolderArguments>();
   Command& command = add_folder_command(app, "report", kReportDescription, arguments, report);
-
   command.option("--format", arguments->format, "text, md, csv, json, junit or html")
       .shows_default();
   command.option("--out", arguments->file, "write to FILE (default: stdout)").placeholder("FILE");
@@ -361,7 +345,6 @@ void add_tournament_report_command(Command& app) {
   command.flag("--replays", arguments->replays,
                "write a replay page into each match folder (1.5 MB each), to which the\n"
                "lists of matches in Markdown and HTML link");
-
   add_columns_option(command, *arguments);
 }
 

@@ -75,7 +75,6 @@ int run(const Arguments& arguments) {
     const std::size_t to_play = matches_to_play(chosen.config, matches);
     return Outlook{static_cast<double>(to_play), fmt::format("{} matches to play", to_play)};
   };
-
   const OpenedFolder opened = begin_session(folder, chosen.config, arguments.session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
 
@@ -89,7 +88,6 @@ int run(const Arguments& arguments) {
   RunOptions options;
   options.folder = folder;
   options.config = chosen.config;
-
   TournamentProgress progress(stderr_is_terminal(), arguments.session.quiet);
   const auto make =
       [&](const TournamentConfig& config) -> base::Result<std::unique_ptr<MatchExecutor>> {
@@ -119,7 +117,6 @@ int run(const Arguments& arguments) {
 void add_tournament_run_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("run", kDescription);
-
   add_tournament_options(command, arguments->tournament);
   add_session_options(command, arguments->session, "report");
   command.run = [arguments] { return run(*arguments); };

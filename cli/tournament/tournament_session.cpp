@@ -41,7 +41,6 @@ int start_over(const fs::path& folder) {
   if (fs::exists(*aside / kConfigFile, code)) {
     fs::copy_file(*aside / kConfigFile, folder / kConfigFile, code);
   }
-
   return kOk;
 }
 
@@ -86,7 +85,6 @@ std::string warning_line(const TournamentConfig& config, const Warning& warning)
   std::string where = fmt::format("match {} ({} - {})", first.index,
                                   config.teams[static_cast<std::size_t>(first.left)].name,
                                   config.teams[static_cast<std::size_t>(first.right)].name);
-
   if (const std::size_t more = warning.matches.size() - 1; more > 0) {
     where += fmt::format(" and {} more", more);
   }
@@ -98,7 +96,6 @@ void print_warnings(const TournamentConfig& config, const std::vector<Warning>& 
   for (std::size_t i = 0; i < std::min(kShown, warnings.size()); ++i) {
     print_error(0, "warning: " + warning_line(config, warnings[i]));
   }
-
   if (warnings.size() <= kShown) return;
   print_error(0, fmt::format("{} more kinds of warnings: `warnings` in the JSON report",
                              warnings.size() - kShown));
@@ -112,7 +109,6 @@ std::string warning_counts(const std::vector<ScheduledMatch>& matches) {
     warnings += count;
     warned += count > 0;
   }
-
   return base::counted(warnings, "warning") + " in " + base::counted(warned, "match", "matches");
 }
 
@@ -125,7 +121,6 @@ int check_idle(const fs::path& folder) {
 
 OpenedFolder open_folder(const fs::path& folder, const TournamentConfig& config, bool afresh) {
   const auto failed = [](int exit_code) { return OpenedFolder{exit_code, {}, {}}; };
-
   if (afresh) {
     if (const int code = start_over(folder); code != kOk) return failed(code);
   }
@@ -133,7 +128,6 @@ OpenedFolder open_folder(const fs::path& folder, const TournamentConfig& config,
   if (const auto created = base::create_folders(folder); !created) {
     return failed(print_error(kCannotCreate, created.error().message));
   }
-
   auto lock = FolderLock::try_lock(folder);
   if (!lock) return failed(print_error(kCannotCreate, lock.error().message));
   if (!*lock) return failed(busy(folder));
@@ -211,7 +205,6 @@ OpenedFolder begin_session(const fs::path& folder, const TournamentConfig& confi
     opened.exit_code =
         run_preflight(folder, config, options, opened.matches, outlook_of(opened.matches));
   }
-
   return opened;
 }
 
@@ -219,7 +212,6 @@ int end_session(const RunSummary& summary, const TournamentConfig& config,
                 const SessionOptions& options, int exit_code, bool listed) {
   const std::vector<Warning> warnings = warnings_of(summary.matches);
   if (!options.quiet && !listed) print_warnings(config, warnings);
-
   if (!summary.message.empty()) print_error(0, summary.message);
   if (summary.end != RunEnd::kComplete && summary.end != RunEnd::kDecided) {
     print_error(0, fmt::format("{} ({})", counts_text(count(summary.matches)), name(summary.end)));
@@ -233,7 +225,6 @@ int end_session(const RunSummary& summary, const TournamentConfig& config,
 
   if (warnings.empty()) return exit_code;
   const std::string counts = warning_counts(summary.matches);
-
   const bool fails = options.strict && (exit_code == kOk || exit_code == kUndecided);
   if (fails) return print_error(kFailed, fmt::format("{} (--strict)", counts));
   if (!options.quiet) print_error(0, counts);

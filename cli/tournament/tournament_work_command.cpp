@@ -59,14 +59,12 @@ int prepare(const Arguments& arguments) {
   for (Fixture& fixture : next_fixtures(chosen.config, {})) {
     matches.push_back(planned(std::move(fixture)));
   }
-
   const auto written = write_schedule(folder, matches);
   return written ? kOk : print_error(kCannotCreate, written.error().message);
 }
 
 int run(const Arguments& arguments) {
   if (const int exit_code = prepare(arguments); exit_code != kOk) return exit_code;
-
   const fs::path folder = arguments.tournament.folder;
   const auto fixture = read_fixture(
       arguments.schedule.empty() ? folder / kScheduleFile : fs::path(arguments.schedule),
@@ -78,7 +76,6 @@ int run(const Arguments& arguments) {
   if (const auto teams = check_teams(*config, *fixture); !teams) {
     return print_error(kBadData, teams.error().message);
   }
-
   const std::atomic<int>& signal = watch_interrupts();
   const auto program = base::own_program();
   if (!program) return print_error(kUnavailable, program.error().message);
@@ -94,7 +91,6 @@ int run(const Arguments& arguments) {
     played.outcome = **outcome;
     fmt::print("{}  {}\n", schedule_text(*config, *fixture), score_text(played));
   }
-
   if (!(*outcome)->message.empty()) print_error(0, (*outcome)->message);
   return (*outcome)->played() ? kOk : kFailed;
 }
@@ -113,7 +109,6 @@ void add_tournament_work_command(Command& app) {
   command.option("--config", arguments->tournament.config_file,
                  "configuration file, if DIR has no plan yet");
   command.flag("--json", arguments->json, "print the result as one JSON document");
-
   command.run = [arguments] { return run(*arguments); };
 }
 

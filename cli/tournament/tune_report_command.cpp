@@ -41,12 +41,10 @@ struct Arguments {
 int read_search(const std::string& folder, std::optional<Tuning>& tuning) {
   TuneConfig config;
   if (const int code = read_tune_config(folder, config); code != kOk) return code;
-
   tuning.emplace(std::move(config));
   if (const auto replayed = replay_generations(*tuning, folder); !replayed) {
     return print_error(kBadData, replayed.error().message);
   }
-
   if (!tuning->history().empty()) return kOk;
   return print_error(kNoInput, fmt::format("{}: no generation is finished; `cls tune run {}` plays "
                                            "them",
@@ -84,7 +82,6 @@ void add_tune_status_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("status", kStatusDescription);
   command.option("DIR", arguments->folder, "folder of tune.toml").required();
-
   command.flag("--json", arguments->json, "print one JSON document");
   command.run = [arguments] { return status(*arguments); };
 }
@@ -94,7 +91,6 @@ void add_tune_report_command(Command& app) {
   Command& command = app.command("report", kDescription);
   command.option("DIR", arguments->folder, "folder of tune.toml").required();
   command.option("--picture", arguments->picture, "write an SVG image to FILE").placeholder("FILE");
-
   command.flag("--json", arguments->json, "print one JSON document");
   command.run = [arguments] { return report(*arguments); };
 }

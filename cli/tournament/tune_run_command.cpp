@@ -76,7 +76,6 @@ class TuneProgress : public TournamentProgress {
     const Race race = tuning_.race();
     std::string text = fmt::format("generation {}/{}  match {}/{}", race.generation,
                                    config.generations, progress.done, progress.total);
-
     if (!tuning_.history().empty()) {
       text += "  " + score_text(config, tuning_.history().back().score);
     }
@@ -122,7 +121,6 @@ int play_generation(const TuneSetup& setup, Tuning& tuning, const Arguments& arg
   session.force = false;
   session.no_preflight = session.no_preflight || race.generation > 1;
   session.quiet = true;
-
   const auto outlook_of = [&](const std::vector<ScheduledMatch>&) { return Outlook{1.0, ""}; };
   const OpenedFolder opened = begin_session(options.folder, options.config, session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
@@ -164,7 +162,6 @@ int write_result(const Tuning& tuning, const fs::path& folder) {
 int search(const TuneSetup& setup, Tuning& tuning, const Arguments& arguments,
            std::string& write_error) {
   const fs::path folder = arguments.options.folder;
-
   TuneProgress progress(tuning, stderr_is_terminal(), arguments.session.quiet);
   while (!tuning.finished()) {
     const int code = play_generation(setup, tuning, arguments, progress, write_error);
@@ -172,7 +169,6 @@ int search(const TuneSetup& setup, Tuning& tuning, const Arguments& arguments,
     if (const int written = write_result(tuning, folder); written != kOk) return written;
     if (!arguments.session.quiet) fmt::print(stderr, "{}\n", generation_line(tuning));
   }
-
   return kOk;
 }
 
@@ -199,7 +195,6 @@ int compare_best(const TuneSetup& setup, const Tuning& tuning, const Arguments& 
     if (!aside) return print_error(kCannotCreate, aside.error().message);
     if (const int code = make_verdict(setup, tuning, folder, comparison); code != kOk) return code;
   }
-
   SessionOptions session = arguments.session;
   session.force = false;
   return run_comparison(comparison, folder / kVerdictFolder, session, false);
@@ -227,7 +222,6 @@ int run(const Arguments& arguments) {
   if (const auto replayed = replay_generations(tuning, folder); !replayed) {
     return print_error(kBadData, replayed.error().message);
   }
-
   std::string write_error;
   if (const int code = search(setup, tuning, arguments, write_error); code != kOk) return code;
 
@@ -235,7 +229,6 @@ int run(const Arguments& arguments) {
   const auto verdict = known_verdict(setup.tune, folder);
   fmt::print("{}", arguments.session.json ? tune_json(tuning, verdict)
                                           : tune_text(tuning, verdict, stdout_width()));
-
   if (write_error.empty() || exit_code != kOk) return exit_code;
   return print_error(kWriteFailed, write_error);
 }
@@ -245,13 +238,11 @@ int run(const Arguments& arguments) {
 void add_tune_run_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("run", kDescription);
-
   command.option("DIR", arguments->options.folder, "folder of tune.toml").required();
   command
       .option("--generations", arguments->generations,
               "number of generations (default: that of tune.toml)")
       .above(0);
-
   add_condition_options(command, arguments->options);
   add_session_options(command, arguments->session, "report");
   command.run = [arguments] { return run(*arguments); };

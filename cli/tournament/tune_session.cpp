@@ -34,7 +34,6 @@ int add_opponent(TuneSetup& setup, const std::string& side) {
   const auto endpoint = match::parse_endpoint(entry.endpoint);
   if (!endpoint) return print_error(kBadConfig, "opponents: " + endpoint.error().message);
   if (entry.name.empty()) entry.name = match::default_team_name(*endpoint);
-
   const auto taken = [&](const std::string& name) {
     return name.starts_with("tune") ||
            std::any_of(setup.opponents.begin(), setup.opponents.end(),
@@ -45,7 +44,6 @@ int add_opponent(TuneSetup& setup, const std::string& side) {
     constexpr std::size_t kMaxStem = 10;
     entry.name = fmt::format("{}_op{}", entry.name.substr(0, kMaxStem), setup.opponents.size() + 1);
   }
-
   setup.opponents.push_back(std::move(entry));
   return kOk;
 }
@@ -65,7 +63,6 @@ bool is_fresh(const TuneConfig& config, std::uint64_t seed, int generations) {
 
 TestSettings test_of(const TuneConfig& config) {
   TestSettings test;
-
   test.measure = config.measure;
   test.max_goals = config.max_goals;
   test.goals1 = std::min(test.goals1, config.max_goals / 2.0);
@@ -86,7 +83,6 @@ int read_tune_config(const fs::path& folder, TuneConfig& config) {
   print_errors(kBadConfig, parsed.errors);
   if (!parsed.errors.empty()) return kBadConfig;
   config = std::move(parsed.config);
-
   if (config.file_template.empty()) return kOk;
 
   const fs::path path = folder / config.file_template;
@@ -100,7 +96,6 @@ int read_tune_config(const fs::path& folder, TuneConfig& config) {
       return print_error(kBadConfig, fmt::format("{}: does not use {}", path.string(), place));
     }
   }
-
   return kOk;
 }
 
@@ -115,7 +110,6 @@ int make_tune_setup(const TournamentOptions& options, TuneSetup& setup) {
   if (is_given(options, "seed")) setup.tune.seed = setup.conditions.seed;
   // Hundreds of match folders are of no use; --keep-logs all retains them.
   if (!is_given(options, "keep_logs")) setup.conditions.keep_logs = KeepLogs::kFailed;
-
   for (const std::string& side : setup.tune.opponents) {
     if (const int code = add_opponent(setup, side); code != kOk) return code;
   }
@@ -132,7 +126,6 @@ int check_tune_plan(const fs::path& folder, const TuneConfig& config) {
     const auto written = base::write_file(file, plan);
     return written ? kOk : print_error(kCannotCreate, written.error().message);
   }
-
   if (*before == plan) return kOk;
 
   const auto differs = std::mismatch(plan.begin(), plan.end(), before->begin(), before->end());
@@ -176,7 +169,6 @@ int make_verdict(const TuneSetup& setup, const Tuning& tuning, const fs::path& f
   config.matches = {{"BEST", "START"}};
   comparison.test = test_of(setup.tune);
   comparison.max_samples = setup.tune.verdict_pairs;
-
   return kOk;
 }
 
@@ -190,7 +182,6 @@ std::optional<TuneVerdict> known_verdict(const TuneConfig& config, const fs::pat
   comparison.config = std::move(state->config);
   comparison.test = test_of(config);
   comparison.max_samples = config.verdict_pairs;
-
   const ComparisonVerdict known = verdict(comparison, state->matches);
   return TuneVerdict{comparison_text(comparison, state->matches, stdout_width()),
                      std::string(verdict_name(known))};
