@@ -177,7 +177,6 @@ void UdpServer::report_connections() {
     const auto client = static_cast<ClientId>(i);
     const Connection*& reported = reported_[i];
     const Connection* now = match_->connection(client);
-
     if (now == reported) continue;
 
     if (now == nullptr) report(UdpServerEvent::Kind::kDisconnected, client);
