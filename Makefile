@@ -14,11 +14,12 @@ INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tes
 INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server|orchestration/process)$$
 FUZZERS = protocol rcg rcl session view agent compression user_file training
 
-.PHONY: help build test full languages web-test site pictures bench asan tsan asan-input fuzz chaos same-bytes install package format format-check lint clean
+.PHONY: help build test slow-test full languages web-test site pictures bench asan tsan asan-input fuzz chaos same-bytes install package format format-check lint clean
 
 help:
 	@echo 'make build         release build in build/'
-	@echo 'make test          build, run all tests with the short forms of slow suites'
+	@echo 'make test          build, run the tests for daily work'
+	@echo 'make slow-test     the short forms of the slow suites; ./bootstrap test runs both'
 	@echo 'make full          long forms: 20 whole matches, packages, all tests under ASan, UBSan and TSan'
 	@echo 'make languages     teams and projects of every language at length: all templates, the tutorial'
 	@echo 'make web-test      the replay page in Chromium (needs node 18, npm, chromium)'
@@ -46,10 +47,14 @@ build: build/build.ninja
 test: build/build.ninja
 	@grep -q '^BUILD_TESTING:BOOL=ON' build/CMakeCache.txt || cmake --preset release -DBUILD_TESTING=ON
 	@cmake --build --preset release -j $(JOBS)
-	@ctest --test-dir build -j $(TEST_JOBS) --output-on-failure
+	@ctest --test-dir build -j $(TEST_JOBS) -LE '[.]slow$$' --output-on-failure
 
-full: test
-	@CLS_FULL=1 ctest --test-dir build -L '^(matches|packaging)$$' -V
+slow-test: build/build.ninja
+	@cmake --build --preset release -j $(JOBS)
+	@ctest --test-dir build -j $(TEST_JOBS) -L '[.]slow$$' --output-on-failure
+
+full: test slow-test
+	@CLS_FULL=1 ctest --test-dir build -L '^(matches[.]slow|packaging)$$' -V
 	@$(MAKE) --no-print-directory asan
 	@$(MAKE) --no-print-directory tsan
 

@@ -31,12 +31,13 @@ function(cls_cold target)
 endfunction()
 
 # cls_test(<folder> SOURCES <files...> [LINK <targets...>] [NEEDS <targets...>] [TIMEOUT <seconds>]
-#   [PCH <name>])
+#   [PCH <name>] [SLOW])
 # One GoogleTest binary for tests/<folder>, `cls_<folder>_tests`, linked with the folder's library.
 # In CTest a test is named <folder>.<Suite>.<Case> and labelled <folder>. NEEDS lists what must be
-# built although it is not linked (the binary `cls`). Paths: see tests/support/files.h.
+# built although it is not linked (the binary `cls`). SLOW tests have the label <folder>.slow: `make
+# test` leaves them to `make slow-test`. Paths: see tests/support/files.h.
 function(cls_test folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT;PCH" "SOURCES;LINK;NEEDS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SLOW" "TIMEOUT;PCH" "SOURCES;LINK;NEEDS")
   if(NOT arg_SOURCES)
     return()
   endif()
@@ -53,6 +54,10 @@ function(cls_test folder)
     ${arg_LINK} cls_test_support GTest::gmock GTest::gtest_main cls_warnings)
   cls_cold(${target})
   target_compile_definitions(${target} PRIVATE CLS_BUILD_DIR="${CMAKE_BINARY_DIR}")
+  set(label ${folder})
+  if(arg_SLOW)
+    string(APPEND label ".slow")
+  endif()
   if(NOT arg_PCH)
     set(arg_PCH tests)
   endif()
@@ -65,7 +70,7 @@ function(cls_test folder)
     DISCOVERY_TIMEOUT 60
     WORKING_DIRECTORY "${CMAKE_BINARY_DIR}"
     PROPERTIES
-      LABELS "${folder}"
+      LABELS "${label}"
       TIMEOUT ${arg_TIMEOUT}
       # Two properties: gtest_discover_tests passes only the first element of a list.
       ENVIRONMENT "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/tsan.supp"
