@@ -192,7 +192,7 @@ void append_value(std::string_view kind, std::string_view name, std::string_view
   if (value.size() >= 2 && value.front() == '"' && value.back() == '"') {
     append_string(value.substr(1, value.size() - 2), out);
   } else if (is_bool(kind, name)) {
-    out += value == "0" ? "false" : "true";
+    out += value == "0" || value == "false" ? "false" : "true";
   } else if (!append_number(value, out)) {
     append_string(value, out);
   }

@@ -2,15 +2,20 @@
 #include "gamelog/rcg/rcg_reader.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/io/input_buffer.h"
+#include "base/text/number_text.h"
 #include "gamelog/rcg/format_readers.h"
 #include "gamelog/record/record_builder.h"
 
 namespace cls::gamelog {
 namespace {
 
+constexpr std::string_view kHeaderStart = "ULG";
 constexpr std::size_t kBinaryHeaderSize = 4;
 
 bool has_end(const MatchRecord& record) {
@@ -24,6 +29,28 @@ void check_end(const base::InputBuffer& input, RecordBuilder& builder) {
   } else if (builder.record().errors.empty() && !has_end(builder.record())) {
     builder.add_error(input, "no end of the match: the log is incomplete");
   }
+}
+
+// The number after "ULG" of a version that this reader does not know: digits and the end of the
+// line, or one byte. Nothing for other bytes.
+std::optional<int> unknown_version(std::string_view start) {
+  if (!start.starts_with(kHeaderStart) || start.size() == kHeaderStart.size()) return std::nullopt;
+  std::string_view rest = start.substr(kHeaderStart.size());
+  const auto byte = static_cast<unsigned char>(rest.front());
+  if (byte < ' ' && byte != '\n' && byte != '\r') return byte;
+  int number = 0;
+  const std::size_t digits = base::parse_int_prefix(rest, number);
+  rest.remove_prefix(digits);
+  const bool ends = digits > 0 && (rest.starts_with('\n') || rest.starts_with('\r'));
+  return ends ? std::optional(number) : std::nullopt;
+}
+
+std::string why_not_read(std::string_view start) {
+  if (const auto version = unknown_version(start)) {
+    return "game log (rcg) of version " + std::to_string(*version) +
+           ", which this cls does not know: it reads 1 to 6 and JSON; a newer cls may read it";
+  }
+  return "not a game log (rcg)";
 }
 
 /// Selects the reader by the first bytes (docs/spec/log-formats.md 1.2). Server 17 wrote JSON after
@@ -56,7 +83,7 @@ void read_by_kind(base::InputBuffer& input, RecordBuilder& builder) {
     record.version = RcgVersion::kV1;
     read_rcg_binary(input, builder);
   } else {
-    builder.add_error(input, "not a game log (rcg)");
+    builder.add_error(input, why_not_read(start));
   }
 }
 

@@ -218,9 +218,9 @@ class ShowScanner {
 
   bool attention(std::size_t entry) {
     players_.attention[entry] = -1;
-    if (!starts_with("(f ")) return true;
-
-    at_ += 3;
+    if (!starts_with("(f")) return true;
+    at_ += 2;
+    skip_spaces();  // rcgverconv writes no space
     int slot = 0;
     if (!side_and_unum(slot)) return false;
 

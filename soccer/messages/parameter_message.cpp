@@ -18,9 +18,10 @@ void append_value(const std::string& value, std::string& out) {
 
 bool read_value(Scanner& in, double& value) { return in.number(value); }
 bool read_value(Scanner& in, int& value) { return in.any_integer(value); }
+// Servers write 0 and 1, rcgverconv writes words.
 bool read_value(Scanner& in, bool& value) {
-  value = in.optional("1");
-  return value || in.optional("0") || in.fail("0 or 1");
+  value = in.optional("1") || in.optional("true");
+  return value || in.optional("0") || in.optional("false") || in.fail("0 or 1");
 }
 // Strings are not escaped: they end at the quote before the next parenthesis.
 bool read_value(Scanner& in, std::string& value) {

@@ -120,6 +120,41 @@ TEST(ReadRcg, ReadsVersion4WithoutCapacityFocusAndTwelfthCounter) {
   for (std::size_t slot = 1; slot < kSlots; ++slot) EXPECT_EQ(record.players.state[slot], 0u);
 }
 
+TEST(ReadRcg, RefusesUnknownVersionsByNumber) {
+  const auto error_of = [](std::string_view log) {
+    const MatchRecord record = read(log);
+    EXPECT_EQ(record.frames(), 0u);
+    return record.errors.first.at(0).message;
+  };
+  const std::string rest =
+      ", which this cls does not know: it reads 1 to 6 and JSON; a newer cls may read it";
+  EXPECT_EQ(error_of("ULG8\n" + show(1)), "game log (rcg) of version 8" + rest);
+  EXPECT_EQ(error_of("ULG12\r\n" + show(1)), "game log (rcg) of version 12" + rest);
+  EXPECT_EQ(error_of("ULG\x05..."), "game log (rcg) of version 5" + rest);
+  for (const char* other : {"ULG", "ULG\n", "ULG8", "ULGx\n", "ULG8 of clubs\n", "hello"}) {
+    EXPECT_EQ(error_of(other), "not a game log (rcg)") << other;
+  }
+}
+
+// rcgverconv of librcsc writes versions 4 and 5 with words as switches and "(fl 10)".
+TEST(ReadRcg, ReadsTheFormsOfRcgverconv) {
+  const std::string listening =
+      " ((l 1) 2 0x9 -50 0 0 0 1 2 (v h 90) (s 8000 1 1) (fl 10) (c 1 2 3 4 5 6 7 8 9 10 11))"
+      " ((l 2) 2 0x1 -50 0 0 0 1 2 (v h 90) (s 8000 1 1) (fr 3) (c 1 2 3 4 5 6 7 8 9 10 11))";
+  const MatchRecord record = read(
+      "ULG4\n(server_param (auto_mode true)(use_offside false)(half_time 300))\n"
+      "(player_param (allow_mult_default_type true)(player_types 18))\n"
+      "(show 1 ((b) 0 0 0 0)" +
+      listening + ")\n" + kEnd + show(9));
+  ASSERT_TRUE(record.errors.empty()) << format_error("", record.errors.first[0]);
+  EXPECT_TRUE(record.server.auto_mode);
+  EXPECT_FALSE(record.server.use_offside);
+  EXPECT_TRUE(record.player.allow_mult_default_type);
+  EXPECT_EQ(record.players.attention[0], soccer::slot_of(Side::kLeft, 10));
+  EXPECT_EQ(record.players.attention[1], soccer::slot_of(Side::kRight, 3));
+  EXPECT_EQ(record.players.counters[1][10], 11);
+}
+
 TEST(ReadRcg, CountsStoppedCyclesAndTracksModeAndTeams) {
   const MatchRecord record = read("ULG6\n(playmode 1 kick_off_l)\n(team 1 A B 0 0)\n" + show(1) +
                                   show(2) + "(playmode 2 goal_l)\n(team 2 A B 1 0)\n" + show(2) +

@@ -113,6 +113,15 @@ TEST(WriteRcg, OmitsDataUnknownToVersion) {
   }
 }
 
+TEST(WriteRcg, WritesSwitchesThatAreWordsAsJson) {
+  MatchRecord record;
+  record.parameter_lines = {"(server_param (auto_mode true)(use_offside false)(back_passes 0))"};
+  EXPECT_NE(written(record, RcgVersion::kJson)
+                .find("\"auto_mode\":true,\"use_offside\":false,\"back_passes\":false"),
+            std::string::npos)
+      << written(record, RcgVersion::kJson);
+}
+
 TEST(WriteRcg, ConvertsBinaryLogsToText) {
   for (const char* name : {"rcg-v1-excerpt", "rcg-v2-excerpt", "rcg-v3-excerpt"}) {
     SCOPED_TRACE(name);
