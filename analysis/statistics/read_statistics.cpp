@@ -5,6 +5,7 @@
 
 #include "analysis/results/match_summary.h"
 #include "analysis/statistics/match_statistics.h"
+#include "analysis/statistics/spadl_table.h"
 #include "analysis/statistics/statistics_json.h"
 #include "analysis/statistics/statistics_text.h"
 #include "base/system/parallel.h"
@@ -24,6 +25,7 @@ struct Part {
 base::Table empty_table(StatisticsFormat format) {
   return format == StatisticsFormat::kCsvPlayers  ? player_table()
          : format == StatisticsFormat::kCsvEvents ? event_table()
+         : format == StatisticsFormat::kSpadl     ? spadl_table()
                                                   : team_table();
 }
 
@@ -44,6 +46,9 @@ void write_part(const MatchSummary& summary, const MatchStatistics& statistics,
       break;
     case StatisticsFormat::kCsvEvents:
       add_events(summary, statistics, part.rows);
+      break;
+    case StatisticsFormat::kSpadl:
+      add_spadl(summary, statistics, part.rows);
       break;
   }
 }

@@ -12,7 +12,14 @@
 
 namespace cls::analysis {
 
-enum class StatisticsFormat : unsigned char { kText, kJson, kCsv, kCsvPlayers, kCsvEvents };
+enum class StatisticsFormat : unsigned char {
+  kText,
+  kJson,
+  kCsv,
+  kCsvPlayers,
+  kCsvEvents,
+  kSpadl,
+};
 
 /// Errors of one log.
 struct LogProblem {

@@ -32,6 +32,7 @@ constexpr const char* kDescription =
     "  cls stats game.rcg.gz                  teams and players\n"
     "  cls stats game.rcg --json --events     all, with each pass and shot\n"
     "  cls stats runs/ --format csv           one row per team and match\n"
+    "  cls stats runs/ --format spadl         actions, as socceraction reads them\n"
     "\n"
     "LOG is a game log (rcg), a folder, a pattern, or - for standard input.";
 
@@ -49,6 +50,7 @@ std::optional<StatisticsFormat> format_of(const Arguments& arguments) {
   if (arguments.format == "csv") return StatisticsFormat::kCsv;
   if (arguments.format == "csv-players") return StatisticsFormat::kCsvPlayers;
   if (arguments.format == "csv-events") return StatisticsFormat::kCsvEvents;
+  if (arguments.format == "spadl") return StatisticsFormat::kSpadl;
   return std::nullopt;
 }
 
@@ -63,8 +65,9 @@ analysis::StatisticsOutput read_all(const std::vector<gamelog::MatchLogs>& match
 int run_stats_command(const Arguments& arguments) {
   const auto format = format_of(arguments);
   if (!format) {
-    print_error(0, fmt::format("--format '{}': must be text, json, csv, csv-players or csv-events",
-                               arguments.format));
+    print_error(
+        0, fmt::format("--format '{}': must be text, json, csv, csv-players, csv-events or spadl",
+                       arguments.format));
     return kUsage;
   }
 
@@ -87,11 +90,13 @@ void add_stats_command(Command& app) {
   command.group = kResultCommands;
   command.option("LOG", arguments->logs, "game logs, folders or patterns").required();
   command
-      .option("--format", arguments->format, "text, json, csv (teams), csv-players or csv-events")
+      .option("--format", arguments->format,
+              "text, json, csv (teams), csv-players, csv-events or spadl")
       .shows_default();
 
   command.flag("--json", arguments->json, "the same as --format json");
-  command.flag("--events", arguments->events, "with JSON: list each pass, shot, tackle and foul");
+  command.flag("--events", arguments->events,
+               "with JSON: list each pass, shot, tackle and foul (spadl always does)");
   command
       .option("--jobs", arguments->jobs, "logs read in parallel (default: one per processor core)")
       .above(0);

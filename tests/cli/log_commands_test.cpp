@@ -314,6 +314,15 @@ TEST(ConvertCommand, WritesIntoLinksAndPipes) {
   EXPECT_EQ(read_file(piped), read_file(folder.path() / "real.rcg"));
 }
 
+TEST(StatsCommand, PrintsSpadlActions) {
+  const std::string log = log_fixture("match-start.rcg.gz");
+  const CommandResult result = cls_run({"stats", log, "--events", "--format", "spadl"});
+  EXPECT_EQ(result.exit_code, 65);  // truncated log
+  EXPECT_EQ(result.out.substr(0, 34), "game_id,original_event_id,action_i");
+  EXPECT_THAT(result.out, HasSubstr("\n" + log + ",0,0,1,3.1,HELIOS_L,HELIOS_L_"));
+  EXPECT_THAT(result.out, HasSubstr(",shot,1,success,0,foot\n"));
+}
+
 TEST(StatsCommand, PrintsDocumentOfItsSchema) {
   const CommandResult result =
       cls_run({"stats", "--json", "--events", log_fixture("match-start.rcg.gz")});
