@@ -71,6 +71,7 @@ constexpr OptionRow kOptions[] = {
     {"--shard", kOptionsGroup, "K/N"},
     {"--side", kOptionsGroup, "SIDE"},
     {"--status", kOptionsGroup, "STATUS"},
+    {"--cdf", kOptionsGroup, "DIR"},
     {"--tables", kOptionsGroup, "DIR"},
     {"--to", kOptionsGroup, "VERSION"},
     {"--truth", kOptionsGroup, "FILE"},

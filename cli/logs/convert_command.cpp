@@ -48,10 +48,13 @@ struct Arguments {
   std::string out;
   std::string to;
   std::string tables;
+  std::string cdf;
   bool published = false;
   bool json = false;
   bool force = false;
   std::size_t jobs = base::default_jobs();
+
+  bool has_folder() const { return !tables.empty() || !cdf.empty(); }
 };
 
 // The table that OUT is; nothing for a log.
@@ -100,11 +103,13 @@ void print_document(const Arguments& arguments, RcgVersion version,
 
 void print_document(const Arguments& arguments, const TableCounts& counts) {
   nlohmann::ordered_json document = {{"schema", "cls.convert/1"}, {"in", arguments.in}};
-  if (arguments.tables.empty()) {
+  if (!arguments.tables.empty()) {
+    document["tables"] = arguments.tables;
+  } else if (!arguments.cdf.empty()) {
+    document["cdf"] = arguments.cdf;
+  } else {
     document["out"] = arguments.out;
     document["version"] = name(*table_of(arguments));
-  } else {
-    document["tables"] = arguments.tables;
   }
 
   document["matches"] = counts.matches;
@@ -121,11 +126,12 @@ int run_tables(const Arguments& arguments) {
 
   TableCounts counts;
   int exit_code = kOk;
-  if (arguments.tables.empty()) {
-    exit_code = write_match_table(*table_of(arguments), request, counts);
+  if (arguments.has_folder()) {
+    const bool cdf = arguments.tables.empty();
+    request.out = cdf ? arguments.cdf : arguments.tables;
+    exit_code = write_match_files(cdf ? MatchFiles::kCdf : MatchFiles::kTables, request, counts);
   } else {
-    request.out = arguments.tables;
-    exit_code = write_match_tables(request, counts);
+    exit_code = write_match_table(*table_of(arguments), request, counts);
   }
 
   if (arguments.json && (exit_code == kOk || exit_code == kBadData)) {
@@ -137,13 +143,11 @@ int run_tables(const Arguments& arguments) {
 
 // Why the arguments do not fit together; empty: they do.
 std::string why_wrong(const Arguments& arguments) {
-  if (arguments.out.empty() == arguments.tables.empty()) {
-    return arguments.out.empty() ? "convert: name OUT, or a folder with --tables DIR"
-                                 : "convert: either OUT or --tables DIR";
-  }
-
-  if (!arguments.tables.empty() && !arguments.to.empty()) {
-    return "--to: --tables writes all tables; name OUT for one of them";
+  const int outputs = !arguments.out.empty() + !arguments.tables.empty() + !arguments.cdf.empty();
+  if (outputs == 0) return "convert: name OUT, or a folder with --tables DIR or --cdf DIR";
+  if (outputs > 1) return "convert: only one of OUT, --tables DIR and --cdf DIR";
+  if (arguments.has_folder() && !arguments.to.empty()) {
+    return "--to: --tables and --cdf write all files; name OUT for one table";
   }
 
   std::optional<RcgVersion> version;
@@ -151,16 +155,14 @@ std::string why_wrong(const Arguments& arguments) {
     return fmt::format("--to '{}': must be 4, 5, 6, json, tracking, player_types or event",
                        arguments.to);
   }
-  if (!version && !table_of(arguments) && arguments.tables.empty() &&
-      !names_format(arguments.out)) {
+  if (!version && !table_of(arguments) && !arguments.has_folder() && !names_format(arguments.out)) {
     return fmt::format(
         "OUT '{}': its ending names no format; use {}, .tracking.csv and its "
         "siblings, or --to",
         arguments.out, fmt::join(kEndings, ", "));
   }
-
-  if (arguments.published && arguments.tables.empty() &&
-      table_of(arguments) != MatchTable::kTracking) {
+  const bool tracks = !arguments.tables.empty() || table_of(arguments) == MatchTable::kTracking;
+  if (arguments.published && !tracks) {
     return "--published: only for tracking tables";
   }
 
@@ -184,7 +186,7 @@ int write_log(const Arguments& arguments, const viewer::StreamMatch& match, RcgV
 
 int run_convert_command(const Arguments& arguments) {
   if (const std::string why = why_wrong(arguments); !why.empty()) return print_error(kUsage, why);
-  if (!arguments.tables.empty() || table_of(arguments)) return run_tables(arguments);
+  if (arguments.has_folder() || table_of(arguments)) return run_tables(arguments);
   if (const auto failure = why_not_replaced(arguments.out, arguments.force)) {
     return print_error(failure->exit_code, failure->message);
   }
@@ -224,12 +226,15 @@ void add_convert_command(Command& app) {
                  "the log for a page); or a table: tracking, player_types or event");
 
   command.option("--tables", arguments->tables, "write all tables of each match into this folder");
+  command.option("--cdf", arguments->cdf,
+                 "write each match in the Common Data Format into this folder");
   command.flag("--published", arguments->published,
                "tracking tables of 168 columns, as published for 2021 and 2024");
   command.flag("--force", arguments->force, "replace existing files");
   command
       .option("--jobs", arguments->jobs,
-              "with --tables: logs read in parallel (default: one per core)")
+              "with --tables and --cdf: logs read in parallel (default: one per\n"
+              "core)")
       .above(0);
 
   command.flag("--json", arguments->json, "print frames and errors as one JSON document");

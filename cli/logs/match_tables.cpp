@@ -5,10 +5,15 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "analysis/play/flow.h"
+#include "analysis/tables/cdf_documents.h"
+#include "analysis/tables/cdf_lines.h"
+#include "analysis/tables/cdf_match.h"
 #include "analysis/tables/event_table.h"
 #include "analysis/tables/player_type_table.h"
 #include "base/io/whole_file.h"
@@ -133,10 +138,57 @@ int write_from_record(MatchTable table, const std::string& in, const TableReques
   return finish(in, record.errors, failure, counts);
 }
 
-// A log of many, and where its tables go.
+// One of many matches, while its files are written.
+struct OneMatch {
+  const MatchRecord& record;
+  std::string id;
+  analysis::TrackingColumns columns;
+  std::unique_ptr<analysis::CdfMatch> cdf;
+};
+
+struct FileKind {
+  const char* suffix;
+  void (*write)(const OneMatch& match, base::ByteSink& sink);
+};
+
+template <MatchTable kTable>
+void write_table_of(const OneMatch& match, base::ByteSink& sink) {
+  write_table(kTable, match.record, match.columns, sink);
+}
+
+constexpr FileKind kTableFiles[] = {
+    {".tracking.csv", write_table_of<MatchTable::kTracking>},
+    {".player_types.csv", write_table_of<MatchTable::kPlayerTypes>},
+    {".event.csv", write_table_of<MatchTable::kEvents>},
+};
+
+constexpr FileKind kCdfFiles[] = {
+    {".match.json",
+     [](const OneMatch& match, base::ByteSink& sink) {
+       sink.write(analysis::cdf_match_document(*match.cdf));
+     }},
+    {".meta.json",
+     [](const OneMatch& match, base::ByteSink& sink) {
+       sink.write(analysis::cdf_meta_document(*match.cdf));
+     }},
+    {".event.jsonl", [](const OneMatch& match,
+                        base::ByteSink& sink) { sink.write(analysis::cdf_events(*match.cdf)); }},
+    {".tracking.jsonl",
+     [](const OneMatch& match, base::ByteSink& sink) {
+       analysis::write_cdf_tracking(*match.cdf, sink);
+     }},
+};
+
+std::span<const FileKind> kinds_of(MatchFiles files) {
+  if (files == MatchFiles::kCdf) return kCdfFiles;
+  return kTableFiles;
+}
+
+// A log of many, and where its files go.
 struct Job {
   std::string log;
-  fs::path stem;  ///< without the suffix of a table
+  std::string id;  ///< the name of the log, without endings
+  fs::path stem;   ///< of its files, without suffix
   std::optional<OutputFailure> failure{};
   gamelog::ParseErrors errors{};
   std::string unreadable{};
@@ -158,33 +210,34 @@ std::vector<Job> plan_jobs(const gamelog::FoundLogs& found, const TableRequest& 
   for (const gamelog::MatchLogs& match : found.matches) {
     if (match.game.empty()) continue;
     const fs::path log = match.game == "-" ? fs::path("match") : fs::path(match.game);
-    const fs::path name = below ? log.lexically_relative(request.in) : log.filename();
-    jobs.push_back({match.game, fs::path(request.out) / without_endings(name)});
+    const fs::path name =
+        without_endings(below ? log.lexically_relative(request.in) : log.filename());
+    jobs.push_back({match.game, name.generic_string(), fs::path(request.out) / name});
   }
 
   return jobs;
 }
 
-fs::path file_of(const Job& job, MatchTable table) { return job.stem.string() + suffix(table); }
+fs::path file_of(const Job& job, const FileKind& kind) { return job.stem.string() + kind.suffix; }
 
 // Two logs of a pattern can have the same name in different folders.
-std::optional<OutputFailure> check_outputs(const std::vector<Job>& jobs, bool force) {
+std::optional<OutputFailure> check_outputs(const std::vector<Job>& jobs,
+                                           std::span<const FileKind> kinds, bool force) {
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     for (std::size_t other = 0; other < i; ++other) {
       if (jobs[other].stem != jobs[i].stem) continue;
-      return OutputFailure{kUsage, fmt::format("{} and {} would have the same tables; name their "
-                                               "folder, whose sub-folders the tables keep",
+      return OutputFailure{kUsage, fmt::format("{} and {} would have the same files; name their "
+                                               "folder, whose sub-folders they keep",
                                                jobs[other].log, jobs[i].log)};
     }
-
-    for (const MatchTable table : kTables) {
-      if (auto failure = why_not_replaced(file_of(jobs[i], table), force)) return failure;
+    for (const FileKind& kind : kinds) {
+      if (auto failure = why_not_replaced(file_of(jobs[i], kind), force)) return failure;
     }
   }
   return std::nullopt;
 }
 
-void run_job(Job& job, analysis::TrackingColumns columns) {
+void run_job(Job& job, MatchFiles files, analysis::TrackingColumns columns) {
   const auto match = viewer::read_log_or_page(job.log);
   if (!match) {
     job.unreadable = match.error().message;
@@ -200,10 +253,11 @@ void run_job(Job& job, analysis::TrackingColumns columns) {
     job.failure = {kCannotCreate, created.error().message};
     return;
   }
-
-  for (const MatchTable table : kTables) {
-    job.failure = write_output(file_of(job, table), [&](base::ByteSink& sink) {
-      write_table(table, record, columns, sink);
+  OneMatch one{record, job.id, columns, nullptr};
+  if (files == MatchFiles::kCdf) one.cdf = std::make_unique<analysis::CdfMatch>(record, job.id);
+  for (const FileKind& kind : kinds_of(files)) {
+    job.failure = write_output(file_of(job, kind), [&](base::ByteSink& sink) {
+      kind.write(one, sink);
       return true;
     });
     if (job.failure) return;
@@ -248,21 +302,23 @@ int write_match_table(MatchTable table, const TableRequest& request, TableCounts
   return stream_tracking(**source, *log, request, counts);
 }
 
-int write_match_tables(const TableRequest& request, TableCounts& counts) {
+int write_match_files(MatchFiles files, const TableRequest& request, TableCounts& counts) {
   const gamelog::FoundLogs found = gamelog::find_logs({request.in});
   std::vector<Job> jobs = plan_jobs(found, request);
   int exit_code = report_missing(found);
   if (exit_code == kOk && jobs.empty()) {
     return print_error(kNoInput, fmt::format("{}: no game log (rcg)", request.in));
   }
-  if (const auto failure = check_outputs(jobs, request.force)) return report_failure(failure);
+  if (const auto failure = check_outputs(jobs, kinds_of(files), request.force)) {
+    return report_failure(failure);
+  }
 
   const std::atomic<int>& signal = watch_interrupts();
   LogProgress progress(jobs.size());
   base::parallel_for(
       jobs.size(), request.jobs,
       [&](std::size_t i) {
-        if (signal == 0) run_job(jobs[i], request.columns);
+        if (signal == 0) run_job(jobs[i], files, request.columns);
       },
       [&](std::size_t count) { progress.update(count); });
 

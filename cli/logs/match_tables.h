@@ -1,4 +1,4 @@
-// `cls convert` into tables: one of a match, or all tables of many matches.
+// `cls convert` into tables: one of a match, or all files of many matches.
 #pragma once
 
 #include <cstddef>
@@ -20,9 +20,15 @@ std::optional<MatchTable> parse_match_table(std::string_view name);
 /// The table that a file holds by its name: OUT.tracking.csv, OUT.event.csv.gz.
 std::optional<MatchTable> table_of_file(std::string_view path);
 
+/// Files that are written together.
+enum class MatchFiles : unsigned char {
+  kTables,  ///< NAME.tracking.csv, NAME.player_types.csv, NAME.event.csv
+  kCdf,     ///< Common Data Format: NAME.match.json, .meta.json, .event.jsonl, .tracking.jsonl
+};
+
 struct TableRequest {
-  std::string in;   ///< a log, a page or a folder; of find_logs() for write_match_tables()
-  std::string out;  ///< a file, or the folder for write_match_tables()
+  std::string in;   ///< a log, a page or a folder; of find_logs() for write_match_files()
+  std::string out;  ///< a file, or the folder for write_match_files()
   analysis::TrackingColumns columns = analysis::TrackingColumns::kAll;
   bool force = false;
   std::size_t jobs = 1;
@@ -39,8 +45,8 @@ struct TableCounts {
 /// the log is read. Returns the exit code.
 int write_match_table(MatchTable table, const TableRequest& request, TableCounts& counts);
 
-/// Writes all tables of all matches of `request.in` in parallel, and prints errors. Files have the
+/// Writes the files of all matches of `request.in` in parallel, and prints errors. Files have the
 /// names of the logs, in the folders of the logs. Returns the exit code.
-int write_match_tables(const TableRequest& request, TableCounts& counts);
+int write_match_files(MatchFiles files, const TableRequest& request, TableCounts& counts);
 
 }  // namespace cls::cli

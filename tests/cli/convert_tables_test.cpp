@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -81,6 +82,21 @@ TEST_F(ConvertTables, AllTablesOfAFolderKeepItsFolders) {
   EXPECT_EQ(convert({"cup", "--tables", "csv", "--force"}).exit_code, 0);
 }
 
+TEST_F(ConvertTables, WritesTheCommonDataFormat) {
+  put_log("rcg-v6-excerpt.rcg.gz", "cup/matches/1/match.rcg.gz");
+  const CommandResult result = convert({"cup", "--cdf", "out", "--json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(json::parse(result.out)["cdf"], "out");
+  const std::string stem = path("out/matches/1/match");
+  const json sheet = json::parse(read_file(stem + ".match.json"));
+  EXPECT_EQ(sheet["match"]["id"], "matches/1/match");
+  EXPECT_EQ(json::parse(read_file(stem + ".meta.json"))["match"]["id"], "matches/1/match");
+  const std::string frames = read_file(stem + ".tracking.jsonl");
+  EXPECT_EQ(std::count(frames.begin(), frames.end(), '\n'), 25);
+  EXPECT_TRUE(fs::exists(stem + ".event.jsonl"));
+  EXPECT_EQ(convert({"cup", "--cdf", "out"}).exit_code, 73);
+}
+
 TEST_F(ConvertTables, OneTableNeedsOneLog) {
   put_log("rcg-v6-excerpt.rcg.gz", "one/match.rcg.gz");
   EXPECT_EQ(convert({"one", "a.tracking.csv"}).exit_code, 0);
@@ -100,8 +116,8 @@ TEST_F(ConvertTables, LogsOfOneNameCannotShareTables) {
   const CommandResult result = convert({"?/*.rcg.gz", "--tables", "csv"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.err,
-            "cls: a/match.rcg.gz and b/match.rcg.gz would have the same tables; name their folder, "
-            "whose sub-folders the tables keep\n");
+            "cls: a/match.rcg.gz and b/match.rcg.gz would have the same files; name their folder, "
+            "whose sub-folders they keep\n");
   EXPECT_FALSE(fs::exists(path("csv")));
 }
 
@@ -131,15 +147,25 @@ TEST_F(ConvertTables, ConvertsReadableFramesOfACorruptLog) {
   EXPECT_FALSE(fs::exists(path("partial-bad.tracking.csv")));
 }
 
+TEST_F(ConvertTables, RefusesLogsOfLaterVersions) {
+  std::ofstream(path("next.rcg")) << "ULG8\n";
+  const CommandResult next = convert({"next.rcg", "x.tracking.csv"});
+  EXPECT_EQ(next.exit_code, 65);
+  EXPECT_EQ(next.err,
+            "cls: next.rcg: byte 0, cycle 0: game log (rcg) of version 8, which this cls does not "
+            "know: it reads 1 to 6 and JSON; a newer cls may read it\n");
+}
+
 TEST_F(ConvertTables, RefusesArgumentsThatDoNotFit) {
   const std::string game = log("rcg-v6-excerpt.rcg.gz");
-  EXPECT_EQ(convert({game}).err, "cls: convert: name OUT, or a folder with --tables DIR\n");
+  EXPECT_EQ(convert({game}).err,
+            "cls: convert: name OUT, or a folder with --tables DIR or --cdf DIR\n");
   EXPECT_EQ(convert({game, "x.rcg", "--tables", "csv"}).err,
-            "cls: convert: either OUT or --tables DIR\n");
+            "cls: convert: only one of OUT, --tables DIR and --cdf DIR\n");
   EXPECT_EQ(convert({game, "x.event.csv", "--published"}).err,
             "cls: --published: only for tracking tables\n");
   const CommandResult both = convert({game, "--tables", "csv", "--to", "event"});
-  EXPECT_EQ(both.err, "cls: --to: --tables writes all tables; name OUT for one of them\n");
+  EXPECT_EQ(both.err, "cls: --to: --tables and --cdf write all files; name OUT for one table\n");
   EXPECT_EQ(both.exit_code, 2);
   std::ofstream(path("mine.event.csv")) << "mine";
   EXPECT_EQ(convert({game, "mine.event.csv"}).err,

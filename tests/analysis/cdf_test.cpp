@@ -1,0 +1,167 @@
+// Files of the Common Data Format against its schemas.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "analysis/tables/cdf_documents.h"
+#include "analysis/tables/cdf_lines.h"
+#include "analysis/tables/cdf_match.h"
+#include "base/io/byte_sink.h"
+#include "gamelog/rcg/rcg_reader.h"
+#include "tests/gamelog/scripted_match.h"
+#include "tests/support/files.h"
+#include "tests/support/json_schema.h"
+
+namespace cls::analysis {
+namespace {
+
+using nlohmann::json;
+using soccer::PlayMode;
+using testing::IsEmpty;
+using tests::left;
+using tests::right;
+using tests::ScriptedMatch;
+
+std::vector<std::string> errors_of(const std::string& kind, const json& document) {
+  const auto path = tests::fixture("cdf/" + kind + ".schema.json");
+  return tests::schema_errors(json::parse(tests::read_file(path)), document);
+}
+
+std::vector<json> lines_of(const std::string& text) {
+  std::vector<json> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(json::parse(line));
+  return lines;
+}
+
+std::vector<json> tracking_of(const CdfMatch& match) {
+  base::StringSink sink;
+  write_cdf_tracking(match, sink);
+  return lines_of(sink.bytes());
+}
+
+void expect_schemas(const gamelog::MatchRecord& record) {
+  const CdfMatch match(record, "a/b");
+  EXPECT_THAT(errors_of("match", json::parse(cdf_match_document(match))), IsEmpty());
+  EXPECT_THAT(errors_of("meta", json::parse(cdf_meta_document(match))), IsEmpty());
+  for (const json& event : lines_of(cdf_events(match))) {
+    ASSERT_THAT(errors_of("event", event), IsEmpty()) << event;
+  }
+  const std::vector<json> frames = tracking_of(match);
+  EXPECT_EQ(frames.size(), record.frames());
+  for (const json& frame : frames) ASSERT_THAT(errors_of("tracking", frame), IsEmpty()) << frame;
+}
+
+TEST(Cdf, RecordedMatchesFitTheSchemas) {
+  for (const char* name :
+       {"rcg-v1-excerpt", "rcg-v3-excerpt", "rcg-v6-excerpt", "rcg-json-excerpt", "match-start"}) {
+    SCOPED_TRACE(name);
+    const auto path = tests::fixture(std::string("gamelog/") + name + ".rcg.gz").string();
+    const auto record = gamelog::read_rcg_file(path);
+    ASSERT_TRUE(record);
+    expect_schemas(*record);
+  }
+}
+
+TEST(Cdf, EmptyAndNamelessMatchesFitTheSchemas) {
+  expect_schemas({});
+  ScriptedMatch nameless;
+  nameless.next().teams = {};
+  nameless.steps(3);
+  expect_schemas(nameless.record());
+}
+
+// What the schemas demand is really checked.
+TEST(Cdf, SchemasFindErrors) {
+  EXPECT_THAT(errors_of("tracking", json::object()), testing::Not(IsEmpty()));
+  ScriptedMatch match;
+  json frame = tracking_of(CdfMatch(match.record(), "m"))[0];
+  frame["ball"]["x"] = "0";
+  EXPECT_THAT(errors_of("tracking", frame),
+              testing::ElementsAre("/ball/x: must be [\"number\",\"null\"]"));
+  frame = tracking_of(CdfMatch(match.record(), "m"))[0];
+  frame["period"] = "third_half";
+  EXPECT_THAT(errors_of("tracking", frame), testing::ElementsAre("/period: not in the enum"));
+  frame = tracking_of(CdfMatch(match.record(), "m"))[0];
+  frame["teams"]["home"]["players"][3].erase("y");
+  EXPECT_THAT(errors_of("tracking", frame),
+              testing::ElementsAre("/teams/home/players/3: lacks \"y\""));
+}
+
+TEST(Cdf, FramesHaveThePitchAroundTheOriginAndUpwards) {
+  ScriptedMatch match;
+  match.player(right(11)).position = {3, 4};
+  match.player(right(11)).velocity = {0.3, -0.4};
+  match.player(left(2)).state = 0;
+  match.kick(left(5), {1, 0.5});
+  const CdfMatch cdf(match.record(), "m");
+  const json frame = tracking_of(cdf)[1];
+  EXPECT_EQ(frame["frame_id"], 1);
+  EXPECT_EQ(frame["timestamp"], "1970-01-01T00:00:00.100Z");
+  EXPECT_EQ(frame["period"], "first_half");
+  EXPECT_EQ(frame["match"]["id"], "m");
+  EXPECT_EQ(frame["ball_status"], true);
+  EXPECT_EQ(frame["ball_poss_team_id"], "A");
+  EXPECT_EQ(frame["ball"], (json{{"x", 1}, {"y", -0.5}, {"z", 0}}));
+  EXPECT_EQ(frame["teams"]["home"]["players"].size(), 10u) << "left 2 is not connected";
+  EXPECT_EQ(frame["teams"]["away"]["players"][10],
+            (json{{"id", "B_11"}, {"x", 3}, {"y", -4}, {"vel", 5}}));
+}
+
+TEST(Cdf, EventsHaveReceiversAndFrames) {
+  ScriptedMatch match;
+  match.kick(left(5), {1, 0});
+  match.step();
+  match.kick(left(6), {0.1, 0});
+  const CdfMatch cdf(match.record(), "m");
+  const std::vector<json> events = lines_of(cdf_events(cdf));
+  ASSERT_EQ(events.size(), 1u);
+  const json& event = events[0]["event"];
+  EXPECT_EQ(event["id"], "m_0");
+  EXPECT_EQ(event["type"], "pass");
+  EXPECT_EQ(event["is_successful"], true);
+  EXPECT_EQ(event["player_id"], "A_5");
+  EXPECT_EQ(event["receiver_id"], "A_6");
+  EXPECT_EQ(event["receiver_time"], "1970-01-01T00:00:00.300Z");
+  EXPECT_EQ(event["match_clock"], "00:00.20");
+  EXPECT_EQ(events[0]["tracking"], (json{{"frame_id", 1}, {"frame_id_end", 3}}));
+}
+
+TEST(Cdf, DocumentsHavePeriodsGoalsAndResult) {
+  ScriptedMatch match;
+  match.record().server.half_time = 1;
+  match.record().notes.push_back(
+      {0, 0, 0, gamelog::Message{1, "(result 202607301415 A_1-vs-B_0)"}});
+  match.steps(12);
+  match.place_ball({45, 0});
+  match.step();
+  match.kick(left(9), {2.7, 0});
+  match.steps(3);
+  match.score(1, 0);
+  match.mode(PlayMode::kGoalLeft);
+  match.step();
+  match.mode(PlayMode::kTimeOver);
+  match.step();
+  const CdfMatch cdf(match.record(), "m");
+  const json sheet = json::parse(cdf_match_document(cdf));
+  EXPECT_EQ(sheet["match"]["result"]["final"], (json{{"home", 1}, {"away", 0}}));
+  EXPECT_EQ(sheet["match"]["result"]["first_half"], (json{{"home", 0}, {"away", 0}}));
+  EXPECT_EQ(sheet["match"]["result"]["second_half"], (json{{"home", 1}, {"away", 0}}));
+  EXPECT_EQ(sheet["match"]["result"]["final_winning_team_id"], "A");
+  ASSERT_EQ(sheet["events"]["goals"].size(), 1u);
+  EXPECT_EQ(sheet["events"]["goals"][0]["player_id"], "A_9");
+  EXPECT_EQ(sheet["events"]["goals"][0]["period"], "second_half");
+  const json meta = json::parse(cdf_meta_document(cdf));
+  EXPECT_EQ(meta["match"]["kickoff_time"], "2026-07-30T14:15:00.000Z");
+  ASSERT_EQ(meta["match"]["periods"].size(), 2u);
+  EXPECT_EQ(meta["match"]["periods"][1]["frame_id_start"], 10);
+  EXPECT_EQ(meta["match"]["whistles"].size(), 4u);
+  EXPECT_EQ(meta["meta"]["tracking"]["fps"], 10);
+}
+
+}  // namespace
+}  // namespace cls::analysis
