@@ -164,7 +164,9 @@ class TrackingLines {
   void add_ball(std::size_t frame) {
     out_ += '{';
     add_point(record_.ball_position[frame]);
-    out_ += R"(,"z":0})";
+    out_ += R"(,"z":)";
+    base::append_g(record_.ball_height[frame], out_);
+    out_ += '}';
   }
 
   const CdfMatch& match_;

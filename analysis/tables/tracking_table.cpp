@@ -16,7 +16,7 @@ using gamelog::RcgVersion;
 
 constexpr std::size_t kCell = base::kMaxNumberLength + 1;
 constexpr std::size_t kPlayerCells = 9;
-constexpr std::size_t kNumberCells = 7 + gamelog::kSlots * kPlayerCells;
+constexpr std::size_t kNumberCells = 8 + gamelog::kSlots * kPlayerCells;
 constexpr std::size_t kMaxModeLength = 64;
 
 char* write_text(std::string_view text, char* to) {
@@ -75,6 +75,7 @@ void TrackingTable::write_heading() {
     }
     if (columns_ == TrackingColumns::kAll) line += player + "_vwidth" + player + "_stamina";
   }
+  if (has_ball_height_) line += ",b_z";
   sink_.write(line + '\n');
 }
 
@@ -96,13 +97,17 @@ void TrackingTable::set_teams(const MatchRecord& record, std::uint32_t state) {
 }
 
 void TrackingTable::on_frame(const MatchRecord& record, std::size_t frame) {
-  if (rows_ == 0) write_heading();
+  if (rows_ == 0) {
+    has_ball_height_ = record.has_ball_height;
+    write_heading();
+  }
   count(record.time[frame]);
   set_teams(record, record.team_state[frame]);
 
   row_.resize(kNumberCells * kCell + kMaxModeLength + teams_.size());
   char* to = write_start(record, frame, row_.data());
   to = write_players(record, frame, to);
+  if (has_ball_height_) to = write_number(record.ball_height[frame], to);
   *to++ = '\n';
   sink_.write({row_.data(), static_cast<std::size_t>(to - row_.data())});
 }

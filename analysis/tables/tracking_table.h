@@ -19,7 +19,7 @@ enum class TrackingColumns : std::uint8_t {
 
 /// Writes the rows (docs/data.md) into `sink`, which must outlive the table. For logs of versions 4
 /// to 6 and JSON the bytes are those of rcg2csv. Cells of values that the version of a log lacks
-/// are empty.
+/// are empty. A log of the 2.5D server has the column b_z behind the others.
 class TrackingTable : public gamelog::FrameListener {
  public:
   explicit TrackingTable(base::ByteSink& sink, TrackingColumns columns = TrackingColumns::kAll);
@@ -37,6 +37,7 @@ class TrackingTable : public gamelog::FrameListener {
   TrackingColumns columns_;
   std::string row_;
   std::size_t rows_ = 0;
+  bool has_ball_height_ = false;  // of the first frame
   int time_ = 0;
   int stopped_ = 0;
   std::string teams_;  // cells of the team state

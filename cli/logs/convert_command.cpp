@@ -31,7 +31,7 @@ using gamelog::RcgVersion;
 
 constexpr const char* kDescription =
     "convert a game log to another version or into tables\n"
-    "Reads rcg versions 1 to 6 and JSON, plain or gzip, and pages of 'cls watch'.\n"
+    "Reads rcg versions 1 to 7 and JSON, plain or gzip, and pages of 'cls watch'.\n"
     "\n"
     "  cls convert old.rcg.gz new.rcg             version 6\n"
     "  cls convert game.rcg game.rcg.gz --to 4    version 4, compressed\n"
@@ -67,6 +67,7 @@ bool parse_target(const std::string& to, std::optional<RcgVersion>& version) {
   if (to == "4") version = RcgVersion::kV4;
   if (to == "5") version = RcgVersion::kV5;
   if (to == "6") version = RcgVersion::kV6;
+  if (to == "7") version = RcgVersion::kV7;
   if (to == "json") version = RcgVersion::kJson;
   return to.empty() || version.has_value();
 }
@@ -152,7 +153,7 @@ std::string why_wrong(const Arguments& arguments) {
 
   std::optional<RcgVersion> version;
   if (!table_of(arguments) && !parse_target(arguments.to, version)) {
-    return fmt::format("--to '{}': must be 4, 5, 6, json, tracking, player_types or event",
+    return fmt::format("--to '{}': must be 4, 5, 6, 7, json, tracking, player_types or event",
                        arguments.to);
   }
   if (!version && !table_of(arguments) && !arguments.has_folder() && !names_format(arguments.out)) {
@@ -222,7 +223,7 @@ void add_convert_command(Command& app) {
   command.option("IN", arguments->in, "input game log; for tables also a folder").required();
   command.option("OUT", arguments->out, "output file, compressed if it ends in .gz");
   command.option("--to", arguments->to,
-                 "version: 4, 5, 6 or json (default: 6, json for OUT.json, that of\n"
+                 "version: 4, 5, 6, 7 or json (default: 6, json for OUT.json, that of\n"
                  "the log for a page); or a table: tracking, player_types or event");
 
   command.option("--tables", arguments->tables, "write all tables of each match into this folder");

@@ -50,7 +50,7 @@ constexpr const char* kDescription =
     "  cls watch localhost:6000               the match on any soccer server\n"
     "  cls watch runs --view terminal         without a browser, for example over ssh\n"
     "\n"
-    "WHAT is a game log (rcg 1 to 6, JSON, gzip), a page of cls, a match folder, a\n"
+    "WHAT is a game log (rcg 1 to 7, JSON, gzip), a page of cls, a match folder, a\n"
     "folder of matches (the latest that failed, else the latest), a tournament's\n"
     "folder (a list of its matches with a page of each; with --out as a folder of\n"
     "matches), HOST:PORT of a soccer server, or - for standard input.";

@@ -1,4 +1,4 @@
-// Readers of the game log formats: binary (versions 1 to 3), text (4 to 6) and JSON.
+// Readers of the game log formats: binary (versions 1 to 3), text (4 to 7) and JSON.
 #pragma once
 
 #include <string_view>
@@ -24,7 +24,7 @@ bool looks_like_version_1(std::string_view start);
 /// 3. Reading ends at a record of unknown kind, because its length is unknown.
 void read_rcg_binary(base::InputBuffer& input, RecordBuilder& builder);
 
-/// Reads everything after the header line `ULG4`, `ULG5` or `ULG6` (docs/spec/log-formats.md 1.7).
+/// Reads everything after the header line `ULG4` to `ULG7` (docs/spec/log-formats.md 1.7).
 /// Corrupt lines are reported in the record and skipped; records of unknown kinds are stored as
 /// text.
 void read_rcg_text(base::InputBuffer& input, RecordBuilder& builder);

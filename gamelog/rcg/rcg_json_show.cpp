@@ -213,10 +213,12 @@ bool read_ball(base::JsonCursor& in, Frame& frame) {
   if (!in.open('{')) return false;
 
   while (in.next_key(key)) {
+    if (key == "z" && !frame.ball_height) frame.ball_height = 0.0;
     double* value = key == "x"    ? &frame.ball_position.x
                     : key == "y"  ? &frame.ball_position.y
                     : key == "vx" ? &frame.ball_velocity.x
                     : key == "vy" ? &frame.ball_velocity.y
+                    : key == "z"  ? &*frame.ball_height
                                   : nullptr;
     if (!(value == nullptr ? in.skip_value() : in.number(*value))) return false;
   }

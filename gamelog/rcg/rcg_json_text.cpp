@@ -314,6 +314,7 @@ void append_json_show(const Frame& frame, std::string& out, JsonShow form) {
   append_length("y", frame.ball_position.y, out);
   append_length("vx", frame.ball_velocity.x, out);
   append_length("vy", frame.ball_velocity.y, out);
+  if (frame.ball_height) append_length("z", *frame.ball_height, out);
   out += "},\"players\":[";
 
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {

@@ -48,7 +48,7 @@ std::optional<int> unknown_version(std::string_view start) {
 std::string why_not_read(std::string_view start) {
   if (const auto version = unknown_version(start)) {
     return "game log (rcg) of version " + std::to_string(*version) +
-           ", which this cls does not know: it reads 1 to 6 and JSON; a newer cls may read it";
+           ", which this cls does not know: it reads 1 to 7 and JSON; a newer cls may read it";
   }
   return "not a game log (rcg)";
 }
@@ -71,8 +71,10 @@ void read_by_kind(base::InputBuffer& input, RecordBuilder& builder) {
     record.version = RcgVersion::kJson;
     if (!start.starts_with('[')) input.next_line(header);
     read_rcg_json(input, builder);
-  } else if (end != std::string::npos && (first == "ULG4" || first == "ULG5" || first == "ULG6")) {
+  } else if (end != std::string::npos &&
+             (first == "ULG4" || first == "ULG5" || first == "ULG6" || first == "ULG7")) {
     record.version = static_cast<RcgVersion>(start[3] - '0');
+    record.has_ball_height = record.version == RcgVersion::kV7;
     input.next_line(header);
     read_rcg_text(input, builder);
   } else if (start.starts_with("ULG\x02") || start.starts_with("ULG\x03")) {

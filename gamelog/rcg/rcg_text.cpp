@@ -115,6 +115,9 @@ void append_frame(const Frame& frame, RcgVersion version, TextWriter& out) {
   out += " ((b)";
   append_lengths(frame.ball_position, out);
   append_lengths(frame.ball_velocity, out);
+  if (version == RcgVersion::kV7) {
+    append_number(soccer::math::quantize(frame.ball_height.value_or(0.0), kLengthStep), out);
+  }
   out += ')';
 
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {

@@ -17,7 +17,7 @@ namespace cls::gamelog {
 // (docs/spec/log-formats.md 1.7): positions and velocities to 0.0001, angles to 0.001, all with six
 // significant digits, negative zero as "-0".
 
-/// `ULG4` to `ULG6`.
+/// `ULG4` to `ULG7`.
 void append_version(RcgVersion version, std::string& out);
 
 /// The first lines of a log: version, parameters, player types.
@@ -30,8 +30,8 @@ void append_play_mode(int time, soccer::PlayMode mode, std::string& out);
 /// The four penalty numbers appear after the first kick of either team.
 void append_team(int time, const TeamFrames& teams, std::string& out);
 
-/// Versions 4 to 6: version 4 has no stamina capacity, only version 6 has the focus point and its
-/// counter.
+/// Versions 4 to 7: version 4 has no stamina capacity, only versions 6 and 7 have the focus point
+/// and its counter, only version 7 has the height of the ball.
 void append_show(const Frame& frame, std::string& out, RcgVersion version = RcgVersion::kV6);
 
 /// Appends only ball and players, each after a space, without a line feed.

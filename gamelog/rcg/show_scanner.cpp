@@ -38,7 +38,15 @@ class ShowScanner {
   }
 
   bool scan_ball(Point& position, Point& velocity) {
-    return literal("((b)") && point(position) && point(velocity) && literal(")");
+    return literal("((b)") && point(position) && point(velocity);
+  }
+
+  // Only version 7 has one.
+  bool scan_height(float& height, bool has_height) {
+    height = 0.0F;
+    skip_spaces();
+    if (has_height && *at_ != ')' && !number(height)) return false;
+    return literal(")");
   }
 
   bool scan_players() {
@@ -269,6 +277,7 @@ bool read_show(std::string_view line, RecordBuilder& builder, LineError& error) 
   builder.begin_frame(time);
   if (scanner.skip_monitor_parts() &&
       scanner.scan_ball(record.ball_position[index], record.ball_velocity[index]) &&
+      scanner.scan_height(record.ball_height[index], record.has_ball_height) &&
       scanner.scan_players() && scanner.scan_end()) {
     error = scanner.error();
     return true;

@@ -14,7 +14,7 @@ struct LineError {
   std::string_view message;
 };
 
-/// Parses a line that starts with "(show " (docs/spec/log-formats.md 1.7, versions 4 to 6 and the
+/// Parses a line that starts with "(show " (docs/spec/log-formats.md 1.7, versions 4 to 7 and the
 /// forms of monitors) and appends its frame. A line feed and 64 readable bytes must follow the line
 /// (InputBuffer). Returns false for a corrupt line; then the record is unchanged. A number that is
 /// out of range is limited, and reported in `error`, whose message is otherwise empty on success.

@@ -93,6 +93,7 @@ struct Frame {
   TeamFrames teams;
   soccer::Vec2 ball_position;
   soccer::Vec2 ball_velocity;
+  std::optional<double> ball_height;  ///< meters; only the 2.5D server logs it
   std::array<PlayerFrame, soccer::kPlayersOnPitch> players;  ///< by slot (soccer/side.h)
 };
 

@@ -20,6 +20,7 @@ void for_frame_columns(MatchRecord& record, Function function) {
   function(record.team_state);
   function(record.ball_position);
   function(record.ball_velocity);
+  function(record.ball_height);
 }
 
 template <typename Function>
@@ -98,7 +99,7 @@ Frame frame_at(const MatchRecord& record, std::size_t frame) {
 
   result.ball_position = record.ball_position[frame];
   result.ball_velocity = record.ball_velocity[frame];
-
+  if (record.has_ball_height) result.ball_height = record.ball_height[frame];
   for (std::size_t slot = 0; slot < kSlots; ++slot) {
     result.players[slot] = player_at(record.players, frame * kSlots + slot);
   }

@@ -131,6 +131,8 @@ struct MatchRecord {
   /// The parameters as lines of a text log, in the order of the log; empty for versions without
   /// them.
   std::vector<std::string> parameter_lines;
+  /// True for a log of the 2.5D server.
+  bool has_ball_height = false;
 
   // One entry per frame.
   Column<std::int32_t> time;
@@ -139,6 +141,7 @@ struct MatchRecord {
   Column<std::uint32_t> team_state;  ///< index into `teams`
   Column<Point> ball_position;
   Column<Point> ball_velocity;  ///< zero in versions 1 and 2
+  Column<float> ball_height;    ///< meters; zero without has_ball_height
 
   PlayerColumns players;
 

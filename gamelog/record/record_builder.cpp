@@ -126,6 +126,8 @@ void RecordBuilder::drop_frame() { resize_frames(record_, record_.frames() - 1);
 void RecordBuilder::fill_frame(std::size_t index, const Frame& frame) {
   record_.ball_position[index] = point(frame.ball_position);
   record_.ball_velocity[index] = point(frame.ball_velocity);
+  record_.ball_height[index] = static_cast<float>(frame.ball_height.value_or(0.0));
+  if (frame.ball_height) record_.has_ball_height = true;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {
     set_player(record_.players, index * kSlots + slot, frame.players[slot]);
   }

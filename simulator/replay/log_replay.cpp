@@ -107,8 +107,7 @@ class LogReplay {
 
   // Fields that the rcg version lacks continue as simulated.
   void fill_missing_fields(Frame& frame) const {
-    if (game_.version == RcgVersion::kV6 || game_.version == RcgVersion::kJson) return;
-
+    if (game_.version >= RcgVersion::kV6) return;
     for (std::size_t i = 0; i < frame.players.size(); ++i) {
       frame.players[i].counts.change_focus = world_.players[i].counters.change_focus;
     }

@@ -123,6 +123,16 @@ TEST(TrackingTable, QuotesNamesAndCountsStoppedCycles) {
   EXPECT_THAT(row(tracking(match.record()), 2), HasSubstr(R"(,"",0,0,0,0,)"));
 }
 
+TEST(TrackingTable, HasTheHeightOfTheBallBehindAllOtherColumns) {
+  ScriptedMatch match;
+  match.next().ball_height = 1.5;
+  match.step();
+  const std::string table = tracking(match.record());
+  EXPECT_THAT(row(table, 0), EndsWith(",r11_stamina,b_z"));
+  EXPECT_THAT(row(table, 1), EndsWith(",8000,0"));
+  EXPECT_THAT(row(table, 2), EndsWith(",8000,1.5"));
+}
+
 TEST(TrackingTable, IsEmptyWithoutFrames) {
   EXPECT_EQ(tracking({}), "");
   EXPECT_EQ(player_type_table({}), "");

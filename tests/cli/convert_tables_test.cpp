@@ -147,13 +147,30 @@ TEST_F(ConvertTables, ConvertsReadableFramesOfACorruptLog) {
   EXPECT_FALSE(fs::exists(path("partial-bad.tracking.csv")));
 }
 
-TEST_F(ConvertTables, RefusesLogsOfLaterVersions) {
-  std::ofstream(path("next.rcg")) << "ULG8\n";
-  const CommandResult next = convert({"next.rcg", "x.tracking.csv"});
+// From the log to a page and back, the height of the ball stays.
+TEST_F(ConvertTables, KeepsTheHeightOfVersion7) {
+  std::string high = read_file(log("rcg-v6-excerpt.rcg.gz"));
+  high[3] = '7';
+  for (std::size_t at = high.find("((b)"); at != std::string::npos;
+       at = high.find("((b)", at + 4)) {
+    high.insert(high.find(')', at + 4), " 0.5");
+  }
+  std::ofstream(path("high.rcg")) << high;
+  EXPECT_THAT(convert({"high.rcg", "-", "--to", "tracking"}).out, HasSubstr(",b_z\n1,"));
+  cls::tests::Command(
+      {cls::tests::cls_binary().string(), "watch", "high.rcg", "--out", "page.html"}, {},
+      folder_.path())
+      .finish();
+  EXPECT_EQ(convert({"page.html", "again.rcg"}).exit_code, 0);
+  EXPECT_EQ(read_file(path("again.rcg")), high);
+  EXPECT_EQ(convert({"high.rcg", "flat.rcg"}).exit_code, 0);
+  EXPECT_EQ(read_file(path("flat.rcg")), read_file(log("rcg-v6-excerpt.rcg.gz")));
+  std::ofstream(path("next.rcg")) << "ULG8\n" << high.substr(5);
+  const CommandResult next = convert({"next.rcg", "x.rcg"});
   EXPECT_EQ(next.exit_code, 65);
   EXPECT_EQ(next.err,
             "cls: next.rcg: byte 0, cycle 0: game log (rcg) of version 8, which this cls does not "
-            "know: it reads 1 to 6 and JSON; a newer cls may read it\n");
+            "know: it reads 1 to 7 and JSON; a newer cls may read it\n");
 }
 
 TEST_F(ConvertTables, RefusesArgumentsThatDoNotFit) {

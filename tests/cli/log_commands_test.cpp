@@ -280,7 +280,8 @@ TEST(ConvertCommand, ReportsFailuresByExitCode) {
   EXPECT_EQ(cls_run({"convert", log, "/dev/full"}).exit_code, 74);
   const CommandResult version = cls_run({"convert", log, "-", "--to", "3"});
   EXPECT_EQ(version.exit_code, 2);
-  EXPECT_EQ(version.err, "cls: --to '3': must be 4, 5, 6, json, tracking, player_types or event\n");
+  EXPECT_EQ(version.err,
+            "cls: --to '3': must be 4, 5, 6, 7, json, tracking, player_types or event\n");
   EXPECT_EQ(cls_run({"convert", log}).exit_code, 2);
 }
 

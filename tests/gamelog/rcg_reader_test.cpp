@@ -120,6 +120,28 @@ TEST(ReadRcg, ReadsVersion4WithoutCapacityFocusAndTwelfthCounter) {
   for (std::size_t slot = 1; slot < kSlots; ++slot) EXPECT_EQ(record.players.state[slot], 0u);
 }
 
+TEST(ReadRcg, ReadsTheHeightOfVersion7) {
+  const auto with_ball = [](const std::string& ball) {
+    const std::string line = show(1);
+    return line.substr(0, line.find("((b)")) + ball + line.substr(line.find(" ((l 1)"));
+  };
+  const MatchRecord record =
+      read("ULG7\n" + with_ball("((b) 1 2 0 0 1.25)") + with_ball("((b) 1 2 0 0)") +
+           with_ball("((b) 1 2 0 0 -0)") + kEnd + show(9));
+  ASSERT_TRUE(record.errors.empty()) << format_error("", record.errors.first[0]);
+  EXPECT_EQ(record.version, RcgVersion::kV7);
+  EXPECT_TRUE(record.has_ball_height);
+  EXPECT_EQ(std::vector<float>(record.ball_height.begin(), record.ball_height.end()),
+            (std::vector<float>{1.25F, 0, 0, 0}));
+  EXPECT_EQ(frame_at(record, 0).ball_height, 1.25);
+
+  const MatchRecord older = read("ULG6\n" + with_ball("((b) 1 2 0 0 1.25)") + show(2) + kEnd);
+  EXPECT_EQ(older.errors.count, 1u) << "version 6 has no height";
+  EXPECT_EQ(older.frames(), 1u);
+  EXPECT_FALSE(older.has_ball_height);
+  EXPECT_FALSE(frame_at(older, 0).ball_height);
+}
+
 TEST(ReadRcg, RefusesUnknownVersionsByNumber) {
   const auto error_of = [](std::string_view log) {
     const MatchRecord record = read(log);
@@ -127,7 +149,7 @@ TEST(ReadRcg, RefusesUnknownVersionsByNumber) {
     return record.errors.first.at(0).message;
   };
   const std::string rest =
-      ", which this cls does not know: it reads 1 to 6 and JSON; a newer cls may read it";
+      ", which this cls does not know: it reads 1 to 7 and JSON; a newer cls may read it";
   EXPECT_EQ(error_of("ULG8\n" + show(1)), "game log (rcg) of version 8" + rest);
   EXPECT_EQ(error_of("ULG12\r\n" + show(1)), "game log (rcg) of version 12" + rest);
   EXPECT_EQ(error_of("ULG\x05..."), "game log (rcg) of version 5" + rest);

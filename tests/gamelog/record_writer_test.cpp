@@ -113,6 +113,35 @@ TEST(WriteRcg, OmitsDataUnknownToVersion) {
   }
 }
 
+// The excerpt as the 2.5D server would write it: version 7, and a ball that rises.
+std::string version_7_excerpt() {
+  std::string log;
+  int height = 0;
+  const std::string flat = fixture("rcg-v6-excerpt");
+  for (const std::string_view line : tests::split_lines(flat)) {
+    std::string changed(line == "ULG6" ? "ULG7" : line);
+    const std::size_t ball = changed.find("((b)");
+    if (changed.starts_with("(show ") && ball != std::string::npos) {
+      changed.insert(changed.find(')', ball + 4), " " + std::to_string(++height) + ".5");
+    }
+    log += changed + "\n";
+  }
+  return log;
+}
+
+TEST(WriteRcg, KeepsTheHeightOfVersion7) {
+  const std::string log = version_7_excerpt();
+  const MatchRecord record = read(log);
+  ASSERT_TRUE(record.errors.empty());
+  expect_same(log, written(record, RcgVersion::kV7));
+  const std::string json = written(record, RcgVersion::kJson);
+  EXPECT_NE(json.find("\"z\":1.5}"), std::string::npos);
+  const MatchRecord from_json = read(json);
+  EXPECT_TRUE(from_json.has_ball_height);
+  expect_same(log, written(from_json, RcgVersion::kV7));
+  expect_same(fixture("rcg-v6-excerpt"), written(record, RcgVersion::kV6));
+}
+
 TEST(WriteRcg, WritesSwitchesThatAreWordsAsJson) {
   MatchRecord record;
   record.parameter_lines = {"(server_param (auto_mode true)(use_offside false)(back_passes 0))"};

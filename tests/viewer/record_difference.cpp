@@ -35,6 +35,7 @@ std::string columns(const MatchRecord& a, const MatchRecord& b) {
       column("team_state", a.team_state, b.team_state, 1),
       column("ball_position", a.ball_position, b.ball_position, 1),
       column("ball_velocity", a.ball_velocity, b.ball_velocity, 1),
+      column("ball_height", a.ball_height, b.ball_height, 1),
       column("state", p.state, q.state, kSlots),
       column("type", p.type, q.type, kSlots),
       column("position", p.position, q.position, kSlots),
@@ -103,6 +104,7 @@ std::string record_difference(const MatchRecord& a, const MatchRecord& b) {
   if (a.version != b.version) return "version";
   if (a.server_version != b.server_version) return "server_version";
   if (a.timestamp != b.timestamp) return "timestamp";
+  if (a.has_ball_height != b.has_ball_height) return "has_ball_height";
   if (a.parameter_lines != b.parameter_lines) return "parameter_lines";
   if (text_of(a.server) != text_of(b.server)) return "server";
   if (text_of(a.player) != text_of(b.player)) return "player";

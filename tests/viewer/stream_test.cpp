@@ -62,6 +62,18 @@ TEST(Stream, GivesRecordsOfAllVersionsBack) {
   }
 }
 
+TEST(Stream, HasTheHeightOfTheBallOnlyWhereTheLogHasIt) {
+  const std::string flat = "ULG6\n(show 1 ((b) 1 2 0 0))\n(show 2 ((b) 1 2 0 0))\n";
+  const std::string high = "ULG7\n(show 1 ((b) 1 2 0 0 0.25))\n(show 2 ((b) 1 2 0 0 1.75))\n";
+  EXPECT_THAT(write_stream(parsed(flat), {}, ""), Not(HasSubstr("ball_z")));
+  const std::string stream = write_stream(parsed(high), {}, "");
+  EXPECT_THAT(stream, HasSubstr("ball_z"));
+  const auto match = read_stream(stream);
+  ASSERT_TRUE(match) << match.error().message;
+  EXPECT_EQ(record_difference(parsed(high), match->record), "");
+  EXPECT_EQ(match->record.ball_height[1], 1.75F);
+}
+
 TEST(Stream, GivesCorruptLogsBackWithTheirErrors) {
   const std::string log = tests::read_file(tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz"));
   const MatchRecord record =

@@ -75,6 +75,7 @@ std::vector<std::string> differences_at(const MatchRecord& a, const MatchRecord&
   add(score(a, 0) != score(b, 0) || score(a, 1) != score(b, 1), "score");
   add(differs(a.ball_position, b.ball_position, frame), "ball position");
   add(differs(a.ball_velocity, b.ball_velocity, frame), "ball velocity");
+  add(differs(a.ball_height, b.ball_height, frame), "ball height");
   add_players(a, b, frame, what);
   return what;
 }

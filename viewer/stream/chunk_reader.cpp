@@ -80,6 +80,7 @@ void clear_frames(MatchRecord& record, std::size_t first) {
     record.team_state[i] = 0;
     record.ball_position[i] = {0.0F, 0.0F};
     record.ball_velocity[i] = {0.0F, 0.0F};
+    record.ball_height[i] = 0.0F;
   }
 
   for (std::size_t i = first * gamelog::kSlots; i < record.players.state.size(); ++i) {
@@ -195,6 +196,9 @@ void ChunkReader::read_header(std::string_view contents) {
 
   match_.record.version = header->version;
   match_.form = header->form;
+  for (const StreamColumn& column : header->columns) {
+    if (column.spec != nullptr && column.spec->of_height) match_.record.has_ball_height = true;
+  }
   state_.set_header(*std::move(header));
   has_header_ = true;
 }

@@ -96,6 +96,8 @@ void add_match_columns(std::vector<ColumnSpec>& table) {
   table.push_back(reals("ball_y", Coding::kSecond, 1, kLength, kCentimeter, CLS_AT(ball_position[i].y)));
   table.push_back(velocities("ball_vx", 1, "ball_x", CLS_AT(ball_velocity[i].x)));
   table.push_back(velocities("ball_vy", 1, "ball_y", CLS_AT(ball_velocity[i].y)));
+  table.push_back(reals("ball_z", Coding::kSecond, 1, kLength, kCentimeter, CLS_AT(ball_height[i])));
+  table.back().of_height = true;
 }
 
 void add_player_columns(std::vector<ColumnSpec>& table) {

@@ -37,6 +37,7 @@ struct ColumnSpec {
   int compact_scale = 0;     ///< `scale` of compact streams; 0: they lack this column of reals
   bool optional = false;     ///< NaN means: no value, and is stored as kNone
   std::string_view of = {};  ///< kVelocity: the column of positions
+  bool of_height = false;    ///< only in streams of records with MatchRecord::has_ball_height
   std::int64_t min = 0;      ///< integers: smallest and largest value that the record can hold
   std::int64_t max = 0;
 

@@ -213,6 +213,7 @@ StreamHeader header_of(const MatchRecord& record, StreamForm form) {
   for (const ColumnSpec& spec : column_table()) {
     const int scale = form.compact ? spec.compact_scale : spec.scale;
     if (spec.is_real() && scale == 0) continue;
+    if (spec.of_height && !record.has_ball_height) continue;
     header.columns.push_back({&spec, spec.coding, spec.series, scale, 0, false});
     if (spec.is_real() && !form.compact && !form.live) fit(record, header.columns.back());
     names.emplace_back(spec.name);

@@ -9,6 +9,7 @@ import {eventsOf, highlightsOf, nextEvent} from '../../../viewer/web/src/events.
 import {formatHash, parseHash} from '../../../viewer/web/src/hash.js';
 import {Pose, poseAt} from '../../../viewer/web/src/interpolate.js';
 import {keyName} from '../../../viewer/web/src/keys.js';
+import {drawBall} from '../../../viewer/web/src/layer_ball.js';
 import {offsideLineX} from '../../../viewer/web/src/layer_offside.js';
 import {momentText} from '../../../viewer/web/src/moment.js';
 import {kPitch} from '../../../viewer/web/src/pitch.js';
@@ -129,6 +130,24 @@ test('poseAt shows the numbers of the log on whole frames', () => {
   poseAt(record, 40, pose);
   assert.equal(pose.x[5], record.column('x')[5][40]);
   assert.equal(pose.ballX, record.column('ball_x')[0][40]);
+});
+
+test('The ball of the 2.5D server rises above its shadow', () => {
+  const record = sampleRecord();
+  const pose = new Pose();
+  poseAt(record, 40, pose);
+  assert.equal(pose.ballZ, 0, 'other logs have no height');
+  record.columns.set('ball_z', {series: [new Float32Array(kFrames).fill(2)]});
+  poseAt(record, 40, pose);
+  assert.equal(pose.ballZ, 2);
+  const discs = [];
+  const context = {beginPath() {}, fill() {}, stroke() {}, arc: (x, y) => discs.push([x, y])};
+  const camera = new Camera(kPitch);
+  camera.resize(1000, 700);
+  drawBall({context, camera, pose, theme: {}});
+  const [shadow, ball] = discs;
+  assert.ok(Math.abs(shadow[1] - 1.5 - camera.screenY(pose.ballY)) < 1e-9);
+  assert.ok(Math.abs(shadow[1] - 1.5 - ball[1] - 2 * camera.scale) < 1e-9);
 });
 
 test('poseAt is half-way between two frames', () => {

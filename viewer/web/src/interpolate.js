@@ -14,6 +14,8 @@ export class Pose {
     this.fraction = 0;
     this.ballX = 0;
     this.ballY = 0;
+    /** Meters above the ground; 0 in all logs but those of the 2.5D server. */
+    this.ballZ = 0;
     this.x = new Float64Array(kSlots);
     this.y = new Float64Array(kSlots);
     this.body = new Float64Array(kSlots);
@@ -67,6 +69,7 @@ export function poseAt(record, at, pose, smooth = true) {
   const glide = between && ballGlides(record, frame) ? fraction : 0;
   pose.ballX = mixed(record.column('ball_x')[0], frame, glide);
   pose.ballY = mixed(record.column('ball_y')[0], frame, glide);
+  pose.ballZ = mixed(record.column('ball_z')[0], frame, glide);
   for (let slot = 0; slot < kSlots; ++slot) posePlayer(record, slot, frame, between ? fraction : 0, pose);
 }
 

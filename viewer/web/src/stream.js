@@ -8,7 +8,7 @@ import {MatchRecord, headerProblem} from './record.js';
 const kUtf8Text = new TextDecoder();
 
 /** Columns of the first picture. */
-const kFirstColumns = new Set(['time', 'stopped', 'mode', 'teams', 'ball_x', 'ball_y', 'state', 'type', 'x', 'y', 'body', 'neck']);
+const kFirstColumns = new Set(['time', 'stopped', 'mode', 'teams', 'ball_x', 'ball_y', 'ball_z', 'state', 'type', 'x', 'y', 'body', 'neck']);
 
 /** Collects bytes and decodes complete chunks. */
 export class StreamDecoder {
