@@ -12,7 +12,7 @@ CXX_FILES = git ls-files --cached --others --exclude-standard -- '*.h' '*.cpp'
 INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tests \
   cls_mock_server_tests cls_orchestration_process_tests
 INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server|orchestration/process)$$
-FUZZERS = protocol rcg rcl session view agent compression user_file training
+FUZZERS = protocol rcg rcl session view agent compression user_file training table
 
 .PHONY: help build test slow-test full languages web-test site pictures bench asan tsan asan-input fuzz chaos same-bytes install package format format-check lint clean
 

@@ -102,6 +102,7 @@ void add_commands(Command& root) {
   add_stats_command(root);
   add_logs_command(root);
   add_convert_command(root);
+  add_challenge_command(root);
   add_watch_command(root);
   add_report_command(root);
   add_check_command(root);

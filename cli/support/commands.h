@@ -13,6 +13,7 @@ void add_tune_command(Command& app);
 void add_tune_run_command(Command& app);
 void add_tune_status_command(Command& app);
 void add_tune_report_command(Command& app);
+void add_challenge_command(Command& app);
 void add_compare_command(Command& app);
 void add_completion_command(Command& app);
 void add_config_command(Command& app);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/fuzz/log_checks.h"
+#include "tests/fuzz/table_checks.h"
 #include "tests/support/text_mutator.h"
 
 namespace cls::tests {
@@ -26,6 +27,10 @@ TEST(FuzzCorpus, GameLogReaderHoldsInvariantsOnCorruptInput) {
 
 TEST(FuzzCorpus, TextLogReaderHoldsInvariantsOnCorruptInput) {
   check_seeds("rcl", check_text_log, 300);
+}
+
+TEST(FuzzCorpus, TableReadersHoldInvariantsOnCorruptInput) {
+  check_seeds("table", check_table, 100);
 }
 
 }  // namespace

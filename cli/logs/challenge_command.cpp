@@ -1,0 +1,376 @@
+// `cls challenge stp`: tests, baselines, checks and scores of the trajectory challenge.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/tables/stp_challenge.h"
+#include "base/io/byte_source.h"
+#include "base/io/whole_file.h"
+#include "base/text/json_text.h"
+#include "cli/logs/output_file.h"
+#include "cli/support/commands.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
+
+namespace cls::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using analysis::StpColumns;
+using analysis::StpFile;
+using analysis::StpModel;
+using base::Error;
+using base::Result;
+
+constexpr const char* kTracking = ".tracking.csv";
+
+struct Arguments {
+  std::string in;
+  std::string tests;
+  std::string submission;
+  std::string truth;
+  std::string out;
+  std::string model = "goal";
+  bool force = false;
+  bool json = false;
+};
+
+// The tracking tables below a folder by their path in it, sorted.
+Result<std::vector<std::string>> tables_of(const std::string& folder) {
+  if (const auto why = base::why_no_folder(folder)) {
+    return Error{fmt::format("{}: {}", folder, *why)};
+  }
+  std::vector<std::string> names;
+  std::error_code code;
+  for (fs::recursive_directory_iterator at(folder, code), end; !code && at != end;
+       at.increment(code)) {
+    const std::string path = at->path().string();
+    std::error_code ignored;
+    if (!path.ends_with(kTracking) || !at->is_regular_file(ignored)) continue;
+    names.push_back(at->path().lexically_relative(folder).generic_string());
+  }
+  if (code) return Error{fmt::format("{}: {}", folder, code.message())};
+  if (names.empty()) return Error{fmt::format("{}: no file NAME{}", folder, kTracking)};
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string path_of(const std::string& folder, const std::string& name) {
+  return (fs::path(folder) / name).string();
+}
+
+// Calls `read` with the bytes of a file, whose name its error gets.
+template <typename Function>
+auto with_file(const std::string& path, Function read)
+    -> decltype(read(std::declval<base::ByteSource&>())) {
+  auto source = base::open_source(path);
+  if (!source) return source.error();
+  auto result = read(**source);
+  if (!result) return Error{fmt::format("{}: {}", path, result.error().message)};
+  return result;
+}
+
+int fail(const Error& error, int exit_code = kBadData) {
+  return print_error(exit_code, error.message);
+}
+
+void print_document(const char* what, nlohmann::ordered_json document) {
+  nlohmann::ordered_json all = {{"schema", "cls.challenge/1"}, {"command", what}};
+  all.update(document);
+  fmt::print("{}", base::json_document(all));
+}
+
+// Files of a match beside its tracking table; a test has those that are there.
+constexpr struct {
+  const char* ending;
+  StpFile file;
+} kFiles[] = {{kTracking, StpFile::kTracking},
+              {".event.csv", StpFile::kEvents},
+              {".rcg.gz", StpFile::kGameLog},
+              {".rcl.gz", StpFile::kTextLog}};
+
+// 0, or the exit code after an error line.
+int write_test(const std::string& match, const std::string& test, int last_cycle, bool force) {
+  for (const auto& [ending, file] : kFiles) {
+    const std::string from = match + ending;
+    const std::string to = test + ending;
+    if (!fs::exists(from)) continue;
+    if (const auto failure = why_not_replaced(to, force)) {
+      return print_error(failure->exit_code, failure->message);
+    }
+    std::optional<Error> error;
+    const auto failure = write_output(to, [&](base::ByteSink& sink) {
+      const auto cut = with_file(from, [&, kind = file](base::ByteSource& source) {
+        return analysis::cut_stp_file(source, kind, last_cycle, sink);
+      });
+      if (!cut) error = cut.error();
+      return cut.ok();
+    });
+    if (error) return fail(*error);
+    if (failure) return print_error(failure->exit_code, failure->message);
+  }
+  return kOk;
+}
+
+// Tests lie in one folder, as the scripts want it.
+std::string flat(std::string name) {
+  std::replace(name.begin(), name.end(), '/', '-');
+  return name;
+}
+
+int run_make(const Arguments& arguments) {
+  const auto names = tables_of(arguments.in);
+  if (!names) return fail(names.error(), kNoInput);
+  if (const auto created = base::create_folders(arguments.out); !created) {
+    return fail(created.error(), kCannotCreate);
+  }
+  std::size_t tests = 0;
+  for (const std::string& table : *names) {
+    const auto cycle = with_file(path_of(arguments.in, table), analysis::stp_last_cycle);
+    if (!cycle) return fail(cycle.error());
+    if (!*cycle) continue;
+    const std::string name = table.substr(0, table.size() - std::string_view(kTracking).size());
+    const int code = write_test(path_of(arguments.in, name), path_of(arguments.out, flat(name)),
+                                **cycle, arguments.force);
+    if (code != kOk) return code;
+    ++tests;
+    if (!arguments.json) fmt::print("{}  cycle {}\n", flat(name), **cycle);
+  }
+  if (arguments.json) {
+    print_document("make", {{"matches", names->size()}, {"tests", tests}});
+  } else {
+    fmt::print("{} of {} matches have a test\n", tests, names->size());
+  }
+  return kOk;
+}
+
+Result<std::int64_t> last_row(const std::string& path) {
+  TRY_INIT(const analysis::StpRow row, with_file(path, [](base::ByteSource& source) {
+             return analysis::read_last_stp_row(source, StpColumns::kNumber);
+           }));
+  return row.number;
+}
+
+Result<analysis::StpPrediction> read_prediction(const std::string& path, StpColumns columns) {
+  return with_file(path, [columns](base::ByteSource& source) {
+    return analysis::read_stp_prediction(source, columns);
+  });
+}
+
+// What is wrong with the predictions; empty: nothing.
+std::vector<std::string> problems_of(const Arguments& arguments,
+                                     const std::vector<std::string>& tests,
+                                     const std::vector<std::string>& predictions) {
+  std::vector<std::string> problems;
+  for (const std::string& name : predictions) {
+    if (!std::binary_search(tests.begin(), tests.end(), name)) {
+      problems.push_back(fmt::format("{}: no test of this name", name));
+    }
+  }
+  for (const std::string& name : tests) {
+    if (!std::binary_search(predictions.begin(), predictions.end(), name)) {
+      problems.push_back(fmt::format("{}: no prediction of this test", name));
+      continue;
+    }
+    const auto last = last_row(path_of(arguments.tests, name));
+    const auto prediction =
+        read_prediction(path_of(arguments.submission, name), StpColumns::kLeftAndBall);
+    const auto wrong =
+        last && prediction ? analysis::check_stp_prediction(*prediction, *last) : std::nullopt;
+    if (!last) problems.push_back(last.error().message);
+    if (!prediction) problems.push_back(prediction.error().message);
+    if (wrong) problems.push_back(fmt::format("{}: {}", name, *wrong));
+  }
+  return problems;
+}
+
+int run_validate(const Arguments& arguments) {
+  const auto tests = tables_of(arguments.tests);
+  if (!tests) return fail(tests.error(), kNoInput);
+  const auto predictions = tables_of(arguments.submission);
+  if (!predictions) return fail(predictions.error(), kNoInput);
+  const std::vector<std::string> problems = problems_of(arguments, *tests, *predictions);
+  if (arguments.json) {
+    print_document("validate", {{"valid", problems.empty()}, {"problems", problems}});
+  } else {
+    for (const std::string& problem : problems) fmt::print("{}\n", problem);
+    if (problems.empty()) fmt::print("Submission is valid.\n");
+  }
+  return problems.empty() ? kOk : kFailed;
+}
+
+Result<analysis::StpScore> score_of(const Arguments& arguments, const std::string& name) {
+  TRY_INIT(const std::int64_t last, last_row(path_of(arguments.tests, name)));
+  const std::string path = path_of(arguments.submission, name);
+  TRY_INIT(const auto prediction, read_prediction(path, StpColumns::kAllPlaces));
+  auto truth = base::open_source(path_of(arguments.truth, name));
+  if (!truth) return truth.error();
+  auto score = analysis::score_stp_prediction(prediction, **truth, last);
+  if (!score) return Error{fmt::format("{}: {}", path, score.error().message)};
+  return score;
+}
+
+nlohmann::ordered_json number(double value) {
+  return std::isnan(value) ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
+}
+
+int run_score(const Arguments& arguments) {
+  const auto predictions = tables_of(arguments.submission);
+  if (!predictions) return fail(predictions.error(), kNoInput);
+  analysis::StpScore sum;
+  auto matches = nlohmann::ordered_json::array();
+  for (const std::string& name : *predictions) {
+    if (!fs::exists(path_of(arguments.truth, name))) continue;
+    const auto score = score_of(arguments, name);
+    if (!score) return fail(score.error());
+    sum.average += score->average;
+    sum.endpoint += score->endpoint;
+    matches.push_back({{"name", name},
+                       {"average_error", number(score->average)},
+                       {"endpoint_error", number(score->endpoint)}});
+  }
+  if (matches.empty()) {
+    return fail({fmt::format("{}: no table of {}", arguments.truth, arguments.submission)},
+                kNoInput);
+  }
+  const auto count = static_cast<double>(matches.size());
+  if (arguments.json) {
+    print_document("score", {{"average_error", number(sum.average / count)},
+                             {"endpoint_error", number(sum.endpoint / count)},
+                             {"matches", matches}});
+  } else {
+    fmt::print("Number of Evaluated Sequences: {}\nAverage Error: {:.4f}\nEndpoint Error: {:.4f}\n",
+               matches.size(), sum.average / count, sum.endpoint / count);
+  }
+  return kOk;
+}
+
+int run_predict(const Arguments& arguments) {
+  if (arguments.model != "velocity" && arguments.model != "goal") {
+    return print_error(kUsage,
+                       fmt::format("--model '{}': must be velocity or goal", arguments.model));
+  }
+  const auto model = arguments.model == "goal" ? StpModel::kGoal : StpModel::kVelocity;
+  const auto tests = tables_of(arguments.tests);
+  if (!tests) return fail(tests.error(), kNoInput);
+  for (const std::string& name : *tests) {
+    const auto last = with_file(path_of(arguments.tests, name), [](base::ByteSource& source) {
+      return analysis::read_last_stp_row(source, StpColumns::kMotion);
+    });
+    if (!last) return fail(last.error());
+    const fs::path out = path_of(arguments.out, name);
+    if (const auto created = base::create_folders(out.parent_path()); !created) {
+      return fail(created.error(), kCannotCreate);
+    }
+    if (const auto failure = why_not_replaced(out, arguments.force)) {
+      return print_error(failure->exit_code, failure->message);
+    }
+    const auto failure = write_output(out, [&](base::ByteSink& sink) {
+      sink.write(analysis::format_stp_prediction(analysis::predict_stp(model, *last)));
+      return true;
+    });
+    if (failure) return print_error(failure->exit_code, failure->message);
+  }
+  if (arguments.json) {
+    print_document("predict", {{"model", arguments.model}, {"tests", tests->size()}});
+  } else {
+    fmt::print("{} predictions\n", tests->size());
+  }
+  return kOk;
+}
+
+void add_make_command(Command& stp, const std::shared_ptr<Arguments>& arguments) {
+  Command& command = stp.command(
+      "make",
+      "make tests: matches up to 30 cycles before a goal of the left team\n"
+      "IN is a folder of tables. A match with a goal that 50 frames of play_on precede\n"
+      "is a test; its logs, if IN has them, are shortened, too.\n"
+      "\n"
+      "  cls convert cup --tables csv\n"
+      "  cls challenge stp make csv tests");
+  command.option("IN", arguments->in, "folder with the tables of whole matches").required();
+  command.option("OUT", arguments->out, "folder for the tests").required();
+  command.flag("--force", arguments->force, "replace existing files");
+  command.flag("--json", arguments->json, "print the numbers as one JSON document");
+  command.run = [arguments] { return run_make(*arguments); };
+}
+
+void add_predict_command(Command& stp, const std::shared_ptr<Arguments>& arguments) {
+  Command& command = stp.command("predict",
+                                 "write the predictions of a baseline\n"
+                                 "\n"
+                                 "  cls challenge stp predict tests mine\n"
+                                 "  cls challenge stp predict tests mine --model velocity");
+  command.option("TESTS", arguments->tests, "folder with tests").required();
+  command.option("OUT", arguments->out, "folder for the predictions").required();
+  command
+      .option("--model", arguments->model,
+              "velocity (all keep theirs) or goal (the ball runs into it)")
+      .shows_default();
+  command.flag("--force", arguments->force, "replace existing files");
+  command.flag("--json", arguments->json, "print the numbers as one JSON document");
+  command.run = [arguments] { return run_predict(*arguments); };
+}
+
+void add_validate_command(Command& stp, const std::shared_ptr<Arguments>& arguments) {
+  Command& command = stp.command("validate",
+                                 "check that predictions are complete\n"
+                                 "\n"
+                                 "  cls challenge stp validate tests mine\n"
+                                 "\n"
+                                 "Exit code: 0 if they are, 1 if not.");
+  command.option("TESTS", arguments->tests, "folder with tests").required();
+  command.option("SUBMISSION", arguments->submission, "folder with predictions").required();
+  command.flag("--json", arguments->json, "print the problems as one JSON document");
+  command.run = [arguments] { return run_validate(*arguments); };
+}
+
+void add_score_command(Command& stp, const std::shared_ptr<Arguments>& arguments) {
+  Command& command = stp.command("score",
+                                 "measure predictions by the whole matches\n"
+                                 "\n"
+                                 "  cls challenge stp score csv tests mine");
+  command.option("TRUTH", arguments->truth, "folder with the tables of whole matches").required();
+  command.option("TESTS", arguments->tests, "folder with tests").required();
+  command.option("SUBMISSION", arguments->submission, "folder with predictions").required();
+  command.flag("--json", arguments->json, "print the errors as one JSON document");
+  command.run = [arguments] { return run_score(*arguments); };
+}
+
+}  // namespace
+
+void add_challenge_command(Command& app) {
+  Command& command = app.command(
+      "challenge",
+      "tests and scores of public challenges\n"
+      "\n"
+      "  cls convert cup --tables csv\n"
+      "  cls challenge stp make csv tests               matches that end before a goal\n"
+      "  cls challenge stp predict tests mine           a baseline\n"
+      "  cls challenge stp validate tests mine\n"
+      "  cls challenge stp score csv tests mine         mean error in meters");
+  command.group = kResultCommands;
+  Command& stp =
+      command.command("stp",
+                      "the trajectory challenge: where will ball and players be at the goal?\n"
+                      "\n"
+                      "  cls challenge stp make csv tests\n"
+                      "  cls challenge stp predict tests mine\n"
+                      "  cls challenge stp validate tests mine\n"
+                      "  cls challenge stp score csv tests mine");
+  const auto arguments = std::make_shared<Arguments>();
+  add_make_command(stp, arguments);
+  add_predict_command(stp, arguments);
+  add_validate_command(stp, arguments);
+  add_score_command(stp, arguments);
+}
+
+}  // namespace cls::cli
