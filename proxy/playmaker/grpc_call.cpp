@@ -4,6 +4,7 @@
 #include <grpc/support/time.h>
 
 #include <cassert>
+#include <string>
 
 #include "proto/sorted_maps.h"
 
@@ -60,7 +61,14 @@ void GrpcCall::finish() {
   if (cancelled_ && status.outcome == RpcOutcome::kError) status.outcome = RpcOutcome::kCancelled;
 }
 
+// gRPC takes a reply without a message, or with the beginning of one, for a reply.
 void GrpcCall::read_message() {
+  if (!response_.Valid()) {
+    reply_.status.outcome = RpcOutcome::kProtocolError;
+    reply_.status.message = std::string(proto::name(reply_.rpc)) +
+                            ": a reply with the status OK, but without a message";
+    return;
+  }
   grpc::Slice bytes;
   if (!response_.TrySingleSlice(&bytes).ok() && !response_.DumpToSingleSlice(&bytes).ok()) {
     bytes = grpc::Slice();
