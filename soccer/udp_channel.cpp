@@ -49,7 +49,7 @@ class Connection {
   /// A full buffer loses the datagram, as networks do; only a closed port ends the connection.
   bool send(std::string_view message) {
     if (gone()) return false;
-    if (socket_.send(message, true, has_own_port_ ? nullptr : &server_) == ECONNREFUSED) {
+    if (socket_.send(message, true, has_own_port_ ? &own_port_ : &server_) == ECONNREFUSED) {
       gone_ = true;
     }
 
@@ -66,10 +66,11 @@ class Connection {
         if (error == ECONNREFUSED) gone_ = true;
         return false;
       }
-
-      if (!has_own_port_ && !sender.same_host(server_)) continue;
-      if (!has_own_port_ && sender.port() != server_.port()) connect(sender);
-
+      if (has_own_port_ ? !(sender == own_port_) : !sender.same_host(server_)) continue;
+      if (!has_own_port_ && sender.port() != server_.port()) {
+        own_port_ = sender;
+        has_own_port_ = true;
+      }
       text = std::string_view(buffer_.data(), size);
       if (text.ends_with('\0')) text.remove_suffix(1);
       return true;
@@ -79,14 +80,11 @@ class Connection {
   }
 
  private:
-  // A connected socket reports a closed port without report_errors().
-  void connect(const base::SocketAddress& own_port) {
-    if (!socket_.connect(own_port)) return;
-    has_own_port_ = true;
-    socket_.report_errors(false);
-  }
-
+  // The socket stays unconnected, and so bound to all addresses: a connected one is bound to a
+  // single one, and another program of the host could have its port on another address, and send
+  // in its name (IP_PKTINFO).
   base::SocketAddress server_;
+  base::SocketAddress own_port_;  ///< the server's port of this client
   base::UdpSocket socket_;
   std::atomic<bool> has_own_port_{false};
   std::atomic<bool> gone_{false};

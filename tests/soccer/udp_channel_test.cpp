@@ -103,6 +103,21 @@ TEST_P(UdpChannelTest, SwitchesToPortOfReply) {
   EXPECT_EQ(next(*all, *channel), "(think)");
 }
 
+// Otherwise they could send to the server in its name.
+TEST_P(UdpChannelTest, LeavesItsPortToNoOtherOnAnyAddress) {
+  ServerSocket listener;
+  ServerSocket own;
+  const auto all = clients(listener.port());
+  const auto channel = all->connect();
+  channel->send("(init us)");
+  listener.receive();
+  own.send_to(listener.client(), with_nul("(init l 1 before_kick_off)"));
+  next(*all, *channel);
+  channel->send("(turn 10)");
+  const int port = listener.client().port();
+  EXPECT_FALSE(base::UdpSocket::bind(*base::parse_ip_address("127.0.0.2", port)));
+}
+
 TEST_P(UdpChannelTest, RetriesAtWellKnownPortAfterRefusal) {
   ServerSocket listener;
   ServerSocket own;
