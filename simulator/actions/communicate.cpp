@@ -40,7 +40,7 @@ Side referred_side(const World& world, const Player& player, const TeamReference
       break;
   }
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    if (world.team(side).connected && world.team(side).name.view() == team.name) return side;
+    if (world.team(side).connected && has_name(world, player.side, side, team.name)) return side;
   }
   return Side::kNeutral;
 }

@@ -16,23 +16,24 @@ base::Result<std::unique_ptr<LockstepServer>> LockstepServer::create(MatchConfig
   return std::unique_ptr<LockstepServer>(new LockstepServer(std::move(match)));
 }
 
-std::unique_ptr<soccer::Channel> LockstepServer::connect(ListeningPort port) {
+std::unique_ptr<soccer::Channel> LockstepServer::connect(ListeningPort port,
+                                                         const ClientRights& rights) {
   auto [server_end, client_end] = soccer::make_memory_channel();
-  pending_.push_back({port, std::move(server_end)});
+  pending_.push_back({port, std::move(server_end), rights});
   return std::move(client_end);
 }
 
 void LockstepServer::accept_clients() {
-  for (auto& [port, channel] : pending_) {
+  for (auto& [port, channel, rights] : pending_) {
     while (channel != nullptr && channel->receive(message_)) {
-      const auto admission = match_->admit(port, message_);
+      const AdmissionResult admission = match_->admit(port, message_, rights);
       if (const auto* admitted = std::get_if<Admission>(&admission)) {
         match_->complete_handshake(*admitted, std::move(channel), message_);
         continue;
       }
-      std::string refusal;
-      soccer::format(std::get<soccer::ErrorCode>(admission), refusal);
-      channel->send(refusal);
+      std::string reply;
+      soccer::format(refusal(admission), reply);
+      channel->send(reply);
     }
   }
   const auto is_admitted = [](const PendingConnection& each) { return each.channel == nullptr; };

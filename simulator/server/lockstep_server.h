@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -40,7 +41,9 @@ class LockstepServer {
 
   /// Returns the client's end of a new connection. The first message must be an init or reconnect
   /// for that port; after a refusal the client may try again. Destroying the channel disconnects.
-  std::unique_ptr<soccer::Channel> connect(ListeningPort port = ListeningPort::kPlayers);
+  /// `rights`: see MatchServer::admit.
+  std::unique_ptr<soccer::Channel> connect(ListeningPort port = ListeningPort::kPlayers,
+                                           const ClientRights& rights = {});
 
   /// Handles pending connection requests in the order of connect() and replies to them.
   void accept_clients();
@@ -57,6 +60,11 @@ class LockstepServer {
   /// Accepts players over UDP in lockstep: the match depends on their messages, not on the time of
   /// arrival. See wait_for_clients().
   base::Result<int> open_player_port(const std::string& address, int port);
+
+  /// See UdpNetwork::bind_clients. After a port was opened.
+  void bind_clients(UdpNetwork::RightsOf rights_of, UdpNetwork::OnIntrusion on_intrusion) {
+    network_->bind_clients(std::move(rights_of), std::move(on_intrusion));
+  }
 
   using Time = UdpNetwork::Time;
   /// Receives over UDP until no client is awaited, or until `deadline`. Returns false on timeout.
@@ -95,6 +103,7 @@ class LockstepServer {
   struct PendingConnection {
     ListeningPort port;
     std::unique_ptr<soccer::Channel> channel;
+    ClientRights rights;
   };
 
   base::Result<int> open(ListeningPort role, const std::string& address, int port);

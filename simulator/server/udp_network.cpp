@@ -107,6 +107,11 @@ class UdpNetwork::Sockets {
  public:
   explicit Sockets(MatchServer& match) : match_(match), epoll_(::epoll_create1(EPOLL_CLOEXEC)) {}
 
+  void bind_clients(RightsOf rights_of, OnIntrusion on_intrusion) {
+    rights_of_ = std::move(rights_of);
+    on_intrusion_ = std::move(on_intrusion);
+  }
+
   base::Result<void> open(ListeningPort role, const std::string& address, int port) {
     const auto error = [&](const std::string& cause) {
       return base::Error{"cannot listen on " + address + " port " + std::to_string(port) + ": " +
@@ -239,12 +244,13 @@ class UdpNetwork::Sockets {
     }
 
     if (text.ends_with('\n')) text.remove_suffix(1);
-    const auto admission = match_.admit(listening.role, text);
+    const ClientRights rights = rights_of_ ? rights_of_(sender) : ClientRights{};
+    const AdmissionResult admission = match_.admit(listening.role, text, rights);
     if (const auto* admitted = std::get_if<Admission>(&admission)) {
-      accept(listening, *admitted, text, sender);
-    } else {
-      refuse(listening, std::get<soccer::ErrorCode>(admission), sender);
+      return accept(listening, *admitted, text, sender);
     }
+    if (std::holds_alternative<Intrusion>(admission)) on_intrusion_(sender, text);
+    refuse(listening, refusal(admission), sender);
   }
 
   void accept(ListeningSocket& listening, const Admission& admission, std::string_view request,
@@ -317,6 +323,8 @@ class UdpNetwork::Sockets {
   }
 
   MatchServer& match_;
+  RightsOf rights_of_;  ///< empty: any client may become anything
+  OnIntrusion on_intrusion_;
   base::UniqueFd epoll_;
   std::deque<ListeningSocket> listening_;  ///< a deque keeps addresses stable
   std::vector<Client> clients_;
@@ -326,6 +334,10 @@ class UdpNetwork::Sockets {
 
 UdpNetwork::UdpNetwork(MatchServer& match) : sockets_(std::make_unique<Sockets>(match)) {}
 UdpNetwork::~UdpNetwork() = default;
+
+void UdpNetwork::bind_clients(RightsOf rights_of, OnIntrusion on_intrusion) {
+  sockets_->bind_clients(std::move(rights_of), std::move(on_intrusion));
+}
 
 base::Result<void> UdpNetwork::open(ListeningPort role, const std::string& address, int port) {
   return sockets_->open(role, address, port);

@@ -5,8 +5,10 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "base/result.h"
+#include "base/system/socket_address.h"
 #include "simulator/sessions/match_server.h"
 
 namespace cls::simulator {
@@ -23,6 +25,14 @@ class UdpNetwork {
   /// destroyed (MatchServer::disconnect_all).
   explicit UdpNetwork(MatchServer& match);
   ~UdpNetwork();
+
+  /// Whose process sends from an address of this host, in terms of rights.
+  using RightsOf = std::function<ClientRights(const base::SocketAddress&)>;
+  /// Called with each request beyond the rights of its sender.
+  using OnIntrusion = std::function<void(const base::SocketAddress&, std::string_view request)>;
+  /// From now on admits clients by the rights of their processes. `rights_of` is called for each
+  /// connection request.
+  void bind_clients(RightsOf rights_of, OnIntrusion on_intrusion);
 
   /// Listens for requests. `address` is numeric; port 0 selects a free port. The error names both.
   base::Result<void> open(ListeningPort role, const std::string& address, int port);

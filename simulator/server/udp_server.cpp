@@ -41,6 +41,10 @@ UdpServer::UdpServer(UdpConfig config, std::unique_ptr<MatchServer> match)
 // Connections own sockets registered with the network, so they are destroyed first.
 UdpServer::~UdpServer() { match_->disconnect_all(); }
 
+void UdpServer::bind_clients(RightsOf rights_of, OnIntrusion on_intrusion) {
+  network_->bind_clients(std::move(rights_of), std::move(on_intrusion));
+}
+
 int UdpServer::port(ListeningPort role) const { return network_->port(role); }
 
 std::int64_t UdpServer::missed_cycles() const { return missed_cycles_; }
@@ -114,12 +118,28 @@ bool UdpServer::run_cycle(const std::atomic<bool>& stop) {
 bool UdpServer::wait_for_clients(const std::atomic<bool>& stop,
                                  const std::function<bool()>& enough) {
   constexpr std::chrono::milliseconds kPollInterval{20};
-  const auto deadline = WallClock::now() + config_.max_wait;
+  const auto begin = WallClock::now();
+  const auto deadline = begin + config_.max_wait;
+  std::array<std::chrono::nanoseconds, 2> awaited{};
+  const auto measured_enough = [&] {
+    const auto now = WallClock::now();
+    if (awaits_side(Side::kLeft)) awaited[0] = now - begin;
+    if (awaits_side(Side::kRight)) awaited[1] = now - begin;
+    return enough();
+  };
   do {
-    network_->receive_until(std::min(deadline, WallClock::now() + kPollInterval), enough);
+    network_->receive_until(std::min(deadline, WallClock::now() + kPollInterval), measured_enough);
   } while (!enough() && !stop.load() && WallClock::now() < deadline);
-
+  awaited_[0] += awaited[0];
+  awaited_[1] += awaited[1];
   return enough();
+}
+
+bool UdpServer::awaits_side(Side side) const {
+  for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
+    if (match_->awaits(soccer::slot_of(side, unum))) return true;
+  }
+  return match_->awaits(side == Side::kLeft ? kLeftCoach : kRightCoach);
 }
 
 UdpServerExit UdpServer::run_in_real_time(const std::atomic<bool>& stop) {

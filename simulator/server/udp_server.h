@@ -8,9 +8,11 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/result.h"
+#include "base/system/socket_address.h"
 #include "simulator/server/step_timer.h"
 #include "simulator/sessions/match_server.h"
 
@@ -73,6 +75,12 @@ class UdpServer {
   static base::Result<std::unique_ptr<UdpServer>> open(UdpConfig config);
   ~UdpServer();
 
+  /// See UdpNetwork::bind_clients and MatchServer::make_monitors_read_only. Before run().
+  using RightsOf = std::function<ClientRights(const base::SocketAddress&)>;
+  using OnIntrusion = std::function<void(const base::SocketAddress&, std::string_view request)>;
+  void bind_clients(RightsOf rights_of, OnIntrusion on_intrusion);
+  void make_monitors_read_only() { match_->make_monitors_read_only(); }
+
   /// Number of a listening port.
   int port(ListeningPort role = ListeningPort::kPlayers) const;
 
@@ -105,6 +113,12 @@ class UdpServer {
   /// Cycles in which some client sent (done) too late or not at all.
   std::int64_t missed_cycles() const;
 
+  /// For how long the server has waited in synchronous mode for the players and the coach of a
+  /// side; sides are awaited concurrently.
+  std::chrono::nanoseconds awaited(Side side) const {
+    return side == Side::kLeft ? awaited_[0] : awaited_[1];
+  }
+
   const World& world() const;
 
  private:
@@ -114,6 +128,7 @@ class UdpServer {
   UdpServerExit run_in_real_time(const std::atomic<bool>& stop);
   bool run_cycle(const std::atomic<bool>& stop);
   bool wait_for_clients(const std::atomic<bool>& stop, const std::function<bool()>& enough);
+  bool awaits_side(Side side) const;
   void receive_until(StepTimer::Time next_step, int step_ms, const std::atomic<bool>& stop);
   void make_step();
   void execute();
@@ -131,6 +146,7 @@ class UdpServer {
   std::array<const Connection*, MatchServer::kMaxClients> reported_{};  ///< by report_connections()
   std::int64_t missed_cycles_ = 0;
   int missed_in_a_row_ = 0;
+  std::array<std::chrono::nanoseconds, 2> awaited_{};  ///< left, right
   StepTimer::Lateness lateness_;
 };
 

@@ -25,18 +25,19 @@ const CoachSession* CoachRegistry::session(ClientId client) const {
 }
 
 AdmissionResult CoachRegistry::admit(const World& world, ListeningPort port,
-                                     std::string_view datagram) {
-  return port == ListeningPort::kTrainers ? admit_trainer(world, datagram)
-                                          : admit_coach(world, datagram);
+                                     std::string_view datagram, const ClientRights& rights) {
+  if (port != ListeningPort::kTrainers) return admit_coach(world, datagram, rights);
+  if (!rights.trainer) return Intrusion{ErrorCode::kTrainerWithoutCoachMode};
+  return admit_trainer(world, datagram);
 }
 
-AdmissionResult CoachRegistry::admit_coach(const World& world, std::string_view datagram) {
+AdmissionResult CoachRegistry::admit_coach(const World& world, std::string_view datagram,
+                                           const ClientRights& rights) {
   soccer::CoachInit init;
   if (const auto error = soccer::parse(datagram, init)) return *error;
-
-  const Side side = find_side(world, init.team.view());
+  const Side side = find_side(world, init.team.view(), rights.only_side());
   if (side == Side::kNeutral) return ErrorCode::kNoSuchTeam;
-
+  if (!rights.may_play_for(side)) return Intrusion{ErrorCode::kNoSuchTeam};
   const ClientId client = side == Side::kLeft ? kLeftCoach : kRightCoach;
   if (slot(client) != nullptr) return ErrorCode::kAlreadyHaveCoach;
   if (!is_supported_version(init.version)) return ErrorCode::kIllegalClientVersion;

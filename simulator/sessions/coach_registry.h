@@ -38,7 +38,8 @@ class CoachRegistry {
       : language_{CoachLanguage(params), CoachLanguage(params)} {}
 
   /// See MatchServer::admit.
-  AdmissionResult admit(const World& world, ListeningPort port, std::string_view datagram);
+  AdmissionResult admit(const World& world, ListeningPort port, std::string_view datagram,
+                        const ClientRights& rights);
 
   /// Creates the session of an admitted client and sends the reply and the parameters, but not the
   /// coach language versions of the players.
@@ -83,7 +84,8 @@ class CoachRegistry {
     return sessions_[static_cast<std::size_t>(client - kLeftCoach)];
   }
 
-  AdmissionResult admit_coach(const World& world, std::string_view datagram);
+  AdmissionResult admit_coach(const World& world, std::string_view datagram,
+                              const ClientRights& rights);
   AdmissionResult admit_trainer(const World& world, std::string_view datagram);
 
   struct Executor;

@@ -44,7 +44,34 @@ struct Admission {
   bool reconnected = false;
   bool binary = false;  ///< its messages have no closing NUL on a network
 };
-using AdmissionResult = std::variant<Admission, soccer::ErrorCode>;
+
+/// What the sender of a request may become, where the server knows whose process it is. With the
+/// right to play for one side only, it belongs to that side whatever name it sends.
+struct ClientRights {
+  bool left = true;   ///< a player or the online coach of the left side
+  bool right = true;  ///< of the right side
+  bool trainer = true;
+  bool monitor = true;
+
+  /// The side that it must play for, or neutral if the name decides.
+  Side only_side() const {
+    if (left == right) return Side::kNeutral;
+    return left ? Side::kLeft : Side::kRight;
+  }
+  bool may_play_for(Side side) const { return side == Side::kLeft ? left : right; }
+};
+
+/// A request beyond the rights of its sender; it is refused with `reply`.
+struct Intrusion {
+  soccer::ErrorCode reply = soccer::ErrorCode::kNoMoreTeam;
+};
+using AdmissionResult = std::variant<Admission, soccer::ErrorCode, Intrusion>;
+
+/// The reply to a request that was not admitted.
+inline soccer::ErrorCode refusal(const AdmissionResult& result) {
+  const auto* intrusion = std::get_if<Intrusion>(&result);
+  return intrusion != nullptr ? intrusion->reply : std::get<soccer::ErrorCode>(result);
+}
 
 /// Limits what a client may send between two steps, so that a flood uses neither the memory of the
 /// server nor the time of other clients. The rest is dropped.

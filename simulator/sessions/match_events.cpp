@@ -3,6 +3,7 @@
 
 #include "base/overloaded.h"
 #include "simulator/sessions/match_server.h"
+#include "simulator/world/roster.h"
 
 namespace cls::simulator {
 
@@ -77,8 +78,8 @@ void MatchServer::send_goalie_change(Clock clock, const GoalieAppointed& change)
 void MatchServer::send_clang_versions(CoachSession& coach, Slot slot) {
   const Player& player = world_.player(slot);
   const soccer::Clang& versions = players_.clang_versions(slot);
-  coach.reply(soccer::ClangSupport{world_.team(player.side).name, player.unum, player.goalie,
-                                   versions.min_version, versions.max_version});
+  coach.reply(soccer::ClangSupport{visible_team_name(world_, player.side, player.side), player.unum,
+                                   player.goalie, versions.min_version, versions.max_version});
 }
 
 // Sends a substitution to monitors and the game log; `what` is the player type or "goalie".

@@ -59,24 +59,28 @@ MatchServer::MatchServer(std::shared_ptr<const Rules> rules, const MatchConfig& 
 
 void MatchServer::record(const LogSinks& sinks) { recorder_.begin(sinks, *world_.rules); }
 
-AdmissionResult MatchServer::admit(ListeningPort port, std::string_view datagram) {
+AdmissionResult MatchServer::admit(ListeningPort port, std::string_view datagram,
+                                   const ClientRights& rights) {
   if (port == ListeningPort::kOnlineCoaches || port == ListeningPort::kTrainers) {
-    return coaches_.admit(world_, port, datagram);
+    return coaches_.admit(world_, port, datagram, rights);
   }
 
   soccer::GameRequest request;
   if (const auto error = soccer::parse(datagram, request)) return *error;
-  if (const auto* init = std::get_if<soccer::MonitorInit>(&request)) return admit_monitor(*init);
+  if (const auto* init = std::get_if<soccer::MonitorInit>(&request)) {
+    return admit_monitor(*init, rights);
+  }
   if (port == ListeningPort::kMonitors) return ErrorCode::kUnknownCommand;
 
   if (const auto* init = std::get_if<soccer::PlayerInit>(&request)) {
-    return PlayerRegistry::admit(world_, *init);
+    return PlayerRegistry::admit(world_, *init, rights);
   }
-
-  return PlayerRegistry::admit(world_, std::get<soccer::PlayerReconnect>(request));
+  return PlayerRegistry::admit(world_, std::get<soccer::PlayerReconnect>(request), rights);
 }
 
-AdmissionResult MatchServer::admit_monitor(const soccer::MonitorInit& init) {
+AdmissionResult MatchServer::admit_monitor(const soccer::MonitorInit& init,
+                                           const ClientRights& rights) {
+  if (!rights.monitor) return Intrusion{ErrorCode::kNoMoreMonitor};
   const int version = monitor_version(init.version);
   if (version == 0) return ErrorCode::kIllegalClientVersion;
 

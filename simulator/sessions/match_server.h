@@ -54,7 +54,8 @@ class MatchServer {
 
   /// Handles a connection request; returns an error to reply with if it is refused. An accepted
   /// client belongs to the match, and complete_handshake() or cancel() must follow.
-  AdmissionResult admit(ListeningPort port, std::string_view datagram);
+  AdmissionResult admit(ListeningPort port, std::string_view datagram,
+                        const ClientRights& rights = {});
 
   /// Connects the admitted client and sends the reply and the parameters
   /// (docs/spec/server-protocol.md 2.1).
@@ -149,7 +150,7 @@ class MatchServer {
  private:
   explicit MatchServer(std::shared_ptr<const Rules> rules, const MatchConfig& config);
 
-  AdmissionResult admit_monitor(const soccer::MonitorInit& init);
+  AdmissionResult admit_monitor(const soccer::MonitorInit& init, const ClientRights& rights);
   void connect_coach(const Admission& admission, std::unique_ptr<soccer::Channel> channel);
 
   void execute(PlayerSession& session);

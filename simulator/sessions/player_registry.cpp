@@ -30,11 +30,16 @@ const std::string& fixed_name(const soccer::ServerParams& params, Side side) {
 // permanent, even if the request is refused afterwards.
 std::optional<Side> assign_side(World& world, std::string_view name) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    Team& team = world.team(side);
-    if (team.name.empty()) team.name = soccer::TeamName(name);
-    if (team.name.view() == name) return side;
+    if (world.team(side).name.empty()) name_team(world, side, name);
+    if (has_name(world, Side::kNeutral, side, name)) return side;
   }
   return std::nullopt;
+}
+
+// A side has one name, the one of its first client.
+bool accepts_name(World& world, Side side, std::string_view name) {
+  if (world.team(side).name.empty()) name_team(world, side, name);
+  return has_name(world, side, side, name);
 }
 
 }  // namespace
@@ -45,15 +50,19 @@ PlayerRegistry::PlayerRegistry(const soccer::ServerParams& params) : vision_(par
   heard_.reserve(soccer::kPlayersOnPitch);
 }
 
-AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerInit& init) {
+AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerInit& init,
+                                      const ClientRights& rights) {
+  if (!rights.left && !rights.right) return Intrusion{};
   const std::string_view name = init.team.view();
   for (const Side side : {Side::kLeft, Side::kRight}) {
     if (!name.empty() && name == fixed_name(world.params(), side)) {
       return ErrorCode::kConflictWithFixedTeamName;
     }
   }
-
-  const std::optional<Side> side = assign_side(world, name);
+  const Side own = rights.only_side();
+  if (own != Side::kNeutral && !accepts_name(world, own, name)) return Intrusion{};
+  const std::optional<Side> side =
+      own == Side::kNeutral ? assign_side(world, name) : std::optional<Side>(own);
   if (!side) return ErrorCode::kNoMoreTeam;
   if (!is_supported_version(init.version)) {
     return ErrorCode::kNoMorePlayerOrGoalieOrIllegalVersion;
@@ -66,24 +75,23 @@ AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerInit& in
   return Admission{*slot, version, false};
 }
 
-AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerReconnect& request) {
-  if (world.mode == PlayMode::kPlayOn) return ErrorCode::kCannotReconnectWhilePlayOn;
-  for (const Side side : {Side::kLeft, Side::kRight}) {
-    if (request.team != world.team(side).name.view()) continue;
-    if (request.unum < 1 || request.unum > soccer::kPlayersPerTeam) break;
-
-    Player& player = world.player(side, request.unum);
-    if (!player.joined) break;
-    if (player.has(state::kRedCard)) return ErrorCode::kRedCardedPlayer;
-
-    rejoin(world, player.slot());
-    player.ears.complete = {true, true};
-    player.ears.partial = {false, false};
-    player.attention = kNoPlayer;
-    return Admission{player.slot(), player.client_version, true};
+AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerReconnect& request,
+                                      const ClientRights& rights) {
+  const Side own = rights.only_side();
+  const Side named = find_side(world, request.team, own);
+  if (named != Side::kNeutral && !rights.may_play_for(named)) {
+    return Intrusion{ErrorCode::kNoSuchTeamOrPlayer};
   }
-
-  return ErrorCode::kNoSuchTeamOrPlayer;
+  if (world.mode == PlayMode::kPlayOn) return ErrorCode::kCannotReconnectWhilePlayOn;
+  const std::optional<Slot> slot = find_player(world, named, request.unum);
+  if (!slot) return ErrorCode::kNoSuchTeamOrPlayer;
+  Player& player = world.player(*slot);
+  if (player.has(state::kRedCard)) return ErrorCode::kRedCardedPlayer;
+  rejoin(world, *slot);
+  player.ears.complete = {true, true};
+  player.ears.partial = {false, false};
+  player.attention = kNoPlayer;
+  return Admission{*slot, player.client_version, true};
 }
 
 PlayerSession& PlayerRegistry::connect(const World& world, const Admission& admission,

@@ -24,8 +24,10 @@ class PlayerRegistry {
   explicit PlayerRegistry(const soccer::ServerParams& params);
 
   // See MatchServer::admit. An accepted player joins the world.
-  static AdmissionResult admit(World& world, const soccer::PlayerInit& init);
-  static AdmissionResult admit(World& world, const soccer::PlayerReconnect& request);
+  static AdmissionResult admit(World& world, const soccer::PlayerInit& init,
+                               const ClientRights& rights);
+  static AdmissionResult admit(World& world, const soccer::PlayerReconnect& request,
+                               const ClientRights& rights);
 
   /// Creates the session of an admitted client and sends the reply and the parameters.
   PlayerSession& connect(const World& world, const Admission& admission,

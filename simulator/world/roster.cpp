@@ -2,6 +2,7 @@
 #include "simulator/world/roster.h"
 
 #include <algorithm>
+#include <string>
 
 namespace cls::simulator {
 namespace {
@@ -19,6 +20,24 @@ void move_to_bench(Player& player) {
 }
 
 bool has_joined(const Player& player, Side side) { return player.joined && player.side == side; }
+
+// `name` with the side at the end: another name, as long as the protocol allows.
+soccer::TeamName marked_name(std::string_view name, Side side) {
+  constexpr std::size_t kMarkSize = 2;
+  const std::string start(name.substr(0, soccer::TeamName::kMaxSize - kMarkSize));
+  const std::string end(1, side == Side::kLeft ? 'l' : 'r');
+  const std::string marked = start + '_' + end;
+  return soccer::TeamName(marked == name ? start + '-' + end : marked);
+}
+
+// The name in the match, as its own clients and as those of its opponent know it.
+soccer::TeamName known_name(const World& world, Side viewer, Side side) {
+  const Team& team = world.team(side);
+  if (viewer == side && !team.own_name.empty()) return team.own_name;
+  if (viewer != opponent(side) || team.name.empty()) return team.name;
+  const soccer::TeamName& chosen = world.team(viewer).own_name;
+  return chosen == team.name ? marked_name(team.name.view(), side) : team.name;
+}
 
 }  // namespace
 
@@ -77,15 +96,28 @@ int joined_count(const World& world, Side side) {
                     [side](const Player& player) { return has_joined(player, side); }));
 }
 
-Side find_side(const World& world, std::string_view team) {
+void name_team(World& world, Side side, std::string_view name) {
+  Team& team = world.team(side);
+  team.name = soccer::TeamName(name);
+  if (name.empty() || !(world.team(opponent(side)).name == team.name)) return;
+  team.own_name = team.name;
+  team.name = marked_name(name, side);
+}
+
+bool has_name(const World& world, Side viewer, Side side, std::string_view name) {
+  const soccer::TeamName known = known_name(world, viewer, side);
+  return !known.empty() && known.view() == name;
+}
+
+Side find_side(const World& world, std::string_view team, Side viewer) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    if (!team.empty() && world.team(side).name.view() == team) return side;
+    if (has_name(world, viewer, side, team)) return side;
   }
   return Side::kNeutral;
 }
 
 soccer::TeamName visible_team_name(const World& world, Side viewer, Side side) {
-  const soccer::TeamName& name = world.team(side).name;
+  const soccer::TeamName name = known_name(world, viewer, side);
   const soccer::ServerParams& params = world.params();
   const std::string& fixed =
       side == Side::kLeft ? params.fixed_teamname_l : params.fixed_teamname_r;

@@ -26,12 +26,19 @@ void send_off(World& world, Slot slot, Events& events);
 /// Number of players of a team that have ever connected.
 int joined_count(const World& world, Side side);
 
-/// Side of the team with that name, or neutral.
-Side find_side(const World& world, std::string_view team);
+/// Names a team by its first client. A team with the name of its opponent gets one of its own, with
+/// "_l" or "_r" at the end; its clients continue to see the name that they chose.
+void name_team(World& world, Side side, std::string_view name);
+
+/// True if clients of side `viewer` call the team on `side` so. False before it has a name.
+bool has_name(const World& world, Side viewer, Side side, std::string_view name);
+
+/// Side of the team that clients of side `viewer` call so, or neutral.
+Side find_side(const World& world, std::string_view team, Side viewer = Side::kNeutral);
 
 /// Name of the team on `side` as sent to clients of side `viewer`. Opponents see the fixed name
-/// (fixed_teamname_l and _r) if there is one; a neutral viewer sees the real name. Empty if the
-/// team has not connected.
+/// (fixed_teamname_l and _r) if there is one; a neutral viewer sees the name in the match. Empty if
+/// the team has not connected.
 soccer::TeamName visible_team_name(const World& world, Side viewer, Side side);
 
 /// Slot of a player that has connected; none for other uniform numbers.

@@ -37,7 +37,8 @@ struct Ball {
 };
 
 struct Team {
-  soccer::TeamName name;
+  soccer::TeamName name;      ///< unique in the match
+  soccer::TeamName own_name;  ///< as its clients call it, if another team has that name
   bool connected = false;
   int score = 0;
   int penalty_kicks = 0;  ///< penalty kicks taken in the shoot-out

@@ -1,0 +1,155 @@
+// Clients that may play for one side only, and two teams of one name.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "simulator/sessions/match_server.h"
+#include "simulator/world/roster.h"
+#include "soccer/memory_channel.h"
+
+namespace cls::simulator {
+namespace {
+
+using soccer::ErrorCode;
+using testing::Contains;
+using testing::HasSubstr;
+
+constexpr ClientRights kLeftOnly{true, false, false, false};
+constexpr ClientRights kRightOnly{false, true, false, false};
+constexpr ClientRights kWatch{false, false, false, true};
+constexpr ClientRights kNothing{false, false, false, false};
+
+class ClientRightsTest : public testing::Test {
+ protected:
+  AdmissionResult ask(const std::string& request, const ClientRights& rights,
+                      ListeningPort port = ListeningPort::kPlayers) {
+    return server_->admit(port, request, rights);
+  }
+  /// Connects the client; its id, or the reply as a negative number.
+  ClientId connect(const std::string& request, const ClientRights& rights,
+                   ListeningPort port = ListeningPort::kPlayers) {
+    const AdmissionResult result = ask(request, rights, port);
+    if (!std::holds_alternative<Admission>(result)) return kNoClient;
+    auto [server_end, client_end] = soccer::make_memory_channel();
+    const auto& admission = std::get<Admission>(result);
+    clients_[admission.client] = std::move(client_end);
+    server_->complete_handshake(admission, std::move(server_end), request);
+    return admission.client;
+  }
+  bool intrudes(const std::string& request, const ClientRights& rights,
+                ListeningPort port = ListeningPort::kPlayers) {
+    return std::holds_alternative<Intrusion>(ask(request, rights, port));
+  }
+  std::vector<std::string> messages(ClientId client) {
+    std::vector<std::string> texts;
+    std::string text;
+    while (clients_[client]->receive(text)) texts.push_back(text);
+    return texts;
+  }
+  const World& world() const { return server_->world(); }
+
+  std::unique_ptr<MatchServer> server_ = std::move(*MatchServer::create({}));
+  std::map<ClientId, std::unique_ptr<soccer::Channel>> clients_;
+};
+
+TEST_F(ClientRightsTest, DecideTheSideWhateverComesFirst) {
+  EXPECT_EQ(connect("(init B (version 18))", kRightOnly), soccer::slot_of(Side::kRight, 1));
+  EXPECT_EQ(connect("(init A (version 18))", kLeftOnly), soccer::slot_of(Side::kLeft, 1));
+  EXPECT_EQ(world().team(Side::kLeft).name.view(), "A");
+  EXPECT_EQ(world().team(Side::kRight).name.view(), "B");
+}
+
+TEST_F(ClientRightsTest, GiveASideOneName) {
+  connect("(init A (version 18))", kLeftOnly);
+  EXPECT_TRUE(intrudes("(init B (version 18))", kLeftOnly));
+  EXPECT_TRUE(world().team(Side::kRight).name.empty()) << "not even reserved";
+  EXPECT_EQ(connect("(init B (version 18))", kRightOnly), soccer::slot_of(Side::kRight, 1));
+}
+
+TEST_F(ClientRightsTest, RefusePlayersAndCoachesOfTheOtherSide) {
+  connect("(init A (version 18))", kLeftOnly);
+  connect("(init B (version 18))", kRightOnly);
+  EXPECT_TRUE(intrudes("(reconnect B 1)", kLeftOnly));
+  EXPECT_TRUE(intrudes("(init B (version 18))", kLeftOnly, ListeningPort::kOnlineCoaches));
+  EXPECT_EQ(refusal(ask("(reconnect B 1)", kLeftOnly)), ErrorCode::kNoSuchTeamOrPlayer);
+  EXPECT_EQ(connect("(reconnect A 1)", kLeftOnly), soccer::slot_of(Side::kLeft, 1));
+  EXPECT_EQ(connect("(init B (version 18))", kRightOnly, ListeningPort::kOnlineCoaches),
+            kRightCoach);
+}
+
+TEST_F(ClientRightsTest, RefuseAllThatIsNotGranted) {
+  connect("(init A (version 18))", {});
+  for (const ClientRights& rights : {kWatch, kNothing}) {
+    EXPECT_TRUE(intrudes("(init A (version 18))", rights));
+    EXPECT_TRUE(intrudes("(reconnect A 1)", rights));
+    EXPECT_TRUE(intrudes("(init A (version 18))", rights, ListeningPort::kOnlineCoaches));
+    EXPECT_TRUE(intrudes("(init (version 18))", rights, ListeningPort::kTrainers));
+  }
+  EXPECT_TRUE(intrudes("(dispinit version 4)", kNothing));
+  EXPECT_TRUE(intrudes("(dispinit version 4)", kLeftOnly));
+  EXPECT_NE(connect("(dispinit version 4)", kWatch), kNoClient);
+}
+
+class TwinsTest : public ClientRightsTest {
+ protected:
+  TwinsTest() {
+    left_ = connect("(init Twins (version 18))", kLeftOnly);
+    right_ = connect("(init Twins (version 18))", kRightOnly);
+    for (const ClientId client : {left_, right_}) {
+      server_->receive(client, "(move -10 0)");
+      messages(client);
+    }
+    server_->execute();
+  }
+
+  ClientId left_ = kNoClient;
+  ClientId right_ = kNoClient;
+};
+
+TEST_F(TwinsTest, HaveNamesOfTheirOwn) {
+  EXPECT_EQ(left_, soccer::slot_of(Side::kLeft, 1));
+  EXPECT_EQ(right_, soccer::slot_of(Side::kRight, 1));
+  EXPECT_EQ(world().team(Side::kLeft).name.view(), "Twins");
+  EXPECT_EQ(world().team(Side::kRight).name.view(), "Twins_r");
+}
+
+// A program that looks for its own name must find its own players, and no others.
+TEST_F(TwinsTest, SeeThemselvesUnderTheNameThatTheyChose) {
+  EXPECT_EQ(visible_team_name(world(), Side::kLeft, Side::kLeft).view(), "Twins");
+  EXPECT_EQ(visible_team_name(world(), Side::kLeft, Side::kRight).view(), "Twins_r");
+  EXPECT_EQ(visible_team_name(world(), Side::kRight, Side::kRight).view(), "Twins");
+  EXPECT_EQ(visible_team_name(world(), Side::kRight, Side::kLeft).view(), "Twins_l");
+  EXPECT_EQ(visible_team_name(world(), Side::kNeutral, Side::kRight).view(), "Twins_r");
+}
+
+TEST_F(TwinsTest, ReconnectAndHaveCoaches) {
+  EXPECT_EQ(connect("(reconnect Twins 1)", kRightOnly), right_);
+  const ClientId coach =
+      connect("(init Twins (version 18))", kRightOnly, ListeningPort::kOnlineCoaches);
+  EXPECT_EQ(coach, kRightCoach);
+  messages(coach);
+  server_->receive(coach, "(team_names)");
+  server_->execute();
+  EXPECT_THAT(messages(coach),
+              Contains(HasSubstr("(ok team_names (team l Twins_l) (team r Twins)")));
+}
+
+TEST_F(TwinsTest, AttendToTheirOwnByName) {
+  connect("(init Twins (version 18))", kRightOnly);
+  server_->receive(right_, "(attentionto Twins 2)");
+  server_->execute();
+  EXPECT_EQ(world().player(right_).attention, soccer::slot_of(Side::kRight, 2));
+}
+
+TEST_F(ClientRightsTest, KeepLongNamesWithinTheLimit) {
+  connect("(init FifteenLetters_ (version 18))", kLeftOnly);
+  connect("(init FifteenLetters_ (version 18))", kRightOnly);
+  EXPECT_EQ(world().team(Side::kRight).name.view(), "FifteenLetter_r");
+}
+
+}  // namespace
+}  // namespace cls::simulator
