@@ -30,10 +30,13 @@
 #include "cli/terminal/json_stdout.h"
 #include "gamelog/rcg/rcg_writer.h"
 #include "orchestration/match/options/server_settings.h"
+#include "orchestration/match/server/client_binding.h"
 #include "orchestration/match/server/server_logs.h"
+#include "orchestration/match/server/server_output.h"
 #include "orchestration/match/server/server_report.h"
 #include "orchestration/match/server/server_teams.h"
 #include "orchestration/process/ports.h"
+#include "orchestration/process/socket_visibility.h"
 #include "simulator/server/udp_server.h"
 #include "simulator/sessions/match_recorder.h"
 
@@ -149,6 +152,15 @@ void print_times(const UdpServer& server) {
              late.p99_ms, late.worst_ms);
 }
 
+/// For the match that has started this server: whose time it was.
+void print_awaited(const UdpServer& server) {
+  const auto seconds = [&server](soccer::Side side) {
+    return std::chrono::duration<double>(server.awaited(side)).count();
+  };
+  fmt::print("{}{:.3f} {:.3f}\n", orchestration::match::kAwaitedLine, seconds(soccer::Side::kLeft),
+             seconds(soccer::Side::kRight));
+}
+
 /// Prints the result and closes the logs. Returns the first error.
 base::Result<void> finish(const UdpServer& server, const ServerSettings& settings,
                           orchestration::match::ServerLogs& logs, std::time_t start) {
@@ -157,7 +169,7 @@ base::Result<void> finish(const UdpServer& server, const ServerSettings& setting
   if (settings.save_csv) saved = save_csv(settings.csv_file, report);
   fmt::print("{}", console_report(report, settings.save_csv && saved));
   print_times(server);
-
+  if (settings.bound && server.world().params().synch_mode) print_awaited(server);
   gamelog::Frame last;
   simulator::to_frame(server.world(), last);
   // In names of logs the coach name follows the team name.
@@ -240,6 +252,36 @@ std::string earlier_log(const std::filesystem::path& folder) {
   return {};
 }
 
+/// For the match that has started this server.
+void print_intrusion(const std::string& line) {
+  fmt::print("{}{}\n", orchestration::match::kIntrusionLine, line);
+  std::fflush(stdout);
+}
+
+/// Binds clients to the sides of the match that has started this server, and reports others. False
+/// if none has started it.
+bool bind_clients(UdpServer& server, const ServerSettings& settings,
+                  std::optional<orchestration::match::ClientBinding>& binding) {
+  if (!settings.bound) return true;
+  const soccer::ServerParams& params = settings.server;
+  const bool has_trainer = params.coach || params.coach_w_referee;
+  if (!has_trainer || settings.bound->trainer) server.make_monitors_read_only();
+  if (const auto missing = orchestration::process::missing_socket_owners(); !missing.empty()) {
+    print_intrusion(missing);
+    return true;
+  }
+  auto owners = orchestration::process::SocketOwners::of_programs_beside();
+  if (!owners) return false;
+  binding.emplace(*settings.bound, *std::move(owners));
+  server.bind_clients(
+      [&binding](const base::SocketAddress& sender) { return binding->rights_of(sender); },
+      [&binding](const base::SocketAddress& sender, std::string_view request) {
+        const auto line = binding->intrusion_line(sender, request);
+        if (line) print_intrusion(*line);
+      });
+  return true;
+}
+
 /// Opens sockets and logs, serves the match, closes the logs.
 int serve_match(const Arguments& arguments, const ServerSettings& settings,
                 const JsonStdout& json) {
@@ -256,7 +298,10 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings,
     return print_error(kTryAgain, taken.empty() ? server.error().message
                                                 : taken + "; --port 0 selects free ports");
   }
-
+  std::optional<orchestration::match::ClientBinding> binding;
+  if (!bind_clients(**server, settings, binding)) {
+    return print_error(kUsage, "match::sides: no match has started this server; omit it");
+  }
   if (const std::string log = earlier_log(arguments.folder); !log.empty()) {
     return print_error(kCannotCreate, fmt::format("{}: exists; give --dir another folder", log));
   }

@@ -181,7 +181,8 @@ LoopTimes LiveLoop::times() const {
   return {.play = std::chrono::duration<double>(last_cycle_ - first_cycle_).count()};
 }
 
-std::optional<SpeedResult> LiveLoop::speed(const MatchResult& result) const {
+std::optional<SpeedResult> LiveLoop::speed(const MatchResult& result) {
+  speed_.set_awaited(server_.status().awaited_s);
   return speed_.result(played_, result);
 }
 

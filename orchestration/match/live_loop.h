@@ -33,7 +33,7 @@ class LiveLoop : public MatchLoop {
   bool is_over() const override;
   void finish(const MatchEnd& end) override;
   LoopTimes times() const override;
-  std::optional<SpeedResult> speed(const MatchResult& result) const override;
+  std::optional<SpeedResult> speed(const MatchResult& result) override;
   /// A side that has not called its Playmaker yet may wait for the server.
   bool blames(const MatchSide& side) const override { return side.awaited_reply().has_value(); }
   bool needs_sides() const override { return !is_over(); }

@@ -153,7 +153,7 @@ void LockstepLoop::cancel_calls() {
   for (const auto& side : sides_) side->cancel();
 }
 
-std::optional<SpeedResult> LockstepLoop::speed(const MatchResult& result) const {
+std::optional<SpeedResult> LockstepLoop::speed(const MatchResult& result) {
   return speed_.result(played_, result);
 }
 

@@ -30,7 +30,7 @@ class LockstepLoop : public MatchLoop {
   bool is_over() const override { return server_.finished(); }
   void finish(const MatchEnd& /*end*/) override { server_.finish(); }
   LoopTimes times() const override { return times_; }
-  std::optional<SpeedResult> speed(const MatchResult& result) const override;
+  std::optional<SpeedResult> speed(const MatchResult& result) override;
   bool blames(const MatchSide& /*side*/) const override { return true; }
   bool needs_sides() const override { return true; }
   void on_failure() override { cancel_calls(); }

@@ -88,7 +88,7 @@ void Match::join_sides() {
     watch_.observer().on_phase(fmt::format("{} joins", side->identity().name));
     watch_.wait_for(*side, [&] {
       if (auto failure = side->join(server_->status(), joined)) {
-        if (loop_->blames(*side) && !is_trainer(*side)) failure->fault = side->identity().side;
+        if (loop_->blames(*side)) MatchWatch::attribute(*side, *failure);
         watch_.end(*std::move(failure));
       }
       return side->joined();
@@ -179,6 +179,19 @@ void Match::make_result() {
   const double seconds = loop_->times().play;
   if (seconds > 0.0) result_.cycles_per_second = result_.cycles / seconds;
   result_.speed = loop_->speed(result_);
+  if (result_.end_reason == EndReason::kTimedOut) blame_for_time();
+}
+
+// The limit says nothing of who took the time; the shares do.
+void Match::blame_for_time() {
+  const std::optional<soccer::Side> slow = side_of_most_time(result_.speed);
+  if (!slow) return;
+  for (const auto& side : sides_) {
+    if (side->identity().side != *slow) continue;
+    result_.fault = *slow;
+    result_.message += fmt::format("; {} took {:.0f} % of the time", side->who(),
+                                   share_of(*result_.speed, *slow) * 100.0);
+  }
 }
 
 }  // namespace cls::orchestration::match

@@ -47,6 +47,7 @@ class Match {
   void finish();
   void make_result();
   void add_sides();
+  void blame_for_time();
   std::vector<AgentProgress> agent_progress() const;
 
   const MatchOptions& options_;

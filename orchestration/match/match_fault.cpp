@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "orchestration/match/options/server_settings.h"
+#include "soccer/per_side.h"
 
 namespace cls::orchestration::match {
 
@@ -34,14 +37,32 @@ void blame(const MatchSide& side, const MatchMoment& moment, MatchEnd& end) {
   if (moment.playing) end.failure->cycle = moment.cycle;
 }
 
-void blame_unresponsive(const Sides& sides, MatchEnd& end) {
+void blame_unresponsive(const Sides& sides, const std::optional<soccer::PerSide<double>>& awaited_s,
+                        MatchEnd& end) {
+  constexpr double kComparable = 0.5;
+  const auto has_waited = [&awaited_s](soccer::Side side) {
+    if (!awaited_s) return true;
+    return (*awaited_s)[side] > kComparable * std::max(awaited_s->left, awaited_s->right);
+  };
   auto suspects = sides_awaited_for(sides, kServerWait);
   for (const auto& side : sides) {
-    if (side->is_external()) suspects.push_back(side.get());
+    if (side->is_external() && has_waited(side->identity().side)) suspects.push_back(side.get());
   }
   if (suspects.size() != 1) return;
   end.message += ": those of " + suspects.front()->who();
   if (!is_trainer(*suspects.front())) end.fault = suspects.front()->identity().side;
+}
+
+double share_of(const SpeedResult& speed, soccer::Side side) {
+  return side == soccer::Side::kLeft ? speed.shares.left_playmaker : speed.shares.right_playmaker;
+}
+
+std::optional<soccer::Side> side_of_most_time(const std::optional<SpeedResult>& speed) {
+  constexpr double kHalf = 0.5;
+  for (const soccer::Side side : soccer::kBothSides) {
+    if (speed && share_of(*speed, side) > kHalf) return side;
+  }
+  return std::nullopt;
 }
 
 std::string stall_message(const std::vector<const MatchSide*>& sides, int cycle,

@@ -43,7 +43,7 @@ class MatchLoop {
   /// After play().
   virtual LoopTimes times() const = 0;
   /// After wait_gone() of all sides: nothing if no cycle was played. `result` has the teams.
-  virtual std::optional<SpeedResult> speed(const MatchResult& result) const = 0;
+  virtual std::optional<SpeedResult> speed(const MatchResult& result) = 0;
 
   /// True when a side that does not join or register in time is at fault, and not the server.
   virtual bool blames(const MatchSide& side) const = 0;

@@ -73,6 +73,11 @@ SpeedResult MatchSpeed::shares(Duration played) const {
   Duration longest{0};
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     turns[i] = {sides_[i]->identity().side, sides_[i]->turn_times()};
+    if (awaited_s_ && sides_[i]->is_external()) {
+      const auto waited = std::chrono::duration_cast<Duration>(
+          std::chrono::duration<double>((*awaited_s_)[turns[i].side]));
+      turns[i].times = {waited, waited};
+    }
     longest = std::max(longest, turns[i].times.total);
   }
   longest = std::min(longest, played);

@@ -33,6 +33,10 @@ class MatchSpeed {
   /// Adds the decisions of a cycle in lockstep, which took `wall`. The sides have no work now.
   void add_turns(Duration wall);
 
+  /// How long the server has waited for the programs of external teams: their turns. Where they are
+  /// not known, their time is the server's.
+  void set_awaited(const std::optional<soccer::PerSide<double>>& seconds) { awaited_s_ = seconds; }
+
   /// Says once of a slow match how long it will take, and who limits that. `steps` were made in
   /// `played`, `now` is where the match is.
   std::optional<std::string> estimate(const MatchProgress& now, std::int64_t steps,
@@ -48,6 +52,7 @@ class MatchSpeed {
   const MatchOptions& options_;
   const Sides& sides_;
   Measure measure_;
+  std::optional<soccer::PerSide<double>> awaited_s_;
   SpeedMeter meter_;                   ///< of measured cycles
   std::array<TurnTimes, 3> measured_;  ///< of the sides, up to the last turn
   bool estimated_ = false;

@@ -16,16 +16,35 @@ constexpr std::chrono::milliseconds kSignalSpread{100};
 // The match reports a reply that it has waited for this long.
 constexpr std::chrono::seconds kSlowReply{3};
 
+// Ends that another side can have caused by the soccer server.
+bool can_be_intrusion(EndReason reason) {
+  return reason == EndReason::kCrashed || reason == EndReason::kStalled ||
+         reason == EndReason::kLate || reason == EndReason::kRefused ||
+         reason == EndReason::kServerFailed;
+}
+
 }  // namespace
 
 // ---- ends
 
 void MatchWatch::end(MatchEnd end) {
-  if (!ended()) end_ = std::move(end);
+  if (ended()) return;
+  if (can_be_intrusion(end.reason)) {
+    if (const auto intruder = server_.intruder()) {
+      end.fault = intruder->side;
+      end.message += "; " + intruder->evidence;
+    }
+  }
+  end_ = std::move(end);
+}
+
+void MatchWatch::attribute(const MatchSide& side, MatchEnd& end) {
+  const bool victim = end.fault_unknown || end.reason == EndReason::kServerFailed;
+  if (!is_trainer(side) && !victim) end.fault = side.identity().side;
 }
 
 void MatchWatch::end_by_side(const MatchSide& side, MatchEnd end) {
-  if (!is_trainer(side)) end.fault = side.identity().side;
+  attribute(side, end);
   end_unless_interrupted(std::move(end));
 }
 
@@ -97,7 +116,9 @@ void MatchWatch::check() {
   if (ended()) return;
 
   if (auto failure = server_.failure(playing_)) {
-    if (failure->reason == EndReason::kLate) blame_unresponsive(sides_, *failure);
+    if (failure->reason == EndReason::kLate) {
+      blame_unresponsive(sides_, server_.status().awaited_s, *failure);
+    }
     end_unless_interrupted(*std::move(failure));
   }
   check_sides();
@@ -170,6 +191,7 @@ void MatchWatch::warn(std::string line) {
 }
 
 void MatchWatch::report_warnings() {
+  for (std::string& line : server_.take_warnings()) warn(std::move(line));
   for (const auto& side : sides_) {
     for (const std::string& line : side->take_warnings()) {
       warn(fmt::format("{}: {}", side->identity().name, line));

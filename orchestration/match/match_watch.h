@@ -32,10 +32,12 @@ class MatchWatch {
   void report_to(MatchObserver& observer) { observer_ = &observer; }
   MatchObserver& observer() const { return *observer_; }
 
-  /// The first end counts.
+  /// The first end counts. An intruder is at fault for what ends a match, whichever side it hit.
   void end(MatchEnd end);
   /// Unless a signal ends the match, which may have ended the process that failed, too.
   void end_by_side(const MatchSide& side, MatchEnd end);
+  /// Adds that `side`, which has failed, is at fault, unless it may be the victim.
+  static void attribute(const MatchSide& side, MatchEnd& end);
   bool ended() const { return end_.has_value(); }
   const MatchEnd& how() const { return *end_; }
   const std::atomic<int>& signal() const { return limits_.signal(); }

@@ -48,6 +48,7 @@ struct CommandPlan {
   std::vector<int> cpus;      ///< processor cores it may run on; empty: all
   ResourceLimits limits;
   std::optional<FileAccess> files;  ///< by Landlock, which must be there; none: as the user may
+  bool confined = false;            ///< by confinement.h, which must be possible
 
   bool operator==(const CommandPlan&) const = default;
 };
@@ -59,7 +60,7 @@ CommandPlan shell_command(std::string name, const std::string& text);
 std::string shell_quoted(std::string_view word);
 
 /// The plan as an equivalent line of sh, with `ulimit`, `cd` and `env` where needed; without
-/// `files`.
+/// `files` and `confined`.
 std::string to_shell(const CommandPlan& plan);
 
 /// The file of `program`: the path itself if it has a slash, otherwise the first match on PATH. The

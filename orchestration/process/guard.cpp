@@ -22,6 +22,7 @@
 #include "orchestration/process/keeper.h"
 #include "orchestration/process/packet.h"
 #include "orchestration/process/process_tree.h"
+#include "orchestration/process/socket_owner.h"
 
 namespace cls::orchestration::process {
 namespace {
@@ -56,8 +57,8 @@ class ProcessTitle {
     size_ = static_cast<std::size_t>(end - begin_);
   }
 
-  void set(const std::string& title) const {
-    ::prctl(PR_SET_NAME, title.c_str());
+  void set(const std::string& title, const std::string& short_name) const {
+    ::prctl(PR_SET_NAME, short_name.c_str());
     if (size_ == 0) return;
     std::memset(begin_, 0, size_);
     std::memcpy(begin_, title.data(), std::min(title.size(), size_ - 1));
@@ -115,7 +116,7 @@ class GuardLoop {
 
     socket_.reset();
     child_signals_.reset();
-    title_.set("match-keeper of " + plan->name);
+    title_.set("match-keeper of " + plan->name, std::string(kKeeperMark) + plan->name);
     run_keeper(std::move(packet.fds[0]), std::move(packet.fds[1]), *plan);
   }
 
@@ -190,7 +191,7 @@ base::UniqueFd close_others(base::UniqueFd socket) {
   ::sigfillset(&all);
   ::sigprocmask(SIG_SETMASK, &all, nullptr);
 
-  title.set(fmt::format("match-guard of process {}", ::getppid()));
+  title.set(fmt::format("match-guard of process {}", ::getppid()), std::string(kGuardMark));
   GuardLoop(close_others(std::move(socket)), title).run();
 }
 

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "base/system/unique_fd.h"
+#include "orchestration/process/confinement.h"
 #include "orchestration/process/landlock.h"
 
 namespace cls::orchestration::process {
@@ -79,6 +80,7 @@ std::optional<LaunchStep> prepare(const CommandPlan& plan, int ruleset, pid_t pa
   ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
   reset_signals();
   if (plan.files && !enforce_ruleset(ruleset)) return LaunchStep::kFiles;
+  if (plan.confined && !confine()) return LaunchStep::kConfinement;
   return std::nullopt;
 }
 

@@ -14,6 +14,7 @@ enum class LaunchStep : std::uint8_t {
   kProgram,  ///< the program itself
   kFolder,   ///< changing to the working directory
   kFiles,    ///< restricting it to its files
+  kConfinement,
 };
 
 /// Result of a start. `pid` 0: not started; `error` is the errno of `step`.
@@ -25,8 +26,8 @@ struct Launch {
 
 /// Starts the plan's program with `output` as stdout and stderr, in its own process group, with
 /// only descriptors 0, 1 and 2 open, default signal handlers, no blocked signals and the plan's
-/// limits and files. It is killed when the caller exits. argv[0] must be a path. Runs a script
-/// without `#!` line with /bin/sh, as shells do. Only for a single-threaded process.
+/// limits, files and confinement. It is killed when the caller exits. argv[0] must be a path. Runs
+/// a script without `#!` line with /bin/sh, as shells do. Only for a single-threaded process.
 Launch launch(const CommandPlan& plan, int output);
 
 }  // namespace cls::orchestration::process

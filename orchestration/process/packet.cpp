@@ -161,6 +161,7 @@ std::string encode(const CommandPlan& plan) {
   add(bytes, std::to_string(plan.limits.memory));
   add(bytes, std::to_string(plan.limits.cpu_seconds));
   add(bytes, plan.empty_environment ? "1" : "0");
+  add(bytes, plan.confined ? "1" : "0");
   add(bytes, plan.files ? "1" : "0");
 
   if (!plan.files) return bytes;
@@ -191,6 +192,7 @@ std::optional<CommandPlan> decode_plan(std::string_view bytes) {
   plan.limits.memory = std::strtoull(fields.text().c_str(), nullptr, 10);
   plan.limits.cpu_seconds = fields.number();
   plan.empty_environment = fields.number() != 0;
+  plan.confined = fields.number() != 0;
   if (fields.number() != 0) {
     FileAccess& files = plan.files.emplace();
     files.readable = fields.paths();

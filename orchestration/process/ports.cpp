@@ -87,38 +87,11 @@ std::vector<BoundSocket> bound_sockets(Protocol protocol) {
   return sockets;
 }
 
-// The inodes of a process's open sockets; empty without permission.
-std::set<unsigned long> sockets_of(int pid) {
-  std::set<unsigned long> inodes;
-  std::error_code code;
-
-  for (fs::directory_iterator fd(fmt::format("/proc/{}/fd", pid), code), end; !code && fd != end;
-       fd.increment(code)) {
-    std::error_code unreadable;
-    const std::string target = fs::read_symlink(fd->path(), unreadable).string();
-    unsigned long inode = 0;
-    if (std::sscanf(target.c_str(), "socket:[%lu]", &inode) == 1) inodes.insert(inode);
-  }
-  return inodes;
-}
-
 std::string program_of(int pid) {
   std::ifstream file(fmt::format("/proc/{}/comm", pid));
   std::string name;
   std::getline(file, name);
   return name;
-}
-
-std::vector<int> all_pids() {
-  std::vector<int> pids;
-  std::error_code code;
-  for (fs::directory_iterator entry("/proc", code), end; !code && entry != end;
-       entry.increment(code)) {
-    const int pid = std::atoi(entry->path().filename().c_str());
-    if (pid > 0) pids.push_back(pid);
-  }
-  std::sort(pids.begin(), pids.end());
-  return pids;
 }
 
 std::optional<base::UniqueFd> reserve(int port) {
@@ -159,6 +132,32 @@ const std::string& loopback_host() {
 
 bool port_is_free(Protocol protocol, int port) {
   return can_bind(protocol == Protocol::kTcp ? SOCK_STREAM : SOCK_DGRAM, port);
+}
+
+std::vector<int> all_pids() {
+  std::vector<int> pids;
+  std::error_code code;
+  for (fs::directory_iterator entry("/proc", code), end; !code && entry != end;
+       entry.increment(code)) {
+    const int pid = std::atoi(entry->path().filename().c_str());
+    if (pid > 0) pids.push_back(pid);
+  }
+  std::sort(pids.begin(), pids.end());
+  return pids;
+}
+
+std::set<unsigned long> sockets_of(int pid) {
+  std::set<unsigned long> inodes;
+  std::error_code code;
+
+  for (fs::directory_iterator fd(fmt::format("/proc/{}/fd", pid), code), end; !code && fd != end;
+       fd.increment(code)) {
+    std::error_code unreadable;
+    const std::string target = fs::read_symlink(fd->path(), unreadable).string();
+    unsigned long inode = 0;
+    if (std::sscanf(target.c_str(), "socket:[%lu]", &inode) == 1) inodes.insert(inode);
+  }
+  return inodes;
 }
 
 std::vector<PortOwner> owners_of(Protocol protocol, int port) {

@@ -60,6 +60,7 @@ Result<base::UniqueFd> open_log(const CommandPlan& plan) {
 
 std::string place_of(LaunchStep step, const CommandPlan& plan) {
   if (step == LaunchStep::kFolder) return plan.folder.string();
+  if (step == LaunchStep::kConfinement) return "seccomp";
   return step == LaunchStep::kFiles ? "Landlock" : plan.argv.front();
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "orchestration/process/confinement.h"
 #include "orchestration/process/landlock.h"
 #include "tests/support/built.h"
 #include "tests/support/command.h"
@@ -20,6 +21,7 @@ namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
+using testing::MatchesRegex;
 using testing::Not;
 
 namespace fs = std::filesystem;
@@ -92,6 +94,35 @@ TEST_F(Sandbox, ClosesResultsAndTheOtherTeam) {
   folder.pop_back();
   EXPECT_TRUE(fs::path(folder).is_absolute());
   EXPECT_FALSE(fs::exists(folder)) << "of the match only";
+}
+
+// A limit of CPU time would end the opponent, or cls; a low priority would make them slow.
+TEST_F(Sandbox, ClosesOtherProcesses) {
+  if (!orchestration::process::can_confine()) GTEST_SKIP() << "this kernel has no seccomp";
+  Command victim({"/bin/sleep", "600"});
+  const std::string pid = std::to_string(victim.pid());
+  add_team("guests",
+           "for other in $PPID " + pid +
+               "; do\n"
+               "(prlimit --pid $other --core=0:0 || echo closed) >> limits\n"
+               "(renice -n 19 -p $other || echo closed) >> priority\n"
+               "(taskset -cp 0 $other || echo closed) >> cores\n"
+               "(chrt -b -p 0 $other || echo closed) >> scheduling\n"
+               "(ionice -c 3 -p $other || echo closed) >> disk\n"
+               "(head -c 1 /proc/$other/environ || echo closed) >> variables\n"
+               "(head -c 1 /proc/$other/maps || echo closed) >> memory\n"
+               "done\n"
+               "grep -q 'CapPrm:.0000000000000000' /proc/self/status && echo none > caps");
+  const CommandResult played = play();
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  for (const char* name : {"limits", "priority", "cores", "scheduling", "disk"}) {
+    EXPECT_THAT(probe(name), MatchesRegex("(.*\n)*closed\n(.*\n)*closed\n")) << name;
+  }
+  if (has_landlock()) {
+    EXPECT_THAT(probe("variables"), MatchesRegex("(.*\n)*closed\n(.*\n)*closed\n"));
+    EXPECT_THAT(probe("memory"), MatchesRegex("(.*\n)*closed\n(.*\n)*closed\n"));
+  }
+  EXPECT_EQ(probe("caps"), "none\n");
 }
 
 // On every kernel.

@@ -2,6 +2,7 @@
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
+#include <sched.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -75,8 +76,10 @@ void burn(double seconds) {
   while (std::clock() < until) work = work + 1;
 }
 
-int open_port(int type, int port) {
+int open_port(int type, int port, bool shared = false) {
   const int fd = ::socket(AF_INET, type, 0);
+  const int on = shared ? 1 : 0;
+  ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
@@ -87,6 +90,22 @@ int open_port(int type, int port) {
   }
   if (type == SOCK_STREAM) ::listen(fd, 16);
   return fd;
+}
+
+// By a thread with descriptors of its own, which /proc/PID/fd does not show.
+void open_hidden_port(int port) {
+  std::thread([port] {
+    ::unshare(CLONE_FILES);
+    open_port(SOCK_DGRAM, port);
+    say("open");
+    hang();
+  }).detach();
+}
+
+void become_orphan() {
+  if (::fork() != 0) ::_exit(0);
+  ::setsid();
+  if (::fork() != 0) ::_exit(0);
 }
 
 void print_descriptors() {
@@ -194,6 +213,9 @@ const std::map<std::string, Action>& actions() {
        }},
       {"listen-tcp", [](Script& script) { open_port(SOCK_STREAM, script.number()); }},
       {"bind-udp", [](Script& script) { open_port(SOCK_DGRAM, script.number()); }},
+      {"share-udp", [](Script& script) { open_port(SOCK_DGRAM, script.number(), true); }},
+      {"hide-udp", [](Script& script) { open_hidden_port(script.number()); }},
+      {"in-orphan", [](Script&) { become_orphan(); }},
       {"close", [](Script& script) { ::close(script.number()); }},
       {"spoil-signals", [](Script&) { spoil_signals(); }},
       {"exec", [](Script& script) { become(script.rest()); }},

@@ -60,6 +60,26 @@ Result<void> set_other(ServerSettings& settings, const OtherTable& table,
   return {};
 }
 
+constexpr std::string_view kTeam = "team";
+constexpr std::string_view kAgents = "cls";
+constexpr std::string_view kTrainer = "trainer";
+
+// "team,cls" or "team,cls,trainer": left side, right side.
+Result<void> set_match(ServerSettings& settings, const ConfigurationItem& item) {
+  const auto error = [&item] {
+    return Error{
+        fmt::format("match::{}: only a match sets this, as match::sides=team,cls", item.name)};
+  };
+  std::vector<std::string> words = {""};
+  for (const char c : item.value) c == ',' ? words.emplace_back() : words.back() += c;
+  const auto is_side = [](const std::string& word) { return word == kTeam || word == kAgents; };
+  const bool trainer = words.size() == 3 && words[2] == kTrainer;
+  if (item.name != "sides" || (words.size() != 2 && !trainer)) return error();
+  if (!is_side(words[0]) || !is_side(words[1])) return error();
+  settings.bound = BoundSides{{words[0] == kTeam, words[1] == kTeam}, trainer};
+  return {};
+}
+
 Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& file, int depth);
 
 // "sync.max_missed" is the same as "sync::max_missed".
@@ -97,6 +117,7 @@ Result<void> apply_item(ServerSettings& settings, const ConfigurationItem& writt
   }
   if (item.module == "CSVSaver") return set_other(settings, csv_table(), item);
   if (item.module == "sync") return set_other(settings, sync_table(), item);
+  if (item.module == "match") return set_match(settings, item);
   return Error{fmt::format("'{}': must begin with server, player, CSVSaver or sync, not '{}'",
                            item.name, item.module)};
 }
@@ -119,6 +140,11 @@ Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& f
 }
 
 }  // namespace
+
+std::string bound_sides_argument(const BoundSides& sides) {
+  return fmt::format("match::sides='{},{}{}'", sides.external.left ? kTeam : kAgents,
+                     sides.external.right ? kTeam : kAgents, sides.trainer ? ",trainer" : "");
+}
 
 Result<void> apply_arguments(ServerSettings& settings, const std::vector<std::string>& arguments) {
   const auto items = soccer::parse_configuration(soccer::join_arguments(arguments));

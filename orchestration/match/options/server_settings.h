@@ -3,10 +3,12 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "orchestration/match/options/bound_sides.h"
 #include "soccer/parameters/player_params.h"
 #include "soccer/parameters/server_params.h"
 
@@ -26,8 +28,12 @@ struct ServerSettings {
   std::string csv_file = "rcssserver.csv";
   int max_wait_ms = kServerWait.count();  ///< sync::max_wait_ms
   int max_missed = 20;                    ///< sync::max_missed: cycles in a row, more end the match
+  std::optional<BoundSides> bound;        ///< match::sides: of a server that a match has started
   bool help = false;                      ///< --help was given
 };
+
+/// `match::sides=...`, with which a match starts its server.
+std::string bound_sides_argument(const BoundSides& sides);
 
 /// Applies `server::NAME=VALUE`, `player::`, `CSVSaver::`, `sync::` and `include=FILE` in sequence.
 /// The error names the argument, or file and line.

@@ -5,6 +5,8 @@
 
 #include "base/io/whole_file.h"
 #include "orchestration/match/options/team_sandbox.h"
+#include "orchestration/process/confinement.h"
+#include "orchestration/process/landlock.h"
 #include "soccer/side.h"
 
 namespace cls::orchestration::match {
@@ -36,7 +38,8 @@ process::CommandPlan plan_of(const fs::path& team, const TeamValues& values,
   if (!values.sandbox) return plan;
   plan.empty_environment = true;
   plan.environment = team_environment();
-  if (missing_sandbox().empty()) plan.files = team_files(team, hidden_folders(values));
+  plan.confined = process::can_confine();
+  if (process::landlock_version() > 0) plan.files = team_files(team, hidden_folders(values));
   return plan;
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "orchestration/process/confinement.h"
 #include "orchestration/process/landlock.h"
 
 namespace cls::orchestration::match {
@@ -112,9 +113,13 @@ std::vector<process::EnvironmentChange> team_environment() {
 }
 
 std::string missing_sandbox() {
-  if (process::landlock_version() > 0) return {};
-  return "this kernel has no Landlock: the programs of team:DIR can use all your files; run them "
-         "as another user or in a container, or accept that with --no-sandbox";
+  if (process::landlock_version() == 0) {
+    return "this kernel has no Landlock: the programs of team:DIR can use all your files; run them "
+           "as another user or in a container, or accept that with --no-sandbox";
+  }
+  if (process::can_confine()) return {};
+  return "this kernel has no seccomp: the programs of team:DIR can slow down or end all your "
+         "processes; run them as another user or in a container, or accept that with --no-sandbox";
 }
 
 std::vector<std::string> sandbox_warnings(const MatchOptions& options,

@@ -20,7 +20,8 @@ process::FileAccess team_files(const std::filesystem::path& folder,
 /// libraries, the user's name, home and shell, the language and the time zone.
 std::vector<process::EnvironmentChange> team_environment();
 
-/// That external teams run without a sandbox on this kernel; empty: they run in one.
+/// That external teams run without a sandbox on this kernel, or in half of one; empty: they run in
+/// a whole one.
 std::string missing_sandbox();
 
 /// Why the teams of a match are not, or not entirely, separated from its files and from each other:

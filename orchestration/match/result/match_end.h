@@ -24,6 +24,7 @@ struct MatchEnd {
   std::string message{};                    ///< one line; empty when finished
   std::optional<ProcessFailure> failure{};  ///< the process that caused it
   std::optional<soccer::Side> fault{};      ///< the side that caused it
+  bool fault_unknown = false;               ///< the side that failed may be the victim
   bool try_again = false;                   ///< a port was in use: nothing was started
 };
 

@@ -6,6 +6,7 @@
 #include "base/system/version.h"
 #include "gamelog/rcg/rcg_writer.h"
 #include "orchestration/process/ports.h"
+#include "orchestration/process/socket_visibility.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -40,8 +41,26 @@ void EmbeddedServer::record(base::ByteSink* game_log, base::ByteSink* text_log,
   events_ = events;
 }
 
+void EmbeddedServer::bind_clients() {
+  if (binding_) return;
+  if (auto missing = process::missing_socket_owners(); !missing.empty()) {
+    warnings_.push_back(std::move(missing));
+    return;
+  }
+  binding_.emplace(BoundSides{external_, options_.trainer.has_value()},
+                   process::SocketOwners::of_own_programs());
+  server_->bind_clients(
+      [this](const base::SocketAddress& sender) { return binding_->rights_of(sender); },
+      [this](const base::SocketAddress& sender, std::string_view request) {
+        if (auto line = binding_->intrusion_line(sender, request)) {
+          warnings_.push_back(*std::move(line));
+        }
+      });
+}
+
 Result<ServerPorts> EmbeddedServer::open_player_port(bool free_port) {
   const auto port = server_->open_player_port(kHost, free_port ? 0 : kStockPort);
+  if (port) bind_clients();
   if (port) return ServerPorts{*port, *port + 1, *port + 2};
   if (free_port) return port.error();
   return Error{fmt::format("{}: a team whose start script takes no ports needs it",
@@ -60,6 +79,7 @@ std::optional<MatchEnd> EmbeddedServer::start(const std::function<bool()>& /*kee
     return MatchEnd{
         .reason = EndReason::kRefused, .message = "--monitor-port: " + taken, .try_again = true};
   }
+  bind_clients();
   monitor_address_ = fmt::format("{}:{}", kHost, *port);
   return std::nullopt;
 }

@@ -7,10 +7,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/io/byte_sink.h"
 #include "orchestration/match/options/server_command.h"
+#include "orchestration/match/server/client_binding.h"
 #include "orchestration/match/server/server.h"
 #include "simulator/server/lockstep_server.h"
 #include "simulator/world/event.h"
@@ -59,7 +61,9 @@ class EmbeddedServer : public Server {
   void wait_for_clients() override;
   ServerStatus status() const override;
   std::optional<int> lost_player(soccer::Side side) override;
+  std::vector<std::string> take_warnings() override { return std::exchange(warnings_, {}); }
   bool reports_lost_players() const override { return true; }
+  bool binds_clients() const override { return true; }
   SourceProgress progress() const override;
   bool finished() const override { return server_->finished(); }
   std::optional<MatchEnd> failure(bool) override { return std::nullopt; }
@@ -68,6 +72,7 @@ class EmbeddedServer : public Server {
  private:
   explicit EmbeddedServer(const MatchOptions& options) : options_(options) {}
 
+  void bind_clients();
   bool has_external_team() const { return external_.left || external_.right; }
   void set_kick_off_wait(int cycles);
   void drain_late_commands();
@@ -78,6 +83,8 @@ class EmbeddedServer : public Server {
   std::string monitor_address_;
   soccer::PerSide<bool> external_;
   std::array<bool, soccer::kPlayersOnPitch> must_stay_{};  ///< external players on the pitch
+  std::optional<ClientBinding> binding_;                   ///< of a server with an open port
+  std::vector<std::string> warnings_;
   bool playing_ = false;
   std::int64_t steps_ = 0;
   struct Branch {

@@ -11,6 +11,7 @@
 #include "base/text/printable.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "orchestration/match/result/match_folder.h"
+#include "orchestration/match/server/client_binding.h"
 #include "proxy/agent/team_driver.h"
 
 namespace cls::orchestration::match {
@@ -89,6 +90,58 @@ void ExternalServer::wait_for_clients() { std::this_thread::sleep_for(kLogPollIn
 void ExternalServer::poll() {
   std::this_thread::sleep_for(kLogPollInterval);
   log_.poll();
+}
+
+bool ExternalServer::binds_clients() const {
+  return plan_.server && options_.server_choice.kind == ServerChoice::Kind::kEmbedded;
+}
+
+// 0: it cannot be seen.
+int ExternalServer::server_process() const {
+  if (child_ != nullptr) return child_->status().pid;
+  if (plan_.server_host != "127.0.0.1" && plan_.server_host != process::loopback_host()) return 0;
+  const auto owners = process::owners_of(process::Protocol::kUdp, plan_.ports.player);
+  return owners.empty() ? 0 : owners.front().pid;
+}
+
+// A program of a side may be a player or the coach of that side, and agents of cls are not programs
+// of their own. More connections are monitors, or they are in the place of another side.
+void ExternalServer::look_for_intruder() {
+  constexpr int kClientsOfTeam = soccer::kPlayersPerTeam + 1;
+  const int server = server_process();
+  if (binds_clients() || intruder_ || server == 0) return;
+  soccer::PerSide<int> connections;
+  for (const process::SocketOwner& owner : owners_.peers_of(server)) {
+    const soccer::Side side = side_of(owner);
+    if (side != soccer::Side::kNeutral) ++connections[side];
+  }
+  for (const soccer::Side side : soccer::kBothSides) {
+    const bool external = endpoint_of(options_, side).kind == Endpoint::Kind::kTeam;
+    const int own = external ? kClientsOfTeam : 0;
+    if (connections[side] <= own || intruder_) continue;
+    intruder_ = Intruder{side, fmt::format("programs of the {} side hold {} connections to the "
+                                           "soccer server; {} can be its own",
+                                           side_name(side), connections[side], own)};
+    warnings_.push_back("an intrusion: " + intruder_->evidence);
+  }
+}
+
+std::optional<Intruder> ExternalServer::intruder() {
+  look_for_intruder();
+  return intruder_;
+}
+
+// Programs look at the connections when there are new ones only: that costs nothing in play.
+std::vector<std::string> ExternalServer::take_warnings() {
+  const ServerStatus status = output_.status();
+  if (std::exchange(seen_connections_, status.connections) != status.connections) {
+    look_for_intruder();
+  }
+  std::vector<std::string> lines = std::exchange(warnings_, {});
+  const auto first = status.intrusions.begin() + static_cast<std::ptrdiff_t>(reported_intrusions_);
+  reported_intrusions_ = status.intrusions.size();
+  lines.insert(lines.end(), first, status.intrusions.end());
+  return lines;
 }
 
 SourceProgress ExternalServer::progress() const { return log_.progress(); }

@@ -13,6 +13,7 @@
 #include "orchestration/match/server/match_plan.h"
 #include "orchestration/match/server/server.h"
 #include "orchestration/process/process_host.h"
+#include "orchestration/process/socket_owner.h"
 
 namespace cls::orchestration::match {
 
@@ -44,6 +45,9 @@ class ExternalServer : public Server {
   const process::Child* child() const override { return child_.get(); }
   void wait_for_clients() override;
   ServerStatus status() const override { return output_.status(); }
+  std::vector<std::string> take_warnings() override;
+  bool binds_clients() const override;
+  std::optional<Intruder> intruder() override;
   SourceProgress progress() const override;
   bool finished() const override;
   std::optional<MatchEnd> failure(bool playing) override;
@@ -52,6 +56,8 @@ class ExternalServer : public Server {
 
  private:
   bool has_open_port() const;
+  int server_process() const;
+  void look_for_intruder();
   MatchEnd refused(std::string message) const;
   void read_log(MatchResult& result, const std::vector<AgentProgress>& agents) const;
   void report_missing_log(MatchResult& result, bool has_agents, const std::string& why) const;
@@ -64,6 +70,11 @@ class ExternalServer : public Server {
   process::ProcessHost* host_;
   std::filesystem::path folder_;
   ServerOutput output_;
+  std::size_t reported_intrusions_ = 0;
+  process::SocketOwners owners_ = process::SocketOwners::of_own_programs();
+  std::int64_t seen_connections_ = 0;
+  std::optional<Intruder> intruder_;
+  std::vector<std::string> warnings_;
   GameLogFollower log_;
   std::shared_ptr<process::Child> child_;  ///< null: not started by cls
 };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/system/own_program.h"
+#include "orchestration/match/options/server_settings.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -33,6 +34,11 @@ Result<std::vector<std::string>> server_program(const MatchOptions& options, std
     argv.push_back("--cycles");
     argv.push_back(std::to_string(*options.cycles));
   }
+  const auto is_team = [&options](Side side) {
+    return endpoint_of(options, side).kind == Endpoint::Kind::kTeam;
+  };
+  argv.push_back(bound_sides_argument(
+      {{is_team(Side::kLeft), is_team(Side::kRight)}, options.trainer.has_value()}));
   if (options.step) argv.push_back(fmt::format("sync::max_wait_ms={}", kInteractiveWaitMs));
   return argv;
 }

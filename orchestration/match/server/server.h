@@ -20,6 +20,12 @@ struct AgentProgress {
   SourceProgress progress;
 };
 
+/// A side whose programs have reached for the other side.
+struct Intruder {
+  soccer::Side side = soccer::Side::kLeft;
+  std::string evidence;  ///< "programs of the left side hold 23 connections to the soccer server"
+};
+
 /// What a match needs of any server; its loop knows which one it advances. Used by the match's
 /// thread only.
 class Server {
@@ -46,9 +52,16 @@ class Server {
   /// True when lost_player() reports losses.
   virtual bool reports_lost_players() const { return false; }
 
+  /// True for a server that accepts the clients of a side from its own programs only.
+  virtual bool binds_clients() const = 0;
+  /// On a server that accepts any client: a side that has connected more of them than it has.
+  virtual std::optional<Intruder> intruder() { return std::nullopt; }
+
   virtual SourceProgress progress() const = 0;
   /// True at the end of the game or at the cycle limit.
   virtual bool finished() const = 0;
+  /// What the server or the match has noticed about its clients since the last call.
+  virtual std::vector<std::string> take_warnings() { return {}; }
   /// Why the server ended before the match, if it did.
   virtual std::optional<MatchEnd> failure(bool playing) = 0;
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "orchestration/match/server/client_binding.h"
+
 namespace cls::orchestration::match {
 namespace {
 
@@ -80,8 +82,16 @@ bool ServerOutput::read_start(std::string_view line) {
 
 void ServerOutput::read_line(std::string_view line) {
   const std::lock_guard lock(mutex_);
-  if (read_start(line) || read_connection(line)) return;
-  if (line.starts_with("Someone missed a cycle")) {
+  if (contains(line, "connected")) ++status_.connections;
+  if (!line.starts_with(kIntrusionLine) && (read_start(line) || read_connection(line))) return;
+  if (line.starts_with(kIntrusionLine)) {
+    status_.intrusions.emplace_back(line.substr(kIntrusionLine.size()));
+  } else if (line.starts_with(kAwaitedLine)) {
+    const std::string_view numbers = line.substr(kAwaitedLine.size());
+    const auto left = number_at_start<double>(numbers);
+    const auto right = number_at_start<double>(numbers.substr(numbers.find(' ') + 1));
+    if (left && right) status_.awaited_s = soccer::PerSide<double>{*left, *right};
+  } else if (line.starts_with("Someone missed a cycle")) {
     ++status_.missed_cycles;
   } else if (line.starts_with("Waiting too long for clients")) {
     status_.gave_up = true;

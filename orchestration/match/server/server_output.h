@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "soccer/per_side.h"
+
 namespace cls::orchestration::match {
 
 /// A team as the server reports it.
@@ -20,15 +22,21 @@ struct ReportedConnections {
   std::vector<int> disconnected;  ///< uniform numbers, in the order of time
 };
 
+/// Begins a line of `cls server` in a match: the seconds that it has waited for left and right.
+inline constexpr std::string_view kAwaitedLine = "Waited for sides (s): ";
+
 /// What a soccer server has reported so far.
 struct ServerStatus {
   std::string version;                     ///< "19.0.0"
   std::optional<std::uint64_t> seed;       ///< drawn by the server
   std::vector<ReportedConnections> teams;  ///< in the order of their first player: left, right
   std::int64_t missed_cycles = 0;          ///< cycles without a reply of some client
-  bool gave_up = false;                    ///< clients stopped responding
-  bool game_over = false;                  ///< it exited because the match was over
-  std::string first_error;                 ///< the first line that looks like an error
+  std::int64_t connections = 0;            ///< of all clients, in all
+  std::optional<soccer::PerSide<double>> awaited_s;  ///< how long it has waited for each side
+  std::vector<std::string> intrusions;  ///< requests of clients that belong to another side
+  bool gave_up = false;                 ///< clients stopped responding
+  bool game_over = false;               ///< it exited because the match was over
+  std::string first_error;              ///< the first line that looks like an error
 
   const ReportedConnections* team(std::string_view name) const;
 };

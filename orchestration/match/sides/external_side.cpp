@@ -57,8 +57,9 @@ Result<void> ExternalSide::start_next() {
 bool ExternalSide::find_name(const ServerStatus& server, const std::vector<std::string>& others) {
   if (!name_.empty()) return true;
   for (const ReportedConnections& team : server.teams) {
-    // The server takes players of the same team name for one team, and refuses the twelfth.
-    shared_name_hint_ = fmt::format("; or it plays under the name {} too", team.name);
+    // Such a server takes players of the same name for one team, and refuses the twelfth.
+    if (!server_.binds_clients())
+      shared_name_hint_ = fmt::format("; or it plays under the name {} too", team.name);
     if (std::find(others.begin(), others.end(), team.name) != others.end()) continue;
     name_ = team.name;
     shared_name_hint_.clear();
@@ -138,6 +139,7 @@ const ExternalSide::Agent* ExternalSide::wait_for_exited_agent() const {
 MatchEnd ExternalSide::exit_failure(const process::Child& child, const MatchMoment& moment) const {
   MatchEnd end;
   end.reason = moment.playing ? EndReason::kCrashed : EndReason::kRefused;
+  end.fault_unknown = may_be_refused_for_its_name(child);
   end.failure = failure_of(child);
   end.message = fmt::format(
       "{}: the process of {} ended {}: {}{}{}", who(), child.plan().name,
@@ -153,6 +155,17 @@ std::string ExternalSide::limit_hints() const {
     return agent.child->status().at_cpu_limit;
   });
   return limited == agents_.end() ? std::string() : limit_hint(*limited->child);
+}
+
+// Its place may be taken: by a team of the same name, or by one that plays under its name.
+bool ExternalSide::may_be_refused_for_its_name(const process::Child& child) const {
+  if (shared_name_hint_.empty()) return false;
+  const auto exit = child.status().exit;
+  if (exit && !exit->by_signal && exit->number == 0) return true;
+  const std::vector<std::string> lines = child.last_lines();
+  return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.find("no_more_") != std::string::npos;
+  });
 }
 
 // What programs print when the sandbox withholds a file that they need.

@@ -24,8 +24,13 @@ Result<void> LockstepAgents::connect() {
     simulator.accept_clients();
     return true;
   };
-  const auto open = [&simulator](simulator::ListeningPort door) {
-    return [&simulator, door] { return simulator.connect(door); };
+  simulator::ClientRights rights;
+  if (!is_trainer()) {
+    rights.left = identity().side == soccer::Side::kLeft;
+    rights.right = !rights.left;
+  }
+  const auto open = [&simulator, rights](simulator::ListeningPort door) {
+    return [&simulator, rights, door] { return simulator.connect(door, rights); };
   };
   if (is_trainer()) {
     return team().connect_coach(soccer::CoachRole::kTrainer,

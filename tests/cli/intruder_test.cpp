@@ -1,0 +1,163 @@
+// Teams that reach for the other side: by its name, its players, its coach, and as monitors.
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "tests/cli/network_match.h"
+#include "tests/support/udp_client.h"
+
+namespace {
+
+using cls::tests::built;
+using cls::tests::copy_built;
+using cls::tests::NetworkMatch;
+using cls::tests::read_file;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace fs = std::filesystem;
+
+class Intruder : public NetworkMatch {
+ protected:
+  /// A team in a folder of its own, whose script runs `before` and then starts 11 players under a
+  /// name; `$intruder` in it is a program that sends (tests/fakes/fake_intruder.cpp).
+  std::string named_team(const std::string& folder, const std::string& name,
+                         const std::string& before = "", const std::string& after = "") {
+    fs::create_directories(folder_.path() / folder);
+    const std::string player = copy_built("cls_fake_player", folder_.path() / folder);
+    const std::string intruder = copy_built("cls_fake_intruder", folder_.path() / folder);
+    script(folder + "/start.sh",
+           "while [ $# -gt 0 ]; do case $1 in -p) port=$2;; -P) coach=$2;; esac; shift; "
+           "[ $# -gt 0 ] && shift; done\n"
+           "player='" +
+               player + "'; intruder='" + intruder + "'\nexec 2>&1\n" + before +
+               "\nfor i in $(seq 11); do\n  goalie=; [ $i = 1 ] && goalie='--goalie 1'\n"
+               "  $player --port $port --name " +
+               name + " $goalie &\n  sleep 0.02\ndone\n" + after);
+    return "team:" + (folder_.path() / folder).string();
+  }
+
+  void play_embedded(const std::string& right, const std::vector<std::string>& more = {},
+                     const std::string& mode = "synch") {
+    std::vector<std::string> options = {"--half-time", "5", "--mode", mode};
+    options.insert(options.end(), more.begin(), more.end());
+    play(right, "embedded", options);
+  }
+
+  std::string file(const std::string& name) const { return read_file(match_folder() + "/" + name); }
+  /// What the programs of the right team have printed.
+  std::string output() const { return file("right-team.log"); }
+};
+
+TEST_F(Intruder, TeamsOfOneNamePlayAndAreDistinct) {
+  left_ = named_team("first", "Twins");
+  play_embedded(named_team("second", "Twins"));
+  expect_finished();
+  EXPECT_EQ(result_["left"]["name"], "Twins");
+  EXPECT_EQ(result_["right"]["name"], "Twins_r");
+  EXPECT_TRUE(result_["fault"].is_null());
+  EXPECT_THAT(file("match.rcg"), HasSubstr("Twins Twins_r"));
+  EXPECT_THAT(output(), Not(HasSubstr("(error")));
+}
+
+// The names of the sides do not depend on who comes first, nor does a name give the right to play.
+TEST_F(Intruder, DoesNotPlayForAnotherSideByItsName) {
+  left_ = named_team("first", "Lions", "",
+                     "for i in 1 2; do $intruder --port $port --first "
+                     "'(init Bears (version 18))'; done\n");
+  play_embedded(named_team("second", "Bears"));
+  expect_finished();
+  EXPECT_EQ(result_["left"]["name"], "Lions");
+  EXPECT_EQ(result_["right"]["name"], "Bears");
+  EXPECT_THAT(file("left-team.log"), HasSubstr("reply (error no_more_team)"));
+  EXPECT_THAT(played_.err, HasSubstr("a program of the left side (")) << played_.err;
+  EXPECT_THAT(played_.err, HasSubstr("sent (init Bears (version 18)): refused")) << played_.err;
+}
+
+TEST_F(Intruder, PlaysAloneUnderTheNameOfItsOpponent) {
+  left_ = named_team("first", "Bears");
+  play_embedded(named_team("second", "Bears"));
+  expect_finished();
+  EXPECT_EQ(result_["right"]["name"], "Bears_r");
+}
+
+TEST_F(Intruder, DoesNotTakeOverPlayers) {
+  for (const char* mode : {"synch", "realtime"}) {
+    play_embedded(named_team("team", "Thieves",
+                             "for i in 1 2 3; do $intruder --port $port --first "
+                             "\"(reconnect hold $i)\"; done"),
+                  {}, mode);
+    expect_finished();
+    EXPECT_THAT(output(), HasSubstr("reply (error no_such_team_or_player)")) << mode;
+    EXPECT_THAT(output(), Not(HasSubstr("reply (reconnect"))) << mode;
+    EXPECT_THAT(played_.err, HasSubstr("sent (reconnect hold 1): refused")) << played_.err;
+  }
+}
+
+TEST_F(Intruder, DoesNotTakeTheCoachOfTheOther) {
+  play_embedded(
+      named_team("team", "Thieves", "$intruder --port $coach --first '(init hold (version 18))'"),
+      {"--no-coach"});
+  expect_finished();
+  EXPECT_THAT(output(), HasSubstr("reply (error no_such_team)"));
+}
+
+TEST_F(Intruder, NeitherWatchesNorSendsOff) {
+  play_embedded(named_team("team", "Watchers",
+                           "$intruder --port $port --first '(dispinit version 4)' --then "
+                           "'(dispcard 1 2 red)' &"));
+  expect_finished();
+  EXPECT_THAT(output(), HasSubstr("reply (error no_more_monitor)"));
+  EXPECT_THAT(file("match.rcl"), Not(HasSubstr("red_card")));
+}
+
+// As A3 of rcssserver: a monitor from outside of the match may watch, and nothing else.
+TEST_F(Intruder, MonitorsFromOutsideOnlyWatch) {
+  const int port = cls::tests::UdpClient(1).own_port();  // free a moment ago
+  cls::tests::Command match(
+      arguments("mock:hold", "embedded",
+                {"--half-time", "10", "--mode", "synch", "--monitor-port", std::to_string(port)}),
+      environment());
+  ASSERT_TRUE(match.wait_for_errors("monitors may attach"));
+  cls::tests::UdpClient monitor(port);
+  monitor.send("(dispinit version 4)");
+  const std::string reply = monitor.wait();
+  EXPECT_THAT(reply, HasSubstr("server_param"));
+  for (int i = 0; i < 50; ++i) {
+    monitor.send("(dispcard 1 2 red)");
+    monitor.wait(std::chrono::milliseconds(20));
+  }
+  const auto played = match.finish();
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_THAT(file("match.rcl"), Not(HasSubstr("red_card")));
+}
+
+// The server is not of cls: it accepts any client, as rcssserver does.
+TEST_F(Intruder, IsNamedOnAServerThatAcceptsAnyClient) {
+  const std::string watch = "$intruder --port $port --first '(dispinit version 4)' --then '(x)' & ";
+  play(named_team("team", "Watchers", watch + watch + watch), server(""), {"--cycles", "25"});
+  EXPECT_THAT(played_.err, HasSubstr("an intrusion: programs of the right side hold "));
+  EXPECT_THAT(played_.err, HasSubstr("connections to the soccer server; 12 can be its own"));
+  EXPECT_NE(result_["fault"], "left");
+}
+
+TEST_F(Intruder, AloneIsAtFaultOnAServerThatAcceptsAnyClient) {
+  left_ = "mock:hold";
+  play(named_team("team", "Thieves", "",
+                  "for i in 1 2 3 4 5 6 7 8 9 10 11; do $intruder --port $port --first "
+                  "\"(reconnect hold $i)\" --then '(x)' --times 500 & done; wait"),
+       server(""), {"--half-time", "50"});
+  EXPECT_NE(result_["end_reason"], "finished");
+  EXPECT_EQ(result_["fault"], "right") << played_.err;
+  EXPECT_THAT(played_.err, HasSubstr("an intrusion: programs of the right side hold "));
+}
+
+// Without the binding a started server is as rcssserver: so only a match may ask for it.
+TEST_F(Intruder, BindingNeedsAMatch) {
+  const auto server =
+      cls::tests::run({cls::tests::cls_binary(), "server", "--port", "0", "match::sides=team,cls"});
+  EXPECT_EQ(server.exit_code, 2);
+  EXPECT_THAT(server.err, HasSubstr("match::sides: no match has started this server"));
+}
+
+}  // namespace
