@@ -23,12 +23,12 @@ using base::Error;
 using base::InputBuffer;
 using base::Result;
 
-constexpr double kLargestNumber = 9e15;
-constexpr double kLargestRow = 1e15;
+constexpr double kMaxNumber = 9e15;
+constexpr double kMaxRow = 1e15;
 constexpr std::size_t kMaxQuoted = 40;
 
 bool is_row_number(std::optional<double> value) {
-  return value && std::trunc(*value) == *value && std::abs(*value) <= kLargestRow;
+  return value && std::trunc(*value) == *value && std::abs(*value) <= kMaxRow;
 }
 
 // Where the cells of a row go.
@@ -69,7 +69,7 @@ class RowReader {
                                  base::printable(text.substr(0, kMaxQuoted)),
                                  is_index ? "an integer" : "a number")};
       }
-      const double limited = std::clamp(value.value_or(0.0), -kLargestNumber, kLargestNumber);
+      const double limited = std::clamp(value.value_or(0.0), -kMaxNumber, kMaxNumber);
       number.store(value ? limited : std::numeric_limits<double>::quiet_NaN());
     }
     if (mode_) row_.mode = cells[*mode_];

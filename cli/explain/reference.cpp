@@ -347,10 +347,10 @@ namespace {
 
 // Words of users for names of the interface.
 constexpr std::pair<std::string_view, std::string_view> kSynonyms[] = {
-    {"goalie", "helios_goalie"}, {"keeper", "helios_goalie"},    {"goalkeeper", "helios_goalie"},
-    {"speed", "velocity"},       {"energy", "stamina"},          {"number", "uniform_number"},
-    {"unum", "uniform_number"},  {"run", "body_go_to_point"},    {"shot", "helios_shoot"},
-    {"draw", "debug_client"},    {"look", "neck_turn_to_point"},
+    {"goalie", "helios_goalie"},    {"keeper", "helios_goalie"},  {"speed", "velocity"},
+    {"energy", "stamina"},          {"number", "uniform_number"}, {"unum", "uniform_number"},
+    {"run", "body_go_to_point"},    {"shot", "helios_shoot"},     {"draw", "debug_client"},
+    {"look", "neck_turn_to_point"},
 };
 
 // The singular of a plural, the name that a synonym means; empty for other words.
