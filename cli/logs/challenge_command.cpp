@@ -99,17 +99,18 @@ constexpr struct {
 
 // 0, or the exit code after an error line.
 int write_test(const std::string& match, const std::string& test, int last_cycle, bool force) {
-  for (const auto& [ending, file] : kFiles) {
-    const std::string from = match + ending;
-    const std::string to = test + ending;
+  for (const auto& one : kFiles) {
+    const std::string from = match + one.ending;
+    const std::string to = test + one.ending;
     if (!fs::exists(from)) continue;
+
     if (const auto failure = why_not_replaced(to, force)) {
       return print_error(failure->exit_code, failure->message);
     }
     std::optional<Error> error;
     const auto failure = write_output(to, [&](base::ByteSink& sink) {
-      const auto cut = with_file(from, [&, kind = file](base::ByteSource& source) {
-        return analysis::cut_stp_file(source, kind, last_cycle, sink);
+      const auto cut = with_file(from, [&](base::ByteSource& source) {
+        return analysis::cut_stp_file(source, one.file, last_cycle, sink);
       });
       if (!cut) error = cut.error();
       return cut.ok();
