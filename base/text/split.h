@@ -6,7 +6,8 @@
 
 namespace cls::base {
 
-/// The pieces between separators, empty ones too, as views into `text`; one piece without a separator.
+/// The pieces between separators, empty ones too, as views into `text`; one piece without a
+/// separator.
 inline std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> pieces;
   for (std::size_t end = text.find(separator); end != std::string_view::npos;
