@@ -1,5 +1,6 @@
 // `cls help`: pages of the manual and a search; application.cpp handles the names of commands.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
@@ -118,7 +119,11 @@ int run(const Command& root, const Arguments& arguments) {
   }
 
   const std::vector<HelpMatch> found = search_help(root, arguments.words);
-  if (found.empty()) return report_unknown_topic(root, first);
+  if (found.empty() && arguments.words.size() == 1) return report_unknown_topic(root, first);
+  if (found.empty()) {
+    return print_error(kUsage, fmt::format("nothing has the words '{}' (see cls help topics)",
+                                           fmt::join(arguments.words, " ")));
+  }
   return print_matches(found, arguments.json);
 }
 

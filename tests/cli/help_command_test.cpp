@@ -61,7 +61,9 @@ TEST(HelpCommand, SearchesCommandsPagesAndNames) {
 
   const CommandResult option = run({cls_binary(), "help", "no-deadline"});
   EXPECT_THAT(option.out, HasSubstr("--no-deadline of cls match")) << option.out;
-  EXPECT_EQ(run({cls_binary(), "help", "zebra", "crossing"}).exit_code, 2);
+  const CommandResult none = run({cls_binary(), "help", "zebra", "crossing"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_EQ(none.err, "cls: nothing has the words 'zebra crossing' (see cls help topics)\n");
 }
 
 TEST(ManPages, DescribeAllCommandsAndOptions) {
