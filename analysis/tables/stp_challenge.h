@@ -23,7 +23,7 @@ base::Result<std::optional<int>> stp_last_cycle(base::ByteSource& tracking);
 /// The files of a match that a test has the start of.
 enum class StpFile : std::uint8_t { kTracking, kEvents, kGameLog, kTextLog };
 
-/// Copies the lines before the first that is later than `last_cycle`.
+/// Copies the lines before the first that is later than `last_cycle`; CR LF becomes a line feed.
 base::Result<void> cut_stp_file(base::ByteSource& from, StpFile file, int last_cycle,
                                 base::ByteSink& to);
 
