@@ -7,6 +7,7 @@
 
 #include "base/text/number_text.h"
 #include "base/text/printable.h"
+#include "base/text/split.h"
 #include "base/text/wrap_text.h"
 #include "base/text/xml.h"
 
@@ -162,21 +163,22 @@ std::string Table::text_line(const std::vector<std::string>& cells,
 // One line, and those on which folded cells continue.
 std::string Table::text_row(std::vector<std::string> cells, const std::vector<std::size_t>& columns,
                             const std::vector<std::size_t>& widths, std::size_t indent) const {
-  std::string text;
-  for (bool more = true; more;) {
-    more = false;
-    std::vector<std::string> rest(cells.size());
-    for (const std::size_t i : columns) {
-      if (!columns_[i].folds || width_of(cells[i]) <= widths[i]) continue;
-      const std::string folded = wrap_text(cells[i], widths[i]);
-      const std::size_t end = std::min(folded.find('\n'), folded.size());
-      rest[i] = cells[i].substr(std::min(end + 1, cells[i].size()));
-      cells[i].resize(end);
-      more |= !rest[i].empty();
-    }
+  std::size_t lines = 1;
+  for (const std::size_t i : columns) {
+    if (!columns_[i].folds || width_of(cells[i]) <= widths[i]) continue;
+    cells[i] = wrap_text(cells[i], widths[i]);
+    lines = std::max(lines, split(cells[i], '\n').size());
+  }
+  if (lines == 1) return text_line(cells, columns, widths, indent);
 
-    text += text_line(cells, columns, widths, indent);
-    cells = std::move(rest);
+  std::string text;
+  for (std::size_t line = 0; line < lines; ++line) {
+    std::vector<std::string> parts(cells.size());
+    for (const std::size_t i : columns) {
+      const std::vector<std::string_view> pieces = split(cells[i], '\n');
+      if (line < pieces.size()) parts[i] = pieces[line];
+    }
+    text += text_line(parts, columns, widths, indent);
   }
   return text;
 }

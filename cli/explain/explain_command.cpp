@@ -145,9 +145,7 @@ int search(const std::string& text, bool json) {
   base::Table table;
   table.add_columns({"kind", "name", "meaning"});
   for (const ReferenceEntry* entry : found) {
-    const std::string_view effect = fact(*entry, "does");
-    table.add_row({std::string(name(entry->kind)), entry->name,
-                   plain(effect.empty() ? std::string_view(entry->text) : effect)});
+    table.add_row({std::string(name(entry->kind)), entry->name, plain(meaning(*entry))});
   }
 
   table.allow_folds(2);

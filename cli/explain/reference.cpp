@@ -12,6 +12,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/text/find_ignoring_case.h"
 #include "cli/explain/parameter_facts.h"
 #include "cli/explain/proto_text.h"
 #include "orchestration/match/result/end_reason.h"
@@ -343,6 +344,11 @@ std::string_view fact(const ReferenceEntry& entry, std::string_view label) {
   return {};
 }
 
+std::string_view meaning(const ReferenceEntry& entry) {
+  const std::string_view effect = fact(entry, "does");
+  return effect.empty() ? std::string_view(entry.text) : effect;
+}
+
 namespace {
 
 // Words of users for names of the interface.
@@ -397,13 +403,8 @@ std::vector<const ReferenceEntry*> find_entries(std::string_view word) {
 }
 
 std::vector<const ReferenceEntry*> entries_with(std::string_view text) {
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) ==
-           std::tolower(static_cast<unsigned char>(b));
-  };
-
-  const auto has = [&](std::string_view where) {
-    return std::search(where.begin(), where.end(), text.begin(), text.end(), same) != where.end();
+  const auto has = [text](std::string_view where) {
+    return base::find_ignoring_case(where, text) != std::string_view::npos;
   };
 
   std::vector<const ReferenceEntry*> found;

@@ -35,6 +35,9 @@ const std::vector<ReferenceEntry>& reference();
 /// The value of a fact; empty if the entry lacks it.
 std::string_view fact(const ReferenceEntry& entry, std::string_view label);
 
+/// What an action does, or what another entry means; may be empty.
+std::string_view meaning(const ReferenceEntry& entry);
+
 /// The entries that `word` names: a full name, or the last part of it ("stamina"). Case, `_` and
 /// `-` do not count. Exact names win; where there are none, a plural means its singular
 /// ("tackles"), and some words of users mean a name ("keeper").

@@ -104,9 +104,8 @@ int write_test(const std::string& match, const std::string& test, int last_cycle
     const std::string to = test + one.ending;
     if (!fs::exists(from)) continue;
 
-    if (const auto failure = why_not_replaced(to, force)) {
-      return print_error(failure->exit_code, failure->message);
-    }
+    if (const int code = report_failure(why_not_replaced(to, force)); code != kOk) return code;
+
     std::optional<Error> error;
     const auto failure = write_output(to, [&](base::ByteSink& sink) {
       const auto cut = with_file(from, [&](base::ByteSource& source) {
@@ -116,7 +115,7 @@ int write_test(const std::string& match, const std::string& test, int last_cycle
       return cut.ok();
     });
     if (error) return fail(*error);
-    if (failure) return print_error(failure->exit_code, failure->message);
+    if (failure) return report_failure(failure);
   }
   return kOk;
 }
@@ -271,14 +270,15 @@ int run_predict(const Arguments& arguments) {
     if (const auto created = base::create_folders(out.parent_path()); !created) {
       return fail(created.error(), kCannotCreate);
     }
-    if (const auto failure = why_not_replaced(out, arguments.force)) {
-      return print_error(failure->exit_code, failure->message);
+    if (const int code = report_failure(why_not_replaced(out, arguments.force)); code != kOk) {
+      return code;
     }
+
     const auto failure = write_output(out, [&](base::ByteSink& sink) {
       sink.write(analysis::format_stp_prediction(analysis::predict_stp(model, *last)));
       return true;
     });
-    if (failure) return print_error(failure->exit_code, failure->message);
+    if (failure) return report_failure(failure);
   }
   if (arguments.json) {
     print_document("predict", {{"model", arguments.model}, {"tests", tests->size()}});

@@ -180,9 +180,7 @@ int write_log(const Arguments& arguments, const viewer::StreamMatch& match, RcgV
     return true;
   });
 
-  if (!failure) return kOk;
-  if (failure->message.empty()) return failure->exit_code;
-  return print_error(failure->exit_code, failure->message);
+  return report_failure(failure);
 }
 
 int run_convert_command(const Arguments& arguments) {

@@ -58,12 +58,6 @@ void write_table(MatchTable table, const MatchRecord& record, analysis::Tracking
   }
 }
 
-int report_failure(const std::optional<OutputFailure>& failure) {
-  if (!failure) return kOk;
-  return failure->message.empty() ? failure->exit_code
-                                  : print_error(failure->exit_code, failure->message);
-}
-
 // The one log that `in` stands for.
 base::Result<std::string> one_log(const std::string& in) {
   std::error_code code;

@@ -13,6 +13,7 @@
 #include "base/io/replacement.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
+#include "cli/support/print_error.h"
 
 namespace cls::cli {
 namespace {
@@ -46,6 +47,12 @@ std::optional<OutputFailure> write_output(const fs::path& out,
   const auto finished = replacement->finish();
   return finished ? std::nullopt
                   : std::optional(OutputFailure{kCannotCreate, finished.error().message});
+}
+
+int report_failure(const std::optional<OutputFailure>& failure) {
+  if (!failure) return kOk;
+  return failure->message.empty() ? failure->exit_code
+                                  : print_error(failure->exit_code, failure->message);
 }
 
 std::optional<OutputFailure> why_not_replaced(const fs::path& out, bool force) {

@@ -23,6 +23,10 @@ struct OutputFailure {
 std::optional<OutputFailure> write_output(const std::filesystem::path& out,
                                           const std::function<bool(base::ByteSink&)>& write);
 
+/// Prints the message of a failure, if there are both. Returns the exit code, kOk without a
+/// failure.
+int report_failure(const std::optional<OutputFailure>& failure);
+
 /// The failure of an existing file that may not be replaced.
 std::optional<OutputFailure> why_not_replaced(const std::filesystem::path& out, bool force);
 

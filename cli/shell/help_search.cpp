@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 #include <utility>
 
+#include "base/text/find_ignoring_case.h"
 #include "base/text/split.h"
 #include "cli/explain/reference.h"
 #include "cli/shell/help_topics.h"
@@ -17,24 +17,18 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-std::string_view::const_iterator find_in(std::string_view text, std::string_view word) {
-  const auto same = [](unsigned char a, unsigned char b) {
-    return std::tolower(a) == std::tolower(b);
-  };
-  return std::search(text.begin(), text.end(), word.begin(), word.end(), same);
-}
-
 bool has_all(std::string_view text, const Words& words) {
-  return std::all_of(words.begin(), words.end(),
-                     [text](const std::string& word) { return find_in(text, word) != text.end(); });
+  return std::all_of(words.begin(), words.end(), [text](const std::string& word) {
+    return base::find_ignoring_case(text, word) != std::string_view::npos;
+  });
 }
 
 std::string first_line(std::string_view text) {
   return std::string(text.substr(0, text.find('\n')));
 }
 
-void add_commands(const Command& command, const std::string& name, const Words& words,
-                  std::vector<HelpMatch>& found) {
+void add_commands(const Command& command, const Words& words, std::vector<HelpMatch>& found) {
+  const std::string name = full_name(command);
   const std::string read = name + " --help";
   if (has_all(name + " " + command.description, words)) {
     found.push_back({"command", name, first_line(command.description), read});
@@ -46,7 +40,7 @@ void add_commands(const Command& command, const std::string& name, const Words& 
   }
 
   for (const Command& below : command.commands) {
-    if (below.group != kHidden) add_commands(below, name + " " + below.name, words, found);
+    if (below.group != kHidden) add_commands(below, words, found);
   }
 }
 
@@ -58,7 +52,7 @@ std::string line_with(const std::string& page, const Words& words) {
   for (std::string_view line : base::split(page, '\n')) {
     if (!has_all(line, words)) continue;
 
-    const auto at = static_cast<std::size_t>(find_in(line, words.front()) - line.begin());
+    const std::size_t at = base::find_ignoring_case(line, words.front());
     if (at > kBefore) line.remove_prefix(line.find(' ', at - kBefore) + 1);
     line.remove_prefix(std::min(line.find_first_not_of("# |-"), line.size()));
     if (line.size() > kLength) line = line.substr(0, line.rfind(' ', kLength));
@@ -82,9 +76,7 @@ void add_entries(const Words& words, std::vector<HelpMatch>& found) {
     for (const auto& [label, value] : entry->facts) all += " " + value;
     if (!has_all(all, words)) continue;
 
-    const std::string_view effect = fact(*entry, "does");
-    found.push_back({std::string(name(entry->kind)), entry->name,
-                     first_line(effect.empty() ? std::string_view(entry->text) : effect),
+    found.push_back({std::string(name(entry->kind)), entry->name, first_line(meaning(*entry)),
                      "cls explain " + entry->name});
   }
 }
@@ -95,7 +87,7 @@ std::vector<HelpMatch> search_help(const Command& root, const std::vector<std::s
   std::vector<HelpMatch> found;
   if (words.empty()) return found;
 
-  add_commands(root, "cls", words, found);
+  add_commands(root, words, found);
   add_pages(words, found);
   add_entries(words, found);
   return found;

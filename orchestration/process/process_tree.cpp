@@ -22,8 +22,27 @@ double ticks_to_seconds(unsigned long long ticks) {
   return static_cast<double>(ticks) / per_second;
 }
 
+std::vector<ProcessEntry> all_processes() {
+  struct Close {
+    void operator()(DIR* folder) const { ::closedir(folder); }
+  };
+
+  std::vector<ProcessEntry> entries;
+  const std::unique_ptr<DIR, Close> folder(::opendir("/proc"));
+  if (!folder) return entries;
+
+  while (const dirent* item = ::readdir(folder.get())) {
+    const int pid = std::atoi(item->d_name);
+    if (pid <= 0) continue;
+    if (const auto entry = read_process(pid)) entries.push_back(*entry);
+  }
+  return entries;
+}
+
+}  // namespace
+
 // The line is "PID (NAME) STATE PPID ..." where NAME may contain anything, also ')' and spaces.
-std::optional<ProcessEntry> read_entry(pid_t pid) {
+std::optional<ProcessEntry> read_process(pid_t pid) {
   std::array<char, 64> path{};
   std::snprintf(path.data(), path.size(), "/proc/%d/stat", pid);
   const base::UniqueFd file(::open(path.data(), O_RDONLY | O_CLOEXEC));
@@ -61,25 +80,6 @@ std::optional<ProcessEntry> read_entry(pid_t pid) {
       ticks_to_seconds(static_cast<unsigned long long>(fetched_user + fetched_system));
   return entry;
 }
-
-std::vector<ProcessEntry> all_processes() {
-  struct Close {
-    void operator()(DIR* folder) const { ::closedir(folder); }
-  };
-
-  std::vector<ProcessEntry> entries;
-  const std::unique_ptr<DIR, Close> folder(::opendir("/proc"));
-  if (!folder) return entries;
-
-  while (const dirent* item = ::readdir(folder.get())) {
-    const int pid = std::atoi(item->d_name);
-    if (pid <= 0) continue;
-    if (const auto entry = read_entry(pid)) entries.push_back(*entry);
-  }
-  return entries;
-}
-
-}  // namespace
 
 std::vector<ProcessEntry> descendants_of(pid_t root) {
   const std::vector<ProcessEntry> all = all_processes();

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <optional>
 #include <vector>
 
 namespace cls::orchestration::process {
@@ -14,6 +15,9 @@ struct ProcessEntry {
   double cpu_seconds = 0.0;         ///< its own, with a resolution of 10 ms (clock tick)
   double reaped_cpu_seconds = 0.0;  ///< of its children that have exited and were reaped
 };
+
+/// A running process; nothing if there is none, or without /proc.
+std::optional<ProcessEntry> read_process(pid_t pid);
 
 /// All running descendants of `root`, without itself, parents before children. Empty without /proc.
 std::vector<ProcessEntry> descendants_of(pid_t root);

@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <set>
 
 #include "base/system/udp_socket.h"
@@ -125,12 +124,8 @@ std::string short_name(pid_t pid) {
 }
 
 pid_t parent_of(pid_t pid) {
-  std::ifstream file(fmt::format("/proc/{}/stat", pid));
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const std::size_t end = text.rfind(')');
-  int parent = 0;
-  if (end != std::string::npos) std::sscanf(text.c_str() + end + 1, " %*c %d", &parent);
-  return parent;
+  const auto process = read_process(pid);
+  return process ? process->parent : 0;
 }
 
 }  // namespace
@@ -159,6 +154,12 @@ std::optional<SocketOwners> SocketOwners::of_programs_beside() {
 }
 
 // A process that forks while /proc is read can be missed: so an unknown owner is not remembered.
+void SocketOwners::remember(unsigned long inode, const SocketOwner& owner) {
+  if (owner.kind == SocketOwner::Kind::kUnknown) return;
+  if (known_.size() >= kMaxKnown) known_.clear();
+  known_[inode] = owner;
+}
+
 SocketOwner SocketOwners::owner_of(const base::SocketAddress& address) {
   const auto sockets = sockets_at(udp_sockets(), hex_host(address), address.port());
   if (sockets.size() != 1) return find(inodes_of(sockets));
@@ -168,9 +169,8 @@ SocketOwner SocketOwners::owner_of(const base::SocketAddress& address) {
   SocketOwner owner = find({socket.inode});
   if (owner.pid == 0 && socket.user != ::geteuid()) owner.kind = SocketOwner::Kind::kOutside;
   if (owner.pid == 0 && socket.user == ::geteuid()) owner = find_outside(socket.inode);
-  if (owner.kind == SocketOwner::Kind::kUnknown) return owner;
-  if (known_.size() >= kMaxKnown) known_.clear();
-  return known_[socket.inode] = owner;
+  remember(socket.inode, owner);
+  return owner;
 }
 
 std::vector<SocketOwner> SocketOwners::peers_of(pid_t server) {
@@ -186,9 +186,7 @@ std::vector<SocketOwner> SocketOwners::peers_of(pid_t server) {
     const auto inodes = inodes_of(sockets_at(sockets, host, socket.peer_port));
     const auto known = inodes.size() == 1 ? known_.find(inodes.front()) : known_.end();
     owners.push_back(known != known_.end() ? known->second : find(inodes));
-    if (inodes.size() == 1 && owners.back().kind != SocketOwner::Kind::kUnknown) {
-      known_[inodes.front()] = owners.back();
-    }
+    if (inodes.size() == 1) remember(inodes.front(), owners.back());
   }
   return owners;
 }

@@ -57,6 +57,7 @@ class SocketOwners {
   std::map<pid_t, pid_t> family() const;
   SocketOwner find(const std::vector<unsigned long>& inodes) const;
   SocketOwner find_outside(unsigned long inode) const;
+  void remember(unsigned long inode, const SocketOwner& owner);
 
   pid_t guard_;
   pid_t starter_;

@@ -128,8 +128,8 @@ void update_marks(const WorldModel& world, PlayerState& player) {
 void update_distances(const WorldModel& world, PlayerList& players) {
   const soccer::Vec2 self = world.self.position;
   const soccer::Vec2 ball = world.ball.position;
-  base::FixedList<soccer::Vec2, 2 * PlayerList::capacity()>
-      vectors;  // from the agent, from the ball
+  // From the agent, from the ball.
+  base::FixedList<soccer::Vec2, 2 * PlayerList::capacity()> vectors;
 
   for (const PlayerState& player : players) {
     vectors.push_back(player.position - self);

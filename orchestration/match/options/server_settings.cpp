@@ -7,6 +7,7 @@
 
 #include "base/io/home_path.h"
 #include "base/io/whole_file.h"
+#include "base/text/split.h"
 #include "soccer/parameters/configuration.h"
 #include "soccer/parameters/parameter.h"
 #include "soccer/parameters/server_setting.h"
@@ -70,9 +71,8 @@ Result<void> set_match(ServerSettings& settings, const ConfigurationItem& item) 
     return Error{
         fmt::format("match::{}: only a match sets this, as match::sides=team,cls", item.name)};
   };
-  std::vector<std::string> words = {""};
-  for (const char c : item.value) c == ',' ? words.emplace_back() : words.back() += c;
-  const auto is_side = [](const std::string& word) { return word == kTeam || word == kAgents; };
+  const std::vector<std::string_view> words = base::split(item.value, ',');
+  const auto is_side = [](std::string_view word) { return word == kTeam || word == kAgents; };
   const bool trainer = words.size() == 3 && words[2] == kTrainer;
   if (item.name != "sides" || (words.size() != 2 && !trainer)) return error();
   if (!is_side(words[0]) || !is_side(words[1])) return error();

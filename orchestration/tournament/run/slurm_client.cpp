@@ -9,6 +9,8 @@
 #include <mutex>
 #include <optional>
 
+#include "base/text/split.h"
+
 namespace cls::orchestration::tournament {
 namespace {
 
@@ -49,12 +51,8 @@ std::string joined(const std::vector<std::string>& lines) {
 
 // Parses "name|3|RUNNING|None"; job names hold no bar.
 std::optional<std::pair<TaskName, TaskState>> parse_task(std::string_view line) {
-  std::array<std::string_view, 4> fields;
-  for (std::string_view& field : fields) {
-    const std::size_t bar = line.find('|');
-    field = line.substr(0, bar);
-    line.remove_prefix(bar == std::string_view::npos ? line.size() : bar + 1);
-  }
+  std::vector<std::string_view> fields = base::split(line, '|');
+  fields.resize(4);
   int index = 0;
   const char* end = fields[1].data() + fields[1].size();
   if (fields[1].empty() || std::from_chars(fields[1].data(), end, index).ptr != end) {
