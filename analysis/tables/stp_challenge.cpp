@@ -12,6 +12,7 @@
 #include "base/text/csv_line.h"
 #include "base/text/number_text.h"
 #include "soccer/pitch.h"
+#include "soccer/side.h"
 
 namespace cls::analysis {
 namespace {
@@ -23,7 +24,7 @@ using soccer::Vec2;
 
 constexpr int kPlayFrames = 50;
 constexpr std::size_t kMaxRows = 10'000;
-constexpr std::size_t kLeftPlayers = 11;
+constexpr std::size_t kLeftPlayers = soccer::kPlayersPerTeam;
 
 // The cycle of a line of a log: digits at the start, or after the first space.
 std::optional<int> cycle_of_log_line(std::string_view line, StpFile file) {
