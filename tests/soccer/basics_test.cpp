@@ -77,6 +77,27 @@ TEST(Directions, OfManyVectorsAreTheSameBits) {
   }
 }
 
+TEST(Directions, OfManyVectorsInRadiansAndBackAreTheSameBits) {
+  RandomStream random(8, "directions");
+  std::vector<Vec2> vectors = {{0.0, 0.0}, {-0.0, 0.0}, {-1.0, -0.0}};
+  while (vectors.size() < 103) {
+    vectors.push_back({random.uniform(-60.0, 60.0), random.uniform(-40.0, 40.0)});
+  }
+  for (const std::size_t count : {std::size_t{0}, std::size_t{3}, std::size_t{6}, vectors.size()}) {
+    std::vector<double> radians(count + 1, 7.0);
+    directions_radians(vectors.data(), count, radians.data());
+    std::vector<Vec2> units(count + 1, Vec2{7.0, 7.0});
+    unit_vectors(radians.data(), count, units.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(radians[i]),
+                std::bit_cast<std::uint64_t>(direction_radians(vectors[i])));
+      EXPECT_EQ(units[i], polar_radians(1.0, radians[i]));
+    }
+    EXPECT_EQ(radians[count], 7.0);
+    EXPECT_EQ(units[count], (Vec2{7.0, 7.0}));
+  }
+}
+
 TEST(Shapes, NearestEdgePrefersHorizontalEdgeForEqualDistances) {
   const Rect rect = Rect::centered({0, 0}, 4, 2);
   EXPECT_EQ(nearest_edge(rect, {1.9, 0.2}), (Vec2{2.0, 0.2}));
