@@ -33,9 +33,10 @@ void reset_commands(Player& player) {
 
 void apply_dashes(World& world) {
   for (Player& player : world.players) {
+    ++player.arm.age;
+    if (!player.joined) continue;
     apply_dash(world, player);
     reset_commands(player);
-    ++player.arm.age;
   }
 }
 
@@ -124,7 +125,9 @@ void step(World& world, Events& events) {
 }
 
 void finish_step(World& world, Events& events) {
-  for (Player& player : world.players) clear_transient_state(player);
+  for (Player& player : world.players) {
+    if (player.joined) clear_transient_state(player);
+  }
   run_auto_mode(world, events);
 }
 

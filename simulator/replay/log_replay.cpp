@@ -179,7 +179,7 @@ class LogReplay {
   }
 
   void set_overrides(const Frame& after) {
-    world_.overrides = recorded_outcomes(after);
+    world_.overrides.emplace(recorded_outcomes(after));
     for (std::size_t i = 0; i < recorded_contact_.size(); ++i) {
       recorded_contact_[i] = (after.players[i].state & state::kBallCollide) != 0;
     }

@@ -110,6 +110,8 @@ struct Player {
   int type = 0;
   bool substituted = false;  ///< its type was assigned by a coach or at the kick-off
 
+  Arm arm;  // here, because steps change it even on the bench
+
   Vec2 position;
   Vec2 velocity;
   Vec2 acceleration;
@@ -132,7 +134,6 @@ struct Player {
   int catch_ban = 0;
   int moves_since_catch = 0;
 
-  Arm arm;
   View view;
   Ears ears;
   Slot attention = kNoPlayer;

@@ -4,9 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string_view>
 
+#include "base/boxed.h"
 #include "simulator/world/player.h"
 #include "simulator/world/random_streams.h"
 #include "simulator/world/referee_state.h"
@@ -75,7 +75,7 @@ struct World {
   RefereeState referee;
   AutoMode auto_mode;
   RandomStreams random;
-  std::optional<ReplayOverrides> overrides;  ///< set during log replay only
+  base::Boxed<ReplayOverrides> overrides;  ///< set during log replay only
 
   const soccer::ServerParams& params() const { return rules->server; }
   Player& player(Side side, int unum) {
