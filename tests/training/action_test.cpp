@@ -34,6 +34,39 @@ TEST(TrainingActions, DiscreteSetHas81Ids) {
   EXPECT_TRUE(training::low_discrete_actions().values().empty());
 }
 
+// Masks ask each condition once; the answer is that of each action.
+TEST(TrainingActions, LegalityIsThatOfEachAction) {
+  for (const training::ActionSet* set : training::action_sets()) {
+    if (set->actions.empty()) continue;
+    const auto setup = setup_of(R"({"task": "Match", "actions": ")" + std::string(set->name) +
+                                R"(", "features": "ego", "autoreset": "same_step"})");
+    training::Episode episode(setup);
+    episode.reset(5, setup->options);
+    const training::Legality legality(*set);
+    soccer::RandomStream random(3, "legality");
+    std::vector<std::uint8_t> mask(set->actions.size());
+    std::set<std::vector<std::uint8_t>> different;
+
+    for (int round = 0; round < 200; ++round) {
+      simulator::World world = episode.world();
+      simulator::Player& player = world.player(random.integer(soccer::kPlayersPerTeam));
+      world.ball.position =
+          player.position + Vec2{random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)};
+      training::Scene scene;
+      training::fill_scene(world, soccer::Side::kLeft, setup->cast, scene);
+      const training::PointOfView view = {scene, setup->cast, player.slot(),
+                                          setup->task->stage(soccer::Side::kLeft)};
+      legality.fill(view, mask.data());
+      for (std::size_t id = 0; id < mask.size(); ++id) {
+        const training::Condition legal = set->actions[id].legal;
+        EXPECT_EQ(mask[id] != 0, legal == nullptr || legal(view)) << set->actions[id].name;
+      }
+      different.insert(mask);
+    }
+    EXPECT_GT(different.size(), 1U) << set->name;
+  }
+}
+
 // Trained policies know actions by number.
 TEST(TrainingActions, KeepTheirNumbers) {
   const std::vector<training::Action>& low = training::low_discrete_actions().actions;

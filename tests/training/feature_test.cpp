@@ -3,10 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "soccer/math.h"
 #include "tests/training/stage.h"
+#include "training/scene/openings.h"
 
 namespace cls::tests {
 namespace {
+
+using soccer::Vec2;
 
 TEST(TrainingFeatures, HfoSetsHaveHfosSizes) {
   for (int t = 0; t <= 4; ++t) {
@@ -50,13 +58,68 @@ TEST(TrainingFeatures, TeamsSeeMirroredWorldsAlike) {
   std::array<std::vector<float>, 2> seen;
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     const soccer::Side side = i == 0 ? soccer::Side::kLeft : soccer::Side::kRight;
-    training::fill_scene(world, side, scenes[i]);
+    training::fill_scene(world, side, setup->cast, scenes[i]);
+    training::complete_for_observers(scenes[i]);
     seen[i].resize(setup->feature_count());
     training::kEgoFeatures.fill({scenes[i], setup->cast, 0, setup->task->stage(side)},
                                 seen[i].data());
   }
   for (std::size_t i = 0; i < seen[0].size(); ++i) {
     EXPECT_NEAR(seen[0][i], seen[1][i], 1e-6) << setup->feature_columns[i].name;
+  }
+}
+
+// The definition, observer by observer.
+double plain_opening(const training::Scene& scene, const training::Cast& cast, Vec2 eye, double low,
+                     double high, double reach) {
+  std::vector<std::pair<double, double>> covered;
+  for (const training::Seat seat : training::seats_of(scene.side, cast.others(scene.side))) {
+    const Vec2 to = scene.player(seat).position - eye;
+    if (!scene.player(seat).seen || to.length() >= reach) continue;
+    const double half = soccer::math::atan2(1.085 * 0.5, to.length());
+    const double middle = soccer::direction_radians(to);
+    if (middle + half >= low && middle - half <= high) {
+      covered.emplace_back(middle - half, middle + half);
+    }
+  }
+  std::sort(covered.begin(), covered.end());
+  double widest = 0.0;
+  double from = low;
+  for (const auto& [begin, end] : covered) {
+    widest = std::max(widest, begin - from);
+    from = std::max(from, end);
+  }
+  return std::max(widest, high - from);
+}
+
+TEST(TrainingFeatures, SharedOpeningsAreThoseOfEachObserver) {
+  const auto setup = setup_of(R"({"task": "Match", "features": "hfo_high"})");
+  soccer::RandomStream random(4, "openings");
+  const double pi = soccer::math::kPi;
+
+  for (int round = 0; round < 50; ++round) {
+    simulator::World world = setup->prepared;
+    for (simulator::Player& player : world.players) {
+      player.position = {random.uniform(-52.0, 52.0), random.uniform(-34.0, 34.0)};
+    }
+    training::Scene scene;
+    training::fill_scene(world, soccer::Side::kLeft, setup->cast, scene);
+    const training::Openings openings(scene, setup->cast);
+
+    for (training::Seat eye = 0; eye < soccer::kPlayersPerTeam; ++eye) {
+      const Vec2 place = scene.player(eye).position;
+      const auto post = [&](double y) {
+        return soccer::direction_radians(Vec2{soccer::kHalfLength, y} - place);
+      };
+      EXPECT_EQ(openings.to_goal(eye),
+                plain_opening(scene, setup->cast, place, post(-7.01), post(7.01), 1e9));
+      const training::Seat mate = (eye + 1) % soccer::kPlayersPerTeam;
+      const Vec2 to = scene.player(mate).position - place;
+      const double middle = soccer::direction_radians(to);
+      EXPECT_EQ(openings.to_teammate(eye, mate),
+                plain_opening(scene, setup->cast, place, middle - pi / 4.0, middle + pi / 4.0,
+                              to.length()));
+    }
   }
 }
 

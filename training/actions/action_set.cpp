@@ -1,9 +1,18 @@
 // The list of action sets, and the layout of their values.
 #include "training/actions/action_set.h"
 
+#include <algorithm>
+#include <array>
+#include <cassert>
 #include <string>
 
 namespace cls::training {
+namespace {
+
+// Of one set: the largest has 18 (skills).
+constexpr std::size_t kMaxConditions = 32;
+
+}  // namespace
 
 Columns ActionSet::values() const {
   if (actions.empty()) return box;
@@ -25,6 +34,28 @@ std::vector<int> ActionSet::offsets() const {
     next += static_cast<int>(action.parameters.size());
   }
   return firsts;
+}
+
+Legality::Legality(const ActionSet& set) {
+  for (std::size_t id = 0; id < set.actions.size(); ++id) {
+    const Condition legal = set.actions[id].legal;
+    const auto known = std::find(conditions_.begin(), conditions_.end(), legal);
+    const auto condition = static_cast<std::size_t>(known - conditions_.begin());
+    if (known == conditions_.end()) conditions_.push_back(legal);
+
+    const bool continues = !runs_.empty() && runs_.back().condition == condition;
+    if (!continues) runs_.push_back({condition, id, 0});
+    ++runs_.back().count;
+  }
+  assert(conditions_.size() <= kMaxConditions);
+}
+
+void Legality::fill(const PointOfView& view, std::uint8_t* mask) const {
+  std::array<std::uint8_t, kMaxConditions> holds;
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    holds[i] = conditions_[i] == nullptr || conditions_[i](view) ? 1 : 0;
+  }
+  for (const Run& run : runs_) std::fill_n(mask + run.first, run.count, holds[run.condition]);
 }
 
 const std::vector<const ActionSet*>& action_sets() {

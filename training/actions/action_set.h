@@ -1,6 +1,7 @@
 // Actions of an agent as numbers: a named, versioned set that turns them into player commands.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -10,14 +11,18 @@
 
 namespace cls::training {
 
+/// Something that holds for an agent now, or does not.
+using Condition = bool (*)(const PointOfView& view);
+
 /// An action with an id and its own parameters.
 struct Action {
   std::string_view name;
   Columns parameters;
   /// The command; `values` are the action's own parameters, within their bounds.
   PlayerCommand (*command)(const PointOfView& view, const float* values);
-  /// True if the action has an effect now. Null: always.
-  bool (*legal)(const PointOfView& view) = nullptr;
+  /// True if the action has an effect now. Null: always. Actions that ask the same have the same
+  /// function, so that masks ask it once.
+  Condition legal = nullptr;
 };
 
 /// Either a list of actions, chosen by id, or (`box`) one vector of values from which
@@ -35,6 +40,26 @@ struct ActionSet {
   Columns values() const;
   /// Index in values() of the first parameter of action `id`.
   std::vector<int> offsets() const;
+};
+
+/// The legality of all actions of a set: each condition once, and the ids that it decides.
+class Legality {
+ public:
+  Legality() = default;
+  explicit Legality(const ActionSet& set);
+
+  /// Writes 1 for each id that has an effect now, else 0.
+  void fill(const PointOfView& view, std::uint8_t* mask) const;
+
+ private:
+  struct Run {
+    std::size_t condition;  ///< index in conditions_
+    std::size_t first;      ///< of consecutive ids
+    std::size_t count;
+  };
+
+  std::vector<Condition> conditions_;  ///< null: always
+  std::vector<Run> runs_;
 };
 
 // A change of ids, values or meanings needs a new version.

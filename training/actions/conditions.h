@@ -11,6 +11,8 @@ inline bool tackle_reaches(const PointOfView& view) {
 }
 inline bool catch_reaches(const PointOfView& view) { return can_catch(view.scene, view.self); }
 
+inline bool sees_ball(const PointOfView& view) { return view.scene.ball_seen; }
+
 inline PlayerCommand nothing(const PointOfView&, const float*) { return stand(); }
 inline PlayerCommand shoot_at_goal(const PointOfView& view, const float*) {
   return shoot(view.scene, view.self);

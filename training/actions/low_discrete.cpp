@@ -22,7 +22,7 @@ struct Dashes {
   static PlayerCommand command(const PointOfView&, std::size_t i) {
     return soccer::Dash{static_cast<double>(power(i)), static_cast<double>(direction(i))};
   }
-  static bool legal(const PointOfView&, std::size_t) { return true; }
+  static constexpr Condition kLegal = nullptr;
 };
 
 struct Turns {
@@ -33,7 +33,7 @@ struct Turns {
   static PlayerCommand command(const PointOfView&, std::size_t i) {
     return soccer::Turn{static_cast<double>(kMoments[i])};
   }
-  static bool legal(const PointOfView&, std::size_t) { return true; }
+  static constexpr Condition kLegal = nullptr;
 };
 
 struct Kicks {
@@ -47,7 +47,7 @@ struct Kicks {
   static PlayerCommand command(const PointOfView&, std::size_t i) {
     return soccer::Kick{static_cast<double>(power(i)), 22.5 * static_cast<double>(i / 3) - 180.0};
   }
-  static bool legal(const PointOfView& view, std::size_t) { return has_ball(view); }
+  static constexpr Condition kLegal = has_ball;
 };
 
 struct Tackles {
@@ -58,7 +58,7 @@ struct Tackles {
   static PlayerCommand command(const PointOfView&, std::size_t i) {
     return soccer::Tackle{static_cast<double>(kDirections[i]), false};
   }
-  static bool legal(const PointOfView& view, std::size_t) { return tackle_reaches(view); }
+  static constexpr Condition kLegal = tackle_reaches;
 };
 
 }  // namespace

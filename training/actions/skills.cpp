@@ -53,7 +53,7 @@ struct Kicks {
   static PlayerCommand command(const PointOfView& view, std::size_t i) {
     return kick_to(view.scene, view.self, ahead(view.scene.ball, i / 2, 20.0), kSpeeds[i % 2]);
   }
-  static bool legal(const PointOfView& view, std::size_t) { return has_ball(view); }
+  static constexpr Condition kLegal = has_ball;
 };
 
 struct Dribbles {
@@ -64,7 +64,7 @@ struct Dribbles {
     return dribble_to(view.scene, view.self, ahead(view.me().position, i, 10.0));
   }
   // Without the ball too: between two kicks it rolls ahead.
-  static bool legal(const PointOfView& view, std::size_t) { return view.scene.ball_seen; }
+  static constexpr Condition kLegal = sees_ball;
 };
 
 struct Runs {
@@ -74,7 +74,7 @@ struct Runs {
   static PlayerCommand command(const PointOfView& view, std::size_t i) {
     return go_to(view.scene, view.self, ahead(view.me().position, i, 10.0), 0.0);
   }
-  static bool legal(const PointOfView&, std::size_t) { return true; }
+  static constexpr Condition kLegal = nullptr;
 };
 
 // Goes to the ball and stops it.
@@ -86,7 +86,6 @@ PlayerCommand take_ball(const PointOfView& view, const float*) {
 PlayerCommand face_ball(const PointOfView& view, const float*) {
   return face(view.scene, view.self, view.scene.ball);
 }
-bool sees_ball(const PointOfView& view) { return view.scene.ball_seen; }
 
 PlayerCommand support(const PointOfView& view, const float*) {
   return go_to(view.scene, view.self, support_position(view), 1.0);

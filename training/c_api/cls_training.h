@@ -128,7 +128,7 @@ CLS_TRAINING_API int cls_training_catalog(char* out, size_t capacity, size_t* le
 CLS_TRAINING_API int cls_training_create(const char* config_json, uint64_t* pool);
 
 // Writes what the pool is as JSON (schema "cls.training.spec/1"), as cls_training_catalog():
-//   {"task", "version", "obs", "num_envs", "threads",
+//   {"task", "version", "half" (true: played in the right half), "obs", "num_envs", "threads",
 //    "num_agents": A, "agents": ["left_11", ...],
 //    "features": {"set", "version", "size": F, "items": [{"name", "unit", "low", "high"}, ...]},
 //    "actions": {"set", "version", "ids": K, "values": V, "id_low": 0,

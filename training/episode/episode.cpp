@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -12,8 +13,8 @@
 #include "simulator/step.h"
 #include "soccer/commands/rounding.h"
 #include "training/episode/state.h"
-#include "training/npc/scripted.h"
 #include "training/scene/estimated_scene.h"
+#include "training/scene/openings.h"
 #include "training/tasks/formation.h"
 
 namespace cls::training {
@@ -124,7 +125,9 @@ void Episode::draw_types(soccer::RandomStream& random) {
 void Episode::fill_scenes() {
   for (const Side side : {Side::kLeft, Side::kRight}) {
     if (setup_->cast.team(side).empty()) continue;
-    fill_scene(world_, side, scenes_[side == Side::kRight ? 1 : 0]);
+    Scene& scene = scenes_[side == Side::kRight ? 1 : 0];
+    fill_scene(world_, side, setup_->cast, scene);
+    if (setup_->observes[side == Side::kRight ? 1 : 0]) complete_for_observers(scene);
   }
   for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
     fill_scene(perceivers_[agent].world, setup_->cast, estimated_[agent]);
@@ -154,7 +157,7 @@ PointOfView Episode::view_of(int slot, bool last_action_worked) const {
 }
 
 void Episode::step(const AgentActions& actions, simulator::MatchRecorder* recorder) {
-  rewards_ = {};
+  std::fill_n(rewards_.begin(), setup_->agent_count(), RewardValues{});
   for (int i = 0; i < setup_->frame_skip && !ended(); ++i) {
     choose_commands(actions);
     play_cycle(recorder);
@@ -206,16 +209,22 @@ void Episode::choose_commands(const AgentActions& actions) {
   }
 
   for (const Side side : {Side::kLeft, Side::kRight}) {
+    std::optional<TeamSituation> situation;  // of the scripted players, if there is one
     for (const int slot : cast.team(side)) {
       const auto i = static_cast<std::size_t>(slot);
-      if (!setup_->is_agent[i] && world_.player(slot).enabled) commands_[i] = driven_command(slot);
+      if (setup_->is_agent[i] || !world_.player(slot).enabled) continue;
+      commands_[i] = driven_command(slot, situation);
     }
   }
 }
 
-PlayerCommand Episode::driven_command(int slot) {
+PlayerCommand Episode::driven_command(int slot, std::optional<TeamSituation>& situation) {
   const Driver driver = others_.drivers[static_cast<std::size_t>(slot)];
-  if (driver == Driver::kScripted) return scripted_command(view_of(slot, true));
+  if (driver == Driver::kScripted) {
+    const PointOfView view = view_of(slot, true);
+    if (!situation) situation = assess(view.scene, view.cast);
+    return scripted_command(view, *situation);
+  }
   if (MatchPlayer* player = training::match_player(*setup_, others_, slot)) {
     decide(driver, *player);
   }
@@ -240,7 +249,11 @@ std::span<const PlayerCommand> Episode::commands(int slot) const {
 }
 
 void Episode::send_commands() {
-  for (PlayerCommand& command : commands_) round_numbers(command);
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    for (const int slot : setup_->cast.team(side)) {
+      round_numbers(commands_[static_cast<std::size_t>(slot)]);
+    }
+  }
   for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
     const auto slot = static_cast<std::size_t>(setup_->cast.agents[agent]);
     if (!training::choose_commands(perceivers_[agent], commands_[slot])) {
@@ -283,7 +296,9 @@ void Episode::play_cycle(simulator::MatchRecorder* recorder) {
   const std::array<int, 2> score = memory_.score;
   // A match server does the same after the senses: a catch or a move may give contacts before the
   // step.
-  for (simulator::Player& player : world_.players) player.contacts = {};
+  for (simulator::Player& player : world_.players) {
+    if (player.enabled) player.contacts = {};
+  }
   send_commands();
   execute_commands(recorder);
 
@@ -334,19 +349,31 @@ double Episode::reward_term(std::size_t term) const {
   return sum / static_cast<double>(setup_->agent_count());
 }
 
-void Episode::observe(std::size_t agent, float* out) const {
-  std::fill(out, out + setup_->feature_count(), 0.0F);
-  if (!alive(agent)) return;
-  setup_->features->fill(view_of(setup_->cast.agents[agent], agents_[agent].last_action_worked),
-                         out);
+void Episode::observe(float* out) const {
+  std::fill_n(out, setup_->agent_count() * setup_->feature_count(), 0.0F);
+  std::optional<Openings> openings;
+  const Scene* scene = nullptr;  // of the openings
+
+  for (std::size_t agent = 0; agent < setup_->agent_count();
+       ++agent, out += setup_->feature_count()) {
+    if (!alive(agent)) continue;
+    PointOfView view = view_of(setup_->cast.agents[agent], agents_[agent].last_action_worked);
+
+    // Agents of a team stand together in the cast, and share the scene unless they estimate it.
+    if (setup_->features->needs_openings) {
+      if (scene != &view.scene) openings.emplace(view.scene, setup_->cast);
+      scene = &view.scene;
+      view.openings = &*openings;
+    }
+    setup_->features->fill(view, out);
+  }
 }
 
 void Episode::mask(std::size_t agent, std::uint8_t* out) const {
-  const PointOfView view = view_of(setup_->cast.agents[agent], true);
-  const bool plays = alive(agent);
-  for (std::size_t id = 0; id < setup_->id_count(); ++id) {
-    const Action& action = setup_->actions->actions[id];
-    out[id] = plays && (action.legal == nullptr || action.legal(view)) ? 1 : 0;
+  if (alive(agent)) {
+    setup_->legality.fill(view_of(setup_->cast.agents[agent], true), out);
+  } else {
+    std::fill_n(out, setup_->id_count(), std::uint8_t{0});
   }
 }
 

@@ -4,12 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "simulator/sessions/match_recorder.h"
 #include "simulator/world/event.h"
 #include "training/episode/others.h"
+#include "training/npc/scripted.h"
 
 namespace cls::training {
 
@@ -61,8 +63,8 @@ class Episode {
     return training::match_player(*setup_, others_, slot);
   }
 
-  /// Writes the features of an agent; zeros if it is not alive.
-  void observe(std::size_t agent, float* out) const;
+  /// Writes the features of all agents, one after the other; zeros for those who are not alive.
+  void observe(float* out) const;
   /// Writes 1 for each id that has an effect now.
   void mask(std::size_t agent, std::uint8_t* out) const;
   void state(float* out) const;
@@ -81,7 +83,7 @@ class Episode {
   void send_commands();
   void perceive_step();
   void queue_says(std::size_t first_event);
-  PlayerCommand driven_command(int slot);
+  PlayerCommand driven_command(int slot, std::optional<TeamSituation>& situation);
   PlayerCommand command_of(std::size_t agent, const AgentActions& actions);
   PointOfView view_of(int slot, bool last_action_worked) const;
   void choose_commands(const AgentActions& actions);

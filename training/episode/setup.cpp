@@ -131,6 +131,7 @@ Result<void> choose_sets(const SetupChoices& choices, Setup& setup) {
 
   setup.value_columns = setup.actions->values();
   setup.offsets = setup.actions->offsets();
+  setup.legality = Legality(*setup.actions);
   setup.state_columns = state_columns(setup.cast);
   return {};
 }
@@ -196,9 +197,11 @@ void stop_ears(Setup& setup) {
 
 void prepare_senses(Setup& setup) {
   setup.match_player_of.fill(-1);
-  if (setup.fidelity == Fidelity::kWorldModel) {
-    for (const int slot : setup.cast.agents) {
+  for (const int slot : setup.cast.agents) {
+    if (setup.fidelity == Fidelity::kWorldModel) {
       setup.perceivers.push_back(make_perceiver(setup.prepared, slot));
+    } else {
+      setup.observes[soccer::side_of_slot(slot) == Side::kRight ? 1 : 0] = true;
     }
   }
 

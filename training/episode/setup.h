@@ -52,12 +52,14 @@ struct Setup {
   DriverPool teammates;  ///< of players of the agents' team that are not agents; empty: none
   DriverPool opponents;  ///< empty: none
   std::array<bool, soccer::kPlayersOnPitch> is_agent{};
+  std::array<bool, 2> observes{};  ///< left, right: agents of the team read the exact scene
   std::array<bool, soccer::kPlayersOnPitch> is_opponent{};  ///< of the agents; none with both teams
   const FeatureSet* features = nullptr;
   const ActionSet* actions = nullptr;
   Columns feature_columns;  ///< of an agent; the widest if the teams differ in size
   Columns value_columns;
   std::vector<int> offsets;  ///< first value of each action
+  Legality legality;
   Columns state_columns;
   std::array<double, kRewardTerms> weights{};
   int frame_skip = 1;

@@ -75,8 +75,9 @@ void add_vector(FeatureWriter& out, const Axes& axes, Vec2 v, double scale) {
 
 void add_point(FeatureWriter& out, const Axes& axes, Vec2 point) {
   const Vec2 to = point - axes.origin;
-  out.direction(to, axes.forward);
-  out.value(to.length() / kFar, 0.0);
+  const double length = to.length();
+  out.direction(to, length, axes.forward);
+  out.value(length / kFar, 0.0);
 }
 
 void add_player(FeatureWriter& out, const Axes& axes, const Scene& scene, Seat seat) {
@@ -92,7 +93,7 @@ void add_player(FeatureWriter& out, const Axes& axes, const Scene& scene, Seat s
   add_vector(out, axes, player.velocity_known ? player.velocity : Vec2{}, kPlayerSpeed);
   add_vector(out, axes, player.facing, 1.0);
   out.flag(player.goalie);
-  out.value(scene.ball_seen ? distance(player.position, scene.ball) / kFar : 1.0, 0.0);
+  out.value(scene.ball_seen ? player.ball_distance / kFar : 1.0, 0.0);
 }
 
 void add_self(FeatureWriter& out, const PointOfView& view, const Axes& axes) {
@@ -137,7 +138,7 @@ void fill(const PointOfView& view, float* numbers) {
 }  // namespace
 
 const FeatureSet kEgoFeatures = {
-    "ego", 1,       "egocentric: directions relative to the body, own team attacks +x",
-    false, columns, fill};
+    "ego",   1,   "egocentric: directions relative to the body, own team attacks +x", false, false,
+    columns, fill};
 
 }  // namespace cls::training

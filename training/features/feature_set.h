@@ -13,7 +13,8 @@ struct FeatureSet {
   std::string_view name;
   int version;
   std::string_view summary;
-  bool left_only;  ///< meaningless for the right team, and refused for it
+  bool left_only;       ///< meaningless for the right team, and refused for it
+  bool needs_openings;  ///< reads PointOfView::openings
   /// Columns for so many teammates (without the agent) and opponents.
   Columns (*columns)(int teammates, int opponents);
   /// Writes as many numbers as there are columns. Does not allocate.

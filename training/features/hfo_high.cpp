@@ -1,14 +1,12 @@
 // Feature set "hfo_high": HFO's high-level features, 12 + 6 per teammate + 3 per opponent. Missing
 // values are -2 and uniform numbers are not scaled, as in HFO; the bounds say so.
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include "soccer/math.h"
 #include "soccer/pitch.h"
 #include "training/features/feature_set.h"
 #include "training/features/feature_writer.h"
+#include "training/scene/openings.h"
 
 namespace cls::training {
 namespace {
@@ -16,7 +14,6 @@ namespace {
 namespace math = soccer::math;
 
 constexpr float kMissing = -2.0F;
-constexpr double kKickableArea = 1.085;  // of player type 0
 
 double max_distance() {
   return std::sqrt(soccer::kHalfLength * soccer::kHalfLength +
@@ -56,55 +53,6 @@ Columns columns(int teammates, int opponents) {
   return out;
 }
 
-struct Interval {
-  double low;
-  double high;
-};
-
-/// Widest part of `whole` (radians, seen from `eye`) that no opponent nearer than `reach` covers.
-double opening(const PointOfView& view, Vec2 eye, Interval whole, double reach) {
-  std::array<Interval, soccer::kPlayersPerTeam> blocked{};
-  std::size_t count = 0;
-
-  for (const Seat seat : opponents_of(view)) {
-    const ScenePlayer& player = view.scene.player(seat);
-    if (!player.seen) continue;
-    const Vec2 to = player.position - eye;
-    if (to.length() >= reach) continue;
-    const double middle = soccer::direction_radians(to);
-    const double half = math::atan2(kKickableArea * 0.5, to.length());
-    if (middle + half < whole.low || middle - half > whole.high) continue;
-    blocked[count++] = {middle - half, middle + half};
-  }
-
-  std::sort(blocked.begin(), blocked.begin() + static_cast<std::ptrdiff_t>(count),
-            [](Interval a, Interval b) { return a.low < b.low; });
-
-  double widest = 0.0;
-  double free_from = whole.low;
-  for (std::size_t i = 0; i < count; ++i) {
-    widest = std::max(widest, blocked[i].low - free_from);
-    free_from = std::max(free_from, blocked[i].high);
-  }
-
-  return std::max(widest, whole.high - free_from);
-}
-
-double goal_opening(const PointOfView& view, Vec2 eye) {
-  const double post = view.scene.server->goal_width / 2.0;
-  return opening(view, eye,
-                 {soccer::direction_radians(Vec2{soccer::kHalfLength, -post} - eye),
-                  soccer::direction_radians(Vec2{soccer::kHalfLength, post} - eye)},
-                 std::numeric_limits<double>::infinity());
-}
-
-double pass_opening(const PointOfView& view, Vec2 mate) {
-  const Vec2 eye = view.me().position;
-  const double middle = soccer::direction_radians(mate - eye);
-  return opening(view, eye, {middle - math::kPi / 4.0, middle + math::kPi / 4.0},
-                 distance(eye, mate));
-}
-
 /// Writes positions, angles and distances in HFO's scale.
 struct Scale {
   FeatureWriter& out;
@@ -139,18 +87,19 @@ Seats seen(const PointOfView& view, const Seats& all) {
   return seats;
 }
 
-void add_players(FeatureWriter& out, const Scale& scale, const PointOfView& view) {
+void add_players(FeatureWriter& out, const Scale& scale, const PointOfView& view,
+                 const Openings& openings) {
   const Seats teammates = seen(view, teammates_of(view));
   const Seats opponents = seen(view, opponents_of(view));
   const int no_teammates = view.teammate_count() - static_cast<int>(teammates.count);
   const int no_opponents = view.opponent_count() - static_cast<int>(opponents.count);
   const auto position = [&](Seat seat) { return view.scene.player(seat).position; };
 
-  for (const Seat seat : teammates) scale.width(goal_opening(view, position(seat)));
+  for (const Seat seat : teammates) scale.width(openings.to_goal(seat));
   out.same(no_teammates, kMissing);
   for (const Seat seat : teammates) scale.nearest_opponent(position(seat));
   out.same(no_teammates, kMissing);
-  for (const Seat seat : teammates) scale.width(pass_opening(view, position(seat)));
+  for (const Seat seat : teammates) scale.width(openings.to_teammate(view.self, seat));
   out.same(no_teammates, kMissing);
   for (const Seat seat : teammates) scale.position(seat);
   out.same(3 * no_teammates, kMissing);
@@ -161,6 +110,7 @@ void add_players(FeatureWriter& out, const Scale& scale, const PointOfView& view
 void fill(const PointOfView& view, float* numbers) {
   FeatureWriter out(numbers);
   const Scale scale{out, view};
+  const Openings& openings = *view.openings;
   const ScenePlayer& me = view.me();
 
   scale.x(me.position.x);
@@ -175,10 +125,10 @@ void fill(const PointOfView& view, float* numbers) {
   const Vec2 to_goal = goal - me.position;
   scale.length(to_goal.length());
   scale.angle(soccer::direction_radians(to_goal));
-  scale.width(goal_opening(view, me.position));
+  scale.width(openings.to_goal(view.self));
   scale.nearest_opponent(me.position);
 
-  add_players(out, scale, view);
+  add_players(out, scale, view, openings);
   out.flag(view.last_action_worked);
   out.scaled(me.stamina, 0.0, view.scene.server->stamina_max);
 }
@@ -186,7 +136,8 @@ void fill(const PointOfView& view, float* numbers) {
 }  // namespace
 
 const FeatureSet kHfoHighFeatures = {
-    "hfo_high", 1,       "HFO's high-level features: positions, openings to goal and teammates",
-    false,      columns, fill};
+    "hfo_high", 1,    "HFO's high-level features: positions, openings to goal and teammates",
+    false,      true, columns,
+    fill};
 
 }  // namespace cls::training

@@ -202,7 +202,8 @@ void fill(const PointOfView& view, float* numbers) {
 }  // namespace
 
 const FeatureSet kHfoLowFeatures = {
-    "hfo_low", 1,       "HFO's low-level features: angles and distances to landmarks and players",
-    true,      columns, fill};
+    "hfo_low", 1,     "HFO's low-level features: angles and distances to landmarks and players",
+    true,      false, columns,
+    fill};
 
 }  // namespace cls::training

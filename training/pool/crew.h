@@ -32,8 +32,10 @@ class Crew {
   std::size_t threads_;
   std::function<void(std::size_t, std::size_t)> work_;
   std::vector<std::thread> others_;
-  std::atomic<unsigned> round_ = 0;
-  std::atomic<unsigned> unfinished_ = 0;
+  int spins_;  ///< looks at a counter before a thread sleeps
+  // Apart, so that a thread that looks at one is not disturbed by the other.
+  alignas(64) std::atomic<unsigned> round_ = 0;
+  alignas(64) std::atomic<unsigned> unfinished_ = 0;
   std::atomic<bool> stopping_ = false;
 };
 

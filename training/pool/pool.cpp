@@ -145,9 +145,9 @@ void Pool::fill_views(std::size_t env, float* observations, float* state) {
   const std::size_t features = setup().feature_count();
   const std::size_t ids = setup().id_count();
 
+  if (observations != nullptr) episode.observe(observations + env * agents * features);
   for (std::size_t agent = 0; agent < agents; ++agent) {
     const std::size_t row = env * agents + agent;
-    if (observations != nullptr) episode.observe(agent, observations + row * features);
     if (buffers_.alive != nullptr) buffers_.alive[row] = episode.alive(agent) ? 1 : 0;
     if (buffers_.action_masks != nullptr) episode.mask(agent, buffers_.action_masks + row * ids);
   }

@@ -161,6 +161,7 @@ Json specification(const Pool& pool) {
       {"schema", "cls.training.spec/1"},
       {"task", setup.task->id},
       {"version", setup.task->version},
+      {"half", setup.task->half},
       {"obs", fidelity_name(setup.fidelity)},
       {"num_envs", pool.size()},
       {"threads", pool.threads()},

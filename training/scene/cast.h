@@ -27,6 +27,8 @@ struct Stage {
   double right = soccer::kHalfLength;
 };
 
+class Openings;
+
 /// One agent's point of view: input of features, actions and scripted players.
 struct PointOfView {
   const Scene& scene;
@@ -34,7 +36,8 @@ struct PointOfView {
   Seat self;
   Stage stage;
   bool last_action_worked = true;
-  double time_left = 1.0;  ///< share of the episode
+  double time_left = 1.0;              ///< share of the episode
+  const Openings* openings = nullptr;  ///< of the scene, for feature sets that need them
 
   const ScenePlayer& me() const { return scene.player(self); }
   int teammate_count() const { return static_cast<int>(cast.team(scene.side).size()) - 1; }
@@ -51,6 +54,13 @@ struct Seats {
   const Seat* end() const { return items.data() + count; }
 };
 
+/// The seats of `team` in the scenes of `side`, in the order of the cast.
+inline Seats seats_of(Side side, const std::vector<int>& team) {
+  Seats seats;
+  for (const int slot : team) seats.add(seat_of(side, slot));
+  return seats;
+}
+
 /// Teammates without the agent, by uniform number in the order of the cast.
 inline Seats teammates_of(const PointOfView& view) {
   Seats seats;
@@ -62,19 +72,19 @@ inline Seats teammates_of(const PointOfView& view) {
 }
 
 inline Seats opponents_of(const PointOfView& view) {
-  Seats seats;
-  for (const int slot : view.cast.others(view.scene.side)) {
-    seats.add(seat_of(view.scene.side, slot));
-  }
-  return seats;
+  return seats_of(view.scene.side, view.cast.others(view.scene.side));
 }
 
 /// Sorts by distance from `point`, nearest first. Stable, and without the buffer that the standard
 /// library's stable sort allocates.
 inline void sort_by_distance(const Scene& scene, Vec2 point, Seats& seats) {
-  const auto away = [&](Seat seat) { return squared_distance(scene.player(seat).position, point); };
+  std::array<double, soccer::kPlayersPerTeam> away;
+  for (std::size_t i = 0; i < seats.count; ++i) {
+    away[i] = squared_distance(scene.player(seats.items[i]).position, point);
+  }
   for (std::size_t i = 1; i < seats.count; ++i) {
-    for (std::size_t k = i; k > 0 && away(seats.items[k]) < away(seats.items[k - 1]); --k) {
+    for (std::size_t k = i; k > 0 && away[k] < away[k - 1]; --k) {
+      std::swap(away[k], away[k - 1]);
       std::swap(seats.items[k], seats.items[k - 1]);
     }
   }

@@ -94,9 +94,9 @@ void fill_scene(const player::WorldModel& world, const Cast& cast, Scene& out) {
   add_players(world, world.opponents, true, cast, out);
 
   for (ScenePlayer& player : out.players) {
-    if (player.type != nullptr) {
-      player.kickable_area = player.type->kickable_area(world.server().ball_size);
-    }
+    if (player.type == nullptr) continue;
+    player.kickable_area = player.type->kickable_area(world.server().ball_size);
+    player.ball_distance = distance(player.position, out.ball);
   }
 }
 

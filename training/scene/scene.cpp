@@ -3,7 +3,9 @@
 
 #include <limits>
 
+#include "soccer/directions.h"
 #include "soccer/math.h"
+#include "training/scene/cast.h"
 
 namespace cls::training {
 namespace {
@@ -29,7 +31,6 @@ void fill_player(const simulator::World& world, const simulator::Player& player,
   out.position = player.position * sign;
   out.velocity = player.velocity * sign;
   out.body = sign > 0 ? player.body : math::normalize_radians(player.body + math::kPi);
-  out.facing = soccer::polar_radians(1.0, out.body);
 
   out.stamina = player.stamina.value;
   out.effort = player.stamina.effort;
@@ -39,7 +40,7 @@ void fill_player(const simulator::World& world, const simulator::Player& player,
 
 }  // namespace
 
-void fill_scene(const simulator::World& world, Side side, Scene& out) {
+void fill_scene(const simulator::World& world, Side side, const Cast& cast, Scene& out) {
   const int sign = soccer::sign(side);
   out.server = &world.params();
   out.side = side;
@@ -49,16 +50,27 @@ void fill_scene(const simulator::World& world, Side side, Scene& out) {
   out.ball = world.ball.position * sign;
   out.ball_velocity = world.ball.velocity * sign;
 
-  for (int slot = 0; slot < kSeats; ++slot) {
-    fill_player(world, world.player(slot), sign, out.player(seat_of(side, slot)));
+  for (const Side team : {Side::kLeft, Side::kRight}) {
+    for (const int slot : cast.team(team)) {
+      fill_player(world, world.player(slot), sign, out.player(seat_of(side, slot)));
+    }
   }
 }
 
-bool can_kick(const Scene& scene, Seat seat) {
-  const ScenePlayer& player = scene.player(seat);
-  return player.seen && scene.ball_seen && !player.frozen &&
-         squared_distance(player.position, scene.ball) <=
-             player.kickable_area * player.kickable_area;
+void complete_for_observers(Scene& scene) {
+  std::array<ScenePlayer*, kSeats> players{};
+  std::array<double, kSeats> bodies{};
+  std::size_t count = 0;
+  for (ScenePlayer& player : scene.players) {
+    if (!player.on_pitch) continue;
+    players[count] = &player;
+    bodies[count++] = player.body;
+    player.ball_distance = distance(player.position, scene.ball);
+  }
+
+  std::array<Vec2, kSeats> facing;
+  soccer::unit_vectors(bodies.data(), count, facing.data());
+  for (std::size_t i = 0; i < count; ++i) players[i]->facing = facing[i];
 }
 
 Seat nearest_player(const Scene& scene, bool opponents, Vec2 point, Seat except) {

@@ -13,6 +13,8 @@ namespace cls::training {
 using soccer::Side;
 using soccer::Vec2;
 
+struct Cast;
+
 /// A player. Meters, meters per cycle, radians.
 struct ScenePlayer {
   bool on_pitch = false;  ///< takes part in the episode; otherwise the rest is meaningless
@@ -28,7 +30,8 @@ struct ScenePlayer {
   Vec2 position;
   Vec2 velocity;
   double body = 0.0;
-  Vec2 facing;  ///< unit vector along the body; zero if that is not known
+  Vec2 facing;                 ///< unit vector along the body; zero if that is not known
+  double ball_distance = 0.0;  ///< meters; meaningless if the ball is not seen
   double stamina = 0.0;
   double effort = 1.0;
   double kickable_area = 0.0;
@@ -63,11 +66,20 @@ constexpr Seat seat_of(Side side, int slot) {
 
 constexpr bool is_opponent(Seat seat) { return seat >= soccer::kPlayersPerTeam; }
 
-/// The exact world as `side` sees it. Does not allocate.
-void fill_scene(const simulator::World& world, Side side, Scene& out);
+/// The exact world as `side` sees it, but for what only observations read (see below). Players who
+/// are not in the cast stay as they are in `out`: not on the pitch. Does not allocate.
+void fill_scene(const simulator::World& world, Side side, const Cast& cast, Scene& out);
+
+/// Completes fill_scene() for observers: `facing` and `ball_distance` of all players on the pitch.
+void complete_for_observers(Scene& scene);
 
 /// True if the player's kick would reach the ball.
-bool can_kick(const Scene& scene, Seat seat);
+inline bool can_kick(const Scene& scene, Seat seat) {
+  const ScenePlayer& player = scene.player(seat);
+  return player.seen && scene.ball_seen && !player.frozen &&
+         squared_distance(player.position, scene.ball) <=
+             player.kickable_area * player.kickable_area;
+}
 
 /// Seat of the seen player of a team that is nearest to `point`, without `except`; kNoSeat if none.
 Seat nearest_player(const Scene& scene, bool opponents, Vec2 point, Seat except = kNoSeat);

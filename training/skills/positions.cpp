@@ -65,23 +65,31 @@ Vec2 angle_reducing_position(const PointOfView& view) {
   return view.scene.ball + bisector(view) * std::min(far * 0.5, 8.0);
 }
 
-Seat opponent_to_mark(const PointOfView& view) {
-  const Seat chaser = nearest_player(view.scene, false, view.scene.ball);
+Marking weigh_marking(const Scene& scene, const Cast& cast) {
+  Marking marking;
+  marking.chaser = nearest_player(scene, false, scene.ball);
+  marking.holder = nearest_player(scene, true, scene.ball);
+  marking.threats = seats_of(scene.side, cast.others(scene.side));
+  sort_by_distance(scene, kOwnGoal, marking.threats);
+  return marking;
+}
+
+Seat opponent_to_mark(const PointOfView& view, const Marking& marking) {
   int rank = 0;
   for (const Seat seat : teammates_of(view)) {
     const ScenePlayer& mate = view.scene.player(seat);
-    rank += mate.seen && !mate.goalie && seat != chaser && seat < view.self ? 1 : 0;
+    rank += mate.seen && !mate.goalie && seat != marking.chaser && seat < view.self ? 1 : 0;
   }
 
-  Seats threats = opponents_of(view);
-  sort_by_distance(view.scene, kOwnGoal, threats);
-  const Seat holder = nearest_player(view.scene, true, view.scene.ball);
-
-  for (const Seat seat : threats) {
-    if (seat == holder || !view.scene.player(seat).seen) continue;
+  for (const Seat seat : marking.threats) {
+    if (seat == marking.holder || !view.scene.player(seat).seen) continue;
     if (rank-- == 0) return seat;
   }
   return kNoSeat;
+}
+
+Seat opponent_to_mark(const PointOfView& view) {
+  return opponent_to_mark(view, weigh_marking(view.scene, view.cast));
 }
 
 }  // namespace cls::training

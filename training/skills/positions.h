@@ -21,8 +21,17 @@ Vec2 marking_position(const PointOfView& view, Seat opponent);
 /// the ball between the own goal's posts that no teammate covers.
 Vec2 angle_reducing_position(const PointOfView& view);
 
+/// What decides who marks whom; the same for all players of a team.
+struct Marking {
+  Seat chaser = kNoSeat;  ///< own player nearest to the ball, who marks nobody
+  Seat holder = kNoSeat;  ///< opponent nearest to the ball, whom nobody marks
+  Seats threats;          ///< opponents, nearest to the own goal first
+};
+Marking weigh_marking(const Scene& scene, const Cast& cast);
+
 /// Seat of the opponent that this defender marks: the k-th nearest to the goal for the k-th
 /// defender who is not nearest to the ball; kNoSeat if there is none.
+Seat opponent_to_mark(const PointOfView& view, const Marking& marking);
 Seat opponent_to_mark(const PointOfView& view);
 
 }  // namespace cls::training

@@ -12,7 +12,6 @@ namespace {
 
 namespace math = soccer::math;
 
-constexpr int kMaxMeetingCycles = 40;
 constexpr double kTurnCycles = 1.0;  // allowance for a turn before running
 constexpr double kFullPower = 100.0;
 
@@ -53,31 +52,46 @@ PlayerCommand go_to(const Scene& scene, Seat self, Vec2 point, double radius) {
     return soccer::Dash{power, bearing};
   }
 
-  const double tolerance = std::max(12.0, math::to_degrees(math::atan2(radius, distance)));
-  if (std::fabs(bearing) > tolerance) return soccer::Turn{turn_moment(me, bearing)};
+  const double off = std::fabs(bearing);
+  const bool ahead = off <= 12.0 || off <= math::to_degrees(math::atan2(radius, distance));
+  if (!ahead) return soccer::Turn{turn_moment(me, bearing)};
   return soccer::Dash{kFullPower, 0.0};
 }
 
-Meeting meeting(const Scene& scene, Seat player) {
+BallPath ball_path(const Scene& scene) {
+  BallPath path;
+  Vec2 ball = scene.ball;
+  Vec2 velocity = scene.ball_velocity_known ? scene.ball_velocity : Vec2{};
+  for (Vec2& point : path.points) {
+    ball += velocity;
+    velocity *= scene.server->ball_decay;
+    point = ball;
+  }
+  return path;
+}
+
+Meeting meeting(const Scene& scene, const BallPath& path, Seat player) {
   const ScenePlayer& runner = scene.player(player);
   const double speed = runner.type->player_speed_max * 0.95;
   const double reach = runner.kickable_area * 0.85;
-
-  Vec2 ball = scene.ball;
-  Vec2 velocity = scene.ball_velocity_known ? scene.ball_velocity : Vec2{};
   const Vec2 start = next_position(runner);
 
-  for (int cycle = 1; cycle < kMaxMeetingCycles; ++cycle) {
-    ball += velocity;
-    velocity *= scene.server->ball_decay;
+  for (int cycle = 1; cycle <= BallPath::kCycles; ++cycle) {
+    const Vec2 ball = path.points[static_cast<std::size_t>(cycle - 1)];
     const double range = speed * (cycle - kTurnCycles) + reach;
     if (range > 0.0 && squared_distance(ball, start) <= range * range) return {cycle, ball};
   }
-  return {kMaxMeetingCycles + static_cast<int>(distance(ball, start) / speed), ball};
+
+  const Vec2 end = path.points.back();
+  return {BallPath::kCycles + 1 + static_cast<int>(distance(end, start) / speed), end};
+}
+
+PlayerCommand meet(const Scene& scene, Seat self, const Meeting& meeting) {
+  return go_to(scene, self, meeting.point, 0.4);
 }
 
 PlayerCommand intercept(const Scene& scene, Seat self) {
-  return go_to(scene, self, meeting(scene, self).point, 0.4);
+  return meet(scene, self, meeting(scene, ball_path(scene), self));
 }
 
 PlayerCommand kick_to(const Scene& scene, Seat self, Vec2 point, double speed) {
@@ -206,7 +220,14 @@ double tackle_chance(const Scene& scene, Seat self) {
   const ScenePlayer& me = scene.player(self);
   const soccer::ServerParams& server = *scene.server;
   if (me.frozen || !scene.ball_seen) return 0.0;
-  const Vec2 ball = soccer::rotated_radians(scene.ball - me.position, -me.body);
+
+  // Most players are far away, which needs no rotation.
+  const Vec2 to_ball = scene.ball - me.position;
+  const double longest =
+      std::max(server.tackle_dist, server.tackle_back_dist) + server.tackle_width;
+  if (to_ball.squared_length() > longest * longest) return 0.0;
+
+  const Vec2 ball = soccer::rotated_radians(to_ball, -me.body);
   const double reach = ball.x > 0.0 ? server.tackle_dist : server.tackle_back_dist;
   if (reach <= 0.0) return 0.0;
   const double failure = math::pow(std::fabs(ball.x) / reach, server.tackle_exponent) +

@@ -2,6 +2,8 @@
 // scripted players. Distances in meters, angles in radians in the scene's coordinates.
 #pragma once
 
+#include <array>
+
 #include "soccer/commands/player_command.h"
 #include "training/scene/scene.h"
 
@@ -18,12 +20,22 @@ PlayerCommand face(const Scene& scene, Seat self, Vec2 point);
 /// Turns and dashes until `point` is within `radius`; then stands.
 PlayerCommand go_to(const Scene& scene, Seat self, Vec2 point, double radius);
 
+/// Where the ball rolls in the next cycles, if nobody touches it.
+struct BallPath {
+  static constexpr int kCycles = 39;
+  std::array<Vec2, kCycles> points;  ///< after 1, 2, ... cycles
+};
+BallPath ball_path(const Scene& scene);
+
 /// When and where a player can reach the rolling ball.
 struct Meeting {
-  int cycles;
-  Vec2 point;
+  int cycles = 0;
+  Vec2 point{};
 };
-Meeting meeting(const Scene& scene, Seat player);
+Meeting meeting(const Scene& scene, const BallPath& path, Seat player);
+
+/// Goes to a meeting.
+PlayerCommand meet(const Scene& scene, Seat self, const Meeting& meeting);
 
 /// Goes to where the player meets the ball.
 PlayerCommand intercept(const Scene& scene, Seat self);
