@@ -74,8 +74,9 @@ web-test:
 
 bench:
 	@cmake --preset release -DCLS_BUILD_BENCH=ON
-	@cmake --build --preset release -j $(JOBS) --target cls cls_bench cls_python_package
+	@cmake --build --preset release -j $(JOBS) --target cls cls_bench cls_python_package cls_training_shared
 	@build/bin/cls_bench --benchmark_filter=-rpc_ceiling
+	@bench/training.py
 	@bench/matches.py
 
 asan tsan:

@@ -180,8 +180,8 @@ class Worlds:
         status = self.spec.statuses[world.status].replace("_", " ").lower()
         title = (f"{self.spec.task}  cycle {world.cycle}  {world.score[0]}:{world.score[1]}  "
                  f"{status}")
-        half = all(player.x > -2.0 for player in players) and world.ball_x > -2.0
-        return rendering.Frame(title, (world.ball_x, world.ball_y), players, half)
+        return rendering.Frame(title, (world.ball_x, world.ball_y), players,
+                               self.spec.document["half"])
 
     def render(self, index: int, mode: Optional[str]) -> Any:
         if mode == "human":

@@ -3,7 +3,8 @@ from __future__ import annotations
 
 import functools
 import sys
-from typing import List, NamedTuple, Sequence, Tuple
+import threading
+from typing import Callable, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
@@ -134,34 +135,117 @@ class _Canvas:
         inside = (distance <= radius) & (distance >= hole)
         part[inside & ((xs >= beyond) & (xs <= below))[None, :]] = color
 
-    def beam(self, x: float, y: float, degrees: float, length: float,
-             color: Tuple[int, int, int]) -> None:
-        """A short line from (x, y)."""
-        c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
-        for t in np.linspace(0.0, length, 24):
-            self.ring(x + t * c, y + t * s, 0.17, 0.0, color)
 
-    def number(self, x: float, y: float, text: str, color: Tuple[int, int, int]) -> None:
-        """Digits centered at (x, y)."""
-        size = 0.22
-        start = x - size * (4 * len(text) - 1) / 2
-        for place, digit in enumerate(text):
-            for index, bit in enumerate(_FONT[digit]):
-                if bit == "1":
-                    px = start + size * (4 * place + index % 3)
-                    py = y + size * (index // 3 - 2.5)
-                    self.rectangle(px, py, px + size, py + size, color)
+def _averaged(pixels: np.ndarray) -> np.ndarray:
+    """Blocks of _OVERSAMPLE x _OVERSAMPLE pixels as one pixel each."""
+    height, width = (n // _OVERSAMPLE for n in pixels.shape[:2])
+    blocks = pixels.reshape(height, _OVERSAMPLE, width, _OVERSAMPLE, 3)
+    return ((blocks.sum(axis=(1, 3), dtype=np.uint16) + _OVERSAMPLE ** 2 // 2)
+            // _OVERSAMPLE ** 2).astype(np.uint8)
+
+
+class _Sprite(NamedTuple):
+    """A picture in oversampled pixels around a point, with the places that it covers."""
+
+    mask: np.ndarray    # bool[2 r, 2 r]
+    pixels: np.ndarray  # uint8[2 r, 2 r, 3]
+
+
+_DRAWING = threading.Lock()
+_TURN = 5    # degrees between the pictures of a player
+_REACH = 34  # half the size of a sprite in oversampled pixels; a player with its beam has 1.9 m
+_DARK = (24, 28, 30)
+
+
+@functools.lru_cache(maxsize=4096)
+def _player_sprite(side: str, number: int, goalie: bool, agent: bool, degrees: int) -> _Sprite:
+    places = (np.arange(-_REACH, _REACH) + 0.5) / (_SCALE * _OVERSAMPLE)
+    x, y = places[None, :], places[:, None]
+    distance = np.hypot(x, y)
+    pixels = np.zeros((2 * _REACH, 2 * _REACH, 3), np.uint8)
+    mask = np.zeros((2 * _REACH, 2 * _REACH), np.bool_)
+
+    def paint(where: np.ndarray, color: Tuple[int, int, int]) -> None:
+        pixels[where] = color
+        mask[where] = True
+
+    if agent:
+        paint((distance <= 1.55) & (distance >= 1.25), (255, 255, 255))
+    paint(distance <= 1.15, _DARK)
+    paint(distance <= 1.0, (_GOALIES if goalie else _COLORS)[side])
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    along = np.clip(x * c + y * s, 1.0, 1.9)
+    paint(np.hypot(x - along * c, y - along * s) <= 0.17, _DARK)
+    _paint_number(str(number), paint)
+    return _Sprite(mask, pixels)
+
+
+def _paint_number(text: str, paint: Callable[[np.ndarray, Tuple[int, int, int]], None]) -> None:
+    """Digits in the center."""
+    size = round(0.22 * _SCALE * _OVERSAMPLE)
+    where = np.zeros((2 * _REACH, 2 * _REACH), np.bool_)
+    start = _REACH - size * (4 * len(text) - 1) // 2
+    for place, digit in enumerate(text):
+        for index, bit in enumerate(_FONT[digit]):
+            if bit == "1":
+                column = start + size * (4 * place + index % 3)
+                row = _REACH + size * (index // 3) - 5 * size // 2
+                where[row:row + size, column:column + size] = True
+    paint(where, _DARK)
+
+
+@functools.lru_cache(maxsize=1)
+def _ball_sprite() -> _Sprite:
+    places = (np.arange(-_REACH, _REACH) + 0.5) / (_SCALE * _OVERSAMPLE)
+    distance = np.hypot(places[None, :], places[:, None])
+    pixels = np.where((distance <= 0.48)[..., None], np.uint8(255), np.array(_DARK, np.uint8))
+    return _Sprite(distance <= 0.6, pixels)
+
+
+class _Scene:
+    """The empty pitch, on which the sprites of one frame at a time are drawn."""
+
+    def __init__(self, half: bool) -> None:
+        canvas = _empty_pitch(half)
+        self.left, self.top, self.scale = canvas.left, canvas.top, canvas.scale
+        self.empty = canvas.pixels
+        self.fine = canvas.pixels.copy()      # oversampled
+        self.coarse = _averaged(canvas.pixels)
+        self.boxes: List[Tuple[slice, slice]] = []
+
+    def draw(self, x: float, y: float, sprite: _Sprite) -> None:
+        height, width = self.fine.shape[:2]
+        row = round((y - self.top) * self.scale) - _REACH
+        column = round((x - self.left) * self.scale) - _REACH
+        rows = slice(min(max(row, 0), height), min(max(row + 2 * _REACH, 0), height))
+        columns = slice(min(max(column, 0), width), min(max(column + 2 * _REACH, 0), width))
+        if rows.start == rows.stop or columns.start == columns.stop:
+            return
+        part = (slice(rows.start - row, rows.stop - row),
+                slice(columns.start - column, columns.stop - column))
+        np.copyto(self.fine[rows, columns], sprite.pixels[part], where=sprite.mask[part][..., None])
+        self.boxes.append((rows, columns))
 
     def image(self) -> np.ndarray:
-        height, width = (n // _OVERSAMPLE for n in self.pixels.shape[:2])
-        blocks = self.pixels[:height * _OVERSAMPLE, :width * _OVERSAMPLE].reshape(
-            height, _OVERSAMPLE, width, _OVERSAMPLE, 3)
-        return blocks.mean(axis=(1, 3)).round().astype(np.uint8)
+        """The frame; the pitch is empty again."""
+        image = self.coarse.copy()
+        for box in self.boxes:
+            fine, coarse = zip(*(_whole_pixels(one) for one in box))
+            image[coarse] = _averaged(self.fine[fine])
+        for box in self.boxes:
+            self.fine[box] = self.empty[box]
+        self.boxes.clear()
+        return image
 
 
-@functools.lru_cache(maxsize=2)
-def _pitch(half: bool) -> np.ndarray:
-    """The empty pitch, oversampled."""
+def _whole_pixels(part: slice) -> Tuple[slice, slice]:
+    """The pixels of the image that a range of oversampled pixels touches: fine, coarse."""
+    first, last = part.start // _OVERSAMPLE, -(-part.stop // _OVERSAMPLE)
+    return slice(first * _OVERSAMPLE, last * _OVERSAMPLE), slice(first, last)
+
+
+def _empty_pitch(half: bool) -> _Canvas:
+    """Lines and goals."""
     left = -2.0 if half else -HALF_LENGTH - MARGIN
     canvas = _Canvas(left)
     canvas.pixels[:] = _GRASS
@@ -182,26 +266,24 @@ def _pitch(half: bool) -> np.ndarray:
         edge = HALF_LENGTH - 16.5
         canvas.ring(spot, 0.0, 9.25, 9.05, _LINE, beyond=-edge if side < 0 else -np.inf,
                     below=edge if side > 0 else np.inf)
-    return canvas.pixels
+    return canvas
+
+
+@functools.lru_cache(maxsize=2)
+def _scene(half: bool) -> _Scene:
+    return _Scene(half)
 
 
 def rgb_array(frame: Frame) -> np.ndarray:
     """The situation as uint8[height, width, 3]: 608 x 904 pixels, half a pitch 608 x 468."""
-    canvas = _Canvas(-2.0 if frame.half else -HALF_LENGTH - MARGIN)
-    canvas.pixels[:] = _pitch(frame.half)
-    dark: Tuple[int, int, int] = (24, 28, 30)
-    for player in frame.players:
-        color = (_GOALIES if player.goalie else _COLORS)[player.side]
-        if player.agent:
-            canvas.ring(player.x, player.y, 1.55, 1.25, (255, 255, 255))
-        canvas.ring(player.x, player.y, 1.15, 0.0, dark)
-        canvas.ring(player.x, player.y, 1.0, 0.0, color)
-        canvas.beam(player.x + 1.0 * np.cos(np.radians(player.body)),
-                    player.y + 1.0 * np.sin(np.radians(player.body)), player.body, 0.9, dark)
-        canvas.number(player.x, player.y, str(player.number), dark)
-    canvas.ring(*frame.ball, 0.6, 0.0, dark)
-    canvas.ring(*frame.ball, 0.48, 0.0, (255, 255, 255))
-    return canvas.image()
+    with _DRAWING:  # the pitch is shared
+        scene = _scene(frame.half)
+        for player in frame.players:
+            scene.draw(player.x, player.y,
+                       _player_sprite(player.side, player.number, player.goalie, player.agent,
+                                      round(player.body / _TURN) * _TURN % 360))
+        scene.draw(*frame.ball, _ball_sprite())
+        return scene.image()
 
 
 __all__: List[str] = ["Frame", "Player", "ansi", "rgb_array", "show"]
