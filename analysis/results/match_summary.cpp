@@ -46,7 +46,10 @@ void read_teams(const gamelog::MatchRecord& record, MatchSummary& summary) {
 void read_half_score(const gamelog::MatchRecord& record, MatchSummary& summary) {
   const double half = half_time_cycles(record.server);
   for (std::size_t i = record.frames(); half > 0.0 && i > 0; --i) {
-    if (record.time[i - 1] > half) continue;
+    if (record.time[i - 1] > half) {
+      summary.past_half = true;
+      continue;
+    }
     const gamelog::TeamFrames& teams = record.teams[record.team_state[i - 1]];
     summary.teams[0].first_half = teams[0].score;
     summary.teams[1].first_half = teams[1].score;

@@ -62,6 +62,7 @@ struct MatchSummary {
   bool penalties = false;  ///< the match had a shoot-out
   bool coin_toss = false;  ///< the shoot-out was level, and the coin decided
   bool complete = false;   ///< reached the end of the match
+  bool past_half = false;  ///< the first half was played to its end
   std::string end_reason;  ///< recorded by `cls match`; empty if not recorded
   int cycles = 0;          ///< last game time
   int frames = 0;          ///< including stopped cycles

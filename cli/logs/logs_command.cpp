@@ -12,11 +12,13 @@
 #include <vector>
 
 #include "base/io/whole_file.h"
+#include "base/text/counted.h"
 #include "base/text/json_text.h"
 #include "base/text/printable.h"
 #include "base/text/suggestion.h"
 #include "base/text/table.h"
 #include "cli/logs/find_match_folder.h"
+#include "cli/logs/prune_matches.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
@@ -38,6 +40,7 @@ constexpr const char* kDescription =
     "  cls logs                        of the latest match in runs/ that failed\n"
     "  cls logs cup --match 17         of match 17 of the tournament in cup\n"
     "  cls logs runs/MATCH --process \"left Playmaker\" --tail 100\n"
+    "  cls logs runs --prune 20        deletes all matches of runs/ but the newest 20\n"
     "\n"
     "DIR is a match folder, the folder of a tournament, or a folder of match folders.";
 
@@ -46,6 +49,8 @@ struct Arguments {
   std::optional<int> match;
   std::string process;
   std::size_t tail = 20;
+  std::optional<std::uint64_t> prune;
+  bool dry_run = false;
   bool json = false;
 };
 
@@ -204,7 +209,40 @@ base::Result<match::MatchResult> result_of(const fs::path& folder) {
   return unknown;
 }
 
+int prune(const Arguments& arguments) {
+  const auto old = find_old_matches(arguments.folder, *arguments.prune);
+  if (!old) return print_error(kNoInput, old.error().message);
+  if (!arguments.dry_run) {
+    if (const auto deleted = delete_matches(*old); !deleted) {
+      return print_error(kWriteFailed, deleted.error().message);
+    }
+  }
+
+  if (arguments.json) {
+    Json folders = Json::array();
+    for (const fs::path& folder : old->folders) folders.push_back(folder.string());
+    fmt::print("{}", base::json_document(Json{{"schema", "cls.prune/1"},
+                                              {"deleted", !arguments.dry_run},
+                                              {"folders", std::move(folders)},
+                                              {"bytes", old->bytes},
+                                              {"left", old->left}}));
+    return kOk;
+  }
+  if (arguments.dry_run) {
+    for (const fs::path& folder : old->folders) {
+      fmt::print("{}\n", base::printable(folder.string()));
+    }
+  }
+  fmt::print("{} {}, {}; {} left\n", arguments.dry_run ? "would delete" : "deleted",
+             base::counted(old->folders.size(), "match", "matches"), size_text(old->bytes),
+             old->left);
+  return kOk;
+}
+
 int run_logs_command(const Arguments& arguments) {
+  if (arguments.prune) return prune(arguments);
+  if (arguments.dry_run) return print_error(kUsage, "--dry-run needs --prune N");
+
   const auto found = find_match_folder(arguments.folder, arguments.match);
   if (!found) return print_error(kNoInput, found.error().message);
 
@@ -242,6 +280,11 @@ void add_logs_command(Command& app) {
       .placeholder("NAME");
 
   command.option("--tail", arguments->tail, "lines to print").shows_default();
+  command
+      .option("--prune", arguments->prune,
+              "delete the matches of DIR but the newest N; not tournaments, not what is played now")
+      .placeholder("N");
+  command.flag("--dry-run", arguments->dry_run, "with --prune: only list them");
   command.flag("--json", arguments->json, "print a JSON document");
   command.run = [arguments] { return run_logs_command(*arguments); };
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -26,6 +27,8 @@
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "gamelog/rcl/rcl_reader.h"
+#include "orchestration/match/result/match_folder.h"
+#include "orchestration/match/result/match_result.h"
 #include "orchestration/tournament/store/folder.h"
 #include "soccer/side.h"
 #include "viewer/page/match_page.h"
@@ -169,6 +172,15 @@ base::Result<std::vector<viewer::PageDecisions>> decisions_of(const Arguments& a
   return decisions;
 }
 
+// The sides of the match, for scenarios that begin with one of its moments; empty without a result.
+std::array<std::string, 2> sides_of(const fs::path& folder) {
+  namespace match = orchestration::match;
+  const auto text = base::read_file(folder / match::kResultFile);
+  const auto result = match::parse_match_result(text.value_or(""));
+  if (!result) return {};
+  return {result->left.endpoint, result->right.endpoint};
+}
+
 int write_match_page(const Arguments& arguments, const FoundLog& found, const fs::path& page) {
   const auto match = viewer::read_log_or_page(found.logs.game);
   if (!match) {
@@ -196,7 +208,8 @@ int write_match_page(const Arguments& arguments, const FoundLog& found, const fs
       match->record, text ? &*text : nullptr, fs::path(found.logs.game).filename().string(),
       compact,
       {arguments.at, arguments.players, viewer::read_missed_decisions(found.folder),
-       viewer::read_page_drawings(found.folder)},
+       viewer::read_page_drawings(found.folder), false,
+       decisions->empty() ? std::array<std::string, 2>() : sides_of(found.folder)},
       *decisions);
 
   if (const auto written = base::write_file(page, html); !written) {

@@ -97,7 +97,10 @@ class DevSession {
   }
 
   static base::Result<std::vector<Scenario>> read(const std::string& name) {
-    if (!base::absence(name)) return orchestration::scenario::read_scenarios(name);
+    if (!base::absence(name)) {
+      return orchestration::scenario::read_scenarios(name, endpoint_of_team);
+    }
+
     auto shipped = orchestration::scenario::shipped_scenarios();
     if (!shipped) return shipped;
 

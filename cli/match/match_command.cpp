@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -115,12 +118,54 @@ int exit_code_of(const MatchResult& result) {
   return kInternalError;
 }
 
-// Prints the last output lines of the failed process; its log has all of them.
-void print_last_output(const orchestration::match::ProcessFailure& failure) {
+// The first error of each Playmaker, which a warning has printed.
+std::vector<std::string> warned_errors(const MatchResult& result) {
+  std::vector<std::string> texts;
+  for (const auto* team : {&result.left, &result.right}) {
+    if (team->errors.first && !team->errors.first->message.empty()) {
+      texts.push_back(team->errors.first->message);
+    }
+  }
+  return texts;
+}
+
+// Says an error that a warning has printed no second time.
+void print_end(const MatchResult& result, bool warned) {
+  std::string message = result.message;
+  for (const std::string& text : warned ? warned_errors(result) : std::vector<std::string>()) {
+    if (!message.ends_with(text)) continue;
+    message.resize(message.size() - text.size());
+    message += "the error above";
+  }
+  print_error(0, message);
+}
+
+// Of lines that differ in numbers only, such as times and cycles.
+void keep_last_of_each_kind(std::vector<std::string>& lines) {
+  const auto kind = [](std::string line) {
+    std::erase_if(line, [](unsigned char c) { return std::isdigit(c) != 0; });
+    return line;
+  };
+  std::set<std::string> seen;
+  std::reverse(lines.begin(), lines.end());
+  std::erase_if(lines, [&](const std::string& line) { return !seen.insert(kind(line)).second; });
+  std::reverse(lines.begin(), lines.end());
+}
+
+// Prints the last output lines of the failed process that say more than the errors of its calls;
+// its log has all of them.
+void print_last_output(const MatchResult& result) {
   constexpr std::size_t kLines = 5;
-  const std::vector<std::string>& lines = failure.output;
+  const std::vector<std::string> known = warned_errors(result);
+  std::vector<std::string> lines = result.failure->output;
+  std::erase_if(lines, [&known](const std::string& line) {
+    return std::any_of(known.begin(), known.end(), [&line](const std::string& text) {
+      return line.find(text) != std::string::npos;
+    });
+  });
+  keep_last_of_each_kind(lines);
   for (std::size_t i = lines.size() - std::min(kLines, lines.size()); i < lines.size(); ++i) {
-    fmt::print(stderr, "  {}: {}\n", failure.process, lines[i]);
+    fmt::print(stderr, "  {}: {}\n", result.failure->process, lines[i]);
   }
 }
 
@@ -176,9 +221,9 @@ int run_match_command(const Command& command, MatchArguments& arguments) {
   if (result->end_reason == EndReason::kInterrupted) {
     print_interrupted(*result);
   } else if (!result->message.empty()) {
-    print_error(0, result->message);
+    print_end(*result, !arguments.quiet);
   }
-  if (result->failure) print_last_output(*result->failure);
+  if (result->failure) print_last_output(*result);
   if (!result->write_error.empty()) print_error(0, result->write_error);
 
   if (arguments.json) {

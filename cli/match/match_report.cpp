@@ -240,9 +240,13 @@ std::string exceptions(const MatchResult& result) {
 
 // A match without a cycle has no score and no figures.
 std::string refusal(const MatchResult& result) {
+  std::string hint = troubleshooting_hint(result.end_reason);
+  for (const auto& process : result.processes) {
+    const std::string remedy = orchestration::match::remedy_of(process.exception);
+    if (!remedy.empty()) hint = base::wrap_text("remedy: " + remedy, kLineWidth, 2);
+  }
   return fmt::format("invalid match: {} before the first cycle\n  {}\n{}  {}/\n",
-                     name(result.end_reason), troubleshooting_hint(result.end_reason),
-                     exceptions(result), result.folder);
+                     name(result.end_reason), hint, exceptions(result), result.folder);
 }
 
 }  // namespace
@@ -259,13 +263,15 @@ std::string match_report(const MatchResult& result, bool color) {
 
   text += goals_line(result);
   text += errors(result, result.left) + errors(result, result.right) + exceptions(result);
-  text += "\n" + figures(result) + "\n" + parts(result.left) + parts(result.right);
+  text += "\n";
+  const bool played = result.valid() || result.cycles > 0;
+  if (played) text += figures(result) + "\n" + parts(result.left) + parts(result.right);
 
   fmt::format_to(std::back_inserter(text),
                  "  {} cycles in {:.1f} s ({:.0f} cycles/s), {}, seed {}{}\n", result.cycles,
                  result.wall_seconds, result.cycles_per_second, result.mode, result.seed,
                  result.deterministic ? "" : ", not deterministic");
-  if (result.speed) text += fmt::format("  {}\n", describe(*result.speed));
+  if (result.speed && result.valid()) text += fmt::format("  {}\n", describe(*result.speed));
   if (result.mode != "lockstep") text += server_line(result);
   fmt::format_to(std::back_inserter(text), "  {}/\n", result.folder);
   return text;

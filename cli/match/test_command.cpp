@@ -97,7 +97,7 @@ std::optional<Failure> add_file(const std::string& name, std::vector<Scenario>& 
     return Failure{kNoInput, fmt::format("{}: {}", name, *absence)};
   }
 
-  auto read = orchestration::scenario::read_scenarios(name);
+  auto read = orchestration::scenario::read_scenarios(name, endpoint_of_team);
   if (!read) return Failure{kBadData, read.error().message};
   chosen.insert(chosen.end(), read->begin(), read->end());
   return std::nullopt;

@@ -27,7 +27,9 @@ using namespace orchestration::tournament;
 
 constexpr const char* kDescription =
     "write a team of cls.toml as a folder for a competition\n"
-    "It holds start HOST DIR NUM, kill, this cls, and the project of the Playmaker.\n"
+    "It holds start HOST DIR NUM, kill, this cls, the project of the Playmaker, and\n"
+    "the virtual environment of Python that is active, or .venv of the project.\n"
+    "Matches, logs and pages are left out.\n"
     "\n"
     "  cls package-team ada                       writes ada-team/\n"
     "  cls match team:ada-team mock               plays it as a competition does";
@@ -50,25 +52,54 @@ int report_unknown_team(const Arguments& arguments, const fs::path& file,
                                          base::did_you_mean(arguments.name, teams)));
 }
 
+std::string megabytes(std::uintmax_t bytes) {
+  return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
+}
+
+void print_text(const std::string& dir, const WrittenPackage& written) {
+  fmt::print("{}/: {}: cls {}", dir, megabytes(written.bytes()), megabytes(written.program_bytes));
+  if (written.environment_bytes > 0) {
+    fmt::print(", env/ with Python's packages {}", megabytes(written.environment_bytes));
+  }
+  fmt::print(", team/ with the Playmaker {}\n", megabytes(written.project_bytes));
+  if (!written.left_out.empty()) fmt::print("left out: {}\n", fmt::join(written.left_out, ", "));
+  fmt::print(
+      "try it as a competition does; its output is in {0}/playmaker.log:\n"
+      "  cls match team:{0} mock --cycles 300\n",
+      dir);
+}
+
+void print_json(const std::string& dir, const TeamPackage& package, const WrittenPackage& written) {
+  const nlohmann::ordered_json document = {{"schema", "cls.package-team/1"},
+                                           {"dir", dir},
+                                           {"command", package.command},
+                                           {"bytes", written.bytes()},
+                                           {"environment", package.environment.string()},
+                                           {"left_out", written.left_out}};
+  fmt::print("{}", base::json_document(document));
+}
+
 int write(const Arguments& arguments, const TeamPackage& package) {
   const std::string dir = arguments.dir.empty() ? arguments.name + "-team" : arguments.dir;
   if (const std::string contents = base::contents_of(dir); !contents.empty()) {
     return print_error(kCannotCreate,
                        fmt::format("{}: has {}; select a new folder with --dir", dir, contents));
   }
-  if (const auto written = write_package(package, dir); !written) {
-    return print_error(kCannotCreate, written.error().message);
-  }
+  const auto written = write_package(package, dir);
+  if (!written) return print_error(kCannotCreate, written.error().message);
 
+  if (!package.environment.empty()) {
+    if (const std::string program = foreign_interpreter(package.environment); !program.empty()) {
+      print_error(0,
+                  fmt::format("warning: the environment needs {}, which other machines and the "
+                              "sandbox of team: do not have; make it with /usr/bin/python3 -m venv",
+                              program));
+    }
+  }
   if (arguments.json) {
-    const nlohmann::ordered_json document = {
-        {"schema", "cls.package-team/1"}, {"dir", dir}, {"command", package.command}};
-    fmt::print("{}", base::json_document(document));
+    print_json(dir, package, *written);
   } else {
-    fmt::print(
-        "{0}/: start, kill, cls, and team/ with the Playmaker; try it as a competition does:\n"
-        "  cls match team:{0} mock --cycles 300\n",
-        dir);
+    print_text(dir, *written);
   }
   return kOk;
 }
@@ -101,7 +132,7 @@ int run(const Arguments& arguments) {
   }
 
   return write(arguments, {arguments.name, endpoint.substr(kRunForm.size()), parsed.config.folder,
-                           "/proc/self/exe"});
+                           "/proc/self/exe", environment_of(parsed.config.folder)});
 }
 
 }  // namespace

@@ -66,6 +66,20 @@ constexpr Language kLanguages[] = {
 };
 
 constexpr std::string_view kTeam = "team";
+constexpr std::string_view kPolicy = "rl";
+
+// Of the README of a project with a policy.
+constexpr std::string_view kTrainingLines =
+    "\n## Train it\n"
+    "\n"
+    "`policy.txt` has the weights by which the player with the ball chooses. `train.py` changes "
+    "them at\n"
+    "random, plays, and stores what is not worse: about half a minute a round, with the score of "
+    "each match.\n"
+    "\n"
+    "```sh\n"
+    "python3 train.py --rounds 20\n"
+    "```\n";
 
 // Names of files that version control and editors would use inside the source tree of cls itself.
 constexpr std::pair<std::string_view, std::string_view> kRenamed[] = {
@@ -122,8 +136,10 @@ std::optional<std::string> project_path(std::string_view name, const Language& l
   return path;
 }
 
-std::string filled_in(std::string_view text, std::string_view name, const Language& language) {
+std::string filled_in(std::string_view text, std::string_view name, const Language& language,
+                      std::string_view team_template) {
   std::string filled(text);
+  base::replace_all(filled, "@TRAINING@\n", team_template == kPolicy ? kTrainingLines : "");
   base::replace_all(filled, "@NAME@", name);
   base::replace_all(filled, "@LANGUAGE@", language.name);
   base::replace_all(filled, "@DECIDE@", language.decide);
@@ -151,7 +167,7 @@ const std::vector<std::string_view>& project_languages() {
 }
 
 const std::vector<std::string_view>& project_templates() {
-  static const std::vector<std::string_view> names = {kTeam, "minimal", "high-level", "rl"};
+  static const std::vector<std::string_view> names = {kTeam, "minimal", "high-level", kPolicy};
   return names;
 }
 
@@ -169,7 +185,8 @@ base::Result<std::vector<ProjectFile>> project_files(std::string_view language_n
   std::vector<ProjectFile> files;
   for (const EmbeddedFile& file : embedded_files()) {
     auto path = project_path(file.name, *language, team_template);
-    if (path) files.push_back({std::move(*path), filled_in(file.text, name, *language)});
+    if (path)
+      files.push_back({std::move(*path), filled_in(file.text, name, *language, team_template)});
   }
   return files;
 }

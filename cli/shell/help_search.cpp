@@ -27,6 +27,15 @@ std::string first_line(std::string_view text) {
   return std::string(text.substr(0, text.find('\n')));
 }
 
+// The words may name the command, too, but not it alone.
+bool is_about(const Option& option, const std::string& command, const Words& words) {
+  const std::string own = option.names + " " + option.help;
+  const auto has = [&own](const std::string& word) {
+    return base::find_ignoring_case(own, word) != std::string::npos;
+  };
+  return has_all(command + " " + own, words) && std::any_of(words.begin(), words.end(), has);
+}
+
 void add_commands(const Command& command, const Words& words, std::vector<HelpMatch>& found) {
   const std::string name = full_name(command);
   const std::string read = name + " --help";
@@ -35,7 +44,7 @@ void add_commands(const Command& command, const Words& words, std::vector<HelpMa
   }
 
   for (const Option& option : command.options) {
-    if (option.group == kHidden || !has_all(option.names + " " + option.help, words)) continue;
+    if (option.group == kHidden || !is_about(option, name, words)) continue;
     found.push_back({"option", fmt::format("{} of {}", name_of(option), name), option.help, read});
   }
 
@@ -44,19 +53,39 @@ void add_commands(const Command& command, const Words& words, std::vector<HelpMa
   }
 }
 
-// The first line that has all the words, from a few words before the first of them; empty if the
-// words are in several lines.
-std::string line_with(const std::string& page, const Words& words) {
+// A line from a few words before the first of the words.
+std::string excerpt(std::string_view line, const Words& words) {
   constexpr std::size_t kBefore = 30;
   constexpr std::size_t kLength = 110;
-  for (std::string_view line : base::split(page, '\n')) {
-    if (!has_all(line, words)) continue;
+  const std::size_t at = base::find_ignoring_case(line, words.front());
+  if (at > kBefore && at != line.npos) line.remove_prefix(line.find(' ', at - kBefore) + 1);
+  line.remove_prefix(std::min(line.find_first_not_of("# |-"), line.size()));
+  if (line.size() > kLength) line = line.substr(0, line.rfind(' ', kLength));
+  return std::string(line);
+}
 
-    const std::size_t at = base::find_ignoring_case(line, words.front());
-    if (at > kBefore) line.remove_prefix(line.find(' ', at - kBefore) + 1);
-    line.remove_prefix(std::min(line.find_first_not_of("# |-"), line.size()));
-    if (line.size() > kLength) line = line.substr(0, line.rfind(' ', kLength));
-    return std::string(line);
+// The first line that has all the words; empty if they are in several lines.
+std::string line_with(std::string_view page, const Words& words) {
+  for (const std::string_view line : base::split(page, '\n')) {
+    if (has_all(line, words)) return excerpt(line, words);
+  }
+  return "";
+}
+
+// The first section that has all the words: its heading, and its first line with one of them.
+std::string section_with(std::string_view page, const Words& words) {
+  for (std::size_t at = 0; at < page.size();) {
+    const std::size_t end = std::min(page.find("\n#", at), page.size());
+    const std::string_view section = page.substr(at, end - at);
+    at = end + 1;
+    if (!has_all(section, words)) continue;
+
+    const std::string heading = excerpt(section.substr(0, section.find('\n')), words);
+    for (const std::string& word : words) {
+      const std::string line = line_with(section.substr(section.find('\n') + 1), {word});
+      if (!line.empty()) return heading + ": " + line;
+    }
+    return heading;
   }
   return "";
 }
@@ -64,9 +93,11 @@ std::string line_with(const std::string& page, const Words& words) {
 void add_pages(const Words& words, std::vector<HelpMatch>& found) {
   for (const HelpTopic& topic : help_topics()) {
     if (!has_all(topic.text, words)) continue;
-    std::string line = line_with(page_text(topic), words);
-    if (line.empty()) continue;
-    found.push_back({"page", topic.name, std::move(line), "cls help " + topic.name});
+    const std::string text = page_text(topic);
+    std::string place = line_with(text, words);
+    if (place.empty()) place = section_with(text, words);
+    if (place.empty()) continue;
+    found.push_back({"page", topic.name, std::move(place), "cls help " + topic.name});
   }
 }
 

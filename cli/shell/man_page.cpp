@@ -58,17 +58,30 @@ struct Description {
   std::string examples;
 };
 
+// A list, such as that of sides, belongs to the sentences before it.
+std::string list_of(const std::string& lines) { return ".nf\n" + lines + ".fi\n"; }
+
 Description parts_of(const Command& command) {
   Description parts;
+  std::string block;  // indented lines
+  const auto end_block = [&] {
+    if (block.empty()) return;
+    const bool is_example = block.starts_with("  cls ") || block.starts_with("  [cls ");
+    (is_example ? parts.examples : parts.sentences) += is_example ? block : list_of(block);
+    block.clear();
+  };
+
   for (const std::string& line : lines_of(command.description)) {
     if (parts.purpose.empty()) {
       parts.purpose = line;
     } else if (line.starts_with("  ")) {
-      parts.examples += plain(line) + "\n";
-    } else if (!line.empty()) {
-      parts.sentences += plain(line) + "\n";
+      block += plain(line) + "\n";
+    } else {
+      end_block();
+      if (!line.empty()) parts.sentences += plain(line) + "\n";
     }
   }
+  end_block();
   return parts;
 }
 

@@ -36,6 +36,22 @@ std::string unknown(const std::string& side, const std::string& near, const fs::
                      side, file.string(), fmt::join(teams, ", "));
 }
 
+// The endpoint of the team `side`, for use in the working directory; `side` itself if there are no
+// teams to mistake it for.
+base::Result<std::string> endpoint_in(const TournamentConfig& config, const fs::path& file,
+                                      const std::string& side) {
+  if (const int team = team_index(config, side); team >= 0) {
+    return endpoint_from(config.folder, config.teams[static_cast<std::size_t>(team)].endpoint);
+  }
+
+  std::vector<std::string_view> teams;
+  for (const TeamEntry& team : config.teams) teams.push_back(team.name);
+  const std::string near(base::nearest_name(side, teams));
+  const bool means_mock = near.empty() && !base::nearest_name(side, {"mock"}).empty();
+  if (teams.empty() || means_mock) return side;  // parse_endpoint() lists the valid sides
+  return base::Error{unknown(side, near, file, teams)};
+}
+
 }  // namespace
 
 int resolve_team_name(std::string& side, std::string& team_name, const std::string& config_file) {
@@ -52,19 +68,22 @@ int resolve_team_name(std::string& side, std::string& team_name, const std::stri
 
   const ParsedConfig parsed = read_config(*file);
   if (!parsed.errors.empty()) return print_errors(kBadConfig, parsed.errors);
-  if (const int team = team_index(parsed.config, side); team >= 0) {
-    if (team_name.empty()) team_name = side;
-    side = endpoint_from(parsed.config.folder,
-                         parsed.config.teams[static_cast<std::size_t>(team)].endpoint);
-    return kOk;
-  }
 
-  std::vector<std::string_view> teams;
-  for (const TeamEntry& team : parsed.config.teams) teams.push_back(team.name);
-  const std::string near(base::nearest_name(side, teams));
-  const bool means_mock = near.empty() && !base::nearest_name(side, {"mock"}).empty();
-  if (teams.empty() || means_mock) return kOk;  // parse_endpoint() lists the valid sides
-  return print_error(kUsage, unknown(side, near, *file, teams));
+  auto endpoint = endpoint_in(parsed.config, *file, side);
+  if (!endpoint) return print_error(kUsage, endpoint.error().message);
+  if (*endpoint != side && team_name.empty()) team_name = side;
+  side = *std::move(endpoint);
+  return kOk;
+}
+
+base::Result<std::string> endpoint_of_team(const std::string& side, const fs::path& folder) {
+  if (is_endpoint(side)) return side;
+  const std::optional<fs::path> file = find_config(folder.empty() ? "." : folder);
+  if (!file) return side;
+
+  const ParsedConfig parsed = read_config(*file);
+  if (!parsed.errors.empty()) return base::Error{parsed.errors.front()};
+  return endpoint_in(parsed.config, *file, side);
 }
 
 base::Result<orchestration::match::Endpoint> parse_side(const std::string& side,

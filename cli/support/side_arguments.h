@@ -1,6 +1,7 @@
 // SIDE arguments: team names of cls.toml and scripts of mock sides.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "orchestration/match/options/endpoint.h"
@@ -12,6 +13,12 @@ namespace cls::cli {
 /// Reads `config_file`, or the cls.toml in or above the working directory. Leaves endpoints and
 /// unknown names unchanged. Prints errors; returns kOk, kNoInput, kBadConfig or kUsage.
 int resolve_team_name(std::string& side, std::string& team_name, const std::string& config_file);
+
+/// The endpoint of a team that the cls.toml in `folder` or above names, for use in the working
+/// directory; `side` itself without such a file, and if it is an endpoint. The error says which
+/// teams there are.
+base::Result<std::string> endpoint_of_team(const std::string& side,
+                                           const std::filesystem::path& folder);
 
 /// parse_endpoint() for a side without its team name. The error says where names of teams come from
 /// if there is no such file.

@@ -8,6 +8,7 @@
 #include "base/text/counted.h"
 #include "base/text/printable.h"
 #include "orchestration/tournament/report/report_model.h"
+#include "orchestration/tournament/schedule/schedule.h"
 
 namespace cls::cli {
 
@@ -49,7 +50,30 @@ std::string match_line(const TournamentConfig& config, const ScheduledMatch& mat
 }
 
 std::string TournamentProgress::status(const RunProgress& progress) const {
-  return progress_text(progress);
+  return progress_text(progress) + (leader_.empty() ? "" : "  " + leader_);
+}
+
+void TournamentProgress::resume(const TournamentConfig& config,
+                                const std::vector<ScheduledMatch>& matches) {
+  for (const ScheduledMatch& match : matches) {
+    if (match.outcome) played_.push_back(match);
+  }
+  find_leader(config);
+}
+
+// The tables of thousands of matches take longer than a match: not after each of them.
+void TournamentProgress::find_leader(const TournamentConfig& config) {
+  constexpr std::size_t kFew = 200;
+  const Clock::time_point now = Clock::now();
+  if (played_.size() > kFew && now - last_leader_ < std::chrono::seconds(10)) return;
+  last_leader_ = now;
+
+  const std::vector<RankedTable> ranked = tables(config, played_);
+  if (ranked.empty() || ranked.back().standings.empty()) return;
+  const std::vector<Standing>& rows = ranked.back().standings;
+  const bool alone = rows.front().points > 0 && (rows.size() == 1 || rows[1].rank > 1);
+  const auto team = static_cast<std::size_t>(rows.front().team);
+  leader_ = alone ? config.teams[team].name + " leads" : "";
 }
 
 bool TournamentProgress::is_due(const RunProgress& /*progress*/, Clock::duration since_last) {
@@ -76,6 +100,8 @@ void TournamentProgress::on_progress(const RunProgress& progress) {
 void TournamentProgress::on_match(const TournamentConfig& config, const ScheduledMatch& match,
                                   const RunProgress& progress) {
   print(match_line(config, match, progress.total));
+  played_.push_back(match);
+  find_leader(config);
   on_progress(progress);
 }
 

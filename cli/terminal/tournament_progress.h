@@ -4,6 +4,7 @@
 #include <chrono>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/terminal/terminal.h"
 #include "orchestration/tournament/run/tournament_run.h"
@@ -15,6 +16,10 @@ namespace cls::cli {
 class TournamentProgress : public orchestration::tournament::TournamentObserver {
  public:
   TournamentProgress(bool on_terminal, bool quiet) : on_terminal_(on_terminal), quiet_(quiet) {}
+
+  /// Matches of earlier runs, which count for who leads.
+  void resume(const orchestration::tournament::TournamentConfig& config,
+              const std::vector<orchestration::tournament::ScheduledMatch>& matches);
 
   void on_progress(const orchestration::tournament::RunProgress& progress) override;
   void on_match(const orchestration::tournament::TournamentConfig& config,
@@ -35,10 +40,14 @@ class TournamentProgress : public orchestration::tournament::TournamentObserver 
   using Clock = std::chrono::steady_clock;
 
   void print(std::string_view line);
+  void find_leader(const orchestration::tournament::TournamentConfig& config);
 
   bool on_terminal_;
   bool quiet_;
   TerminalLine line_;
+  std::vector<orchestration::tournament::ScheduledMatch> played_;
+  std::string leader_;  ///< "RED leads"; empty: not known
+  Clock::time_point last_leader_{};
   Clock::time_point last_status_ = Clock::now();
 };
 

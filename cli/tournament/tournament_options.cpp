@@ -41,16 +41,22 @@ const char* group_title(KeyGroup group) {
   return "";
 }
 
-std::optional<fs::path> config_path(const TournamentOptions& options) {
-  if (!options.config_file.empty()) return options.config_file;
+// A configuration file, and whether it is that of the tournament and not of the working directory.
+struct FoundConfig {
+  std::optional<fs::path> path;
+  bool own = true;
+};
+
+FoundConfig config_path(const TournamentOptions& options) {
+  if (!options.config_file.empty()) return {options.config_file};
   std::error_code code;
   const fs::path inside = fs::path(options.folder) / kConfigFile;
-  if (fs::is_regular_file(inside, code)) return inside;
-  if (auto above = find_config(fs::current_path(code))) return above;
+  if (fs::is_regular_file(inside, code)) return {inside};
+  if (auto above = find_config(fs::current_path(code))) return {std::move(above), false};
 
   const fs::path plan = fs::path(options.folder) / kPlanFile;
-  if (fs::is_regular_file(plan, code)) return plan;
-  return std::nullopt;
+  if (fs::is_regular_file(plan, code)) return {plan};
+  return {};
 }
 
 std::vector<std::string> apply_teams(TournamentConfig& config, const TournamentOptions& options) {
@@ -118,7 +124,8 @@ void add_shared_options(Command& command, TournamentOptions& options, bool sched
   }
 }
 
-ChosenConfig read_and_override(TournamentOptions options, const std::optional<fs::path>& path) {
+ChosenConfig read_and_override(TournamentOptions options, const FoundConfig& found) {
+  const std::optional<fs::path>& path = found.path;
   std::erase_if(options.overrides, [](const auto& one) { return one.second.empty(); });
   ParsedConfig reading;
   if (path) {
@@ -130,6 +137,8 @@ ChosenConfig read_and_override(TournamentOptions options, const std::optional<fs
   }
 
   if (reading.config.folder.empty()) reading.config.folder = fs::current_path();
+  // The teams of a project are not those of a tournament that names its own.
+  if (!found.own && !options.teams.empty()) reading.config.teams.clear();
   const auto usage = apply_overrides(reading.config, options);
   if (!usage.empty()) return {print_errors(kUsage, usage), {}};
   return {kOk, std::move(reading.config)};
@@ -148,7 +157,10 @@ void add_condition_options(Command& command, TournamentOptions& options) {
 
 void add_tournament_options(Command& command, TournamentOptions& options) {
   command.option("DIR", options.folder, "folder of the tournament").required();
-  command.option("--team", options.teams, "add a team: NAME=ENDPOINT, repeatable").repeatable();
+  command
+      .option("--team", options.teams,
+              "a team: NAME=ENDPOINT, repeatable; added to those of DIR/cls.toml")
+      .repeatable();
   add_shared_options(command, options, true);
 }
 
@@ -157,7 +169,8 @@ ChosenConfig choose_conditions(const TournamentOptions& options) {
 }
 
 ChosenConfig choose_config(const TournamentOptions& options) {
-  const auto path = config_path(options);
+  const FoundConfig found = config_path(options);
+  const std::optional<fs::path>& path = found.path;
   if (!path && options.teams.empty()) {
     return {
         print_error(kNoInput,
@@ -167,7 +180,7 @@ ChosenConfig choose_config(const TournamentOptions& options) {
         {}};
   }
 
-  ChosenConfig chosen = read_and_override(options, path);
+  ChosenConfig chosen = read_and_override(options, found);
   if (chosen.exit_code != kOk) return chosen;
   auto errors = validate(chosen.config);
   if (errors.empty()) return chosen;

@@ -89,6 +89,7 @@ int run(const Arguments& arguments) {
   options.folder = folder;
   options.config = chosen.config;
   TournamentProgress progress(stderr_is_terminal(), arguments.session.quiet);
+  progress.resume(chosen.config, opened.matches);
   const auto make =
       [&](const TournamentConfig& config) -> base::Result<std::unique_ptr<MatchExecutor>> {
     TRY_INIT(const auto program, base::own_program());
@@ -105,7 +106,7 @@ int run(const Arguments& arguments) {
   if (arguments.session.json) {
     fmt::print("{}", report_json(report));
   } else if (any) {
-    fmt::print("{}", report_text(report, {stdout_width(), false}));
+    fmt::print("{}", report_text(report, {stdout_width(), false, true}));
   }
 
   const bool listed = !arguments.session.json;  // the report lists them

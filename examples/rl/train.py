@@ -4,9 +4,10 @@
     ./run build
     python3 train.py --rounds 50
 
-Each round plays the same seeds with the old and the new weights, so that luck counts for little. The
-team is named @NAME@ in cls.toml; the environment variable POLICY names the file that it reads.
-docs/training.md of cls has environments for larger policies and faster learning.
+A round takes half a minute; Ctrl-C ends it, and policy.txt has the best weights so far. Each round
+plays the same seeds with the old and the new weights, so that luck counts for little. The team is named
+@NAME@ in cls.toml; the environment variable POLICY names the file that it reads. docs/training.md
+of cls has environments for larger policies and faster learning.
 """
 import argparse
 import json
@@ -14,6 +15,7 @@ import os
 import random
 import subprocess
 import tempfile
+import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 POLICY = os.path.join(HERE, "policy.txt")
@@ -39,8 +41,9 @@ def changed(lines, step, random_source):
             if isinstance(line, list) else line for line in lines]
 
 
-def value(path, options):
-    """Goals for minus goals against, over all seeds."""
+def value(path, options, label):
+    """Goals for minus goals against, over all seeds. Prints the score of each match."""
+    print(f"{label}:", end="", flush=True)
     total = 0
     for seed in range(1, options.seeds + 1):
         with tempfile.TemporaryDirectory() as folder:
@@ -51,8 +54,30 @@ def value(path, options):
         if played.returncode != 0:
             raise SystemExit(played.stderr.strip())
         result = json.loads(played.stdout)
-        total += result["left"]["score"] - result["right"]["score"]
+        goals, against = result["left"]["score"], result["right"]["score"]
+        print(f"  {goals}:{against}", end="", flush=True)
+        total += goals - against
+    print(f"  goal difference {total:+}", end="", flush=True)
     return total
+
+
+def train(options):
+    random_source = random.Random(1)
+    best = value(POLICY, options, "policy.txt")
+    started = time.monotonic()
+    for number in range(1, options.rounds + 1):
+        with tempfile.TemporaryDirectory() as folder:
+            candidate = os.path.join(folder, "policy.txt")
+            lines = changed(read(POLICY), options.step, random_source)
+            write(candidate, lines)
+            found = value(candidate, options, f"\nround {number}/{options.rounds}")
+        if found >= best:
+            best = found
+            write(POLICY, lines)
+            print(", stored in policy.txt", end="")
+        left = (time.monotonic() - started) / number * (options.rounds - number)
+        print(f"  {left / 60:.1f} min left", end="", flush=True)
+    print(f"\nbest goal difference: {best:+} in {options.seeds} matches")
 
 
 def main():
@@ -63,19 +88,10 @@ def main():
     parser.add_argument("--opponent", default="mock", help="SIDE (default: mock)")
     parser.add_argument("--step", type=float, default=0.3, help="of a change (default: 0.3)")
     options = parser.parse_args()
-    random_source = random.Random(1)
-    best = value(POLICY, options)
-    print("policy.txt:", best, flush=True)
-    for number in range(1, options.rounds + 1):
-        with tempfile.TemporaryDirectory() as folder:
-            candidate = os.path.join(folder, "policy.txt")
-            lines = changed(read(POLICY), options.step, random_source)
-            write(candidate, lines)
-            found = value(candidate, options)
-        print(f"round {number}: {found}", flush=True)
-        if found >= best:
-            best = found
-            write(POLICY, lines)
+    try:
+        train(options)
+    except KeyboardInterrupt:
+        raise SystemExit("\ninterrupted; policy.txt has the best weights so far")
 
 
 if __name__ == "__main__":

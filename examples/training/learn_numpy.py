@@ -6,17 +6,23 @@
 A network of two tanh layers gives a probability per action and, with another one, the value of
 a situation. 64 worlds play 128 steps, then the networks improve on what they saw; and again.
 Prints the share of goals of the episodes that have ended since the last line; at the end it plays
-200 fresh episodes without exploration.
+200 fresh episodes without exploration. Ctrl-C ends the training early: what was learned is saved.
 """
 import argparse
 import json
+import os
+import signal
 import sys
 import time
 
-import numpy as np
+# Matrices of this size are slower with threads, five times on two cores. A set variable stays.
+for library in ("OMP", "OPENBLAS", "MKL"):
+    os.environ.setdefault(f"{library}_NUM_THREADS", "1")
 
-import cls_gym
-from cls_gym.policy import Policy, describe
+import numpy as np  # noqa: E402
+
+import cls_gym  # noqa: E402
+from cls_gym.policy import Policy, describe  # noqa: E402
 
 WORLDS, HORIZON = 64, 128
 GAMMA, LAMBDA, CLIP = 0.99, 0.95, 0.2
@@ -174,7 +180,8 @@ def open_loop_policy(config, actions, random):
 
 
 def train(config, seed, steps, report):
-    """Learns for so many steps. Returns the actor; report(steps, share of goals) each update."""
+    """Learns for so many steps, or until Ctrl-C. Returns the policy, and whether it was interrupted;
+    report(steps, share of goals) each update."""
     random = np.random.default_rng(seed)
     envs = cls_gym.VectorEnv(num_envs=WORLDS, autoreset_mode="same_step", **config)
     features = envs.single_observation_space.shape[0]
@@ -184,14 +191,22 @@ def train(config, seed, steps, report):
     rollout = Rollout(features, actions)
     seen, infos = envs.reset(seed=seed)
     mask = infos["action_mask"]
-    for done in range(0, steps, WORLDS * HORIZON):
-        seen, mask, ends = play(envs, actor, critic, rollout, seen, mask, random)
-        learn(actor, critic, rollout, random, 1e-3 * (1.0 - done / steps))
-        report(done + WORLDS * HORIZON, float(np.mean(np.array(ends) == 1)) if ends else 0.0)
+    interrupted = False
+    try:
+        for done in range(0, steps, WORLDS * HORIZON):
+            seen, mask, ends = play(envs, actor, critic, rollout, seen, mask, random)
+            learn(actor, critic, rollout, random, 1e-3 * (1.0 - done / steps))
+            report(done + WORLDS * HORIZON, float(np.mean(np.array(ends) == 1)) if ends else 0.0)
+    except KeyboardInterrupt:
+        interrupted = True
     about = describe(envs)
     envs.close()
     weights = actor.weights
-    return Policy(list(zip(weights[::2], weights[1::2])), about)
+    return Policy(list(zip(weights[::2], weights[1::2])), about), interrupted
+
+
+def time_left(seconds):
+    return f"{seconds / 60:.0f} min left" if seconds >= 90 else f"{seconds:.0f} s left"
 
 
 def main():
@@ -219,15 +234,23 @@ def main():
         print(f"random policy: {chance:.3f} of 200 fresh episodes")
         print(f"best open-loop policy: {evaluate(config, blind, 200, 10_000):.3f}")
         return 0
-    curve, start = [], time.process_time()
+    curve, start, began = [], time.process_time(), time.monotonic()
+    signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
 
     def report(steps, goals):
         curve.append((steps, goals))
         if len(curve) % 10 == 0:
-            print(f"{steps:>9} steps  {goals:.2f} goals  {time.process_time() - start:.0f} s CPU",
-                  flush=True)
+            left = (time.monotonic() - began) * max(0, options.steps - steps) / steps
+            print(f"{steps:>9} steps  {goals:.2f} goals  {time.process_time() - start:.0f} s CPU  "
+                  f"{time_left(left)}", flush=True)
 
-    policy = train(config, options.seed, options.steps, report)
+    policy, interrupted = train(config, options.seed, options.steps, report)
+    if interrupted:
+        if options.out:
+            policy.save(options.out)
+        print(f"interrupted after {curve[-1][0] if curve else 0} of {options.steps} steps; " +
+              (f"what was learned is in {options.out}" if options.out else "--out FILE would save"))
+        return 130
     goals = evaluate(config, lambda _, seen, mask: policy.act(seen, mask), 200, 10_000)
     spent = time.process_time() - start
     print(f"seed {options.seed}: {goals:.3f} of 200 fresh episodes end with a goal; "

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <filesystem>
@@ -19,9 +20,11 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <system_error>
 
 #include "base/system/socket_address.h"
 #include "base/system/tcp_connect.h"
+#include "base/text/counted.h"
 #include "orchestration/process/process_tree.h"
 
 namespace cls::orchestration::process {
@@ -34,7 +37,8 @@ constexpr int kMinPort = 20000;
 constexpr int kMaxPort = 31999;
 constexpr int kAttempts = 2000;
 
-bool can_bind(int type, int port) {
+// 0, or the errno of what failed.
+int bind_error(int type, int port) {
   const int off = 0;
   const int on = 1;
   std::string any = "::";  // includes IPv4 with IPV6_V6ONLY off
@@ -43,6 +47,7 @@ bool can_bind(int type, int port) {
     any = "0.0.0.0";  // host without IPv6
     socket = base::UniqueFd(::socket(AF_INET, type | SOCK_CLOEXEC, 0));
   }
+  if (!socket) return errno;
 
   // A server can reuse a TCP port with old connections in TIME_WAIT.
   if (type == SOCK_STREAM) {
@@ -50,7 +55,7 @@ bool can_bind(int type, int port) {
   }
 
   const base::SocketAddress address = *base::parse_ip_address(any, port);
-  return ::bind(socket.get(), address.get(), address.size) == 0;
+  return ::bind(socket.get(), address.get(), address.size) == 0 ? 0 : errno;
 }
 
 struct BoundSocket {
@@ -94,9 +99,13 @@ std::string program_of(int pid) {
   return name;
 }
 
-std::optional<base::UniqueFd> reserve(int port) {
+// Marks a port as taken among programs of cls; without a mark, `error` has the errno.
+std::optional<base::UniqueFd> reserve(int port, int& error) {
   base::UniqueFd mark(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
-  if (!mark) return std::nullopt;
+  if (!mark) {
+    error = errno;
+    return std::nullopt;
+  }
 
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -106,6 +115,7 @@ std::optional<base::UniqueFd> reserve(int port) {
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
 
   if (::bind(mark.get(), reinterpret_cast<const sockaddr*>(&address), size) != 0) {
+    error = errno;
     return std::nullopt;
   }
   return mark;
@@ -131,7 +141,7 @@ const std::string& loopback_host() {
 }
 
 bool port_is_free(Protocol protocol, int port) {
-  return can_bind(protocol == Protocol::kTcp ? SOCK_STREAM : SOCK_DGRAM, port);
+  return bind_error(protocol == Protocol::kTcp ? SOCK_STREAM : SOCK_DGRAM, port) == 0;
 }
 
 std::vector<int> all_pids() {
@@ -220,14 +230,22 @@ std::vector<int> ports_of(Protocol protocol, int pid) {
 
 base::Result<std::vector<ReservedPort>> ReservedPort::choose(int count) {
   std::vector<ReservedPort> ports;
+  int error = 0;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     if (static_cast<int>(ports.size()) == count) return ports;
     const int number = random_port();
-    auto mark = reserve(number);
-    const bool free = port_is_free(Protocol::kTcp, number) && port_is_free(Protocol::kUdp, number);
-    if (mark && free) ports.push_back(ReservedPort(number, *std::move(mark)));
+    auto mark = reserve(number, error);
+    for (const int type : {SOCK_STREAM, SOCK_DGRAM}) {
+      if (const int failed = mark ? bind_error(type, number) : 0; failed != 0) {
+        error = failed;
+        mark.reset();
+      }
+    }
+    if (mark) ports.push_back(ReservedPort(number, *std::move(mark)));
   }
-  return base::Error{fmt::format("no {} free ports between {} and {}", count, kMinPort, kMaxPort)};
+  return base::Error{fmt::format("no {} between {} and {} after {} tries; the last one: {}",
+                                 base::counted(count, "free port"), kMinPort, kMaxPort, kAttempts,
+                                 std::generic_category().message(error))};
 }
 
 bool tcp_answers(const std::string& host, int port, int limit_ms) {

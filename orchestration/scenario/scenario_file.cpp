@@ -127,8 +127,8 @@ Result<void> read_files(const JsonValue& json, const std::filesystem::path& fold
   return {};
 }
 
-Result<void> parse_playmaker(const JsonValue& json, match::Endpoint& endpoint) {
-  const std::filesystem::path folder = std::filesystem::path(json.text().name()).parent_path();
+Result<void> parse_playmaker(const JsonValue& json, const ResolveSide& resolve,
+                             match::Endpoint& endpoint) {
   if (json.is_object()) {
     TRY_INIT(const auto script, mock_server::parse_script(json));
     endpoint.text = "mock:(script)";
@@ -136,8 +136,14 @@ Result<void> parse_playmaker(const JsonValue& json, match::Endpoint& endpoint) {
     endpoint.script = script;
     return {};
   }
+
   TRY_INIT(const auto text, json.string());
-  auto parsed = match::parse_endpoint(text);
+  std::filesystem::path folder = std::filesystem::path(json.text().name()).parent_path();
+  const auto side = resolve ? resolve(text, folder) : Result<std::string>(text);
+  if (!side) return json.error(side.error().message);
+  if (*side != text) folder.clear();  // the paths of a team are those of the working directory
+
+  auto parsed = match::parse_endpoint(*side);
   if (!parsed) return json.error(parsed.error().message);
   endpoint = *std::move(parsed);
   if (endpoint.kind == match::Endpoint::Kind::kTeam)
@@ -148,10 +154,10 @@ Result<void> parse_playmaker(const JsonValue& json, match::Endpoint& endpoint) {
   return read_files(json, folder, endpoint);
 }
 
-Result<void> parse_team(const JsonValue& json, ScenarioSide& side) {
+Result<void> parse_team(const JsonValue& json, const ResolveSide& resolve, ScenarioSide& side) {
   if (const auto keys = json.expect_keys({"playmaker", "players"}); !keys) return keys;
   if (json.has("playmaker")) {
-    if (const auto read = parse_playmaker(json["playmaker"], side.playmaker); !read) return read;
+    TRY(parse_playmaker(json["playmaker"], resolve, side.playmaker));
   }
   if (!json.has("players")) return {};
   const JsonValue players = json["players"];
@@ -214,8 +220,7 @@ Result<void> parse_options(const JsonValue& json, Scenario& scenario) {
     TRY_INIT(auto text, option_text(option, json[key]));
     scenario.options[std::string(option.key)] = std::move(text);
   }
-  if (!json.has("trainer")) return {};
-  return parse_playmaker(json["trainer"], scenario.trainer.emplace());
+  return {};
 }
 
 Result<void> parse_run(const JsonValue& json, Scenario& scenario) {
@@ -289,7 +294,8 @@ std::vector<std::string_view> scenario_keys() {
 
 }  // namespace
 
-Result<Scenario> parse_scenario(const JsonDocument& text, const Json& golden) {
+Result<Scenario> parse_scenario(const JsonDocument& text, const Json& golden,
+                                const ResolveSide& resolve) {
   const JsonValue json(text);
   TRY(json.expect_keys(scenario_keys()));
   TRY(check_schema(json));
@@ -307,7 +313,10 @@ Result<Scenario> parse_scenario(const JsonDocument& text, const Json& golden) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const char* key = side_name(side);
     if (!json.has(key)) continue;
-    TRY(parse_team(json[key], scenario.sides[index_of(side)]));
+    TRY(parse_team(json[key], resolve, scenario.sides[index_of(side)]));
+  }
+  if (json.has("trainer")) {
+    TRY(parse_playmaker(json["trainer"], resolve, scenario.trainer.emplace()));
   }
   if (json.has("under_test")) {
     TRY_INIT(const auto side, parse_side(json["under_test"]));

@@ -10,7 +10,6 @@
 #include "base/io/whole_file.h"
 #include "base/text/json_document.h"
 #include "base/text/json_text.h"
-#include "orchestration/scenario/scenario_file.h"
 
 namespace cls::orchestration::scenario {
 namespace {
@@ -35,10 +34,10 @@ Result<Json> read_golden(const fs::path& folder) {
   return text.root();
 }
 
-Result<Scenario> read_one(const fs::path& file) {
+Result<Scenario> read_one(const fs::path& file, const ResolveSide& resolve) {
   TRY_INIT(const auto golden, read_golden(file.parent_path()));
   TRY_INIT(const auto text, JsonDocument::read(file));
-  return parse_scenario(text, golden_of(golden, file.stem().string()));
+  return parse_scenario(text, golden_of(golden, file.stem().string()), resolve);
 }
 
 // Values found by the golden checks, by golden file.
@@ -84,7 +83,7 @@ Result<std::vector<Scenario>> shipped_scenarios() {
   return scenarios;
 }
 
-Result<std::vector<Scenario>> read_scenarios(const fs::path& path) {
+Result<std::vector<Scenario>> read_scenarios(const fs::path& path, const ResolveSide& resolve) {
   std::vector<fs::path> files = {path};
   std::error_code code;
   if (fs::is_directory(path, code)) {
@@ -98,7 +97,7 @@ Result<std::vector<Scenario>> read_scenarios(const fs::path& path) {
   }
   std::vector<Scenario> scenarios;
   for (const fs::path& file : files) {
-    TRY_INIT(auto scenario, read_one(file));
+    TRY_INIT(auto scenario, read_one(file, resolve));
     scenarios.push_back(std::move(scenario));
   }
   return scenarios;

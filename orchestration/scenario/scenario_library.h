@@ -7,6 +7,7 @@
 
 #include "base/result.h"
 #include "orchestration/scenario/scenario.h"
+#include "orchestration/scenario/scenario_file.h"
 #include "orchestration/scenario/suite.h"
 
 namespace cls::orchestration::scenario {
@@ -25,7 +26,8 @@ inline constexpr const char* kGoldenFile = "golden.json";
 base::Result<std::vector<Scenario>> shipped_scenarios();
 
 /// Reads a file, or all *.json of a folder sorted by name. Errors name file and line.
-base::Result<std::vector<Scenario>> read_scenarios(const std::filesystem::path& path);
+base::Result<std::vector<Scenario>> read_scenarios(const std::filesystem::path& path,
+                                                   const ResolveSide& resolve = {});
 
 /// Writes the values found by the golden checks into the golden files beside the scenarios. Returns
 /// the number of changed values. Skips shipped scenarios, which have no file.

@@ -96,8 +96,9 @@ def library_path() -> pathlib.Path:
     for place in places:
         if place.is_file():
             return place
-    raise ImportError(f"cls_gym: no {LIBRARY} in {', '.join(str(p.parent) for p in places)}; build "
-                      f"it (ninja -C build cls_training_shared) or set {VARIABLE} to its path")
+    raise ImportError(f"cls_gym: no {LIBRARY} in {', '.join(str(p.parent) for p in places)}; "
+                      "./bootstrap python in the checkout of cls builds it and makes an environment "
+                      f"with it, or {VARIABLE} names its path")
 
 
 @functools.lru_cache(maxsize=None)

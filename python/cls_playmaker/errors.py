@@ -1,19 +1,22 @@
 """Exceptions of a Playmaker's methods: logged here, and the status of the call for the match."""
 from __future__ import annotations
 
+import ast
+import inspect
 import logging
 import os
+import textwrap
 import traceback
-from typing import Any, Callable, Set, Tuple
+from typing import Any, Callable, List, Optional, Set, Tuple
 
 import grpc
 
 from cls_playmaker import proto
+from cls_playmaker.stalls import Stalls, own_frames
 
 _log = logging.getLogger("cls_playmaker")
 _REPLIES = {method.name: "proto." + method.output_type.name
             for method in proto.DESCRIPTOR.services_by_name["Game"].methods}
-_OWN = os.path.dirname(__file__) + os.sep
 
 
 class Failure(Exception):
@@ -30,6 +33,7 @@ class Errors:
 
     def __init__(self) -> None:
         self._seen: Set[Tuple[str, str, str]] = set()
+        self._stalls = Stalls()
 
     def call(self, rpc: str, method: Callable[[Any, Any], Any], request: Any, context: Any) -> Any:
         """The reply of the method for one agent to an RPC of protos.Game."""
@@ -39,9 +43,11 @@ class Errors:
     def run(self, name: str, wanted: str, caller: Callable[[], str], context: Any,
             method: Callable[[], Any], source: Any = None) -> Any:
         """What `method` returns, which must be a `wanted`; `name` and `caller` are for the log.
-        A wrong value is reported with the line that defines `source`, or `method`."""
+        A wrong value is reported with the line that defines what returned it: `source`, or `method`,
+        or the function whose value that returns."""
         try:
-            reply = method()
+            with self._stalls.watch(name, caller):
+                reply = method()
             if not _chosen(context) and not _is_a(reply, wanted):
                 raise TypeError(f"{name} returned {type(reply).__name__}, must return {wanted}")
         except (Exception, SystemExit) as error:  # gRPC's thread would end without a reply
@@ -86,15 +92,44 @@ def _caller(request: Any) -> str:
 def _place(error: BaseException, source: Any) -> str:
     """"team.py:12": the innermost line outside installed packages, or the definition of `source`."""
     frames = traceback.extract_tb(error.__traceback__)
-    own = [frame for frame in frames if os.sep + "site-packages" + os.sep not in frame.filename
-           and not frame.filename.startswith(_OWN)]
-    code = getattr(source, "__code__", None)
+    own = own_frames(frames)
+    code = getattr(source if own else _maker(source), "__code__", None)
     file, line = frames[-1].filename, frames[-1].lineno
     if own:
         file, line = own[-1].filename, own[-1].lineno
     elif code is not None:
         file, line = code.co_filename, code.co_firstlineno
     return f"{os.path.basename(file)}:{line}"
+
+
+def _maker(function: Any, depth: int = 3) -> Any:
+    """Where the value that `function` returns is made: `return decide.decide(state)` leads to
+    decide(). The function itself where its source does not say."""
+    found = _returned_functions(function) if depth else []
+    return _maker(found[0], depth - 1) if len(found) == 1 else function
+
+
+def _returned_functions(function: Any) -> List[Any]:
+    """Functions of the team whose value `function` returns; empty if it also returns others."""
+    try:
+        tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
+    except (OSError, TypeError, SyntaxError):
+        return []
+    values = [node.value for node in ast.walk(tree) if isinstance(node, ast.Return)]
+    if not all(isinstance(value, ast.Call) for value in values):
+        return []
+    called = [_resolved(value.func, function) for value in values if isinstance(value, ast.Call)]
+    return [one for one in called if inspect.isfunction(one)]
+
+
+def _resolved(name: ast.expr, function: Any) -> Optional[Any]:
+    """What `name` or `module.name` means in a function; None: not known."""
+    names = getattr(inspect.unwrap(function), "__globals__", {})
+    if isinstance(name, ast.Name):
+        return names.get(name.id)
+    if isinstance(name, ast.Attribute) and isinstance(name.value, ast.Name):
+        return getattr(names.get(name.value.id), name.attr, None)
+    return None
 
 
 def _text(details: Any) -> str:

@@ -7,6 +7,18 @@ import unittest
 import grpc
 from cls_playmaker import Playmaker, proto, start
 
+# Player 7 waits with Python's lock free, or in a library that holds it.
+HANGING = """
+import ctypes, sys, time
+from cls_playmaker import Playmaker, proto, serve
+class Team(Playmaker):
+    def GetPlayerActions(self, state, context):
+        if state.register_response.uniform_number == 7:
+            time.sleep(60) if sys.argv.pop(1) == "free" else ctypes.PyDLL(None).sleep(60)
+        return proto.PlayerActions()
+serve(Team(), int(sys.argv[1]))
+"""
+
 PROGRAM = "from cls_playmaker import Playmaker, serve; serve(Playmaker())"
 
 
@@ -30,6 +42,15 @@ def state(unum, cycle=120):
     return proto.State(
         register_response=proto.RegisterResponse(team_name="RED", uniform_number=unum),
         world_model=proto.WorldModel(cycle=cycle))
+
+
+def decide(_):
+    return [1]  # must be proto.PlayerActions
+
+
+class Delegating(Playmaker):
+    def GetPlayerActions(self, state, context):
+        return decide(state)
 
 
 class Serving(unittest.TestCase):
@@ -85,6 +106,32 @@ class Serving(unittest.TestCase):
                 self.assertEqual(error.details(),
                                  f"TypeError: GetPlayerActions returned {wrong}, "
                                  f"must return proto.PlayerActions ({place})")
+
+    def test_names_the_function_that_made_a_wrong_value(self):
+        server, port = start(Delegating())
+        with grpc.insecure_channel(f"127.0.0.1:{port}") as channel, self.assertLogs("cls_playmaker"):
+            error = self.fail_of(proto.GameStub(channel).GetPlayerActions, state(1))
+        server.stop(0).wait()
+        line = decide.__code__.co_firstlineno
+        self.assertTrue(error.details().endswith(
+            f"returned list, must return proto.PlayerActions (serving_test.py:{line})"),
+            error.details())
+
+    def test_names_player_and_line_of_a_call_that_hangs(self):
+        for lock, wanted in (
+                ("free", rb"player 7 of RED at cycle 120: GetPlayerActions has not returned for 3 s, "
+                         rb"it is at <string>:7\n"),
+                ("held", rb'(?s)Timeout .*File "<string>", line 7 in GetPlayerActions')):
+            with self.subTest(lock=lock):
+                program = HANGING.replace('sys.argv.pop(1) == "free"', str(lock == "free"))
+                child = subprocess.Popen([sys.executable, "-c", program, "0"],
+                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                port = child.stdout.readline().rpartition(b":")[2].strip().decode()
+                with grpc.insecure_channel(f"127.0.0.1:{port}") as channel:
+                    self.fail_of(lambda request, timeout: proto.GameStub(channel).GetPlayerActions(
+                        request, timeout=8), state(7))
+                child.kill()
+                self.assertRegex(child.communicate()[1], wanted)
 
     def test_leaves_roles_it_does_not_play_unimplemented_without_a_log_line(self):
         with self.assertNoLogs() if hasattr(self, "assertNoLogs") else self.subTest():

@@ -84,6 +84,8 @@ TEST_P(EqualLimits, BlameTheSideThatHangs) {
   const Played played = play_with_faults(R"({"hang_at_cycle": 3})",
                                          {"--rpc-deadline", GetParam(), "--stall-after", "2"});
   expect_blamed(played, "stalled", "GetPlayerActions", "player 1 and 11 other agents");
+  EXPECT_THAT(played.command.err,
+              HasSubstr("11 other agents (one call; --batch never names the player) at cycle 3"));
   EXPECT_EQ(played.result["failure"]["unum"], 1);
   EXPECT_EQ(played.result["failure"]["cycle"], 3);
   EXPECT_THAT(played.command.err, HasSubstr("at cycle 3")) << played.command.err;

@@ -61,6 +61,11 @@ TEST(HelpCommand, SearchesCommandsPagesAndNames) {
 
   const CommandResult option = run({cls_binary(), "help", "no-deadline"});
   EXPECT_THAT(option.out, HasSubstr("--no-deadline of cls match")) << option.out;
+  const CommandResult scattered = run({cls_binary(), "help", "linger", "watch"});
+  EXPECT_THAT(scattered.out, HasSubstr("--linger of cls watch")) << scattered.out;
+  // In one section of a page, in none of its lines.
+  const CommandResult section = run({cls_binary(), "help", "8000", "comes", "home"});
+  EXPECT_THAT(section.out, HasSubstr("Save stamina: ")) << section.out << section.err;
   const CommandResult none = run({cls_binary(), "help", "zebra", "crossing"});
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_EQ(none.err, "cls: nothing has the words 'zebra crossing' (see cls help topics)\n");
@@ -81,6 +86,17 @@ TEST(ManPages, DescribeAllCommandsAndOptions) {
   for (const char* page : {"match", "tournament", "help"}) {
     EXPECT_THAT(read_file(folder.path() / "cls.1"), HasSubstr(".BR cls\\-" + std::string(page)));
   }
+}
+
+TEST(ManPages, HaveExamplesOnlyUnderExamples) {
+  TemporaryFolder folder;
+  ASSERT_EQ(run({cls_binary(), "help", "--man", folder.path()}).exit_code, 0);
+  const std::string match = read_file(folder.path() / "cls-match.1");
+  const std::size_t examples = match.find(".SH EXAMPLES");
+  const std::size_t sides = match.find("\n  HOST:PORT ");
+  ASSERT_NE(sides, std::string::npos) << match;
+  EXPECT_LT(match.find(".SH DESCRIPTION"), sides);
+  EXPECT_LT(sides, examples);
 }
 
 TEST(ManPages, AreWellFormed) {

@@ -177,7 +177,10 @@ TEST(TournamentView, ListsTheMatchesAndHasAPageOfEach) {
                                        "--half-time", "2", "--no-preflight"});
   ASSERT_EQ(played.exit_code, 0) << played.err;
   // It is over: without a terminal only --linger makes it stay.
-  EXPECT_EQ(cls::tests::run({cls::tests::cls_binary(), "watch", cup, "--no-open"}).exit_code, 0);
+  const auto ended = cls::tests::run({cls::tests::cls_binary(), "watch", cup, "--no-open"});
+  EXPECT_EQ(ended.exit_code, 2);
+  EXPECT_EQ(ended.out, "") << "an address that is dead";
+  EXPECT_THAT(ended.err, testing::HasSubstr("no match is played now; --linger SECONDS serves"));
   Command watch({cls::tests::cls_binary(), "watch", cup, "--no-open", "--linger", "60"});
   ASSERT_TRUE(watch.wait_for_output("/\n"));
   const std::string url = url_in(watch.out());

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -88,6 +89,40 @@ TEST_F(LogsCommand, ReportsErrors) {
   const CommandResult typo = run({"logs", "m", "--process", "rigth Playmaker"});
   EXPECT_EQ(typo.exit_code, 2);
   EXPECT_THAT(typo.err, HasSubstr("did you mean 'right Playmaker'?")) << typo.err;
+}
+
+TEST_F(LogsCommand, DeletesAllMatchesButTheNewest) {
+  for (const char* name : {"runs/1", "runs/2", "runs/3"}) play("mock:hold", name);
+  write("runs/notes/manifest.json", "{}");
+  write("runs/running/manifest.json", "{}");
+  write("runs/running/events.jsonl", "");
+  const auto time = fs::file_time_type::clock::now();
+  for (int age = 1; age <= 3; ++age) {  // 3 is the oldest
+    fs::last_write_time(path("runs/" + std::to_string(age)) / "manifest.json",
+                        time - std::chrono::hours(age));
+  }
+
+  const CommandResult listed = run({"logs", "runs", "--prune", "1", "--dry-run"});
+  EXPECT_THAT(listed.out,
+              testing::MatchesRegex("runs/3\nruns/2\nwould delete 2 matches, .* left\n"));
+  EXPECT_TRUE(fs::exists(path("runs/3")));
+
+  const json document = json::parse(run({"logs", "runs", "--prune", "1", "--json"}).out);
+  EXPECT_EQ(document["folders"], (json{"runs/3", "runs/2"}));
+  EXPECT_GT(document["bytes"], 1000);
+  EXPECT_EQ(document["left"], 1);
+  for (const char* name : {"runs/2", "runs/3"}) EXPECT_FALSE(fs::exists(path(name))) << name;
+  for (const char* name : {"runs/1", "runs/notes", "runs/running"}) {
+    EXPECT_TRUE(fs::exists(path(name))) << name;
+  }
+
+  ASSERT_EQ(run({"tournament", "run", "cup", "--team", "A=mock", "--team", "B=mock", "--cycles",
+                 "5", "--rounds", "1"})
+                .exit_code,
+            0);
+  const CommandResult cup = run({"logs", "cup", "--prune", "0"});
+  EXPECT_EQ(cup.exit_code, 66);
+  EXPECT_THAT(cup.err, HasSubstr("cup: a tournament, whose report needs its matches"));
 }
 
 }  // namespace

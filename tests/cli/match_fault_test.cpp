@@ -89,7 +89,7 @@ TEST(MatchFaults, ReportsCrashOfPlaymaker) {
   const Played played = play_against(port, {"--max-missed", "5", "--reconnect-within", "0"});
   killer.join();
   expect_invalid(played, "crashed", 1);
-  expect_line(played, port, "had no usable reply for 6 cycles, at cycle ");
+  expect_line(played, port, "had no usable reply to 6 calls in a row, at cycle ");
   EXPECT_GT(played.result["steps"], 20);
 }
 
@@ -147,7 +147,7 @@ TEST(MatchFaults, EndsAsLateWhenEveryReplyIsLate) {
   PlaymakerServer server(service);
   const Played played = play_against(server.port(), {"--rpc-deadline", "20", "--max-missed", "5"});
   expect_invalid(played, "late", 1);
-  expect_line(played, server.port(), "had no usable reply for 6 cycles");
+  expect_line(played, server.port(), "had no usable reply to 6 calls in a row");
   EXPECT_FALSE(played.result["deterministic"]);
   EXPECT_GE(played.result["right"]["players"][0]["late"], 5);
   EXPECT_EQ(played.result["left"]["players"][0]["missed"], 0);
@@ -220,7 +220,7 @@ TEST(MatchFaults, ReportsProtocolErrorForInvalidActions) {
   PlaymakerServer server(service);
   const Played played = play_against(server.port(), {"--max-missed", "3"});
   expect_invalid(played, "protocol_error", 1);
-  expect_line(played, server.port(), "had no usable reply for 4 cycles");
+  expect_line(played, server.port(), "had no usable reply to 4 calls in a row");
 }
 
 TEST(MatchFaults, ReportsProtocolErrorForInvalidRegisterReply) {

@@ -206,4 +206,23 @@ TEST_F(PlaymakerErrors, CountsActionsByOutcome) {
   expect_printed("  failed, skipped ");
 }
 
+TEST_F(PlaymakerErrors, SaysTheErrorOfAnInvalidMatchOnce) {
+  play(script("broken", R"-({"otherwise": "hold", "faults": {"error": 1, "status": "UNKNOWN",
+    "message": "ValueError: no plan (team.py:4)"}})-"),
+       {"--set", "server::kick_off_wait=50"});
+  EXPECT_EQ(result_["end_reason"], "protocol_error");
+  const auto count = [](const std::string& text) {
+    int times = 0;
+    for (std::size_t at = text.find("no plan"); at != std::string::npos; ++times) {
+      at = text.find("no plan", at + 1);
+    }
+    return times;
+  };
+  EXPECT_EQ(count(played_.err), 1) << played_.err;
+  EXPECT_EQ(count(played_.out), 1) << played_.out;
+  EXPECT_THAT(played_.err, HasSubstr("no usable reply to 21 calls in a row, at cycle 0: "));
+  EXPECT_THAT(played_.out, testing::Not(HasSubstr("rpc p50"))) << "no figures of no cycle";
+  EXPECT_THAT(played_.out, testing::Not(HasSubstr("real time"))) << played_.out;
+}
+
 }  // namespace

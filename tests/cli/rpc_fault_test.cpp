@@ -164,7 +164,7 @@ TEST_P(RpcFault, EndsAsLateWhenPlaymakerHangs) {
       play_mock({"--hang-at-cycle", "15"}, {"--rpc-deadline", "400", "--max-missed", "2"});
   expect_invalid(played, "late");
   EXPECT_GE(played.missed_by("deadline"), 3);
-  EXPECT_THAT(played.command.err, HasSubstr("had no usable reply for 3 cycles"))
+  EXPECT_THAT(played.command.err, HasSubstr("had no usable reply to 3 calls in a row"))
       << played.command.err;
 }
 

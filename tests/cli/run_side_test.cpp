@@ -212,7 +212,7 @@ TEST_F(RunSide, StallsWhenProgramHangs) {
 
 TEST_F(RunSide, EndsAsLateWithLateReplies) {
   play("--hang-at-cycle 20", {"--rpc-deadline", "30", "--max-missed", "5"});
-  expect_end("late", 1, "no usable reply for 6 cycles");
+  expect_end("late", 1, "no usable reply to 6 calls in a row");
 }
 
 TEST_F(RunSide, StopsHangingProgramAtTimeLimit) {

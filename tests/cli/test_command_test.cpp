@@ -497,4 +497,37 @@ TEST_F(Recording, AcceptsLateRepliesWithoutDeadline) {
   EXPECT_EQ(missed("patient"), 0);
 }
 
+// A folder with a team in its cls.toml and a scenario in tests/ that names it.
+TEST(TestCommand, PlaysTeamsOfTheConfigurationAboveTheScenario) {
+  TemporaryFolder folder;
+  fs::create_directories(folder.path() / "ada/tests");
+  std::ofstream(folder.path() / "ada/cls.toml") << "[teams.ada]\nendpoint = \"mock:press.json\"\n";
+  std::ofstream(folder.path() / "ada/press.json") << R"({"otherwise": "hold"})";
+  const std::string file = folder.path() / "ada/tests/stands.json";
+  const auto write = [&file](const std::string& name) {
+    std::ofstream(file) << R"({"mode": "play_on", "ball": {"at": [30, 0]}, "steps": 10,
+      "left": {"playmaker": ")" +
+                               name + R"(", "players": {"9": {"at": [0, 0]}}},
+      "right": {"playmaker": "mock:hold", "players": {"9": {"at": [40, 20]}}},
+      "under_test": "left", "expect": [{"commands": "dash", "side": "left", "count": 0}]})";
+  };
+
+  write("ada");
+  const auto passed = cls_test({file, "--dir", folder.path() / "kept"});
+  EXPECT_EQ(passed.exit_code, 0) << passed.out << passed.err;
+  write("adda");
+  const auto failed = cls_test({file, "--dir", folder.path() / "kept"});
+  EXPECT_EQ(failed.exit_code, 65);
+  EXPECT_THAT(failed.err, HasSubstr("stands.json:2: /left/playmaker: unknown side 'adda'; did you "
+                                    "mean 'ada'? (a team in "));
+}
+
+// High-level teams use helios_goalie.
+TEST(TestCommand, LetsTeamsWithTheBundledGoalieStayOnThePitch) {
+  TemporaryFolder folder;
+  const auto passed =
+      cls_test({"team_stays_on_the_pitch", "--against", "mock:planner", "--dir", folder.path()});
+  EXPECT_EQ(passed.exit_code, 0) << passed.out;
+}
+
 }  // namespace

@@ -67,6 +67,12 @@ TEST_F(Tournament, PlaysAndReports) {
   EXPECT_THAT(played.err, HasSubstr("  RED 0:0 HOLD  (finished, ")) << played.err;
   EXPECT_EQ(tournament({"run", cup(), "--quiet"}).err, "");
   EXPECT_THAT(played.out, HasSubstr("6 of 6 matches done")) << played.out;
+  // What is longest scrolls away: standings and winner are last.
+  const std::size_t standings = played.out.find("\nstandings\n");
+  EXPECT_NE(standings, std::string::npos) << played.out;
+  EXPECT_GT(standings, played.out.find("\nmatches\n")) << played.out;
+  EXPECT_THAT(played.out, testing::ContainsRegex("\nwinner: [A-Z]+.*, [0-9]+ points?, goals "
+                                                 "[0-9]+:[0-9]+\n$"));
   const json document = report();
   EXPECT_EQ(document["schema"], "cls.tournament/1");
   EXPECT_TRUE(document["complete"]);
@@ -586,6 +592,20 @@ TEST(Init, WritesPlayableConfigAndOverwritesNone) {
   const CommandResult again = cls::tests::run({cls_binary(), "init", cup});
   EXPECT_EQ(again.exit_code, 73);
   EXPECT_THAT(again.err, HasSubstr("exists; --force renames it to cls.toml.old"));
+}
+
+TEST_F(Tournament, LeavesOutTheTeamsOfAProjectWhenItNamesItsOwn) {
+  Command inside({cls_binary(), "tournament", "plan", "mini", "--team", "A=mock", "--team",
+                  "B=mock:hold", "--json"},
+                 {}, cup());
+  const CommandResult planned = inside.finish(30s);
+  ASSERT_EQ(planned.exit_code, 0) << planned.err;
+  EXPECT_THAT(planned.out, HasSubstr("\"A\""));
+  EXPECT_THAT(planned.out, Not(HasSubstr("RED"))) << planned.out;
+
+  const CommandResult own = tournament({"plan", cup(), "--team", "A=mock", "--json"});
+  EXPECT_THAT(own.out, HasSubstr("\"A\"")) << own.err;
+  EXPECT_THAT(own.out, HasSubstr("RED")) << "the tournament's own file: added";
 }
 
 }  // namespace

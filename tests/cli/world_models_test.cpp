@@ -291,6 +291,28 @@ TEST(MissedDecisions, AreInTheFolderAndInThePage) {
   EXPECT_THAT(cls::tests::read_file(page), HasSubstr("\"missed\":[["));
 }
 
+TEST(PageDecisions, ReportFilesThatCannotBeRead) {
+  const cls::tests::TemporaryFolder folder;
+  EXPECT_TRUE(cls::viewer::read_page_decisions(folder.path(), {})->empty()) << "none recorded";
+  fs::create_directories(folder.path() / cls::viewer::kRightWorldModelsFile);
+  const auto read = cls::viewer::read_page_decisions(folder.path(), {});
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message, HasSubstr("a folder, not a file"));
+}
+
+TEST(PageDecisions, BringTheSidesOfTheMatch) {
+  const cls::tests::TemporaryFolder folder;
+  const fs::path match = folder.path() / "match";
+  const auto played =
+      cls::tests::run({cls::tests::cls_binary(), "match", "mock:planner", "mock:hold", "--seed",
+                       "7", "--cycles", "5", "--record-world-models", "--dir", match});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const fs::path page = folder.path() / "page.html";
+  EXPECT_EQ(cls::tests::run({cls::tests::cls_binary(), "watch", match, "--out", page}).exit_code,
+            0);
+  EXPECT_THAT(cls::tests::read_file(page), HasSubstr(R"("sides":["mock:planner","mock:hold"])"));
+}
+
 TEST(MissedDecisions, SurviveLinesThatAreNone) {
   const cls::tests::TemporaryFolder folder;
   EXPECT_TRUE(cls::viewer::read_missed_decisions(folder.path()).empty());

@@ -68,6 +68,44 @@ TEST(PythonPackage, BuildsWithProtoc) {
   EXPECT_EQ(imported.out, "protos.State 2\n") << imported.err;
 }
 
+// One command, from what is built and installed: wire, engine and environments.
+TEST(PythonPackage, MakesAnEnvironmentWithoutANetwork) {
+  const std::string python = python_with_grpc();
+  if (python.empty()) GTEST_SKIP() << kNoPython;
+  TemporaryFolder folder;
+  if (run({python, "-m", "venv", folder.path() / "try"}).exit_code != 0) {
+    GTEST_SKIP() << "no virtual environments: install python3-venv";
+  }
+  if (run({python, "-c", "import numpy"}).exit_code != 0) GTEST_SKIP() << "no python3-numpy";
+
+  const std::string environment = folder.path() / "env";
+  const std::vector<std::string> offline = {"PYTHON=" + python, "PIP_NO_INDEX=1",
+                                            "PYTHONPATH=", "CLS_TRAINING_LIBRARY="};
+  for (const char* round : {"new", "again"}) {
+    const auto made =
+        Command({source_folder() / "python/environment", CLS_BUILD_DIR, environment}, offline)
+            .finish(std::chrono::seconds(120));
+    ASSERT_EQ(made.exit_code, 0) << round << made.err;
+    EXPECT_EQ(made.out, ". " + environment + "/bin/activate\n");
+  }
+
+  const auto used = run({environment + "/bin/python", "-c",
+                         "import cls_gym, cls_playmaker\n"
+                         "from cls_gym._engine import library_path\n"
+                         "env = cls_gym.Env('cls/HFO-1v0-v0', features='ego')\n"
+                         "env.reset(seed=1)\n"
+                         "print(library_path().parent.parent.name)"},
+                        offline);
+  EXPECT_EQ(used.out, "site-packages\n") << used.err;
+
+  const auto unbuilt =
+      run({source_folder() / "python/environment", folder.path(), environment}, offline);
+  EXPECT_EQ(unbuilt.exit_code, 1);
+  EXPECT_EQ(unbuilt.err, "python: " + folder.path().string() +
+                             " has no engine or no modules of the wire; ./bootstrap python builds "
+                             "them\n");
+}
+
 // A newcomer's way: a virtual environment, the package, a copy of the example somewhere else.
 TEST(PythonPackage, InstallsIntoVirtualEnvironmentAndPlays) {
   TemporaryFolder folder;

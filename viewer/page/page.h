@@ -1,6 +1,7 @@
 // One HTML file with a match and the program that shows it (docs/formats/view.md).
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,6 +36,8 @@ struct PageSettings {
   std::vector<MissedDecision> missed{};  ///< in the order of the match
   std::vector<PageDrawings> drawings{};  ///< texts and drawings of Playmakers
   bool compared = false;                 ///< a second match follows (compare_page.h)
+  /// Left and right, as `cls match` names them: "mock"; empty: not known.
+  std::array<std::string, 2> sides{};
 };
 
 /// Recorded decisions of a side (viewer/decisions): the stream, compressed with gzip.

@@ -73,8 +73,13 @@ base::Result<std::vector<PageDecisions>> read_page_decisions(const std::filesyst
     const std::vector<int> numbers = numbers_of(choice.players, side);
     if (!choice.players.empty() && numbers.empty()) continue;
 
+    std::error_code code;
+    if (!std::filesystem::exists(folder / name, code) && !code) continue;
     auto packed = base::read_file(folder / name);
-    if (!packed) continue;
+    if (!packed) {
+      const auto why = base::why_no_file(folder / name);
+      return base::Error{(folder / name).string() + ": " + why.value_or("cannot be read")};
+    }
     const auto in_file = [&, file = (folder / name).string()](const base::Error& error) {
       return base::Error{file + ": " + error.message};
     };

@@ -52,8 +52,11 @@ std::string date_text(const std::string& date) {
 
 std::vector<std::string> head_lines(const MatchReport& report) {
   const MatchSummary& summary = report.summary;
-  std::string first = fmt::format("{}, half time {}:{}", base::counted(summary.cycles, "cycle"),
-                                  summary.teams[0].first_half, summary.teams[1].first_half);
+  std::string first = base::counted(summary.cycles, "cycle");
+  if (summary.past_half) {
+    first +=
+        fmt::format(", half time {}:{}", summary.teams[0].first_half, summary.teams[1].first_half);
+  }
   if (!summary.date.empty()) first += ", " + date_text(summary.date);
 
   std::vector<std::string> lines = {first};

@@ -239,6 +239,7 @@ std::string default_team_name(const Endpoint& endpoint) {
       break;
     case Endpoint::Kind::kRun:
       source = program_in(endpoint.command);
+      if (source.empty()) source = folder_name(folder_in(endpoint.command));
       break;
     case Endpoint::Kind::kTeam:
       source = folder_name(endpoint.path);

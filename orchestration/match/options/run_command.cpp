@@ -89,6 +89,12 @@ bool is_launcher(std::string_view word) {
   return std::find(kLaunchers.begin(), kLaunchers.end(), stem) != kLaunchers.end();
 }
 
+// "./run", "../old/run": the script of a project of `cls new`.
+bool is_project_script(std::string_view word) {
+  const std::filesystem::path path(word);
+  return path.has_parent_path() && path.filename() == "run";
+}
+
 }  // namespace
 
 Result<void> check_run_command(std::string_view command) {
@@ -143,6 +149,7 @@ process::CommandPlan run_plan(std::string_view command, const RunValues& values,
 std::string program_in(std::string_view command) {
   bool skip = false;
   for (const std::string_view word : words_of(command)) {
+    if (!skip && is_project_script(word)) return {};
     const bool is_folder = std::exchange(skip, word == "cd");
     const bool is_option = word.starts_with("-") || word.find('{') != std::string_view::npos;
     const bool is_assignment = word.find('=') != std::string_view::npos;
@@ -151,6 +158,17 @@ std::string program_in(std::string_view command) {
   }
   const std::vector<std::string_view> words = words_of(command);
   return words.empty() ? std::string() : stem_of(words.front());
+}
+
+std::string folder_in(std::string_view command) {
+  std::filesystem::path folder;
+  bool changes = false;
+  for (const std::string_view word : words_of(command)) {
+    if (std::exchange(changes, word == "cd")) folder /= word;
+    if (!is_project_script(word)) continue;
+    return (folder / std::filesystem::path(word).parent_path()).string();
+  }
+  return ".";
 }
 
 }  // namespace cls::orchestration::match

@@ -37,7 +37,12 @@ process::CommandPlan run_plan(std::string_view command, const RunValues& values,
                               const std::filesystem::path& folder);
 
 /// The name of the program in a command, for a team name: "playmaker" for
-/// `cd team && python3 -u playmaker.py --port {port}`. Empty: none found.
+/// `cd team && python3 -u playmaker.py --port {port}`. Empty: the script `run` of a project, which
+/// has the name of its folder.
 std::string program_in(std::string_view command);
+
+/// The folder of the script `run` in a command: "../old" for `../old/run` and `cd ../old && ./run`;
+/// "." if there is none.
+std::string folder_in(std::string_view command);
 
 }  // namespace cls::orchestration::match

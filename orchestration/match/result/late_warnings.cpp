@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
+#include <utility>
 
 #include "base/io/whole_file.h"
 #include "orchestration/process/printed_exception.h"
@@ -56,6 +58,22 @@ bool is_reported(const MatchResult& result, const std::string& exception) {
     return team.errors.first && team.errors.first->message.find(exception) != std::string::npos;
   };
   return reports(result.left) || reports(result.right);
+}
+
+std::string remedy_of(const std::string& exception) {
+  constexpr std::pair<std::string_view, std::string_view> kRemedies[] = {
+      {"No module named 'cls_",
+       "./bootstrap python in the checkout of cls makes an environment that has it; "
+       "pip install ./python adds it to another one"},
+      {"No module named 'grpc", "install grpcio: pip install grpcio, on Debian python3-grpcio"},
+      {"No module named 'google",
+       "install protobuf: pip install protobuf, on Debian python3-protobuf"},
+      {"No module named 'numpy", "install NumPy: pip install numpy, on Debian python3-numpy"},
+      {"Cannot find module '@grpc/", "./run build in the folder of the project installs it"}};
+  for (const auto& [text, remedy] : kRemedies) {
+    if (exception.find(text) != std::string::npos) return std::string(remedy);
+  }
+  return {};
 }
 
 std::vector<std::string> output_warnings(MatchResult& result, const std::filesystem::path& folder) {

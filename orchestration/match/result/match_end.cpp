@@ -51,6 +51,7 @@ std::string describe(const proxy::AwaitedCall& call) {
   std::string text = fmt::format("{} of {}", name(call.rpc), proxy::agent_name(call.agent));
   if (call.others == 1) text += " and 1 other agent";
   if (call.others > 1) text += fmt::format(" and {} other agents", call.others);
+  if (call.others > 0) text += " (one call; --batch never names the player)";
   return text;
 }
 
@@ -72,7 +73,7 @@ std::optional<MatchEnd> end_by_missed_decisions(const proxy::MissedDecisions& mi
   MatchEnd end;
   end.reason = reason_of(missed.last.outcome);
   end.message =
-      fmt::format("{}: {} had no usable reply for {} cycles, at cycle {}: {}", who,
+      fmt::format("{}: {} had no usable reply to {} calls in a row, at cycle {}: {}", who,
                   proxy::agent_name(missed.unum), missed.consecutive, cycle, missed.last.message);
   return end;
 }

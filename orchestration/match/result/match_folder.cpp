@@ -134,6 +134,13 @@ Result<void> keep_earlier_files(const MatchOptions& options) {
 
 }  // namespace
 
+// A folder of others may have a manifest.json of its own.
+bool is_match_folder(const std::filesystem::path& folder) {
+  std::error_code code;
+  return std::filesystem::is_regular_file(folder / kEventsFile, code) &&
+         std::filesystem::is_regular_file(folder / kManifestFile, code);
+}
+
 Result<fs::path> make_match_folder(const MatchOptions& options, const TeamNames& names) {
   TRY(keep_earlier_files(options));
   std::error_code code;

@@ -16,6 +16,9 @@ inline constexpr const char* kEventsFile = "events.jsonl";
 inline constexpr const char* kGameLogFile = "match.rcg";
 inline constexpr const char* kTextLogFile = "match.rcl";
 
+/// True for a folder that `cls match` has begun to write.
+bool is_match_folder(const std::filesystem::path& folder);
+
 /// Creates the folder the options name, or ./runs/<UTC>-<left>-vs-<right> (with -2, -3, ... when
 /// two matches start in the same second). Nothing is overwritten: a folder that holds something is
 /// an error, or renamed to NAME.old if the options say so; the same for the file of recorded calls.

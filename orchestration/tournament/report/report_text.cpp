@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/system/version.h"
+#include "base/text/counted.h"
 #include "base/text/printable.h"
 #include "base/text/wrap_text.h"
 #include "orchestration/process/command_plan.h"
@@ -180,20 +181,38 @@ std::string standings_text(const Report& report, const TextOptions& options) {
   return text;
 }
 
+std::string winner_text(const Report& report) {
+  if (report.tables.empty() || report.counts.finished + report.counts.forfeits == 0) return {};
+
+  const std::vector<Standing>& ranked = report.tables.back().standings;
+  std::vector<std::string> first;
+  for (const Standing& one : ranked) {
+    if (one.rank == 1) first.push_back(report.team(one.team));
+  }
+  if (first.empty()) return {};
+
+  const Standing& best = ranked.front();
+  return fmt::format("{}: {}, {}, goals {}:{}\n", report.complete ? "winner" : "leader",
+                     fmt::join(first, " and "), base::counted(best.points, "point"), best.goals_for,
+                     best.goals_against);
+}
+
 std::string report_text(const Report& report, const TextOptions& options) {
   const std::size_t width = options.width;
   std::string text = base::wrap_text(report.name + ": " + headline(report), width) + "\n";
   for (const std::string& line : head_lines(report)) text += base::wrap_text(line, width) + "\n";
-  text += "\n" + standings_text(report, options);
+  const std::string standings = "\n" + standings_text(report, options);
+  if (!options.standings_last) text += standings;
   if (const std::string tree = bracket_text(report, width - kIndent); !tree.empty()) {
     text += "\nbracket\n" + indented(tree.substr(0, tree.size() - 1), width, kIndent);
   }
   for (const ReportTable& table : middle_tables(report, crosstable_within(report, width), false)) {
     text += "\n" + format_text(table, width);
   }
-  return base::printable_lines(text + format_endpoints(report, width) +
-                               format_warnings(report, options) + format_matches(report, options) +
-                               format_failures(report, options));
+  text += format_endpoints(report, width) + format_warnings(report, options) +
+          format_matches(report, options) + format_failures(report, options);
+  if (!options.standings_last) return base::printable_lines(text);
+  return base::printable_lines(text + standings + "\n" + winner_text(report));
 }
 
 std::string report_markdown(const Report& report) {

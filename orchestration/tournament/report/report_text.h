@@ -11,6 +11,7 @@ namespace cls::orchestration::tournament {
 struct TextOptions {
   std::size_t width = 80;    ///< of a line; longer words, such as paths, get their own line
   bool all_matches = false;  ///< every match with its logs and command, else a list if it is short
+  bool standings_last = false;  ///< where the end of the text is what stays in view
 };
 
 /// Head, tables, bracket, Playmakers, warnings, matches, and the failed matches with their logs and
@@ -19,6 +20,10 @@ std::string report_text(const Report& report, const TextOptions& options = {});
 
 /// The report as Markdown, with the logs and commands of all matches.
 std::string report_markdown(const Report& report);
+
+/// "winner: RED, 10 points, goals 3:0"; "leader: ..." of a tournament that is not complete; empty
+/// before the first result.
+std::string winner_text(const Report& report);
 
 /// The tables alone.
 std::string standings_text(const Report& report, const TextOptions& options = {});

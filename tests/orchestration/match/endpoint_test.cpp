@@ -192,6 +192,10 @@ TEST(TeamNames, AreDerivedFromEndpoint) {
   EXPECT_EQ(name("run:cd brain && HOME=/x node server.js {port}"), "server");
   EXPECT_EQ(name("run:exec './my brain' {port}"), "my");
   EXPECT_EQ(name("run:python3 {port}"), "python3");
+  EXPECT_EQ(name("run:../old/run --port {port}"), "old");
+  EXPECT_EQ(name("run:cd '/tmp/ada' && ./run --port {port}"), "ada");
+  EXPECT_EQ(name("run:./run --port {port}"),
+            std::filesystem::current_path().filename().string().substr(0, 15));
   EXPECT_EQ(name("team:teams/helios/"), "helios");
 }
 

@@ -2,6 +2,7 @@
 #include "orchestration/process/ports.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <set>
@@ -53,6 +54,21 @@ TEST(Ports, ReportsOwnerOfPortInUse) {
 TEST(Ports, LimitsWaitForTcpConnection) {
   EXPECT_FALSE(tcp_answers("no.such.host.invalid", 1, 100));
   EXPECT_FALSE(tcp_answers("[::1]", 1, 100));
+}
+
+TEST(Ports, SaysWhyThereIsNone) {
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  rlimit few = before;
+  few.rlim_cur = 3;
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &few), 0);
+  const auto ports = ReservedPort::choose(1);
+  ::setrlimit(RLIMIT_NOFILE, &before);
+
+  ASSERT_FALSE(ports);
+  EXPECT_EQ(ports.error().message,
+            "no 1 free port between 20000 and 31999 after 2000 tries; the last one: Too many open "
+            "files");
 }
 
 }  // namespace

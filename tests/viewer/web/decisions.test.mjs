@@ -115,6 +115,17 @@ test('A moment becomes a scenario of cls test', () => {
   assert.deepEqual(Object.keys(scenario.right.players['7']), ['at', 'body', 'velocity', 'stamina']);
   assert.equal(scenario.right.players['7'].stamina, 7700);
   assert.deepEqual(scenario.expect, [{actions: '*', side: 'right', unum: 7}]);
+  assert.equal(scenario.right.playmaker, 'mock');
+  assert.match(scenario.about, /does not know the Playmakers: cls test FILE --against SIDE/);
+});
+
+test('The scenario of a moment plays the sides of the match', () => {
+  const record = sampleRecord();
+  record.sides = ['run:./run --port {port}', 'mock'];
+  const scenario = JSON.parse(scenarioOfMoment(record, 30, 6));
+  assert.deepEqual([scenario.left.playmaker, scenario.right.playmaker], record.sides);
+  assert.equal(scenario.under_test, 'left');
+  assert.doesNotMatch(scenario.about, /--against/);
 });
 
 test('Texts and shapes of a Playmaker are read, on both sides of the pitch', () => {

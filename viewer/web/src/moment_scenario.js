@@ -30,16 +30,19 @@ function playersOf(record, frame, first) {
   return players;
 }
 
-/** A scenario file that starts with this moment and expects an action of a player.
+/** A scenario file that starts with this moment and expects an action of a player. Its sides are those of the match, where the page knows
+ * them.
  * @param {import('./record.js').MatchRecord} record @param {number} frame @param {number} slot @returns {string} JSON */
 export function scenarioOfMoment(record, frame, slot) {
   const side = sideOfSlot(slot);
+  const [left, right] = record.sides ?? ['mock', 'mock'];
+  const unknown = record.sides ? '' : ' The page does not know the Playmakers: cls test FILE --against SIDE.';
   const scenario = {
-    about: `${shortNameOfSlot(slot)} in cycle ${cycleLabel(record, frame)}.`,
+    about: `${shortNameOfSlot(slot)} in cycle ${cycleLabel(record, frame)}.${unknown}`,
     mode: record.modeName(frame),
     ball: {at: pair(record, 'ball_x', 'ball_y', 0, frame), velocity: pair(record, 'ball_vx', 'ball_vy', 0, frame)},
-    left: {playmaker: 'mock', players: playersOf(record, frame, 0)},
-    right: {playmaker: 'mock', players: playersOf(record, frame, kPlayersPerTeam)},
+    left: {playmaker: left, players: playersOf(record, frame, 0)},
+    right: {playmaker: right, players: playersOf(record, frame, kPlayersPerTeam)},
     under_test: side,
     steps: kScenarioSteps,
     expect: [{actions: '*', side, unum: unumOfSlot(slot)}],
