@@ -4,15 +4,18 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <regex>
 #include <string>
 #include <vector>
 
 #include "base/io/whole_file.h"
 #include "base/text/json_text.h"
+#include "base/text/number_text.h"
 #include "base/text/suggestion.h"
 #include "base/text/table.h"
 #include "base/text/wrap_text.h"
+#include "cli/explain/formation_picture.h"
 #include "cli/explain/reference.h"
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
@@ -33,6 +36,8 @@ constexpr const char* kDescription =
     "  cls explain offside_line_x      in whatever message it is\n"
     "  cls explain Ball                a message with its fields\n"
     "  cls explain KickIn_ stalled     a play mode and an end reason\n"
+    "  cls explain formation           a picture of the home positions\n"
+    "  cls explain formation offense --ball=20,10 --svg offense.svg\n"
     "  cls explain --search offside    names whose explanation has the text\n"
     "  cls explain --list              all names";
 
@@ -40,6 +45,8 @@ struct Arguments {
   std::vector<std::string> names;
   std::string folder;
   std::string search;
+  std::string ball = "0,0";
+  std::string svg;
   bool list = false;
   bool json = false;
 };
@@ -189,12 +196,57 @@ int report_unknown(const std::string& word) {
                                          near.empty() ? " (see cls explain --list)" : near));
 }
 
+// "20,-5.5"
+std::optional<soccer::Vec2> parse_place(std::string_view text) {
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const auto x = base::parse_number(text.substr(0, comma));
+  const auto y = comma < text.size() ? base::parse_number(text.substr(comma + 1)) : std::nullopt;
+  if (!x || !y) return std::nullopt;
+  return soccer::Vec2{*x, *y};
+}
+
+int explain_formation(const Arguments& arguments) {
+  const auto ball = parse_place(arguments.ball);
+  if (!ball) {
+    return print_error(kUsage, fmt::format("--ball '{}': must be X,Y in meters, such as "
+                                           "--ball=-20,5",
+                                           arguments.ball));
+  }
+  const std::string name = arguments.names.size() > 1 ? arguments.names[1] : "normal-formation";
+  const auto picture = find_formation(name, *ball);
+  if (!picture) return print_error(kUsage, picture.error().message);
+
+  if (!arguments.svg.empty()) {
+    if (const auto written = base::write_file(arguments.svg, formation_svg(*picture)); !written) {
+      return print_error(kCannotCreate, written.error().message);
+    }
+  }
+  if (arguments.json) {
+    Json places = Json::array();
+    for (const soccer::Vec2 at : picture->players) places.push_back({at.x, at.y});
+    fmt::print("{}", base::json_document(Json{{"schema", "cls.formation/1"},
+                                              {"name", picture->name},
+                                              {"ball", {picture->ball.x, picture->ball.y}},
+                                              {"players", std::move(places)}}));
+  } else if (!arguments.svg.empty()) {
+    fmt::print("{}\n", arguments.svg);
+  } else {
+    fmt::print(
+        "{}\nothers: {}\n", formation_text(*picture, stdout_width()),
+        base::wrap_text(fmt::format("{}", fmt::join(formation_names(), ", ")), stdout_width(), 8));
+  }
+  return kOk;
+}
+
 int run(const Arguments& arguments) {
   if (!arguments.folder.empty()) return export_pages(arguments.folder, arguments.json);
   if (arguments.list) return list(arguments.json);
   if (!arguments.search.empty()) return search(arguments.search, arguments.json);
   if (arguments.names.empty())
     return print_error(kUsage, "explain: NAME is missing (see cls explain --list)");
+
+  const bool formation = arguments.names[0] == "formation" || arguments.names[0] == "formations";
+  if (formation) return explain_formation(arguments);
 
   std::vector<const ReferenceEntry*> entries;
   for (const std::string& word : arguments.names) {
@@ -222,8 +274,13 @@ void add_explain_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("explain", kDescription);
 
-  command.option("NAME", arguments->names, "a name of the interface, or its last part");
+  command.option("NAME", arguments->names,
+                 "a name of the interface, or its last part; formation, and which one");
   command.flag("--list", arguments->list, "print all names");
+  command.option("--ball", arguments->ball, "where the ball is, of a formation")
+      .placeholder("X,Y")
+      .shows_default();
+  command.option("--svg", arguments->svg, "write the picture of a formation to this file");
   command.option("--search", arguments->search, "list the entries with a text")
       .placeholder("WORDS");
   command.option("--export", arguments->folder, "write the pages of docs/reference to a folder")

@@ -83,6 +83,6 @@ class Stalls:
                    time.monotonic() - call.since, place, "\n".join(lines))
 
     def _arm(self) -> None:
-        """Sets the timer of faulthandler anew: it runs out only if the watcher cannot run."""
+        """Sets the timer of faulthandler again: it runs out only if the watcher cannot run."""
         with contextlib.suppress(OSError, RuntimeError, ValueError, AttributeError):  # no stderr
             faulthandler.dump_traceback_later(2 * self._patience)

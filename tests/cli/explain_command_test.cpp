@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -173,6 +174,30 @@ TEST(ExplainCommand, NamesThePlaceInThePages) {
         << entry["name"] << ": " << place;
   }
   EXPECT_THAT(explain({"Self.stamina"}).out, HasSubstr("docs/reference/messages.md#self"));
+}
+
+TEST(ExplainCommand, DrawsFormations) {
+  const CommandResult drawn = run({cls_binary(), "explain", "formation"});
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_THAT(drawn.out, HasSubstr("normal-formation, ball at 0, 0"));
+  for (const char* player : {"1", "9", "A", "B", "●"}) EXPECT_THAT(drawn.out, HasSubstr(player));
+
+  TemporaryFolder folder;
+  const std::string svg = folder.path() / "offense.svg";
+  const CommandResult written =
+      run({cls_binary(), "explain", "formation", "offense", "--ball=20,-10", "--svg", svg});
+  EXPECT_EQ(written.out, svg + "\n") << written.err;
+  const std::string text = read_file(svg);
+  EXPECT_THAT(text, HasSubstr("offense-formation, ball at 20, -10"));
+  EXPECT_THAT(text, HasSubstr(">11</text>"));
+
+  std::ofstream(folder.path() / "own.formation") << "cls-formation 1\nball 0 0\n  1 -50 0\n";
+  const CommandResult broken =
+      run({cls_binary(), "explain", "formation", folder.path() / "own.formation"});
+  EXPECT_EQ(broken.exit_code, 2);
+  EXPECT_THAT(broken.err, HasSubstr("own.formation:"));
+  EXPECT_EQ(run({cls_binary(), "explain", "formation", "--ball", "20"}).err,
+            "cls: --ball '20': must be X,Y in meters, such as --ball=-20,5\n");
 }
 
 }  // namespace

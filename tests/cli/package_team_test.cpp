@@ -93,6 +93,10 @@ TEST_F(PackageTeam, PlaysWithItsEnvironmentInTheSandbox) {
                                    "--start-timeout", "120", "--dir", "match", "--json"});
   ASSERT_EQ(match.exit_code, 0) << match.err;
   EXPECT_EQ(nlohmann::json::parse(match.out)["end_reason"], "finished");
+  for (const auto& file : fs::directory_iterator(path("match"))) {
+    EXPECT_THAT(read_file(file.path()), testing::Not(HasSubstr("the Playmaker ended")))
+        << "all agents share one: " << file.path();
+  }
 }
 
 TEST_F(PackageTeam, SaysWhyItsPlaymakerEndedAndKeepsItsLog) {

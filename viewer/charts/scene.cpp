@@ -30,7 +30,8 @@ std::string scene_chart(const SceneData& data) {
   constexpr double kTop = 58.0;
   Drawing drawing(kChartWidth, height_with_pitch(kTop, kChartMargin), data.title.text);
   draw_title(drawing, data.title);
-  draw_teams(drawing, kTeams, data.teams);
+  const bool named = !data.teams[0].empty() || !data.teams[1].empty();
+  if (named) draw_teams(drawing, kTeams, data.teams);
   const PitchPlace place = draw_pitch(drawing, kTop);
 
   std::vector<Vec2> path;
