@@ -70,7 +70,7 @@ constexpr std::string_view kPolicy = "rl";
 
 // Of the README of a project with a policy.
 constexpr std::string_view kTrainingLines =
-    "\n## Train it\n"
+    "## Train it\n"
     "\n"
     "`policy.txt` has the weights by which the player with the ball chooses. `train.py` changes "
     "them at\n"
@@ -79,7 +79,8 @@ constexpr std::string_view kTrainingLines =
     "\n"
     "```sh\n"
     "python3 train.py --rounds 20\n"
-    "```\n";
+    "```\n"
+    "\n";
 
 // Names of files that version control and editors would use inside the source tree of cls itself.
 constexpr std::pair<std::string_view, std::string_view> kRenamed[] = {

@@ -82,6 +82,10 @@ TEST_F(NewCommand, TemplatesAddFilesOfTheirOwn) {
       EXPECT_EQ(fs::exists(folder_.path() / dir / "policy.txt"), name == "rl") << dir;
     }
   }
+  const std::string readme = read_file(folder_.path() / "go-rl/README.md");
+  EXPECT_THAT(readme, HasSubstr("\n\n## Train it\n"));
+  EXPECT_THAT(readme, HasSubstr("\npython3 train.py --rounds 20\n```\n\n"));
+  EXPECT_THAT(read_file(folder_.path() / "go-high-level/README.md"), Not(HasSubstr("rain")));
   const std::string train = read_file(folder_.path() / "go-rl/train.py");
   EXPECT_THAT(train, HasSubstr("\"cls\", \"match\", \"ada\""));
 }
