@@ -1,8 +1,11 @@
 // The Python package cls_gym: conventions, determinism, faults, and the official checkers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "tests/support/command.h"
@@ -71,6 +74,28 @@ TEST(PythonGym, KeepsLeagues) {
   if (python.empty()) GTEST_SKIP() << kNoNumpy;
   const auto tested = run_python(python, "gym_league_test.py");
   EXPECT_EQ(tested.exit_code, 0) << tested.err;
+}
+
+TEST(PythonGym, ExampleShowsTimeLeftAndSavesWhatItLearnedWhenInterrupted) {
+  const std::string python = python_with("numpy");
+  if (python.empty()) GTEST_SKIP() << kNoNumpy;
+  const TemporaryFolder folder;
+  Command learning(
+      {python, source_folder() / "examples/training/learn_numpy.py", "--out", "p.npz"},
+      {"PYTHONPATH=" + (fs::path(CLS_BUILD_DIR) / "python").string(), "PYTHONDONTWRITEBYTECODE=1"},
+      folder.path());
+  ASSERT_TRUE(learning.wait_for_output(" left\n", std::chrono::seconds(120))) << learning.out();
+  std::ifstream status("/proc/" + std::to_string(learning.pid()) + "/status");
+  const std::string threads((std::istreambuf_iterator<char>(status)), {});
+  EXPECT_THAT(threads, HasSubstr("Threads:\t1\n")) << "small matrices are slower with threads";
+
+  learning.send_signal(SIGINT);
+  const auto ended = learning.finish(std::chrono::seconds(60));
+  EXPECT_EQ(ended.exit_code, 130) << ended.err;
+  EXPECT_THAT(ended.out,
+              testing::ContainsRegex("interrupted after [0-9]+ of 2000000 steps; what was "
+                                     "learned is in p.npz"));
+  EXPECT_TRUE(fs::exists(folder.path() / "p.npz"));
 }
 
 constexpr const char* kNoGrpc = "no Python with numpy and grpc: install python3-grpcio";

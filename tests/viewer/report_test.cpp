@@ -54,6 +54,13 @@ void rename_teams(gamelog::MatchRecord& record, const std::string& name) {
   }
 }
 
+TEST(MatchReport, HasTheScoreAtHalfTimeOnlyOfMatchesThatReachedIt) {
+  gamelog::MatchRecord record = record_of("match-start");
+  EXPECT_THAT(report_markdown(analyzed(record)->report, {}, ""), Not(HasSubstr("half time")));
+  record.time.back() = static_cast<int>(analysis::half_time_cycles(record.server)) + 1;
+  EXPECT_THAT(report_markdown(analyzed(record)->report, {}, ""), HasSubstr("half time 0:0"));
+}
+
 TEST(MatchCharts, DrawLogsOfAllVersions) {
   for (const char* fixture :
        {"rcg-v1-excerpt", "rcg-v2-excerpt", "rcg-v3-excerpt", "rcg-v4-excerpt", "rcg-v5-excerpt",
