@@ -11,7 +11,8 @@ import {accessibilityViolations, launch, openPage} from './browser.mjs';
 const kCls = process.env.CLS ?? fileURLToPath(new URL('../../../build/bin/cls', import.meta.url));
 const kSkip = fs.existsSync(kCls) ? false : `no ${kCls}; build it or set CLS`;
 const kFolder = fs.mkdtempSync(path.join(os.tmpdir(), 'cls-reports-'));
-const kViews = [{colorScheme: 'light'}, {colorScheme: 'dark'}, {viewport: {width: 360, height: 800}}, {viewport: {width: 390, height: 844}}, {viewport: {width: 1920, height: 1080}}];
+const kViews = [{colorScheme: 'light'}, {colorScheme: 'dark'}, {viewport: {width: 360, height: 800}}, {viewport: {width: 390, height: 844}},
+  {viewport: {width: 1280, height: 800}}, {viewport: {width: 1920, height: 1080}}];
 
 const kTournament = `[tournament]
 name = "<b>cup</b>"
@@ -56,6 +57,8 @@ for (const file of ['match.html', 'cup.html']) {
       assert.ok(overflow <= 0, `${overflow} px wider than the window`);
       const smallest = await page.evaluate(() => Math.min(...[...document.querySelectorAll('svg text')].map((text) => Number.parseFloat(window.getComputedStyle(text).fontSize) * text.getScreenCTM().a)));
       assert.ok(smallest >= 9, `text of ${smallest.toFixed(1)} px in a chart`);
+      const cut = await page.evaluate(() => (window.innerWidth < 600 ? 0 : [...document.querySelectorAll('.chart-box')].filter((box) => box.scrollWidth > box.clientWidth).length));
+      assert.equal(cut, 0, `charts that are wider than their column, ${JSON.stringify(options)}`);
       assert.deepEqual(problems, []);
       await context.close();
     }
