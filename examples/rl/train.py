@@ -77,7 +77,7 @@ def train(options):
             print(", stored in policy.txt", end="")
         left = (time.monotonic() - started) / number * (options.rounds - number)
         print(f"  {left / 60:.1f} min left", end="", flush=True)
-    print(f"\nbest goal difference: {best:+} in {options.seeds} matches")
+    print(f"\nbest goal difference: {best:+} over {options.seeds} seeds")
 
 
 def main():

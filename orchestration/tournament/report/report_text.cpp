@@ -192,7 +192,8 @@ std::string winner_text(const Report& report) {
   if (first.empty()) return {};
 
   const Standing& best = ranked.front();
-  return fmt::format("{}: {}, {}, goals {}:{}\n", report.complete ? "winner" : "leader",
+  const char* what = report.complete ? "winner" : "leader";
+  return fmt::format("{}: {}, {}, goals {}:{}\n", first.size() > 1 ? "level" : what,
                      fmt::join(first, " and "), base::counted(best.points, "point"), best.goals_for,
                      best.goals_against);
 }

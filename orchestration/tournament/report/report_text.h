@@ -21,8 +21,8 @@ std::string report_text(const Report& report, const TextOptions& options = {});
 /// The report as Markdown, with the logs and commands of all matches.
 std::string report_markdown(const Report& report);
 
-/// "winner: RED, 10 points, goals 3:0"; "leader: ..." of a tournament that is not complete; empty
-/// before the first result.
+/// "winner: RED, 10 points, goals 3:0"; "leader: ..." of a tournament that is not complete, "level:
+/// RED and BLUE, ..." of teams that share the first place; empty before the first result.
 std::string winner_text(const Report& report);
 
 /// The tables alone.

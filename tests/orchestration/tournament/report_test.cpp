@@ -186,6 +186,21 @@ TEST(Report, ListsMatchesWithCommandsInEveryFormat) {
   expect_part(csv, ",warnings,command\n");
 }
 
+TEST(Report, EndsWithStandingsAndWinnerWhereTheEndStaysInView) {
+  const Played won(config_of(Format::kRoundRobin, 3), better_wins);
+  TextOptions options;
+  options.standings_last = true;
+  const std::string text = report_text(won.report, options);
+  EXPECT_GT(text.find("\nstandings\n"), text.find("\nmatches\n")) << text;
+  EXPECT_TRUE(text.ends_with("\n\nwinner: A, 12 points, goals 4:0\n")) << text;
+  EXPECT_EQ(occurrences(text, "\nstandings\n"), 1);
+
+  const Played drawn(config_of(Format::kRoundRobin, 2), [](const Fixture&) { return score(1, 1); });
+  EXPECT_EQ(winner_text(drawn.report), "level: A and B, 2 points, goals 2:2\n");
+  const TournamentConfig config = config_of(Format::kRoundRobin, 2);
+  EXPECT_EQ(winner_text(make_report(config, {}, "cup")), "");
+}
+
 TEST(Report, ListsMatchesOfShortTournamentsOnly) {
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
   const Played few(config, better_wins);
