@@ -81,6 +81,17 @@ TEST(BuildFiles, BootstrapInstallsPackagesOfCMake) {
   EXPECT_EQ(wanted, all_matches(bootstrap, R"(\n  ((?:lib|zlib|nlohmann)[a-z0-9+.-]+))"));
 }
 
+// `pip install ./python` after `./bootstrap match` finds the engine of cls_gym.
+TEST(BuildFiles, BootstrapBuildsWhatPythonNeeds) {
+  const std::string bootstrap = read_file(source_folder() / "bootstrap");
+  for (const char* command : {"\n  match)\n", "\n  python)\n"}) {
+    const std::size_t start = bootstrap.find(command);
+    ASSERT_NE(start, std::string::npos) << command;
+    EXPECT_THAT(bootstrap.substr(start, bootstrap.find(";;", start) - start),
+                HasSubstr("build OFF cls cls_python_package cls_training_shared\n"));
+  }
+}
+
 TEST(BuildFiles, PythonPackageHasVersionOfProject) {
   const auto project = all_matches(read_file(source_folder() / "CMakeLists.txt"),
                                    R"(project\(cls VERSION ([0-9.]+))");
