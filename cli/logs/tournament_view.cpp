@@ -237,7 +237,8 @@ bool is_over(const fs::path& folder) {
 int serve_tournament(const fs::path& folder, const LiveViewOptions& options,
                      const std::function<void(const std::string& url)>& on_start) {
   // Without a terminal the page of a tournament that is over would end before anyone sees it.
-  if (is_over(folder) && end_of_linger(options.linger_s) <= std::chrono::steady_clock::now()) {
+  const auto earliest_end = end_of_linger(options.linger_s);
+  if (is_over(folder) && earliest_end <= std::chrono::steady_clock::now()) {
     return print_error(
         kUsage, fmt::format("{0}: no match is played now; --linger SECONDS serves the list of its "
                             "matches, cls tournament report {0} --format html --out FILE writes it",

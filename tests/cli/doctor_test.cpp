@@ -152,7 +152,8 @@ TEST_F(Doctor, ReportsVersionsOfPrograms) {
   expect(item(document, "protoc"), "ok", "3.21.12");
   expect(item(document, "slurm"), "ok", "22.05.8");
   EXPECT_EQ(item(document, "node")["version"], "20.1.0");
-  expect(item(document, "python3"), "ok", "; cls_playmaker missing: set PYTHONPATH");
+  expect(item(document, "python3"), "ok",
+         "; cls_playmaker missing: ./bootstrap python in the checkout");
   put("python3",
       "echo python 3.11.2; echo grpc 1.51.1; echo google.protobuf 3.21.12; "
       "echo cls_playmaker installed");

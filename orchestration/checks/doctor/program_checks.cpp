@@ -146,16 +146,18 @@ DoctorCheck judge_python(const ProgramOutput& answer) {
     check.hint = "run it by hand: python3 --version";
   } else if (!add_packages(check, answer, {"grpc", "google.protobuf"})) {
     const std::string debian_packages = install_command("python3-grpcio python3-protobuf");
-    check.hint = is_debian_python ? debian_packages
-                                  : fmt::format(
-                                        "{} -m pip install grpcio protobuf; or {}, and run "
-                                        "Playmakers with /usr/bin/python3",
-                                        check.path, debian_packages);
+    check.hint = is_debian_python
+                     ? debian_packages
+                     : fmt::format(
+                           "{} -m pip install grpcio protobuf; or {}, and run "
+                           "Playmakers with /usr/bin/python3; or ./bootstrap python in "
+                           "the checkout of cls",
+                           check.path, debian_packages);
   } else if (text_after(answer.lines, "cls_playmaker") != "installed") {
     // Other Playmakers in Python do without.
     check.found +=
-        "; cls_playmaker missing: set PYTHONPATH to build/python, or pip install ./python "
-        "of cls";
+        "; cls_playmaker missing: ./bootstrap python in the checkout of cls makes an environment "
+        "with it";
   }
   return check;
 }
