@@ -58,7 +58,8 @@ TEST(MatchReport, HasTheScoreAtHalfTimeOnlyOfMatchesThatReachedIt) {
   gamelog::MatchRecord record = record_of("match-start");
   EXPECT_THAT(report_markdown(analyzed(record)->report, {}, ""), Not(HasSubstr("half time")));
   record.time.back() = static_cast<int>(analysis::half_time_cycles(record.server)) + 1;
-  EXPECT_THAT(report_markdown(analyzed(record)->report, {}, ""), HasSubstr("half time 0:0"));
+  EXPECT_THAT(report_markdown(analyzed(record)->report, {}, ""),
+              HasSubstr("3001 cycles, half time 1:0"));
 }
 
 TEST(MatchCharts, DrawLogsOfAllVersions) {
