@@ -40,6 +40,7 @@ struct Arguments {
   std::string name;
   std::string dir;
   std::string config;
+  bool force = false;
   bool json = false;
 };
 
@@ -82,8 +83,16 @@ void print_json(const std::string& dir, const TeamPackage& package, const Writte
 int write(const Arguments& arguments, const TeamPackage& package) {
   const std::string dir = arguments.dir.empty() ? arguments.name + "-team" : arguments.dir;
   if (const std::string contents = base::contents_of(dir); !contents.empty()) {
-    return print_error(kCannotCreate,
-                       fmt::format("{}: has {}; select a new folder with --dir", dir, contents));
+    if (!arguments.force) {
+      return print_error(
+          kCannotCreate,
+          fmt::format("{}: has {}; --force renames it to {}.old, --dir selects a new "
+                      "folder",
+                      dir, contents, dir));
+    }
+    const auto aside = base::set_aside(dir);
+    if (!aside) return print_error(kCannotCreate, aside.error().message);
+    fmt::print(stderr, "cls: old package moved to {}\n", aside->string());
   }
   const auto written = write_package(package, dir);
   if (!written) return print_error(kCannotCreate, written.error().message);
@@ -146,6 +155,7 @@ void add_package_team_command(Command& app) {
   command.option("--config", arguments->config,
                  "cls.toml with the team (default: in or above the working directory)");
 
+  command.flag("--force", arguments->force, "rename an older package to NAME.old first");
   command.flag("--json", arguments->json, "print one JSON document");
   command.run = [arguments] { return run(*arguments); };
 }

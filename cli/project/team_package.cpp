@@ -54,6 +54,13 @@ bool is_log(const fs::path& file) {
   return ending == ".rcg" || ending == ".rcl" || ending == ".rpc";
 }
 
+// An earlier package, such as ada-team.old.
+bool is_package(const fs::path& folder) {
+  std::error_code code;
+  const auto has = [&](const char* name) { return fs::is_regular_file(folder / name, code); };
+  return has("start") && has("kill") && has("cls") && fs::is_directory(folder / "team", code);
+}
+
 // Copies a project, and notes what is not part of a team.
 class ProjectCopy {
  public:
@@ -91,6 +98,7 @@ class ProjectCopy {
     if (!entry.is_directory()) return is_log(path) ? "log" : is_page(path) ? "page" : nullptr;
     if (name == "runs") return "matches";
     if (orchestration::tournament::holds_plan(path)) return "tournament";
+    if (is_package(path)) return "package";
     return orchestration::match::is_match_folder(path) ? "match" : nullptr;
   }
 

@@ -33,9 +33,9 @@ struct WrittenPackage {
 /// The text of the script `start`.
 std::string start_script(const TeamPackage& package);
 
-/// Writes start, kill, cls, env/ and team/, a copy of the project without version control, folders
-/// of matches and tournaments, logs, pages of cls, the environment and `folder` itself. The error
-/// names the file.
+/// Writes start, kill, cls, env/ and team/, a copy of the project without version control,
+/// packages, folders of matches and tournaments, logs, pages of cls, the environment and `folder`
+/// itself. The error names the file.
 base::Result<WrittenPackage> write_package(const TeamPackage& package,
                                            const std::filesystem::path& folder);
 

@@ -131,7 +131,14 @@ TEST_F(PackageTeam, RefusesWhatCannotBeStarted) {
   ASSERT_EQ(run({"package-team", "ada"}).exit_code, 0);
   const CommandResult again = run({"package-team", "ada"});
   EXPECT_EQ(again.exit_code, 73);
-  EXPECT_THAT(again.err, HasSubstr("select a new folder with --dir"));
+  EXPECT_THAT(again.err,
+              HasSubstr("--force renames it to ada-team.old, --dir selects a new folder"));
+
+  const CommandResult forced = run({"package-team", "ada", "--force"});
+  EXPECT_EQ(forced.exit_code, 0) << forced.err;
+  EXPECT_THAT(forced.err, HasSubstr("cls: old package moved to "));
+  EXPECT_THAT(forced.out, HasSubstr("left out: ada-team.old/ (package)"));
+  EXPECT_FALSE(fs::exists(path("ada-team/team/ada-team.old")));
 }
 
 }  // namespace
