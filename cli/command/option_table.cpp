@@ -42,7 +42,6 @@ constexpr OptionRow kOptions[] = {
     {"--replay", kDebuggingGroup, "FILE"},
     {"--player", kDebuggingGroup, "N"},
     {"--dry-run", kDebuggingGroup, ""},
-    {"--debug-log", kDebuggingGroup, "DIR"},
     {"--watch", kOutputGroup, ""},
     {"--open", kOutputGroup, ""},
     {"--linger", kOutputGroup, "X"},

@@ -17,6 +17,7 @@
 #include "base/io/whole_file.h"
 #include "base/system/socket_address.h"
 #include "base/text/json_text.h"
+#include "cli/match/start_script_options.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/match_option.h"
@@ -79,7 +80,10 @@ struct Arguments {
   bool without_coach = false;
   bool coach_only = false;
   bool trainer = false;
-  std::string fullstate;  // accepted for start scripts, ignored
+  std::string debug_server;
+  std::string debug_server_log;
+  std::string debug_log;
+  StartScriptValues start_script;
 };
 
 void add_playmaker_options(Command& command, Arguments& arguments) {
@@ -164,10 +168,9 @@ void add_options(Command& command, Arguments& arguments) {
 
   command.option("-f,--formation", arguments.formation,
                  "folder with formations, see docs/formations.md (default: built-in)");
-  command.option("--debug-log", options.team.debug_log,
-                 "folder for log messages of the Playmaker, TEAM-NUMBER.log");
-  command.option("--fullstate", arguments.fullstate,
-                 "accepted and ignored: players use their senses");
+  add_match_option(command, "debug_server", arguments.debug_server);
+  add_match_option(command, "debug_server_log", arguments.debug_server_log);
+  add_match_option(command, "debug_log", arguments.debug_log);
 }
 
 // Reads --playmaker; returns the exit code.
@@ -231,8 +234,23 @@ void check_hosts(StandaloneTeamOptions& options, std::vector<std::string>& error
     errors.push_back(fmt::format("--host '{}': {}", options.server_host, server));
 }
 
-std::vector<std::string> resolve(Arguments& arguments) {
+// The options of logs that cls match has, too.
+void read_debug_options(const Arguments& arguments, proxy::DebugOptions& debug,
+                        std::vector<std::string>& errors) {
+  orchestration::match::MatchOptions match;
+  orchestration::match::OptionTexts texts;
+  for (const auto& [key, text] : {std::pair("debug_server", arguments.debug_server),
+                                  std::pair("debug_server_log", arguments.debug_server_log),
+                                  std::pair("debug_log", arguments.debug_log)}) {
+    if (!text.empty()) texts.emplace(key, text);
+  }
+  for (std::string& line : set_options(match, texts)) errors.push_back(std::move(line));
+  debug = match.debug;
+}
+
+std::vector<std::string> resolve(Arguments& arguments, const Command& command) {
   std::vector<std::string> errors;
+  read_debug_options(arguments, arguments.options.debug, errors);
   StandaloneTeamOptions& options = arguments.options;
   const auto name = orchestration::match::check_team_name(arguments.team_name);
   if (name) {
@@ -242,7 +260,10 @@ std::vector<std::string> resolve(Arguments& arguments) {
   }
 
   if (arguments.rpc_type != "grpc") {
-    errors.push_back(fmt::format("--rpc-type '{}': must be grpc", arguments.rpc_type));
+    errors.push_back(
+        fmt::format("--rpc-type '{}': must be grpc; docs/network.md has the way for "
+                    "Playmakers that speak Thrift",
+                    arguments.rpc_type));
   }
   check_hosts(options, errors);
   resolve_coach_ports(arguments, errors);
@@ -252,12 +273,6 @@ std::vector<std::string> resolve(Arguments& arguments) {
       options.team.formations = std::move(*set);
     } else {
       errors.push_back("--formation: " + set.error().message);
-    }
-  }
-
-  if (!options.team.debug_log.empty()) {
-    if (const auto why = base::why_no_folder(options.team.debug_log)) {
-      errors.push_back(fmt::format("--debug-log '{}': {}", options.team.debug_log, *why));
     }
   }
 
@@ -283,6 +298,12 @@ std::vector<std::string> resolve(Arguments& arguments) {
   }
   options.team.start_timeout = std::chrono::duration_cast<proxy::RpcTimeout>(
       std::chrono::duration<double>(options.start_timeout_s));
+  for (std::string& line : apply_start_script_options(command, arguments.start_script, options)) {
+    errors.push_back(std::move(line));
+  }
+  if (options.team.graphic != nullptr && options.coach_port == 0) {
+    errors.push_back("--team-graphic: the coach shows it, and this command connects none");
+  }
   return errors;
 }
 
@@ -364,9 +385,9 @@ void print_result(const Arguments& arguments, const StandaloneTeamResult& result
       total(&PlayerResult::reconnects));
 }
 
-int run_proxy(Arguments& arguments) {
+int run_proxy(Arguments& arguments, const Command& command) {
   if (const int code = read_playmaker(arguments); code != kOk) return code;
-  const std::vector<std::string> errors = resolve(arguments);
+  const std::vector<std::string> errors = resolve(arguments, command);
   if (!errors.empty()) return print_errors(kUsage, errors);
 
   const JsonStdout json(arguments.json);
@@ -385,34 +406,14 @@ int run_proxy(Arguments& arguments) {
   }
 
   print_result(arguments, result);
+  if (!result.write_error.empty()) print_error(0, result.write_error);
   if (!arguments.result_file.empty()) {
     const auto written =
         base::write_file(arguments.result_file, to_json(arguments.options, result));
     if (!written) return print_error(kCannotCreate, written.error().message);
   }
-  return exit_code_of(result);
-}
-
-constexpr const char* kIgnoredGroup = "Accepted for compatibility with start scripts, no effect";
-
-// Options of start.sh of the Cross Language Soccer framework's proxy.
-constexpr const char* kIgnoredFlags[] = {"--offline-logging", "--offline-client-mode", "--debug",
-                                         "--debug-server-connect", "--debug-server-logging"};
-constexpr const char* kIgnoredOptions[] = {
-    "--team-graphic",      "--debug-start-time", "--debug-end-time", "--debug-server-host",
-    "--debug-server-port", "--log-dir",          "--debug-log-ext"};
-
-void add_ignored_options(Command& command) {
-  for (const char* flag : kIgnoredFlags) command.flag(flag, "").of_group(kIgnoredGroup);
-  for (const char* option : kIgnoredOptions) command.option(option, "").of_group(kIgnoredGroup);
-}
-
-std::vector<std::string> given_ignored_options(const Command& command) {
-  std::vector<std::string> given;
-  for (const Option& option : command.options) {
-    if (option.group == kIgnoredGroup && !option.given.empty()) given.push_back(name_of(option));
-  }
-  return given;
+  const int code = exit_code_of(result);
+  return code == kOk && !result.write_error.empty() ? kCannotCreate : code;
 }
 
 }  // namespace
@@ -422,13 +423,13 @@ void add_proxy_command(Command& app) {
   Command& command = app.command("proxy", kDescription);
   command.group = kPartCommands;
   add_options(command, *arguments);
-  add_ignored_options(command);
+  add_start_script_options(command, arguments->start_script);
 
   command.run = [arguments, &command] {
-    for (const std::string& option : given_ignored_options(command)) {
-      if (!arguments->quiet) fmt::print(stderr, "cls: warning: {} has no effect\n", option);
+    for (const std::string& line : start_script_warnings(command)) {
+      if (!arguments->quiet) fmt::print(stderr, "cls: warning: {}\n", line);
     }
-    return run_proxy(*arguments);
+    return run_proxy(*arguments, command);
   };
 }
 

@@ -12,6 +12,7 @@
 
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
+#include "orchestration/match/hooks/debug_clients.h"
 #include "orchestration/match/hooks/debug_log.h"
 #include "orchestration/match/hooks/error_recording.h"
 #include "orchestration/match/hooks/match_saver.h"
@@ -112,9 +113,14 @@ Result<FileHook> world_model_recorder(const MatchSetup& setup) {
       std::make_unique<WorldModelRecorder>(setup.folder, setup.names.left, setup.names.right));
 }
 
+Result<FileHook> debug_clients(const MatchSetup& setup) {
+  if (!setup.options.debug.wanted()) return FileHook{};
+  return closed_at_end(std::make_unique<DebugClients>(setup.options.debug));
+}
+
 /// In the order of their calls.
-constexpr std::array kFileHooks = {debug_log,   missed_log,   resume_check,
-                                   match_saver, rpc_recorder, world_model_recorder};
+constexpr std::array kFileHooks = {debug_log,    missed_log,           resume_check, match_saver,
+                                   rpc_recorder, world_model_recorder, debug_clients};
 
 /// Those that the options ask for.
 class FileHooks {

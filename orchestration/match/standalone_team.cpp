@@ -8,9 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text/json_text.h"
+#include "orchestration/match/hooks/debug_clients.h"
 #include "orchestration/match/match.h"
 #include "orchestration/match/server/external_server.h"
 #include "orchestration/match/sides/network_agents.h"
+#include "proxy/connection/offline_log.h"
 #include "proxy/playmaker/grpc_playmaker.h"
 
 namespace cls::orchestration::match {
@@ -51,7 +53,8 @@ std::unique_ptr<proxy::Playmaker> batching_playmaker(const proxy::GrpcTarget& ta
 }
 
 base::Result<std::unique_ptr<NetworkAgents>> make_agents(const StandaloneTeamOptions& options,
-                                                         const MatchOptions& match) {
+                                                         const MatchOptions& match,
+                                                         proxy::OfflineLogs* offline) {
   const proxy::BatchMode batch = batch_mode(options);
   NetworkSettings settings;
   settings.server_host = options.server_host;
@@ -60,6 +63,12 @@ base::Result<std::unique_ptr<NetworkAgents>> make_agents(const StandaloneTeamOpt
   settings.trainer_port = options.trainer_port;
   settings.leave_at_time_over = false;
   settings.on_ready = options.on_ready;
+  if (offline != nullptr) {
+    const int first = options.team.reconnect ? options.team.first_unum : 0;
+    settings.wrap = [offline, unum = first](std::unique_ptr<soccer::Channel> channel) mutable {
+      return offline->record(std::move(channel), unum == 0 ? 0 : unum++);
+    };
+  }
   if (options.add_20_for_right) {
     settings.right_playmaker = [target = options.playmaker, batch]() mutable {
       target.port += kRightPortOffset;
@@ -116,7 +125,9 @@ StandaloneTeamResult run_standalone_team(const StandaloneTeamOptions& options,
                                          const std::atomic<int>& stop_signal) {
   StandaloneTeamResult result;
   const MatchOptions match_options = match::match_options(options);
-  auto agents = make_agents(options, match_options);
+  proxy::OfflineLogs offline(options.offline_log, std::string(options.team.name.view()));
+  auto agents =
+      make_agents(options, match_options, options.offline_log.empty() ? nullptr : &offline);
   if (!agents) {
     result.end_reason = EndReason::kRefused;
     result.message = agents.error().message;
@@ -132,7 +143,13 @@ StandaloneTeamResult run_standalone_team(const StandaloneTeamOptions& options,
               std::make_unique<ExternalServer>(match_options, std::move(plan), nullptr,
                                                std::filesystem::path()),
               std::move(sides), 0, stop_signal);
+  DebugClients debug(options.debug);
+  if (options.debug.wanted()) match.add_hooks(debug);
   match.play(observer);
+  result.write_error = debug.close();
+  if (std::string error = offline.close(); result.write_error.empty()) {
+    result.write_error = std::move(error);
+  }
   result.end_reason = match.result().end_reason;
   result.message = match.result().message;
   result.signal = match.result().signal;

@@ -10,6 +10,7 @@
 #include "orchestration/match/result/end_reason.h"
 #include "orchestration/match/result/match_observer.h"
 #include "orchestration/match/result/match_result.h"
+#include "proxy/agent/debug_options.h"
 #include "proxy/agent/team.h"
 #include "proxy/playmaker/batch_playmaker.h"
 #include "proxy/playmaker/grpc_target.h"
@@ -27,6 +28,8 @@ struct StandaloneTeamOptions {
   /// with a port per agent always gets single calls.
   proxy::BatchMode batch = proxy::BatchMode::kAuto;
   proxy::TeamOptions team;
+  proxy::DebugOptions debug;      ///< for soccerwindow2
+  std::string offline_log;        ///< folder for proxy::OfflineLogs; empty: none
   double start_timeout_s = 20.0;  ///< limit for the server to accept the team
   /// Called once, when the players are on the pitch and registered; may be empty.
   std::function<void(const proxy::Team&)> on_ready;
@@ -42,7 +45,8 @@ struct StandaloneTeamResult {
   int their_score = 0;
   int cycles = 0;
   std::vector<PlayerResult> players;
-  ErrorResult errors;  ///< of the Playmaker
+  ErrorResult errors;       ///< of the Playmaker
+  std::string write_error;  ///< why a debug or offline log is not complete; empty: it is
 };
 
 /// The document `cls.proxy/1`, indented, with a newline at its end.

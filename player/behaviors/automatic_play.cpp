@@ -145,7 +145,6 @@ bool needs_preprocess(const WorldModel& world) { return preprocess_reason(world)
 
 void begin_decision(ActionContext& context) {
   ActionMemory& memory = context.memory;
-  memory.debug.clear();
   memory.trace.outcomes.clear();
   update_view_memory(memory.view, context.world);
   update_possession(context.world, memory);
@@ -162,7 +161,6 @@ bool play_automatically(ActionContext& context, const AutomaticPlay& enabled) {
 
 void decide_without_reply(ActionContext& context) {
   ActionMemory& memory = context.memory;
-  memory.debug.clear();
   memory.trace.outcomes.clear();
   update_view_memory(memory.view, context.world);
   if (!run_preprocess(context)) context.neck.kind = NeckPlan::Kind::kBallOrScan;

@@ -57,7 +57,6 @@ struct ActionMemory {
   SetPlayKick set_play_kick;
   int ball_since =
       -1;  ///< cycle since which the agent has had the ball in play; -1: does not have it
-  std::string debug;  ///< this decision's debug lines (debug_log.h)
   DecisionTrace trace;
 };
 

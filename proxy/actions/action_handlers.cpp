@@ -17,7 +17,6 @@
 #include "player/movement/movement.h"
 #include "player/movement/tackle.h"
 #include "player/planner/plan_execution.h"
-#include "proxy/actions/debug_log.h"
 #include "proxy/messages/say_payload.h"
 #include "proxy/planner/offensive_planner.h"
 
@@ -67,11 +66,6 @@ bool say(const protos::Say& say, Context& c) {
   const bool fits = append_say_message(*message, c.world.server(), text) && c.slots.say(text);
   ++(fits ? counts.done : counts.failed);
   return fits;
-}
-
-bool log_text(const std::string& text, Context& c) {
-  append_debug_text(text, c.world.game.time, c.memory.debug);
-  return true;
 }
 
 bool offensive_planner(const protos::HeliosOffensivePlanner& action, Context& c) {
@@ -139,8 +133,8 @@ constexpr std::array kEntries{
     CLS_SIDE(kPointToOf, point_to_of, c.slots.point_to_off()),
     CLS_SIDE(kAttentionTo, attention_to, c.slots.attention_to(side(m.side()), m.unum())),
     CLS_SIDE(kAttentionToOf, attention_to_of, c.slots.attention_to_off()),
-    CLS_SIDE(kLog, log, append_debug_action(m, c.world.game.time, c.memory.debug)),
-    CLS_SIDE(kDebugClient, debug_client, log_text(m.message(), c)),
+    CLS_SIDE(kLog, log, m.log_case() != protos::Log::LOG_NOT_SET),
+    CLS_SIDE(kDebugClient, debug_client, true),
     CLS_MAIN(kBodyGoToPoint, body_go_to_point,
              go_to_point(c.world, c.slots, vec(m.target_point()), m.distance_threshold(),
                  m.max_dash_power())),

@@ -98,6 +98,33 @@ bool append_shape(const protos::Log& log, player::GameTime now, std::string& out
 
 }  // namespace
 
+int level_of(const protos::Log& log) {
+  using Log = protos::Log;
+  switch (log.log_case()) {
+    case Log::kAddText:
+      return log.add_text().level();
+    case Log::kAddPoint:
+      return log.add_point().level();
+    case Log::kAddLine:
+      return log.add_line().level();
+    case Log::kAddArc:
+      return log.add_arc().level();
+    case Log::kAddCircle:
+      return log.add_circle().level();
+    case Log::kAddTriangle:
+      return log.add_triangle().level();
+    case Log::kAddRectangle:
+      return log.add_rectangle().level();
+    case Log::kAddSector:
+      return log.add_sector().level();
+    case Log::kAddMessage:
+      return log.add_message().level();
+    case Log::LOG_NOT_SET:
+      break;
+  }
+  return 0;
+}
+
 bool append_debug_action(const protos::Log& log, player::GameTime now, std::string& out) {
   using Log = protos::Log;
   const auto line = [&](const auto& m) { return LineWriter(now, m.level(), out); };

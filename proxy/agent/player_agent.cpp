@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cassert>
-#include <filesystem>
 #include <utility>
 
 #include "base/overloaded.h"
 #include "player/behaviors/automatic_play.h"
 #include "player/movement/home_positions.h"
-#include "proxy/actions/debug_log.h"
 #include "proxy/actions/executor.h"
 #include "proxy/actions/fallback.h"
+#include "proxy/messages/exact_view.h"
 #include "proxy/messages/shoot_out_view.h"
 #include "proxy/messages/state_message.h"
 #include "proxy/planner/planner_messages.h"
@@ -79,6 +78,26 @@ std::optional<OnLate> parse_on_late(std::string_view text) {
   return std::nullopt;
 }
 
+std::string_view name(FullStateUse use) {
+  switch (use) {
+    case FullStateUse::kIgnore:
+      return "ignore";
+    case FullStateUse::kOverride:
+      return "override";
+    case FullStateUse::kReference:
+      break;
+  }
+  return "reference";
+}
+
+std::optional<FullStateUse> parse_full_state_use(std::string_view text) {
+  for (const FullStateUse one :
+       {FullStateUse::kIgnore, FullStateUse::kReference, FullStateUse::kOverride}) {
+    if (name(one) == text) return one;
+  }
+  return std::nullopt;
+}
+
 PlayerAgent::PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions options)
     : server_(std::move(channel)), options_(std::move(options)) {
   if (options_.formations != nullptr) world_.formations = options_.formations;
@@ -127,7 +146,9 @@ void PlayerAgent::handle_message() {
     case soccer::MessageKind::kReply:
       handle_server_reply();
       break;
-    case soccer::MessageKind::kFullState:   // not used by the world model
+    case soccer::MessageKind::kFullState:
+      if (options_.full_state != FullStateUse::kIgnore) read(server_, full_state_);
+      break;
     case soccer::MessageKind::kGlobalView:  // for coaches
       break;
     case soccer::MessageKind::kUnknown:
@@ -201,15 +222,33 @@ const player::WorldModel& PlayerAgent::begin_decision(Instant now) {
   }
   phase_ = Phase::kAwaitingReply;
   timer_.decided();
-  update_derived(world_);
   view_.reset();
-  if (needs_shoot_out_view(world_)) view_ = std::make_unique<player::WorldModel>(rotated(world_));
+  if (options_.full_state == FullStateUse::kOverride && has_full_state()) {
+    view_ = std::make_unique<player::WorldModel>(exact_view(world_, full_state_));
+    update_derived(*view_);
+  }
+  update_derived(world_);
+  if (needs_shoot_out_view(world_)) {
+    view_ = std::make_unique<player::WorldModel>(rotated(decision_world()));
+  }
   return decision_world();
+}
+
+// Of this cycle: a server may lose one.
+bool PlayerAgent::has_full_state() const {
+  return !full_state_.players.empty() && full_state_.time == world_.game.time.cycle;
 }
 
 const protos::State& PlayerAgent::state(Instant now) {
   const player::WorldModel& world = begin_decision(now);
   fill_state(world, home_positions(world), needs_preprocess(world), state_);
+  state_.clear_full_world_model();
+  if (options_.full_state != FullStateUse::kIgnore && has_full_state()) {
+    player::WorldModel exact = exact_view(world_, full_state_);
+    update_derived(exact);
+    fill_state(exact, home_positions(exact), false, full_view_);
+    state_.mutable_full_world_model()->Swap(full_view_.mutable_world_model());
+  }
   return state_;
 }
 
@@ -267,19 +306,6 @@ void PlayerAgent::act_without_reply() {
   send(slots);
 }
 
-void PlayerAgent::write_debug_log() {
-  if (options_.debug_log.empty() || memory_.debug.empty()) return;
-  if (!debug_log_.is_open()) {
-    const std::string name =
-        std::string(options_.team_name.view()) + "-" + std::to_string(world_.unum) + ".log";
-    debug_log_.open(std::filesystem::path(options_.debug_log) / name);
-  }
-  if (debug_bytes_ > kMaxDebugBytes) return;
-  debug_bytes_ += memory_.debug.size();
-  debug_log_ << memory_.debug;
-  if (debug_bytes_ > kMaxDebugBytes) debug_log_ << "the rest is omitted\n";
-}
-
 void PlayerAgent::send(const player::CommandSlots& slots) {
   slots.compose(commands_, timer_.synchronous());
   server_.datagram.clear();
@@ -292,7 +318,6 @@ void PlayerAgent::send(const player::CommandSlots& slots) {
   if (!server_.datagram.empty()) server_.channel->send(server_.datagram);
   record_sent_commands(world_, commands_);
   phase_ = Phase::kIdle;
-  write_debug_log();
 }
 
 void PlayerAgent::leave() {

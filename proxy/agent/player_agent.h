@@ -1,9 +1,7 @@
 // One player: server messages, world model, Playmaker's decision, commands.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +20,7 @@
 #include "proxy/connection/server_connection.h"
 #include "soccer/channel.h"
 #include "soccer/commands/player_command.h"
+#include "soccer/messages/full_state.h"
 #include "soccer/messages/hear.h"
 #include "soccer/messages/see.h"
 #include "soccer/messages/sense_body.h"
@@ -41,6 +40,17 @@ enum class OnLate : std::uint8_t {
 std::string_view name(OnLate on_late);
 std::optional<OnLate> parse_on_late(std::string_view text);
 
+/// What a player does with the (fullstate ...) messages of a server that sends them.
+enum class FullStateUse : std::uint8_t {
+  kIgnore,
+  kReference,  ///< State::full_world_model has it; agents decide by their senses
+  kOverride,   ///< the world of a decision is the exact one
+};
+
+/// "ignore", "reference" and "override".
+std::string_view name(FullStateUse use);
+std::optional<FullStateUse> parse_full_state_use(std::string_view text);
+
 struct AgentOptions {
   soccer::TeamName team_name;
   bool goalie = false;
@@ -49,7 +59,7 @@ struct AgentOptions {
   int reconnect_unum = 0;  ///< not 0: take over this disconnected player
   std::shared_ptr<const player::FormationSet> formations;    ///< null: built-in
   std::shared_ptr<const player::PlannerParameters> planner;  ///< null: the defaults
-  std::string debug_log;  ///< folder for debug logs of the Playmaker; empty: none
+  FullStateUse full_state = FullStateUse::kReference;
 };
 
 /// Communicates with the server through its channel only. Sequence: connect(); perceive() until
@@ -72,7 +82,8 @@ class PlayerAgent {
   const DecisionTimer& timer() const { return timer_; }
   bool deciding() const { return phase_ != Phase::kIdle; }
   /// Completes the world model for the due decision and returns the world of the decision, which
-  /// is rotated in a shoot-out. Once per decision; valid until the next call.
+  /// is rotated in a shoot-out, and exact with FullStateUse::kOverride. Once per decision; valid
+  /// until the next call.
   const player::WorldModel& begin_decision(Instant now = {});
   /// begin_decision(), and its world as a State. Valid until the next call.
   const protos::State& state(Instant now = {});
@@ -124,7 +135,7 @@ class PlayerAgent {
   void count_lost_commands();
   void on_connected(const soccer::PlayerInitReply& init);
   void send(const player::CommandSlots& slots);
-  void write_debug_log();
+  bool has_full_state() const;
 
   ServerConnection server_;
   AgentOptions options_;
@@ -136,12 +147,12 @@ class PlayerAgent {
   bool awaits_count_ = false;  ///< sent a command that the next sense_body must count
   protos::State state_;
   protos::PlayerActions last_actions_;        // kLast, kDefault
-  std::unique_ptr<player::WorldModel> view_;  // rotated for a shoot-out
+  std::unique_ptr<player::WorldModel> view_;  // rotated for a shoot-out, or exact
   player::PlanChoice choice_;
   protos::PlayerActions chosen_from_;  // the action list that needs a choice
   protos::BestPlannerActionRequest planner_request_;
-  std::ofstream debug_log_;
-  std::size_t debug_bytes_ = 0;  ///< written to it
+  soccer::FullState full_state_;  // the latest
+  protos::State full_view_;       // reused
 
   // Reused to avoid allocation.
   soccer::SenseBody sense_;

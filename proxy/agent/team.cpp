@@ -70,7 +70,7 @@ base::Result<void> Team::connect_one(const OpenChannel& open, const Serve& serve
   options.on_late = options_.on_late;
   options.formations = options_.formations;
   options.planner = options_.planner;
-  options.debug_log = options_.debug_log;
+  options.full_state = options_.full_state;
   if (options_.reconnect) {
     options.reconnect_unum = options_.first_unum + static_cast<int>(players_.size());
   }

@@ -35,9 +35,10 @@ struct TeamOptions {
   bool goalie = true;                   ///< the first player is the goalie
   std::shared_ptr<const player::FormationSet> formations;    ///< null: the built-in ones
   std::shared_ptr<const player::PlannerParameters> planner;  ///< null: the defaults
-  std::string debug_log;               ///< folder for debug logs of the Playmaker; empty: none
-  std::shared_ptr<TensorCodec> codec;  ///< null: the form TENSOR is not offered
-  bool rated = false;                  ///< a match of a tournament or comparison
+  FullStateUse full_state = FullStateUse::kReference;
+  std::shared_ptr<const TeamGraphic> graphic;  ///< that the coach shows; null: none
+  std::shared_ptr<TensorCodec> codec;          ///< null: the form TENSOR is not offered
+  bool rated = false;                          ///< a match of a tournament or comparison
 };
 
 /// Time of a team by phase, summed over all cycles.

@@ -17,6 +17,7 @@ base::Result<void> Team::connect_coach(soccer::CoachRole role, const OpenChannel
   options.role = role;
   options.team_name = trainer ? soccer::TeamName() : options_.name;
   options.protocol = options_.protocol;
+  options.graphic = options_.graphic;
   auto coach = std::make_unique<CoachAgent>(std::move(channel), options);
   if (const base::Result<void> entered = connect_agent(*coach, serve); !entered) {
     return base::Error{who + entered.error().message};

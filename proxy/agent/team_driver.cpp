@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace cls::proxy {
 namespace {
@@ -54,7 +55,12 @@ base::Result<void> TeamDriver::connect_all(const ShouldContinue& should_continue
     clients_.wait_until(steady_clock::now() + kPollInterval);
     return should_continue();
   };
-  if (auto done = team_.connect([this] { return clients_.connect(); }, serve); !done) return done;
+  const auto open = [this] {
+    auto channel = clients_.connect();
+    return options_.wrap && channel != nullptr ? options_.wrap(std::move(channel))
+                                               : std::move(channel);
+  };
+  if (auto done = team_.connect(open, serve); !done) return done;
   if (options_.coach_port != 0) {
     const auto connected = connect_coach(serve);
     if (!connected && team_.players().empty()) return connected;

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "base/result.h"
@@ -35,6 +36,8 @@ struct DriverOptions {
   /// Called once per cycle, before the first player's decision is requested; may block, may be
   /// empty.
   std::function<void()> before_decisions;
+  /// Makes the channel of a player another one, such as one that records; may be empty.
+  std::function<std::unique_ptr<soccer::Channel>(std::unique_ptr<soccer::Channel>)> wrap;
 };
 
 /// Plays in synchronous mode by (think), otherwise in real time, as the server's parameters say.

@@ -24,7 +24,7 @@ std::string name_of(std::string_view command) {
 }  // namespace
 
 CoachAgent::CoachAgent(std::unique_ptr<soccer::Channel> channel, CoachOptions options)
-    : server_(std::move(channel)), options_(options) {}
+    : server_(std::move(channel)), options_(std::move(options)) {}
 
 bool CoachAgent::connect() {
   if (is_trainer()) {
@@ -159,7 +159,19 @@ void CoachAgent::act_without_reply() {
   send_commands();
 }
 
+// The server takes tiles only before the kick-off.
+void CoachAgent::show_graphic() {
+  constexpr std::size_t kTilesPerCycle = 32;
+  if (options_.graphic == nullptr || is_trainer()) return;
+  if (world_.game.mode != soccer::PlayMode::kBeforeKickOff) return;
+  const TeamGraphic& tiles = *options_.graphic;
+  for (std::size_t i = 0; i < kTilesPerCycle && tiles_sent_ < tiles.size(); ++i) {
+    send(tiles[tiles_sent_++]);
+  }
+}
+
 void CoachAgent::send_commands() {
+  show_graphic();
   for (const soccer::CoachCommand& command : commands_) send(command);
   if (is_trainer() && !names_complete_) send(soccer::RequestTeamNames{});
   if (world_.server().synch_mode) send(soccer::Done{});

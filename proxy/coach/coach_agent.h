@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "proto/playmaker.pb.h"
 #include "proxy/coach/coach_actions.h"
 #include "proxy/coach/coach_memory.h"
+#include "proxy/coach/team_graphic.h"
 #include "proxy/connection/agent_statistics.h"
 #include "proxy/connection/server_connection.h"
 #include "proxy/playmaker/playmaker.h"
@@ -30,6 +32,7 @@ struct CoachOptions {
   soccer::CoachRole role = soccer::CoachRole::kOnlineCoach;
   soccer::TeamName team_name;  ///< of an online coach; a trainer receives the left team's
   int protocol = soccer::kDefaultProtocolVersion;
+  std::shared_ptr<const TeamGraphic> graphic = nullptr;  ///< null: none
 };
 
 /// Communicates with the server through its channel only. Sequence: connect(); perceive() until
@@ -88,6 +91,7 @@ class CoachAgent {
   void handle_error(const soccer::ErrorReply& error);
   void send(const soccer::CoachCommand& command);
   void send_commands();
+  void show_graphic();
 
   ServerConnection server_;
   CoachOptions options_;
@@ -101,6 +105,7 @@ class CoachAgent {
   bool names_complete_ = false;  ///< a trainer has received both
   protos::State state_;
   std::map<std::string, std::int64_t> sent_;
+  std::size_t tiles_sent_ = 0;  ///< of the graphic
 
   // Reused from cycle to cycle.
   soccer::GlobalView view_;

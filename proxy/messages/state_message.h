@@ -17,7 +17,7 @@ using HomePositions = std::array<soccer::Vec2, soccer::kPlayersPerTeam>;
 /// Writes a completed world into `out`, possibly the State of the previous cycle, and leaves
 /// register_response unchanged. Every field that needs no planner is set as
 /// docs/spec/playmaker-wire.md 3.2 and docs/spec/proxy-behavior.md 3 define it, except that objects
-/// never observed are at (0, 0) with age 1000, never infinite. full_world_model stays unset.
+/// never observed are at (0, 0) with age 1000, never infinite. full_world_model is left unchanged.
 void fill_state(const player::WorldModel& world, const HomePositions& home, bool need_preprocess,
                 protos::State& out);
 

@@ -13,6 +13,7 @@
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/match/options/server_choice.h"
 #include "orchestration/process/command_plan.h"
+#include "proxy/agent/debug_options.h"
 #include "proxy/agent/player_agent.h"
 #include "proxy/playmaker/batch_playmaker.h"
 #include "soccer/parameters/player_params.h"
@@ -83,6 +84,8 @@ struct MatchOptions {
   std::optional<std::uint64_t> branch_seed;
   std::filesystem::path folder;  ///< empty: ./runs/<UTC>-<left>-vs-<right>
   bool replace = false;          ///< existing `folder` and `record_rpc` become NAME.old
+
+  proxy::DebugOptions debug;  ///< for soccerwindow2
 
   int protocol = 18;                   ///< version of the soccer protocol, 14 to 19
   std::optional<int> rpc_deadline_ms;  ///< none: depends on the mode, see decision_deadline()

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/io/whole_file.h"
 #include "base/text/byte_size.h"
 #include "base/text/value_text.h"
 #include "player/formation/formation_set.h"
@@ -372,6 +373,35 @@ Row save_at_row() {
   return made;
 }
 
+// A folder for files of soccerwindow2.
+Row debug_folder(std::string_view key, std::string proxy::DebugOptions::*member,
+                 std::string_view help) {
+  return {key,
+          "DIR",
+          help,
+          text_as("a folder"),
+          [key, member](Options& options, const std::string& text) -> Result<void> {
+            if (const auto why = base::why_no_folder(text)) return wrong(key, text, *why);
+            options.debug.*member = text;
+            return {};
+          },
+          [member](const Options& options) { return options.debug.*member; }};
+}
+
+Row debug_server_row() {
+  return {"debug_server",
+          "HOST:PORT",
+          "send what players estimate, and what Playmakers show, to the debug server of "
+          "soccerwindow2 (docs/formats/debug-view.md) (default: none)",
+          text_as("HOST:PORT"),
+          [](Options& options, const std::string& text) -> Result<void> {
+            const auto set = proxy::set_debug_server(options.debug, text);
+            if (!set) return Error{"--" + set.error().message};
+            return {};
+          },
+          [](const Options& options) { return options.debug.server; }};
+}
+
 Rows debugging_rows() {
   Rows rows = {
       row("record_rpc", &Options::record_rpc, "FILE", text_as("a file"),
@@ -384,6 +414,11 @@ Rows debugging_rows() {
           "continue the match saved in FILE; with --seed its random draws differ from there on"),
       row("monitor_port", &Options::monitor_port, "N", whole_from(0, 65535),
           "UDP port for monitors; 0 selects a free port and prints it"),
+      debug_server_row(),
+      debug_folder("debug_server_log", &proxy::DebugOptions::view_folder,
+                   "write the same into DIR/TEAM-NUMBER.dcl"),
+      debug_folder("debug_log", &proxy::DebugOptions::log_folder,
+                   "write what Playmakers log into DIR/TEAM-NUMBER.log, as soccerwindow2 reads it"),
   };
   for (Row& one : rows) one.group = OptionGroup::kDebugging;
   rows.push_back(row("speed", &Options::speed, "X", number_from(0.1, 1000.0),

@@ -32,6 +32,7 @@ Result<std::unique_ptr<NetworkAgents>> NetworkAgents::create(
   driver.leave_at_time_over = agents->settings_.leave_at_time_over;
   driver.coach_port = agents->settings_.coach_port;
   driver.trainer_port = agents->settings_.trainer_port;
+  driver.wrap = agents->settings_.wrap;
   driver.before_decisions = [side = agents.get()] { side->before_decisions(); };
   agents->driver_ = std::make_unique<proxy::TeamDriver>(agents->team(), *agents->clients_, driver);
   return agents;

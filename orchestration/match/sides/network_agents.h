@@ -34,6 +34,8 @@ struct NetworkSettings {
   std::function<std::unique_ptr<proxy::Playmaker>()> right_playmaker;
   /// Called once, when the players are on the pitch and registered; may be empty.
   std::function<void(const proxy::Team&)> on_ready;
+  /// See proxy::DriverOptions.
+  std::function<std::unique_ptr<soccer::Channel>(std::unique_ptr<soccer::Channel>)> wrap;
 };
 
 /// Lives on its worker's thread from join() on. The match's thread polls.
