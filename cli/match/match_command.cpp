@@ -56,6 +56,7 @@ constexpr const char* kDescription =
     "  run:COMMAND      a Playmaker that cls starts; {port} is filled in\n"
     "  team:DIR         an external team: DIR/start or DIR/start.sh\n"
     "  mix:1=SIDE;2-11=SIDE;coach=SIDE    several Playmakers in one team\n"
+    "  each:run:COMMAND                   a process for each player and the coach\n"
     "  planner:FILE=SIDE                  other parameters of the planner\n"
     "  NAME             a team in cls.toml";
 

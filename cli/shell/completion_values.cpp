@@ -75,6 +75,7 @@ void add_sides(const ValueContext& context, Completion& completion) {
                                    {"tls:", "HOST:PORT with TLS"},
                                    {"unix:", "PATH of a socket"},
                                    {"run:", "COMMAND that starts a Playmaker"},
+                                   {"each:run:", "COMMAND, a process for each agent"},
                                    {"team:", "DIR of an external team"},
                                    {"planner:", "FILE=SIDE with other parameters"}}) {
     completion.candidates.push_back({form, note});

@@ -119,8 +119,9 @@ int read_playmaker(const std::string& label, const std::string& text,
   if (side.has_one_playmaker()) return kOk;
 
   return print_error(
-      kUsage, label + (side.has_playmaker() ? "mix: has several Playmakers; check each of them"
-                                            : "team:DIR has no Playmaker"));
+      kUsage,
+      label + (side.has_playmaker() ? "mix: and each: have several Playmakers; check each of them"
+                                    : "team:DIR has no Playmaker"));
 }
 
 int read_side_files(orchestration::match::Endpoint& side) {

@@ -52,6 +52,37 @@ TEST_F(MixedSide, PlaysTheMatchOfOnePlaymaker) {
   EXPECT_THAT(mixed.out, HasSubstr("left 2-6,forwards: run:exec")) << mixed.out;
 }
 
+// Competitions demand a process for each agent. It plays the match of one for all.
+TEST_F(MixedSide, RunsAProcessForEachAgent) {
+  const Arguments cycles = {"--cycles", "60"};
+  ASSERT_EQ(play(fake(), "one", cycles).exit_code, 0);
+  Arguments limited = cycles;
+  limited.insert(limited.end(), {"--max-memory", "4G"});
+  const CommandResult each = play("each:" + fake(), "each", limited);
+  ASSERT_EQ(each.exit_code, 0) << each.err;
+  EXPECT_EQ(each.err, "");
+  EXPECT_TRUE(read_file(folder_.path() / "one/match.rcg") ==
+              read_file(folder_.path() / "each/match.rcg"));
+  const json document = result("each");
+  EXPECT_EQ(document["left"]["endpoint"], "each:" + fake());
+  ASSERT_EQ(document["left"]["parts"].size(), 12U);
+  EXPECT_EQ(document["left"]["parts"][6]["agents"], "7");
+  EXPECT_EQ(document["processes"].size(), 12U);
+  for (const char* agent : {"1", "11", "coach"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "each" /
+                                        (std::string("left-playmaker-") + agent + ".log")));
+  }
+}
+
+TEST_F(MixedSide, NamesTheProcessOfAnAgentThatFails) {
+  const CommandResult played =
+      play("each:run:[ {port} = 0 ] || exec " + built("cls_fake_playmaker") +
+               " --port {port} --exit-at-cycle 10",
+           "match", {"--cycles", "60"});
+  EXPECT_NE(played.exit_code, 0);
+  EXPECT_THAT(played.err, HasSubstr("left Playmaker (")) << played.err;
+}
+
 TEST_F(MixedSide, ReportsEachPart) {
   ASSERT_EQ(play("mix:1-7=mock:hold;others=" + fake() + ";coach=" + fake("x"), "match",
                  {"--cycles", "30"})
@@ -115,7 +146,7 @@ TEST_F(MixedSide, IsATeamOfAConfiguration) {
 TEST_F(MixedSide, HasNoSinglePlaymakerToCheck) {
   const CommandResult checked = run({"check", "playmaker", "mix:1=mock;others=mock"});
   EXPECT_EQ(checked.exit_code, 2);
-  EXPECT_EQ(checked.err, "cls: mix: has several Playmakers; check each of them\n");
+  EXPECT_EQ(checked.err, "cls: mix: and each: have several Playmakers; check each of them\n");
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "orchestration/match/options/mixed_side.h"
 #include "orchestration/match/options/planner_file.h"
 #include "orchestration/match/options/run_command.h"
+#include "proto/rpc.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -26,6 +27,7 @@ using base::Result;
 constexpr std::size_t kMaxTeamName = 15;
 constexpr int kMaxPort = 65535;
 constexpr std::string_view kPlannerForm = "planner:";
+constexpr std::string_view kEachForm = "each:";
 constexpr int kMaxPortStep = 13;
 
 bool is_team_character(char c) {
@@ -57,7 +59,8 @@ Error unknown_form(std::string_view text) {
   }
   message +=
       " (a side is mock, mock:BEHAVIOR, mock:FILE.json, HOST:PORT, HOST:PORT+step, "
-      "tls:HOST:PORT, unix:PATH, run:COMMAND, team:DIR, mix:AGENTS=SIDE;... or planner:FILE=SIDE)";
+      "tls:HOST:PORT, unix:PATH, run:COMMAND, team:DIR, mix:AGENTS=SIDE;..., each:run:COMMAND or "
+      "planner:FILE=SIDE)";
   return Error{std::move(message)};
 }
 
@@ -115,6 +118,33 @@ Result<Endpoint> parse_mixed(std::string_view text) {
     endpoint.parts.push_back(*std::move(parsed));
   }
   return endpoint;
+}
+
+// "each:run:COMMAND": a part for each agent.
+Result<Endpoint> parse_each(std::string_view text) {
+  auto agent = parse_endpoint(text.substr(kEachForm.size()));
+  if (!agent) return Error{fmt::format("side '{}': {}", text, agent.error().message)};
+  if (agent->kind != Endpoint::Kind::kRun) {
+    return Error{fmt::format("side '{}': must be each:run:COMMAND", text)};
+  }
+  Endpoint endpoint;
+  endpoint.kind = Endpoint::Kind::kMixed;
+  endpoint.text = text;
+  for (int number = 1; number <= proto::kCoachNumber; ++number) {
+    agent->label = number == proto::kCoachNumber ? "coach" : fmt::format("{}", number);
+    agent->agents = {number};
+    endpoint.parts.push_back(*agent);
+  }
+  return endpoint;
+}
+
+// The program of all parts of an `each:` side; empty: another side.
+std::string program_of_all(const Endpoint& endpoint) {
+  const std::vector<Endpoint>& parts = endpoint.parts;
+  const bool same = !parts.empty() && std::all_of(parts.begin(), parts.end(), [&](const auto& one) {
+    return !one.command.empty() && one.command == parts.front().command;
+  });
+  return same ? program_in(parts.front().command) : std::string();
 }
 
 Result<Endpoint> parse_with_planner(std::string_view text) {
@@ -187,6 +217,7 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
     return endpoint;
   }
   if (text.starts_with("mix:")) return parse_mixed(text);
+  if (text.starts_with(kEachForm)) return parse_each(text);
   // Without "=" it is the port of a host of this name.
   if (text.starts_with(kPlannerForm) && text.find('=') != std::string_view::npos) {
     return parse_with_planner(text);
@@ -245,7 +276,8 @@ std::string default_team_name(const Endpoint& endpoint) {
       source = folder_name(endpoint.path);
       break;
     case Endpoint::Kind::kMixed:
-      source = "mix";
+      source = program_of_all(endpoint);
+      if (source.empty()) source = "mix";
       break;
   }
   std::string name;

@@ -26,7 +26,8 @@ struct Endpoint {
     kUnixSocket,  ///< `unix:PATH`: a running Playmaker on a local socket
     kRun,         ///< `run:COMMAND`: a Playmaker that cls starts
     kTeam,        ///< `team:DIR`: an external team that cls starts; it needs no cls agents
-    kMixed,       ///< `mix:AGENTS=SIDE;...`: several Playmakers, each for some of the agents
+    kMixed,       ///< `mix:AGENTS=SIDE;...`: several Playmakers, each for some of the agents;
+                  ///< `each:run:COMMAND`: one for each agent
   };
 
   Kind kind = Kind::kMock;

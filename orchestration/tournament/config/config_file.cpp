@@ -300,6 +300,7 @@ std::string endpoint_from(const fs::path& folder, const std::string& endpoint) {
     return kind + (folder / rest.substr(0, equals)).lexically_normal().string() + "=" +
            endpoint_from(folder, rest.substr(equals + 1));
   }
+  if (kind == "each:") return kind + endpoint_from(folder, rest);
   if (kind == "run:")
     return fmt::format("run:cd {} && {}", process::shell_quoted(folder.string()), rest);
   const bool file =

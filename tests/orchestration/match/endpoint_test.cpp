@@ -55,7 +55,8 @@ TEST(Endpoint, ReportsErrorAndAllForms) {
   EXPECT_EQ(error_of("moc"),
             "unknown side 'moc'; did you mean 'mock'? (a side is mock, mock:BEHAVIOR, "
             "mock:FILE.json, HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
-            "run:COMMAND, team:DIR, mix:AGENTS=SIDE;... or planner:FILE=SIDE)");
+            "run:COMMAND, team:DIR, mix:AGENTS=SIDE;..., each:run:COMMAND or "
+            "planner:FILE=SIDE)");
   EXPECT_THAT(error_of("brain"), HasSubstr("unknown side 'brain' (a side is"));
   EXPECT_EQ(error_of("localhost:0"), "side 'localhost:0': port 0 is not within 1 to 65535");
   EXPECT_EQ(error_of("localhost:70000"),
@@ -130,6 +131,20 @@ TEST(Endpoint, ParsesPartsOfMixedSide) {
   EXPECT_EQ(mixed->parts[1].agents, std::vector<int>({2, 3, 4, 9, 10, 11}));
   EXPECT_EQ(mixed->parts[2].port, 50051);
   EXPECT_EQ(mixed->parts[2].agents, std::vector<int>({5, 6, 7, 8, 12})) << "and the coach";
+}
+
+TEST(Endpoint, ParsesAProcessForEachAgent) {
+  const auto each = parse_endpoint("each:run:cd ada && ./run --port {port}");
+  ASSERT_TRUE(each) << each.error().message;
+  EXPECT_EQ(each->kind, Endpoint::Kind::kMixed);
+  ASSERT_EQ(each->parts.size(), 12U);
+  EXPECT_EQ(each->parts[0].label, "1");
+  EXPECT_EQ(each->parts[11].label, "coach");
+  EXPECT_EQ(each->parts[11].agents, std::vector<int>({12}));
+  EXPECT_EQ(each->parts[5].command, "cd ada && ./run --port {port}");
+  EXPECT_EQ(default_team_name(*each), default_team_name(each->parts[0]));
+  EXPECT_EQ(error_of("each:mock"), "side 'each:mock': must be each:run:COMMAND");
+  EXPECT_THAT(error_of("each:run:x"), HasSubstr("side 'each:run:x': side 'run:x': "));
 }
 
 TEST(Endpoint, GivesCoachToFirstPart) {
