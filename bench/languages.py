@@ -45,18 +45,36 @@ def row(result):
             "worst p99 us": max(player["rpc_us"]["p99"] for player in players)}
 
 
+def built(language):
+    """Why a team cannot be built here; empty: it is built."""
+    made = subprocess.run([os.path.join(ROOT, "examples", language, "run"), "build"],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    lines = made.stdout.strip().splitlines() or [f"exit code {made.returncode}"]
+    return "" if made.returncode == 0 else lines[-1]
+
+
+def build(options):
+    """The languages that take part, and why each of the others does not."""
+    problems = {language: built(language) for language in options.languages or LANGUAGES}
+    skipped = {language: why for language, why in problems.items() if why}
+    for language, why in skipped.items():
+        print(f"skipped {language}: {why}", file=sys.stderr)
+    if skipped and (options.languages or len(skipped) == len(problems)):
+        sys.exit("no team to compare" if not options.languages else "a named language is missing")
+    return [language for language in problems if language not in skipped], skipped
+
+
 def main():
     parser = argparse.ArgumentParser(description="Compares the example teams.")
-    parser.add_argument("languages", nargs="*", metavar="LANGUAGE", default=LANGUAGES)
+    parser.add_argument("languages", nargs="*", metavar="LANGUAGE")
     parser.add_argument("--cls", default=os.path.join(ROOT, "build/bin/cls"))
     parser.add_argument("--cycles", type=int, default=2000)
     parser.add_argument("--rounds", type=int, default=3)
     options = parser.parse_args()
-    for language in options.languages:
-        subprocess.run([os.path.join(ROOT, "examples", language, "run"), "build"], check=True)
+    languages, skipped = build(options)
     best, logs = {}, set()
     for _ in range(options.rounds):
-        for language in options.languages:
+        for language in languages:
             for calls, batch in SERVICES.items():
                 result, log = play(options, language, batch)
                 logs.add(log)
@@ -71,6 +89,8 @@ def main():
         print(f"| {language} | {calls} | " + " | ".join(
             f"{values[name]:.2f}" if values[name] < 10 else f"{values[name]:.0f}"
             for name in names) + " |")
+    if skipped:
+        print(f"\nNot built here: {', '.join(skipped)}.")
     if len(logs) != 1:
         sys.exit("the languages played different matches")
 
