@@ -54,6 +54,8 @@ constexpr const char* kDescription =
     "\n"
     "Accepts the options of start.sh of the Cross Language Soccer framework's proxy.";
 
+constexpr const char* kGrpc = "grpc";
+constexpr const char* kThrift = "thrift";
 constexpr int kCoach = 12;
 constexpr int kMaxPort = 65535;
 constexpr int kMaxPortStep = 13;
@@ -71,7 +73,7 @@ struct Arguments {
   std::string playmaker;
   orchestration::match::TlsFileNames tls;
   std::string result_file;
-  std::string rpc_type = "grpc";
+  std::string rpc_type = kGrpc;
   bool quiet = false;
   bool json = false;
   std::string formation;
@@ -112,7 +114,9 @@ void add_playmaker_options(Command& command, Arguments& arguments) {
   add_tls_options(command, arguments.tls);
   command.option("--result", arguments.result_file, "write the result as JSON, per player, to FILE")
       .placeholder("FILE");
-  command.option("--rpc-type", arguments.rpc_type, "RPC framework: grpc");
+  command.option("--rpc-type", arguments.rpc_type, "RPC framework of the Playmaker")
+      .one_of({kGrpc, kThrift})
+      .shows_default();
 }
 
 void add_options(Command& command, Arguments& arguments) {
@@ -259,11 +263,13 @@ std::vector<std::string> resolve(Arguments& arguments, const Command& command) {
     errors.push_back(name.error().message);
   }
 
-  if (arguments.rpc_type != "grpc") {
-    errors.push_back(
-        fmt::format("--rpc-type '{}': must be grpc; docs/network.md has the way for "
-                    "Playmakers that speak Thrift",
-                    arguments.rpc_type));
+  options.thrift = arguments.rpc_type == kThrift;
+  if (options.thrift &&
+      (options.playmaker.tls != nullptr || !options.playmaker.unix_path.empty())) {
+    errors.push_back("--rpc-type thrift: only over TCP, with --rpc-host and --rpc-port");
+  }
+  if (options.thrift && arguments.batch == "always") {
+    errors.push_back("--batch always: Thrift has no call for a team");
   }
   check_hosts(options, errors);
   resolve_coach_ports(arguments, errors);

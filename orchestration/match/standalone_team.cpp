@@ -14,6 +14,7 @@
 #include "orchestration/match/sides/network_agents.h"
 #include "proxy/connection/offline_log.h"
 #include "proxy/playmaker/grpc_playmaker.h"
+#include "proxy/playmaker/thrift_playmaker.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -40,15 +41,16 @@ int first_number(const StandaloneTeamOptions& options) {
 
 // Proxies of single agents share a Playmaker, which would take each of them for a whole team.
 proxy::BatchMode batch_mode(const StandaloneTeamOptions& options) {
-  if (options.playmaker.port_step) return proxy::BatchMode::kOff;
+  if (options.playmaker.port_step || options.thrift) return proxy::BatchMode::kOff;
   const int agents = options.team.players + (options.coach_port != 0 ? 1 : 0) +
                      (options.trainer_port != 0 ? 1 : 0);
   const bool alone = options.batch == proxy::BatchMode::kAuto && agents == 1;
   return alone ? proxy::BatchMode::kOff : options.batch;
 }
 
-std::unique_ptr<proxy::Playmaker> batching_playmaker(const proxy::GrpcTarget& target,
-                                                     proxy::BatchMode batch) {
+std::unique_ptr<proxy::Playmaker> make_playmaker(const proxy::GrpcTarget& target, bool thrift,
+                                                 proxy::BatchMode batch) {
+  if (thrift) return proxy::make_thrift_playmaker(target);
   return proxy::make_batch_playmaker(proxy::make_grpc_playmaker(target), batch);
 }
 
@@ -70,13 +72,14 @@ base::Result<std::unique_ptr<NetworkAgents>> make_agents(const StandaloneTeamOpt
     };
   }
   if (options.add_20_for_right) {
-    settings.right_playmaker = [target = options.playmaker, batch]() mutable {
+    settings.right_playmaker = [target = options.playmaker, thrift = options.thrift,
+                                batch]() mutable {
       target.port += kRightPortOffset;
-      return batching_playmaker(target, batch);
+      return make_playmaker(target, thrift, batch);
     };
   }
   PlaymakerConnection connection;
-  connection.playmaker = batching_playmaker(options.playmaker, batch);
+  connection.playmaker = make_playmaker(options.playmaker, options.thrift, batch);
   return NetworkAgents::create({soccer::Side::kLeft, std::string(options.team.name.view()),
                                 address(options.playmaker, first_number(options))},
                                std::move(connection), options.team, match, {}, std::move(settings));

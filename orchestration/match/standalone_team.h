@@ -23,6 +23,7 @@ struct StandaloneTeamOptions {
   int coach_port = 0;    ///< 0: no coach
   int trainer_port = 0;  ///< 0: no trainer
   proxy::GrpcTarget playmaker;
+  bool thrift = false;            ///< the Playmaker speaks Thrift; without TLS and Unix sockets
   bool add_20_for_right = false;  ///< ports of the Playmaker of a team on the right are 20 higher
   /// One call per team and cycle. kAuto asks for one agent alone with single calls; a Playmaker
   /// with a port per agent always gets single calls.

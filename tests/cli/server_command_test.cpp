@@ -282,7 +282,6 @@ TEST(ProxyCommand, AcceptsOptionsOfUpstreamStartScript) {
 }
 
 TEST(ProxyCommand, ReportsUsageErrors) {
-  EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-type", "thrift"}).exit_code, 2);
   EXPECT_EQ(run({cls_binary(), "proxy", "-t", "much_too_long_a_name"}).exit_code, 2);
   EXPECT_EQ(run({cls_binary(), "proxy", "-u", "12", "-C"}).exit_code, 2);
   EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-prot", "1"}).exit_code, 2);

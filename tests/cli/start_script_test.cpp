@@ -108,9 +108,9 @@ TEST_F(StartScript, RefusesOptionsWithTheWayToDoIt) {
     EXPECT_THAT(result.err, HasSubstr(way)) << option;
   }
   EXPECT_EQ(run({"proxy", "--fullstate", "some"}).exit_code, 2);
-  const CommandResult thrift = run({"proxy", "--rpc-type", "thrift"});
-  EXPECT_EQ(thrift.exit_code, 2);
-  EXPECT_THAT(thrift.err, HasSubstr("docs/network.md"));
+  EXPECT_EQ(run({"proxy", "--rpc-type", "rest"}).exit_code, 2);
+  EXPECT_EQ(run({"proxy", "--rpc-type", "thrift", "--playmaker", "unix:x"}).exit_code, 2);
+  EXPECT_EQ(run({"proxy", "--rpc-type", "thrift", "--batch", "always"}).exit_code, 2);
 }
 
 TEST_F(StartScript, WarnsOfOptionsThatChangeNothing) {
