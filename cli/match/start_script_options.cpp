@@ -32,8 +32,8 @@ constexpr std::array kRefused = {
     Refused{"--offline-client-mode",
             "cls proxy plays on a server only; record a match with cls match --record-rpc FILE and "
             "repeat its calls with cls test --replay FILE"},
-    Refused{"--goalie", "starts one player of several programs; use --unum 1"},
-    Refused{"--player", "starts one player of several programs; use --unum N"},
+    Refused{"--goalie", "one process for each player is --unum 1 here"},
+    Refused{"--player", "one process for each player is --unum N here"},
     Refused{"--use-random-rpc-port",
             "cls proxy starts no Playmaker; 'run:COMMAND --port {port}' of cls match starts one on "
             "a free port"},
@@ -96,7 +96,7 @@ void add_log_options(Command& command, StartScriptValues& values) {
       .shows_default()
       .of_group(kLogGroup);
   command.option("--debug-log-ext", values.debug_log_ext, "end of the names of debug logs")
-      .placeholder("TEXT")
+      .placeholder("EXTENSION")
       .shows_default()
       .of_group(kLogGroup);
   command.option("--debug-start-time", values.debug_start_time, "first cycle of debug logs")
@@ -165,9 +165,7 @@ void add_start_script_options(Command& command, StartScriptValues& values) {
       .placeholder("FILE");
   add_log_options(command, values);
   for (const auto* level : levels()) {
-    command
-        .flag(category_option(level->name()),
-              fmt::format("texts and shapes of level {}", level->name()))
+    command.flag(category_option(level->name()), "texts and shapes of this level")
         .of_group(kCategoryGroup);
   }
   for (const Refused& one : kRefused) command.flag(one.name, one.reason).of_group(kRefusedGroup);

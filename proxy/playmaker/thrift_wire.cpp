@@ -226,6 +226,7 @@ class Reader {
   static constexpr std::uint32_t kMaxText = 1U << 24;
 
   bool skip_elements(std::uint32_t count, std::uint8_t type, int depth);
+  bool real_value(Message& message, const FieldDescriptor& field, bool repeated);
   bool value(Message& message, const FieldDescriptor& field, bool repeated, int depth);
   bool list(Message& message, const FieldDescriptor& field, int depth);
   bool map(Message& message, const FieldDescriptor& field, int depth);
@@ -282,6 +283,20 @@ bool Reader::skip(std::uint8_t type, int depth) {
   }
 }
 
+bool Reader::real_value(Message& message, const FieldDescriptor& field, bool repeated) {
+  const Reflection& of = *message.GetReflection();
+  std::uint64_t bits = 0;
+  if (!number(bits)) return false;
+  const auto read = std::bit_cast<double>(bits);
+  if (field.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE) {
+    repeated ? of.AddDouble(&message, &field, read) : of.SetDouble(&message, &field, read);
+  } else {
+    const auto narrow = static_cast<float>(read);
+    repeated ? of.AddFloat(&message, &field, narrow) : of.SetFloat(&message, &field, narrow);
+  }
+  return true;
+}
+
 bool Reader::value(Message& message, const FieldDescriptor& field, bool repeated, int depth) {
   const Reflection& of = *message.GetReflection();
   std::uint8_t flag = 0;
@@ -293,18 +308,9 @@ bool Reader::value(Message& message, const FieldDescriptor& field, bool repeated
       if (!number(flag)) return false;
       repeated ? of.AddBool(&message, &field, flag != 0) : of.SetBool(&message, &field, flag != 0);
       return true;
-    case FieldDescriptor::CPPTYPE_FLOAT: {
-      if (!number(large)) return false;
-      const auto read = static_cast<float>(std::bit_cast<double>(large));
-      repeated ? of.AddFloat(&message, &field, read) : of.SetFloat(&message, &field, read);
-      return true;
-    }
-    case FieldDescriptor::CPPTYPE_DOUBLE: {
-      if (!number(large)) return false;
-      const auto read = std::bit_cast<double>(large);
-      repeated ? of.AddDouble(&message, &field, read) : of.SetDouble(&message, &field, read);
-      return true;
-    }
+    case FieldDescriptor::CPPTYPE_FLOAT:
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return real_value(message, field, repeated);
     case FieldDescriptor::CPPTYPE_INT64:
     case FieldDescriptor::CPPTYPE_UINT64: {
       if (!number(large)) return false;

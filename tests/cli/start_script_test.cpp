@@ -268,50 +268,51 @@ TEST(DebugPackets, OfHeliosBaseHaveTheSameForm) {
                                             "target-point", "message", "line", "circle"}));
 }
 
+// Of start.sh and start-agent.sh (proxy 1.1.4), and of py2d's start.py.
+const std::vector<std::string> kFrameworkOptions = {"--help",
+                                                    "-h",
+                                                    "--host",
+                                                    "-p",
+                                                    "--port",
+                                                    "-P",
+                                                    "--coach-port",
+                                                    "-t",
+                                                    "--teamname",
+                                                    "-n",
+                                                    "--number",
+                                                    "-u",
+                                                    "--unum",
+                                                    "-C",
+                                                    "--without-coach",
+                                                    "-f",
+                                                    "--formation",
+                                                    "--team-graphic",
+                                                    "--offline-logging",
+                                                    "--offline-client-mode",
+                                                    "--debug",
+                                                    "--debug_CATEGORY",
+                                                    "--debug-start-time",
+                                                    "--debug-end-time",
+                                                    "--debug-server-connect",
+                                                    "--debug-server-host",
+                                                    "--debug-server-port",
+                                                    "--debug-server-logging",
+                                                    "--log-dir",
+                                                    "--debug-log-ext",
+                                                    "--fullstate",
+                                                    "--rpc-host",
+                                                    "--rpc-port",
+                                                    "--rpc-port-step",
+                                                    "--rpc-add-20-to-port-for-right",
+                                                    "--rpc-type",
+                                                    "--goalie",
+                                                    "--player",
+                                                    "--coach",
+                                                    "--use-random-rpc-port",
+                                                    "--auto-close-rpc-server"};
+
 // The rows of the page and the options of the command.
 TEST_F(StartScript, PageListsEveryOption) {
-  // Of start.sh and start-agent.sh (proxy 1.1.4), and of py2d's start.py.
-  const std::vector<std::string> framework = {"--help",
-                                              "-h",
-                                              "--host",
-                                              "-p",
-                                              "--port",
-                                              "-P",
-                                              "--coach-port",
-                                              "-t",
-                                              "--teamname",
-                                              "-n",
-                                              "--number",
-                                              "-u",
-                                              "--unum",
-                                              "-C",
-                                              "--without-coach",
-                                              "-f",
-                                              "--formation",
-                                              "--team-graphic",
-                                              "--offline-logging",
-                                              "--offline-client-mode",
-                                              "--debug",
-                                              "--debug_CATEGORY",
-                                              "--debug-start-time",
-                                              "--debug-end-time",
-                                              "--debug-server-connect",
-                                              "--debug-server-host",
-                                              "--debug-server-port",
-                                              "--debug-server-logging",
-                                              "--log-dir",
-                                              "--debug-log-ext",
-                                              "--fullstate",
-                                              "--rpc-host",
-                                              "--rpc-port",
-                                              "--rpc-port-step",
-                                              "--rpc-add-20-to-port-for-right",
-                                              "--rpc-type",
-                                              "--goalie",
-                                              "--player",
-                                              "--coach",
-                                              "--use-random-rpc-port",
-                                              "--auto-close-rpc-server"};
   std::set<std::string> rows;
   const std::regex option("`(--?[A-Za-z0-9_-]+)");
   bool in_table = false;
@@ -325,13 +326,14 @@ TEST_F(StartScript, PageListsEveryOption) {
     }
   }
   const std::string help = run({"proxy", "--help"}).out;
-  for (const std::string& name : framework) {
+  for (const std::string& name : kFrameworkOptions) {
     EXPECT_TRUE(rows.contains(name)) << name << " is not in the table of docs/network.md";
     if (name == "--debug_CATEGORY") continue;
     EXPECT_THAT(help, HasSubstr(name));
   }
   for (const std::string& name : rows) {
-    EXPECT_NE(std::find(framework.begin(), framework.end(), name), framework.end())
+    EXPECT_NE(std::find(kFrameworkOptions.begin(), kFrameworkOptions.end(), name),
+              kFrameworkOptions.end())
         << name << " is not an option of the framework";
   }
 }

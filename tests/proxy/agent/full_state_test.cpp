@@ -99,7 +99,7 @@ TEST(FullStateUse, CanReplaceTheEstimates) {
   ASSERT_NE(state, nullptr);
   EXPECT_EQ(state->world_model().self().pos_count(), 0);
   EXPECT_EQ(state->world_model().ball().pos_count(), 0);
-  EXPECT_EQ(recording.agent->world().ball.pos_count, player::kNever) << "the senses go on";
+  EXPECT_EQ(recording.agent->world().ball.pos_count, player::kNever) << "the senses are unchanged";
 }
 
 }  // namespace
