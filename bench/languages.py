@@ -11,6 +11,7 @@ for each player). The best round counts. Builds the teams first. All must play t
 import argparse
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -49,8 +50,12 @@ def built(language):
     """Why a team cannot be built here; empty: it is built."""
     made = subprocess.run([os.path.join(ROOT, "examples", language, "run"), "build"],
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-    lines = made.stdout.strip().splitlines() or [f"exit code {made.returncode}"]
-    return "" if made.returncode == 0 else lines[-1]
+    if made.returncode == 0:
+        return ""
+    plain = re.sub(r"\x1b\[[0-9;]*m", "", made.stdout)
+    lines = [line.strip() for line in plain.splitlines() if re.search(r"[A-Za-z]", line)]
+    errors = [line for line in lines if re.search(r"error|not found", line, re.IGNORECASE)]
+    return (errors or lines or [f"exit code {made.returncode}"])[0]
 
 
 def build(options):
