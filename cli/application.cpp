@@ -103,6 +103,7 @@ void add_commands(Command& root) {
   add_logs_command(root);
   add_convert_command(root);
   add_challenge_command(root);
+  add_dataset_command(root);
   add_watch_command(root);
   add_report_command(root);
   add_check_command(root);

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/tables/arrow_tables.h"
+#include "base/io/arrow_file.h"
 #include "base/text/number_text.h"
 #include "soccer/play_mode.h"
 #include "soccer/side.h"
@@ -185,14 +187,19 @@ void append_point(soccer::Vec2 point, std::string& out) {
   }
 }
 
+// A drop ball is no mode of the table.
+std::string_view mode_name(const Row& row, const MatchRecord& record) {
+  const PlayMode mode = record.mode[row.from_frame];
+  return soccer::name(mode == PlayMode::kDropBall ? PlayMode::kPlayOn : mode);
+}
+
 void append_row(const Row& row, const MatchRecord& record, std::string& out) {
   out += row.type;
   append_actor(row.from, out);
   out += ',';
   base::append_int(record.time[row.from_frame], out);
   out += ',';
-  const PlayMode mode = record.mode[row.from_frame];
-  out += soccer::name(mode == PlayMode::kDropBall ? PlayMode::kPlayOn : mode);
+  out += mode_name(row, record);
   append_point(row.from_point, out);
   append_actor(row.to, out);
   out += ',';
@@ -201,7 +208,40 @@ void append_row(const Row& row, const MatchRecord& record, std::string& out) {
   out += row.success ? ",true\n" : ",false\n";
 }
 
+std::vector<base::ArrowField> event_fields() {
+  using base::ArrowType;
+  return {{"Type", ArrowType::kText},           {"Side1", ArrowType::kText},
+          {"Unum1", ArrowType::kInt8},          {"Time1", ArrowType::kInt32, "cycle"},
+          {"Mode1", ArrowType::kText},          {"X1", ArrowType::kFloat32, "m"},
+          {"Y1", ArrowType::kFloat32, "m"},     {"Side2", ArrowType::kText},
+          {"Unum2", ArrowType::kInt8},          {"Time2", ArrowType::kInt32, "cycle"},
+          {"X2", ArrowType::kFloat32, "m"},     {"Y2", ArrowType::kFloat32, "m"},
+          {"Success", ArrowType::kBool}};
+}
+
+void add_row(const Row& row, const MatchRecord& record, base::ArrowWriter& table) {
+  table.add(row.type);
+  table.add(std::string_view(soccer::side_name(row.from.side)));
+  table.add(row.from.unum);
+  table.add(record.time[row.from_frame]);
+  table.add(mode_name(row, record));
+  table.add(row.from_point.x);
+  table.add(row.from_point.y);
+  table.add(std::string_view(soccer::side_name(row.to.side)));
+  table.add(row.to.unum);
+  table.add(record.time[row.to_frame]);
+  table.add(row.to_point.x);
+  table.add(row.to_point.y);
+  table.add(row.success ? 1.0 : 0.0);
+}
+
 }  // namespace
+
+void write_events_arrow(const Flow& flow, base::ByteSink& sink) {
+  base::ArrowWriter table(sink, event_fields(), {{"schema", "cls.events/1"}});
+  for (const Row& row : EventRows(flow).collect()) add_row(row, *flow.record, table);
+  table.close();
+}
 
 std::string event_table(const Flow& flow) {
   std::string table = kHeading;

@@ -39,6 +39,7 @@ constexpr const char* kDescription =
     "  cls convert page.html game.rcg             the log of the page, as it was\n"
     "  cls convert game.rcg game.tracking.csv     a row per frame, by the name\n"
     "  cls convert cup --tables csv               all tables of all matches in cup\n"
+    "  cls convert cup --tables out --format arrow  with types and units\n"
     "\n"
     "Tables are OUT.tracking.csv, OUT.player_types.csv and OUT.event.csv. '-' is\n"
     "standard input or output. Of a corrupt log, the readable frames are converted.";
@@ -49,6 +50,7 @@ struct Arguments {
   std::string to;
   std::string tables;
   std::string cdf;
+  std::string format = "csv";
   bool published = false;
   bool json = false;
   bool force = false;
@@ -119,6 +121,11 @@ void print_document(const Arguments& arguments, const TableCounts& counts) {
   fmt::print("{}", base::json_document(document));
 }
 
+MatchFiles files_of(const Arguments& arguments) {
+  if (!arguments.cdf.empty()) return MatchFiles::kCdf;
+  return arguments.format == "arrow" ? MatchFiles::kArrow : MatchFiles::kTables;
+}
+
 int run_tables(const Arguments& arguments) {
   TableRequest request{.in = arguments.in, .out = arguments.out};
   if (arguments.published) request.columns = analysis::TrackingColumns::kPublished;
@@ -130,7 +137,7 @@ int run_tables(const Arguments& arguments) {
   if (arguments.has_folder()) {
     const bool cdf = arguments.tables.empty();
     request.out = cdf ? arguments.cdf : arguments.tables;
-    exit_code = write_match_files(cdf ? MatchFiles::kCdf : MatchFiles::kTables, request, counts);
+    exit_code = write_match_files(files_of(arguments), request, counts);
   } else {
     exit_code = write_match_table(*table_of(arguments), request, counts);
   }
@@ -162,7 +169,10 @@ std::string why_wrong(const Arguments& arguments) {
         "siblings, or --to",
         arguments.out, fmt::join(kEndings, ", "));
   }
-  const bool tracks = !arguments.tables.empty() || table_of(arguments) == MatchTable::kTracking;
+  const bool arrow = arguments.format == "arrow";
+  if (arrow && arguments.tables.empty()) return "--format arrow: only with --tables DIR";
+
+  const bool tracks = (!arguments.tables.empty() && !arrow) || table_of(arguments) == MatchTable::kTracking;
   if (arguments.published && !tracks) {
     return "--published: only for tracking tables";
   }
@@ -218,13 +228,16 @@ void add_convert_command(Command& app) {
   Command& command = app.command("convert", kDescription);
   command.group = kResultCommands;
 
-  command.option("IN", arguments->in, "input game log; for tables also a folder").required();
+  command.option("IN", arguments->in, "input game log; for tables also a folder or data set").required();
   command.option("OUT", arguments->out, "output file, compressed if it ends in .gz");
   command.option("--to", arguments->to,
                  "version: 4, 5, 6, 7 or json (default: 6, json for OUT.json, that of\n"
                  "the log for a page); or a table: tracking, player_types or event");
 
   command.option("--tables", arguments->tables, "write all tables of each match into this folder");
+  command.option("--format", arguments->format, "of these tables; arrow has world models, too")
+      .one_of({"csv", "arrow"})
+      .shows_default();
   command.option("--cdf", arguments->cdf,
                  "write each match in the Common Data Format into this folder");
   command.flag("--published", arguments->published,

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "analysis/play/flow.h"
+#include "analysis/tables/arrow_tables.h"
 #include "analysis/tables/cdf_documents.h"
 #include "analysis/tables/cdf_lines.h"
 #include "analysis/tables/cdf_match.h"
@@ -26,17 +27,25 @@
 #include "cli/terminal/log_progress.h"
 #include "gamelog/files/log_files.h"
 #include "gamelog/rcg/frame_stream.h"
+#include "gamelog/rcl/rcl_reader.h"
+#include "orchestration/tournament/dataset/dataset.h"
+#include "viewer/decisions/decision_files.h"
+#include "viewer/decisions/decision_table.h"
+#include "viewer/page/encoding.h"
 #include "viewer/page/page.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
+namespace tournament = orchestration::tournament;
 using gamelog::MatchRecord;
+
+constexpr std::size_t kMaxWorldModels = std::size_t{1} << 30;
+constexpr const char* kMatchStem = "match";  // of the logs of `cls match`
 
 constexpr std::array kTables = {MatchTable::kTracking, MatchTable::kPlayerTypes,
                                 MatchTable::kEvents};
-constexpr std::size_t kPageStart = 64;
 
 std::string suffix(MatchTable table) { return fmt::format(".{}.csv", name(table)); }
 
@@ -83,16 +92,6 @@ int finish(const std::string& in, const gamelog::ParseErrors& errors,
   return errors.empty() ? kOk : kBadData;
 }
 
-// The match of a page whose bytes `input` has.
-base::Result<viewer::StreamMatch> read_page(base::InputBuffer& input) {
-  std::string page;
-  for (;;) {
-    const std::string_view block = input.take(base::InputBuffer::kMaxLine);
-    if (block.empty()) return viewer::read_page(page);
-    page += block;
-  }
-}
-
 int stream_tracking(base::ByteSource& source, const std::string& in, const TableRequest& request,
                     TableCounts& counts) {
   gamelog::ParseErrors errors;
@@ -101,8 +100,8 @@ int stream_tracking(base::ByteSource& source, const std::string& in, const Table
   const auto failure = write_output(request.out, [&](base::ByteSink& sink) {
     analysis::TrackingTable table(sink, request.columns);
     gamelog::FrameStream stream(source, table);
-    if (viewer::looks_like_page(stream.input().peek(kPageStart))) {
-      const auto match = read_page(stream.input());
+    if (viewer::looks_like_page_or_stream(stream.input().peek(viewer::kMatchStart))) {
+      const auto match = viewer::read_page_or_stream(stream.input());
       if (!match) page_error = fmt::format("{}: {}", in, match.error().message);
       if (match) write_frames(match->record, table);
       if (match) counts.frames = match->record.frames();
@@ -138,11 +137,14 @@ struct OneMatch {
   std::string id;
   analysis::TrackingColumns columns;
   std::unique_ptr<analysis::CdfMatch> cdf;
+  std::optional<gamelog::RclRecord> text;
+  std::vector<viewer::TeamDecisions> decisions;
 };
 
 struct FileKind {
   const char* suffix;
   void (*write)(const OneMatch& match, base::ByteSink& sink);
+  bool (*has)(const OneMatch& match) = [](const OneMatch&) { return true; };
 };
 
 template <MatchTable kTable>
@@ -173,7 +175,30 @@ constexpr FileKind kCdfFiles[] = {
      }},
 };
 
+constexpr FileKind kArrowFiles[] = {
+    {".frames.arrow",
+     [](const OneMatch& match, base::ByteSink& sink) {
+       analysis::write_frames_arrow(match.record, sink);
+     }},
+    {".events.arrow",
+     [](const OneMatch& match, base::ByteSink& sink) {
+       analysis::write_events_arrow(analysis::build_flow(match.record), sink);
+     }},
+    {".player_types.csv", write_table_of<MatchTable::kPlayerTypes>},
+    {".commands.arrow",
+     [](const OneMatch& match, base::ByteSink& sink) {
+       analysis::write_commands_arrow(*match.text, sink);
+     },
+     [](const OneMatch& match) { return match.text.has_value(); }},
+    {".world_models.arrow",
+     [](const OneMatch& match, base::ByteSink& sink) {
+       viewer::write_decisions_arrow(match.decisions, sink);
+     },
+     [](const OneMatch& match) { return !match.decisions.empty(); }},
+};
+
 std::span<const FileKind> kinds_of(MatchFiles files) {
+  if (files == MatchFiles::kArrow) return kArrowFiles;
   if (files == MatchFiles::kCdf) return kCdfFiles;
   return kTableFiles;
 }
@@ -181,7 +206,8 @@ std::span<const FileKind> kinds_of(MatchFiles files) {
 // A log of many, and where its files go.
 struct Job {
   std::string log;
-  std::string id;  ///< the name of the log, without endings
+  std::string text;  ///< its text log; empty: none
+  std::string id;    ///< the name of the log, without endings
   fs::path stem;   ///< of its files, without suffix
   std::optional<OutputFailure> failure{};
   gamelog::ParseErrors errors{};
@@ -190,10 +216,22 @@ struct Job {
 };
 
 fs::path without_endings(fs::path name) {
-  for (const char* ending : {".gz", ".rcg", ".json", ".html"}) {
+  for (const char* ending : {".gz", ".rcg", ".json", ".html", ".view"}) {
     if (name.extension() == ending) name.replace_extension();
   }
   return name;
+}
+
+// The logs of a folder, or the matches of a data set.
+base::Result<gamelog::FoundLogs> logs_of(const std::string& in) {
+  if (!tournament::is_dataset(in)) return gamelog::find_logs({in});
+  TRY_INIT(const auto matches, tournament::read_dataset_matches(in));
+  gamelog::FoundLogs found;
+  for (const tournament::DatasetMatch& match : matches) {
+    if (match.files.empty()) continue;
+    found.matches.push_back({(fs::path(in) / match.files.front().path).string(), ""});
+  }
+  return found;
 }
 
 // Logs keep the folders that they have below `in`.
@@ -206,7 +244,7 @@ std::vector<Job> plan_jobs(const gamelog::FoundLogs& found, const TableRequest& 
     const fs::path log = match.game == "-" ? fs::path("match") : fs::path(match.game);
     const fs::path name =
         without_endings(below ? log.lexically_relative(request.in) : log.filename());
-    jobs.push_back({match.game, name.generic_string(), fs::path(request.out) / name});
+    jobs.push_back({match.game, match.text, name.generic_string(), fs::path(request.out) / name});
   }
 
   return jobs;
@@ -231,6 +269,41 @@ std::optional<OutputFailure> check_outputs(const std::vector<Job>& jobs,
   return std::nullopt;
 }
 
+// The world models of a match folder or a data set; none without them.
+base::Result<std::vector<viewer::TeamDecisions>> read_world_models(const Job& job) {
+  const fs::path log = without_endings(job.log);
+  std::vector<viewer::TeamDecisions> teams;
+  for (const char* file : {viewer::kLeftWorldModelsFile, viewer::kRightWorldModelsFile}) {
+    std::error_code code;
+    fs::path path = log.string() + "." + file;
+    const bool of_match = log.filename() == kMatchStem && !fs::exists(path, code);
+    if (of_match) path = log.parent_path() / file;
+    if (!fs::exists(path, code)) continue;
+
+    const auto packed = base::read_file(path);
+    if (!packed) return base::Error{fmt::format("{}: not readable", path.string())};
+    const auto stream = viewer::gunzip(*packed, kMaxWorldModels);
+    auto team = stream ? viewer::read_decisions(*stream) : stream.error();
+    if (!team) return base::Error{fmt::format("{}: {}", path.string(), team.error().message)};
+    teams.push_back(*std::move(team));
+  }
+  return teams;
+}
+
+// Reads what Arrow files have beyond the game log.
+void read_more(Job& job, OneMatch& match) {
+  if (!job.text.empty()) {
+    auto text = gamelog::read_rcl_file(job.text);
+    if (text) match.text = *std::move(text);
+  }
+  auto decisions = read_world_models(job);
+  if (decisions) {
+    match.decisions = *std::move(decisions);
+  } else {
+    job.failure = {kBadData, decisions.error().message};
+  }
+}
+
 void run_job(Job& job, MatchFiles files, analysis::TrackingColumns columns) {
   const auto match = viewer::read_log_or_page(job.log);
   if (!match) {
@@ -247,14 +320,16 @@ void run_job(Job& job, MatchFiles files, analysis::TrackingColumns columns) {
     job.failure = {kCannotCreate, created.error().message};
     return;
   }
-  OneMatch one{record, job.id, columns, nullptr};
+  OneMatch one{record, job.id, columns, nullptr, std::nullopt, {}};
   if (files == MatchFiles::kCdf) one.cdf = std::make_unique<analysis::CdfMatch>(record, job.id);
+  if (files == MatchFiles::kArrow) read_more(job, one);
   for (const FileKind& kind : kinds_of(files)) {
+    if (job.failure) return;
+    if (!kind.has(one)) continue;
     job.failure = write_output(file_of(job, kind), [&](base::ByteSink& sink) {
       kind.write(one, sink);
       return true;
     });
-    if (job.failure) return;
   }
 }
 
@@ -297,9 +372,10 @@ int write_match_table(MatchTable table, const TableRequest& request, TableCounts
 }
 
 int write_match_files(MatchFiles files, const TableRequest& request, TableCounts& counts) {
-  const gamelog::FoundLogs found = gamelog::find_logs({request.in});
-  std::vector<Job> jobs = plan_jobs(found, request);
-  int exit_code = report_missing(found);
+  const auto found = logs_of(request.in);
+  if (!found) return print_error(kBadData, found.error().message);
+  std::vector<Job> jobs = plan_jobs(*found, request);
+  int exit_code = report_missing(*found);
   if (exit_code == kOk && jobs.empty()) {
     return print_error(kNoInput, fmt::format("{}: no game log (rcg)", request.in));
   }

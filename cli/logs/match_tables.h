@@ -23,11 +23,13 @@ std::optional<MatchTable> table_of_file(std::string_view path);
 /// Files that are written together.
 enum class MatchFiles : unsigned char {
   kTables,  ///< NAME.tracking.csv, NAME.player_types.csv, NAME.event.csv
+  kArrow,   ///< NAME.frames.arrow, .events.arrow, .player_types.csv; with a text log
+            ///< .commands.arrow, with world models .world_models.arrow
   kCdf,     ///< Common Data Format: NAME.match.json, .meta.json, .event.jsonl, .tracking.jsonl
 };
 
 struct TableRequest {
-  std::string in;   ///< a log, a page or a folder; of find_logs() for write_match_files()
+  std::string in;   ///< a log, a page, a folder or a data set for write_match_files()
   std::string out;  ///< a file, or the folder for write_match_files()
   analysis::TrackingColumns columns = analysis::TrackingColumns::kAll;
   bool force = false;

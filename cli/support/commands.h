@@ -30,6 +30,7 @@ void add_logs_command(Command& app);
 void add_convert_command(Command& app);
 void add_watch_command(Command& app);
 void add_check_command(Command& app);
+void add_dataset_command(Command& app);
 void add_doctor_command(Command& app);
 void add_mock_command(Command& app);
 void add_proxy_command(Command& app);

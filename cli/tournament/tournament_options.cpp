@@ -105,13 +105,7 @@ std::vector<std::string> apply_overrides(TournamentConfig& config,
   return errors;
 }
 
-void add_shared_options(Command& command, TournamentOptions& options, bool schedule) {
-  command.option(
-      "--config", options.config_file,
-      schedule ? "configuration file (default: DIR/cls.toml, or cls.toml in or above the working "
-                 "directory)"
-               : "configuration file (default: cls.toml in or above the working directory)");
-
+void add_key_options(Command& command, TournamentOptions& options, bool schedule) {
   command.option("--set", options.settings, "server::NAME=VALUE, repeatable").repeatable();
   for (const ConfigKey& key : tournament_keys()) {
     const bool of_tournament =
@@ -122,6 +116,22 @@ void add_shared_options(Command& command, TournamentOptions& options, bool sched
                 std::string(key.help))
         .of_group(group_title(key.group));
   }
+}
+
+void add_shared_options(Command& command, TournamentOptions& options, bool schedule) {
+  command.option(
+      "--config", options.config_file,
+      schedule ? "configuration file (default: DIR/cls.toml, or cls.toml in or above the working "
+                 "directory)"
+               : "configuration file (default: cls.toml in or above the working directory)");
+  add_key_options(command, options, schedule);
+}
+
+void add_team_option(Command& command, TournamentOptions& options) {
+  command
+      .option("--team", options.teams,
+              "a team: NAME=ENDPOINT, repeatable; added to those of DIR/cls.toml")
+      .repeatable();
 }
 
 ChosenConfig read_and_override(TournamentOptions options, const FoundConfig& found) {
@@ -157,11 +167,13 @@ void add_condition_options(Command& command, TournamentOptions& options) {
 
 void add_tournament_options(Command& command, TournamentOptions& options) {
   command.option("DIR", options.folder, "folder of the tournament").required();
-  command
-      .option("--team", options.teams,
-              "a team: NAME=ENDPOINT, repeatable; added to those of DIR/cls.toml")
-      .repeatable();
+  add_team_option(command, options);
   add_shared_options(command, options, true);
+}
+
+void add_override_options(Command& command, TournamentOptions& options) {
+  add_team_option(command, options);
+  add_key_options(command, options, true);
 }
 
 ChosenConfig choose_conditions(const TournamentOptions& options) {

@@ -26,6 +26,9 @@ bool is_given(const TournamentOptions& options, const std::string& key);
 /// `options` must outlive it.
 void add_tournament_options(Command& command, TournamentOptions& options);
 
+/// Like add_tournament_options, without DIR and --config.
+void add_override_options(Command& command, TournamentOptions& options);
+
 /// Like add_tournament_options, without DIR, --team and the schedule keys except the seed; for
 /// commands with their own schedule.
 void add_condition_options(Command& command, TournamentOptions& options);

@@ -79,7 +79,7 @@ const std::map<std::string, Library>& libraries() {
         {"options", "result", "server", "sides", "hooks", ""}}},
       {"orchestration/tournament",
        {{"base", "soccer", "viewer", "orchestration/process", "orchestration/match"},
-        {"rating", "config", "schedule", "store", "report", "run", "tuning"}}},
+        {"rating", "config", "schedule", "store", "report", "run", "dataset", "tuning"}}},
       {"orchestration/scenario",
        {{"base", "soccer", "proto", "player", "proxy", "mock-server", "simulator", "viewer",
          "orchestration/process", "orchestration/match"},

@@ -149,7 +149,8 @@ std::vector<std::string> words_of(const std::string& line) {
 std::string help_of(const std::vector<std::string>& words) {
   static std::map<std::string, std::string> known;
   std::vector<std::string> command = {cls_binary(), words[1]};
-  const bool nested = words[1] == "check" || words[1] == "tournament" || words[1] == "tune";
+  const bool nested = words[1] == "check" || words[1] == "tournament" || words[1] == "tune" ||
+                      words[1] == "dataset";
   if (nested && words.size() > 2) command.push_back(words[2]);
   command.push_back("--help");
   const std::string key = joined(command);

@@ -18,6 +18,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kIncomplete = "incomplete decisions: the match did not end";
+
 struct Chunk {
   char kind = 0;
   std::string_view contents;
@@ -193,7 +195,7 @@ base::Result<TeamDecisions> read_decisions(std::string_view stream) {
     if (auto error = reader.read(*chunk)) return *error;
     if (chunk->kind != kLatencyChunk) add_to_checksum(chunk->bytes, checksum);
   }
-  return base::Error{"incomplete decisions: the match did not end"};
+  return base::Error{kIncomplete};
 }
 
 base::Result<std::string> select_players(std::string_view stream, const std::vector<int>& unums) {
@@ -222,7 +224,16 @@ base::Result<std::string> select_players(std::string_view stream, const std::vec
     selected += chunk->bytes;
     if (chunk->kind != kLatencyChunk) add_to_checksum(chunk->bytes, checksum);
   }
-  return base::Error{"incomplete decisions: the match did not end"};
+  return base::Error{kIncomplete};
+}
+
+base::Result<std::string> without_latencies(std::string_view stream) {
+  std::string rest;
+  while (const auto chunk = next_chunk(stream)) {
+    if (chunk->kind != kLatencyChunk) rest += chunk->bytes;
+    if (chunk->kind == kEndChunk) return rest;
+  }
+  return base::Error{kIncomplete};
 }
 
 }  // namespace cls::viewer

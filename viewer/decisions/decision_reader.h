@@ -24,4 +24,8 @@ base::Result<TeamDecisions> read_decisions(std::string_view stream);
 /// schema, other columns, no end.
 base::Result<std::string> select_players(std::string_view stream, const std::vector<int>& unums);
 
+/// The stream without its latencies, which are not the same in each run: what remains is, if the
+/// match is. Error: no end.
+base::Result<std::string> without_latencies(std::string_view stream);
+
 }  // namespace cls::viewer

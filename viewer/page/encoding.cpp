@@ -1,10 +1,12 @@
 // Base64 and hashes with OpenSSL, gzip with the sinks and sources of base.
 #include "viewer/page/encoding.h"
 
+#include <fmt/format.h>
 #include <openssl/evp.h>
 
 #include <array>
 #include <cassert>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -21,6 +23,16 @@ int digit_of(char c) {
   if (c >= 'a' && c <= 'z') return c - 'a' + 26;
   if (c >= '0' && c <= '9') return c - '0' + 52;
   return c == '+' ? 62 : c == '/' ? 63 : kNoDigit;
+}
+
+std::string sha256(std::string_view bytes) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned size = 0;
+  const int done =
+      EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
+  assert(done == 1);
+  static_cast<void>(done);
+  return {reinterpret_cast<const char*>(digest.data()), size};
 }
 
 bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
@@ -58,14 +70,14 @@ base::Result<std::string> from_base64(std::string_view text) {
   return bytes;
 }
 
-std::string csp_hash(std::string_view text) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned size = 0;
-  const int done =
-      EVP_Digest(text.data(), text.size(), digest.data(), &size, EVP_sha256(), nullptr);
-  assert(done == 1);
-  static_cast<void>(done);
-  return "'sha256-" + base64({reinterpret_cast<const char*>(digest.data()), size}) + "'";
+std::string csp_hash(std::string_view text) { return "'sha256-" + base64(sha256(text)) + "'"; }
+
+std::string sha256_hex(std::string_view bytes) {
+  std::string text;
+  for (const char byte : sha256(bytes)) {
+    fmt::format_to(std::back_inserter(text), "{:02x}", static_cast<unsigned char>(byte));
+  }
+  return text;
 }
 
 std::string gzip(std::string_view bytes) {

@@ -17,6 +17,9 @@ base::Result<std::string> from_base64(std::string_view text);
 /// The source expression of a Content-Security-Policy: 'sha256-...'.
 std::string csp_hash(std::string_view text);
 
+/// SHA-256 in hexadecimal digits.
+std::string sha256_hex(std::string_view bytes);
+
 std::string gzip(std::string_view bytes);
 
 /// At most `max_size` bytes; an error beyond, and for bytes that are not gzip or end early.

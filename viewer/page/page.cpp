@@ -16,6 +16,7 @@
 #include "soccer/side.h"
 #include "viewer/page/encoding.h"
 #include "viewer/page/viewer_program.h"
+#include "viewer/stream/chunk.h"
 
 namespace cls::viewer {
 namespace {
@@ -180,6 +181,12 @@ bool looks_like_page(std::string_view start) {
   });
 }
 
+bool looks_like_page_or_stream(std::string_view start) {
+  const bool stream = start.starts_with(static_cast<char>(kHeaderChunk)) &&
+                      start.find("{\"schema\":\"cls.view/") < kMatchStart;
+  return stream || looks_like_page(start);
+}
+
 base::Result<StreamMatch> read_page(std::string_view page) {
   // The last tag counts: only data in base64 follow it, while names and programs come before it.
   const std::size_t tag = page.rfind(kDataTag);
@@ -207,28 +214,33 @@ base::Result<StreamMatch> read_page(std::string_view page) {
   return read_stream(stream);
 }
 
+base::Result<StreamMatch> read_page_or_stream(base::InputBuffer& input) {
+  std::string bytes;
+  for (;;) {
+    const std::string_view block = input.take(base::InputBuffer::kMaxLine);
+    if (block.empty()) break;
+    bytes += block;
+    if (bytes.size() > kMaxStream) return base::Error{"too large for a match"};
+  }
+
+  auto match = looks_like_page(bytes) ? read_page(bytes) : read_stream(bytes);
+  if (match) match->from_page = true;
+  return match;
+}
+
 base::Result<StreamMatch> read_log_or_page(const std::string& path) {
   TRY_INIT(auto source, base::open_source(path));
   base::InputBuffer input(*source);
 
-  if (!looks_like_page(input.peek(kDoctype.size()))) {
+  if (!looks_like_page_or_stream(input.peek(kMatchStart))) {
     StreamMatch match;
     match.record = gamelog::read_rcg(input);
     match.ended = true;
     return match;
   }
 
-  std::string page;
-  for (;;) {
-    const std::string_view block = input.take(base::InputBuffer::kMaxLine);
-    if (block.empty()) break;
-    page += block;
-    if (page.size() > kMaxStream) return base::Error{path + ": too large for a page"};
-  }
-
-  auto match = read_page(page);
+  auto match = read_page_or_stream(input);
   if (!match) return in_file(path, match.error());
-  match->from_page = true;
   return match;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/results/match_summary.h"
+#include "base/io/input_buffer.h"
 #include "base/result.h"
 #include "gamelog/record/match_record.h"
 #include "soccer/side.h"
@@ -71,12 +72,18 @@ std::string inert_json(std::string json);
 
 /// True if a file that starts like this may be a page.
 bool looks_like_page(std::string_view start);
+/// True if a file that starts like this, with at least kMatchStart bytes, may be a page, or the
+/// stream of a match (docs/formats/view.md) as a file.
+bool looks_like_page_or_stream(std::string_view start);
+inline constexpr std::size_t kMatchStart = 64;
 
 /// The match of a page. Errors: no page of cls, cut or corrupt.
 base::Result<StreamMatch> read_page(std::string_view page);
+/// The match of a page or stream with the bytes that `input` has. `from_page` is set.
+base::Result<StreamMatch> read_page_or_stream(base::InputBuffer& input);
 
-/// A game log of any version, or the match of a page; "-" is standard input. Errors name the file.
-/// Parse errors of a log are in the record.
+/// A game log of any version, or the match of a page or stream, also compressed; "-" is standard
+/// input. Errors name the file. Parse errors of a log are in the record.
 base::Result<StreamMatch> read_log_or_page(const std::string& path);
 
 }  // namespace cls::viewer

@@ -406,9 +406,10 @@ Rows debugging_rows() {
   Rows rows = {
       row("record_rpc", &Options::record_rpc, "FILE", text_as("a file"),
           "record all requests and replies in FILE (see cls test --replay)"),
-      flag("record_world_models", &Options::record_world_models,
-           "record what each player estimates, receives and sends; cls watch then "
-           "shows it beside the full state (docs/watching.md)"),
+      with(OptionUse::kConditions, "true",
+           flag("record_world_models", &Options::record_world_models,
+                "record what each player estimates, receives and sends; cls watch then "
+                "shows it beside the full state (docs/watching.md)")),
       save_at_row(),
       row("resume", &Options::resume, "FILE", text_as("a file"),
           "continue the match saved in FILE; with --seed its random draws differ from there on"),
