@@ -192,7 +192,7 @@ PositionStats measure_positions(const Flow& flow) {
   for (std::size_t team = 0; team < 2; ++team) {
     std::vector<double> mean_x;
     for (const std::size_t slot : kTeamSlots[team]) {
-      const bool goalie = record.frames() > 0 && is_goalie(record, slot);
+      const bool goalie = was_goalie(record, slot);
       if (sums[slot].all.count > 0 && !goalie) mean_x.push_back(sums[slot].all.mean().x);
     }
     result.teams[team] = shapes[team].shape();

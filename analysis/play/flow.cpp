@@ -178,6 +178,13 @@ std::size_t Flow::end_of_play(const Touch& touch) const {
   return frame;
 }
 
+bool was_goalie(const gamelog::MatchRecord& record, std::size_t slot) {
+  for (std::size_t frame = 0; frame < record.frames(); ++frame) {
+    if (is_goalie(record, entry_of(frame, slot))) return true;
+  }
+  return false;
+}
+
 Flow build_flow(const gamelog::MatchRecord& record) {
   Flow flow;
   flow.record = &record;

@@ -105,4 +105,8 @@ inline bool is_goalie(const gamelog::MatchRecord& record, std::size_t entry) {
   return (record.players.state[entry] & gamelog::kStateGoalie) != 0;
 }
 
+/// True if the player was the goalie in any frame: it need not be connected in the first and the
+/// last one.
+bool was_goalie(const gamelog::MatchRecord& record, std::size_t slot);
+
 }  // namespace cls::analysis

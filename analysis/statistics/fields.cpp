@@ -66,9 +66,7 @@ Json counters_json(const gamelog::Counters& counters) {
 }
 
 Json is_goalie_json(const PlayerView& player) {
-  const gamelog::MatchRecord& record = *player.all.flow.record;
-  const std::size_t frames = record.frames();
-  return frames > 0 && is_goalie(record, entry_of(frames - 1, player.slot));
+  return was_goalie(*player.all.flow.record, player.slot);
 }
 
 Json type_json(const PlayerView& player) {

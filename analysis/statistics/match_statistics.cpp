@@ -84,7 +84,7 @@ Rating rating_of(const MatchStatistics& all, std::size_t slot) {
   rating.discipline = -1.0 * all.stoppages.fouls_by[slot] - 2.0 * all.stoppages.yellow_cards[slot] -
                       6.0 * all.stoppages.red_cards[slot];
   const gamelog::MatchRecord& record = *all.flow.record;
-  if (record.frames() > 0 && is_goalie(record, entry_of(record.frames() - 1, slot))) {
+  if (was_goalie(record, slot)) {
     const std::size_t team = team_of(slot);
     const auto conceded = std::count_if(
         all.goals.begin(), all.goals.end(),

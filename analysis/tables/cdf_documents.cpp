@@ -70,8 +70,12 @@ bool played(const CdfMatch& match, std::size_t slot) {
   return false;
 }
 
+// In the first frame of play: the log may begin before the teams connect.
 bool starts(const CdfMatch& match, std::size_t slot) {
-  return match.record.frames() > 0 && gamelog::is_enabled(match.record, entry_of(0, slot));
+  const gamelog::MatchRecord& record = match.record;
+  std::size_t frame = 0;
+  while (frame + 1 < record.frames() && !match.statistics.flow.is_live(frame)) ++frame;
+  return frame < record.frames() && gamelog::is_enabled(record, entry_of(frame, slot));
 }
 
 // `whole`: with names, as the match sheet has them.

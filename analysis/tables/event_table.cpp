@@ -210,12 +210,12 @@ void append_row(const Row& row, const MatchRecord& record, std::string& out) {
 
 std::vector<base::ArrowField> event_fields() {
   using base::ArrowType;
-  return {{"Type", ArrowType::kText},           {"Side1", ArrowType::kText},
-          {"Unum1", ArrowType::kInt8},          {"Time1", ArrowType::kInt32, "cycle"},
-          {"Mode1", ArrowType::kText},          {"X1", ArrowType::kFloat32, "m"},
-          {"Y1", ArrowType::kFloat32, "m"},     {"Side2", ArrowType::kText},
-          {"Unum2", ArrowType::kInt8},          {"Time2", ArrowType::kInt32, "cycle"},
-          {"X2", ArrowType::kFloat32, "m"},     {"Y2", ArrowType::kFloat32, "m"},
+  return {{"Type", ArrowType::kText},       {"Side1", ArrowType::kText},
+          {"Unum1", ArrowType::kInt8},      {"Time1", ArrowType::kInt32, "cycle"},
+          {"Mode1", ArrowType::kText},      {"X1", ArrowType::kFloat32, "m"},
+          {"Y1", ArrowType::kFloat32, "m"}, {"Side2", ArrowType::kText},
+          {"Unum2", ArrowType::kInt8},      {"Time2", ArrowType::kInt32, "cycle"},
+          {"X2", ArrowType::kFloat32, "m"}, {"Y2", ArrowType::kFloat32, "m"},
           {"Success", ArrowType::kBool}};
 }
 

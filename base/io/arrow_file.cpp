@@ -233,7 +233,7 @@ void ArrowWriter::append_value(double number) {
   Column& column = columns_[column_];
   switch (fields_[column_].type) {
     case ArrowType::kBool:
-      return set_bit(column.cells, number != 0.0, column.values);
+      return set_bit(column.bits++, number != 0.0, column.values);
     case ArrowType::kInt8:
       return append_whole<std::int8_t>(number, column.values);
     case ArrowType::kInt16:

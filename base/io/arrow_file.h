@@ -37,9 +37,9 @@ class ArrowWriter {
 
   // One cell, in the order of the fields; a row ends with its last cell. A list takes as many
   // numbers as it has.
-  void add(double number);      ///< of a type that can hold it; also for kBool
+  void add(double number);          ///< of a type that can hold it; also for kBool
   void add(std::string_view text);  ///< bytes that are not UTF-8 become U+FFFD
-  void add_null();              ///< the cell, or the whole list, is unknown
+  void add_null();                  ///< the cell, or the whole list, is unknown
 
   /// Writes the last rows and the footer. Called last, after a whole row.
   void close();
@@ -49,6 +49,7 @@ class ArrowWriter {
     std::string values;
     std::vector<std::int32_t> offsets;  // of texts
     std::string validity;               // a bit per row
+    std::size_t bits = 0;               // of kBool, in values
     std::size_t nulls = 0;
     std::size_t cells = 0;
   };

@@ -172,7 +172,8 @@ std::string why_wrong(const Arguments& arguments) {
   const bool arrow = arguments.format == "arrow";
   if (arrow && arguments.tables.empty()) return "--format arrow: only with --tables DIR";
 
-  const bool tracks = (!arguments.tables.empty() && !arrow) || table_of(arguments) == MatchTable::kTracking;
+  const bool tracks =
+      (!arguments.tables.empty() && !arrow) || table_of(arguments) == MatchTable::kTracking;
   if (arguments.published && !tracks) {
     return "--published: only for tracking tables";
   }
@@ -228,7 +229,8 @@ void add_convert_command(Command& app) {
   Command& command = app.command("convert", kDescription);
   command.group = kResultCommands;
 
-  command.option("IN", arguments->in, "input game log; for tables also a folder or data set").required();
+  command.option("IN", arguments->in, "input game log; for tables also a folder or data set")
+      .required();
   command.option("OUT", arguments->out, "output file, compressed if it ends in .gz");
   command.option("--to", arguments->to,
                  "version: 4, 5, 6, 7 or json (default: 6, json for OUT.json, that of\n"

@@ -208,7 +208,7 @@ struct Job {
   std::string log;
   std::string text;  ///< its text log; empty: none
   std::string id;    ///< the name of the log, without endings
-  fs::path stem;   ///< of its files, without suffix
+  fs::path stem;     ///< of its files, without suffix
   std::optional<OutputFailure> failure{};
   gamelog::ParseErrors errors{};
   std::string unreadable{};

@@ -8,6 +8,7 @@
 #include <future>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,13 +69,14 @@ class Packer {
   Packer(const TournamentConfig& config, fs::path dataset)
       : config_(config), dataset_(std::move(dataset)) {}
 
+  /// Each match once, however often this is called.
   void pack(const ScheduledMatch& match) {
     std::erase_if(running_, [this](std::future<base::Result<void>>& one) {
       if (one.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
       note(one.get());
       return true;
     });
-    if (is_packed(match)) return;
+    if (is_packed(match) || !begun_.insert(match.fixture.index).second) return;
     running_.push_back(std::async(std::launch::async, [this, match] { return work(match); }));
   }
 
@@ -125,6 +127,7 @@ class Packer {
   const TournamentConfig& config_;
   fs::path dataset_;
   std::vector<std::future<base::Result<void>>> running_;
+  std::set<int> begun_;  // numbers of matches
   std::string error_;
 };
 
@@ -151,16 +154,16 @@ struct MakeArguments {
 
 struct Figures {
   double seconds = 0.0;
-  int played = 0;           ///< in this run
-  double own_share = 0.0;   ///< of the processors, for all but the matches
+  int played = 0;          ///< in this run
+  double own_share = 0.0;  ///< of the processors, for all but the matches
 };
 
 Figures figures_of(const RunSummary& summary, Clock::time_point begin) {
   Figures figures;
   figures.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   figures.played = summary.progress.done_in_this_run;
-  figures.own_share =
-      own_cpu_seconds() / std::max(1e-3, figures.seconds * static_cast<double>(base::default_jobs()));
+  figures.own_share = own_cpu_seconds() /
+                      std::max(1e-3, figures.seconds * static_cast<double>(base::default_jobs()));
   return figures;
 }
 
@@ -188,8 +191,8 @@ void print_result(const MakeArguments& arguments, const std::vector<DatasetMatch
   fmt::print("{}/: {}, {:.1f} MB ({:.2f} MB a match)\n", arguments.folder,
              base::counted(matches.size(), "match", "matches"), megabytes, each);
   if (figures.played == 0) return;
-  fmt::print("1000 matches: {:.1f} GB, {:.0f} min on this host; packing takes {:.0f} % of it\n", each,
-             figures.seconds / figures.played * 1000 / 60, 100 * figures.own_share);
+  fmt::print("1000 matches: {:.1f} GB, {:.0f} min on this host; packing takes {:.0f} % of it\n",
+             each, figures.seconds / figures.played * 1000 / 60, 100 * figures.own_share);
 }
 
 int make_dataset(const MakeArguments& arguments) {
@@ -268,8 +271,8 @@ int report_problems(const VerifyArguments& arguments, std::size_t matches, std::
                                               {"played_again", again},
                                               {"problems", problems}}));
   } else if (problems.empty()) {
-    fmt::print("{}/: {} as they were made, {} played again with the same bytes\n",
-               arguments.folder, base::counted(matches, "match", "matches"), again);
+    fmt::print("{}/: {} as they were made, {} played again with the same bytes\n", arguments.folder,
+               base::counted(matches, "match", "matches"), again);
   } else {
     print_errors(exit_code, problems);
   }
@@ -337,15 +340,15 @@ void add_verify(Command& dataset) {
 }  // namespace
 
 void add_dataset_command(Command& app) {
-  Command& command = app.command(
-      "dataset",
-      "make matches for learning and research, with what each player knew\n"
-      "\n"
-      "  cls dataset make cup/cls.toml data     plays the matches; again to resume\n"
-      "  cls dataset verify data                hashes, and a match played again\n"
-      "  cls convert data --tables tables --format arrow\n"
-      "\n"
-      "docs/data.md describes files and columns.");
+  Command& command =
+      app.command("dataset",
+                  "make matches for learning and research, with what each player knew\n"
+                  "\n"
+                  "  cls dataset make cup/cls.toml data     plays the matches; again to resume\n"
+                  "  cls dataset verify data                hashes, and a match played again\n"
+                  "  cls convert data --tables tables --format arrow\n"
+                  "\n"
+                  "docs/data.md describes files and columns.");
   command.group = kPlayCommands;
   command.starts_programs = true;
   add_make(command);

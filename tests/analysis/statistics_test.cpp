@@ -336,6 +336,20 @@ TEST(Positions, MeasureTeamShape) {
   EXPECT_NEAR(line.defense_x, -40, 1e-5);
 }
 
+TEST(Positions, KnowGoalieWhoConnectsLateAndLeavesEarly) {
+  ScriptedMatch match;
+  match.steps(2);
+  const std::string formation = measure_positions(build_flow(match.record())).teams[0].formation;
+  std::size_t last = (match.record().frames() - 1) * gamelog::kSlots;
+  for (const std::size_t first : {std::size_t{0}, last}) {
+    match.record().players.state[first + static_cast<std::size_t>(left(1))] = 0;
+  }
+  const MatchStatistics statistics = compute_statistics(match.record(), nullptr);
+  EXPECT_EQ(statistics.positions.teams[0].formation, formation);
+  EXPECT_TRUE(was_goalie(match.record(), static_cast<std::size_t>(left(1))));
+  EXPECT_FALSE(was_goalie(match.record(), static_cast<std::size_t>(left(2))));
+}
+
 gamelog::RclRecord text_log(std::string_view log) {
   base::MemorySource source(log);
   return gamelog::read_rcl(source);

@@ -23,8 +23,8 @@ constexpr std::array<const char*, kDecisionTexts.size()> kTextColumns = {"reply"
 const char* unit_of(std::string_view column) {
   const auto ends = [column](std::string_view ending) { return column.ends_with(ending); };
   if (ends("_vx") || ends("_vy")) return "m/cycle";
-  if (ends("x") || ends("y")) return "m";
   if (ends("_body") || ends("_neck")) return "deg";
+  if (ends("x") || ends("y")) return "m";
   return ends("age") || ends("reach") || ends("cycle") || ends("stopped") ? "cycle" : "";
 }
 

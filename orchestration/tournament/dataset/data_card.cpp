@@ -54,8 +54,8 @@ constexpr const char* kFiles =
 
 constexpr const char* kLicense =
     "## License\n\n"
-    "The matches are facts that a program computed; `cls` claims no rights in them. Whoever "
-    "publishes this data set\nnames its license here, and asks the authors of external teams and "
+    "The matches are facts that a program computed; `cls` claims no rights in them. Before you "
+    "publish this data set,\nname its license here, and ask the authors of external teams and "
     "Playmakers.\n";
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/io/whole_file.h"
 #include "base/text/json_text.h"
@@ -63,6 +64,21 @@ Result<std::string> full_state(const fs::path& folder) {
     return Error{gamelog::format_error(log.string(), match.record.errors.first.front())};
   }
   return viewer::write_stream(match.record, viewer::StreamForm{}, "");
+}
+
+// Removes what a killed run was writing.
+void remove_other_files(const fs::path& folder, const std::vector<DatasetMatch>& matches) {
+  std::set<fs::path> known;
+  for (const DatasetMatch& match : matches) {
+    for (const DatasetFile& file : match.files) known.insert(folder / file.path);
+  }
+  std::vector<fs::path> others;
+  std::error_code code;
+  for (fs::recursive_directory_iterator at(folder / kDatasetShards, code), end; !code && at != end;
+       at.increment(code)) {
+    if (at->is_regular_file() && !known.contains(at->path())) others.push_back(at->path());
+  }
+  for (const fs::path& other : others) fs::remove(other, code);
 }
 
 bool is_set(const TournamentConfig& config, std::string_view setting) {
@@ -185,6 +201,7 @@ Result<TournamentConfig> read_dataset_plan(const fs::path& folder) {
 
 Result<void> write_dataset(const TournamentConfig& config, const std::vector<DatasetMatch>& matches,
                            const fs::path& folder) {
+  remove_other_files(folder, matches);
   std::string lines;
   for (const DatasetMatch& match : matches) lines += format_dataset_match(match);
   TRY(base::write_file(folder / kDatasetPlan, format_config(config, true)));

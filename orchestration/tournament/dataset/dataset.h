@@ -16,7 +16,7 @@
 namespace cls::orchestration::tournament {
 
 // Names inside a data set; docs/data.md describes the files.
-inline constexpr const char* kDatasetPlan = "dataset.toml";   ///< the specification
+inline constexpr const char* kDatasetPlan = "dataset.toml";      ///< the specification
 inline constexpr const char* kDatasetMatches = "matches.jsonl";  ///< a DatasetMatch a line
 inline constexpr const char* kDatasetCard = "README.md";
 inline constexpr const char* kDatasetShards = "shards";
@@ -68,7 +68,8 @@ base::Result<std::vector<DatasetMatch>> read_dataset_matches(const std::filesyst
 /// work/ is there.
 base::Result<TournamentConfig> read_dataset_plan(const std::filesystem::path& folder);
 
-/// Writes what is not a match: specification, list of matches, card. `matches` are in order.
+/// Writes what is not a match: specification, list of matches, card. `matches` are in order. Files
+/// in the shards that belong to none of them are removed.
 base::Result<void> write_dataset(const TournamentConfig& config,
                                  const std::vector<DatasetMatch>& matches,
                                  const std::filesystem::path& folder);
