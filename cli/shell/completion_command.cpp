@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text/json_text.h"
+#include "base/text/printable.h"
 #include "base/text/suggestion.h"
 #include "cli/shell/completion.h"
 #include "cli/shell/shells.h"
@@ -56,7 +57,7 @@ int print_completion(const Command& root, std::vector<std::string> words) {
   if (!words.empty() && words.front() == "--") words.erase(words.begin());
   const Completion completion = complete(root, words);
   for (const Candidate& candidate : completion.candidates) {
-    fmt::print("{}\t{}\n", candidate.text, candidate.note);
+    fmt::print("{}\t{}\n", candidate.text, base::printable(candidate.note));
   }
 
   if (completion.paths != PathKind::kNone) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -39,13 +40,22 @@ void add_folders(const ValueContext&, Completion& completion) {
   add_paths(completion, PathKind::kFolders);
 }
 
-// Adds the teams of the cls.toml in or above the working directory.
+// Shells insert candidates as they are: a name that they would not read as one word, or would run,
+// has no place among them.
+bool is_plain_word(std::string_view text) {
+  constexpr std::string_view kPlain = "_-.:+@%/=,";
+  return !text.empty() && std::all_of(text.begin(), text.end(), [&](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || kPlain.find(c) != kPlain.npos;
+  });
+}
+
+// Adds the teams of the cls.toml in or above the working directory, which may be a stranger's.
 void add_teams(Completion& completion) {
   std::error_code code;
   const auto file = orchestration::tournament::find_config(fs::current_path(code));
   if (!file) return;
   for (const auto& team : orchestration::tournament::read_config(*file).config.teams) {
-    completion.candidates.push_back({team.name, team.endpoint});
+    if (is_plain_word(team.name)) completion.candidates.push_back({team.name, team.endpoint});
   }
 }
 

@@ -52,6 +52,18 @@ TEST_F(Completion, OffersCommandsAndSubcommands) {
   EXPECT_EQ(complete({"nonsense", ""}), Words{});
 }
 
+// Shells insert candidates unquoted: a stranger's cls.toml must not get a command to run.
+TEST_F(Completion, OffersNoNamesThatAShellWouldRun) {
+  std::ofstream(folder_.path() / "cls.toml") << "[teams.\"x$(touch p)\"]\nendpoint = \"mock\"\n"
+                                                "[teams.\"a b\"]\nendpoint = \"mock\"\n"
+                                                "[teams.ada]\nendpoint = \"mock\\n$(touch q)\"\n";
+  const Words sides = complete({"match", ""});
+  EXPECT_TRUE(has(sides, "ada"));
+  for (const std::string& line : sides) {
+    EXPECT_EQ(line.find_first_of("$ ("), std::string::npos) << line;
+  }
+}
+
 TEST_F(Completion, OffersOptionsThatAreNotGivenYet) {
   EXPECT_EQ(complete({"match", "--se"}), (Words{"--seed", "--server", "--set"}));
   EXPECT_EQ(complete({"match", "--seed", "7", "--set", "server::half_time=10", "--se"}),
