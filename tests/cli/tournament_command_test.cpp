@@ -212,6 +212,23 @@ TEST_F(Tournament, HooksReceiveJsonOnStdin) {
   EXPECT_TRUE(fs::is_empty(cup() / "matches")) << "--keep-logs none";
 }
 
+TEST_F(Tournament, EndsWhatHooksLeaveBehind) {
+  Command playing(argv({"run", cup(), "--keep-logs", "none", "--on-match-finish", "sleep 300 &"}));
+  const CommandResult played = playing.finish(50s);
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("on_match_finish: ended a process that it had left behind"));
+}
+
+TEST_F(Tournament, SignalEndsHooksThatHang) {
+  Command playing(argv({"run", cup(), "--keep-logs", "none", "--on-finish",
+                        "trap '' TERM; echo waiting >&2; sleep 300"}));
+  ASSERT_TRUE(playing.wait_for_errors("match 6/6  "));
+  std::this_thread::sleep_for(1s);
+  playing.send_signal(SIGTERM);
+  const CommandResult ended = playing.finish(20s);
+  EXPECT_THAT(ended.err, HasSubstr("on_finish: ended, because it still ran")) << ended.err;
+}
+
 TEST_F(Tournament, ResumesAfterSigterm) {
   write_config("rounds = 3\n");
   Command playing(argv({"run", cup(), "--concurrency", "1"}));

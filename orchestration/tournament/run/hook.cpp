@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
 #include <system_error>
 #include <utility>
 
@@ -11,7 +13,9 @@
 namespace cls::orchestration::tournament {
 namespace {
 
-constexpr std::chrono::milliseconds kHookExitTimeout{60'000};
+constexpr std::chrono::seconds kLimit{60};
+constexpr std::chrono::seconds kShortLimit{2};
+constexpr std::chrono::milliseconds kPollInterval{50};
 
 }  // namespace
 
@@ -51,26 +55,61 @@ void HookRunner::start(const std::string& name, const std::string& command,
   running_.push_back({*std::move(child), file});
 }
 
-std::vector<std::string> HookRunner::take_errors(bool wait) {
+// Adds a failure, if it is one.
+void HookRunner::report(const Running& one) {
+  const process::Child::Status status = one.child->status();
+  const std::string& name = one.child->plan().name;
+
+  if (status.asked_to_end || !status.exit) {
+    errors_.push_back(fmt::format("{}: ended, because it still ran", name));
+  } else if (status.exit->by_signal || status.exit->number != 0) {
+    const std::vector<std::string> output = one.child->last_lines(1);
+    errors_.push_back(fmt::format("{}: {}{}", name, to_text(*status.exit),
+                                  output.empty() ? "" : ": " + output.front()));
+  } else if (!status.gone) {
+    errors_.push_back(fmt::format("{}: ended a process that it had left behind", name));
+  }
+}
+
+std::vector<std::string> HookRunner::take_errors() {
   std::error_code code;
-  std::vector<Running> running;
-  for (Running& one : running_) {
-    if (wait) one.child->wait_gone(kHookExitTimeout);
-    const process::Child::Status status = one.child->status();
-    if (!status.exit && !wait) {
-      running.push_back(std::move(one));
-      continue;
+  std::erase_if(running_, [&](const Running& one) {
+    if (!one.child->status().gone) return false;
+    report(one);
+    std::filesystem::remove(one.document, code);
+    return true;
+  });
+  return std::exchange(errors_, {});
+}
+
+std::vector<std::string> HookRunner::finish(const std::atomic<int>& stop_signal) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  std::optional<Clock::time_point> patient_until;  // once nothing worth a minute is left
+
+  std::vector<std::string> errors = take_errors();
+  while (!running_.empty()) {
+    const Clock::time_point now = Clock::now();
+    const bool only_descendants =
+        std::all_of(running_.begin(), running_.end(),
+                    [](const Running& one) { return one.child->status().exit.has_value(); });
+    if (!patient_until && (stop_signal != 0 || only_descendants)) {
+      patient_until = now + kShortLimit;
     }
-    if (!status.exit || status.exit->by_signal || status.exit->number != 0) {
-      const std::vector<std::string> output = one.child->last_lines(1);
-      errors_.push_back(fmt::format("{}: {}{}", one.child->plan().name,
-                                    status.exit ? to_text(*status.exit) : "does not exit",
-                                    output.empty() ? "" : ": " + output.front()));
-    }
+    if (now - begin > kLimit || (patient_until && now > *patient_until)) break;
+    running_.front().child->wait_gone(kPollInterval);
+    for (std::string& line : take_errors()) errors.push_back(std::move(line));
+  }
+
+  std::error_code code;
+  for (const Running& one : running_) {
+    report(one);
+    one.child->end(std::chrono::seconds(1));
     std::filesystem::remove(one.document, code);
   }
-  running_ = std::move(running);
-  return std::exchange(errors_, {});
+  running_.clear();
+  for (std::string& line : take_errors()) errors.push_back(std::move(line));
+  return errors;
 }
 
 }  // namespace cls::orchestration::tournament

@@ -1,6 +1,7 @@
 // Runs the commands on_match_finish and on_finish.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -26,15 +27,21 @@ class HookRunner {
   /// Starts `command` with /bin/sh -c.
   void start(const std::string& name, const std::string& command, const std::string& document);
 
-  /// Failures of commands that have exited since the last call, one line each. `wait`: first waits
-  /// for each command, at most a minute.
-  std::vector<std::string> take_errors(bool wait = false);
+  /// Failures of commands that have exited since the last call, one line each.
+  std::vector<std::string> take_errors();
+
+  /// Waits for all commands: a minute for all of them together, two seconds once `stop_signal` is
+  /// not 0 or only processes are left that they have left behind. Ends those that still run, and
+  /// names them among the failures.
+  std::vector<std::string> finish(const std::atomic<int>& stop_signal);
 
  private:
   struct Running {
     std::shared_ptr<process::Child> child;
     std::filesystem::path document;
   };
+
+  void report(const Running& one);
 
   std::filesystem::path folder_;
   std::filesystem::path working_folder_;

@@ -302,7 +302,7 @@ class TournamentRun {
       hooks_.start("on_finish", config_.on_finish,
                    report_json(make_report(config_, matches_, options_.folder)));
     }
-    for (const std::string& line : hooks_.take_errors(true)) observer_.on_note(line);
+    for (const std::string& line : hooks_.finish(stop_signal_)) observer_.on_note(line);
     return {};
   }
 
