@@ -8,6 +8,7 @@
 
 #include "base/io/standard_streams.h"
 #include "cli/application.h"
+#include "cli/support/abort_report.h"
 #include "cli/support/early_guard.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
@@ -49,6 +50,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   cls::base::protect_standard_streams();
+  report_aborts();
   cls::proto::silence_grpc_log();
   return finish_output(run(argc, argv));
 }

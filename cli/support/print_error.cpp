@@ -25,6 +25,9 @@ int print_errors(int exit_code, const std::vector<std::string>& messages) {
 
 int print_exception(const std::exception& error) {
   if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
+    if (file->path1().empty() && file->code() == std::errc::no_such_file_or_directory) {
+      return print_error(kNoInput, "the working folder does not exist any more; go to another one");
+    }
     return print_error(kNoInput,
                        fmt::format("{}: {}", file->path1().string(), file->code().message()));
   }

@@ -48,6 +48,33 @@ TEST_F(EverydayUse, MatchTakesTheFolderOfOneThatNeverBegan) {
   EXPECT_THAT(cls(again).err, HasSubstr("first holds ")) << "a match that was played";
 }
 
+TEST_F(EverydayUse, ADeletedWorkingFolderIsNamed) {
+  fs::create_directory(folder_.path() / "gone");
+  Command command(
+      {"/bin/sh", "-c", "rmdir ../gone; exec '" + cls_binary().string() + "' compare mock mock"},
+      {}, folder_.path() / "gone");
+  const CommandResult result = command.finish();
+  EXPECT_EQ(result.exit_code, 66) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("cls: the working folder does not exist any more"));
+}
+
+// Sanitizers reserve more address space than any limit leaves.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST_F(EverydayUse, AnAbortForWantOfMemorySaysSo) {
+  for (const std::string limit : {"-v 500000", "-d 100000"}) {
+    Command command({"/bin/sh", "-c",
+                     "ulimit " + limit + "; exec '" + cls_binary().string() +
+                         "' match mock mock --cycles 20 --dir limited"},
+                    {}, folder_.path());
+    const CommandResult result = command.finish();
+    if (result.exit_code == 0) continue;  // a smaller program than today's
+    EXPECT_EQ(result.exit_code, 70) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("memory")) << limit;
+    fs::remove_all(folder_.path() / "limited");
+  }
+}
+#endif
+
 TEST_F(EverydayUse, MatchLeavesFilesOfUsersAlone) {
   cls({"match", "run:false {port}", "mock", "--dir", "first"});
   write("first/notes.txt", "mine");

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -75,7 +76,8 @@ DoctorReport examine(const DoctorOptions& options,
   add_check(program_file());
   add_check(processors());
   add_check(memory());
-  add_check(working_folder(std::filesystem::current_path()));
+  std::error_code gone;
+  add_check(working_folder(std::filesystem::current_path(gone)));
   for (const StockPort& port : kStockPorts) add_check(udp_port(port.number, port.role));
   for (DoctorCheck& check : ask_all(options, stop)) add_check(std::move(check));
 

@@ -84,6 +84,13 @@ DoctorCheck working_folder(const fs::path& folder) {
   check.needed = true;
   check.path = folder.string();
 
+  if (folder.empty()) {
+    check.status = DoctorStatus::kWrong;
+    check.found = "it does not exist any more";
+    check.hint = "change to a folder that exists";
+    return check;
+  }
+
   std::error_code code;
   const fs::path runs = folder / "runs";
   const fs::path written = fs::exists(runs, code) ? runs : folder;

@@ -1,0 +1,77 @@
+// Signal handlers may only call a few functions: the line is made beforehand.
+#include "cli/support/abort_report.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <string>
+
+#include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
+
+namespace cls::cli {
+namespace {
+
+struct Report {
+  std::string line;
+  bool limited = false;  ///< the limits of memory explain the abort
+};
+
+std::string limit_text(int resource, const char* option, unsigned long unit) {
+  rlimit limit{};
+  if (getrlimit(static_cast<__rlimit_resource_t>(resource), &limit) != 0 ||
+      limit.rlim_cur == RLIM_INFINITY) {
+    return "";
+  }
+  return fmt::format(" ulimit -{} {}", option, limit.rlim_cur / unit);
+}
+
+Report make_report() {
+  const std::string memory = limit_text(RLIMIT_AS, "v", 1024) + limit_text(RLIMIT_DATA, "d", 1024);
+  const std::string limits = memory + limit_text(RLIMIT_NPROC, "u", 1);
+  return {
+      fmt::format("cls: a library ended the process, as it does without memory or threads{}{}\n",
+                  limits.empty() ? "" : "; limits of this shell:", limits),
+      !memory.empty()};
+}
+
+const Report& report() {
+  static const Report made = make_report();
+  return made;
+}
+
+// The children that cls forks for a moment have the handler, too, and say the same.
+void on_abort(int) {
+  [[maybe_unused]] const auto written =
+      write(STDERR_FILENO, report().line.data(), report().line.size());
+  if (report().limited) _exit(kInternalError);
+  std::signal(SIGABRT, SIG_DFL);
+  std::raise(SIGABRT);
+}
+
+[[noreturn]] void on_terminate() {
+  if (const std::exception_ptr current = std::current_exception()) {
+    try {
+      std::rethrow_exception(current);
+    } catch (const std::exception& error) {
+      _exit(print_exception(error));
+    } catch (...) {
+    }
+  }
+  std::abort();
+}
+
+}  // namespace
+
+void report_aborts() {
+  report();
+  std::set_terminate(on_terminate);
+  std::signal(SIGABRT, on_abort);
+}
+
+}  // namespace cls::cli
