@@ -12,7 +12,7 @@ from typing import Any, Callable, List, Optional, Set, Tuple
 import grpc
 
 from cls_playmaker import proto
-from cls_playmaker.stalls import Stalls, own_frames
+from cls_playmaker.stalls import STALLS, own_frames
 
 _log = logging.getLogger("cls_playmaker")
 _REPLIES = {method.name: "proto." + method.output_type.name
@@ -33,7 +33,6 @@ class Errors:
 
     def __init__(self) -> None:
         self._seen: Set[Tuple[str, str, str]] = set()
-        self._stalls = Stalls()
 
     def call(self, rpc: str, method: Callable[[Any, Any], Any], request: Any, context: Any) -> Any:
         """The reply of the method for one agent to an RPC of protos.Game."""
@@ -46,7 +45,7 @@ class Errors:
         A wrong value is reported with the line that defines what returned it: `source`, or `method`,
         or the function whose value that returns."""
         try:
-            with self._stalls.watch(name, caller):
+            with STALLS.watch(name, caller):
                 reply = method()
             if not _chosen(context) and not _is_a(reply, wanted):
                 raise TypeError(f"{name} returned {type(reply).__name__}, must return {wanted}")

@@ -35,7 +35,8 @@ class _Call:
 
 
 class Stalls:
-    """Knows the calls under way, one per thread. A thread of its own looks at them.
+    """Knows the calls under way, one per thread. A thread of its own, which never ends, looks at
+    them: all servers of a program share STALLS.
 
     Where a library holds Python's lock no thread can look: faulthandler then prints all stacks.
     """
@@ -50,7 +51,8 @@ class Stalls:
         """Around the method `name` for the agent that `caller` names."""
         if self._watcher is None:
             self._arm()
-            self._watcher = threading.Thread(target=self._look, daemon=True)
+            self._watcher = threading.Thread(target=self._look, name="cls stalls",
+                                             daemon=True)
             self._watcher.start()
         thread = threading.get_ident()
         outer = self._calls.get(thread)
@@ -86,3 +88,6 @@ class Stalls:
         """Sets the timer of faulthandler again: it runs out only if the watcher cannot run."""
         with contextlib.suppress(OSError, RuntimeError, ValueError, AttributeError):  # no stderr
             faulthandler.dump_traceback_later(2 * self._patience)
+
+
+STALLS = Stalls()

@@ -2,6 +2,7 @@
 import signal
 import subprocess
 import sys
+import threading
 import unittest
 
 import grpc
@@ -116,6 +117,16 @@ class Serving(unittest.TestCase):
         self.assertTrue(error.details().endswith(
             f"returned list, must return proto.PlayerActions (serving_test.py:{line})"),
             error.details())
+
+    def test_servers_share_the_thread_that_watches(self):
+        self.stub.GetPlayerActions(state(1), timeout=10)
+        before = sum(thread.name == "cls stalls" for thread in threading.enumerate())
+        server, port = start(Team())
+        with grpc.insecure_channel(f"127.0.0.1:{port}") as channel:
+            proto.GameStub(channel).GetPlayerActions(state(1), timeout=10)
+        server.stop(0).wait()
+        after = sum(thread.name == "cls stalls" for thread in threading.enumerate())
+        self.assertEqual((before, after), (1, 1))
 
     def test_names_player_and_line_of_a_call_that_hangs(self):
         for lock, wanted in (
