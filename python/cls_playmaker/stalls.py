@@ -9,7 +9,7 @@ import sys
 import threading
 import time
 import traceback
-from typing import Any, Callable, Dict, Iterator, List, Optional
+from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence
 
 _log = logging.getLogger("cls_playmaker")
 _OWN = os.path.dirname(__file__) + os.sep
@@ -20,7 +20,7 @@ _FRAMES = 3      # of the stack, innermost last
 _DEBUGGERS = (os.sep + "bdb.py", os.sep + "pydevd.py")
 
 
-def own_frames(frames: traceback.StackSummary) -> List[traceback.FrameSummary]:
+def own_frames(frames: Sequence[traceback.FrameSummary]) -> List[traceback.FrameSummary]:
     """Those of the team: outside this package and installed ones."""
     return [frame for frame in frames if not frame.filename.startswith(_OWN)
             and not any(os.sep + folder + os.sep in frame.filename for folder in _INSTALLED)]
@@ -78,7 +78,8 @@ class Stalls:
         stack = traceback.extract_stack(frame) if frame is not None else traceback.StackSummary()
         if any(one.filename.endswith(_DEBUGGERS) for one in stack):
             return
-        own = own_frames(stack)[-_FRAMES:]
+        called = max((i for i, one in enumerate(stack) if one.filename.startswith(_OWN)), default=-1)
+        own = own_frames(stack[called + 1:])[-_FRAMES:]
         place = f"{os.path.basename(own[-1].filename)}:{own[-1].lineno}" if own else "unknown"
         lines = [f"  {one.filename}:{one.lineno} in {one.name}: {one.line}" for one in own]
         _log.error("%s: %s has not returned for %.0f s, it is at %s\n%s", call.caller(), call.name,

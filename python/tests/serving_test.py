@@ -131,7 +131,7 @@ class Serving(unittest.TestCase):
     def test_names_player_and_line_of_a_call_that_hangs(self):
         for lock, wanted in (
                 ("free", rb"player 7 of RED at cycle 120: GetPlayerActions has not returned for 3 s, "
-                         rb"it is at <string>:7\n"),
+                         rb"it is at <string>:7\n  <string>:7 in GetPlayerActions: "),
                 ("held", rb'(?s)Timeout .*File "<string>", line 7 in GetPlayerActions')):
             with self.subTest(lock=lock):
                 program = HANGING.replace('sys.argv.pop(1) == "free"', str(lock == "free"))
