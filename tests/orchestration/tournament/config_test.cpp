@@ -219,6 +219,8 @@ TEST(Config, IsFoundInParentFolderAndStoresItsFolder) {
 
 TEST(Config, ResolvesEndpointsRelativeToItsFolder) {
   EXPECT_EQ(endpoint_from("/some where", "run:./go {port}"), "run:cd '/some where' && ./go {port}");
+  EXPECT_EQ(endpoint_from("/some where", "each:run:./go {port}"),
+            "each:run:cd '/some where' && ./go {port}");
   EXPECT_EQ(endpoint_from("/a", "team:teams/x"), "team:/a/teams/x");
   EXPECT_EQ(endpoint_from("/a", "team:/b"), "team:/b");
   EXPECT_EQ(endpoint_from("/a", "mock:x.json"), "mock:/a/x.json");
