@@ -20,7 +20,8 @@ static_assert(std::endian::native == std::endian::little, "values are written as
 using Place = FlatBuffer::Place;
 
 constexpr std::string_view kMagic = "ARROW1";
-constexpr std::size_t kAlignment = 64;  // recommended for the arrays of a body
+constexpr std::size_t kAlignment = 64;                       // recommended for the arrays of a body
+constexpr std::size_t kMaxBatchText = std::size_t{1} << 28;  // offsets have 32 bits
 constexpr std::uint32_t kContinues = 0xFFFFFFFF;
 
 // Numbers of the schemas Message.fbs, Schema.fbs and File.fbs.
@@ -256,7 +257,7 @@ void ArrowWriter::end_cell(bool valid) {
   in_list_ = 0;
   if (++column_ < fields_.size()) return;
   column_ = 0;
-  if (++rows_ == kBatchRows) write_batch();
+  if (++rows_ == kBatchRows || is_full_) write_batch();
 }
 
 void ArrowWriter::add(double number) {
@@ -269,6 +270,7 @@ void ArrowWriter::add(std::string_view text) {
   Column& column = columns_[column_];
   column.offsets.push_back(static_cast<std::int32_t>(column.values.size()));
   append_utf8(text, column.values);
+  is_full_ = is_full_ || column.values.size() > kMaxBatchText;
   end_cell(true);
 }
 
@@ -317,6 +319,7 @@ void ArrowWriter::write_batch() {
   blocks_.push_back(
       write_message(message(buffer, kRecordBatchMessage, batch, body.bytes.size()), body.bytes));
   rows_ = 0;
+  is_full_ = false;
 }
 
 void ArrowWriter::close() {

@@ -24,8 +24,8 @@ struct ArrowField {
   std::size_t list = 0;  ///< numbers in each cell; 0: one number or text
 };
 
-/// Writes row by row, in batches of a fixed number of rows, so memory does not grow with the table.
-/// The bytes depend on fields, metadata and cells only.
+/// Writes row by row, in batches of kBatchRows or fewer with long texts, so memory does not grow
+/// with the table. The bytes depend on fields, metadata and cells only.
 class ArrowWriter {
  public:
   static constexpr std::size_t kBatchRows = 8192;
@@ -75,6 +75,7 @@ class ArrowWriter {
   std::size_t rows_ = 0;    // of the batch
   std::size_t column_ = 0;  // of the next cell
   std::size_t in_list_ = 0;
+  bool is_full_ = false;  // before kBatchRows, because its texts are long
 };
 
 }  // namespace cls::base

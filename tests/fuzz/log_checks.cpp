@@ -11,6 +11,7 @@
 #include "analysis/statistics/match_statistics.h"
 #include "analysis/statistics/statistics_json.h"
 #include "analysis/statistics/statistics_text.h"
+#include "analysis/tables/arrow_tables.h"
 #include "base/io/byte_sink.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "gamelog/rcg/record_writer.h"
@@ -73,6 +74,10 @@ void check_reckoning(const MatchRecord& record, const RclRecord* text) {
   require(!format_results({summary, summary}, format).empty(), "a table of results");
   if (record.frames() > kEnoughFrames) return;
   const MatchStatistics statistics = compute_statistics(record, text);
+  base::StringSink table;
+  write_frames_arrow(record, table);
+  write_events_arrow(statistics.flow, table);
+  require(table.bytes().ends_with("ARROW1"), "frames and events as tables");
   // Slow to write, and hardly dependent on the input.
   if (record.notes.size() % 8 != 0) return;
   require(!statistics_json(summary, statistics, true).empty(), "statistics as JSON");
@@ -116,6 +121,9 @@ void check_text_log(std::string_view bytes) {
     while (cursor.next(command)) ++commands;
     require(commands <= line.length, "no command out of nothing");
   }
+  base::StringSink table;
+  analysis::write_commands_arrow(text, table);
+  require(table.bytes().ends_with("ARROW1"), "commands as a table");
   const MatchSummary summary = summarize(text);
   require(!format_results({summary}, ResultsFormat::kJson).empty(), "results of a text log");
   static const MatchRecord made_up = read(kMadeUpMatch);

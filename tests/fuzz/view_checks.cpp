@@ -7,10 +7,12 @@
 #include <tuple>
 
 #include "analysis/results/match_summary.h"
+#include "base/io/byte_sink.h"
 #include "gamelog/record/match_record.h"
 #include "tests/viewer/record_difference.h"
 #include "viewer/decisions/decision_cycles.h"
 #include "viewer/decisions/decision_reader.h"
+#include "viewer/decisions/decision_table.h"
 #include "viewer/page/page.h"
 #include "viewer/stream/chunk_reader.h"
 #include "viewer/stream/chunk_writer.h"
@@ -61,6 +63,9 @@ void check_decisions(std::string_view bytes) {
   const auto again = viewer::select_cycles(bytes, {{0, 1 << 30}});
   require(decisions.ok() == again.ok(), "cycles of readable decisions can be selected");
   if (!decisions) return;
+  base::StringSink table;
+  viewer::write_decisions_arrow({*decisions}, table);
+  require(table.bytes().ends_with("ARROW1"), "decisions are a table");
   const auto read = viewer::read_decisions(*again);
   require(read.ok(), "written decisions can be read", read ? "" : read.error().message);
   for (std::size_t i = 0; i < decisions->players.size(); ++i) {

@@ -2,6 +2,8 @@
 #include "viewer/decisions/decision_table.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -19,6 +21,8 @@ using base::ArrowType;
 // In the order of kDecisionTexts.
 constexpr std::array<const char*, kDecisionTexts.size()> kTextColumns = {"reply", "commands",
                                                                          "plan", "drawings"};
+
+constexpr std::int64_t kMaxLatency = std::int64_t{1} << 52;  // files may contain anything
 
 const char* unit_of(std::string_view column) {
   const auto ends = [column](std::string_view ending) { return column.ends_with(ending); };
@@ -69,7 +73,7 @@ void write_decisions_arrow(const std::vector<TeamDecisions>& teams, base::ByteSi
           for (std::size_t i = 0; i < column.series; ++i) table.add(column.load(row, i));
         }
         for (const auto text : kDecisionTexts) table.add(std::string_view(sample.*text));
-        table.add(static_cast<double>(sample.latency_us));
+        table.add(static_cast<double>(std::clamp<std::int64_t>(sample.latency_us, 0, kMaxLatency)));
       }
     }
   }
