@@ -67,6 +67,20 @@ TEST(Cdf, RecordedMatchesFitTheSchemas) {
   }
 }
 
+TEST(Cdf, PlayersStartWhoAreThereWhenPlayBegins) {
+  ScriptedMatch played;
+  played.steps(3);
+  gamelog::MatchRecord& record = played.record();
+  record.mode[0] = PlayMode::kBeforeKickOff;  // before the teams connect
+  for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) record.players.state[slot] = 0;
+  record.players.state[gamelog::kSlots] = 0;  // the left goalie comes a frame after the others
+  const CdfMatch match(record, "a");
+  const json players = json::parse(cdf_match_document(match))["teams"]["home"]["players"];
+  ASSERT_EQ(players.size(), 11U);
+  EXPECT_EQ(players[0]["is_starter"], false);
+  EXPECT_EQ(players[1]["is_starter"], true);
+}
+
 TEST(Cdf, EmptyAndNamelessMatchesFitTheSchemas) {
   expect_schemas({});
   ScriptedMatch nameless;
