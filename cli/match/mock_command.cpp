@@ -315,7 +315,7 @@ void add_mock_command(Command& app) {
 
   command
       .option("BEHAVIOR", arguments->behavior,
-              "simple, planner, hold, random, random:SEED, replay:FILE or FILE.json")
+              "simple, example, planner, hold, random, random:SEED, replay:FILE or FILE.json")
       .shows_default();
   command.option("--port", arguments->port, "port; 0 selects a free port and prints it")
       .shows_default()

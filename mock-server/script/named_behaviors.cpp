@@ -7,6 +7,7 @@
 
 #include "base/text/suggestion.h"
 #include "mock-server/behavior/bundled.h"
+#include "mock-server/behavior/example_team.h"
 #include "mock-server/behavior/simple_team.h"
 
 namespace cls::mock_server {
@@ -26,10 +27,13 @@ base::Result<std::unique_ptr<Behavior>> make_random(std::string_view seed_text) 
 
 }  // namespace
 
-std::vector<std::string_view> behavior_names() { return {"simple", "planner", "hold", "random"}; }
+std::vector<std::string_view> behavior_names() {
+  return {"simple", "example", "planner", "hold", "random"};
+}
 
 base::Result<std::unique_ptr<Behavior>> make_behavior(std::string_view name) {
   if (name.empty() || name == "simple") return std::unique_ptr<Behavior>(new SimpleTeam);
+  if (name == "example") return std::unique_ptr<Behavior>(new ExampleTeam);
   if (name == "planner") return make_planner_behavior();
   if (name == "hold") return std::unique_ptr<Behavior>(new Hold);
   if (name == "random") return make_random("");

@@ -13,7 +13,7 @@ namespace {
 
 using base::Result;
 
-constexpr int kMaxCycle = std::numeric_limits<int>::max() / 2;
+constexpr int kLastCycle = std::numeric_limits<int>::max() / 2;
 constexpr int kMaxUnum = 13;
 
 // One play mode or a list of play modes.
@@ -43,22 +43,22 @@ Result<CycleRange> parse_cycles(const base::JsonValue& json) {
   CycleRange range;
   if (json.is_array()) {
     if (json.size() != 2) return json.error("a range of cycles is [from, to]");
-    TRY_INIT(const auto first, json[0].integer(0, kMaxCycle));
-    TRY_INIT(const auto last, json[1].integer(first, kMaxCycle));
+    TRY_INIT(const auto first, json[0].integer(0, kLastCycle));
+    TRY_INIT(const auto last, json[1].integer(first, kLastCycle));
     return CycleRange{first, last, 1};
   }
 
   if (!json.is_object()) {
-    TRY_INIT(const auto cycle, json.integer(0, kMaxCycle));
+    TRY_INIT(const auto cycle, json.integer(0, kLastCycle));
     return CycleRange{cycle, cycle, 1};
   }
 
   TRY(json.expect_keys({"from", "to", "every"}));
-  range.last = kMaxCycle;
+  range.last = kLastCycle;
   for (const auto& [key, member, low] :
        {std::tuple{"from", &range.first, 0}, {"to", &range.last, 0}, {"every", &range.every, 1}}) {
     if (!json.has(key)) continue;
-    TRY_INIT(const auto value, json[key].integer(low, kMaxCycle));
+    TRY_INIT(const auto value, json[key].integer(low, kLastCycle));
     *member = value;
   }
   return range;
@@ -68,7 +68,7 @@ Result<std::vector<int>> parse_numbers(const base::JsonValue& json) {
   std::vector<int> numbers;
   const bool list = json.is_array();
   for (std::size_t i = 0; i < (list ? json.size() : 1); ++i) {
-    TRY_INIT(const auto number, (list ? json[i] : json).integer(0, kMaxCycle));
+    TRY_INIT(const auto number, (list ? json[i] : json).integer(0, kLastCycle));
     numbers.push_back(number);
   }
   return numbers;

@@ -129,7 +129,7 @@ TEST(Behaviors, ReportsUnknownNameWithSuggestion) {
   EXPECT_EQ(make_behavior("hodl").error().message,
             "unknown mock behavior 'hodl'; did you mean 'hold'?");
   EXPECT_EQ(make_behavior("zzz").error().message,
-            "unknown mock behavior 'zzz' (known: simple, planner, hold, random)");
+            "unknown mock behavior 'zzz' (known: simple, example, planner, hold, random)");
 }
 
 }  // namespace

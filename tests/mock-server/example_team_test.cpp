@@ -1,0 +1,94 @@
+// The same replies as the example teams in other languages: fixtures/team, written by
+// examples/vectors.py.
+#include "mock-server/behavior/example_team.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "proto/lean_state.h"
+#include "proto/rpc.h"
+#include "proto/team_playmaker.pb.h"
+#include "tests/support/files.h"
+
+namespace cls::mock_server {
+namespace {
+
+namespace wire = cls::playmaker::v1;
+
+constexpr int kFewestStates = 50;
+
+template <typename Message>
+Message read(const std::string& name) {
+  Message message;
+  std::ifstream file(tests::fixture("team/" + name), std::ios::binary);
+  EXPECT_TRUE(file && message.ParseFromIstream(&file)) << name;
+  return message;
+}
+
+template <typename Actions>
+Actions parsed(const wire::AgentReply& reply) {
+  Actions actions;
+  EXPECT_EQ(reply.code(), 0) << reply.error();
+  EXPECT_TRUE(actions.ParseFromString(reply.message()));
+  return actions;
+}
+
+protos::State state_of(const wire::AgentMessage& call) {
+  protos::State state;
+  EXPECT_TRUE(state.ParseFromString(call.message()));
+  proto::complete(state);
+  return state;
+}
+
+void expect_reply(const wire::AgentMessage& call, const wire::AgentReply& expected) {
+  const protos::State state = state_of(call);
+  const ExampleTeam team;
+
+  switch (proto::decision_of(call.agent())) {
+    case proto::Rpc::kGetCoachActions: {
+      protos::CoachActions actions;
+      team.decide_as_coach(state, actions);
+      EXPECT_EQ(actions.DebugString(), parsed<protos::CoachActions>(expected).DebugString());
+      break;
+    }
+    case proto::Rpc::kGetTrainerActions: {
+      protos::TrainerActions actions;
+      team.decide_as_trainer(state, actions);
+      EXPECT_EQ(actions.DebugString(), parsed<protos::TrainerActions>(expected).DebugString());
+      break;
+    }
+    default: {
+      protos::PlayerActions actions;
+      team.decide(state, actions);
+      EXPECT_EQ(actions.SerializeAsString(),
+                parsed<protos::PlayerActions>(expected).SerializeAsString())
+          << actions.DebugString() << "expected "
+          << parsed<protos::PlayerActions>(expected).DebugString();
+      break;
+    }
+  }
+}
+
+TEST(ExampleTeam, RepliesAsInOtherLanguages) {
+  const auto request = read<wire::GetTeamActionsRequest>("states.bin");
+  const auto expected = read<wire::GetTeamActionsResponse>("replies.bin");
+  ASSERT_GE(request.agents_size(), kFewestStates);
+  ASSERT_EQ(request.agents_size(), expected.agents_size());
+
+  for (int index = 0; index < request.agents_size(); ++index) {
+    SCOPED_TRACE("State " + std::to_string(index));
+    EXPECT_EQ(request.agents(index).agent(), expected.agents(index).agent());
+    expect_reply(request.agents(index), expected.agents(index));
+  }
+}
+
+TEST(ExampleTeam, RepliesToEmptyState) {
+  protos::PlayerActions actions;
+  ExampleTeam().decide(protos::State(), actions);
+  EXPECT_GT(actions.actions_size(), 0);
+}
+
+}  // namespace
+}  // namespace cls::mock_server
