@@ -249,6 +249,12 @@ std::string refusal(const MatchResult& result) {
                      name(result.end_reason), hint, exceptions(result), result.folder);
 }
 
+// The command that shows the match; nothing for a match without a game log.
+std::string watch_line(const MatchResult& result) {
+  if (result.rcg.empty()) return "";
+  return fmt::format("  cls watch {}\n", orchestration::process::shell_quoted(result.folder));
+}
+
 }  // namespace
 
 std::string match_report(const MatchResult& result, bool color) {
@@ -274,7 +280,7 @@ std::string match_report(const MatchResult& result, bool color) {
   if (result.speed && result.valid()) text += fmt::format("  {}\n", describe(*result.speed));
   if (result.mode != "lockstep") text += server_line(result);
   fmt::format_to(std::back_inserter(text), "  {}/\n", result.folder);
-  return text;
+  return text + watch_line(result);
 }
 
 }  // namespace cls::cli
