@@ -6,12 +6,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -141,18 +139,6 @@ void print_end(const MatchResult& result, bool warned) {
   print_error(0, message);
 }
 
-// Of lines that differ in numbers only, such as times and cycles.
-void keep_last_of_each_kind(std::vector<std::string>& lines) {
-  const auto kind = [](std::string line) {
-    std::erase_if(line, [](unsigned char c) { return std::isdigit(c) != 0; });
-    return line;
-  };
-  std::set<std::string> seen;
-  std::reverse(lines.begin(), lines.end());
-  std::erase_if(lines, [&](const std::string& line) { return !seen.insert(kind(line)).second; });
-  std::reverse(lines.begin(), lines.end());
-}
-
 // Prints the last output lines of the failed process that say more than the errors of its calls;
 // its log has all of them.
 void print_last_output(const MatchResult& result) {
@@ -164,7 +150,6 @@ void print_last_output(const MatchResult& result) {
       return line.find(text) != std::string::npos;
     });
   });
-  keep_last_of_each_kind(lines);
   for (std::size_t i = lines.size() - std::min(kLines, lines.size()); i < lines.size(); ++i) {
     fmt::print(stderr, "  {}: {}\n", result.failure->process, lines[i]);
   }
