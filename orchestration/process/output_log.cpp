@@ -35,7 +35,8 @@ void OutputLog::add(std::string_view bytes) {
 }
 
 void OutputLog::add_line(std::string_view line) {
-  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  constexpr std::string_view kPadding("\0\r ", 3);  // programs print buffers of fixed size
+  line = line.substr(0, line.find_last_not_of(kPadding) + 1);
   if (on_line_) on_line_(line);
 
   if (!last_.empty() && last_.back().text == line) {

@@ -248,6 +248,28 @@ base::Result<std::vector<ReservedPort>> ReservedPort::choose(int count) {
                                  std::generic_category().message(error))};
 }
 
+// Empty if one of them is in use or reserved.
+std::vector<ReservedPort> ReservedPort::reserve_row(int count, int first) {
+  std::vector<ReservedPort> ports;
+  for (int number = first; number < first + count; ++number) {
+    auto mark = reserve(number);
+    const bool free = port_is_free(Protocol::kTcp, number) && port_is_free(Protocol::kUdp, number);
+    if (!mark || !free) return {};
+    ports.push_back(ReservedPort(number, *std::move(mark)));
+  }
+  return ports;
+}
+
+base::Result<std::vector<ReservedPort>> ReservedPort::choose_row(int count, int first) {
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const bool wished = attempt == 0 && first != 0;
+    auto ports = reserve_row(count, wished ? first : random_port());
+    if (!ports.empty()) return ports;
+  }
+  return base::Error{
+      fmt::format("no {} free ports in a row between {} and {}", count, kMinPort, kMaxPort)};
+}
+
 bool tcp_answers(const std::string& host, int port, int limit_ms) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(limit_ms);
   return static_cast<bool>(base::connect_tcp(host, port, deadline));

@@ -54,9 +54,15 @@ class ReservedPort {
   /// Chooses `count` ports below the kernel's ephemeral range. An error if there are not enough.
   static base::Result<std::vector<ReservedPort>> choose(int count);
 
+  /// Chooses `count` consecutive ports: those from `first` on if all are free, otherwise as
+  /// choose(). 0: no such wish.
+  static base::Result<std::vector<ReservedPort>> choose_row(int count, int first = 0);
+
   int number() const { return number_; }
 
  private:
+  static std::vector<ReservedPort> reserve_row(int count, int first);
+
   ReservedPort(int number, base::UniqueFd mark) : number_(number), mark_(std::move(mark)) {}
 
   int number_ = 0;

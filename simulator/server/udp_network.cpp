@@ -191,9 +191,10 @@ class UdpNetwork::Sockets {
   }
 
   // Sleeps until the last awaited client has sent a datagram, because waking up for each client
-  // costs more than reading. Returns the remaining timeout in ms, 0 after sleeping.
+  // costs more than reading. Returns the remaining timeout in ms, 0 after sleeping. Before the
+  // match clients join and await replies: each datagram wakes.
   int wait(int timeout_ms) {
-    const UdpChannel* awaited = last_awaited();
+    const UdpChannel* awaited = match_.world().clock.time > 0 ? last_awaited() : nullptr;
     if (awaited == nullptr) return timeout_ms;
 
     pollfd socket{awaited->socket().fd(), POLLIN, 0};

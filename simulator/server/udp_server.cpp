@@ -36,7 +36,9 @@ base::Result<std::unique_ptr<UdpServer>> UdpServer::open(UdpConfig config) {
 UdpServer::UdpServer(UdpConfig config, std::unique_ptr<MatchServer> match)
     : config_(std::move(config)),
       match_(std::move(match)),
-      network_(std::make_unique<UdpNetwork>(*match_)) {}
+      network_(std::make_unique<UdpNetwork>(*match_)) {
+  if (world().params().synch_mode) match_->answer_on_receipt();
+}
 
 // Connections own sockets registered with the network, so they are destroyed first.
 UdpServer::~UdpServer() { match_->disconnect_all(); }

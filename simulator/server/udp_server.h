@@ -62,8 +62,9 @@ struct UdpServerEvent {
 /// Serves each client from a port of its own, like rcssserver (docs/spec/server-protocol.md 1.1).
 ///
 /// In synchronous mode, the commands of a cycle are executed in an order drawn from the seed after
-/// all clients have sent (done). Coaches and trainer receive (think) with the players, or, in a few
-/// cycles drawn from the seed, after the players' commands. The match depends on when clients
+/// all clients have sent (done); what needs no order is answered on receipt
+/// (MatchServer::answer_on_receipt). Coaches and trainer receive (think) with the players, or, in a
+/// few cycles drawn from the seed, after the players' commands. The match depends on when clients
 /// connect and what they send, not on their speed.
 ///
 /// In real time, a step is made every simulator_step times slow_down_factor ms. Received commands

@@ -179,7 +179,9 @@ void CoachRegistry::send_view(const World& world, CoachSession& coach, bool is_l
 void CoachRegistry::send_views(const World& world) {
   for (const ClientId client : {kTrainer, kLeftCoach, kRightCoach}) {
     const auto& coach = slot(client);
-    if (coach != nullptr && coach->eye) send_view(world, *coach, false);
+    if (coach == nullptr || !coach->eye) continue;
+    send_view(world, *coach, false);
+    coach->sensed = true;
   }
 }
 
@@ -187,7 +189,7 @@ void CoachRegistry::send_think() {
   text_.clear();
   soccer::format(soccer::ServerReply(soccer::Think{}), text_);
   for (auto& coach : sessions_) {
-    if (coach == nullptr || !coach->eye) continue;
+    if (coach == nullptr || !coach->eye || !coach->sensed) continue;
     coach->send(text_);
     coach->think_sent = true;
   }

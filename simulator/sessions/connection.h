@@ -122,13 +122,14 @@ struct Connection {
   int version = 0;
   std::unique_ptr<soccer::Channel> channel;
 
+  bool sensed = false;      ///< received its senses since the last step
   bool think_sent = false;  ///< received (think) since the last step
   bool done = false;        ///< sent (done) since the last step
   bool lost = false;        ///< disconnected; removed after the next commands
   ReceiveQuota quota;
 
   void begin_step() {
-    think_sent = done = false;
+    sensed = think_sent = done = false;
     quota.reset();
   }
 

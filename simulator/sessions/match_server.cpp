@@ -164,9 +164,11 @@ void MatchServer::receive(ClientId id, std::string_view datagram, bool null_term
     if (!reply.empty()) monitors_.send(id, world_.clock, reply);
   } else if (is_player(id)) {
     if (session(id)->inbox.add(datagram, null_terminated)) client->done = true;
+    if (answers_on_receipt_) answer_on_receipt(*session(id));
   } else {
     CoachSession& coach = *coaches_.session(id);
     if (coach.inbox.add(datagram, null_terminated, coach.role())) coach.done = true;
+    if (answers_on_receipt_) answer_on_receipt(coach);
   }
 }
 
@@ -217,14 +219,25 @@ void MatchServer::execute(PlayerSession& session) {
   for (std::size_t i = 0; i < session.inbox.size() && !session.lost; ++i) {
     const PlayerInbox::Datagram& datagram = session.inbox[i];
     recorder_.command(world_, session.client, datagram.text);
-    if (!datagram.null_terminated) session.reply(soccer::WarningCode::kMessageNotNullTerminated);
-    for (std::size_t k = datagram.first; k < datagram.last && !session.lost; ++k) {
-      execute(session, session.inbox.commands()[k]);
-    }
-    if (!datagram.complete) session.reply(ErrorCode::kIllegalCommandForm);
+    if (!datagram.answered) answer(session, datagram);
   }
 
   session.inbox.clear();
+}
+
+void MatchServer::answer(PlayerSession& session, const PlayerInbox::Datagram& datagram) {
+  if (!datagram.null_terminated) session.reply(soccer::WarningCode::kMessageNotNullTerminated);
+  for (std::size_t k = datagram.first; k < datagram.last && !session.lost; ++k) {
+    execute(session, session.inbox.commands()[k]);
+  }
+  if (!datagram.complete) session.reply(ErrorCode::kIllegalCommandForm);
+}
+
+void MatchServer::answer_on_receipt(PlayerSession& session) {
+  PlayerInbox::Datagram* datagram = session.inbox.answerable();
+  if (datagram == nullptr) return;
+  answer(session, *datagram);
+  datagram->answered = true;
 }
 
 void MatchServer::execute(PlayerSession& session, const soccer::PlayerCommand& command) {
@@ -251,20 +264,31 @@ void MatchServer::execute(CoachSession& coach) {
     if (coach.lost) break;
 
     recorder_.command(world_, coach.client, datagram.text);
-    if (!datagram.null_terminated) coach.reply(soccer::WarningCode::kMessageNotNullTerminated);
-
-    const CoachCommandResult result = coaches_.execute(world_, coach, datagram, events_);
-    dispatch_events();
-
-    if (result.message) send_coach_message(*result.message);
-    if (result.tile) {
-      recorder_.tile(world_, *result.tile);
-      monitors_.add_tile(*result.tile);
-    }
-    if (result.reply) coach.reply(*result.reply);
+    if (!datagram.answered) answer(coach, datagram);
   }
 
   coach.inbox.clear();
+}
+
+void MatchServer::answer(CoachSession& coach, const CoachInbox::Datagram& datagram) {
+  if (!datagram.null_terminated) coach.reply(soccer::WarningCode::kMessageNotNullTerminated);
+
+  const CoachCommandResult result = coaches_.execute(world_, coach, datagram, events_);
+  dispatch_events();
+
+  if (result.message) send_coach_message(*result.message);
+  if (result.tile) {
+    recorder_.tile(world_, *result.tile);
+    monitors_.add_tile(*result.tile);
+  }
+  if (result.reply) coach.reply(*result.reply);
+}
+
+void MatchServer::answer_on_receipt(CoachSession& coach) {
+  CoachInbox::Datagram* datagram = coach.inbox.answerable();
+  if (datagram == nullptr) return;
+  answer(coach, *datagram);
+  datagram->answered = true;
 }
 
 void MatchServer::declare_clang_versions(PlayerSession& session, const soccer::Clang& versions) {

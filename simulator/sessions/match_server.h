@@ -88,11 +88,19 @@ class MatchServer {
   }
   /// Stores a datagram of a player, coach or trainer until execute(); executes one of a monitor
   /// immediately. Drops what exceeds the client's ReceiveQuota.
+  ///
+  /// After answer_on_receipt(), players and coaches do not wait for replies that need no order
+  /// among the clients: (clang), questions, settings of messages, errors. The logs have all
+  /// commands in the order of execute().
   void receive(ClientId id, std::string_view datagram, bool null_terminated = true);
 
   /// Handles a datagram that a connected client sent to the listening port. Old versions may do so;
   /// others receive an error.
   void receive_on_listening_port(ClientId id, std::string_view datagram, bool null_terminated);
+
+  /// For clients that wait for a reply before they send (done). In lockstep a reply would change
+  /// its place among the messages of a cycle.
+  void answer_on_receipt() { answers_on_receipt_ = true; }
 
   /// Ignores commands of monitors from now on, so that the match stays reproducible.
   void make_monitors_read_only() { monitors_.make_read_only(); }
@@ -154,8 +162,12 @@ class MatchServer {
   void connect_coach(const Admission& admission, std::unique_ptr<soccer::Channel> channel);
 
   void execute(PlayerSession& session);
+  void answer(PlayerSession& session, const PlayerInbox::Datagram& datagram);
   void execute(PlayerSession& session, const soccer::PlayerCommand& command);
   void execute(CoachSession& coach);
+  void answer(CoachSession& coach, const CoachInbox::Datagram& datagram);
+  void answer_on_receipt(PlayerSession& session);
+  void answer_on_receipt(CoachSession& coach);
   void declare_clang_versions(PlayerSession& session, const soccer::Clang& versions);
   void remove_lost();
 
@@ -178,6 +190,7 @@ class MatchServer {
   CoachRegistry coaches_;
   MonitorRegistry monitors_;
   std::optional<int> cycle_limit_;
+  bool answers_on_receipt_ = false;
 
   // Reused, so that a cycle does not allocate.
   Events events_;

@@ -206,7 +206,7 @@ void PlayerRegistry::send_think(const World& world) {
   text_.clear();
   soccer::format(soccer::ServerReply(soccer::Think{}), text_);
   for (auto& session : sessions_) {
-    if (session == nullptr || !world.player(session->slot()).enabled) continue;
+    if (session == nullptr || !session->sensed || !world.player(session->slot()).enabled) continue;
     session->send(text_);
     session->think_sent = true;
   }
@@ -221,6 +221,7 @@ void PlayerRegistry::send_senses(World& world) {
     player.contacts = {};
     if (has_full_state(world, player)) send_full_state(world, *session);
     send_heard(world, *session);
+    session->sensed = true;
   }
 }
 

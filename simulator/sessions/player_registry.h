@@ -58,6 +58,8 @@ class PlayerRegistry {
   void send_coach_message(const World& world, const CoachMessage& message);
   void send_type_change(const TypeChanged& change);
   void send_goalie_change(const GoalieAppointed& change);
+  /// To those who have received their senses since the step: who has joined after them waits for
+  /// the next ones.
   void send_think(const World& world);
 
   void send_sense_body(const World& world, PlayerSession& player);

@@ -25,6 +25,7 @@ class PlayerInbox {
     std::size_t last = 0;
     bool complete = true;         ///< no syntax error
     bool null_terminated = true;  ///< as required on a network
+    bool answered = false;        ///< on receipt; only the logs lack it
   };
 
   PlayerInbox() {
@@ -37,6 +38,10 @@ class PlayerInbox {
 
   std::size_t size() const { return count_; }
   const Datagram& operator[](std::size_t i) const { return datagrams_[i]; }
+
+  /// The newest datagram if all before it are answered and it asks for nothing that needs an order
+  /// among the clients: no action of a player. Null otherwise.
+  Datagram* answerable();
   const std::vector<soccer::PlayerCommand>& commands() const { return commands_; }
   void clear();
 
@@ -68,12 +73,16 @@ class CoachInbox {
     soccer::CoachCommand command;
     std::optional<soccer::ErrorCode> error;  ///< `command` is then a TeamGraphic or unset
     bool null_terminated = true;
+    bool answered = false;  ///< on receipt; only the logs lack it
   };
 
   /// Returns true if the command is (done) or (bye).
   bool add(std::string_view text, bool null_terminated, soccer::CoachRole role);
 
   const std::vector<Datagram>& datagrams() const { return datagrams_; }
+
+  /// As PlayerInbox::answerable: a question, a setting of the coach's own messages or a mistake.
+  Datagram* answerable();
   void clear() { datagrams_.clear(); }
 
  private:

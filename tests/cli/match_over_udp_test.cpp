@@ -124,6 +124,14 @@ TEST_F(MatchOverUdp, StepsThroughCyclesInSynchMode) {
   EXPECT_LT(result()["cycles"], 17);
 }
 
+// The clock reaches the end of the half in a step that no log shows.
+TEST_F(MatchOverUdp, EndsAtCycleLimitAtEndOfHalf) {
+  const CommandResult run = cls::tests::run(
+      match({"mock", "mock", "--mode", "synch", "--half-time", "5", "--cycles", "50"}));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(result()["cycles"], 50);
+}
+
 TEST_F(MatchOverUdp, ContinuesAfterEndOfInputWhenStepping) {
   const CommandResult played = play_with_input(
       "\\n", {"mock:hold", "mock:hold", "--mode", "synch", "--step", "--cycles", "10"});

@@ -47,7 +47,9 @@ process::CommandPlan agent_plan(const fs::path& team, const TeamValues& values, 
   const std::string who = number == kCoach ? "coach" : fmt::format("player {}", number);
   const std::string log = number == kCoach ? "coach" : fmt::format("player-{:02}", number);
   process::CommandPlan plan = plan_of(team, values, team / "start", who, log);
-  for (const std::string& word : {values.host, team.string(), std::to_string(number)}) {
+  for (const std::string& word :
+       {values.host, team.string(), std::to_string(number), std::to_string(values.ports.player),
+        std::to_string(values.ports.coach)}) {
     plan.argv.push_back(word);
   }
   return plan;
@@ -82,6 +84,7 @@ Result<TeamPlan> team_plan(const fs::path& folder, const TeamValues& values) {
     return Error{fmt::format("team folder {}: {}", folder.string(), found.error().message)};
   }
   TeamPlan plan;
+  if (values.coach) plan.coach_port = values.ports.coach;
   if (each) {
     const int last = values.coach ? kCoach : kPlayers;
     for (int number = 1; number <= last; ++number) {

@@ -42,12 +42,13 @@ struct TeamPlan {
   std::vector<AgentPlan> agents;             ///< goalie first, coach last; kStartAll: one plan
   std::optional<process::CommandPlan> kill;  ///< called at the end; cls ends what it leaves
   bool takes_ports = false;                  ///< otherwise the server must use 6000, 6001 and 6002
+  int coach_port = 0;                        ///< where its coach should join; 0: without a coach
   bool takes_name = false;                   ///< otherwise the team chooses its name
 };
 
-/// Reads folder DIR: `start` (called as `start HOST DIR NUM`, NUM 1 for the goalie to 11, 12 for
-/// the coach) or, without one, `start.sh` (called with -h HOST -p PORT -P COACHPORT -t NAME), and
-/// `kill`. The error says what is missing.
+/// Reads folder DIR: `start` (called as `start HOST DIR NUM PORT COACHPORT`, NUM 1 for the goalie
+/// to 11, 12 for the coach) or, without one, `start.sh` (called with -h HOST -p PORT -P COACHPORT
+/// -t NAME), and `kill`. The error says what is missing.
 base::Result<TeamPlan> team_plan(const std::filesystem::path& team, const TeamValues& values);
 
 }  // namespace cls::orchestration::match

@@ -24,7 +24,14 @@ constexpr milliseconds kLogPollInterval{10};
 constexpr milliseconds kPortCheckInterval{30};
 constexpr milliseconds kServerGrace{1500};
 constexpr milliseconds kExitTimeout{10'000};
+// A server in synchronous mode gives up after this many cycles without a (done).
+constexpr int kMaxMissed = 20;
 constexpr int kServerWriteError = 74;  // exit code of `cls server` (sysexits.h: EX_IOERR)
+
+// The log of a half that has ended lacks its last frame, not its clock.
+int last_cycle(const gamelog::MatchRecord& record, int cycles) {
+  return record.notes.empty() ? cycles : std::max(cycles, record.notes.back().time);
+}
 
 }  // namespace
 
@@ -168,10 +175,14 @@ std::optional<MatchEnd> ExternalServer::failure(bool playing) {
   const ServerStatus status = output_.status();
   const int cycle = log_.progress().match.cycle;
   if (status.gave_up) {
-    return MatchEnd{.reason = EndReason::kLate,
-                    .message = fmt::format(
-                        "the soccer server gave up at cycle {}: clients stopped responding", cycle),
-                    .failure = failure_of(*child_)};
+    return MatchEnd{
+        .reason = EndReason::kLate,
+        .message = fmt::format(
+            "the soccer server gave up at cycle {}: clients {}", cycle,
+            cycle <= kMaxMissed + 1
+                ? "sent no (done); a team without synchronous mode needs --mode realtime"
+                : "stopped responding"),
+        .failure = failure_of(*child_)};
   }
   if (playing) {
     return MatchEnd{.reason = EndReason::kServerFailed,
@@ -277,7 +288,7 @@ void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgre
     team.penalty_score.reset();
     if (summary.penalties) team.penalty_score = summary.teams[i].penalty_score;
   }
-  result.cycles = summary.cycles;
+  result.cycles = last_cycle(*record, summary.cycles);
   result.steps = summary.frames;
   for (const AgentProgress& seen : agents) {
     const MatchProgress& heard = seen.progress.match;

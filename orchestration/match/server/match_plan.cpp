@@ -60,13 +60,16 @@ bool needs_stock_ports(const MatchPlan& plan) {
   return needs(plan.teams.left) || needs(plan.teams.right);
 }
 
-// Free ports; the player port is the one that monitors were promised.
+// The player port is the one that monitors were promised. Otherwise free ports, in a row because
+// many teams take the next but one for the coach's; an external team may know the usual ones only.
 Result<void> choose_ports(MatchPlan& plan, int monitor_port) {
   if (monitor_port != 0) {
     plan.ports = {monitor_port, monitor_port + 1, monitor_port + 2};
     return {};
   }
-  TRY_INIT(auto ports, process::ReservedPort::choose(kPortsOfServer));
+  const bool external = plan.teams.left || plan.teams.right;
+  const int wish = external ? ServerPorts().player : 0;
+  TRY_INIT(auto ports, process::ReservedPort::choose_row(kPortsOfServer, wish));
   plan.reserved = std::move(ports);
   plan.ports = {plan.reserved[0].number(), plan.reserved[1].number(), plan.reserved[2].number()};
   return {};

@@ -27,8 +27,9 @@ struct MatchPlan {
 /// Who plays on a side; the trainer, which there must be, for the neutral one.
 const Endpoint& endpoint_of(const MatchOptions& options, soccer::Side side);
 
-/// Finds programs and folders and chooses ports. With a team whose start script takes no ports the
-/// server gets 6000, 6001 and 6002. The error says what is missing.
+/// Finds programs and folders and chooses ports: player, trainer and coach port in a row. With a
+/// team whose start script takes no ports the server gets 6000, 6001 and 6002, with other external
+/// teams too if they are free. The error says what is missing.
 base::Result<MatchPlan> plan_match(const MatchOptions& options, const TeamNames& names,
                                    std::uint64_t seed, const std::filesystem::path& folder);
 

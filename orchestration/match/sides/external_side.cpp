@@ -27,6 +27,8 @@ constexpr milliseconds kAgentExitDelay{500};
 // A team may hear of the end of the match, and leave, before the match does.
 constexpr milliseconds kEndDelay{2000};
 constexpr int kEndDelayCycles = 15;
+// A coach is the last agent of a team to start.
+constexpr int kCoachDelayCycles = 300;
 
 milliseconds time_until(Clock::time_point end) {
   const auto left = std::chrono::duration_cast<milliseconds>(end - Clock::now());
@@ -141,11 +143,13 @@ MatchEnd ExternalSide::exit_failure(const process::Child& child, const MatchMome
   end.reason = moment.playing ? EndReason::kCrashed : EndReason::kRefused;
   end.fault_unknown = may_be_refused_for_its_name(child);
   end.failure = failure_of(child);
-  end.message = fmt::format(
-      "{}: the process of {} ended {}: {}{}{}", who(), child.plan().name,
-      moment.playing ? fmt::format("at cycle {}", moment.cycle) : "before the match",
-      end.failure->exit, limit_hint(child) + (moment.playing ? std::string() : sandbox_hint(child)),
-      shared_name_hint_);
+  end.message =
+      fmt::format("{}: the process of {} ended {}: {}{}{}", who(), child.plan().name,
+                  moment.playing ? fmt::format("at cycle {}", moment.cycle) : "before the match",
+                  end.failure->exit,
+                  limit_hint(child) +
+                      (moment.playing ? std::string() : sandbox_hint(child) + options_hint(child)),
+                  shared_name_hint_);
   return end;
 }
 
@@ -166,6 +170,18 @@ bool ExternalSide::may_be_refused_for_its_name(const process::Child& child) cons
   return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
     return line.find("no_more_") != std::string::npos;
   });
+}
+
+// A start.sh that prints its help instead of starting anything.
+std::string ExternalSide::options_hint(const process::Child& child) const {
+  const auto exit = child.status().exit;
+  const bool succeeded = exit && !exit->by_signal && exit->number == 0;
+  if (plan_.contract != TeamPlan::Contract::kStartAll || !succeeded || on_pitch_ > 0) return {};
+  const std::vector<std::string>& argv = child.plan().argv;
+  return fmt::format(
+      "; it was called with {}: a start.sh with other options needs a script that "
+      "translates them (cls help matches)",
+      fmt::join(argv.begin() + 1, argv.end(), " "));
 }
 
 // What programs print when the sandbox withholds a file that they need.
@@ -207,7 +223,19 @@ std::optional<MatchEnd> ExternalSide::lost_player_failure(const MatchMoment& mom
                                          moment.cycle, limit_hints())};
 }
 
+void ExternalSide::warn_of_missing_coach(const MatchMoment& moment) {
+  if (plan_.coach_port == 0 || moment.cycle < kCoachDelayCycles || looked_for_coach_) return;
+  looked_for_coach_ = true;
+  const ServerStatus status = server_.status();
+  const ReportedConnections* team = status.team(name_);
+  if (team == nullptr || team->coach) return;
+  warnings_.push_back(fmt::format(
+      "no coach has joined at port {}: the team plays without; --no-coach if it has none",
+      plan_.coach_port));
+}
+
 std::optional<MatchEnd> ExternalSide::failure(const MatchMoment& moment) {
+  if (moment.playing) warn_of_missing_coach(moment);
   if (moment.playing && server_.reports_lost_players()) return lost_player_failure(moment);
   const Agent* exited = exited_agent();
   if (exited == nullptr) return std::nullopt;

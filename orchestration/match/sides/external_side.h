@@ -69,10 +69,12 @@ class ExternalSide : public MatchSide {
   base::Result<void> check_name();
   const Agent* exited_agent() const;
   const Agent* wait_for_exited_agent() const;
+  void warn_of_missing_coach(const MatchMoment& moment);
   std::optional<MatchEnd> lost_player_failure(const MatchMoment& moment);
   MatchEnd exit_failure(const process::Child& child, const MatchMoment& moment) const;
   bool exited_before_the_end(int cycle) const;
   std::string limit_hints() const;
+  std::string options_hint(const process::Child& child) const;
   std::string sandbox_hint(const process::Child& child) const;
   bool may_be_refused_for_its_name(const process::Child& child) const;
 
@@ -89,6 +91,7 @@ class ExternalSide : public MatchSide {
   std::chrono::steady_clock::time_point kill_script_deadline_;
   int on_pitch_ = 0;
   bool joined_ = false;
+  bool looked_for_coach_ = false;
   bool warned_of_limit_ = false;
   std::vector<std::string> warnings_;
 };

@@ -156,11 +156,11 @@ TEST_F(TeamFolder, StartsGoalieFirstAndCoachLast) {
   EXPECT_FALSE(plan->takes_name);
   const process::CommandPlan& goalie = plan->agents.front().command;
   const std::string team = fs::canonical(path()).string();
-  EXPECT_EQ(goalie.argv, (Words{team + "/start", "127.0.0.1", team, "1"}));
+  EXPECT_EQ(goalie.argv, (Words{team + "/start", "127.0.0.1", team, "1", "6000", "6002"}));
   EXPECT_EQ(goalie.folder, team);
   EXPECT_EQ(goalie.name, "right player 1");
   EXPECT_EQ(goalie.log, "/match/right-player-01.log");
-  EXPECT_EQ(plan->agents.back().command.argv.back(), "12");
+  EXPECT_EQ(plan->agents.back().command.argv[3], "12");
   EXPECT_EQ(plan->agents.back().command.name, "right coach");
   EXPECT_EQ(plan->kill->argv, Words{team + "/kill"});
   values.coach = false;

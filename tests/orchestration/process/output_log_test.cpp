@@ -36,6 +36,14 @@ TEST_F(OutputLogTest, JoinsLinesFromAnyChunks) {
   EXPECT_EQ(written(), "one\ntwo\n\nfour\n");
 }
 
+// Some programs print a buffer of fixed size, with what is behind its text.
+TEST_F(OutputLogTest, TrimsPadding) {
+  OutputLog log = open();
+  log.add("joined" + std::string(4000, '\0') + "\r\n");
+  log.add("left   \n");
+  EXPECT_EQ(log.last_lines(), (std::vector<std::string>{"joined", "left"}));
+}
+
 TEST_F(OutputLogTest, CollapsesRepeatedLines) {
   OutputLog log = open();
   log.add("start\n");

@@ -25,6 +25,28 @@ TEST(Ports, ChoosesDistinctFreePorts) {
   EXPECT_LT(*numbers.rbegin(), 32768);
 }
 
+TEST(Ports, ChoosesConsecutivePorts) {
+  const auto anywhere = ReservedPort::choose_row(3);
+  ASSERT_TRUE(anywhere);
+  ASSERT_EQ(anywhere->size(), 3U);
+  const int first = anywhere->front().number();
+  EXPECT_EQ((*anywhere)[1].number(), first + 1);
+  EXPECT_EQ((*anywhere)[2].number(), first + 2);
+}
+
+TEST(Ports, ChoosesWishedPortsIfAllAreFree) {
+  auto held = ReservedPort::choose_row(3);
+  ASSERT_TRUE(held);
+  const int first = held->front().number();
+  const auto others = ReservedPort::choose_row(3, first);
+  ASSERT_TRUE(others);
+  EXPECT_NE(others->front().number(), first);
+  held->clear();
+  const auto wished = ReservedPort::choose_row(3, first);
+  ASSERT_TRUE(wished);
+  EXPECT_EQ(wished->front().number(), first);
+}
+
 TEST(Ports, ReportsOwnerOfPortInUse) {
   MarkedHost processes;
   const auto ports = ReservedPort::choose(2);

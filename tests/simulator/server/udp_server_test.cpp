@@ -309,6 +309,82 @@ TEST(UdpServer, DoesNotWaitForClientsThatSentBye) {
   EXPECT_EQ(running.stop(), UdpServerExit::kStopped);
 }
 
+// A cycle's (think) goes to those who got its senses: a player that joins while the server waits
+// for others would have to decide without having seen anything.
+TEST(UdpServer, SendsThinkOnlyAfterSenses) {
+  UdpConfig config = quick_match();
+  config.pause_before_start = milliseconds(30);
+  RunningServer running(config);
+  for (int i = 0; i < 8; ++i) {
+    UdpClient player(running.port);
+    player.send("(init A (version 18))");
+    ASSERT_THAT(player.wait(), HasSubstr("(init l "));
+    std::string first;
+    while (first.empty()) {
+      const std::string message = player.wait();
+      ASSERT_FALSE(message.empty());
+      if (message == "(think)" || message.starts_with("(sense_body")) first = message;
+    }
+    EXPECT_THAT(first, HasSubstr("(sense_body"));
+    player.send("(bye)");
+  }
+}
+
+TEST(UdpServer, SendsThinkToCoachOnlyAfterItsView) {
+  UdpConfig config = quick_match();
+  config.pause_before_start = milliseconds(30);
+  RunningServer running(config);
+  UdpClient player(running.port);
+  player.send("(init A (version 18))");
+  ASSERT_EQ(player.wait(), "(init l 1 before_kick_off)");
+  UdpClient coach(running.server->port(ListeningPort::kOnlineCoaches));
+  coach.send("(init A (version 18))");
+  ASSERT_EQ(coach.wait(), "(init l ok)");
+  coach.send("(eye on)");
+  std::string first;
+  while (first != "(think)" && !first.starts_with("(see_global")) {
+    std::string message;
+    while (player.receive(message)) {
+      if (message == "(think)") player.send("(done)");
+    }
+    if (coach.receive(message)) first = message;
+  }
+  EXPECT_THAT(first, HasSubstr("(see_global"));
+}
+
+// A client that waits for the reply before its (done) must not cost the match a stall.
+TEST(UdpServer, AnswersOnReceiptInSynchronousMode) {
+  UdpConfig config = quick_match();
+  config.max_wait = std::chrono::hours(1);
+  RunningServer running(config);
+  UdpClient player(running.port);
+  player.send("(init A (version 18))");
+  ASSERT_EQ(player.wait(), "(init l 1 before_kick_off)");
+  for (std::string message; message != "(think)";) {
+    ASSERT_FALSE((message = player.wait()).empty());
+  }
+  for (const auto& [command, answer] : {std::pair{"(clang (ver 7 8))", "(ok clang (ver 7 8))"},
+                                        {"(score)", "(score 0 0 0)"},
+                                        {"(nonsense)", "(error illegal_command_form)"},
+                                        {"(sense_body)", "(sense_body 0 "}}) {
+    player.send(command);
+    EXPECT_THAT(player.wait(), HasSubstr(answer)) << command;
+  }
+  player.send("(turn 10)");
+  player.send("(score)");  // after the turn
+  EXPECT_EQ(player.wait(milliseconds(50)), "");
+
+  UdpClient coach(running.server->port(ListeningPort::kOnlineCoaches));
+  coach.send("(init A (version 18))");
+  ASSERT_EQ(coach.wait(), "(init l ok)");
+  for (std::string message; message != "(ok eye on)";) {
+    coach.send("(eye on)");
+    ASSERT_FALSE((message = coach.wait()).empty());
+  }
+  coach.send("(team_names)");
+  EXPECT_THAT(coach.wait(), HasSubstr("ok "));
+}
+
 // rcssserver sends (think) to all clients together; a slow coach has received the messages of the
 // cycle before it decides.
 TEST(UdpServer, SendsThinkToCoachesLateInSomeCycles) {
