@@ -15,6 +15,7 @@
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/marked_processes.h"
+#include "tests/support/port_lock.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
@@ -75,10 +76,12 @@ class NetworkMatch : public testing::Test {
     return {std::string(kMarkVariable) + "=" + mark_};
   }
 
-  /// Plays; no process may survive the return of cls.
+  /// Plays; no process may survive the return of cls. External teams take the usual ports of a
+  /// server if they are free, which other tests need.
   void play(const std::string& right, const std::string& server,
             const std::vector<std::string>& more = {},
             const std::vector<std::string>& settings = {"--set", "server::kick_off_wait=3"}) {
+    const PortLock ports;
     const auto begin = std::chrono::steady_clock::now();
     played_ = run(arguments(right, server, more, settings), environment());
     took_ = std::chrono::steady_clock::now() - begin;

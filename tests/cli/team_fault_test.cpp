@@ -64,7 +64,22 @@ TEST_F(TeamFault, ReportsHangDuringMatch) {
 TEST_F(TeamFault, BlamesTheTeamThatTheServerGaveUp) {
   play(team(""), server("--until-cycle 20 --give-up 1 --code 1"), {"--right-name", "Guests"});
   expect_end("late", 1, "clients stopped responding: those of Guests (team:");
+  EXPECT_THAT(played_.err, HasSubstr("a team without synchronous mode needs --mode realtime"));
   EXPECT_EQ(result_["fault"], "right");
+}
+
+// The log of a match that ends at its cycle limit is whole, though no agent of cls confirms it.
+TEST_F(TeamFault, PlaysWithoutClsAgentsToTheCycleLimit) {
+  left_ = team("");
+  play(left_, "embedded", {"--cycles", "30", "--left-name", "Reds", "--right-name", "Blues"});
+  expect_finished();
+  EXPECT_EQ(result_["cycles"], 30);
+}
+
+TEST_F(TeamFault, NamesArgumentsOfStartThatOnlyPrintsItsHelp) {
+  script("team/start.sh", "echo 'usage: start.sh -H HOST'");
+  play("team:" + (folder_.path() / "team").string(), "embedded", {"--right-name", "Guests"});
+  expect_end("refused", 69, "it was called with -h 127.0.0.1 -p ");
 }
 
 TEST_F(TeamFault, KillsTeamThatIgnoresSigterm) {

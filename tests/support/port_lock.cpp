@@ -12,7 +12,15 @@
 
 namespace cls::tests {
 
-PortLock::PortLock() : socket_(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+namespace {
+
+int holders = 0;  // in this process
+
+}  // namespace
+
+PortLock::PortLock() {
+  if (++holders > 1) return;
+  socket_ = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   constexpr char kName[] = "\0cls-test-ports-6000";
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -23,6 +31,9 @@ PortLock::PortLock() : socket_(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)) 
   }
 }
 
-PortLock::~PortLock() { ::close(socket_); }
+PortLock::~PortLock() {
+  --holders;
+  if (socket_ >= 0) ::close(socket_);
+}
 
 }  // namespace cls::tests

@@ -3,7 +3,8 @@
 
 namespace cls::tests {
 
-/// Held by one process at a time; the constructor waits. Released when its process exits.
+/// Held by one process at a time, any number of times; the constructor waits. Released when its
+/// process exits. Used on one thread.
 class PortLock {
  public:
   PortLock();
@@ -12,7 +13,7 @@ class PortLock {
   PortLock& operator=(const PortLock&) = delete;
 
  private:
-  int socket_;
+  int socket_ = -1;
 };
 
 }  // namespace cls::tests

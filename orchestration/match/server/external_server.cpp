@@ -10,6 +10,7 @@
 #include "base/system/version.h"
 #include "base/text/printable.h"
 #include "gamelog/rcg/rcg_reader.h"
+#include "orchestration/match/options/server_settings.h"
 #include "orchestration/match/result/match_folder.h"
 #include "orchestration/match/server/client_binding.h"
 #include "proxy/agent/team_driver.h"
@@ -157,7 +158,10 @@ SourceProgress ExternalServer::progress() const { return log_.progress(); }
 milliseconds ExternalServer::quiet_time() const {
   if (options_.left.has_playmaker() || options_.right.has_playmaker()) return kLogPollInterval;
   const soccer::ServerParams& server = options_.server;
-  const milliseconds cycle(server.simulator_step * server.slow_down_factor);
+  milliseconds cycle(server.simulator_step * server.slow_down_factor);
+  // Before the match programs load and warm up, and the server may wait for them in each cycle.
+  const bool waits = mode_of(options_) != MatchMode::kRealtime && log_.progress().match.cycle == 0;
+  if (waits) cycle = std::max(cycle, kServerWait);
   return cycle * (server.kick_off_wait + 1);
 }
 
@@ -178,10 +182,9 @@ std::optional<MatchEnd> ExternalServer::failure(bool playing) {
     return MatchEnd{
         .reason = EndReason::kLate,
         .message = fmt::format(
-            "the soccer server gave up at cycle {}: clients {}", cycle,
-            cycle <= kMaxMissed + 1
-                ? "sent no (done); a team without synchronous mode needs --mode realtime"
-                : "stopped responding"),
+            "the soccer server gave up at cycle {}{}: clients stopped responding", cycle,
+            cycle > kMaxMissed + 1 ? ""
+                                   : " (a team without synchronous mode needs --mode realtime)"),
         .failure = failure_of(*child_)};
   }
   if (playing) {
@@ -240,7 +243,8 @@ void ExternalServer::report_write_error(MatchResult& result) const {
 // Whether the log ends before the match: the disk was full, or the file too large. The players are
 // a cycle ahead of the log when a match ends at its cycle limit.
 bool ExternalServer::is_cut(int cycles, bool over, const std::vector<AgentProgress>& agents) const {
-  if (agents.empty()) return output_.status().game_over && !over;
+  const bool at_limit = options_.cycles && cycles >= *options_.cycles;
+  if (agents.empty()) return output_.status().game_over && !over && !at_limit;
   return std::any_of(agents.begin(), agents.end(), [cycles](const AgentProgress& seen) {
     return seen.progress.match.cycle > cycles + 1;
   });
@@ -278,7 +282,7 @@ void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgre
   if (std::filesystem::exists(folder_ / kTextLogFile, code)) result.rcl = kTextLogFile;
   report_write_error(result);
   const bool over = !record->mode.empty() && record->mode.back() == soccer::PlayMode::kTimeOver;
-  if (result.valid() && is_cut(summary.cycles, over, agents)) {
+  if (result.valid() && is_cut(last_cycle(*record, summary.cycles), over, agents)) {
     return report_cut_log(result, summary.cycles, !agents.empty());
   }
   for (std::size_t i = 0; i < 2; ++i) {

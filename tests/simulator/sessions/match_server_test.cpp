@@ -274,6 +274,7 @@ TEST_F(MatchServerTest, ResetsReceiveQuotaInEachStep) {
 
 TEST_F(MatchServerTest, RecognizesDoneBeyondReceiveQuota) {
   connect("(init A (version 18))");
+  server_->sense();
   server_->think();
   for (int i = 0; i < 300; ++i) server_->receive(slot_, "(score)");
   EXPECT_TRUE(server_->awaits(slot_));
@@ -284,6 +285,7 @@ TEST_F(MatchServerTest, RecognizesDoneBeyondReceiveQuota) {
 // Otherwise a cycle would wait twice for an unresponsive player.
 TEST_F(MatchServerTest, DoesNotAwaitPlayersWithCoaches) {
   connect("(init A (version 18))");
+  server_->sense();
   server_->think();
   EXPECT_TRUE(server_->awaits_any_client());
   EXPECT_FALSE(server_->awaits_coaches());
