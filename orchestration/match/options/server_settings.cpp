@@ -126,6 +126,12 @@ Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& f
   if (depth > kMaxIncludeDepth) {
     return Error{fmt::format("{}: circular include", file.string())};
   }
+  // A pipe would be waited for, and some devices have no end.
+  std::error_code code;
+  if (std::filesystem::exists(file, code) && !std::filesystem::is_regular_file(file, code)) {
+    return Error{
+        fmt::format("cannot read {}: {}", file.string(), base::why_no_file(file).value_or(""))};
+  }
   const auto text = base::read_file(file);
   if (!text) return Error{fmt::format("cannot read {}", file.string())};
   const auto items = soccer::parse_configuration(*text);

@@ -115,6 +115,7 @@ TEST(ServerSettings, ReportsInvalidArguments) {
       {"server::half_time=long", "parameter 'half_time': 'long' is not a whole number"},
       {"sync::max_wait_ms=0", "parameter 'max_wait_ms': 0 is too small"},
       {"include=/no/such.conf", "cannot read /no/such.conf"},
+      {"include=/dev/zero", "cannot read /dev/zero: not a regular file"},
   };
   for (const auto& [word, message] : mistakes) {
     ServerSettings settings;
