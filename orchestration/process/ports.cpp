@@ -228,19 +228,29 @@ std::vector<int> ports_of(Protocol protocol, int pid) {
   return {ports.begin(), ports.end()};
 }
 
+namespace {
+
+// Reserves a port that nobody uses; else sets `error`.
+std::optional<base::UniqueFd> reserve_free(int number, int& error) {
+  auto mark = reserve(number, error);
+  for (const int type : {SOCK_STREAM, SOCK_DGRAM}) {
+    if (const int failed = mark ? bind_error(type, number) : 0; failed != 0) {
+      error = failed;
+      mark.reset();
+    }
+  }
+  return mark;
+}
+
+}  // namespace
+
 base::Result<std::vector<ReservedPort>> ReservedPort::choose(int count) {
   std::vector<ReservedPort> ports;
   int error = 0;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     if (static_cast<int>(ports.size()) == count) return ports;
     const int number = random_port();
-    auto mark = reserve(number, error);
-    for (const int type : {SOCK_STREAM, SOCK_DGRAM}) {
-      if (const int failed = mark ? bind_error(type, number) : 0; failed != 0) {
-        error = failed;
-        mark.reset();
-      }
-    }
+    auto mark = reserve_free(number, error);
     if (mark) ports.push_back(ReservedPort(number, *std::move(mark)));
   }
   return base::Error{fmt::format("no {} between {} and {} after {} tries; the last one: {}",
@@ -248,26 +258,27 @@ base::Result<std::vector<ReservedPort>> ReservedPort::choose(int count) {
                                  std::generic_category().message(error))};
 }
 
-// Empty if one of them is in use or reserved.
-std::vector<ReservedPort> ReservedPort::reserve_row(int count, int first) {
+// Empty if one of them is in use or reserved: `error` says why.
+std::vector<ReservedPort> ReservedPort::reserve_row(int count, int first, int& error) {
   std::vector<ReservedPort> ports;
   for (int number = first; number < first + count; ++number) {
-    auto mark = reserve(number);
-    const bool free = port_is_free(Protocol::kTcp, number) && port_is_free(Protocol::kUdp, number);
-    if (!mark || !free) return {};
+    auto mark = reserve_free(number, error);
+    if (!mark) return {};
     ports.push_back(ReservedPort(number, *std::move(mark)));
   }
   return ports;
 }
 
 base::Result<std::vector<ReservedPort>> ReservedPort::choose_row(int count, int first) {
+  int error = 0;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const bool wished = attempt == 0 && first != 0;
-    auto ports = reserve_row(count, wished ? first : random_port());
+    auto ports = reserve_row(count, wished ? first : random_port(), error);
     if (!ports.empty()) return ports;
   }
   return base::Error{
-      fmt::format("no {} free ports in a row between {} and {}", count, kMinPort, kMaxPort)};
+      fmt::format("no {} free ports in a row between {} and {} after {} tries; the last one: {}",
+                  count, kMinPort, kMaxPort, kAttempts, std::generic_category().message(error))};
 }
 
 bool tcp_answers(const std::string& host, int port, int limit_ms) {

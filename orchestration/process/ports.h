@@ -61,7 +61,7 @@ class ReservedPort {
   int number() const { return number_; }
 
  private:
-  static std::vector<ReservedPort> reserve_row(int count, int first);
+  static std::vector<ReservedPort> reserve_row(int count, int first, int& error);
 
   ReservedPort(int number, base::UniqueFd mark) : number_(number), mark_(std::move(mark)) {}
 

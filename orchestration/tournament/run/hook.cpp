@@ -13,9 +13,9 @@
 namespace cls::orchestration::tournament {
 namespace {
 
-constexpr std::chrono::seconds kLimit{60};
-constexpr std::chrono::seconds kShortLimit{2};
-constexpr std::chrono::milliseconds kPollInterval{50};
+constexpr std::chrono::seconds kHookLimit{60};
+constexpr std::chrono::seconds kHookShortLimit{2};
+constexpr std::chrono::milliseconds kHookPoll{50};
 
 }  // namespace
 
@@ -94,10 +94,10 @@ std::vector<std::string> HookRunner::finish(const std::atomic<int>& stop_signal)
         std::all_of(running_.begin(), running_.end(),
                     [](const Running& one) { return one.child->status().exit.has_value(); });
     if (!patient_until && (stop_signal != 0 || only_descendants)) {
-      patient_until = now + kShortLimit;
+      patient_until = now + kHookShortLimit;
     }
-    if (now - begin > kLimit || (patient_until && now > *patient_until)) break;
-    running_.front().child->wait_gone(kPollInterval);
+    if (now - begin > kHookLimit || (patient_until && now > *patient_until)) break;
+    running_.front().child->wait_gone(kHookPoll);
     for (std::string& line : take_errors()) errors.push_back(std::move(line));
   }
 
