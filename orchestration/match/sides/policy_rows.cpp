@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "training/actions/action_set.h"
 #include "training/features/feature_set.h"
 #include "training/scene/estimated_scene.h"
+#include "training/scene/openings.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -84,6 +86,7 @@ class PolicyRows : public proxy::TensorCodec {
     columns_ = features_->columns(teammates_, opponents_).size();
     values_ = actions_->values();
     offsets_ = actions_->offsets();
+    legality_ = training::Legality(*actions_);
     const int ids = actions_->id_count();
     return proxy::TensorSizes{static_cast<int>(columns_), ids,
                               static_cast<int>(values_.size()) + (ids > 0 ? 1 : 0)};
@@ -91,13 +94,17 @@ class PolicyRows : public proxy::TensorCodec {
 
   void encode(const player::WorldModel& world, std::vector<float>& features,
               std::vector<std::uint8_t>& masks) override {
-    const PointOfView view = look(world);
+    PointOfView view = look(world);
+    std::optional<training::Openings> openings;
+    if (features_->needs_openings) view.openings = &openings.emplace(view.scene, view.cast);
+
     const std::size_t first = features.size();
     features.resize(first + columns_);
     features_->fill(view, features.data() + first);
-    for (const training::Action& action : actions_->actions) {
-      masks.push_back(action.legal == nullptr || action.legal(view) ? 1 : 0);
-    }
+
+    const std::size_t first_mask = masks.size();
+    masks.resize(first_mask + actions_->actions.size());
+    legality_.fill(view, masks.data() + first_mask);
   }
 
   std::optional<soccer::PlayerCommand> decode(const player::WorldModel& world,
@@ -161,6 +168,7 @@ class PolicyRows : public proxy::TensorCodec {
   std::size_t columns_ = 0;
   training::Columns values_;
   std::vector<int> offsets_;
+  training::Legality legality_;
   std::vector<float> clipped_;
 };
 

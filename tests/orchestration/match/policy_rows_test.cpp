@@ -50,12 +50,13 @@ TEST(PolicyRows, AreTheObservationsOfTraining) {
     EXPECT_EQ(sizes->actions, 16);
     for (int round = 0; round < 5; ++round) {
       play(episode, *setup, 15, kIntercept);
+      std::vector<float> all(setup->agent_count() * setup->feature_count());
+      episode.observe(all.data());
       for (std::size_t agent = 0; agent < setup->agent_count(); ++agent) {
         std::vector<float> row;
         std::vector<std::uint8_t> mask;
         codec->encode(*episode.world_model(agent), row, mask);
-        std::vector<float> observed(setup->feature_count());
-        episode.observe(agent, observed.data());
+        const float* observed = all.data() + agent * setup->feature_count();
         std::vector<std::uint8_t> legal(setup->id_count());
         episode.mask(agent, legal.data());
         EXPECT_EQ(mask, legal);
