@@ -5,7 +5,7 @@ namespace cls::cli {
 
 /// From now on an abort prints why: an uncaught exception as print_exception() does, or that a
 /// library ended the process, with the limits of memory and processes that are set. With a limit
-/// of memory the exit code is kInternalError; else the abort goes on, for debuggers and core files.
+/// of memory the exit code is kInternalError; else the abort follows, for debuggers and core files.
 void report_aborts();
 
 }  // namespace cls::cli

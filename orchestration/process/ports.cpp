@@ -230,7 +230,7 @@ std::vector<int> ports_of(Protocol protocol, int pid) {
 
 namespace {
 
-// Reserves a port that nobody uses; else sets `error`.
+// Reserves a port that no process uses; else sets `error`.
 std::optional<base::UniqueFd> reserve_free(int number, int& error) {
   auto mark = reserve(number, error);
   for (const int type : {SOCK_STREAM, SOCK_DGRAM}) {

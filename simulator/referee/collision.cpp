@@ -24,7 +24,8 @@ struct Pushes {
 struct Resolution {
   std::array<Pushes, soccer::kPlayersOnPitch + 1> pushes;
   std::array<bool, soccer::kPlayersOnPitch + 1> collided = {};
-  /// Who was pushed in the last round: only they can touch somebody new. At first, anybody.
+  /// Players that were pushed in the last round: only they can touch others for the first time. In
+  /// the first round, all players.
   std::bitset<soccer::kPlayersOnPitch> moved = std::bitset<soccer::kPlayersOnPitch>().set();
 
   void push(int index, Vec2 to) {

@@ -13,7 +13,7 @@ namespace {
 namespace math = soccer::math;
 
 constexpr double kKickableArea = 1.085;  // of player type 0
-constexpr std::size_t kMost = soccer::kPlayersPerTeam;
+constexpr std::size_t kMaxPlayers = soccer::kPlayersPerTeam;
 
 /// The part of an eye's view that an opponent covers.
 struct Cover {
@@ -23,7 +23,7 @@ struct Cover {
 };
 
 struct Covers {
-  std::array<Cover, kMost> items;  ///< by low
+  std::array<Cover, kMaxPlayers> items;  ///< by low
   std::size_t count = 0;
 };
 
@@ -32,10 +32,10 @@ struct Interval {
   double high;
 };
 
-/// Vectors from an eye, whose directions are asked for at once.
+/// Vectors from an eye, whose directions are asked for together.
 struct Rays {
-  std::array<Vec2, 3 * kMost + 2> vectors;
-  std::array<double, 3 * kMost + 2> directions;
+  std::array<Vec2, 3 * kMaxPlayers + 2> vectors;
+  std::array<double, 3 * kMaxPlayers + 2> directions;
   std::size_t count = 0;
 
   /// Index of the vector.

@@ -23,8 +23,8 @@ Vec2 angle_reducing_position(const PointOfView& view);
 
 /// What decides who marks whom; the same for all players of a team.
 struct Marking {
-  Seat chaser = kNoSeat;  ///< own player nearest to the ball, who marks nobody
-  Seat holder = kNoSeat;  ///< opponent nearest to the ball, whom nobody marks
+  Seat chaser = kNoSeat;  ///< own player nearest to the ball, who marks no opponent
+  Seat holder = kNoSeat;  ///< opponent nearest to the ball, whom no player marks
   Seats threats;          ///< opponents, nearest to the own goal first
 };
 Marking weigh_marking(const Scene& scene, const Cast& cast);

@@ -20,7 +20,7 @@ PlayerCommand face(const Scene& scene, Seat self, Vec2 point);
 /// Turns and dashes until `point` is within `radius`; then stands.
 PlayerCommand go_to(const Scene& scene, Seat self, Vec2 point, double radius);
 
-/// Where the ball rolls in the next cycles, if nobody touches it.
+/// Where the ball rolls in the next cycles, if no player touches it.
 struct BallPath {
   static constexpr int kCycles = 39;
   std::array<Vec2, kCycles> points;  ///< after 1, 2, ... cycles

@@ -138,13 +138,26 @@ Result<Endpoint> parse_each(std::string_view text) {
   return endpoint;
 }
 
-// The program of all parts of an `each:` side; empty: another side.
-std::string program_of_all(const Endpoint& endpoint) {
+// "teams/helios/" is "helios", "." the name of the working directory.
+std::string folder_name(const std::string& path) {
+  std::error_code code;
+  const std::filesystem::path whole = std::filesystem::absolute(path, code).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+// "ada" of "cd ada && ./run --port {port}", "playmaker" of "python3 playmaker.py".
+std::string name_of_command(const std::string& command) {
+  const std::string program = program_in(command);
+  return program.empty() ? folder_name(folder_in(command)) : program;
+}
+
+// The name of the command of all parts of an `each:` side; empty: another side.
+std::string name_of_all(const Endpoint& endpoint) {
   const std::vector<Endpoint>& parts = endpoint.parts;
   const bool same = !parts.empty() && std::all_of(parts.begin(), parts.end(), [&](const auto& one) {
     return !one.command.empty() && one.command == parts.front().command;
   });
-  return same ? program_in(parts.front().command) : std::string();
+  return same ? name_of_command(parts.front().command) : std::string();
 }
 
 Result<Endpoint> parse_with_planner(std::string_view text) {
@@ -166,13 +179,6 @@ Result<Endpoint> parse_with_planner(std::string_view text) {
 bool has_script(const Endpoint& endpoint) {
   return endpoint.kind == Endpoint::Kind::kMock && endpoint.script == nullptr &&
          mock_server::is_script_name(endpoint.behavior);
-}
-
-// "teams/helios/" is "helios", "." the name of the working directory.
-std::string folder_name(const std::string& path) {
-  std::error_code code;
-  const std::filesystem::path whole = std::filesystem::absolute(path, code).lexically_normal();
-  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
 }  // namespace
@@ -269,14 +275,13 @@ std::string default_team_name(const Endpoint& endpoint) {
       source = std::filesystem::path(endpoint.path).stem().string();
       break;
     case Endpoint::Kind::kRun:
-      source = program_in(endpoint.command);
-      if (source.empty()) source = folder_name(folder_in(endpoint.command));
+      source = name_of_command(endpoint.command);
       break;
     case Endpoint::Kind::kTeam:
       source = folder_name(endpoint.path);
       break;
     case Endpoint::Kind::kMixed:
-      source = program_of_all(endpoint);
+      source = name_of_all(endpoint);
       if (source.empty()) source = "mix";
       break;
   }
