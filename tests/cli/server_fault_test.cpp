@@ -31,7 +31,7 @@ TEST_F(ServerFault, ReportsPortNotOpened) {
 }
 
 TEST_F(ServerFault, ReportsDifferentPort) {
-  play("mock", server("--port-offset 1"), {"--start-timeout", "1"});
+  play("mock", server("--port-offset 3"), {"--start-timeout", "1"});
   expect_end("refused", 69, " (but port ");
 }
 

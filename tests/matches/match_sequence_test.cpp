@@ -8,6 +8,7 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "orchestration/process/ports.h"
@@ -44,11 +45,13 @@ std::vector<Holding> holdings_in(const std::string& output) {
   return holdings;
 }
 
-/// All numbers after `name` in `text`.
-std::vector<int> numbers_behind(const std::string& name, const std::string& text) {
+/// The number after `name` in each line of `text`; `usual` where a server gets no such word.
+std::vector<int> numbers_behind(const std::string& name, int usual, const std::string& text) {
   std::vector<int> numbers;
-  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
-    numbers.push_back(std::stoi(text.substr(at + name.size())));
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find(name);
+    numbers.push_back(at == std::string::npos ? usual : std::stoi(line.substr(at + name.size())));
   }
   return numbers;
 }
@@ -92,8 +95,10 @@ TEST_F(MatchSequence, LeavesNoResources) {
   EXPECT_TRUE(fs::is_empty(path() / "tmp"));
   EXPECT_TRUE(fs::is_empty(path() / "matches"));
   const std::string words = cls::tests::read_file(path() / "words");
-  for (const char* name : {"server::port=", "server::coach_port=", "server::olcoach_port="}) {
-    const std::vector<int> ports = numbers_behind(name, words);
+  for (const auto& [name, usual] :
+       {std::pair{"server::port=", 6000}, std::pair{"server::coach_port=", 6001},
+        std::pair{"server::olcoach_port=", 6002}}) {
+    const std::vector<int> ports = numbers_behind(name, usual, words);
     EXPECT_EQ(ports.size(), static_cast<std::size_t>(count / 2));
     for (const int port : ports) {
       EXPECT_TRUE(cls::orchestration::process::port_is_free(
