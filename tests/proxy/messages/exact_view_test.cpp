@@ -41,18 +41,18 @@ TEST(ExactView, ReplacesEstimates) {
   pitch.add_teammate(9, {0.0, 0.0}, 0.0, 20);
   pitch.add_opponent(5, {1.0, 1.0});
   const player::WorldModel exact = exact_view(pitch.world, state());
-  EXPECT_EQ(exact.self.position, soccer::Vec2(10.0, 2.0));
+  EXPECT_EQ(exact.self.position, (soccer::Vec2{10.0, 2.0}));
   EXPECT_EQ(exact.self.face().degrees(), 20.0);
-  EXPECT_EQ(exact.ball.relative_position, soccer::Vec2(1.0, 0.0));
+  EXPECT_EQ(exact.ball.relative_position, (soccer::Vec2{1.0, 0.0}));
   ASSERT_EQ(exact.teammates.size(), 1U) << "without the agent";
-  EXPECT_EQ(exact.teammates[0].position, soccer::Vec2(20.0, 5.0));
+  EXPECT_EQ(exact.teammates[0].position, (soccer::Vec2{20.0, 5.0}));
   EXPECT_EQ(exact.teammates[0].pos_count, 0);
   EXPECT_EQ(exact.teammates[0].id, pitch.world.teammates[0].id) << "the same player";
   ASSERT_EQ(exact.opponents.size(), 2U) << "number 5 is not on the pitch";
   EXPECT_EQ(exact.opponents[0].unum, 1) << "by number";
   EXPECT_TRUE(exact.opponents[0].goalie);
   EXPECT_EQ(exact.opponents[1].type_id, 3);
-  EXPECT_EQ(exact.opponents[1].velocity, soccer::Vec2(0.25, 0.0));
+  EXPECT_EQ(exact.opponents[1].velocity, (soccer::Vec2{0.25, 0.0}));
 }
 
 TEST(ExactView, RotatesForATeamOnTheRight) {
@@ -60,9 +60,9 @@ TEST(ExactView, RotatesForATeamOnTheRight) {
   pitch.world.our_side = Side::kRight;
   pitch.world.unum = 2;
   const player::WorldModel exact = exact_view(pitch.world, state());
-  EXPECT_EQ(exact.self.position, soccer::Vec2(-30.0, 5.0));
-  EXPECT_EQ(exact.ball.position, soccer::Vec2(-11.0, -2.0));
-  EXPECT_EQ(exact.ball.velocity, soccer::Vec2(-1.0, 0.5));
+  EXPECT_EQ(exact.self.position, (soccer::Vec2{-30.0, 5.0}));
+  EXPECT_EQ(exact.ball.position, (soccer::Vec2{-11.0, -2.0}));
+  EXPECT_EQ(exact.ball.velocity, (soccer::Vec2{-1.0, 0.5}));
   ASSERT_EQ(exact.opponents.size(), 2U);
   EXPECT_EQ(exact.opponents[0].unum, 7);
   EXPECT_EQ(exact.opponents[0].body.degrees(), -150.0);
