@@ -88,12 +88,17 @@ SpeedResult MatchSpeed::shares(Duration played) const {
 
 std::optional<std::string> MatchSpeed::estimate(const MatchProgress& now, std::int64_t steps,
                                                 Duration played) {
-  if (estimated_ || played < kEstimateAfter || steps < kStepsOfEstimate) return std::nullopt;
-  if (now.last_cycle <= 0 || sides_.size() == 1 || is_paced()) return std::nullopt;
+  if (estimated_ || now.last_cycle <= 0 || now.cycle <= 0) return std::nullopt;
+  if (!kick_off_) kick_off_ = Moment{played, steps};
+  const Duration since = played - kick_off_->played;
+  if (since < kEstimateAfter || steps - kick_off_->steps < kStepsOfEstimate) return std::nullopt;
+  if (sides_.size() == 1 || is_paced()) return std::nullopt;
   estimated_ = true;
-  // Steps with a stopped clock, before kick-off above all, take as long as others.
+
+  // Steps with a stopped clock take as long as others; those in which teams join do not.
   const double played_s = std::chrono::duration<double>(played).count();
-  const double rate = static_cast<double>(steps) / played_s;
+  const double rate =
+      static_cast<double>(steps - kick_off_->steps) / std::chrono::duration<double>(since).count();
   const double left_s = (now.last_cycle - now.cycle) / rate;
   if (left_s < kLongMatch_s) return std::nullopt;
   return fmt::format("{:.{}f} cycles/s: {} cycles will take about {:.0f} min; {}", rate,

@@ -46,6 +46,12 @@ class MatchSpeed {
   std::optional<SpeedResult> result(Duration played, const MatchResult& result) const;
 
  private:
+  /// A point of the match.
+  struct Moment {
+    Duration played;
+    std::int64_t steps;
+  };
+
   bool is_paced() const;
   SpeedResult shares(Duration played) const;
 
@@ -55,6 +61,7 @@ class MatchSpeed {
   std::optional<soccer::PerSide<double>> awaited_s_;
   SpeedMeter meter_;                   ///< of measured cycles
   std::array<TurnTimes, 3> measured_;  ///< of the sides, up to the last turn
+  std::optional<Moment> kick_off_;     ///< the first cycle that was seen
   bool estimated_ = false;
 };
 
