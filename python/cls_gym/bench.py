@@ -106,10 +106,11 @@ def measure(case: Case, rounds: int, seconds: float) -> Dict[str, Any]:
     steps = max(1, int(speed.wall * seconds / case.num_envs))
     python, engine, resets = [], [], []
     for _ in range(rounds):
+        envs.reset(seed=1)  # both play the same cycles
         python.append(_python(envs, actions, steps))
+        envs.reset(seed=1)
         engine.append(_engine(envs, actions, steps))
         resets.append(1e6 * _reset(envs, 10) / case.num_envs)
-        envs.reset(seed=1)
     agents = len(envs.spec_of_task.agents)
     envs.close()
     return {**case._asdict(), "agents": agents,
