@@ -2,7 +2,6 @@
 #include "simulator/referee/collision.h"
 
 #include <array>
-#include <bitset>
 
 #include "simulator/referee/referee.h"
 
@@ -24,9 +23,6 @@ struct Pushes {
 struct Resolution {
   std::array<Pushes, soccer::kPlayersOnPitch + 1> pushes;
   std::array<bool, soccer::kPlayersOnPitch + 1> collided = {};
-  /// Players that were pushed in the last round: only they can touch others for the first time. In
-  /// the first round, all players.
-  std::bitset<soccer::kPlayersOnPitch> moved = std::bitset<soccer::kPlayersOnPitch>().set();
 
   void push(int index, Vec2 to) {
     Pushes& own = pushes[static_cast<std::size_t>(index)];
@@ -106,31 +102,14 @@ bool collide_with_ball(World& world, Resolution& resolution, Events& events) {
   return found;
 }
 
-/// The fields of the players on the pitch that are needed here, packed for the loop over all pairs.
-struct Bodies {
-  struct Body {
-    Vec2 position;
-    double size;
-    Slot slot;
-  };
-
-  std::array<Body, soccer::kPlayersOnPitch> items;
-  std::size_t count = 0;
-  std::array<std::size_t, soccer::kPlayersOnPitch> moved;  ///< indices of those that moved
-  std::size_t moved_count = 0;
-
-  Bodies(const World& world, const Resolution& resolution) {
-    for (const Player& player : world.players) {
-      if (!player.enabled) continue;
-      const Slot slot = player.slot();
-      if (resolution.moved[static_cast<std::size_t>(slot)]) moved[moved_count++] = count;
-      items[count++] = {player.position, world.type_of(player).player_size, slot};
-    }
-  }
+/// The fields of a player that are needed here, packed for the loop over all pairs.
+struct Body {
+  Vec2 position;
+  double size;
+  Slot slot;
 };
 
-void collide(World& world, const Bodies::Body& first, const Bodies::Body& second,
-             Resolution& resolution) {
+void collide(World& world, const Body& first, const Body& second, Resolution& resolution) {
   for (const Slot slot : {first.slot, second.slot}) {
     world.player(slot).state |= state::kPlayerCollide;
     world.player(slot).contacts.player = true;
@@ -142,29 +121,22 @@ void collide(World& world, const Bodies::Body& first, const Bodies::Body& second
   resolution.push(second.slot, apart.second);
 }
 
-// Pairs in the order of slots. Two players that stayed in place did not touch, and still do not.
 bool collide_players(World& world, Resolution& resolution) {
-  const Bodies bodies(world, resolution);
-  bool found = false;
-  std::size_t next_moved = 0;  // in bodies.moved
-  const auto check = [&](const Bodies::Body& first, const Bodies::Body& second) {
-    if (!overlap(first.position, second.position, first.size + second.size)) return;
-    found = true;
-    collide(world, first, second, resolution);
-  };
+  std::array<Body, soccer::kPlayersOnPitch> bodies;
+  std::size_t count = 0;
+  for (const Player& player : world.players) {
+    if (!player.enabled) continue;
+    bodies[count++] = {player.position, world.type_of(player).player_size, player.slot()};
+  }
 
-  for (std::size_t i = 0; i < bodies.count; ++i) {
-    const Bodies::Body& first = bodies.items[i];
-    const bool has_moved = next_moved < bodies.moved_count && bodies.moved[next_moved] == i;
-    if (has_moved) {
-      ++next_moved;
-      for (std::size_t j = i + 1; j < bodies.count; ++j) {
-        check(first, bodies.items[j]);
-      }
-    } else {
-      for (std::size_t k = next_moved; k < bodies.moved_count; ++k) {
-        check(first, bodies.items[bodies.moved[k]]);
-      }
+  bool found = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Body& first = bodies[i];
+    for (std::size_t j = i + 1; j < count; ++j) {
+      const Body& second = bodies[j];
+      if (!overlap(first.position, second.position, first.size + second.size)) continue;
+      found = true;
+      collide(world, first, second, resolution);
     }
   }
   return found;
@@ -186,7 +158,6 @@ void resolve_collisions(World& world, Events& events) {
 
     settle(resolution.pushes[kBallIndex], world.ball.position);
     for (std::size_t i = 0; i < world.players.size(); ++i) {
-      resolution.moved[i] = resolution.pushes[i].count > 0;
       settle(resolution.pushes[i], world.players[i].position);
     }
   }
