@@ -169,30 +169,25 @@ Figures figures_of(const RunSummary& summary, Clock::time_point begin) {
 
 void print_result(const MakeArguments& arguments, const std::vector<DatasetMatch>& matches,
                   const Figures& figures) {
-  std::uint64_t bytes = 0;
-  int valid = 0;
-  for (const DatasetMatch& match : matches) {
-    valid += match.files.empty() ? 0 : 1;
-    for (const DatasetFile& file : match.files) bytes += file.bytes;
-  }
-  const double megabytes = static_cast<double>(bytes) / 1e6;
-  const double each = megabytes / std::max(valid, 1);
+  const DatasetSize size = size_of(matches);
   if (arguments.session.json) {
     fmt::print("{}", base::json_document(Json{{"schema", "cls.dataset/1"},
                                               {"folder", arguments.folder},
                                               {"matches", matches.size()},
-                                              {"valid", valid},
-                                              {"bytes", bytes},
+                                              {"valid", size.valid},
+                                              {"bytes", size.bytes},
                                               {"played", figures.played},
                                               {"seconds", figures.seconds},
                                               {"own_share", figures.own_share}}));
     return;
   }
   fmt::print("{}/: {}, {:.1f} MB ({:.2f} MB a match)\n", arguments.folder,
-             base::counted(matches.size(), "match", "matches"), megabytes, each);
+             base::counted(matches.size(), "match", "matches"), size.megabytes(),
+             size.megabytes_each());
   if (figures.played == 0) return;
   fmt::print("1000 matches: {:.1f} GB, {:.0f} min on this host; packing takes {:.0f} % of it\n",
-             each, figures.seconds / figures.played * 1000 / 60, 100 * figures.own_share);
+             size.megabytes_each(), figures.seconds / figures.played * 1000 / 60,
+             100 * figures.own_share);
 }
 
 int make_dataset(const MakeArguments& arguments) {

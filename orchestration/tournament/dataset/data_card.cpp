@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 #include <set>
 
@@ -13,8 +12,6 @@ namespace cls::orchestration::tournament {
 namespace {
 
 struct Totals {
-  std::size_t valid = 0;
-  std::uint64_t bytes = 0;
   std::int64_t cycles = 0;
   std::set<std::string> versions;
   std::set<std::uint64_t> seeds;
@@ -24,12 +21,10 @@ struct Totals {
 Totals totals_of(const std::vector<DatasetMatch>& matches) {
   Totals totals;
   for (const DatasetMatch& match : matches) {
-    totals.valid += match.files.empty() ? 0 : 1;
     totals.cycles += match.cycles;
     totals.versions.insert(match.version);
     totals.seeds.insert(match.fixture.seed);
     totals.deterministic = totals.deterministic && match.deterministic;
-    for (const DatasetFile& file : match.files) totals.bytes += file.bytes;
   }
   return totals;
 }
@@ -62,6 +57,7 @@ constexpr const char* kLicense =
 
 std::string data_card(const TournamentConfig& config, const std::vector<DatasetMatch>& matches) {
   const Totals totals = totals_of(matches);
+  const DatasetSize size = size_of(matches);
   std::string card = fmt::format(
       "# {}\n\nMatches of simulated robot soccer (RoboCup 2D), with what each robot knew beside "
       "what was so.\n\n",
@@ -69,11 +65,9 @@ std::string data_card(const TournamentConfig& config, const std::vector<DatasetM
 
   const auto out = std::back_inserter(card);
   fmt::format_to(out, "| | |\n|---|---|\n| matches | {}, {} with files |\n| cycles | {} |\n",
-                 matches.size(), totals.valid, totals.cycles);
-  fmt::format_to(out, "| size | {:.1f} MB, {:.2f} MB a match |\n",
-                 static_cast<double>(totals.bytes) / 1e6,
-                 static_cast<double>(totals.bytes) / 1e6 /
-                     static_cast<double>(std::max<std::size_t>(totals.valid, 1)));
+                 matches.size(), size.valid, totals.cycles);
+  fmt::format_to(out, "| size | {:.1f} MB, {:.2f} MB a match |\n", size.megabytes(),
+                 size.megabytes_each());
   fmt::format_to(out, "| seed | {}; {} different seeds of matches, in `matches.jsonl` |\n",
                  config.seed, totals.seeds.size());
   fmt::format_to(out, "| cls | {} |\n", fmt::join(totals.versions, ", "));

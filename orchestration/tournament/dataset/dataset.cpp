@@ -88,6 +88,15 @@ bool is_set(const TournamentConfig& config, std::string_view setting) {
 
 }  // namespace
 
+DatasetSize size_of(const std::vector<DatasetMatch>& matches) {
+  DatasetSize size;
+  for (const DatasetMatch& match : matches) {
+    size.valid += match.files.empty() ? 0 : 1;
+    for (const DatasetFile& file : match.files) size.bytes += file.bytes;
+  }
+  return size;
+}
+
 bool is_dataset(const fs::path& folder) {
   std::error_code code;
   return fs::is_regular_file(folder / kDatasetMatches, code) &&

@@ -44,6 +44,19 @@ struct DatasetMatch {
   std::vector<DatasetFile> files;
 };
 
+/// How much the matches of a data set are.
+struct DatasetSize {
+  std::size_t valid = 0;    ///< matches with files
+  std::uint64_t bytes = 0;  ///< of all files
+
+  double megabytes() const { return static_cast<double>(bytes) / 1e6; }
+  /// Of a match with files; 0 without any.
+  double megabytes_each() const {
+    return megabytes() / static_cast<double>(valid == 0 ? 1 : valid);
+  }
+};
+DatasetSize size_of(const std::vector<DatasetMatch>& matches);
+
 /// True if `folder` holds a finished data set.
 bool is_dataset(const std::filesystem::path& folder);
 

@@ -32,6 +32,12 @@ std::vector<std::unique_ptr<ScriptedPlayer>> two_teams(int port) {
   return players;
 }
 
+// Joins team A as a player or, at the port of coaches, as its coach.
+void join(UdpClient& client, std::string_view reply) {
+  client.send("(init A (version 18))");
+  ASSERT_EQ(client.wait(), reply);
+}
+
 TEST(UdpServer, PlaysMatchOfTwoTeams) {
   RunningServer running(quick_match());
   auto players = two_teams(running.port);
@@ -292,8 +298,7 @@ TEST(UdpServer, DoesNotWaitForClientsThatSentBye) {
   config.max_wait = std::chrono::hours(1);
   RunningServer running(config);
   UdpClient player(running.port);
-  player.send("(init A (version 18))");
-  ASSERT_EQ(player.wait(), "(init l 1 before_kick_off)");
+  ASSERT_NO_FATAL_FAILURE(join(player, "(init l 1 before_kick_off)"));
   UdpClient coach(running.server->port(ListeningPort::kOnlineCoaches));
   while (!coach.wait(milliseconds(20)).starts_with("(init l")) coach.send("(init A (version 18))");
   coach.send("(eye on)");
@@ -335,11 +340,9 @@ TEST(UdpServer, SendsThinkToCoachOnlyAfterItsView) {
   config.pause_before_start = milliseconds(30);
   RunningServer running(config);
   UdpClient player(running.port);
-  player.send("(init A (version 18))");
-  ASSERT_EQ(player.wait(), "(init l 1 before_kick_off)");
+  ASSERT_NO_FATAL_FAILURE(join(player, "(init l 1 before_kick_off)"));
   UdpClient coach(running.server->port(ListeningPort::kOnlineCoaches));
-  coach.send("(init A (version 18))");
-  ASSERT_EQ(coach.wait(), "(init l ok)");
+  ASSERT_NO_FATAL_FAILURE(join(coach, "(init l ok)"));
   coach.send("(eye on)");
   std::string first;
   while (first != "(think)" && !first.starts_with("(see_global")) {
@@ -358,8 +361,7 @@ TEST(UdpServer, AnswersOnReceiptInSynchronousMode) {
   config.max_wait = std::chrono::hours(1);
   RunningServer running(config);
   UdpClient player(running.port);
-  player.send("(init A (version 18))");
-  ASSERT_EQ(player.wait(), "(init l 1 before_kick_off)");
+  ASSERT_NO_FATAL_FAILURE(join(player, "(init l 1 before_kick_off)"));
   for (std::string message; message != "(think)";) {
     ASSERT_FALSE((message = player.wait()).empty());
   }
@@ -375,8 +377,7 @@ TEST(UdpServer, AnswersOnReceiptInSynchronousMode) {
   EXPECT_EQ(player.wait(milliseconds(50)), "");
 
   UdpClient coach(running.server->port(ListeningPort::kOnlineCoaches));
-  coach.send("(init A (version 18))");
-  ASSERT_EQ(coach.wait(), "(init l ok)");
+  ASSERT_NO_FATAL_FAILURE(join(coach, "(init l ok)"));
   for (std::string message; message != "(ok eye on)";) {
     coach.send("(eye on)");
     ASSERT_FALSE((message = coach.wait()).empty());
@@ -390,11 +391,9 @@ TEST(UdpServer, AnswersOnReceiptInSynchronousMode) {
 TEST(UdpServer, SendsThinkToCoachesLateInSomeCycles) {
   RunningServer running(quick_match());
   UdpClient player(running.port);
-  player.send("(init A (version 18))");
-  ASSERT_EQ(player.wait(), "(init l 1 before_kick_off)");
+  ASSERT_NO_FATAL_FAILURE(join(player, "(init l 1 before_kick_off)"));
   UdpClient coach(running.server->port(ListeningPort::kOnlineCoaches));
-  coach.send("(init A (version 18))");
-  ASSERT_EQ(coach.wait(), "(init l ok)");
+  ASSERT_NO_FATAL_FAILURE(join(coach, "(init l ok)"));
   coach.send("(eye on)");
   std::string cycle;
   std::map<std::string, int> orders;
@@ -426,8 +425,7 @@ TEST(UdpServer, ListensForCoachesAndTrainerOnSeparatePorts) {
   trainer.send("(init (version 18))");
   EXPECT_EQ(trainer.wait(), "(init ok)");
   UdpClient player(running.port);
-  player.send("(init A (version 18))");
-  ASSERT_EQ(player.wait(), "(init l 1 before_kick_off)");
+  ASSERT_NO_FATAL_FAILURE(join(player, "(init l 1 before_kick_off)"));
   const int coach_port = running.server->port(ListeningPort::kOnlineCoaches);
   UdpClient coach(coach_port);
   coach.send("(init A Cch (version 18))");
