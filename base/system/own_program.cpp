@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -17,6 +18,12 @@ Result<std::filesystem::path> own_program() {
   std::string path = std::filesystem::read_symlink(kLink, code).string();
   if (code) return Error{fmt::format("{}: cannot read: {}", kLink, code.message())};
   if (path.ends_with(kReplaced)) path.resize(path.size() - kReplaced.size());
+
+  // A script of `cls package-team` has started the loader with this program as its argument.
+  const char* script = std::getenv("CLS_PROGRAM");
+  if (script != nullptr && std::filesystem::path(path).filename().string().starts_with("ld-")) {
+    return std::filesystem::path(script);
+  }
   return std::filesystem::path(path);
 }
 

@@ -7,7 +7,8 @@
 
 namespace cls::base {
 
-/// Its path, also after the file was replaced, by a new build for example.
+/// Its path, also after the file was replaced, by a new build for example; in a package of
+/// `cls package-team` that of the script that starts it.
 Result<std::filesystem::path> own_program();
 
 }  // namespace cls::base

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/io/whole_file.h"
+
 namespace cls::gamelog {
 namespace {
 
@@ -37,14 +39,17 @@ bool exists(const std::string& path) {
 std::vector<std::string> logs_below(const std::string& folder) {
   std::vector<std::string> found;
   std::error_code error;
+  std::error_code ignored;
   const auto options = fs::directory_options::skip_permission_denied;
 
   for (fs::recursive_directory_iterator at(folder, options, error), end; !error && at != end;
        at.increment(error)) {
     const std::string path = at->path().string();
+    if (at->is_directory(ignored) && fs::exists(at->path() / kApartMark, ignored)) {
+      at.disable_recursion_pending();
+    }
     if (!is_text_log(path) && !is_game_log(path)) continue;
 
-    std::error_code ignored;
     // Reading a pipe of that name would wait for a writer.
     if (at->is_regular_file(ignored)) found.push_back(path);
   }
@@ -98,6 +103,14 @@ void find_text_log(const std::string& stem, MatchLogs& logs) {
 }
 
 }  // namespace
+
+base::Result<void> set_apart(const fs::path& folder) {
+  TRY(base::create_folders(folder));
+  std::error_code ignored;
+  if (fs::exists(folder / kApartMark, ignored)) return {};
+  return base::write_file(folder / kApartMark,
+                          "The logs here are not results: cls results, stats and book pass by.\n");
+}
 
 FoundLogs find_logs(const std::vector<std::string>& arguments) {
   FoundLogs found;

@@ -1,10 +1,20 @@
 // Finds the logs that command arguments refer to, and pairs game logs with text logs.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "base/result.h"
+
 namespace cls::gamelog {
+
+/// A folder with a file of this name has logs that are not results: copies, or trials. find_logs()
+/// does not look for logs there on its way through a folder above it.
+inline constexpr const char* kApartMark = ".apart";
+
+/// Creates `folder` with that file.
+base::Result<void> set_apart(const std::filesystem::path& folder);
 
 /// The logs of one match. One of them may be empty; "-" is standard input.
 struct MatchLogs {

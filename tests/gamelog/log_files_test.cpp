@@ -43,6 +43,16 @@ TEST_F(FindLogs, PairsLogsOfAMatch) {
   EXPECT_EQ(find_logs({text, game}).matches.size(), 1u);
 }
 
+// Copies in the archive of a cup must not count twice.
+TEST_F(FindLogs, PassesByFoldersThatAreSetApart) {
+  make("cup/matches/1/match.rcg");
+  make("cup/archive/final/match.rcg");
+  ASSERT_TRUE(set_apart(folder() + "/cup/archive"));
+  EXPECT_EQ(find_logs({folder()}).matches.size(), 1u);
+  EXPECT_EQ(find_logs({folder() + "/cup"}).matches.size(), 1u);
+  EXPECT_EQ(find_logs({folder() + "/cup/archive"}).matches.size(), 1u) << "the user's wish";
+}
+
 // Opening a pipe waits for a writer.
 TEST_F(FindLogs, SkipsPipesThatAreNotNamed) {
   const std::string game = make("m/match.rcg");
