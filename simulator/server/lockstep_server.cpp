@@ -78,7 +78,7 @@ void LockstepServer::receive_until(Time deadline) {
   network_->receive_until(deadline, [] { return false; });
 }
 
-void LockstepServer::run_cycle() {
+void LockstepServer::run_cycle(const Change& after_step) {
   constexpr std::chrono::milliseconds kMonitorPollLimit{2};
   if (network_ != nullptr) network_->poll(std::chrono::steady_clock::now() + kMonitorPollLimit);
   accept_clients();
@@ -87,6 +87,7 @@ void LockstepServer::run_cycle() {
   }
   match_->execute();
   match_->step();
+  if (after_step) match_->modify_world(after_step);
   match_->sense();
   match_->think();
   if (network_ != nullptr) network_->flush();

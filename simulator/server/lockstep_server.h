@@ -77,8 +77,10 @@ class LockstepServer {
   /// True while the client is connected.
   bool is_connected(ClientId client) { return match_->connection(client) != nullptr; }
 
+  using Change = std::function<void(World&, Events&)>;
   /// Executes received commands, runs one step, and sends senses and (think) to the clients.
-  void run_cycle();
+  /// `after_step` may change the world before the senses.
+  void run_cycle(const Change& after_step = {});
 
   /// True while the client has received (think) and not sent (done). Receives pending messages.
   bool awaits(ClientId client);

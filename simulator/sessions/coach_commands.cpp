@@ -43,8 +43,9 @@ struct CoachRegistry::Executor {
     result.reply = soccer::OkEar{command.on};
   }
   void operator()(const soccer::RequestTeamNames&) {
-    result.reply = soccer::OkTeamNames{visible_team_name(world, coach.side(), Side::kLeft),
-                                       visible_team_name(world, coach.side(), Side::kRight)};
+    result.reply =
+        soccer::OkTeamNames{visible_team_name(world, coach.side(), Side::kLeft, coach.own_name),
+                            visible_team_name(world, coach.side(), Side::kRight, coach.own_name)};
   }
   void operator()(const soccer::ChangePlayerType& command) {
     result.reply = command.type

@@ -35,7 +35,9 @@ AdmissionResult CoachRegistry::admit_coach(const World& world, std::string_view 
                                            const ClientRights& rights) {
   soccer::CoachInit init;
   if (const auto error = soccer::parse(datagram, init)) return *error;
-  const Side side = find_side(world, init.team.view(), rights.only_side());
+  const Side side = rights.team_name.empty()
+                        ? find_side(world, init.team.view(), rights.only_side())
+                        : rights.only_side();
   if (side == Side::kNeutral) return ErrorCode::kNoSuchTeam;
   if (!rights.may_play_for(side)) return Intrusion{ErrorCode::kNoSuchTeam};
   const ClientId client = side == Side::kLeft ? kLeftCoach : kRightCoach;
@@ -43,7 +45,9 @@ AdmissionResult CoachRegistry::admit_coach(const World& world, std::string_view 
   if (!is_supported_version(init.version)) return ErrorCode::kIllegalClientVersion;
 
   names_[index(side)] = std::move(init.coach_name);
-  return Admission{client, static_cast<int>(init.version), false};
+  Admission admission{client, static_cast<int>(init.version), false};
+  if (!has_name(world, side, side, init.team.view())) admission.own_name = init.team;
+  return admission;
 }
 
 AdmissionResult CoachRegistry::admit_trainer(const World& world, std::string_view datagram) {
@@ -62,6 +66,7 @@ CoachSession& CoachRegistry::connect(const World& world, const Admission& admiss
   CoachSession& coach = *slot(admission.client);
   coach.client = admission.client;
   coach.version = admission.version;
+  coach.own_name = admission.own_name;
   coach.channel = std::move(channel);
 
   coach.reply(soccer::CoachInitReply{coach.side()});
@@ -123,7 +128,7 @@ void CoachRegistry::send_say(const World& world, const PlayerSaid& said) {
     soccer::Hear hear;
     hear.time = world.clock.time;
     hear.sender = soccer::Hear::Sender::kPlayer;
-    hear.team = visible_team_name(world, coach->side(), speaker.side);
+    hear.team = visible_team_name(world, coach->side(), speaker.side, coach->own_name);
     hear.unum = speaker.unum;
     hear.goalie = speaker.goalie;
     hear.text = said.text;
@@ -171,6 +176,13 @@ void CoachRegistry::send_goalie_change(const GoalieAppointed& change) {
 
 void CoachRegistry::send_view(const World& world, CoachSession& coach, bool is_look_reply) {
   coach_view(world, coach.side(), coach.version, is_look_reply, view_);
+  if (!coach.own_name.empty()) {
+    const soccer::TeamName ours = visible_team_name(world, coach.side(), coach.side());
+    for (auto& player : view_.players) {
+      const Side side = player.team == ours ? coach.side() : opponent(coach.side());
+      player.team = visible_team_name(world, coach.side(), side, coach.own_name);
+    }
+  }
   text_.clear();
   soccer::format(view_, text_);
   coach.send(text_);

@@ -13,6 +13,7 @@
 #include "soccer/messages/hear.h"
 #include "soccer/messages/server_reply.h"
 #include "soccer/protocol/reply_code.h"
+#include "soccer/protocol/team_name.h"
 
 namespace cls::simulator {
 
@@ -43,6 +44,8 @@ struct Admission {
   int version = 0;
   bool reconnected = false;
   bool binary = false;  ///< its messages have no closing NUL on a network
+  /// What it calls its team, where that is not the team's name; see ClientRights::team_name.
+  soccer::TeamName own_name = {};
 };
 
 /// What the sender of a request may become, where the server knows whose process it is. With the
@@ -52,6 +55,9 @@ struct ClientRights {
   bool right = true;  ///< of the right side
   bool trainer = true;
   bool monitor = true;
+  /// The name of its side, whatever name it sends: the side has programs of several teams. What it
+  /// sees names its side as it does itself. Empty: the first client names a side.
+  soccer::TeamName team_name = {};
 
   /// The side that it must play for, or neutral if the name decides.
   Side only_side() const {
@@ -120,6 +126,7 @@ struct Connection {
 
   ClientId client = kNoClient;
   int version = 0;
+  soccer::TeamName own_name;  ///< see Admission::own_name
   std::unique_ptr<soccer::Channel> channel;
 
   bool sensed = false;      ///< received its senses since the last step

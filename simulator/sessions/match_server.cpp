@@ -2,6 +2,7 @@
 #include "simulator/sessions/match_server.h"
 
 #include <array>
+#include <cstdlib>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -41,10 +42,35 @@ bool may_use_listening_port(const Connection& client) {
                                    : client.version < kFirstStrictPlayerVersion;
 }
 
+// A session with a name of its own names teams as it sees them; the world knows other names.
+void use_sides(const World& world, const PlayerSession& session, soccer::TeamReference& team) {
+  using Kind = soccer::TeamReference::Kind;
+  if (team.kind != Kind::kNamed) return;
+  const Side own = world.player(session.slot()).side;
+  if (session.own_name.view() == team.name) {
+    team.kind = Kind::kOur;
+  } else if (visible_team_name(world, own, opponent(own), session.own_name).view() == team.name) {
+    team.kind = Kind::kOpponent;
+  }
+}
+
+soccer::PlayerCommand with_sides(const World& world, const PlayerSession& session,
+                                 const soccer::PlayerCommand& command) {
+  soccer::PlayerCommand changed = command;
+  if (auto* attention = std::get_if<soccer::AttentionTo>(&changed)) {
+    use_sides(world, session, attention->team);
+  } else if (auto* ear = std::get_if<soccer::Ear>(&changed); ear != nullptr && ear->team) {
+    use_sides(world, session, *ear->team);
+  }
+  return changed;
+}
+
 }  // namespace
 
 base::Result<std::unique_ptr<MatchServer>> MatchServer::create(const MatchConfig& config) {
-  TRY_INIT(auto rules, make_rules(config.server, config.player, config.seed));
+  TRY_INIT(auto rules, config.types.empty()
+                           ? make_rules(config.server, config.player, config.seed)
+                           : make_rules(config.server, config.player, config.types));
   return std::unique_ptr<MatchServer>(new MatchServer(std::move(rules), config));
 }
 
@@ -52,7 +78,8 @@ MatchServer::MatchServer(std::shared_ptr<const Rules> rules, const MatchConfig& 
     : world_(make_world(rules, config.seed)),
       players_(rules->server),
       coaches_(rules->server),
-      cycle_limit_(config.cycle_limit) {
+      cycle_limit_(config.cycle_limit),
+      decisive_lead_(config.decisive_lead) {
   referee_message_.text.reserve(kRefereeMessageCapacity);
   events_.reserve(kEventCapacity);
 }
@@ -252,8 +279,12 @@ void MatchServer::execute(PlayerSession& session, const soccer::PlayerCommand& c
     if (compression->level <= Connection::kMaxCompressionLevel) {
       session.compress(compression->level);
     }
-  } else if (auto reply = apply(world_, session.slot(), command, events_)) {
-    session.reply(*reply);
+  } else {
+    const auto reply =
+        session.own_name.empty()
+            ? apply(world_, session.slot(), command, events_)
+            : apply(world_, session.slot(), with_sides(world_, session, command), events_);
+    if (reply) session.reply(*reply);
   }
 
   dispatch_events();
@@ -368,6 +399,8 @@ bool MatchServer::awaits_coaches() const {
 
 bool MatchServer::finished() const {
   if (world_.mode == PlayMode::kTimeOver) return true;
+  const int lead = world_.team(Side::kLeft).score - world_.team(Side::kRight).score;
+  if (decisive_lead_ && std::abs(lead) >= *decisive_lead_) return true;
   return cycle_limit_ && world_.clock.time >= *cycle_limit_;
 }
 

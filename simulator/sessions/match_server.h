@@ -28,8 +28,14 @@ struct MatchConfig {
   soccer::PlayerParams player;
   std::uint64_t seed = 0;
 
+  /// Player types of a recorded match; empty: drawn from the seed.
+  std::vector<soccer::PlayerType> types = {};
+
   /// Game time at which the match ends; otherwise it ends with time_over.
   std::optional<int> cycle_limit;
+
+  /// Goals of a lead with which the match ends; otherwise no lead ends it.
+  std::optional<int> decisive_lead;
 };
 
 /// The soccer server without its network: world, clients and logs. A driver (LockstepServer,
@@ -190,6 +196,7 @@ class MatchServer {
   CoachRegistry coaches_;
   MonitorRegistry monitors_;
   std::optional<int> cycle_limit_;
+  std::optional<int> decisive_lead_;
   bool answers_on_receipt_ = false;
 
   // Reused, so that a cycle does not allocate.

@@ -36,10 +36,26 @@ std::optional<Side> assign_side(World& world, std::string_view name) {
   return std::nullopt;
 }
 
-// A side has one name, the one of its first client.
-bool accepts_name(World& world, Side side, std::string_view name) {
+// A side has one name: its own, or the one of its first client.
+bool accepts_name(World& world, Side side, std::string_view name, const ClientRights& rights) {
+  if (!rights.team_name.empty()) {
+    if (world.team(side).name.empty()) name_team(world, side, rights.team_name.view());
+    return true;
+  }
   if (world.team(side).name.empty()) name_team(world, side, name);
   return has_name(world, side, side, name);
+}
+
+// Replaces the names of teams by those that the player uses.
+void use_own_names(const World& world, Slot slot, const soccer::TeamName& own_name,
+                   soccer::See& see) {
+  const Side own = world.player(slot).side;
+  const soccer::TeamName ours = visible_team_name(world, own, own);
+  const soccer::TeamName theirs = visible_team_name(world, own, opponent(own), own_name);
+  for (auto& object : see.objects) {
+    if (object.team.empty()) continue;
+    object.team = object.team == ours ? own_name : theirs;
+  }
 }
 
 }  // namespace
@@ -60,7 +76,7 @@ AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerInit& in
     }
   }
   const Side own = rights.only_side();
-  if (own != Side::kNeutral && !accepts_name(world, own, name)) return Intrusion{};
+  if (own != Side::kNeutral && !accepts_name(world, own, name, rights)) return Intrusion{};
   const std::optional<Side> side =
       own == Side::kNeutral ? assign_side(world, name) : std::optional<Side>(own);
   if (!side) return ErrorCode::kNoMoreTeam;
@@ -72,13 +88,15 @@ AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerInit& in
   const std::optional<Slot> slot = join(world, *side, init.goalie, version);
   if (!slot) return ErrorCode::kNoMorePlayerOrGoalieOrIllegalVersion;
 
-  return Admission{*slot, version, false};
+  Admission admission{*slot, version, false};
+  if (!has_name(world, *side, *side, name)) admission.own_name = init.team;
+  return admission;
 }
 
 AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerReconnect& request,
                                       const ClientRights& rights) {
   const Side own = rights.only_side();
-  const Side named = find_side(world, request.team, own);
+  const Side named = rights.team_name.empty() ? find_side(world, request.team, own) : own;
   if (named != Side::kNeutral && !rights.may_play_for(named)) {
     return Intrusion{ErrorCode::kNoSuchTeamOrPlayer};
   }
@@ -91,7 +109,11 @@ AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerReconnec
   player.ears.complete = {true, true};
   player.ears.partial = {false, false};
   player.attention = kNoPlayer;
-  return Admission{*slot, player.client_version, true};
+  Admission admission{*slot, player.client_version, true};
+  if (!has_name(world, named, named, request.team)) {
+    admission.own_name = soccer::TeamName(request.team);
+  }
+  return admission;
 }
 
 PlayerSession& PlayerRegistry::connect(const World& world, const Admission& admission,
@@ -100,6 +122,7 @@ PlayerSession& PlayerRegistry::connect(const World& world, const Admission& admi
   session = std::make_unique<PlayerSession>();
   session->client = admission.client;
   session->version = admission.version;
+  session->own_name = admission.own_name;
   session->channel = std::move(channel);
 
   const Player& player = world.player(admission.client);
@@ -254,6 +277,7 @@ void PlayerRegistry::send_heard(World& world, PlayerSession& player) {
 void PlayerRegistry::send_see(const World& world, PlayerSession& player) {
   RandomStream noise = clock_stream(world, "see", player.slot());
   see(vision_, world, player.slot(), noise, see_);
+  if (!player.own_name.empty()) use_own_names(world, player.slot(), player.own_name, see_);
 
   text_.clear();
   soccer::format(see_, text_);

@@ -125,6 +125,14 @@ soccer::TeamName visible_team_name(const World& world, Side viewer, Side side) {
   return replaced ? soccer::TeamName(fixed) : name;
 }
 
+soccer::TeamName visible_team_name(const World& world, Side own, Side side,
+                                   const soccer::TeamName& own_name) {
+  const soccer::TeamName name = visible_team_name(world, own, side);
+  if (own_name.empty() || name.empty()) return name;
+  if (side == own) return own_name;
+  return name == own_name ? marked_name(name.view(), side) : name;
+}
+
 std::optional<Slot> find_player(const World& world, Side side, int unum) {
   if (side == Side::kNeutral || unum < 1 || unum > soccer::kPlayersPerTeam) return std::nullopt;
   const Player& player = world.player(side, unum);

@@ -41,6 +41,11 @@ Side find_side(const World& world, std::string_view team, Side viewer = Side::kN
 /// the team has not connected.
 soccer::TeamName visible_team_name(const World& world, Side viewer, Side side);
 
+/// The name of the team on `side` for a client of side `own` that calls its own team `own_name`;
+/// empty: as visible_team_name(). Its opponents never have that name.
+soccer::TeamName visible_team_name(const World& world, Side own, Side side,
+                                   const soccer::TeamName& own_name);
+
 /// Slot of a player that has connected; none for other uniform numbers.
 std::optional<Slot> find_player(const World& world, Side side, int unum);
 

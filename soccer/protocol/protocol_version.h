@@ -13,6 +13,6 @@ constexpr int kMaxProtocolVersion = 19;
 constexpr int kMinServedVersion = 8;
 
 /// Version of the cls agents.
-constexpr int kDefaultProtocolVersion = 18;
+constexpr int kDefaultProtocolVersion = 19;
 
 }  // namespace cls::soccer

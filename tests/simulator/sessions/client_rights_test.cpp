@@ -16,6 +16,7 @@ namespace {
 
 using soccer::ErrorCode;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr ClientRights kLeftOnly{true, false, false, false};
@@ -143,6 +144,90 @@ TEST_F(TwinsTest, AttendToTheirOwnByName) {
   server_->receive(right_, "(attentionto Twins 2)");
   server_->execute();
   EXPECT_EQ(world().player(right_).attention, soccer::slot_of(Side::kRight, 2));
+}
+
+// Programs of two teams in one, against the first of these teams alone.
+class MixedTeamTest : public ClientRightsTest {
+ protected:
+  MixedTeamTest() {
+    first_ = connect("(init A (version 18) (goalie))", kMixed);
+    second_ = connect("(init B (version 18))", kMixed);
+    opponent_ = connect("(init A (version 18))", kRightOnly);
+    server_->receive(first_, "(move -10 0)");
+    server_->receive(second_, "(move -9 0)");
+    server_->receive(opponent_, "(move -5 0)");
+    server_->execute();
+    server_->step();
+    server_->receive(opponent_, "(turn 180)");  // to the left team
+    server_->execute();
+    server_->step();
+  }
+
+  // The next see message; players do not get one in every cycle.
+  std::string seen_by(ClientId client) {
+    messages(client);
+    for (int cycle = 0; cycle < 5; ++cycle) {
+      server_->step();
+      server_->sense();
+      server_->see(99);
+      for (const std::string& text : messages(client)) {
+        if (text.starts_with("(see ")) return text;
+      }
+    }
+    return {};
+  }
+
+  static constexpr ClientRights kMixed{true, false, false, false, "A+B"};
+  ClientId first_ = kNoClient;
+  ClientId second_ = kNoClient;
+  ClientId opponent_ = kNoClient;
+};
+
+TEST_F(MixedTeamTest, HasOneNameAndTheNumbersOfItsPlayers) {
+  EXPECT_EQ(first_, soccer::slot_of(Side::kLeft, 1));
+  EXPECT_EQ(second_, soccer::slot_of(Side::kLeft, 2));
+  EXPECT_EQ(world().team(Side::kLeft).name.view(), "A+B");
+  EXPECT_EQ(world().team(Side::kRight).name.view(), "A");
+  EXPECT_THAT(seen_by(opponent_), HasSubstr("((p \"A+B\" 1 goalie)"));
+}
+
+// A program takes players of its own name for its team, and others for the opponent.
+TEST_F(MixedTeamTest, PlayersSeeTheirTeamUnderTheirOwnName) {
+  const std::string seen = seen_by(first_);
+  EXPECT_THAT(seen, HasSubstr("((p \"A\" 2)"));
+  EXPECT_THAT(seen, HasSubstr("((p \"A_r\" 1)")) << "the opponent has another name";
+  EXPECT_THAT(seen_by(second_), HasSubstr("((p \"A\" 1)")) << "the opponent, as it is";
+}
+
+TEST_F(MixedTeamTest, PlayersNameTeamsInCommandsAsTheySeeThem) {
+  const auto attends = [this](ClientId client, const std::string& command) {
+    messages(client);
+    server_->receive(client, command);
+    server_->execute();
+    return world().player(client).attention;
+  };
+  EXPECT_EQ(attends(first_, "(attentionto A 2)"), second_);
+  EXPECT_EQ(attends(first_, "(attentionto A_r 1)"), opponent_);
+  EXPECT_EQ(attends(second_, "(attentionto B 1)"), first_);
+  EXPECT_EQ(attends(second_, "(attentionto A 1)"), opponent_);
+
+  server_->receive(first_, "(ear (off A))");
+  server_->receive(first_, "(ear (off C))");
+  server_->execute();
+  EXPECT_THAT(messages(first_), ElementsAre("(error no team with name C)"));
+}
+
+TEST_F(MixedTeamTest, CoachAndReconnectedPlayersKeepTheirNames) {
+  const ClientId coach = connect("(init B (version 18))", kMixed, ListeningPort::kOnlineCoaches);
+  EXPECT_EQ(coach, kLeftCoach);
+  messages(coach);
+  server_->receive(coach, "(team_names)");
+  server_->execute();
+  EXPECT_THAT(messages(coach), Contains(HasSubstr("(ok team_names (team l B) (team r A)")));
+  EXPECT_EQ(connect("(reconnect A 1)", kMixed), first_);
+  server_->receive(first_, "(move -10 0)");
+  server_->execute();
+  EXPECT_THAT(seen_by(first_), HasSubstr("((p \"A\" 2)"));
 }
 
 TEST_F(ClientRightsTest, KeepLongNamesWithinTheLimit) {
