@@ -9,6 +9,7 @@
 #include "player/ball_skills/kick.h"
 #include "player/ball_skills/threats.h"
 #include "player/movement/intercept.h"
+#include "player/world/leg_dash.h"
 #include "player/world/motion.h"
 #include "soccer/pitch.h"
 
@@ -124,10 +125,26 @@ bool kick_for_turn(const WorldModel& world, const Threats& threats, CommandSlots
   return best_cost < 1e9 && kick_to_velocity(world, slots, best);
 }
 
+Vec2 next_position(const WorldModel& world, Vec2 acceleration) {
+  return world.self.position +
+         speed_limited(world.self.velocity + acceleration, world.self_type().player_speed_max);
+}
+
+/// Turns, while dashing where that is better.
+bool turn_in_dribble(const WorldModel& world, CommandSlots& slots, double angle, double power) {
+  const auto turn = useful_leg_turn(world, angle, safe_dash_power(world, power), true);
+  return turn ? slots.dash(turn->legs) : slots.turn(angle);
+}
+
 bool turn_with_ball(const WorldModel& world, const Threats& threats, CommandSlots& slots,
-                    double error) {
+                    double error, double power) {
   const Vec2 ball = ball_after(world, 1);
   const double noise = 0.1 + world.server().ball_rand * world.ball.velocity.length();
+  const auto turn = useful_leg_turn(world, error, power, true);
+  if (turn && at_feet(world, ball, next_position(world, turn->acceleration), noise + 0.05) &&
+      threats.cost(ball, 1) <= 150.0) {
+    return slots.dash(turn->legs);
+  }
   if (at_feet(world, ball, self_after(world, 1), noise) && threats.cost(ball, 1) <= 150.0) {
     return slots.turn(error);
   }
@@ -180,9 +197,7 @@ void set_intention(const WorldModel& world, Intention& intention, Vec2 target, d
 /// One dash if the ball stays kickable, otherwise a kick followed by up to `dash_count` dashes.
 bool run_with_ball(const WorldModel& world, const Threats& threats, Intention& intention,
                    CommandSlots& slots, Vec2 target, double power, int dash_count) {
-  const Vec2 next_self = world.self.position +
-                         speed_limited(world.self.velocity + dash_acceleration(world, power, 0.0),
-                                       world.self_type().player_speed_max);
+  const Vec2 next_self = next_position(world, dash_acceleration(world, power, 0.0));
   const Vec2 next_ball = ball_after(world, 1);
   const double noise = 0.15 + world.server().ball_rand * world.ball.velocity.length();
   if (at_feet(world, next_ball, next_self, noise) && threats.cost(next_ball, 1) <= 150.0) {
@@ -209,7 +224,8 @@ bool run_with_ball(const WorldModel& world, const Threats& threats, Intention& i
 
 bool continue_turn(const WorldModel& world, Intention& intention, CommandSlots& slots) {
   --intention.turns;
-  return slots.turn((intention.heading - world.self.body).degrees());
+  const double error = (intention.heading - world.self.body).degrees();
+  return turn_in_dribble(world, slots, error, intention.dash_power);
 }
 
 bool continue_dash(const WorldModel& world, Intention& intention, CommandSlots& slots) {
@@ -248,9 +264,9 @@ bool dribble(const WorldModel& world, Intention& intention, CommandSlots& slots,
   const Threats threats(world);
   constexpr double kMargin = 12.0;
   const double error = (heading - world.self.body).degrees();
-  if (std::fabs(error) > kMargin) return turn_with_ball(world, threats, slots, error);
-
   const double power = safe_dash_power(world, std::clamp(options.dash_power, 0.0, 100.0));
+  if (std::fabs(error) > kMargin) return turn_with_ball(world, threats, slots, error, power);
+
   return run_with_ball(world, threats, intention, slots, target, power, options.dash_count);
 }
 

@@ -36,7 +36,8 @@ void update_set_play_kick(const WorldModel& world, SetPlayKick& kick) {
 void record_set_play_kick(const WorldModel& world, const CommandSlots& slots, SetPlayKick& kick) {
   if (std::holds_alternative<soccer::Kick>(slots.body()) && is_our_set_play(world)) {
     kick = {world.game.time.cycle, false};
-  } else if (std::holds_alternative<soccer::Dash>(slots.body())) {
+  } else if (std::holds_alternative<soccer::Dash>(slots.body()) ||
+             std::holds_alternative<soccer::LegDash>(slots.body())) {
     kick.dashed = true;
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "player/world/leg_dash.h"
 #include "player/world/motion.h"
 #include "player/world/view_cone.h"
 #include "soccer/commands/rounding.h"
@@ -44,6 +45,33 @@ bool CommandSlots::dash(double power, double direction) {
 
   if (!finite(power, direction)) return false;
   body_ = soccer::Dash{soccer::rounded_for_command(power), direction};
+  return true;
+}
+
+bool CommandSlots::dash(const soccer::LegDash& legs) {
+  if (world_->self.frozen() || (!legs.left && !legs.right)) return false;
+  const auto& server = world_->server();
+  soccer::LegDash command = legs;
+  double cost = 0.0;
+
+  for (std::optional<soccer::Dash>* leg : {&command.left, &command.right}) {
+    if (!*leg) continue;
+    if (!finite((*leg)->power, (*leg)->direction)) return false;
+    const double direction =
+        soccer::between((*leg)->direction, server.min_dash_angle, server.max_dash_angle);
+    (*leg)->power = soccer::between((*leg)->power, server.min_dash_power, server.max_dash_power);
+    (*leg)->direction = soccer::math::quantize(direction, server.dash_angle_step);
+    cost += (*leg)->power >= 0.0 ? (*leg)->power / 2.0 : -(*leg)->power;
+  }
+
+  const double payable = world_->self.stamina + world_->self_type().extra_stamina;
+  const double share = cost > payable ? payable / cost : 1.0;
+  for (std::optional<soccer::Dash>* leg : {&command.left, &command.right}) {
+    if (!*leg) continue;
+    (*leg)->power = soccer::rounded_for_command((*leg)->power * share);
+    if (!finite((*leg)->power, (*leg)->direction)) return false;
+  }
+  body_ = command;
   return true;
 }
 
@@ -210,6 +238,9 @@ Vec2 CommandSlots::next_position() const {
   if (const auto* command = std::get_if<soccer::Dash>(&body_)) {
     step = speed_limited(step + dash_acceleration(*world_, command->power, command->direction),
                          world_->self_type().player_speed_max);
+  } else if (const auto* legs = std::get_if<soccer::LegDash>(&body_)) {
+    step = speed_limited(step + leg_dash_effect(*world_, self.body, *legs).acceleration,
+                         world_->self_type().player_speed_max);
   }
 
   return self.position + step;
@@ -217,6 +248,9 @@ Vec2 CommandSlots::next_position() const {
 
 AngleDeg CommandSlots::next_body() const {
   const SelfState& self = world_->self;
+  if (const auto* legs = std::get_if<soccer::LegDash>(&body_)) {
+    return self.body + leg_dash_effect(*world_, self.body, *legs).turn;
+  }
   const auto* command = std::get_if<soccer::Turn>(&body_);
   if (command == nullptr) return self.body;
   return self.body + command->moment / turn_resistance(world_->self_type(), self.velocity);

@@ -13,8 +13,8 @@
 namespace cls::player {
 
 /// The server executes one body command per cycle; monostate: none set.
-using BodyCommand = std::variant<std::monostate, soccer::Turn, soccer::Dash, soccer::Kick,
-                                 soccer::Tackle, soccer::Catch, soccer::Move>;
+using BodyCommand = std::variant<std::monostate, soccer::Turn, soccer::Dash, soccer::LegDash,
+                                 soccer::Kick, soccer::Tackle, soccer::Catch, soccer::Move>;
 
 /// Collects commands during one decision; compose() returns them. Every setter clamps to the
 /// server's limits and returns false without change when the server would reject the command, or
@@ -27,6 +27,9 @@ class CommandSlots {
   // Body. Angles in degrees relative to the body.
   /// Limits power to the available stamina and quantizes the direction.
   bool dash(double power, double direction = 0.0);
+  /// A dash of both legs, each with its own power and direction. If stamina is short, both get the
+  /// same share of their power.
+  bool dash(const soccer::LegDash& legs);
   /// `angle` is the desired change of the body; the moment compensates for inertia.
   bool turn(double angle);
   bool kick(double power, double direction);

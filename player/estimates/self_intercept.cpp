@@ -4,7 +4,9 @@
 
 #include "player/estimates/ball_control.h"
 #include "player/estimates/intercept.h"
+#include "player/world/leg_dash.h"
 #include "player/world/running.h"
+#include "soccer/directions.h"
 #include "soccer/math.h"
 #include "soccer/pitch.h"
 
@@ -25,7 +27,10 @@ class DashCourse {
  public:
   struct Dash {
     double power = 0.0;
-    double push = 0.0;       ///< acceleration at dash rate 1
+    double push = 0.0;  ///< acceleration at dash rate 1
+    // After this and the earlier dashes from rest, at dash rate 1 and without a speed limit.
+    double run = 0.0;
+    double speed = 0.0;
     double stamina = 0.0;    ///< left after it
     bool exhausted = false;  ///< this dash or an earlier one decreases recovery
   };
@@ -51,10 +56,13 @@ class DashCourse {
     Dash dash;
     dash.power = std::min(server_->max_dash_power, strength_.stamina + type_->extra_stamina);
     dash.push = strength_.effort * dash.power * type_->dash_power_rate;
+    const Dash before = dashes_.empty() ? Dash{} : dashes_.back();
+    dash.run = before.run + before.speed + dash.push;
+    dash.speed = (before.speed + dash.push) * type_->player_decay;
     strength_.step(*server_, *type_, dash.power);
     dash.stamina = strength_.stamina;
-    dash.exhausted = (!dashes_.empty() && dashes_.back().exhausted) ||
-                     dash.stamina <= server_->recover_dec_thr * server_->stamina_max;
+    dash.exhausted =
+        before.exhausted || dash.stamina <= server_->recover_dec_thr * server_->stamina_max;
     return dash;
   }
 
@@ -66,26 +74,31 @@ class DashCourse {
 
 /// Simulates a run of the agent cycle by cycle.
 struct Runner {
-  const soccer::PlayerType& type;
+  const soccer::PlayerType* type;
   Vec2 position;
   Vec2 velocity;
   int dashes = 0;
 
   explicit Runner(const WorldModel& world)
-      : type(world.self_type()), position(world.self.position), velocity(world.self.velocity) {}
+      : type(&world.self_type()), position(world.self.position), velocity(world.self.velocity) {}
 
   void coast() {
     position += velocity;
-    velocity *= type.player_decay;
+    velocity *= type->player_decay;
+  }
+
+  void push(Vec2 acceleration) {
+    velocity += acceleration;
+    const double limit = type->player_speed_max;
+    if (velocity.squared_length() > limit * limit) {
+      velocity = soccer::with_length(velocity, limit);
+    }
+    coast();
   }
 
   /// One full-power dash along the unit vector `heading` with dash rate `rate`.
   void dash(Vec2 heading, double rate, DashCourse& course) {
-    velocity += heading * (rate * course.at(dashes++).push);
-    if (velocity.squared_length() > type.player_speed_max * type.player_speed_max) {
-      velocity = soccer::with_length(velocity, type.player_speed_max);
-    }
-    coast();
+    push(heading * (rate * course.at(dashes++).push));
   }
 };
 
@@ -126,9 +139,11 @@ struct Search {
   Control control;
   double forward_rate = 0.0;  ///< dash rates
   double backward_rate = 0.0;
-  /// Distance by number of full forward dashes from rest; distance per unit of current velocity by
-  /// cycle.
+  double unlimited_rate = 0.0;  ///< up to this dash rate a run never gets to the speed limit
+  /// Distance by number of full forward dashes from rest; velocity and distance per unit of current
+  /// velocity by cycle.
   std::array<double, kInterceptHorizon + 1> run{};
+  std::array<double, kInterceptHorizon + 1> fading{};
   std::array<double, kInterceptHorizon + 1> drift{};
   std::array<DashCourse, kMaxTurns + 1> courses;  ///< by number of preceding turns
 
@@ -139,15 +154,20 @@ struct Search {
     backward_rate = dash_rate(world.server(), 180.0);
 
     const double push = world.server().max_dash_power * type.dash_power_rate * world.self.effort;
-    double speed = 0.0;
-    double fading = 1.0;
+    // A speed of at most decay * limit plus a push of at most (1 - decay) * limit is within it.
+    const double most_push = world.server().max_dash_power * type.dash_power_rate * type.effort_max;
+    if (world.self.velocity.length() <= type.player_decay * type.player_speed_max) {
+      unlimited_rate = (1.0 - type.player_decay) * type.player_speed_max / most_push;
+    }
 
+    double speed = 0.0;
+    fading[0] = 1.0;
     for (std::size_t i = 1; i < run.size(); ++i) {
       speed = std::min(speed + push, type.player_speed_max);
       run[i] = run[i - 1] + speed;
-      drift[i] = drift[i - 1] + fading;
+      fading[i] = fading[i - 1] * type.player_decay;
+      drift[i] = drift[i - 1] + fading[i - 1];
       speed *= type.player_decay;
-      fading *= type.player_decay;
     }
   }
 
@@ -164,11 +184,50 @@ struct Search {
     return course;
   }
 
+  /// The runner after full dashes along `heading` within the speed limit, in closed form.
+  void run_straight(Runner& runner, Vec2 heading, double rate, int dashes,
+                    DashCourse& course) const {
+    if (dashes == 0) return;
+    const DashCourse::Dash& last = course.at(dashes - 1);
+    const auto n = static_cast<std::size_t>(dashes);
+    runner.position += runner.velocity * drift[n] + heading * (rate * last.run);
+    runner.velocity = runner.velocity * fading[n] + heading * (rate * last.speed);
+    runner.dashes += dashes;
+  }
+
+  /// `cycles` of full dashes along `heading`, without those that would overrun `target`: waiting
+  /// reaches it too.
+  void dash_toward(Vec2 target, Runner& runner, Vec2 heading, double rate, int cycles,
+                   DashCourse& course) const {
+    const double missing = soccer::dot(target - runner.position, heading);
+    if (rate > unlimited_rate || missing <= 0.0) {
+      for (int i = 0; i < cycles; ++i) {
+        if (soccer::dot(target - runner.position, heading) > 0.0) {
+          runner.dash(heading, rate, course);
+        } else {
+          runner.coast();
+        }
+      }
+      return;
+    }
+
+    const double along = soccer::dot(runner.velocity, heading);
+    int dashes = 1;
+    while (dashes < cycles &&
+           along * drift[static_cast<std::size_t>(dashes)] + rate * course.at(dashes - 1).run <
+               missing) {
+      ++dashes;
+    }
+    run_straight(runner, heading, rate, dashes, course);
+    runner.position += runner.velocity * drift[static_cast<std::size_t>(cycles - dashes)];
+  }
+
   void add(const Runner& runner, Kind kind, int turns, int dashes, double turn, double direction) {
     DashCourse& course = course_after(turns);
     InterceptPlan plan;
     plan.kind = kind;
     plan.turns = turns;
+    plan.leg_turn = turns == 0 && turn != 0.0;
     plan.dashes = dashes;
     plan.turn_angle = turn;
     plan.dash_direction = direction;
@@ -204,20 +263,48 @@ struct Search {
     }
   }
 
-  /// Turns until the body (or back) points at the ball position at `step`, then dashes. False when
-  /// this does not reach the ball.
-  bool turn_and_dash(int step, bool backward) {
+  /// The ball at a step, as seen from the coasting position: the current velocity persists.
+  struct Aim {
+    int step = 0;
+    Vec2 offset;
+    double degrees = 0.0;  ///< direction of the offset
+  };
+  using AimList = base::FixedList<Aim, kInterceptHorizon>;
+
+  double farthest(int step, double rate) const {
+    return run[static_cast<std::size_t>(step - 1)] * rate + control_at(step);
+  }
+
+  /// Steps at which a run in a straight line may get to the ball.
+  AimList aims() const {
+    const double rate = std::max(forward_rate, backward_rate);
+    AimList out;
+    base::FixedList<Vec2, AimList::capacity()> offsets;
+    for (int step = 1; step <= kInterceptHorizon; ++step) {
+      const auto i = static_cast<std::size_t>(step);
+      const Vec2 offset = path[i] - (world.self.position + world.self.velocity * drift[i]);
+      const double far = farthest(step, rate);
+      if (offset.squared_length() > far * far) continue;
+      out.push_back({step, offset, 0.0});
+      offsets.push_back(offset);
+    }
+    std::array<double, AimList::capacity()> degrees;
+    soccer::directions(offsets.begin(), offsets.size(), degrees.data());
+    for (std::size_t i = 0; i < out.size(); ++i) out[i].degrees = degrees[i];
+    return out;
+  }
+
+  /// Turns until the body (or back) points at the ball, then dashes. False when this does not reach
+  /// it.
+  bool turn_and_dash(const Aim& aim, bool backward) {
+    const int step = aim.step;
     const Vec2 target = path[static_cast<std::size_t>(step)];
     const double reach = control_at(step);
     const double rate = backward ? backward_rate : forward_rate;
+    const double distance = aim.offset.length();
+    if (distance > farthest(step, rate)) return false;
 
-    // Aim from the coasting position: the current velocity persists.
-    const Vec2 offset = target - (world.self.position +
-                                  world.self.velocity * drift[static_cast<std::size_t>(step)]);
-    const double distance = offset.length();
-    if (distance > run[static_cast<std::size_t>(step - 1)] * rate + reach) return false;
-
-    const AngleDeg heading = distance > 1e-3 ? AngleDeg::of(offset) : world.self.body;
+    const AngleDeg heading = distance > 1e-3 ? AngleDeg(aim.degrees) : world.self.body;
     const double desired_turn =
         ((backward ? heading + 180.0 : heading) - world.self.body).degrees();
     constexpr double kMinSlack = 5.0;
@@ -230,7 +317,7 @@ struct Search {
     int turns = 0;
     while (missing > slack && turns < std::min(step, kMaxTurns)) {
       missing -=
-          world.server().maxmoment / (1.0 + runner.type.inertia_moment * runner.velocity.length());
+          world.server().maxmoment / (1.0 + runner.type->inertia_moment * runner.velocity.length());
       runner.coast();
       ++turns;
     }
@@ -241,14 +328,7 @@ struct Search {
     const int dashes = step - turns;
 
     const Vec2 unit = polar(1.0, world.self.body + turn + (backward ? 180.0 : 0.0));
-    for (int i = 0; i < dashes; ++i) {
-      // Skip a full dash that would overrun the ball; waiting reaches it too.
-      if (soccer::dot(target - runner.position, unit) > 0.0) {
-        runner.dash(unit, rate, course_after(turns));
-      } else {
-        runner.coast();
-      }
-    }
+    if (dashes > 0) dash_toward(target, runner, unit, rate, dashes, course_after(turns));
 
     if (!reaches(runner.position, step)) return false;
     add(runner, backward ? Kind::kTurnBackwardDash : Kind::kTurnForwardDash, turns, dashes, turn,
@@ -256,10 +336,55 @@ struct Search {
     return true;
   }
 
-  void turning(bool backward) {
+  /// Turns the body with the first dash, toward the ball position at `step`.
+  bool turn_while_dashing(int step) {
+    const Vec2 target = path[static_cast<std::size_t>(step)];
+    const double reach = control_at(step);
+    const double drifting = drift[static_cast<std::size_t>(step)];
+    const Vec2 offset = target - (world.self.position + world.self.velocity * drifting);
+    const double distance = offset.length();
+    if (distance > run[static_cast<std::size_t>(step)] + reach || distance < reach) return false;
+
+    DashCourse& course = course_after(0);
+    const double power = course.at(0).power;
+    std::optional<LegTurn> turn;
+    double angle = (AngleDeg::of(offset) - world.self.body).degrees();
+    // The second time from where the first dash drifts to.
+    for (int i = 0; i < 2; ++i) {
+      turn = useful_leg_turn(world, angle, power, true);
+      if (!turn) return false;
+      const Vec2 rest = offset - turn->acceleration * drifting;
+      if (i == 0) angle = (AngleDeg::of(rest) - world.self.body).degrees();
+    }
+
+    Runner runner(world);
+    runner.push(turn->acceleration);
+    ++runner.dashes;
+    const Vec2 unit = polar(1.0, world.self.body + angle);
+    for (int i = 1; i < step; ++i) {
+      if (soccer::dot(target - runner.position, unit) > 0.0) {
+        runner.dash(unit, forward_rate, course);
+      } else {
+        runner.coast();
+      }
+    }
+
+    if (!reaches(runner.position, step)) return false;
+    add(runner, Kind::kTurnForwardDash, 0, step, angle, 0.0);
+    return true;
+  }
+
+  void turning_while_dashing() {
     int found = 0;
-    for (int step = 1; step <= kInterceptHorizon && found < kPlansPerTurn; ++step) {
-      if (turn_and_dash(step, backward)) ++found;
+    for (int step = 1; step <= kInterceptHorizon && found < kPlansPerDirection; ++step) {
+      if (turn_while_dashing(step)) ++found;
+    }
+  }
+
+  void turning(const AimList& aims, bool backward) {
+    int found = 0;
+    for (const Aim& aim : aims) {
+      if (turn_and_dash(aim, backward) && ++found == kPlansPerTurn) return;
     }
   }
 };
@@ -277,8 +402,10 @@ void plan_self_intercept(const WorldModel& world, const BallPath& path, Intercep
   Search search(world, path, table);
   constexpr double kDirections[] = {0.0, 45.0, -45.0, 90.0, -90.0, 135.0, -135.0, 180.0};
   for (const double direction : kDirections) search.omni(direction);
-  search.turning(false);
-  search.turning(true);
+  const Search::AimList aims = search.aims();
+  search.turning(aims, false);
+  search.turning(aims, true);
+  if (world.leg_dashes) search.turning_while_dashing();
 
   std::sort(table.plans.begin(), table.plans.end(),
             [](const InterceptPlan& a, const InterceptPlan& b) {

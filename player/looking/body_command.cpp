@@ -14,6 +14,7 @@ bool set_body(const WorldModel& world, const soccer::PlayerCommand& body, Comman
   return std::visit(
       base::Overloaded{
           [&](const soccer::Dash& dash) { return slots.dash(dash.power, dash.direction); },
+          [&](const soccer::LegDash& legs) { return slots.dash(legs); },
           // The slot takes the angle that the body turns by; the command has the moment.
           [&](const soccer::Turn& turn) {
             return slots.turn(turn.moment /

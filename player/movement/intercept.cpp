@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "player/movement/movement.h"
+#include "player/world/leg_dash.h"
 #include "player/world/motion.h"
 #include "soccer/pitch.h"
 
@@ -149,6 +150,10 @@ bool intercept(const WorldModel& world, CommandSlots& slots, bool save_recovery,
     return wait_for_ball(world, slots, face_point, plan->steps());
   }
 
+  if (plan->leg_turn) {
+    const std::optional<LegTurn> turn = leg_turn(world, plan->turn_angle, plan->dash_power);
+    if (turn) return slots.dash(turn->legs);
+  }
   return slots.dash(plan->dash_power, plan->dash_direction);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "player/looking/body_neck.h"
+#include "player/world/leg_dash.h"
 #include "player/world/motion.h"
 #include "soccer/pitch.h"
 
@@ -60,6 +61,18 @@ bool omni_dash(const WorldModel& world, CommandSlots& slots, Vec2 needed, double
   return slots.dash(std::min(power, allowed), direction.degrees());
 }
 
+/// Turns toward the target while dashing, where that is better than a turn.
+bool turn_while_dashing(const WorldModel& world, CommandSlots& slots, double angle, double dist,
+                        double max_power, const RunOptions& options) {
+  // Nearer, the speed that is left in the old direction carries the agent past the target.
+  constexpr double kMinDistance = 1.5;
+  if (!world.leg_dashes || dist < kMinDistance) return false;
+  const bool hurry = max_power >= 0.9 * world.server().max_dash_power;
+  const double allowed = options.save_recovery ? safe_dash_power(world, max_power) : max_power;
+  const std::optional<LegTurn> turn = useful_leg_turn(world, angle, allowed, hurry);
+  return turn && slots.dash(turn->legs);
+}
+
 /// True if dashing backward is better than turning: target near and behind, enough stamina.
 bool better_backwards(const WorldModel& world, double dist, double error) {
   return dist < 2.0 && error > 90.0 && error > max_turn(world) &&
@@ -99,6 +112,9 @@ bool go_to_point(const WorldModel& world, CommandSlots& slots, Vec2 target, doub
   if (direction.abs() > margin) {
     if (better_backwards(world, dist, direction.abs()) &&
         omni_dash(world, slots, needed, max_dash_power, options)) {
+      return true;
+    }
+    if (turn_while_dashing(world, slots, direction.degrees(), dist, max_dash_power, options)) {
       return true;
     }
     return slots.turn(direction.degrees());

@@ -238,6 +238,7 @@ void on_server_param(WorldModel& world, const soccer::ServerParams& params) {
   match.server = params;
   match.types[0] = soccer::default_player_type(params);
 
+  match.leg_pushes = LegPushes(params);
   if (params.quantize_step_l != match.landmark_distances.step()) {
     match.landmark_distances = DistanceTable(params.quantize_step_l);
   }
@@ -261,6 +262,8 @@ void on_player_type(WorldModel& world, const soccer::PlayerType& type) {
   while (match.types.size() <= index) match.types.push_back(match.types.front());
   match.types[index] = type;
 }
+
+void on_gaussian_see(WorldModel& world) { world.self.gaussian_see = true; }
 
 void on_change_player_type(WorldModel& world, const soccer::PlayerTypeChange& change) {
   if (change.unum < 1 || change.unum > soccer::kPlayersPerTeam) return;
@@ -345,7 +348,7 @@ void record_sent_commands(WorldModel& world, const std::vector<soccer::PlayerCom
     if (const auto* move = std::get_if<soccer::Move>(&command)) sent.move = *move;
     if (const auto* neck = std::get_if<soccer::TurnNeck>(&command)) sent.turn_neck = *neck;
     if (const auto* arm = std::get_if<soccer::PointTo>(&command)) sent.point_to = *arm;
-    if (std::holds_alternative<soccer::LegDash>(command)) sent.leg_dash = true;
+    if (const auto* legs = std::get_if<soccer::LegDash>(&command)) sent.leg_dash = *legs;
   }
 }
 

@@ -27,6 +27,8 @@ base::Result<void> on_parameter_message(WorldModel& world, std::string_view mess
 void on_server_param(WorldModel& world, const soccer::ServerParams& params);
 void on_player_param(WorldModel& world, const soccer::PlayerParams& params);
 void on_player_type(WorldModel& world, const soccer::PlayerType& type);
+/// The server confirmed (gaussian_see): from now on distances have Gaussian noise.
+void on_gaussian_see(WorldModel& world);
 void on_change_player_type(WorldModel& world, const soccer::PlayerTypeChange& change);
 
 /// Starts a new step: increments ages, predicts all estimates one cycle ahead, applies own commands

@@ -86,6 +86,8 @@ class Replay {
               world_.goalie);
     } else if (const auto* change = std::get_if<soccer::PlayerTypeChange>(&reply)) {
       on_change_player_type(world_, *change);
+    } else if (std::holds_alternative<soccer::OkGaussianSee>(reply)) {
+      on_gaussian_see(world_);
     }
 
     return {};

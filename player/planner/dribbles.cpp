@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "player/planner/generators.h"
+#include "player/world/leg_dash.h"
 #include "player/world/motion.h"
 #include "soccer/pitch.h"
 
@@ -15,24 +16,35 @@ using soccer::Vec2;
 
 constexpr int kMaxDashes = 20;
 
-/// Agent positions by cycle from now: one kick, turns, full dashes.
+/// The turn between kick and dashes.
+struct TurnPart {
+  int turns = 0;
+  Vec2 acceleration;  ///< of a two-leg dash
+  bool dashes() const { return !acceleration.is_zero(); }
+};
+
+/// Agent positions by cycle from now: one kick, turns, full dashes. A turn may be a two-leg dash.
 struct Course {
   std::array<Vec2, kMaxDashes + 4> positions;
   int steps = 0;
 };
 
-Course course_of(const WorldModel& world, AngleDeg heading, int turns, int dashes) {
+Course course_of(const WorldModel& world, AngleDeg heading, const TurnPart& turn, int dashes) {
   Course course;
   const soccer::PlayerType& type = world.self_type();
 
   Vec2 position = world.self.position;
   Vec2 velocity = world.self.velocity;
   course.positions[0] = position;
-  course.steps = 1 + turns + dashes;
+  course.steps = 1 + turn.turns + dashes;
   const Vec2 push = dash_acceleration(world, heading, world.server().max_dash_power, 0.0);
 
   for (int cycle = 1; cycle <= course.steps; ++cycle) {
-    if (cycle > 1 + turns) velocity = speed_limited(velocity + push, type.player_speed_max);
+    if (cycle > 1 + turn.turns) {
+      velocity = speed_limited(velocity + push, type.player_speed_max);
+    } else if (cycle == 2) {
+      velocity = speed_limited(velocity + turn.acceleration, type.player_speed_max);
+    }
     position += velocity;
     velocity *= type.player_decay;
     course.positions[static_cast<std::size_t>(cycle)] = position;
@@ -42,9 +54,14 @@ Course course_of(const WorldModel& world, AngleDeg heading, int turns, int dashe
 }
 
 /// Turns until the body points along `heading`, starting in the cycle after the kick.
-int turns_needed(const WorldModel& world, AngleDeg heading) {
+TurnPart turns_needed(const WorldModel& world, AngleDeg heading) {
   const soccer::PlayerType& type = world.self_type();
-  double missing = (heading - world.self.body).abs();
+  const double angle = (heading - world.self.body).degrees();
+  if (const auto turn = useful_leg_turn(world, angle, world.server().max_dash_power, true)) {
+    return {1, turn->acceleration};
+  }
+
+  double missing = std::fabs(angle);
   Vec2 velocity = world.self.velocity * type.player_decay;
 
   int turns = 0;
@@ -55,7 +72,7 @@ int turns_needed(const WorldModel& world, AngleDeg heading) {
     ++turns;
   }
 
-  return turns;
+  return {turns, {}};
 }
 
 bool enough_stamina(const PlannerField& field, int dashes) {
@@ -137,11 +154,12 @@ void add_short_dribbles(const PlannerField& field, std::vector<PlanAction>& out)
       continue;
     }
 
-    const int turns = turns_needed(world, heading);
+    const TurnPart turning = turns_needed(world, heading);
+    const int turns = turning.turns;
     if (turns > 2) continue;
     for (int dashes = 4; dashes >= 2; --dashes) {
-      if (!enough_stamina(field, dashes)) continue;
-      const Course course = course_of(world, heading, turns, dashes);
+      if (!enough_stamina(field, dashes + (turning.dashes() ? 1 : 0))) continue;
+      const Course course = course_of(world, heading, turning, dashes);
       const Vec2 end =
           course.positions[static_cast<std::size_t>(course.steps)] + soccer::polar(radius, heading);
       if (std::fabs(end.x) > soccer::kHalfLength - 1.0 ||
@@ -184,14 +202,17 @@ void add_self_passes(const PlannerField& field, std::vector<PlanAction>& out) {
   for (int i = 0; i < 60; ++i) {
     const AngleDeg heading(6.0 * i);
     const double off = (heading - world.self.body).abs();
-    if (off > max_turn || (heading.abs() > 85.0 && x < 41.0)) continue;
-    const int turns = off > 1.0 ? 1 : 0;
+    if (heading.abs() > 85.0 && x < 41.0) continue;
+    TurnPart turning{off > 1.0 ? 1 : 0, {}};
+    if (world.leg_dashes) turning = turns_needed(world, heading);
+    const int turns = turning.turns;
+    if (turns > 1 || (off > max_turn && !turning.dashes())) continue;
 
     int found = 0;
     for (int dashes = max_dashes; dashes >= field.parameters.self_pass_dashes && found < 10;
          --dashes) {
-      if (!enough_stamina(field, dashes)) continue;
-      const Course course = course_of(world, heading, turns, dashes);
+      if (!enough_stamina(field, dashes + (turning.dashes() ? 1 : 0))) continue;
+      const Course course = course_of(world, heading, turning, dashes);
       const Vec2 end =
           course.positions[static_cast<std::size_t>(course.steps)] + soccer::polar(radius, heading);
       const Vec2 own_goal{-soccer::kHalfLength, 0.0};

@@ -196,7 +196,7 @@ void see_ball(WorldModel& world, const Observation& seen) {
 void miss_ball(WorldModel& world) {
   BallState& ball = world.ball;
   if (!world.ball_tracker.tracked) return;
-  if (!must_be_visible(world, ball.position, ball.position_deviation)) return;
+  if (!VisibleArea(world).must_show(ball.position, ball.position_deviation)) return;
   ++ball.ghost_count;
   constexpr int kMaxGhostCount = 2;
   if (ball.ghost_count >= kMaxGhostCount) drop_ball(world);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "player/tracking/self_localization.h"
+#include "player/world/leg_dash.h"
 #include "player/world/running.h"
 #include "soccer/interval.h"
 #include "soccer/math.h"
@@ -25,6 +26,7 @@ constexpr double kDegreesPerRadian = 180.0 / math::kPi;
 struct Executed {
   bool turn = false;
   bool dash = false;
+  bool leg_dash = false;
   bool move = false;
   bool turn_neck = false;
   bool unknown_turn = false;  ///< the server executed a turn that the agent did not send
@@ -35,13 +37,21 @@ Executed executed(const SelfTracker& tracker, const soccer::CommandCounts& befor
   Executed out;
   out.turn = after.turn > before.turn && tracker.sent.turn.has_value();
   out.dash = after.dash > before.dash && tracker.sent.dash.has_value();
+  out.leg_dash = after.dash > before.dash && tracker.sent.leg_dash.has_value();
   out.move = after.move > before.move && tracker.sent.move.has_value();
   out.turn_neck = after.turn_neck > before.turn_neck && tracker.sent.turn_neck.has_value();
-  out.unknown_turn = (after.turn > before.turn && !tracker.sent.turn) ||
-                     after.turn > before.turn + 1 ||
-                     (after.dash > before.dash && tracker.sent.leg_dash);
+  out.unknown_turn =
+      (after.turn > before.turn && !tracker.sent.turn) || after.turn > before.turn + 1;
 
   return out;
+}
+
+/// Turns the body estimate; returns the variance of the noise, which the caller adds.
+double turn_body(WorldModel& world, double turned) {
+  Gaussian<3>& pose = world.self_tracker.pose;
+  pose.mean[2] = math::normalize_degrees(pose.mean[2] + turned);
+  const double half_width = world.server().player_rand * std::fabs(turned);
+  return half_width * half_width / 3.0;
 }
 
 /// Applies the executed turn to the body estimate.
@@ -55,10 +65,7 @@ void turn_body(WorldModel& world, const Executed& done) {
         soccer::between(tracker.sent.turn->moment, server.minmoment, server.maxmoment);
     const double turned =
         moment / (1.0 + world.self_type().inertia_moment * world.self.velocity.length());
-    pose.mean[2] = math::normalize_degrees(pose.mean[2] + turned);
-
-    const double half_width = server.player_rand * std::fabs(turned);
-    pose.at(2, 2) += half_width * half_width / 3.0;
+    pose.at(2, 2) += turn_body(world, turned);
   }
   if (done.unknown_turn) pose.at(2, 2) += 180.0 * 180.0 / 3.0;
 }
@@ -114,14 +121,24 @@ struct Heading {
 
 constexpr double kNoPrediction = 180.0 * 180.0;
 
+/// Interval of a direction that is truncated to whole degrees.
+struct SensedDirection {
+  double middle;
+  double half;
+
+  explicit SensedDirection(int degrees) {
+    const double low = degrees > 0 ? degrees : degrees - 1.0;
+    const double high = degrees < 0 ? degrees : degrees + 1.0;
+    middle = 0.5 * (low + high);
+    half = 0.5 * (high - low);
+  }
+};
+
 /// Fuses the predicted velocity direction with the sensed one, which is relative to the face and
 /// truncated to whole degrees. Applies the implied body correction to the pose.
 Heading fuse_heading(Gaussian<3>& pose, double predicted, double predicted_variance, double neck,
                      int sensed_direction) {
-  const double low = sensed_direction > 0 ? sensed_direction : sensed_direction - 1.0;
-  const double high = sensed_direction < 0 ? sensed_direction : sensed_direction + 1.0;
-  const double middle = 0.5 * (low + high);
-  const double half = 0.5 * (high - low);
+  const auto [middle, half] = SensedDirection(sensed_direction);
 
   // y = heading - body - neck - middle: estimated as offset +- deviation, observed within +- half.
   const double body_variance = pose.at(2, 2);
@@ -154,6 +171,35 @@ Heading fuse_heading(Gaussian<3>& pose, double predicted, double predicted_varia
                   reduction * body_share * body_share);
   pose.mean[2] = math::normalize_degrees(pose.mean[2]);
   return out;
+}
+
+/// The same after a two-leg dash. It follows the body before its turn, so body and velocity share
+/// the error of that; the sensed direction, relative to the face after the turn, shows the noise of
+/// the turn (`turn_variance`) and of the movement (`movement_variance`).
+Heading fuse_leg_heading(Gaussian<3>& pose, double turn_variance, double predicted,
+                         double movement_variance, double neck, int sensed_direction) {
+  const SensedDirection sensed(sensed_direction);
+  const double before = pose.at(2, 2);
+  const double variance = std::max(turn_variance + movement_variance, 1e-12);
+  const double offset = math::normalize_degrees(predicted - pose.mean[2] - neck - sensed.middle);
+
+  if (movement_variance >= kNoPrediction ||
+      std::fabs(offset) > sensed.half + 5.0 * std::sqrt(variance)) {
+    pose.at(2, 2) += turn_variance;
+    return fuse_heading(pose, predicted, kNoPrediction, neck, sensed_direction);
+  }
+
+  const Moments inside = truncated({offset, variance}, -sensed.half, sensed.half);
+  const double shift = inside.mean - offset;
+  const double reduction = variance - inside.variance;
+  const double heading_share = movement_variance / variance;
+  const double body_share = turn_variance / variance;
+
+  pose.mean[2] = math::normalize_degrees(pose.mean[2] - body_share * shift);
+  pose.at(2, 2) = before + turn_variance - body_share * body_share * reduction;
+  return {predicted + heading_share * shift,
+          before + movement_variance - heading_share * heading_share * reduction,
+          before + heading_share * body_share * reduction};
 }
 
 /// Fuses the sensed speed (rounded to 0.01) with the predicted speed.
@@ -219,6 +265,16 @@ void set_position(SelfTracker& tracker, Vec2 position) {
   pose.at(2, 2) = body_variance;
 }
 
+// The sensed velocity is reversed and reduced to a tenth; the motion before the collision followed
+// the old velocity.
+void collide(Gaussian<3>& pose, Vec2 velocity) {
+  pose.mean[0] += 0.5 * velocity.x;
+  pose.mean[1] += 0.5 * velocity.y;
+  const double spread = kCollisionDeviation + 0.3 * velocity.length();
+  pose.at(0, 0) += spread * spread;
+  pose.at(1, 1) += spread * spread;
+}
+
 }  // namespace
 
 void advance_self(WorldModel& world, const soccer::SenseBody& sense, int cycles) {
@@ -231,7 +287,12 @@ void advance_self(WorldModel& world, const soccer::SenseBody& sense, int cycles)
       sense.collided_with_ball || sense.collided_with_player || sense.collided_with_post;
 
   Vec2 before_noise = self.velocity;
+  DashEffect legs;
   if (done.dash) before_noise += dash_acceleration(world);
+  if (done.leg_dash) {
+    legs = leg_dash_effect(world, AngleDeg(pose.mean[2]), *tracker.sent.leg_dash);
+    before_noise += legs.acceleration;
+  }
   turn_body(world, done);
   self.neck = neck_after(world, done, sense.head_angle);
 
@@ -239,14 +300,20 @@ void advance_self(WorldModel& world, const soccer::SenseBody& sense, int cycles)
   // persists.
   const double rand = world.server().player_rand * kDiscDeviation;
   const double noise_degrees = rand * kDegreesPerRadian;
+  const double noise_variance = noise_degrees * noise_degrees;
   const bool steady = !collided && !done.dash && !done.unknown_turn && !before_noise.is_zero();
-  const Heading heading = fuse_heading(
-      pose, soccer::direction_degrees(before_noise),
-      steady ? noise_degrees * noise_degrees + tracker.heading_variance : kNoPrediction,
-      self.neck.degrees(), sense.speed_direction);
+  const double predicted = soccer::direction_degrees(before_noise);
+  const Heading heading =
+      done.leg_dash
+          ? fuse_leg_heading(pose, turn_body(world, legs.turn), predicted,
+                             steady ? noise_variance : kNoPrediction, self.neck.degrees(),
+                             sense.speed_direction)
+          : fuse_heading(pose, predicted,
+                         steady ? noise_variance + tracker.heading_variance : kNoPrediction,
+                         self.neck.degrees(), sense.speed_direction);
 
   const double expected = before_noise.length() * decay;
-  const double deviation = expected * (rand + (done.dash ? 0.01 : 0.0));
+  const double deviation = expected * (rand + (done.dash || done.leg_dash ? 0.01 : 0.0));
   const Moments speed = fuse_speed(
       sense.speed, collided ? Moments{sense.speed, 1.0} : Moments{expected, deviation * deviation});
 
@@ -255,13 +322,7 @@ void advance_self(WorldModel& world, const soccer::SenseBody& sense, int cycles)
       pose.at(2, 2) > 0.0 ? heading.body_covariance / pose.at(2, 2) : 0.0;
 
   if (collided) {
-    // The sensed velocity is reversed and reduced to a tenth; the motion before the collision
-    // followed the old velocity.
-    pose.mean[0] += 0.5 * before_noise.x;
-    pose.mean[1] += 0.5 * before_noise.y;
-    const double spread = kCollisionDeviation + 0.3 * before_noise.length();
-    pose.at(0, 0) += spread * spread;
-    pose.at(1, 1) += spread * spread;
+    collide(pose, before_noise);
   } else {
     displace(pose, speed.mean / decay, speed.variance / (decay * decay), heading);
   }

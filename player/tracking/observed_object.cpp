@@ -22,6 +22,7 @@ constexpr double kUniformVariance = 1.0 / 3.0;  // of a uniform distribution of 
 // direction change in degrees.
 constexpr double kDistanceChangeStep = 0.02;
 constexpr double kDirectionChangeStep = 0.1;
+constexpr double kGaussianDistanceChangeStep = 0.01;  // of the distance change itself
 
 Vec2 perpendicular(Vec2 v) { return {-v.y, v.x}; }
 
@@ -29,7 +30,80 @@ bool has_motion(const Observation& seen) { return seen.detail >= ObservedDetail:
 
 double square(double x) { return x * x; }
 
-using SlabList = base::FixedList<Slab<4>, 4>;
+/// The estimate in the frame whose first axis is the unit vector `e`: x along it, y across it.
+ObjectEstimate in_frame(const ObjectEstimate& estimate, Vec2 e) {
+  const auto along = [e](double x, double y) { return e.x * x + e.y * y; };
+  const auto across = [e](double x, double y) { return e.x * y - e.y * x; };
+
+  ObjectEstimate out;
+  for (std::size_t r = 0; r < 4; r += 2) {
+    out.mean[r] = along(estimate.mean[r], estimate.mean[r + 1]);
+    out.mean[r + 1] = across(estimate.mean[r], estimate.mean[r + 1]);
+    for (std::size_t c = 0; c < 4; c += 2) {
+      const double along_x = along(estimate.at(r, c), estimate.at(r + 1, c));
+      const double along_y = along(estimate.at(r, c + 1), estimate.at(r + 1, c + 1));
+      const double across_x = across(estimate.at(r, c), estimate.at(r + 1, c));
+      const double across_y = across(estimate.at(r, c + 1), estimate.at(r + 1, c + 1));
+      out.at(r, c) = along(along_x, along_y);
+      out.at(r, c + 1) = across(along_x, along_y);
+      out.at(r + 1, c) = along(across_x, across_y);
+      out.at(r + 1, c + 1) = across(across_x, across_y);
+    }
+  }
+  return out;
+}
+
+/// The inverse of in_frame().
+ObjectEstimate from_frame(const ObjectEstimate& estimate, Vec2 e) {
+  return in_frame(estimate, {e.x, -e.y});
+}
+
+// Components of an estimate in the frame of the line of sight.
+constexpr std::size_t kAlong = 0;
+constexpr std::size_t kAcross = 1;
+constexpr std::size_t kVelocityAlong = 2;
+constexpr std::size_t kVelocityAcross = 3;
+
+using SlabList = base::FixedList<AxisSlab, 4>;
+
+/// The same interval as one of the general form.
+Slab<4> joint(const AxisSlab& slab) {
+  Slab<4> out{{}, slab.low, slab.high, slab.noise_variance};
+  out.direction[slab.axis] = 1.0;
+  return out;
+}
+
+using JointSlabList = base::FixedList<Slab<4>, 4>;
+
+/// With Gaussian noise the printed distance change is the true one times printed over true
+/// distance, and the true direction change is printed: both observe velocity and distance jointly,
+/// here in the frame of the line of sight.
+void add_gaussian_motion(const Viewpoint& view, const ObservedPosition& observed,
+                         const Observation& seen, JointSlabList& slabs) {
+  // The sensed own velocity is rounded, and the direction to the object is known to a degree.
+  constexpr double kOwnVelocityVariance = 0.004 * 0.004;
+  const double d = std::max(observed.distance, 0.1);
+  const Vec2 e = observed.direction;
+  const double own_along = soccer::dot(e, view.position);
+  const double angle_variance =
+      kUniformVariance * square(kHalfDegree) + square(math::to_radians(1.0)) * view.face_variance;
+
+  const double radial = seen.distance_change / d;  // per meter
+  const double turning = math::to_radians(seen.direction_change);
+  const auto add = [&](std::size_t component, Vec2 axis, double per_meter, double across_per_meter,
+                       double half) {
+    const double middle = soccer::dot(axis, view.velocity) - per_meter * own_along;
+    const double noise = kOwnVelocityVariance + square(per_meter) * view.position_variance +
+                         square(across_per_meter * d) * angle_variance;
+    Slab<4> slab{{}, middle - half, middle + half, noise};
+    slab.direction[kAlong] = -per_meter;
+    slab.direction[component] = 1.0;
+    slabs.push_back(slab);
+  };
+  add(kVelocityAlong, e, radial, turning, 0.5 * kGaussianDistanceChangeStep);
+  add(kVelocityAcross, perpendicular(e), turning, radial,
+      math::to_radians(0.5 * kDirectionChangeStep) * d);
+}
 
 void add_motion(const Viewpoint& view, const ObservedPosition& observed, const Observation& seen,
                 SlabList& slabs) {
@@ -43,18 +117,14 @@ void add_motion(const Viewpoint& view, const ObservedPosition& observed, const O
 
   const double own_radial = soccer::dot(e, view.velocity);
   const double radial_half = 0.5 * kDistanceChangeStep * d;
-  slabs.push_back({{0.0, 0.0, e.x, e.y},
-                   own_radial + ratio * d - radial_half,
-                   own_radial + ratio * d + radial_half,
-                   d_variance * square(ratio)});
+  slabs.push_back({kVelocityAlong, own_radial + ratio * d - radial_half,
+                   own_radial + ratio * d + radial_half, d_variance * square(ratio)});
 
   const double turning = math::to_radians(seen.direction_change);
   const double own_across = soccer::dot(n, view.velocity);
   const double across_half = math::to_radians(0.5 * kDirectionChangeStep) * d;
-  slabs.push_back({{0.0, 0.0, n.x, n.y},
-                   own_across + turning * d - across_half,
-                   own_across + turning * d + across_half,
-                   d_variance * square(turning)});
+  slabs.push_back({kVelocityAcross, own_across + turning * d - across_half,
+                   own_across + turning * d + across_half, d_variance * square(turning)});
 }
 
 }  // namespace
@@ -73,6 +143,10 @@ Viewpoint viewpoint(const WorldModel& world) {
   view.focus = self.position + soccer::polar_degrees(self.focus_distance,
                                                      view.face + self.focus_direction.degrees());
 
+  view.gaussian = self.gaussian_see;
+  view.noise_rate = world.self_type().dist_noise_rate;
+  view.focus_noise_rate = world.self_type().focus_dist_noise_rate;
+
   return view;
 }
 
@@ -80,17 +154,25 @@ ObservedPosition observed_position(const Viewpoint& view, const DistanceTable& d
                                    const Observation& seen) {
   ObservedPosition observed;
   observed.direction = soccer::polar_degrees(1.0, view.face + seen.direction);
-  observed.range = distances.range(seen.distance);
-  if (view.focus_distance > 0.0) {
+  if (view.gaussian) {
+    observed.range = {seen.distance, seen.distance};
+    const Vec2 position = view.position + observed.direction * seen.distance;
+    observed.distance_variance =
+        gaussian_distance_variance(view.noise_rate, seen.distance, view.focus_noise_rate,
+                                   soccer::distance(position, view.focus));
+  } else if (view.focus_distance > 0.0) {
     observed.range =
         distances.range_along(seen.distance, view.position, observed.direction, view.focus);
+  } else {
+    observed.range = distances.range(seen.distance);
   }
 
   observed.distance = observed.range.middle();
   observed.position = view.position + observed.direction * observed.distance;
 
   const double half = 0.5 * (observed.range.high - observed.range.low);
-  observed.along_variance = kUniformVariance * square(half) + view.position_variance;
+  observed.along_variance =
+      kUniformVariance * square(half) + observed.distance_variance + view.position_variance;
   observed.across_variance =
       square(observed.distance) * (kUniformVariance * square(kHalfDegree) +
                                    square(math::to_radians(1.0)) * view.face_variance) +
@@ -123,42 +205,52 @@ void update_estimate(ObjectEstimate& estimate, const Viewpoint& view,
   const double own_along = soccer::dot(e, view.position);
   const double own_across = soccer::dot(n, view.position);
 
-  SlabList slabs;
-  slabs.push_back({{e.x, e.y, 0.0, 0.0},
-                   own_along + observed.range.low,
-                   own_along + observed.range.high,
-                   view.position_variance});
-  slabs.push_back({{n.x, n.y, 0.0, 0.0},
-                   own_across - half_across,
-                   own_across + half_across,
-                   view.position_variance + face});
+  const AxisSlab along{kAlong, own_along + observed.range.low, own_along + observed.range.high,
+                       view.position_variance + observed.distance_variance};
+  const AxisSlab across{kAcross, own_across - half_across, own_across + half_across,
+                        view.position_variance + face};
 
-  if (has_motion(seen)) add_motion(view, observed, seen, slabs);
   constexpr int kSweeps = 3;
-  condition<4>(estimate, std::span<const Slab<4>>(slabs.begin(), slabs.size()), kSweeps);
+  ObjectEstimate seen_from_here = in_frame(estimate, e);
+  if (view.gaussian) {
+    JointSlabList slabs;
+    for (const AxisSlab& slab : {along, across}) slabs.push_back(joint(slab));
+    if (has_motion(seen)) add_gaussian_motion(view, observed, seen, slabs);
+    condition(seen_from_here, std::span<const Slab<4>>(slabs.begin(), slabs.size()), kSweeps);
+  } else {
+    SlabList slabs;
+    slabs.push_back(along);
+    slabs.push_back(across);
+    if (has_motion(seen)) add_motion(view, observed, seen, slabs);
+    condition(seen_from_here, std::span<const AxisSlab>(slabs.begin(), slabs.size()), kSweeps);
+  }
+  estimate = from_frame(seen_from_here, e);
 }
 
 ObjectEstimate initial_estimate(const Viewpoint& view, const ObservedPosition& observed,
                                 const Observation& seen, Vec2 velocity, double velocity_variance) {
-  ObjectEstimate estimate;
-  estimate.mean = {observed.position.x, observed.position.y, velocity.x, velocity.y};
-
   const Vec2 e = observed.direction;
-  const double a = observed.along_variance;
-  const double c = observed.across_variance;
+  const Vec2 n = perpendicular(e);
 
-  estimate.at(0, 0) = a * e.x * e.x + c * e.y * e.y;
-  estimate.at(1, 1) = a * e.y * e.y + c * e.x * e.x;
-  estimate.at(0, 1) = estimate.at(1, 0) = (a - c) * e.x * e.y;
-  estimate.at(2, 2) = estimate.at(3, 3) = velocity_variance;
+  ObjectEstimate estimate;  // in the frame of the line of sight
+  estimate.mean = {soccer::dot(e, observed.position), soccer::dot(n, observed.position),
+                   soccer::dot(e, velocity), soccer::dot(n, velocity)};
+  estimate.at(kAlong, kAlong) = observed.along_variance;
+  estimate.at(kAcross, kAcross) = observed.across_variance;
+  estimate.at(kVelocityAlong, kVelocityAlong) = velocity_variance;
+  estimate.at(kVelocityAcross, kVelocityAcross) = velocity_variance;
 
-  if (has_motion(seen)) {
+  if (has_motion(seen) && view.gaussian) {
+    JointSlabList slabs;
+    add_gaussian_motion(view, observed, seen, slabs);
+    for (const Slab<4>& slab : slabs) condition(estimate, slab);
+  } else if (has_motion(seen)) {
     SlabList slabs;
     add_motion(view, observed, seen, slabs);
-    for (const Slab<4>& slab : slabs) condition(estimate, slab);
+    for (const AxisSlab& slab : slabs) condition(estimate, slab);
   }
 
-  return estimate;
+  return from_frame(estimate, e);
 }
 
 }  // namespace cls::player

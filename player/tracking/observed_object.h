@@ -20,15 +20,19 @@ struct Viewpoint {
   double face_variance = 0.0;      ///< square degrees
   double focus_distance = 0.0;
   soccer::Vec2 focus;
+  bool gaussian = false;          ///< distances have Gaussian noise
+  double noise_rate = 0.0;        ///< of it, per meter of distance
+  double focus_noise_rate = 0.0;  ///< per meter from the focus point
 };
 
 Viewpoint viewpoint(const WorldModel& world);
 
 /// Position of an object according to one see message.
 struct ObservedPosition {
-  soccer::Vec2 position;   ///< middle of the feasible region
-  soccer::Vec2 direction;  ///< unit vector from the viewpoint
-  DistanceRange range;
+  soccer::Vec2 position;           ///< middle of the feasible region
+  soccer::Vec2 direction;          ///< unit vector from the viewpoint
+  DistanceRange range;             ///< without Gaussian noise
+  double distance_variance = 0.0;  ///< Gaussian noise
   double distance = 0.0;
   double along_variance = 0.0;   ///< of the position along `direction`
   double across_variance = 0.0;  ///< across it

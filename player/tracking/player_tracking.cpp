@@ -276,12 +276,11 @@ void observe_players(WorldModel& world, const soccer::See& see) {
   match_players(world, view, observations, update_track);
 
   constexpr int kMaxGhostCount = 2;
+  const VisibleArea visible(world);
   for (PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
     for (PlayerState& player : *list) {
       if (player.matched) continue;
-      if (must_be_visible(world, player.position, player.position_deviation())) {
-        ++player.ghost_count;
-      }
+      if (visible.must_show(player.position, player.position_deviation())) ++player.ghost_count;
     }
 
     renumber_ghosts(*list);

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "base/fixed_list.h"
+#include "soccer/directions.h"
 #include "soccer/math.h"
 #include "soccer/pitch.h"
 
@@ -73,13 +74,26 @@ struct SeeContext {
   double neck = 0.0;
   double focus_error = 0.0;
 
+  Vec2 focus(const Pose& pose) const {
+    return pose.position + soccer::polar_degrees(world.self.focus_distance,
+                                                 pose.face + world.self.focus_direction.degrees());
+  }
+
   DistanceRange landmark_range(double printed, Vec2 landmark, const Pose& pose) const {
-    const SelfState& self = world.self;
-    if (self.focus_distance <= 0.0) return distances.range(printed);
-    const Vec2 focus =
-        pose.position +
-        soccer::polar_degrees(self.focus_distance, pose.face + self.focus_direction.degrees());
-    return distances.range(printed, soccer::distance(focus, landmark), focus_error);
+    if (world.self.focus_distance <= 0.0) return distances.range(printed);
+    return distances.range(printed, soccer::distance(focus(pose), landmark), focus_error);
+  }
+
+  /// Variance of the distance of a landmark with Gaussian noise.
+  double landmark_variance(double distance, Vec2 landmark, const Pose& pose) const {
+    const soccer::PlayerType& type = world.self_type();
+    return gaussian_distance_variance(type.land_dist_noise_rate, distance,
+                                      type.land_focus_dist_noise_rate,
+                                      soccer::distance(focus(pose), landmark));
+  }
+
+  double printed_middle(double printed) const {
+    return world.self.gaussian_see ? printed : distances.range(printed).middle();
   }
 };
 
@@ -93,26 +107,48 @@ double focus_error_of(const WorldModel& world) {
   return kSure * (position + sideways) + kLinearization;
 }
 
-/// Adds the direction and distance intervals of a flag or goal, linearized at `at`.
-void add_landmark(const SeeContext& context, const Observation& seen, const Pose& at,
-                  SlabList& slabs) {
-  const Vec2 landmark = own_frame(soccer::kLandmarks[seen.index].position, context.world.our_side);
+/// A visible flag or goal, from the pose at which its intervals are linearized.
+struct SeenLandmark {
+  const Observation* seen = nullptr;
+  Vec2 landmark;
+  Vec2 offset;
+};
+using SeenLandmarkList = base::FixedList<SeenLandmark, kMaxSlabs>;
 
-  const Vec2 offset = landmark - at.position;
-  const double distance = offset.length();
+SeenLandmarkList seen_landmarks(const SeeContext& context, const soccer::See& see, const Pose& at) {
+  SeenLandmarkList out;
+  for (const Observation& seen : see.objects) {
+    if (seen.kind != ObservedKind::kLandmark) continue;
+    const Vec2 landmark =
+        own_frame(soccer::kLandmarks[seen.index].position, context.world.our_side);
+    out.push_back({&seen, landmark, landmark - at.position});
+  }
+  return out;
+}
+
+/// Adds the direction and distance intervals of a flag or goal in global direction `degrees`.
+void add_landmark(const SeeContext& context, const SeenLandmark& mark, double degrees,
+                  const Pose& at, SlabList& slabs) {
+  const double distance = mark.offset.length();
   constexpr double kMinDistance = 0.3;  // the linearization is invalid here
   if (distance < kMinDistance) return;
 
-  const Vec2 e = offset / distance;
-  const double angle = soccer::direction_degrees(offset) - at.face;
-  const double turn = math::normalize_degrees(seen.direction - angle);
+  const Observation& seen = *mark.seen;
+  const Vec2 e = mark.offset / distance;
+  const double turn = math::normalize_degrees(seen.direction - (degrees - at.face));
   const double per_meter = kDegreesPerRadian / distance;
   slabs.push_back({{e.y * per_meter, -e.x * per_meter, -1.0},
                    turn - kHalfDegree - kSlack,
                    turn + kHalfDegree + kSlack});
 
   if (seen.detail == ObservedDetail::kDirection) return;
-  const DistanceRange range = context.landmark_range(seen.distance, landmark, at);
+  if (context.world.self.gaussian_see) {
+    const double off = seen.distance - distance;
+    slabs.push_back(
+        {{-e.x, -e.y, 0.0}, off, off, context.landmark_variance(distance, mark.landmark, at)});
+    return;
+  }
+  const DistanceRange range = context.landmark_range(seen.distance, mark.landmark, at);
   slabs.push_back(
       {{-e.x, -e.y, 0.0}, range.low - distance - kSlack, range.high - distance + kSlack});
 }
@@ -166,22 +202,32 @@ void add_line(const SeeContext& context, const Observation& seen, const Pose& at
 }
 
 SlabList slabs_at(const SeeContext& context, const soccer::See& see, const Pose& at) {
+  const SeenLandmarkList landmarks = seen_landmarks(context, see, at);
+  base::FixedList<Vec2, SeenLandmarkList::capacity()> offsets;
+  for (const SeenLandmark& one : landmarks) offsets.push_back(one.offset);
+  std::array<double, SeenLandmarkList::capacity()> degrees;
+  soccer::directions(offsets.begin(), offsets.size(), degrees.data());
+
   SlabList slabs;
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    add_landmark(context, landmarks[i], degrees[i], at, slabs);
+  }
   for (const Observation& seen : see.objects) {
-    if (seen.kind == ObservedKind::kLandmark) add_landmark(context, seen, at, slabs);
     if (seen.kind == ObservedKind::kLine) add_line(context, seen, at, slabs);
   }
   return slabs;
 }
 
-/// Worst interval violation of a pose, in half widths; `shift` is its offset from the linearization
-/// point.
+/// Worst interval violation of a pose, in half widths (three standard deviations of Gaussian
+/// noise); `shift` is its offset from the linearization point.
 double worst_violation(const SlabList& slabs, const VecN<3>& shift) {
   double worst = 0.0;
   for (const Slab<3>& slab : slabs) {
     const double at = dot(slab.direction, shift);
     const double outside = std::max(slab.low - at, at - slab.high);
-    worst = std::max(worst, outside / (0.5 * (slab.high - slab.low)));
+    const double half =
+        std::max(0.5 * (slab.high - slab.low), 3.0 * std::sqrt(slab.noise_variance));
+    worst = std::max(worst, outside / half);
   }
   return worst;
 }
@@ -211,7 +257,7 @@ std::optional<Pose> pose_from_scratch(const SeeContext& context, const soccer::S
     return own_frame(soccer::kLandmarks[seen.index].position, context.world.our_side);
   };
   const auto seen_at = [&](const Observation& seen) {
-    return soccer::polar_degrees(context.distances.range(seen.distance).middle(), seen.direction);
+    return soccer::polar_degrees(context.printed_middle(seen.distance), seen.direction);
   };
 
   const Observation* other = nullptr;
@@ -254,7 +300,7 @@ double fit(const SeeContext& context, const soccer::See& see, Gaussian<3>& estim
 
     shift.mean[2] = math::normalize_degrees(shift.mean[2]);
     constexpr int kSweeps = 4;
-    condition<3>(shift, std::span<const Slab<3>>(slabs.begin(), slabs.size()), kSweeps);
+    condition(shift, std::span<const Slab<3>>(slabs.begin(), slabs.size()), kSweeps);
     estimate.covariance = shift.covariance;
     for (std::size_t i = 0; i < 3; ++i) estimate.mean[i] = origin.mean[i] + shift.mean[i];
     estimate.mean[2] = math::normalize_degrees(estimate.mean[2]);

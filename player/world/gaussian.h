@@ -36,6 +36,14 @@ struct Slab {
   double noise_variance = 0.0;
 };
 
+/// A slab whose h is the unit vector of one component of the state.
+struct AxisSlab {
+  std::size_t axis = 0;
+  double low = 0.0;
+  double high = 0.0;
+  double noise_variance = 0.0;
+};
+
 template <std::size_t N>
 double dot(const VecN<N>& a, const VecN<N>& b) {
   double sum = 0.0;
@@ -53,6 +61,28 @@ VecN<N> covariance_with(const Gaussian<N>& estimate, const VecN<N>& h) {
   return out;
 }
 
+/// h . v of a slab.
+template <std::size_t N>
+double along(const Slab<N>& slab, const VecN<N>& v) {
+  return dot(slab.direction, v);
+}
+template <std::size_t N>
+double along(const AxisSlab& slab, const VecN<N>& v) {
+  return v[slab.axis];
+}
+
+/// Covariance of each state component with h . z of a slab.
+template <std::size_t N>
+VecN<N> gain_of(const Gaussian<N>& estimate, const Slab<N>& slab) {
+  return covariance_with(estimate, slab.direction);
+}
+template <std::size_t N>
+VecN<N> gain_of(const Gaussian<N>& estimate, const AxisSlab& slab) {
+  VecN<N> out{};
+  for (std::size_t r = 0; r < N; ++r) out[r] = estimate.at(r, slab.axis);
+  return out;
+}
+
 /// Rank-one update (as in a Kalman filter): moves h . z, whose covariance with z is `gain`, by
 /// `shift` and reduces its variance from `variance` to `variance - reduction`. What is known
 /// exactly (variance 0) stays.
@@ -61,8 +91,9 @@ void rank_one_update(Gaussian<N>& estimate, const VecN<N>& gain, double variance
                      double reduction) {
   if (variance <= 0.0) return;
 
-  const double step = shift / variance;
-  const double shrink = reduction / (variance * variance);
+  const double inverse = 1.0 / variance;
+  const double step = shift * inverse;
+  const double shrink = reduction * inverse * inverse;
 
   for (std::size_t r = 0; r < N; ++r) {
     estimate.mean[r] += gain[r] * step;
@@ -71,66 +102,103 @@ void rank_one_update(Gaussian<N>& estimate, const VecN<N>& gain, double variance
 }
 
 /// Posterior mean and variance of the normal h . z given one slab.
-inline Moments truncate_noisy(Moments along, double low, double high, double noise_variance) {
-  const Moments noisy{along.mean, along.variance + noise_variance};
+inline Moments truncate_noisy(Moments prior, double low, double high, double noise_variance) {
+  if (noise_variance == 0.0) return truncated(prior, low, high);
+  const Moments noisy{prior.mean, prior.variance + noise_variance};
   const Moments inside = truncated(noisy, low, high);
-  const double share = along.variance / noisy.variance;
-  return {along.mean + share * (inside.mean - noisy.mean),
-          along.variance - share * share * (noisy.variance - inside.variance)};
+  const double share = prior.variance / noisy.variance;
+  return {prior.mean + share * (inside.mean - noisy.mean),
+          prior.variance - share * share * (noisy.variance - inside.variance)};
+}
+
+/// Normal factor that stands for a slab in expectation propagation.
+struct Site {
+  double precision = 0.0;
+  double shift = 0.0;          ///< precision times mean
+  Moments settled{0.0, -1.0};  ///< h . z just after the last update of this site; none yet
+
+  /// Whether an update would change little: h . z is where the last one left it.
+  bool is_settled(Moments now) const {
+    constexpr double kTolerance = 0.005;  // standard deviations, and share of the variance
+    const double moved = now.mean - settled.mean;
+    return moved * moved <= kTolerance * kTolerance * now.variance &&
+           std::fabs(now.variance - settled.variance) <= kTolerance * now.variance;
+  }
+};
+
+/// Whether an interval contains 4 standard deviations of h . z: it carries no information.
+inline bool contains_all_of(Moments now, double low, double high, double noise_variance) {
+  constexpr double kReach = 4.0;
+  const double room = std::min(now.mean - low, high - now.mean);
+  return room > 0.0 && room * room > kReach * kReach * (now.variance + noise_variance);
+}
+
+/// Computes a site again from `now`, h . z given all sites, and returns h . z with the new one.
+template <typename AnySlab>
+Moments renew(Site& site, Moments now, const AnySlab& slab) {
+  // The other sites alone: what `now` is without this one.
+  const double share = 1.0 - now.variance * site.precision;
+  if (share <= 0.0) return now;
+  const Moments others{(now.mean - now.variance * site.shift) / share, now.variance / share};
+  const double others_precision = share / now.variance;
+
+  const Moments after = truncate_noisy(others, slab.low, slab.high, slab.noise_variance);
+  const double precision = std::max(1.0 / after.variance, others_precision);
+  site.precision = precision - others_precision;
+  site.shift = after.mean * precision - others.mean * others_precision;
+  site.settled = {after.mean, std::min(after.variance, others.variance)};
+  return site.settled;
 }
 
 /// Updates the estimate by one slab (moment matching: exact along h).
-template <std::size_t N>
-void condition(Gaussian<N>& estimate, const Slab<N>& slab) {
-  const VecN<N> gain = covariance_with(estimate, slab.direction);
-  const double variance = dot(slab.direction, gain);
-  if (variance <= 0.0) return;
-  const double mean = dot(slab.direction, estimate.mean);
-  const Moments after = truncate_noisy({mean, variance}, slab.low, slab.high, slab.noise_variance);
-  rank_one_update(estimate, gain, variance, after.mean - mean, variance - after.variance);
+template <std::size_t N, typename AnySlab>
+void condition(Gaussian<N>& estimate, const AnySlab& slab) {
+  const VecN<N> gain = gain_of(estimate, slab);
+  const Moments now{along(slab, estimate.mean), along(slab, gain)};
+  if (now.variance <= 0.0) return;
+  const Moments after = truncate_noisy(now, slab.low, slab.high, slab.noise_variance);
+  rank_one_update(estimate, gain, now.variance, after.mean - now.mean,
+                  now.variance - after.variance);
 }
 
 constexpr std::size_t kMaxSlabs = 160;
 
-/// Updates the estimate by all slabs jointly with expectation propagation: `sweeps` passes in which
-/// each slab is approximated by a normal factor, given the others. Accurate to a few percent of the
-/// standard deviation where the feasible region has many faces. Ignores slabs beyond kMaxSlabs.
-template <std::size_t N>
-void condition(Gaussian<N>& estimate, std::span<const Slab<N>> slabs, int sweeps) {
-  struct Site {
-    double precision = 0.0;
-    double shift = 0.0;
-  };
-
-  const std::size_t count = std::min(slabs.size(), kMaxSlabs);
+/// Updates the estimate by all slabs jointly with expectation propagation: up to `sweeps` passes in
+/// which each slab is approximated by a normal factor, given the others. Accurate to a few percent
+/// of the standard deviation where the feasible region has many faces. Ignores slabs beyond
+/// kMaxSlabs. A factor that is settled stays; after two passes those without information are left
+/// out.
+template <std::size_t N, typename AnySlab>
+void condition(Gaussian<N>& estimate, std::span<const AnySlab> slabs, int sweeps) {
   base::FixedList<Site, kMaxSlabs> sites;
-  for (std::size_t i = 0; i < count; ++i) sites.push_back({});
+  base::FixedList<std::size_t, kMaxSlabs> open;  // slabs that may still change the estimate
+  for (std::size_t i = 0; i < std::min(slabs.size(), kMaxSlabs); ++i) {
+    sites.push_back({});
+    open.push_back(i);
+  }
 
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const Slab<N>& slab = slabs[i];
+  bool changed = true;
+  for (int sweep = 0; sweep < sweeps && changed; ++sweep) {
+    changed = false;
+    base::FixedList<std::size_t, kMaxSlabs> informative;
+    for (const std::size_t i : open) {
+      const AnySlab& slab = slabs[i];
       Site& site = sites[i];
-      const VecN<N> gain = covariance_with(estimate, slab.direction);
-      const double variance = dot(slab.direction, gain);
-      if (variance <= 0.0) continue;
-
-      const double mean = dot(slab.direction, estimate.mean);
-      // A slab that contains 4 standard deviations carries no information.
-      const double reach = 4.0 * std::sqrt(variance + slab.noise_variance);
-      if (site.precision == 0.0 && mean - reach > slab.low && mean + reach < slab.high) continue;
-
-      const double cavity_precision = 1.0 / variance - site.precision;
-      if (cavity_precision <= 0.0) continue;
-      const double cavity_variance = 1.0 / cavity_precision;
-      const double cavity_mean = cavity_variance * (mean / variance - site.shift);
-      const Moments after =
-          truncate_noisy({cavity_mean, cavity_variance}, slab.low, slab.high, slab.noise_variance);
-      site.precision = std::max(0.0, 1.0 / after.variance - cavity_precision);
-      const double new_precision = cavity_precision + site.precision;
-      const double new_mean = after.mean;
-      site.shift = new_mean * new_precision - cavity_mean * cavity_precision;
-      rank_one_update(estimate, gain, variance, new_mean - mean, variance - 1.0 / new_precision);
+      const VecN<N> gain = gain_of(estimate, slab);
+      const Moments now{along(slab, estimate.mean), along(slab, gain)};
+      if (now.variance <= 0.0) continue;
+      if (site.precision == 0.0 && contains_all_of(now, slab.low, slab.high, slab.noise_variance)) {
+        continue;
+      }
+      informative.push_back(i);
+      if (site.is_settled(now)) continue;
+      const Moments after = renew(site, now, slab);
+      rank_one_update(estimate, gain, now.variance, after.mean - now.mean,
+                      now.variance - after.variance);
+      changed = true;
     }
+    // The first estimate may have been off: all slabs are tested a second time.
+    if (sweep > 0) open = informative;
   }
 }
 

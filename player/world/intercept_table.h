@@ -10,13 +10,15 @@
 
 namespace cls::player {
 
-/// One way for the agent to intercept the ball: turns, then dashes.
+/// One way for the agent to intercept the ball: turns, then dashes. Without turns, the first dash
+/// may turn the body by `turn_angle` (leg_turn() with `dash_power`).
 struct InterceptPlan {
   enum class Kind : std::uint8_t { kOmniDash, kTurnForwardDash, kTurnBackwardDash };
 
   Kind kind = Kind::kOmniDash;
   int turns = 0;
   int dashes = 0;
+  bool leg_turn = false;        ///< the first dash turns the body
   bool exhausting = false;      ///< drops stamina below the threshold where recovery decreases
   double turn_angle = 0.0;      ///< total, degrees, relative to the body
   double dash_power = 0.0;      ///< of the first dash

@@ -17,6 +17,15 @@ double dash_rate(const soccer::ServerParams& server, double direction) {
   return std::clamp(rate, 0.0, 1.0);
 }
 
+LegPushes::LegPushes(const soccer::ServerParams& server) {
+  constexpr double kSideways = 1e-3;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const double direction = static_cast<double>(i) * kStep;
+    push[i] = soccer::polar_degrees(dash_rate(server, direction), direction);
+    per_forward[i] = std::fabs(push[i].x) < kSideways ? 0.0 : 1.0 / push[i].x;
+  }
+}
+
 double top_speed(const soccer::ServerParams& server, const soccer::PlayerType& type) {
   return std::min(type.real_speed_max(server.max_dash_power), type.player_speed_max);
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "soccer/geometry.h"
 #include "soccer/parameters/player_type.h"
 #include "soccer/parameters/server_params.h"
 
@@ -12,6 +13,19 @@ namespace cls::player {
 /// Fraction of the dash power that acts in `direction`, degrees relative to the body
 /// (docs/spec/simulation-model.md 4.3).
 double dash_rate(const soccer::ServerParams& server, double direction);
+
+/// Pushes of a leg per power, with effort and dash power rate 1, in directions from 0 to 180
+/// degrees relative to a body along +x.
+struct LegPushes {
+  static constexpr int kStep = 5;  ///< degrees
+  static constexpr std::size_t kCount = 180 / kStep + 1;
+
+  std::array<soccer::Vec2, kCount> push{};
+  std::array<double, kCount> per_forward{};  ///< power per forward push; 0: none straight sideways
+
+  LegPushes() = default;
+  explicit LegPushes(const soccer::ServerParams& server);
+};
 
 /// Terminal speed of full dashes with full effort, meters per cycle.
 double top_speed(const soccer::ServerParams& server, const soccer::PlayerType& type);

@@ -24,6 +24,13 @@ constexpr double kFine = 0.05;
 
 }  // namespace
 
+double gaussian_distance_variance(double rate, double distance, double focus_rate,
+                                  double focus_distance) {
+  constexpr double kMinDeviation = 1e-3;
+  const double deviation = rate * distance + focus_rate * focus_distance + kMinDeviation;
+  return deviation * deviation;
+}
+
 DistanceTable::DistanceTable(double step)
     : step_(step), share_(math::exp(0.5 * step) - 1.0), by_tenths_(kTenths + 1) {
   constexpr double kMinStep = 1e-5;  // a smaller one changes nothing, but needs much memory

@@ -16,6 +16,12 @@ struct DistanceRange {
   double middle() const { return 0.5 * (low + high); }
 };
 
+/// Variance of a distance with Gaussian noise (docs/spec/simulation-model.md 7.4), from the rates
+/// of the observer's type and the distances to the object from the observer and from the focus
+/// point. Never zero, so that it can weigh observations: printed distances have six digits.
+double gaussian_distance_variance(double rate, double distance, double focus_rate,
+                                  double focus_distance);
+
 /// Inverse of the server's quantization (logarithm to a multiple of `step`, the result to 0.1 m;
 /// docs/spec/simulation-model.md 7.4) for one step, as a table by printed value.
 class DistanceTable {

@@ -35,6 +35,7 @@ struct SelfState {
   soccer::CommandCounts counts;
   soccer::ViewWidth view_width = soccer::ViewWidth::kNormal;
   soccer::ViewQuality view_quality = soccer::ViewQuality::kHigh;
+  bool gaussian_see = false;         ///< seen distances have Gaussian noise and no quantization
   double focus_distance = 0.0;       ///< meters
   soccer::AngleDeg focus_direction;  ///< relative to the face
 

@@ -14,25 +14,45 @@ namespace {
 namespace math = soccer::math;
 
 constexpr double kTableEnd = 6.0;
-constexpr int kPerUnit = 64;
-constexpr std::size_t kTableSize = static_cast<std::size_t>(kTableEnd) * kPerUnit + 2;
+constexpr int kPerUnit = 32;
+constexpr std::size_t kTableSize = static_cast<std::size_t>(kTableEnd) * kPerUnit;
 
+/// Cubic polynomial; coefficients by power.
+struct Cubic {
+  double c0 = 0.0, c1 = 0.0, c2 = 0.0, c3 = 0.0;
+
+  /// With these values and slopes at 0 and 1 (Hermite interpolation).
+  static Cubic between(double v0, double slope0, double v1, double slope1) {
+    const double rise = v1 - v0;
+    return {v0, slope0, 3.0 * rise - 2.0 * slope0 - slope1, slope0 + slope1 - 2.0 * rise};
+  }
+  double at(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
+};
+
+/// Density and distribution of the standard normal as cubics, cell by cell from 0 to kTableEnd.
 struct NormalTable {
-  std::array<double, kTableSize> density{};
-  std::array<double, kTableSize> upper{};  ///< probability of (0, x)
+  struct Cell {
+    Cubic density;
+    Cubic from_zero;  ///< probability of (0, x)
+  };
+  std::array<Cell, kTableSize> cells{};
 
   NormalTable() {
     const double scale = 1.0 / std::sqrt(2.0 * math::kPi);
     const auto phi = [scale](double x) { return scale * math::exp(-0.5 * x * x); };
+    constexpr double h = 1.0 / kPerUnit;
     double sum = 0.0;
 
     for (std::size_t i = 0; i < kTableSize; ++i) {
-      const double x = static_cast<double>(i) / kPerUnit;
-      density[i] = phi(x);
-      upper[i] = sum;
-      // Simpson's rule over the next cell; its error is far below 1e-12 at this width.
-      const double h = 1.0 / kPerUnit;
-      sum += h / 6.0 * (phi(x) + 4.0 * phi(x + h / 2) + phi(x + h));
+      const double x = static_cast<double>(i) * h;
+      const double d0 = phi(x);
+      const double d1 = phi(x + h);
+      // Simpson's rule; its error is far below 1e-10 at this width.
+      const double next = sum + h / 6.0 * (d0 + 4.0 * phi(x + h / 2) + d1);
+      // The derivative of the density is -x times it, that of the distribution is the density.
+      cells[i] = {Cubic::between(d0, -h * x * d0, d1, -h * (x + h) * d1),
+                  Cubic::between(sum, h * d0, next, h * d1)};
+      sum = next;
     }
   }
 };
@@ -42,34 +62,15 @@ struct DensityAndProbability {
   double from_zero;  ///< probability of (0, x), negative for negative x
 };
 
-DensityAndProbability normal_at(double x) {
-  static const NormalTable table;
+inline DensityAndProbability normal_at(const NormalTable& table, double x) {
   const double a = std::fabs(x);
-  if (a >= kTableEnd) return {0.0, x < 0 ? -0.5 : 0.5};
+  if (a >= kTableEnd) return {0.0, std::copysign(0.5, x)};
 
   const double scaled = a * kPerUnit;
   const auto i = static_cast<std::size_t>(scaled);
   const double t = scaled - static_cast<double>(i);
-  const double h = 1.0 / kPerUnit;
-
-  // Cubic Hermite interpolation: the derivative of the density is -x times it, that of the
-  // distribution is the density.
-  const double t2 = t * t;
-  const double t3 = t2 * t;
-  const double h00 = 2 * t3 - 3 * t2 + 1;
-  const double h10 = t3 - 2 * t2 + t;
-  const double h01 = 1 - h00;
-  const double h11 = t3 - t2;
-
-  const double d0 = table.density[i];
-  const double d1 = table.density[i + 1];
-  const double x0 = static_cast<double>(i) * h;
-  const double x1 = x0 + h;
-
-  const double density = h00 * d0 + h01 * d1 - h * (h10 * x0 * d0 + h11 * x1 * d1);
-  const double probability =
-      h00 * table.upper[i] + h01 * table.upper[i + 1] + h * (h10 * d0 + h11 * d1);
-  return {density, x < 0 ? -probability : probability};
+  const NormalTable::Cell& cell = table.cells[i];
+  return {cell.density.at(t), std::copysign(cell.from_zero.at(t), x)};
 }
 
 /// Density proportional to exp(-rate * t) on [0, width], rate > 0.
@@ -88,39 +89,45 @@ Moments narrow(double middle, double width) {
           w2 / 12.0 * (1.0 - w2 / 60.0 * (1.0 + 2.0 * middle * middle))};
 }
 
+/// Interval [a, b] far in the upper tail; standard units.
+Moments far_tail(double a, double b) {
+  const double rate = a + 2.0 / a;  // the slope of the log density a little inside the edge
+  const Moments tail = truncated_exponential(rate, b - a);
+  return {a + tail.mean, tail.variance};
+}
+
 /// Standard normal truncated to [a, b].
 Moments standard(double a, double b) {
-  if (a + b < 0.0) {
-    const Moments mirrored = standard(-b, -a);
+  const double width = b - a;
+  const double middle = 0.5 * (a + b);
+  if (width * std::max(1.0, std::fabs(middle)) < 0.25) return narrow(middle, width);
+
+  constexpr double kTail = 4.5;
+  if (a > kTail) return far_tail(a, b);
+  if (b < -kTail) {
+    const Moments mirrored = far_tail(-b, -a);
     return {-mirrored.mean, mirrored.variance};
   }
 
-  const double width = b - a;
-  const double middle = 0.5 * (a + b);
-  if (width * std::max(1.0, middle) < 0.25) return narrow(middle, width);
+  static const NormalTable table;
+  const DensityAndProbability low = normal_at(table, a);
+  const DensityAndProbability high = normal_at(table, b);
+  const double inverse = 1.0 / (high.from_zero - low.from_zero);
 
-  if (a > 4.5) {
-    const double rate = a + 2.0 / a;  // the slope of the log density a little inside the edge
-    const Moments tail = truncated_exponential(rate, width);
-    return {a + tail.mean, tail.variance};
-  }
-
-  const DensityAndProbability low = normal_at(a);
-  const DensityAndProbability high = normal_at(b);
-  const double probability = high.from_zero - low.from_zero;
-
-  const double mean = (low.density - high.density) / probability;
-  const double a_term = std::fabs(a) < kTableEnd ? a * low.density : 0.0;
-  const double b_term = std::fabs(b) < kTableEnd ? b * high.density : 0.0;
-  return {mean, 1.0 + (a_term - b_term) / probability - mean * mean};
+  const double mean = (low.density - high.density) * inverse;
+  // The density is 0 beyond the table; the edge need not be finite.
+  const double a_term = std::clamp(a, -kTableEnd, kTableEnd) * low.density;
+  const double b_term = std::clamp(b, -kTableEnd, kTableEnd) * high.density;
+  return {mean, 1.0 + (a_term - b_term) * inverse - mean * mean};
 }
 
 }  // namespace
 
 Moments truncated(Moments normal, double low, double high) {
   const double deviation = std::sqrt(normal.variance);
-  const double a = (low - normal.mean) / deviation;
-  const double b = (high - normal.mean) / deviation;
+  const double inverse = 1.0 / deviation;
+  const double a = (low - normal.mean) * inverse;
+  const double b = (high - normal.mean) * inverse;
 
   if (!(a <= b)) return normal;  // numbers of a faulty server: no interval, or none that is finite
   const Moments standardized = standard(a, b);

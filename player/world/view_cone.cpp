@@ -9,6 +9,8 @@
 namespace cls::player {
 namespace {
 
+namespace math = soccer::math;
+
 /// Calls `visit` for each range [from, to) of sectors around a direction: two ranges where they
 /// pass 180 degrees.
 template <typename Visit>
@@ -65,18 +67,28 @@ double view_angle(const soccer::ServerParams& server, soccer::ViewWidth width) {
   return server.visible_angle * share;
 }
 
-bool must_be_visible(const WorldModel& world, soccer::Vec2 position, double deviation) {
-  const soccer::Vec2 offset = position - world.self.position;
+VisibleArea::VisibleArea(const WorldModel& world)
+    : eye_(world.self.position),
+      face_(world.self.face()),
+      toward_face_(soccer::polar(1.0, face_)),
+      half_angle_(0.5 * view_angle(world.server(), world.self.view_width)),
+      cosine_(half_angle_ < 180.0 ? math::cos(math::to_radians(half_angle_)) : -2.0),
+      near_(world.server().visible_distance - 0.1) {}
+
+bool VisibleArea::must_show(soccer::Vec2 position, double deviation) const {
+  const soccer::Vec2 offset = position - eye_;
   const double distance = offset.length();
 
   constexpr double kSure = 2.5;  // standard deviations
   const double blur = kSure * deviation;
-  if (distance + blur < world.server().visible_distance - 0.1) return true;
+  if (distance + blur < near_) return true;
   if (distance <= blur) return false;
+  // Most objects are outside, and found so without their angle.
+  if (soccer::dot(offset, toward_face_) < distance * cosine_) return false;
 
-  const double angle = (soccer::AngleDeg::of(offset) - world.self.face()).abs();
-  const double margin = soccer::math::to_degrees(soccer::math::asin(blur / distance)) + 1.0;
-  return angle + margin < 0.5 * view_angle(world.server(), world.self.view_width);
+  const double angle = (soccer::AngleDeg::of(offset) - face_).abs();
+  const double margin = math::to_degrees(math::asin(blur / distance)) + 1.0;
+  return angle + margin < half_angle_;
 }
 
 }  // namespace cls::player

@@ -37,8 +37,22 @@ void update_view_memory(ViewMemory& view, const WorldModel& world);
 /// Width of the view cone in degrees in synchronous mode (clients of version 18 and later).
 double view_angle(const soccer::ServerParams& server, soccer::ViewWidth width);
 
-/// True if the current see message must show an object at `position` with standard deviation
-/// `deviation` per axis: inside the view cone or visible_distance, with a margin.
-bool must_be_visible(const WorldModel& world, soccer::Vec2 position, double deviation);
+/// What the current see message must show.
+class VisibleArea {
+ public:
+  explicit VisibleArea(const WorldModel& world);
+
+  /// True for an object at `position` with standard deviation `deviation` per axis inside the view
+  /// cone or visible_distance, with a margin.
+  bool must_show(soccer::Vec2 position, double deviation) const;
+
+ private:
+  soccer::Vec2 eye_;
+  soccer::AngleDeg face_;
+  soccer::Vec2 toward_face_;  ///< unit vector
+  double half_angle_;         ///< of the view cone, degrees
+  double cosine_;             ///< of it; below -1 where the cone is everything
+  double near_;               ///< objects within this distance are seen in all directions
+};
 
 }  // namespace cls::player

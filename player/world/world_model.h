@@ -31,7 +31,7 @@ struct SentCommands {
   std::optional<soccer::Move> move;
   std::optional<soccer::TurnNeck> turn_neck;
   std::optional<soccer::PointTo> point_to;
-  bool leg_dash = false;  ///< single-leg dashes turn the body, which is not modeled here
+  std::optional<soccer::LegDash> leg_dash;
 };
 
 /// Estimate of (x, y, body in degrees), and the sent commands not yet confirmed.
@@ -87,6 +87,8 @@ struct WorldModel {
   int unum = 0;
   bool goalie = false;    ///< connected as goalie
   bool sideline = false;  ///< coach or trainer: `self` is unused, teammates holds the whole team
+  bool leg_dashes =
+      false;  ///< skills use two-leg dashes, which the server executes since version 19
   soccer::TeamName our_team_name;
   soccer::TeamName their_team_name;                   ///< empty until an opponent was seen
   std::shared_ptr<const MatchParameters> parameters;  ///< not null

@@ -8,6 +8,7 @@
 #include "base/overloaded.h"
 #include "player/behaviors/automatic_play.h"
 #include "player/movement/home_positions.h"
+#include "player/world/planner_parameters.h"
 #include "proxy/actions/executor.h"
 #include "proxy/actions/fallback.h"
 #include "proxy/messages/exact_view.h"
@@ -16,12 +17,19 @@
 #include "proxy/planner/planner_messages.h"
 #include "soccer/commands/connection_request.h"
 #include "soccer/protocol/message_kind.h"
+#include "soccer/protocol/reply_code.h"
 
 namespace cls::proxy {
 namespace {
 
 // Protocol version since which players have synchronous see without a request.
 constexpr int kSynchronousVersion = 18;
+
+// Two-leg dashes and Gaussian see are as old as version 19; servers of that version send this
+// parameter to clients of it.
+constexpr std::string_view kVersion19Parameter = "(dist_noise_rate ";
+// For servers that do not know version 19.
+constexpr int kOlderVersion = 18;
 
 // Settings, sent after the server has accepted the agent.
 std::string initial_commands(int protocol) {
@@ -54,6 +62,7 @@ bool requests_choice(const protos::PlayerActions& actions) {
 bool is_counted(const soccer::PlayerCommand& command, soccer::PlayMode mode) {
   return std::holds_alternative<soccer::Turn>(command) ||
          std::holds_alternative<soccer::Dash>(command) ||
+         std::holds_alternative<soccer::LegDash>(command) ||
          (std::holds_alternative<soccer::Tackle>(command) && !player::clock_stopped(mode));
 }
 
@@ -138,6 +147,7 @@ void PlayerAgent::handle_message() {
       if (!read_parameters(server_, world_)) break;
       timer_.set_synchronous(world_.server().synch_mode);
       timer_.set_slow_down(world_.server().slow_down_factor);
+      use_version_19();
       break;
     case soccer::MessageKind::kPlayerParam:
     case soccer::MessageKind::kPlayerType:
@@ -191,6 +201,27 @@ void PlayerAgent::on_connected(const soccer::PlayerInitReply& init) {
   server_.channel->send(initial_commands(options_.protocol));
 }
 
+// After server_param.
+void PlayerAgent::use_version_19() {
+  const bool offered = server_.message.find(kVersion19Parameter) != std::string::npos;
+  world_.leg_dashes = offered && world_.planner->leg_dashes != 0;
+  if (!offered || world_.planner->gaussian_see == 0) return;
+  std::string command;
+  const bool formatted = soccer::format(soccer::PlayerCommand(soccer::GaussianSee{}), command);
+  assert(formatted);
+  server_.channel->send(command);
+}
+
+// A server refuses versions that it does not know as it refuses a twelfth player.
+bool PlayerAgent::retry_with_older_version(const soccer::ErrorReply& error) {
+  if (server_.accepted || options_.reconnect_unum != 0 || options_.protocol <= kOlderVersion ||
+      error.text != soccer::name(soccer::ErrorCode::kNoMorePlayerOrGoalieOrIllegalVersion)) {
+    return false;
+  }
+  options_.protocol = kOlderVersion;
+  return connect();
+}
+
 void PlayerAgent::handle_server_reply() {
   soccer::ServerReply reply;
   if (!read(server_, reply)) return;
@@ -199,6 +230,7 @@ void PlayerAgent::handle_server_reply() {
           [this](const soccer::Think&) { timer_.on_think(server_.channel->received_at()); },
           [this](const soccer::PlayerInitReply& init) { on_connected(init); },
           [this](const soccer::OkSynchSee&) { timer_.set_synch_see(true); },
+          [this](const soccer::OkGaussianSee&) { on_gaussian_see(world_); },
           [this](const soccer::ReconnectReply& reconnected) {
             // The server retains the synch_see of the lost connection and does not confirm it
             // again.
@@ -206,7 +238,9 @@ void PlayerAgent::handle_server_reply() {
             on_connected({reconnected.side, options_.reconnect_unum, reconnected.mode});
           },
           [this](const soccer::PlayerTypeChange& change) { on_change_player_type(world_, change); },
-          [this](const soccer::ErrorReply& error) { handle(server_, error); },
+          [this](const soccer::ErrorReply& error) {
+            if (!retry_with_older_version(error)) handle(server_, error);
+          },
           [this](const soccer::WarningReply& warning) { handle(server_, warning); },
           [](const auto&) {},
       },

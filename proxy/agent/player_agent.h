@@ -54,7 +54,8 @@ std::optional<FullStateUse> parse_full_state_use(std::string_view text);
 struct AgentOptions {
   soccer::TeamName team_name;
   bool goalie = false;
-  int protocol = soccer::kDefaultProtocolVersion;  ///< version of the text protocol, 14 to 19
+  /// Version of the text protocol, 14 to 19; 19 becomes 18 on servers that do not know it.
+  int protocol = soccer::kDefaultProtocolVersion;
   OnLate on_late = OnLate::kHold;
   int reconnect_unum = 0;  ///< not 0: take over this disconnected player
   std::shared_ptr<const player::FormationSet> formations;    ///< null: built-in
@@ -130,6 +131,8 @@ class PlayerAgent {
   };
 
   void handle_message();
+  void use_version_19();
+  bool retry_with_older_version(const soccer::ErrorReply& error);
   void handle_server_reply();
   void handle_sense_body();
   void count_lost_commands();

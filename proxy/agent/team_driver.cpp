@@ -5,6 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "soccer/protocol/reply_code.h"
+
 namespace cls::proxy {
 namespace {
 
@@ -15,6 +17,7 @@ constexpr milliseconds kPollInterval{50};
 constexpr milliseconds kProbeInterval{100};
 // A server without a coach port does not reply.
 constexpr milliseconds kCoachTimeout{3000};
+constexpr milliseconds kCoachRetry{200};
 // While replies are outstanding: waiting time for one source before polling the other.
 constexpr std::chrono::microseconds kReplyTimeout{300};
 
@@ -30,6 +33,11 @@ bool server_replies(soccer::UdpClients& clients, int port, steady_clock::time_po
     }
   }
   return false;
+}
+
+// True when a coach was refused because the server does not know its team.
+bool lacks_team(const std::string& error) {
+  return error.ends_with(soccer::name(soccer::ErrorCode::kNoSuchTeam));
 }
 
 }  // namespace
@@ -79,7 +87,17 @@ base::Result<void> TeamDriver::connect_coach(const Serve& serve) {
                        std::to_string(options_.coach_port)};
   }
   const auto open = [this] { return clients_.connect(options_.coach_port); };
-  return team_.connect_coach(soccer::CoachRole::kOnlineCoach, open, serve);
+  const auto connect = [&] {
+    return team_.connect_coach(soccer::CoachRole::kOnlineCoach, open, serve);
+  };
+  base::Result<void> connected = connect();
+  // A coach with a host of its own may come before the first player of its team.
+  while (!connected && team_.players().empty() && lacks_team(connected.error().message)) {
+    clients_.wait_until(steady_clock::now() + kCoachRetry);
+    if (!serve()) break;
+    connected = connect();
+  }
+  return connected;
 }
 
 bool TeamDriver::time_over() const {

@@ -1,6 +1,7 @@
 // A coach's or trainer's part of a cycle.
 #include "proxy/coach/coach_agent.h"
 
+#include <algorithm>
 #include <cassert>
 #include <string_view>
 #include <utility>
@@ -27,12 +28,15 @@ CoachAgent::CoachAgent(std::unique_ptr<soccer::Channel> channel, CoachOptions op
     : server_(std::move(channel)), options_(std::move(options)) {}
 
 bool CoachAgent::connect() {
+  // Version 19 is the same for coaches and trainers, and servers may not know it.
+  constexpr int kNewestVersion = 18;
+  const int version = std::min(options_.protocol, kNewestVersion);
   if (is_trainer()) {
-    return send_init(server_, soccer::TrainerInit{static_cast<double>(options_.protocol)});
+    return send_init(server_, soccer::TrainerInit{static_cast<double>(version)});
   }
   soccer::CoachInit request;
   request.team = options_.team_name;
-  request.version = options_.protocol;
+  request.version = version;
   return send_init(server_, request);
 }
 

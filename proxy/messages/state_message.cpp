@@ -56,7 +56,8 @@ class Angles {
   base::FixedList<protos::RpcVector2D*, kBatch> waiting_;
 };
 
-void fill_vector(soccer::Vec2 vector, protos::RpcVector2D& out, Angles& angles) {
+// By reference: a vector passed in two registers is stored as two and loaded as one, which stalls.
+void fill_vector(const soccer::Vec2& vector, protos::RpcVector2D& out, Angles& angles) {
   // + 0.0F removes the sign of zero, which would change the direction.
   const float x = f(vector.x) + 0.0F;
   const float y = f(vector.y) + 0.0F;

@@ -17,9 +17,6 @@ enum class BatchMode : std::uint8_t {
   kRequired,  ///< a Playmaker without them is refused
 };
 
-/// How long a Playmaker of kAuto, once connected, may take to answer RegisterTeam.
-constexpr RpcTimeout kTeamReplyTimeout{2000};
-
 /// "auto", "never" or "always".
 std::string_view name(BatchMode mode);
 std::optional<BatchMode> parse_batch_mode(std::string_view text);

@@ -102,7 +102,7 @@ TEST(SelfIntercept, PlansEndAtBall) {
     const double area = world.self_type().kickable_area(0.085);
     for (const InterceptPlan& plan : table.plans) {
       EXPECT_LE(plan.ball_distance, area) << i;
-      EXPECT_NEAR(distance_after(world, plan), plan.ball_distance, 0.02) << i;
+      EXPECT_NEAR(distance_after(world, plan), plan.ball_distance, 1e-9) << i;
       ++plans;
     }
   }

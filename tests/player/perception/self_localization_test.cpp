@@ -110,6 +110,7 @@ struct Runner {
   soccer::ServerParams server;
   soccer::PlayerType type;
   soccer::CommandCounts counts;
+  bool leg_dashes = false;
 
   /// Simulates one cycle; returns the commands sent.
   std::vector<soccer::PlayerCommand> step() {
@@ -126,6 +127,16 @@ struct Runner {
       self.body = math::normalize_degrees(
           self.body + turned * (1.0 + random.uniform(-server.player_rand, server.player_rand)));
       ++counts.turn;
+    } else if (leg_dashes) {
+      const double left = random.uniform(0.0, 100.0);
+      const double right = random.uniform(0.0, 100.0);
+      sent.push_back(soccer::LegDash{soccer::Dash{left, 0.0}, soccer::Dash{right, 0.0}});
+      acceleration = soccer::polar_degrees(0.5 * (left + right) * type.dash_power_rate, self.body);
+      const double turned =
+          math::to_degrees((left - right) * type.dash_power_rate / (2.0 * type.player_size));
+      self.body = math::normalize_degrees(
+          self.body + turned * (1.0 + random.uniform(-server.player_rand, server.player_rand)));
+      ++counts.dash;
     } else {
       const double power = random.uniform(0.0, 100.0);
       sent.push_back(soccer::Dash{power, 0.0});
@@ -174,12 +185,36 @@ TEST(SelfLocalization, TracksRunBetterThanSingleSees) {
   EXPECT_LT(velocity, 0.006);
 }
 
-TEST(SelfLocalization, DeadReckoningEstimatesItsVariance) {
+TEST(SelfLocalization, TracksTwoLegDashes) {
+  Runner runner;
+  runner.leg_dashes = true;
+  WorldModel world = model_of(Side::kLeft);
+  double position = 0.0;
+  double body = 0.0;
+  double velocity = 0.0;
+  constexpr int kCycles = 300;
+  for (int i = 0; i < kCycles; ++i) {
+    record_sent_commands(world, runner.step());
+    on_sense_body(world, runner.sense());
+    if (i % 2 == 0) on_see(world, tests::see_of(runner.truth));
+    position += position_error(world, runner.truth) / kCycles;
+    body += body_error(world, runner.truth) / kCycles;
+    velocity += soccer::distance(world.self.velocity, runner.truth.self.velocity) / kCycles;
+  }
+  EXPECT_LT(position, 0.02);
+  EXPECT_LT(body, 0.6);
+  EXPECT_LT(velocity, 0.006);
+}
+
+class DeadReckoning : public testing::TestWithParam<bool> {};
+
+TEST_P(DeadReckoning, EstimatesItsVariance) {
   double position = 0.0;
   double surprise = 0.0;
   constexpr int kRuns = 60;
   for (int seed = 0; seed < kRuns; ++seed) {
     Runner runner;
+    runner.leg_dashes = GetParam();
     runner.random = soccer::RandomStream(static_cast<std::uint64_t>(seed), "run");
     WorldModel world = model_of(Side::kLeft);
     for (int i = 0; i < 20; ++i) {
@@ -201,6 +236,10 @@ TEST(SelfLocalization, DeadReckoningEstimatesItsVariance) {
   EXPECT_GT(surprise, 0.5);
   EXPECT_LT(surprise, 2.0);
 }
+
+INSTANTIATE_TEST_SUITE_P(, DeadReckoning, testing::Bool(), [](const auto& legs) {
+  return legs.param ? "WithTwoLegDashes" : "WithPlainDashes";
+});
 
 TEST(SelfLocalization, DetectsMoveByReferee) {
   TrueWorld truth;

@@ -42,6 +42,10 @@ struct Eye {
   double printed_distance(Vec2 object, double step) const {
     const double d = soccer::distance(object, world.self.position);
     const double f = soccer::distance(object, focus);
+    if (world.gaussian != nullptr) {
+      const double rate = step < 0.05 ? 0.00125 : 0.0125;
+      return std::max(0.0, world.gaussian->normal(d, rate * d + rate * f));
+    }
     const double correction = (f - log_rounded(f, step)) + (d - log_rounded(d, step));
     return math::quantize(std::max(0.0, d - correction / 2.0), 0.1);
   }
@@ -66,7 +70,10 @@ struct Eye {
     const Vec2 e = offset / d;
     const Vec2 u = velocity - world.self.velocity;
     out.detail = ObservedDetail::kMotion;
-    out.distance_change = out.distance * math::quantize(soccer::dot(u, e) / d, 0.02);
+    const double radial = soccer::dot(u, e);
+    out.distance_change = world.gaussian != nullptr
+                              ? math::quantize(radial * out.distance / d, 0.01)
+                              : out.distance * math::quantize(radial / d, 0.02);
     out.direction_change = math::quantize(math::to_degrees(soccer::cross(e, u) / d), 0.1);
   }
 };

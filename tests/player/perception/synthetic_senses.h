@@ -7,6 +7,7 @@
 #include "soccer/messages/see.h"
 #include "soccer/messages/sense_body.h"
 #include "soccer/parameters/player_type.h"
+#include "soccer/random.h"
 #include "soccer/side.h"
 
 namespace cls::tests {
@@ -33,11 +34,13 @@ struct TrueWorld {
   soccer::Vec2 ball;
   soccer::Vec2 ball_velocity;
   std::vector<TruePlayer> others;
-  double unum_far = 20.0;  ///< maximum distance at which numbers are visible
+  double unum_far = 20.0;                    ///< maximum distance at which numbers are visible
+  soccer::RandomStream* gaussian = nullptr;  ///< draws of the Gaussian model; null: quantized
 };
 
-/// The see message (docs/spec/simulation-model.md 7.3 to 7.8, quantized model, version 18) without
-/// random draws: details that the server shows with some probability are shown up to `unum_far`.
+/// The see message (docs/spec/simulation-model.md 7.3 to 7.8, version 18 or 19) without
+/// other random draws: details that the server shows with some probability are shown up to
+/// `unum_far`.
 soccer::See see_of(const TrueWorld& world);
 
 /// The sense_body message with speed, direction and neck rounded as in the server.

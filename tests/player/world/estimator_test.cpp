@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "player/tracking/assignment.h"
+#include "player/tracking/observed_object.h"
 #include "player/world/gaussian.h"
 #include "player/world/seen_distance.h"
 #include "player/world/truncated_normal.h"
@@ -174,19 +177,167 @@ TEST(Gaussian, ConvergesToCenterOfFeasibleRegion) {
   estimate.at(0, 0) = estimate.at(1, 1) = 100.0;
   const std::array<Slab<2>, 3> slabs = {
       {{{1.0, 0.0}, 0.0, 50.0, 0.0}, {{0.0, 1.0}, 0.0, 50.0, 0.0}, {{1.0, 1.0}, -50.0, 1.0, 0.0}}};
-  condition<2>(estimate, slabs, 10);
+  condition(estimate, std::span<const Slab<2>>(slabs), 10);
   EXPECT_NEAR(estimate.mean[0], 1.0 / 3.0, 0.03);
   EXPECT_NEAR(estimate.mean[1], 1.0 / 3.0, 0.03);
   EXPECT_NEAR(estimate.at(0, 0), 1.0 / 18.0, 0.015);
   EXPECT_NEAR(estimate.at(0, 1), -1.0 / 36.0, 0.01);
 }
 
+/// Expectation propagation without shortcuts: every site again in each sweep.
+template <std::size_t N>
+void plain_condition(Gaussian<N>& estimate, const std::vector<Slab<N>>& slabs, int sweeps) {
+  std::vector<Site> sites(slabs.size());
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (std::size_t i = 0; i < slabs.size(); ++i) {
+      const Slab<N>& slab = slabs[i];
+      const VecN<N> gain = covariance_with(estimate, slab.direction);
+      const double variance = dot(slab.direction, gain);
+      const double mean = dot(slab.direction, estimate.mean);
+      const double rest = 1.0 / variance - sites[i].precision;
+      if (rest <= 0.0) continue;
+      const double rest_mean = (mean / variance - sites[i].shift) / rest;
+      const Moments after =
+          truncate_noisy({rest_mean, 1.0 / rest}, slab.low, slab.high, slab.noise_variance);
+      sites[i].precision = std::max(0.0, 1.0 / after.variance - rest);
+      const double precision = rest + sites[i].precision;
+      sites[i].shift = after.mean * precision - rest_mean * rest;
+      rank_one_update(estimate, gain, variance, after.mean - mean, variance - 1.0 / precision);
+    }
+  }
+}
+
+/// Largest difference of two estimates, in standard deviations and shares of the variances.
+template <std::size_t N>
+double difference(const Gaussian<N>& a, const Gaussian<N>& b) {
+  double most = 0.0;
+  for (std::size_t r = 0; r < N; ++r) {
+    most = std::max(most, std::fabs(a.mean[r] - b.mean[r]) / std::sqrt(b.at(r, r)));
+    for (std::size_t c = 0; c < N; ++c) {
+      const double scale = std::sqrt(b.at(r, r) * b.at(c, c));
+      most = std::max(most, std::fabs(a.at(r, c) - b.at(r, c)) / scale);
+    }
+  }
+  return most;
+}
+
+/// Directions and distances of landmarks, as intervals around those from a pose drawn from `prior`.
+std::vector<Slab<3>> random_landmarks(const Gaussian<3>& prior, soccer::RandomStream& random) {
+  VecN<3> pose{};
+  for (std::size_t i = 0; i < 3; ++i) pose[i] = random.normal(0.0, std::sqrt(prior.at(i, i)));
+
+  std::vector<Slab<3>> slabs;
+  const int landmarks = 1 + random.integer(30);
+  for (int i = 0; i < landmarks; ++i) {
+    const double distance = random.uniform(2.0, 90.0);
+    const soccer::Vec2 e = soccer::polar_degrees(1.0, random.uniform(-180.0, 180.0));
+    const double per_meter = math::to_degrees(1.0) / distance;
+    for (const auto& [direction, half] :
+         {std::pair{VecN<3>{e.y * per_meter, -e.x * per_meter, -1.0}, 0.5},
+          std::pair{VecN<3>{-e.x, -e.y, 0.0}, 0.05 + 0.005 * distance}}) {
+      const double middle = dot(direction, pose) + random.uniform(-half, half);
+      slabs.push_back({direction, middle - half, middle + half, 0.0});
+    }
+  }
+  return slabs;
+}
+
+/// The intervals of an observed object as slabs with directions on the pitch.
+std::vector<Slab<4>> pitch_slabs(const Viewpoint& view, const ObservedPosition& observed,
+                                 const soccer::Observation& seen) {
+  const soccer::Vec2 e = observed.direction;
+  const soccer::Vec2 n{-e.y, e.x};
+  const double d = observed.distance;
+  const double half = math::to_radians(0.5);
+  const double turned = math::to_radians(1.0) * d;
+  const double along = soccer::dot(e, view.position);
+  const double across = soccer::dot(n, view.position);
+  std::vector<Slab<4>> slabs = {{{e.x, e.y, 0.0, 0.0},
+                                 along + observed.range.low,
+                                 along + observed.range.high,
+                                 view.position_variance},
+                                {{n.x, n.y, 0.0, 0.0},
+                                 across - half * d,
+                                 across + half * d,
+                                 view.position_variance + turned * turned * view.face_variance}};
+  if (seen.detail < soccer::ObservedDetail::kMotion) return slabs;
+
+  const double ratio = math::quantize(seen.distance_change / seen.distance, 0.02);
+  const double turning = math::to_radians(seen.direction_change);
+  const double radial = soccer::dot(e, view.velocity) + ratio * d;
+  const double sideways = soccer::dot(n, view.velocity) + turning * d;
+  slabs.push_back({{0.0, 0.0, e.x, e.y},
+                   radial - 0.01 * d,
+                   radial + 0.01 * d,
+                   observed.along_variance * ratio * ratio});
+  slabs.push_back({{0.0, 0.0, n.x, n.y},
+                   sideways - 0.1 * half * d,
+                   sideways + 0.1 * half * d,
+                   observed.along_variance * turning * turning});
+  return slabs;
+}
+
+TEST(Gaussian, ShortcutsChangeEstimateLittle) {
+  soccer::RandomStream random(12, "landmarks");
+  double sum = 0.0;
+  double most = 0.0;
+  constexpr int kTries = 3000;
+  for (int i = 0; i < kTries; ++i) {
+    Gaussian<3> fast;
+    fast.at(0, 0) = fast.at(1, 1) = math::exp(random.uniform(-9.0, 0.0));
+    fast.at(2, 2) = math::exp(random.uniform(-5.0, 3.0));
+    Gaussian<3> plain = fast;
+    const std::vector<Slab<3>> slabs = random_landmarks(fast, random);
+    condition(fast, std::span<const Slab<3>>(slabs), 4);
+    plain_condition(plain, slabs, 4);
+    sum += difference(fast, plain);
+    most = std::max(most, difference(fast, plain));
+  }
+  EXPECT_LT(sum / kTries, 0.002);
+  EXPECT_LT(most, 0.15);
+}
+
+TEST(ObservedObject, UpdatesInItsFrameAsInTheFrameOfThePitch) {
+  soccer::RandomStream random(13, "objects");
+  double most = 0.0;
+  for (int i = 0; i < 3000; ++i) {
+    Viewpoint view;
+    view.position = {random.uniform(-50.0, 50.0), random.uniform(-30.0, 30.0)};
+    view.velocity = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
+    view.face = random.uniform(-180.0, 180.0);
+    view.position_variance = math::exp(random.uniform(-9.0, -3.0));
+    view.face_variance = math::exp(random.uniform(-6.0, 0.0));
+    soccer::Observation seen;
+    seen.detail = i % 2 == 0 ? soccer::ObservedDetail::kPosition : soccer::ObservedDetail::kMotion;
+    seen.distance = math::quantize(random.uniform(1.0, 60.0), 0.1);
+    seen.direction = std::rint(random.uniform(-45.0, 45.0));
+    seen.distance_change = 0.02 * seen.distance * std::rint(random.uniform(-3.0, 3.0));
+    seen.direction_change = 0.1 * std::rint(random.uniform(-10.0, 10.0));
+    const ObservedPosition observed = observed_position(view, DistanceTable(0.1), seen);
+
+    // Somewhere near, with correlated components.
+    ObjectEstimate fast = initial_estimate(view, observed, seen, {0.3, -0.2}, 0.1);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      fast.mean[axis] += random.normal(0.0, std::sqrt(fast.at(axis, axis)));
+      fast.at(axis, axis) += 0.04;
+      fast.at(axis, axis + 2) += 0.03;
+      fast.at(axis + 2, axis) += 0.03;
+      fast.at(axis + 2, axis + 2) += 0.04;
+    }
+    ObjectEstimate plain = fast;
+    update_estimate(fast, view, observed, seen);
+    plain_condition(plain, pitch_slabs(view, observed, seen), 3);
+    most = std::max(most, difference(fast, plain));
+  }
+  EXPECT_LT(most, 0.01);
+}
+
 TEST(Gaussian, NoiseWeakensSlab) {
   Gaussian<1> sharp;
   sharp.at(0, 0) = 1.0;
   Gaussian<1> soft = sharp;
-  condition<1>(sharp, Slab<1>{{1.0}, 1.0, 1.2, 0.0});
-  condition<1>(soft, Slab<1>{{1.0}, 1.0, 1.2, 1.0});
+  condition(sharp, Slab<1>{{1.0}, 1.0, 1.2, 0.0});
+  condition(soft, Slab<1>{{1.0}, 1.0, 1.2, 1.0});
   EXPECT_NEAR(sharp.mean[0], 1.1, 0.01);
   EXPECT_NEAR(soft.mean[0], 0.55, 0.01);
   EXPECT_NEAR(soft.at(0, 0), 0.5, 0.01);
@@ -199,6 +350,33 @@ TEST(Gaussian, UpdateKeepsWhatIsKnownExactly) {
   rank_one_update(pose, gain, 0.0, 0.0, 0.0);
   EXPECT_EQ(pose.mean, (VecN<3>{1.0, 2.0, 30.0}));
   EXPECT_EQ(pose.covariance, (std::array<double, 9>{}));
+}
+
+TEST(VisibleArea, IsTheViewConeLessTheMargin) {
+  soccer::RandomStream random(14, "cone");
+  int visible = 0;
+  WorldModel world;
+  for (int i = 0; i < 20000; ++i) {
+    world.self.position = {random.uniform(-50.0, 50.0), random.uniform(-30.0, 30.0)};
+    world.self.body = soccer::AngleDeg(random.uniform(-180.0, 180.0));
+    world.self.neck = soccer::AngleDeg(random.uniform(-90.0, 90.0));
+    world.self.view_width = static_cast<soccer::ViewWidth>(random.integer(3));
+    const soccer::Vec2 offset =
+        soccer::polar_degrees(random.uniform(0.0, 60.0), random.uniform(-180.0, 180.0));
+    const double deviation = random.uniform(0.0, 2.0);
+
+    const double distance = offset.length();
+    const double blur = 2.5 * deviation;
+    bool expected = distance + blur < world.server().visible_distance - 0.1;
+    if (!expected && distance > blur) {
+      const double angle = (soccer::AngleDeg::of(offset) - world.self.face()).abs();
+      const double margin = math::to_degrees(math::asin(blur / distance)) + 1.0;
+      expected = angle + margin < view_angle(world.server(), world.self.view_width) / 2.0;
+    }
+    EXPECT_EQ(VisibleArea(world).must_show(world.self.position + offset, deviation), expected) << i;
+    visible += expected ? 1 : 0;
+  }
+  EXPECT_GT(visible, 2000);
 }
 
 TEST(ViewMemory, DirectionThatIsNotANumberHasNoSectors) {

@@ -60,7 +60,7 @@ class LyingServer : public testing::Test {
     const auto server = make_server(seed);
     const auto foreigners = connect_foreigners(*server, liar);
     const auto mock =
-        std::move(*mock_server::Server::start(std::move(*mock_server::make_behavior(""))));
+        std::move(*mock_server::Server::start(std::move(*mock_server::make_behavior("simple"))));
     const auto playmaker =
         make_direct_playmaker([&mock](proto::Rpc rpc, const Message& request, Message& reply) {
           mock->handle(rpc, request, reply);

@@ -3,13 +3,12 @@
 
 #include <utility>
 
+#include "soccer/commands/connection_request.h"
 #include "soccer/memory_channel.h"
 #include "soccer/messages/parameter_message.h"
 
 namespace cls::tests {
 namespace {
-
-constexpr int kVersion = 18;
 
 // see message of a player at about (-25, 0), recorded before a kick-off.
 constexpr const char* kSight =
@@ -17,6 +16,13 @@ constexpr const char* kSight =
     " ((f r b) 84.8 23) ((f g r b) 77.5 5) ((g r) 77.5 0) ((f g r t) 77.5 -5) ((f p r b) 64.1 18)"
     " ((f p r c) 61 0) ((f p r t) 64.1 -18) ((f t 0) 46.1 -57) ((f b 0) 46.1 57) ((b) 24.5 0 0 0)"
     " ((p \"them\" 7) 30 10) ((p \"us\" 9) 11 -20) ((p) 45 5) ((l r) 77.5 90))";
+
+bool is_known(const std::string& init, int newest) {
+  soccer::GameRequest request;
+  if (soccer::parse(init, request)) return false;
+  const auto* player = std::get_if<soccer::PlayerInit>(&request);
+  return player != nullptr && player->version <= newest;
+}
 
 }  // namespace
 
@@ -35,6 +41,8 @@ void ScriptedServer::serve() {
         said_[i].push_back(message);
       } else if (!refusal.empty()) {
         clients_[i]->send(refusal);
+      } else if (!is_known(message, version)) {
+        clients_[i]->send("(error no_more_player_or_goalie_or_illegal_client_version)");
       } else {
         accept(*clients_[i], only_unum != 0 ? only_unum : static_cast<int>(i) + 1);
       }
@@ -47,17 +55,17 @@ void ScriptedServer::accept(soccer::Channel& client, int unum) {
   std::string text;
   soccer::ServerParams server;
   server.synch_mode = synchronous;
-  soccer::format(server, kVersion, text);
+  soccer::format(server, version, text);
   client.send(text);
   soccer::PlayerParams player;
   player.player_types = player_types;
   text.clear();
-  soccer::format(player, kVersion, text);
+  soccer::format(player, version, text);
   client.send(text);
   soccer::PlayerType type = soccer::default_player_type(server);
   for (type.id = 0; type.id < player_types; ++type.id) {
     text.clear();
-    soccer::format(type, kVersion, text);
+    soccer::format(type, version, text);
     client.send(text);
   }
   client.send("(ok synch_see)");

@@ -15,6 +15,7 @@ class ScriptedServer {
  public:
   int player_types = 18;
   bool synchronous = true;
+  int version = 18;     ///< newest known; clients of newer ones are refused
   int only_unum = 0;    ///< not 0: every player gets this number
   std::string refusal;  ///< reply to the next init, if not empty
 

@@ -64,7 +64,8 @@ struct Server {
 /// A team with a bundled mock on its own thread.
 struct Side {
   Side(const char* name, int port, bool on_thread, DriverOptions driving = quick())
-      : mock(std::move(*mock_server::Server::start(std::move(*mock_server::make_behavior(""))))),
+      : mock(std::move(
+            *mock_server::Server::start(std::move(*mock_server::make_behavior("simple"))))),
         playmaker(make_grpc_playmaker(mock->in_process_channel(), "mock")),
         clients(std::move(*soccer::UdpClients::create("127.0.0.1", port))),
         team(options(name), *playmaker),

@@ -191,7 +191,7 @@ class RandomReplies : public testing::TestWithParam<Form> {
     const std::unique_ptr<Playmaker> playmaker =
         make_batch_playmaker(connect(*random), GetParam().batch);
     const auto mock =
-        std::move(*mock_server::Server::start(std::move(*mock_server::make_behavior(""))));
+        std::move(*mock_server::Server::start(std::move(*mock_server::make_behavior("simple"))));
     const auto opponent =
         make_direct_playmaker([&mock](Rpc rpc, const Message& request, Message& reply) {
           mock->handle(rpc, request, reply);
