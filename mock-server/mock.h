@@ -31,7 +31,7 @@ struct Mock {
 /// True for names of script files: those that end in ".json".
 bool is_script_name(std::string_view name);
 
-/// The behavior with that name, or the script in that file; empty: the simple team. Errors in
+/// The behavior with that name, or the script in that file; empty: the default team. Errors in
 /// scripts name file and line.
 base::Result<Mock> make_mock(std::string_view name);
 

@@ -38,6 +38,8 @@ constexpr std::array<Home, 11> kFormation{{
 constexpr std::array<Vec2, 5> kDribbleDirections{
     {{1, 0}, {0.8, 0.6}, {0.8, -0.6}, {0.6, 0.8}, {0.6, -0.8}}};
 
+constexpr int kMarker = 2;  // the center back of Defense::kOneMarks
+
 struct Pass {
   Vec2 target;
   double speed, value;
@@ -211,14 +213,18 @@ double dash_power(const Situation& now, Vec2 target) {
   return now.me.x > target.x + 3 || distance(now.ball, target) < 15 ? 100 : 65;
 }
 
-void play_without_ball(const Situation& now, protos::PlayerActions& actions) {
+void play_without_ball(const Situation& now, ExampleTeam::Defense defense,
+                       protos::PlayerActions& actions) {
   const bool first = now.my_steps <= now.our_steps;
+  const bool may_mark =
+      defense == ExampleTeam::Defense::kAllMark || now.self->uniform_number() == kMarker;
+  const bool marks = may_mark && now.their_steps <= now.our_steps;
 
   if (first && now.my_steps <= now.their_steps + 1) {
     set(kGoal, *actions.add_actions()->mutable_body_intercept()->mutable_face_point());
     actions.add_actions()->mutable_body_turn_to_ball()->set_cycle(1);
     watch_ball(0, actions);
-  } else if (first || now.their_steps <= now.our_steps) {
+  } else if (first || marks) {
     actions.add_actions()->mutable_helios_basic_move();
     watch_ball(1, actions);
   } else {
@@ -255,7 +261,7 @@ void ExampleTeam::decide(const protos::State& state, protos::PlayerActions& acti
   } else if (world.self().is_kickable()) {
     example::play_with_ball(example::situation_of(world), actions);
   } else {
-    example::play_without_ball(example::situation_of(world), actions);
+    example::play_without_ball(example::situation_of(world), defense_, actions);
   }
 }
 

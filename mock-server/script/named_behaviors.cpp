@@ -28,12 +28,16 @@ base::Result<std::unique_ptr<Behavior>> make_random(std::string_view seed_text) 
 }  // namespace
 
 std::vector<std::string_view> behavior_names() {
-  return {"simple", "example", "planner", "hold", "random"};
+  return {kDefaultBehavior, "simple", "example", "planner", "hold", "random"};
 }
 
 base::Result<std::unique_ptr<Behavior>> make_behavior(std::string_view name) {
-  if (name.empty() || name == "simple") return std::unique_ptr<Behavior>(new SimpleTeam);
-  if (name == "example") return std::unique_ptr<Behavior>(new ExampleTeam);
+  using Defense = ExampleTeam::Defense;
+  if (name.empty() || name == kDefaultBehavior) {
+    return std::unique_ptr<Behavior>(new ExampleTeam(Defense::kOneMarks));
+  }
+  if (name == "example") return std::unique_ptr<Behavior>(new ExampleTeam(Defense::kAllMark));
+  if (name == "simple") return std::unique_ptr<Behavior>(new SimpleTeam);
   if (name == "planner") return make_planner_behavior();
   if (name == "hold") return std::unique_ptr<Behavior>(new Hold);
   if (name == "random") return make_random("");

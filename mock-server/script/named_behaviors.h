@@ -10,10 +10,13 @@
 
 namespace cls::mock_server {
 
+/// What `mock` without a name plays.
+inline constexpr std::string_view kDefaultBehavior = "attack";
+
 /// Names without arguments that make_behavior() accepts.
 std::vector<std::string_view> behavior_names();
 
-/// An empty name selects the simple team. "random" may be followed by a seed, "random:7";
+/// An empty name selects the default. "random" may be followed by a seed, "random:7";
 /// "replay:FILE" repeats a recording. The error suggests a name.
 base::Result<std::unique_ptr<Behavior>> make_behavior(std::string_view name);
 

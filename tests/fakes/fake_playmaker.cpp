@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
     cls::fakes::hang();
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(flags.number("late-start-ms")));
-  auto team = cls::mock_server::make_behavior("");
+  auto team = cls::mock_server::make_behavior("simple");
   if (!team) return 1;
   auto server = cls::mock_server::Server::start(
       std::make_unique<FaultyTeam>(std::move(*team), flags), "127.0.0.1",

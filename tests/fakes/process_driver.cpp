@@ -9,9 +9,11 @@
 
 #include "orchestration/process/guard.h"
 #include "orchestration/process/process_host.h"
+#include "orchestration/process/scratch_folder.h"
 
 // Starts each argument as a shell command, prints the guard's pid and "ready", and waits forever.
-// With the argument "return" it exits cleanly after starting the others.
+// With the argument "return" it exits cleanly after starting the others; with "scratch" it also has
+// a temporary folder, whose path it prints.
 int main(int argc, char** argv) {
   using namespace cls::orchestration::process;
   const std::vector<std::string> arguments(argv + 1, argv + argc);
@@ -23,10 +25,15 @@ int main(int argc, char** argv) {
   auto host = ProcessHost::create();
   if (!host) return 1;
   std::vector<std::shared_ptr<Child>> children;
+  std::unique_ptr<ScratchFolder> scratch;
   bool stay = true;
   for (const std::string& argument : arguments) {
     if (argument == "return") {
       stay = false;
+      continue;
+    }
+    if (argument == "scratch") {
+      scratch = std::make_unique<ScratchFolder>();
       continue;
     }
     auto child = host->start(shell_command("child", argument));
@@ -36,7 +43,9 @@ int main(int argc, char** argv) {
     }
     children.push_back(*child);
   }
-  std::printf("guard %d\nready\n", guard->pid());
+  std::printf("guard %d\n", guard->pid());
+  if (scratch) std::printf("%s\n", scratch->path().c_str());
+  std::printf("ready\n");
   std::fflush(stdout);
   while (stay) ::pause();
   return 0;

@@ -44,7 +44,7 @@ protos::State state_of(const wire::AgentMessage& call) {
 
 void expect_reply(const wire::AgentMessage& call, const wire::AgentReply& expected) {
   const protos::State state = state_of(call);
-  const ExampleTeam team;
+  const ExampleTeam team(ExampleTeam::Defense::kAllMark);
 
   switch (proto::decision_of(call.agent())) {
     case proto::Rpc::kGetCoachActions: {
@@ -84,9 +84,30 @@ TEST(ExampleTeam, RepliesAsInOtherLanguages) {
   }
 }
 
+// What the default team, mock:attack, does otherwise: only one player marks.
+TEST(ExampleTeam, KeepsItsShapeIfOnlyOneMarks) {
+  protos::State state;
+  protos::WorldModel& world = *state.mutable_world_model();
+  world.set_game_mode_type(protos::PlayOn);
+  world.set_kickable_opponent_existance(true);
+  world.mutable_intercept_table()->set_self_reach_steps(50);
+  world.mutable_intercept_table()->set_first_teammate_id(5);
+  world.mutable_intercept_table()->set_first_teammate_reach_steps(30);
+  const auto marks = [&state](ExampleTeam::Defense defense) {
+    protos::PlayerActions actions;
+    ExampleTeam(defense).decide(state, actions);
+    return actions.actions(0).has_helios_basic_move();
+  };
+  for (int unum = 2; unum <= 11; ++unum) {
+    world.mutable_self()->set_uniform_number(unum);
+    EXPECT_TRUE(marks(ExampleTeam::Defense::kAllMark)) << unum;
+    EXPECT_EQ(marks(ExampleTeam::Defense::kOneMarks), unum == 2) << unum;
+  }
+}
+
 TEST(ExampleTeam, RepliesToEmptyState) {
   protos::PlayerActions actions;
-  ExampleTeam().decide(protos::State(), actions);
+  ExampleTeam(ExampleTeam::Defense::kAllMark).decide(protos::State(), actions);
   EXPECT_GT(actions.actions_size(), 0);
 }
 

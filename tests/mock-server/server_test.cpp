@@ -72,13 +72,14 @@ TEST(MockServer, ChoosesHighestEvaluationThenLowestIndex) {
 }
 
 TEST(MockServer, ListensOnFreePortAndReportsPortInUse) {
-  auto first = Server::start(std::move(*make_behavior("")), "127.0.0.1", 0);
+  auto first = Server::start(std::move(*make_behavior("simple")), "127.0.0.1", 0);
   ASSERT_TRUE(first);
   EXPECT_GT((*first)->port(), 0);
   const auto stub = protos::Game::NewStub(grpc::CreateChannel(
       "127.0.0.1:" + std::to_string((*first)->port()), grpc::InsecureChannelCredentials()));
   EXPECT_EQ(register_with(*stub, 1).client_id(), 1);
-  const auto second = Server::start(std::move(*make_behavior("")), "127.0.0.1", (*first)->port());
+  const auto second =
+      Server::start(std::move(*make_behavior("simple")), "127.0.0.1", (*first)->port());
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().message,
             "the mock Playmaker cannot listen on 127.0.0.1:" + std::to_string((*first)->port()));
@@ -115,7 +116,7 @@ std::string ask(const Server& server, const std::string& method, const std::stri
 }
 
 TEST(MockServer, ServesHealthAndReflectionOnPort) {
-  const auto server = Server::start(std::move(*make_behavior("")), "127.0.0.1", 0);
+  const auto server = Server::start(std::move(*make_behavior("simple")), "127.0.0.1", 0);
   ASSERT_TRUE(server);
   const std::string serving = "\x08\x01";  // status: SERVING
   EXPECT_EQ(ask(**server, "/grpc.health.v1.Health/Check", ""), serving);
@@ -129,7 +130,7 @@ TEST(Behaviors, ReportsUnknownNameWithSuggestion) {
   EXPECT_EQ(make_behavior("hodl").error().message,
             "unknown mock behavior 'hodl'; did you mean 'hold'?");
   EXPECT_EQ(make_behavior("zzz").error().message,
-            "unknown mock behavior 'zzz' (known: simple, example, planner, hold, random)");
+            "unknown mock behavior 'zzz' (known: attack, simple, example, planner, hold, random)");
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ MockMatch::MockMatch(std::uint64_t seed, int threads, MockCalls calls) {
   server_ = taken(simulator::LockstepServer::create(config));
   server_->record(&game_log_, &text_log_);
   for (std::size_t side = 0; side < teams_.size(); ++side) {
-    mocks_[side] = taken(mock_server::Server::start(taken(mock_server::make_behavior(""))));
+    mocks_[side] = taken(mock_server::Server::start(taken(mock_server::make_behavior("simple"))));
     playmakers_[side] = playmaker_of(*mocks_[side], calls);
     proxy::TeamOptions options;
     options.name = side == 0 ? "left" : "right";
