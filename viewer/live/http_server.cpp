@@ -34,12 +34,10 @@ namespace http = boost::beast::http;
 using asio::ip::tcp;
 using ErrorCode = boost::system::error_code;
 
-constexpr std::size_t kMaxConnections = 64;
 constexpr std::size_t kMaxHeader = 8 * 1024;
-constexpr std::size_t kPiece = 64 * 1024;
 constexpr std::chrono::seconds kRequestTimeout{10};
-constexpr std::chrono::seconds kWriteTimeout{60};
-constexpr std::chrono::milliseconds kFeedInterval{20};
+/// Without free file descriptors accepting fails until a connection ends.
+constexpr std::chrono::milliseconds kAcceptRetry{100};
 
 std::string random_token() {
   std::random_device random;
@@ -58,32 +56,41 @@ std::string host_of(std::string_view header) {
   return std::string(header.substr(0, header.find(':')));
 }
 
-bool is_own_host(std::string_view header) {
+bool is_own_host(std::string_view header, const std::vector<std::string>& names) {
   const std::string host = host_of(header);
-  return is_ip_address(host) || host == "localhost" || (!host.empty() && host == base::host_name());
+  const auto is_host = [&host](const std::string& name) { return beast::iequals(host, name); };
+  return is_ip_address(host) || is_host("localhost") ||
+         (!host.empty() && is_host(base::host_name())) ||
+         std::any_of(names.begin(), names.end(), is_host);
 }
+
+// "no-transform" and "q=0" aside: browsers that accept gzip say so in these letters.
+bool accepts_gzip(std::string_view header) { return header.find("gzip") != header.npos; }
 
 }  // namespace
 
 // What the server and its sessions share. Sessions run on the server's thread only.
 struct HttpServer::State {
-  State(HttpRoutes given, std::string shown)
-      : routes(std::move(given)), shown_host(std::move(shown)) {}
+  State(HttpRoutes given, std::string shown, HttpAccess allowed)
+      : routes(std::move(given)), shown_host(std::move(shown)), access(std::move(allowed)) {}
 
   HttpRoutes routes;
   std::string shown_host;
-  std::string token = random_token();
+  HttpAccess access;
+  /// What the paths of all pages begin with.
+  std::string prefix = access.open ? access.prefix : "/" + random_token() + "/";
 
   std::mutex ticket_mutex;
   std::string ticket;  ///< of single_use_url(); empty: none or used
 
-  /// Ends the sessions that have not sent the token yet, oldest first.
+  /// Ends the sessions that make room for others, oldest first.
   std::list<std::function<void()>> strangers;
   std::atomic<std::size_t> connections{0};
   std::atomic<std::size_t> streams{0};
 
   asio::io_context io{1};  // sessions end with it, before what they use
   tcp::acceptor acceptor{io};
+  asio::steady_timer accept_timer{io};
   std::thread thread;
 
   // Whether `target` is the ticket, which is used up then.
@@ -111,8 +118,9 @@ class Session : public std::enable_shared_from_this<Session<State>> {
     leave_strangers();
   }
 
-  // Until it has sent the token, others may take its place.
+  // Others may take its place: until it has sent the token, or while it waits for a request.
   void enter_as_stranger() {
+    if (entry_) return;
     state_.strangers.push_back([weak = this->weak_from_this()] {
       const auto self = weak.lock();
       if (self == nullptr) return;
@@ -123,6 +131,7 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   }
 
   void read_request() {
+    if (state_.access.open) enter_as_stranger();
     parser_.emplace();
     parser_->header_limit(kMaxHeader);
 
@@ -155,7 +164,9 @@ class Session : public std::enable_shared_from_this<Session<State>> {
 
     // The body of a request is not read, so nothing may follow it.
     const bool keep = request.keep_alive() && parser_->is_done();
-    if (!is_own_host(view(request[http::field::host]))) return refuse(403, "unknown host\n");
+    if (!is_own_host(view(request[http::field::host]), state_.access.names)) {
+      return refuse(403, "unknown host\n");
+    }
     if (!head && state_.redeem(view(request.target()))) return redirect();
     reply(route(view(request.target())), head, keep);
   }
@@ -163,7 +174,10 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   static std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
   HttpReply route(std::string_view target) {
-    const std::string prefix = "/" + state_.token + "/";
+    const std::string& prefix = state_.prefix;
+    if (state_.access.open && target.size() + 1 == prefix.size() && prefix.starts_with(target)) {
+      return {302, HttpReply().type, "", nullptr, 0, nullptr, prefix};
+    }
     if (target.size() < prefix.size() ||
         CRYPTO_memcmp(target.data(), prefix.data(), prefix.size()) != 0) {
       return {404, HttpReply().type, "not found\n", nullptr, 0};
@@ -183,8 +197,7 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   }
 
   void redirect() {
-    location_ = "/" + state_.token + "/";
-    send_text({302, HttpReply().type, "", nullptr, 0}, false, false);
+    send_text({302, HttpReply().type, "", nullptr, 0, nullptr, state_.prefix}, false, false);
   }
 
   void refuse(int status, std::string text) {
@@ -192,9 +205,9 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   }
 
   template <typename Message>
-  void set_fields(Message& message, const std::string& type) {
+  void set_fields(Message& message, const std::string& type, bool stored = false) {
     message.set(http::field::content_type, type);
-    message.set(http::field::cache_control, "no-store");
+    message.set(http::field::cache_control, stored ? "no-cache" : "no-store");
     message.set("X-Content-Type-Options", "nosniff");
     message.set("X-Frame-Options", "DENY");
     message.set("Referrer-Policy", "no-referrer");
@@ -202,19 +215,41 @@ class Session : public std::enable_shared_from_this<Session<State>> {
     message.set("Content-Security-Policy", "frame-ancestors 'none'");
   }
 
+  // What of the reply goes out: nothing to readers that have this version already.
+  std::string_view chosen_body(HttpReply& reply) {
+    body_ = std::move(reply.body);
+    document_ = std::move(reply.document);
+    if (document_ == nullptr) return body_;
+
+    const auto& request = parser_->get();
+    const std::string tag = fmt::format("W/\"{}\"", document_->tag);
+    text_->set(http::field::etag, tag);
+    text_->set(http::field::vary, "Accept-Encoding");
+    if (view(request[http::field::if_none_match]) == tag) {
+      text_->result(http::status::not_modified);
+      return {};
+    }
+    if (!accepts_gzip(view(request[http::field::accept_encoding]))) return document_->text;
+    text_->set(http::field::content_encoding, "gzip");
+    return document_->packed;
+  }
+
   void send_text(HttpReply reply, bool head, bool keep) {
     text_.emplace(static_cast<http::status>(reply.status), 11);
-    set_fields(*text_, reply.type);
-    if (!location_.empty()) text_->set(http::field::location, location_);
+    set_fields(*text_, reply.type, reply.document != nullptr);
+    if (!reply.location.empty()) text_->set(http::field::location, reply.location);
     if (reply.status == 405) text_->set(http::field::allow, "GET, HEAD");
 
+    const std::string_view body = chosen_body(reply);
     text_->keep_alive(keep);
-    if (reply.feed == nullptr) text_->content_length(reply.body.size());
-    if (!head) text_->body() = std::move(reply.body);
+    if (reply.feed == nullptr && text_->result() != http::status::not_modified) {
+      text_->content_length(body.size());
+    }
+    if (!head) text_->body() = boost::beast::span<const char>(body.data(), body.size());
 
     serializer_.emplace(*text_);
     if (head) serializer_->split(true);
-    stream_.expires_after(kWriteTimeout);
+    stream_.expires_after(state_.access.write_timeout);
 
     const auto sent = [self = this->shared_from_this(), keep](ErrorCode error, std::size_t) {
       if (error || !keep) return self->close();
@@ -235,10 +270,11 @@ class Session : public std::enable_shared_from_this<Session<State>> {
     head_.emplace(http::status::ok, 11);
     set_fields(*head_, reply.type);
     head_->chunked(true);
+    head_->set("X-Accel-Buffering", "no");  // proxies of this kind send pieces as they come
     head_->keep_alive(false);
 
     head_serializer_.emplace(*head_);
-    stream_.expires_after(kWriteTimeout);
+    stream_.expires_after(state_.access.write_timeout);
     http::async_write_header(stream_, *head_serializer_,
                              [self = this->shared_from_this()](ErrorCode error, std::size_t) {
                                if (error) return self->close();
@@ -255,12 +291,12 @@ class Session : public std::enable_shared_from_this<Session<State>> {
 
   void send_piece() {
     if (closed_) return;
-    LiveFeed::Piece piece = feed_->read(from_, kPiece);
+    LiveFeed::Piece piece = feed_->read(from_, state_.access.piece);
     if (piece.bytes.empty() && !piece.ended) return wait_for_bytes();
 
     from_ += piece.bytes.size();
     piece_ = std::move(piece.bytes);
-    stream_.expires_after(kWriteTimeout);
+    stream_.expires_after(state_.access.write_timeout);
 
     const auto sent = [self = this->shared_from_this()](ErrorCode error, std::size_t) {
       error || self->piece_.empty() ? self->close() : self->send_piece();
@@ -273,7 +309,7 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   }
 
   void wait_for_bytes() {
-    timer_.expires_after(kFeedInterval);
+    timer_.expires_after(state_.access.feed_interval);
     timer_.async_wait([self = this->shared_from_this()](ErrorCode error) {
       if (!error) self->send_piece();
     });
@@ -294,8 +330,11 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   beast::flat_buffer buffer_{2 * kMaxHeader};
   std::optional<http::request_parser<http::empty_body>> parser_;
 
-  std::optional<http::response<http::string_body>> text_;
-  std::optional<http::response_serializer<http::string_body>> serializer_;
+  using TextBody = http::span_body<const char>;
+  std::string body_;
+  std::shared_ptr<const HttpDocument> document_;
+  std::optional<http::response<TextBody>> text_;
+  std::optional<http::response_serializer<TextBody>> serializer_;
 
   std::optional<http::response<http::empty_body>> head_;
   std::optional<http::response_serializer<http::empty_body>> head_serializer_;
@@ -304,7 +343,6 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   std::size_t from_ = 0;
   std::string piece_;
 
-  std::string location_;  ///< of a redirection
   std::optional<std::list<std::function<void()>>::iterator> entry_;
   bool closed_ = false;
 };
@@ -319,17 +357,36 @@ bool make_room(State& state) {
 }
 
 template <typename State>
+void accept_next(State& state);
+
+template <typename State>
+void begin_session(tcp::socket socket, State& state) {
+  const HttpAccess& access = state.access;
+  if (access.send_buffer > 0) {
+    ErrorCode ignored;
+    socket.set_option(asio::socket_base::send_buffer_size(access.send_buffer), ignored);
+  }
+
+  const bool full = state.connections.load() >= access.max_connections;
+  const bool busy = full && !make_room(state);
+  const auto session = std::make_shared<Session<State>>(std::move(socket), state);
+  if (!busy) session->enter_as_stranger();
+  busy ? session->refuse_as_busy() : session->read_request();
+}
+
+template <typename State>
 void accept_next(State& state) {
   state.acceptor.async_accept([&state](ErrorCode error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
     if (!error) {
-      const bool full = state.connections.load() >= kMaxConnections;
-      const bool busy = full && !make_room(state);
-      const auto session = std::make_shared<Session<State>>(std::move(socket), state);
-      session->enter_as_stranger();
-      busy ? session->refuse_as_busy() : session->read_request();
+      begin_session(std::move(socket), state);
+      return accept_next(state);
     }
-    accept_next(state);
+
+    state.accept_timer.expires_after(kAcceptRetry);
+    state.accept_timer.async_wait([&state](ErrorCode stopped) {
+      if (!stopped) accept_next(state);
+    });
   });
 }
 
@@ -351,8 +408,8 @@ std::string listen(tcp::acceptor& acceptor, const HttpAddress& address) {
 }  // namespace
 
 base::Result<std::unique_ptr<HttpServer>> HttpServer::start(const HttpAddress& address,
-                                                            HttpRoutes routes) {
-  auto state = std::make_unique<State>(std::move(routes), address.host);
+                                                            HttpRoutes routes, HttpAccess access) {
+  auto state = std::make_unique<State>(std::move(routes), address.host, std::move(access));
   if (const std::string error = listen(state->acceptor, address); !error.empty()) {
     return base::Error{
         fmt::format("cannot listen on {} port {}: {}", address.host, address.port, error)};
@@ -379,16 +436,18 @@ std::string HttpServer::url() const {
   std::string host = state_->shown_host;
   if (host == "0.0.0.0" || host == "::") host = base::host_name();
   if (host.find(':') != std::string::npos) host = fmt::format("[{}]", host);
-  return fmt::format("http://{}:{}/{}/", host, port(), state_->token);
+  return fmt::format("http://{}:{}{}", host, port(), state_->prefix);
 }
 
 std::string HttpServer::single_use_url() {
   const std::string whole = url();
   const std::lock_guard lock(state_->ticket_mutex);
   state_->ticket = random_token();
-  return whole.substr(0, whole.size() - state_->token.size() - 1) + state_->ticket;
+  return whole.substr(0, whole.size() - state_->prefix.size() + 1) + state_->ticket;
 }
 
 std::size_t HttpServer::streams() const { return state_->streams.load(); }
+
+std::size_t HttpServer::connections() const { return state_->connections.load(); }
 
 }  // namespace cls::viewer

@@ -1,6 +1,7 @@
 // Game log bytes that arrive while the match is played.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -33,6 +34,11 @@ class LiveInput {
 /// yet. `complete` returns true once the writer has closed it; null: never. A log that shrinks has
 /// ended: another one replaces it.
 std::unique_ptr<LiveInput> follow_log(std::filesystem::path log, std::function<bool()> complete);
+
+/// The same bytes, `delay` later. It has to be read from its beginning on to find the time of each
+/// byte, so it does not wait for its first reader.
+std::unique_ptr<LiveInput> delayed(std::unique_ptr<LiveInput> input,
+                                   std::chrono::milliseconds delay);
 
 /// Follows a running soccer server, as a monitor (version 5) that only watches. Repeated
 /// frames before kick-off and after the match are left out. The input ends when the server has been

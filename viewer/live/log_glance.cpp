@@ -11,6 +11,22 @@ namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 20;
 
+// "((l 1) TYPE FLAGS X Y ...": a player is on the pitch if the flags have bit 0.
+void read_players(const std::string& frame, Glance& glance) {
+  for (std::size_t at = frame.find(" (("); at != std::string::npos;
+       at = frame.find(" ((", at + 1)) {
+    char side = 0;
+    int unum = 0;
+    int type = 0;
+    unsigned flags = 0;
+    soccer::Vec2 place;
+    const int count = std::sscanf(frame.c_str() + at, " ((%c %d) %d %x %lf %lf", &side, &unum,
+                                  &type, &flags, &place.x, &place.y);
+    if (count != 6 || (flags & 1U) == 0) continue;
+    (side == 'l' ? glance.left_players : glance.right_players).push_back(place);
+  }
+}
+
 }  // namespace
 
 void LogGlance::read_line(std::string_view line) {
@@ -22,6 +38,7 @@ void LogGlance::read_line(std::string_view line) {
   } else if (std::sscanf(start.c_str(), "(show %d ((b) %lf %lf", &seen.cycle, &seen.ball.x,
                          &seen.ball.y) == 3) {
     glance_ = seen;
+    frame_ = line;
     any_ = true;
   }
 }
@@ -48,6 +65,13 @@ void LogGlance::read_compressed() {
   }
 }
 
+std::optional<Glance> LogGlance::last() const {
+  if (!any_) return std::nullopt;
+  Glance glance = glance_;
+  read_players(frame_, glance);
+  return glance;
+}
+
 std::optional<Glance> LogGlance::now() {
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(file_, code);
@@ -58,7 +82,7 @@ std::optional<Glance> LogGlance::now() {
   if (compressed) {
     if (size != read_) read_compressed();
     read_ = size;
-    return any_ ? std::optional(glance_) : std::nullopt;
+    return last();
   }
 
   std::ifstream in(file_, std::ios::binary);
@@ -74,7 +98,7 @@ std::optional<Glance> LogGlance::now() {
   }
 
   read_ -= rest.size();
-  return any_ ? std::optional(glance_) : std::nullopt;
+  return last();
 }
 
 }  // namespace cls::viewer

@@ -1,10 +1,11 @@
-// Clock, score and ball of a game log that grows, without reading it as a match.
+// Clock, score and positions of a game log that grows, without reading it as a match.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "soccer/geometry.h"
 
@@ -15,6 +16,8 @@ struct Glance {
   int left = 0;  ///< goals
   int right = 0;
   soccer::Vec2 ball;
+  std::vector<soccer::Vec2> left_players = {};  ///< on the pitch
+  std::vector<soccer::Vec2> right_players = {};
 };
 
 /// Follows a text log (rcg 4 to 6). Each call reads what was added; a compressed log, which arrives
@@ -34,7 +37,11 @@ class LogGlance {
 
   std::filesystem::path file_;
   std::uintmax_t read_ = 0;  ///< bytes that were used
+  /// Score and the last frame, as one value.
+  std::optional<Glance> last() const;
+
   Glance glance_;
+  std::string frame_;  ///< the line of the last one
   bool any_ = false;
 };
 

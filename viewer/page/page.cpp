@@ -71,6 +71,7 @@ std::string settings_json(const PageSettings& settings, const LivePaths* live) {
                {"live", live != nullptr ? Json(live->stream) : Json(nullptr)}};
 
   if (live != nullptr && !live->drawings.empty()) json["drawings"] = live->drawings;
+  if (!settings.home.empty()) json["home"] = settings.home;
   if (!settings.sides[0].empty()) json["sides"] = settings.sides;
   for (const MissedDecision& each : settings.missed) {
     json["missed"].push_back({each.cycle, each.stopped, each.player, each.reason});

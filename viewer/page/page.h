@@ -39,6 +39,7 @@ struct PageSettings {
   bool compared = false;                 ///< a second match follows (compare_page.h)
   /// Left and right, as `cls match` names them: "mock"; empty: not known.
   std::array<std::string, 2> sides{};
+  std::string home{};  ///< address of the page that this one belongs to; empty: none
 };
 
 /// Recorded decisions of a side (viewer/decisions): the stream, compressed with gzip.

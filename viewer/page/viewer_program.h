@@ -16,5 +16,7 @@ std::string_view comparison_script();
 std::string_view viewer_style();
 /// The program of the list of matches.
 std::string_view list_script();
+/// The program of the page for spectators.
+std::string_view spectator_script();
 
 }  // namespace cls::viewer

@@ -41,6 +41,7 @@ function makePage(root, record, options) {
   if (Array.isArray(options.sides)) record.sides = options.sides;
   const viewer = new Viewer(record, new Settings(host), host);
   const page = new Page(root, viewer);
+  if (typeof options.home === 'string') page.scoreboard.addHome(options.home);
   showFirstMoment(viewer, options);
   page.draw();
   performance.mark('cls-first-picture');

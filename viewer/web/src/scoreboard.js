@@ -17,6 +17,11 @@ export class Scoreboard {
       element('div', {class: 'clock'}, this.mode, this.minute, element('span', {class: 'clock-label'}, 'cycle ', this.cycle)));
   }
 
+  /** A link to the page that this match belongs to. @param {string} address */
+  addHome(address) {
+    this.root.lastChild.append(element('a', {class: 'home', href: address}, 'All matches'));
+  }
+
   /** @param {import('./record.js').MatchRecord} record @param {number} frame */
   show(record, frame) {
     const teams = record.teamsAt(frame);
