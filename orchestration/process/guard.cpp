@@ -136,10 +136,13 @@ class GuardLoop {
     }
   }
 
+  // The guard of an orphan ends its processes and deletes its folders, and then itself: only what
+  // remains at the end of sweep() is killed.
   void kill_orphans() const {
     std::set<pid_t> kept = keepers_;
     for (const ProcessEntry& entry : descendants_of(::getpid())) {
-      if (kept.count(entry.parent) != 0) kept.insert(entry.pid);
+      const bool cleans_up = short_name(entry.pid).starts_with(kGuardMark);
+      if (cleans_up || kept.count(entry.parent) != 0) kept.insert(entry.pid);
       if (kept.count(entry.pid) == 0) ::kill(entry.pid, SIGKILL);
     }
   }

@@ -92,13 +92,6 @@ std::vector<BoundSocket> bound_sockets(Protocol protocol) {
   return sockets;
 }
 
-std::string program_of(int pid) {
-  std::ifstream file(fmt::format("/proc/{}/comm", pid));
-  std::string name;
-  std::getline(file, name);
-  return name;
-}
-
 // Marks a port as taken among programs of cls; without a mark, `error` has the errno.
 std::optional<base::UniqueFd> reserve(int port, int& error) {
   base::UniqueFd mark(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
@@ -182,7 +175,7 @@ std::vector<PortOwner> owners_of(Protocol protocol, int port) {
   for (const int pid : all_pids()) {
     for (const unsigned long inode : sockets_of(pid)) {
       if (wanted.count(inode) == 0) continue;
-      owners.push_back({pid, program_of(pid)});
+      owners.push_back({pid, short_name(pid)});
       break;
     }
   }
@@ -230,9 +223,12 @@ std::vector<int> ports_of(Protocol protocol, int pid) {
 
 namespace {
 
+enum class Marks { kNeeded, kIgnored };
+
 // Reserves a port that no process uses; else sets `error`.
-std::optional<base::UniqueFd> reserve_free(int number, int& error) {
+std::optional<base::UniqueFd> reserve_free(int number, Marks marks, int& error) {
   auto mark = reserve(number, error);
+  if (!mark && marks == Marks::kIgnored && error == EADDRINUSE) mark.emplace();
   for (const int type : {SOCK_STREAM, SOCK_DGRAM}) {
     if (const int failed = mark ? bind_error(type, number) : 0; failed != 0) {
       error = failed;
@@ -242,6 +238,10 @@ std::optional<base::UniqueFd> reserve_free(int number, int& error) {
   return mark;
 }
 
+// Any user can take the names of the marks, all of them too. They only keep programs of cls from
+// choosing the same port in parallel, so a host where they run out goes without.
+Marks marks_of(int attempt) { return attempt < kAttempts / 2 ? Marks::kNeeded : Marks::kIgnored; }
+
 }  // namespace
 
 base::Result<std::vector<ReservedPort>> ReservedPort::choose(int count) {
@@ -250,7 +250,9 @@ base::Result<std::vector<ReservedPort>> ReservedPort::choose(int count) {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     if (static_cast<int>(ports.size()) == count) return ports;
     const int number = random_port();
-    auto mark = reserve_free(number, error);
+    const bool chosen = std::any_of(ports.begin(), ports.end(),
+                                    [&](const auto& port) { return port.number() == number; });
+    auto mark = chosen ? std::nullopt : reserve_free(number, marks_of(attempt), error);
     if (mark) ports.push_back(ReservedPort(number, *std::move(mark)));
   }
   return base::Error{fmt::format("no {} between {} and {} after {} tries; the last one: {}",
@@ -258,22 +260,22 @@ base::Result<std::vector<ReservedPort>> ReservedPort::choose(int count) {
                                  std::generic_category().message(error))};
 }
 
-// Empty if one of them is in use or reserved: `error` says why.
-std::vector<ReservedPort> ReservedPort::reserve_row(int count, int first, int& error) {
-  std::vector<ReservedPort> ports;
-  for (int number = first; number < first + count; ++number) {
-    auto mark = reserve_free(number, error);
-    if (!mark) return {};
-    ports.push_back(ReservedPort(number, *std::move(mark)));
-  }
-  return ports;
-}
-
 base::Result<std::vector<ReservedPort>> ReservedPort::choose_row(int count, int first) {
+  // Empty if one of them is in use or reserved: `error` says why.
   int error = 0;
+  const auto reserve_row = [&](int from, Marks marks) {
+    std::vector<ReservedPort> ports;
+    for (int number = from; number < from + count; ++number) {
+      auto mark = reserve_free(number, marks, error);
+      if (!mark) return std::vector<ReservedPort>();
+      ports.push_back(ReservedPort(number, *std::move(mark)));
+    }
+    return ports;
+  };
+
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const bool wished = attempt == 0 && first != 0;
-    auto ports = reserve_row(count, wished ? first : random_port(), error);
+    auto ports = reserve_row(wished ? first : random_port(), marks_of(attempt));
     if (!ports.empty()) return ports;
   }
   return base::Error{

@@ -61,12 +61,12 @@ class ReservedPort {
   int number() const { return number_; }
 
  private:
-  static std::vector<ReservedPort> reserve_row(int count, int first, int& error);
-
   ReservedPort(int number, base::UniqueFd mark) : number_(number), mark_(std::move(mark)) {}
 
   int number_ = 0;
-  base::UniqueFd mark_;  // abstract socket that reserves the port; disappears with the process
+  // Abstract socket that reserves the port; disappears with the process. None where other users
+  // hold all names.
+  base::UniqueFd mark_;
 };
 
 /// True when a server accepts a TCP connection at host:port within `limit_ms`.

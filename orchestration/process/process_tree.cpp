@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -79,6 +80,13 @@ std::optional<ProcessEntry> read_process(pid_t pid) {
   entry.reaped_cpu_seconds =
       ticks_to_seconds(static_cast<unsigned long long>(fetched_user + fetched_system));
   return entry;
+}
+
+std::string short_name(pid_t pid) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/comm");
+  std::string name;
+  std::getline(file, name);
+  return name;
 }
 
 std::vector<ProcessEntry> descendants_of(pid_t root) {

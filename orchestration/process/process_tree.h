@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace cls::orchestration::process {
@@ -18,6 +19,9 @@ struct ProcessEntry {
 
 /// A running process; nothing if there is none, or without /proc.
 std::optional<ProcessEntry> read_process(pid_t pid);
+
+/// The name that ps shows of a process, at most 15 bytes; empty: there is none, or no /proc.
+std::string short_name(pid_t pid);
 
 /// All running descendants of `root`, without itself, parents before children. Empty without /proc.
 std::vector<ProcessEntry> descendants_of(pid_t root);

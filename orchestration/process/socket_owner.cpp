@@ -116,13 +116,6 @@ bool on_loopback(std::string_view host) {
   return host.ends_with("7F") && (host.size() == kAnyV4.size() || host.starts_with(kMappedV4));
 }
 
-std::string short_name(pid_t pid) {
-  std::ifstream file(fmt::format("/proc/{}/comm", pid));
-  std::string name;
-  std::getline(file, name);
-  return name;
-}
-
 pid_t parent_of(pid_t pid) {
   const auto process = read_process(pid);
   return process ? process->parent : 0;

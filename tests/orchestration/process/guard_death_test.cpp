@@ -101,6 +101,20 @@ TEST_F(GuardDeath, TerminatesInnerTreeWithOuterChild) {
   EXPECT_TRUE(processes_.nothing_left());
 }
 
+// The outer guard inherits the driver and its guard, which has something to clean up.
+TEST_F(GuardDeath, InnerGuardDeletesItsFoldersWhenTheOuterKeeperIsKilled) {
+  std::vector<std::string> arguments = usual_children();
+  arguments.push_back("scratch");
+  start(arguments);
+  const std::filesystem::path scratch = driver_->last_lines().at(1);
+  ASSERT_TRUE(std::filesystem::is_directory(scratch)) << scratch;
+  const auto driver = read_process(driver_->status().pid);
+  ASSERT_TRUE(driver);
+  ::kill(driver->parent, SIGKILL);
+  EXPECT_TRUE(processes_.nothing_left(3s));
+  EXPECT_FALSE(std::filesystem::exists(scratch));
+}
+
 TEST_F(GuardDeath, KeepsNoInheritedFileOpen) {
   start({fake_line("hang")});
   const std::string folder = "/proc/" + std::to_string(guard_pid()) + "/fd";

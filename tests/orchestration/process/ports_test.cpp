@@ -2,15 +2,43 @@
 #include "orchestration/process/ports.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
+#include <cstddef>
+#include <cstring>
 #include <set>
+#include <string>
+#include <thread>
+#include <vector>
 
+#include "base/system/unique_fd.h"
 #include "tests/orchestration/process/test_guard.h"
 
 namespace cls::orchestration::process {
 namespace {
+
+/// All names under which programs of cls reserve ports. Empty without descriptors for them.
+std::vector<base::UniqueFd> take_all_marks() {
+  constexpr int kFirst = 20000;
+  constexpr int kLast = 31999;
+  std::vector<base::UniqueFd> marks;
+  for (int port = kFirst; port <= kLast; ++port) {
+    base::UniqueFd mark(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    const std::string name = "cls-port-" + std::to_string(port);
+    std::memcpy(address.sun_path + 1, name.data(), name.size());
+    const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+    if (!mark || ::bind(mark.get(), reinterpret_cast<const sockaddr*>(&address), size) != 0)
+      return {};
+    marks.push_back(std::move(mark));
+  }
+  return marks;
+}
 
 TEST(Ports, ChoosesDistinctFreePorts) {
   const auto ports = ReservedPort::choose(30);
@@ -45,6 +73,36 @@ TEST(Ports, ChoosesWishedPortsIfAllAreFree) {
   const auto wished = ReservedPort::choose_row(3, first);
   ASSERT_TRUE(wished);
   EXPECT_EQ(wished->front().number(), first);
+}
+
+// Of another user, they once stopped every match over UDP. The names belong to a network namespace,
+// here of one thread, so that other tests keep theirs.
+TEST(Ports, AreChosenAlsoWhenOthersHoldAllNames) {
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  rlimit many = before;
+  many.rlim_cur = many.rlim_max;
+  ::setrlimit(RLIMIT_NOFILE, &many);
+
+  std::string skipped;
+  std::thread([&skipped] {
+    if (::unshare(CLONE_NEWNET) != 0) {
+      skipped = "a network namespace is not permitted here";
+      return;
+    }
+    const std::vector<base::UniqueFd> marks = take_all_marks();
+    if (marks.empty()) {
+      skipped = "12 000 descriptors are not permitted here";
+      return;
+    }
+    const auto ports = ReservedPort::choose(3);
+    EXPECT_TRUE(ports) << ports.error().message;
+    const auto row = ReservedPort::choose_row(3);
+    ASSERT_TRUE(row) << row.error().message;
+    EXPECT_EQ((*row)[2].number(), row->front().number() + 2);
+  }).join();
+  ::setrlimit(RLIMIT_NOFILE, &before);
+  if (!skipped.empty()) GTEST_SKIP() << skipped;
 }
 
 TEST(Ports, ReportsOwnerOfPortInUse) {
