@@ -69,7 +69,7 @@ Result<std::string> dry_run(const MatchOptions& options) {
       continue;
     }
     for (const AgentPlan& agent : team->agents) add(text, agent.command);
-    if (team->kill) add(text, *team->kill);
+    for (const process::CommandPlan& kill : team->kills) add(text, kill);
   }
   if (options.trainer) {
     TRY(add_playmaker(text, options, names, soccer::Side::kNeutral, *options.trainer, folder));

@@ -45,7 +45,9 @@ void LockstepLoop::play_cycle(const Hooks& hooks) {
   watch_.begin_cycle();
 
   const Clock::time_point begin = Clock::now();
-  server_.step();
+  server_.step([&hooks](simulator::World& world, simulator::Events& events) {
+    for (MatchHooks* hook : hooks) hook->after_step(world, events);
+  });
   observe();
   const Clock::time_point stepped = Clock::now();
   times_.server += in_seconds(stepped - begin);

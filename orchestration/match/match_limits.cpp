@@ -73,7 +73,8 @@ std::string MatchLimits::describe(EndReason reason) const {
     case EndReason::kTimedOut:
       return fmt::format("the time limit of {} s was reached", options_.time_limit_s.value_or(0));
     case EndReason::kRefused:
-      return fmt::format("no answer within the start limit of {} s", options_.start_timeout_s);
+      return fmt::format("no answer within the start limit of {} s (--start-timeout)",
+                         options_.start_timeout_s);
     default:
       if (clock_stands()) {
         return fmt::format("the game clock has stood still at cycle {} in {} for {} steps",

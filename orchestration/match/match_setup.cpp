@@ -21,6 +21,14 @@ std::vector<Side> sides_of(const MatchOptions& options) {
   return sides;
 }
 
+// A Playmaker that leaves RegisterTeam unanswered is asked for each agent in the rest of the start
+// limit. A program in its first seconds, on a busy host, needs more than a fixed short time.
+proxy::RpcTimeout team_reply_timeout(const MatchOptions& options) {
+  constexpr double kShare = 0.5;
+  if (options.batch != proxy::BatchMode::kAuto) return proxy::kNoTimeout;
+  return proxy::RpcTimeout(static_cast<int>(kShare * options.start_timeout_s * 1000.0));
+}
+
 SideSetup side_setup(const MatchSetup& setup, Side side) {
   SideSetup result;
   result.side = side;
@@ -29,6 +37,7 @@ SideSetup side_setup(const MatchSetup& setup, Side side) {
   result.folder = setup.folder;
   result.host = setup.host;
   result.batch = setup.options.batch;
+  result.team_reply = team_reply_timeout(setup.options);
   result.limits = setup.options.limits;
   if (side == Side::kLeft) result.cpus = setup.options.left_cpus;
   if (side == Side::kRight) result.cpus = setup.options.right_cpus;
@@ -53,10 +62,10 @@ Result<TeamPlans> plan_external_teams(const MatchSetup& setup, EmbeddedServer& s
       if (endpoint.kind != Endpoint::Kind::kTeam) continue;
       TeamValues values = team_values(setup.options, setup.names, side, kHost, ports, setup.folder);
       values.coach = false;
-      TRY_INIT(auto plan, team_plan(endpoint.path, values));
+      TRY_INIT(auto plan, team_plan(endpoint, values));
       takes_ports = takes_ports && plan.takes_ports;
       plans[side] = std::move(plan);
-      server.expect_external_team(side);
+      server.expect_external_team(side, endpoint.parts.empty() ? "" : values.team_name);
     }
     if (opened || (!plans.left && !plans.right)) break;
     TRY_INIT(const auto chosen, server.open_player_port(takes_ports));

@@ -83,7 +83,13 @@ SpeedResult MatchSpeed::shares(Duration played) const {
   longest = std::min(longest, played);
   meter.add_turns(longest, std::span(turns).first(sides_.size()));
   is_paced() ? meter.add_clock(played - longest) : meter.add_server(played - longest);
-  return meter.result();
+  SpeedResult result = meter.result();
+  const bool hidden =
+      !awaited_s_ && std::any_of(sides_.begin(), sides_.end(),
+                                 [](const auto& side) { return side->is_external(); });
+  if (hidden && result.limited_by == SpeedLimit::kServer)
+    result.limited_by = SpeedLimit::kServerAndTeams;
+  return result;
 }
 
 std::optional<std::string> MatchSpeed::estimate(const MatchProgress& now, std::int64_t steps,

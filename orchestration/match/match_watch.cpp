@@ -92,8 +92,8 @@ void MatchWatch::end_by_limit(EndReason limit) {
   MatchEnd end{.reason = limit, .message = limits_.describe(limit)};
   if (limit == EndReason::kRefused && awaited_.what) {
     const std::string hint = awaited_.side == nullptr ? "" : awaited_.side->timeout_hint();
-    end.message = fmt::format("{} within the start limit of {} s{}", awaited_.what(),
-                              options_.start_timeout_s, hint);
+    end.message = fmt::format("{} within the start limit of {} s (--start-timeout){}",
+                              awaited_.what(), options_.start_timeout_s, hint);
     if (awaited_.side != nullptr && loop_->blames(*awaited_.side)) {
       blame(*awaited_.side, moment(), end);
     }

@@ -18,6 +18,7 @@
 #include "orchestration/match/hooks/match_saver.h"
 #include "orchestration/match/hooks/missed_log.h"
 #include "orchestration/match/hooks/rpc_recorder.h"
+#include "orchestration/match/hooks/situation_run.h"
 #include "orchestration/match/hooks/world_model_recorder.h"
 #include "orchestration/match/match_setup.h"
 #include "orchestration/match/options/match_settings.h"
@@ -68,6 +69,7 @@ struct FileHook {
   std::unique_ptr<MatchHooks> hooks;               ///< null: not wanted
   std::function<std::string()> close = nothing;    ///< why a file is not complete, or nothing
   std::function<std::string()> problem = nothing;  ///< why the match is refused, or nothing
+  std::function<void(MatchResult&)> add_result = [](MatchResult&) {};
 
   static std::string nothing() { return {}; }
 };
@@ -113,14 +115,25 @@ Result<FileHook> world_model_recorder(const MatchSetup& setup) {
       std::make_unique<WorldModelRecorder>(setup.folder, setup.names.left, setup.names.right));
 }
 
+Result<FileHook> situation_run(const MatchSetup& setup) {
+  const MatchOptions& options = setup.options;
+  if (options.loaded_book == nullptr) return FileHook{};
+  auto run = std::make_unique<SituationRun>(*options.loaded_book, setup.seed, options.situations,
+                                            situation_cycles(options));
+  const SituationRun* played = run.get();
+  return FileHook{.hooks = std::move(run),
+                  .add_result = [played](MatchResult& result) { result.book = played->result(); }};
+}
+
 Result<FileHook> debug_clients(const MatchSetup& setup) {
   if (!setup.options.debug.wanted()) return FileHook{};
   return closed_at_end(std::make_unique<DebugClients>(setup.options.debug));
 }
 
 /// In the order of their calls.
-constexpr std::array kFileHooks = {debug_log,    missed_log,           resume_check, match_saver,
-                                   rpc_recorder, world_model_recorder, debug_clients};
+constexpr std::array kFileHooks = {situation_run,        debug_log,    missed_log,
+                                   resume_check,         match_saver,  rpc_recorder,
+                                   world_model_recorder, debug_clients};
 
 /// Those that the options ask for.
 class FileHooks {
@@ -142,6 +155,9 @@ class FileHooks {
     FirstError first;
     for (const FileHook& hook : hooks_) first.add(hook.problem());
     return first.text();
+  }
+  void add_results(MatchResult& result) const {
+    for (const FileHook& hook : hooks_) hook.add_result(result);
   }
   void close(FirstError& error) {
     for (const FileHook& hook : hooks_) error.add(hook.close());
@@ -187,6 +203,7 @@ MatchResult play(const MatchSetup& setup, std::unique_ptr<Match> match, FileHook
   if (hooks != nullptr) match->add_hooks(*hooks);
   match->play(observer);
   MatchResult result = match->result();
+  files.add_results(result);
   if (std::string problem = files.problem(); !problem.empty()) {
     result.end_reason = EndReason::kRefused;
     result.message = std::move(problem);

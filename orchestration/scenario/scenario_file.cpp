@@ -146,8 +146,10 @@ Result<void> parse_playmaker(const JsonValue& json, const ResolveSide& resolve,
   auto parsed = match::parse_endpoint(*side);
   if (!parsed) return json.error(parsed.error().message);
   endpoint = *std::move(parsed);
-  if (endpoint.kind == match::Endpoint::Kind::kTeam)
-    endpoint.path = (folder / endpoint.path).string();
+  if (endpoint.kind == match::Endpoint::Kind::kTeam) {
+    if (endpoint.parts.empty()) endpoint.path = (folder / endpoint.path).string();
+    for (match::Endpoint& part : endpoint.parts) part.path = (folder / part.path).string();
+  }
   for (match::Endpoint& part : endpoint.parts) {
     if (auto read = read_files(json, folder, part); !read) return read;
   }

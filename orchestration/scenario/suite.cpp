@@ -184,6 +184,7 @@ class SuiteRun {
     settings.seed = task.seed;
     settings.against = options_.against;
     settings.sandbox = options_.sandbox;
+    settings.start_timeout_s = options_.start_timeout_s;
     settings.host = host_;
     settings.folder = fs::absolute(run_folder(options_.folder, scenario, task.seed));
     if (host_ != nullptr) {

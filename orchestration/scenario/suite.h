@@ -19,8 +19,9 @@ struct SuiteOptions {
   int jobs = 1;
   std::optional<std::uint64_t> seed;  ///< overrides the seeds of the scenarios
   std::optional<match::Endpoint> against;
-  std::string against_text;  ///< for the command that reruns a seed
-  bool sandbox = true;       ///< of external teams, as in matches
+  std::string against_text;               ///< for the command that reruns a seed
+  bool sandbox = true;                    ///< of external teams, as in matches
+  std::optional<double> start_timeout_s;  ///< none: that of matches
   std::filesystem::path
       folder;  ///< logs and pages of failed runs; created on demand, cleared when they pass
 };

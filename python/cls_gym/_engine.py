@@ -253,9 +253,10 @@ class Pool:
         return world
 
     def close(self) -> None:
-        """Frees the worlds; may be called again."""
+        """Frees the worlds; may be called again. Raises EngineError when a recording could not be
+        written."""
         self.closed = True
-        self._free()
+        _check(self._free() or 0)
 
 
 def _spec(document: Dict[str, Any]) -> Spec:

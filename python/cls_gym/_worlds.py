@@ -1,18 +1,37 @@
 """What single and vector environments share: a pool of worlds, its spaces, actions and infos."""
 from __future__ import annotations
 
-from typing import Any, Dict, List, Optional, Sequence, Tuple
+import functools
+import threading
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, TypeVar, cast
 
 import numpy as np
 
 from cls_gym import rendering
 from cls_gym._api import ClosedEnvironmentError, ResetNeeded, warn
-from cls_gym._engine import ActionError, Pool, Snapshot
+from cls_gym._engine import ActionError, EngineError, Pool, Snapshot
 from cls_gym.spec import bounds
 from cls_gym.tasks import resolve
 
 Info = Dict[str, Any]
+Method = TypeVar("Method", bound=Callable[..., Any])
 METADATA = {"render_modes": ["human", "rgb_array", "ansi"], "render_fps": 10}
+
+
+def alone(method: Method) -> Method:
+    """A method of an environment that one thread at a time may call: while it runs, another thread
+    gets an EngineError, and nothing has changed."""
+    @functools.wraps(method)
+    def guarded(self: Any, *arguments: Any, **named: Any) -> Any:
+        in_use = self._worlds.in_use
+        if not in_use.acquire(False):
+            raise EngineError(f"{method.__name__}: another thread uses the environment; call it "
+                              "from one thread at a time")
+        try:
+            return method(self, *arguments, **named)
+        finally:
+            in_use.release()
+    return cast(Method, guarded)
 
 
 class Worlds:
@@ -25,6 +44,7 @@ class Worlds:
         self.pool = Pool({**settings, **config, "task": task, "num_envs": num_envs})
         self.spec = self.pool.spec
         self.num_envs = num_envs
+        self.in_use = threading.RLock()  # held by alone()
         self.agents = len(self.spec.agents)
         self.observation_space = self.spec.observation_space(self.agents)
         self.action_space = self.spec.actions.space(self.agents)
@@ -84,6 +104,10 @@ class Worlds:
             must = "integers" if into.dtype.kind == "i" else "numbers"
             raise ActionError(f"{name}: type {value.dtype}, must be {must}")
         into[...] = value
+        # A number that does not fit would otherwise be played as another one.
+        if into.dtype.kind == "i" and value.dtype != into.dtype and not (into == value).all():
+            wrong = value[into != value].flat[0]
+            raise ActionError(f"{name}: there is no action {wrong}")
 
     def _action_targets(self) -> List[Tuple[str, np.ndarray, str]]:
         """What an action consists of: name, where it goes, which kinds of numbers it may have."""

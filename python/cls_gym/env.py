@@ -8,7 +8,7 @@ import numpy as np
 from cls_gym import spaces
 from cls_gym._api import BaseEnv, ResetNeeded
 from cls_gym._engine import Snapshot
-from cls_gym._worlds import METADATA, Info, Worlds, check_render_mode
+from cls_gym._worlds import METADATA, Info, Worlds, alone, check_render_mode
 from cls_gym.seeding import episode_seed
 
 
@@ -48,6 +48,7 @@ class Env(BaseEnv):
         """cls_gym.spec.Spec: features, actions, reward terms with names, units, bounds."""
         return self._worlds.spec
 
+    @alone
     def reset(self, *, seed: Optional[int] = None,
               options: Optional[Dict[str, Any]] = None) -> Tuple[np.ndarray, Info]:
         """Starts an episode. `options` (names: `spec_of_task.options`) hold until changed."""
@@ -58,6 +59,7 @@ class Env(BaseEnv):
         self._worlds.show(self.render_mode)
         return self._worlds.observations[0].copy(), self._worlds.info(0)
 
+    @alone
     def step(self, action: Any) -> Tuple[np.ndarray, float, bool, bool, Info]:
         """Plays one step: `frame_skip` cycles, or fewer at the end of the episode."""
         worlds = self._worlds
@@ -87,6 +89,7 @@ class Env(BaseEnv):
         also copies episodes between worlds: fork()."""
         return self._worlds.snapshot(0)
 
+    @alone
     def restore(self, snapshot: Snapshot) -> np.ndarray:
         """Continues where snapshot() was taken; returns the observation there."""
         self._worlds.restore(0, snapshot)

@@ -86,7 +86,7 @@ class MatchEnv(BaseEnv):
 
             def GetTeamRows(self, rows: Any) -> Any:
                 skills = {unum: play.skill(proto, unum, rows.play_mode) for unum in rows.players}
-                env._note(rows.play_mode)
+                env._note(rows.play_mode, rows.cycle)
                 if rows.play_mode != "play_on":
                     return package.TeamActions(b"", 1, skills)
                 env._asked.put(rows)
@@ -99,11 +99,13 @@ class MatchEnv(BaseEnv):
 
         return Team()
 
-    def _note(self, play_mode: str) -> None:
-        """Counts goals: the play mode names the team that scored."""
+    def _note(self, play_mode: str, cycle: int) -> None:
+        """Counts goals, which the play mode names, and the cycles of play_on without a call."""
         if play_mode in ("goal_l", "goal_r") and self._mode != play_mode:
             self._score[play_mode == "goal_r"] += 1
-        self._mode = play_mode
+        if play_mode == self._mode == "play_on":
+            self._skipped += cycle - self._cycle - 1
+        self._mode, self._cycle = play_mode, cycle
 
     def reset(self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
               ) -> Tuple[np.ndarray, Dict[str, Any]]:
@@ -113,6 +115,7 @@ class MatchEnv(BaseEnv):
         self._end_match()
         self._asked, self._chosen = queue.Queue(), queue.Queue()
         self._score, self._mode, self._paid = [0, 0], "", 0
+        self._cycle, self._skipped = 0, 0
         self._folder = tempfile.TemporaryDirectory(prefix="cls-gym-")
         match = [*self._command, f"127.0.0.1:{self._port}", self._side, "--dir",
                  str(pathlib.Path(self._folder.name) / "match"), "--quiet", "--seed",
@@ -132,7 +135,7 @@ class MatchEnv(BaseEnv):
         ids = np.asarray(action)
         if ids.shape != (PLAYERS,) or not self.action_space.contains(ids.astype(np.int64)):
             raise ConfigError(f"action: {PLAYERS} ids below {len(self.spec_of_task.actions.names)}")
-        before = self._rows.cycle
+        self._skipped = 0
         self._chosen.put(ids)
         self._rows = self._next_rows()
         over = self._rows is None
@@ -140,7 +143,7 @@ class MatchEnv(BaseEnv):
             self._finish()
         difference = self._score[0] - self._score[1]
         reward, self._paid = float(difference - self._paid), difference
-        skipped = 0 if over or self._mode != "play_on" else self._rows.cycle - before - 1
+        skipped = 0 if over else self._skipped
         observation = np.zeros(self.observation_space.shape, np.float32) if over \
             else self._observation()
         return observation, reward, over, False, self._info(skipped)

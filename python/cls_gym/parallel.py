@@ -13,7 +13,7 @@ except ImportError as error:
 from cls_gym import spaces
 from cls_gym._api import ResetNeeded
 from cls_gym._engine import ActionError
-from cls_gym._worlds import METADATA, Worlds, check_render_mode
+from cls_gym._worlds import METADATA, Worlds, alone, check_render_mode
 from cls_gym.seeding import episode_seed, generator
 
 Dicts = Tuple[Dict[str, Any], Dict[str, float], Dict[str, bool], Dict[str, bool], Dict[str, Any]]
@@ -63,6 +63,7 @@ class ParallelEnv(_Base):
     def action_space(self, agent: str) -> spaces.Space:
         return self._action_spaces[agent]
 
+    @alone
     def reset(self, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
               ) -> Tuple[Dict[str, Any], Dict[str, Any]]:
         """Starts an episode. `options`, by the names in the task's list, hold until changed."""
@@ -73,6 +74,7 @@ class ParallelEnv(_Base):
         self._worlds.show(self.render_mode)
         return self._observe(self.agents), self._infos(self.agents)
 
+    @alone
     def step(self, actions: Dict[str, Any]) -> Dicts:
         """Plays one step; `actions` has one for each of `agents`."""
         self._worlds.check_open()

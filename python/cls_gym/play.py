@@ -87,7 +87,8 @@ def refusal(about: Dict[str, Any], path: str, rated: bool) -> str:
     """Why the policy plays no such match; empty: it does."""
     if rated and about["obs"] != "world_model":
         return (f"{path} was trained with obs={about['obs']!r}, which no player knows; rated "
-                "matches are for obs='world_model'")
+                "matches are for obs='world_model'; train it so (--obs world_model of the "
+                "examples), or play it with cls match")
     return ""
 
 

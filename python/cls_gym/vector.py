@@ -8,7 +8,7 @@ import numpy as np
 from cls_gym import spaces
 from cls_gym._api import AutoresetMode, BaseVectorEnv, ResetNeeded, mode_of
 from cls_gym._engine import Snapshot
-from cls_gym._worlds import METADATA, Info, Worlds, check_render_mode
+from cls_gym._worlds import METADATA, Info, Worlds, alone, check_render_mode
 from cls_gym.seeding import SeedQueues, seed_list
 
 Step = Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, Info]
@@ -62,6 +62,7 @@ class VectorEnv(BaseVectorEnv):
         """cls_gym.spec.Spec: features, actions, reward terms with names, units, bounds."""
         return self._worlds.spec
 
+    @alone
     def reset(self, *, seed: Union[int, Sequence[Optional[int]], None] = None,
               options: Optional[Dict[str, Any]] = None) -> Tuple[np.ndarray, Info]:
         """Starts episodes in all worlds, or in those of options["reset_mask"].
@@ -84,6 +85,7 @@ class VectorEnv(BaseVectorEnv):
         infos = worlds.infos()
         return self._observations(), infos if which is None else _only(infos, which)
 
+    @alone
     def step(self, actions: Any) -> Step:
         """Plays one step in every world."""
         worlds, pool = self._worlds, self._worlds.pool
@@ -128,12 +130,14 @@ class VectorEnv(BaseVectorEnv):
         """The whole episode of world `index` as a value."""
         return self._worlds.snapshot(index)
 
+    @alone
     def restore(self, index: int, snapshot: Snapshot) -> np.ndarray:
         """World `index` continues where the snapshot was taken; returns its observation."""
         self._worlds.restore(index, snapshot)
         self._settle(index)
         return self._worlds.observations[index].copy()
 
+    @alone
     def fork(self, index: int, into: Sequence[int]) -> None:
         """Puts other worlds into the situation of world `index`."""
         for other in into:

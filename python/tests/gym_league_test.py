@@ -144,7 +144,7 @@ class SelfPlays(unittest.TestCase):
         np.testing.assert_array_equal(moved, drawn == 1)
         worlds.close()
 
-    def test_opponents_are_drawn_anew_by_the_seed_of_the_episode(self):
+    def test_opponents_are_drawn_again_by_the_seed_of_the_episode(self):
         def stand(seen, _):
             return np.zeros(len(seen), np.int64)
 

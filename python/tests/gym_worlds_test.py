@@ -1,6 +1,7 @@
 """cls_gym with NumPy alone: conventions, determinism, snapshots, faults, rendering."""
 import os
 import signal
+import sys
 import tempfile
 import threading
 import time
@@ -249,6 +250,16 @@ class Copies(unittest.TestCase):
                                                 env.reset(), env.reset()))
 
 
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
+    def test_recording_that_cannot_be_written_is_an_error_of_close(self):
+        env = cls_gym.Env(HFO)
+        env.record("/dev/full")
+        env.reset(seed=1)
+        env.step(env.action_space.sample())
+        self.assertRaises(OSError, env.close)
+        env.close()
+
+
 class Faults(unittest.TestCase):
     def test_settings_are_named(self):
         for config, text in (({"obss": "x"}, "obs"), ({"actions": "lo"}, "low"),
@@ -279,7 +290,7 @@ class Faults(unittest.TestCase):
             env.step(np.zeros(shape, np.float64))
         with cls_gym.Env(HFO, actions="low_discrete") as env:
             env.reset(seed=1)
-            for action in (-1, 81, 2.0, [1, 2]):
+            for action in (-1, 81, 2.0, [1, 2], 2**32 + 1, -2**32):
                 with self.subTest(action), self.assertRaises(cls_gym.ActionError):
                     env.step(action)
         with cls_gym.Env(HFO, actions="low") as env:
@@ -324,6 +335,54 @@ class Faults(unittest.TestCase):
                     os._exit(code)
             self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 0)
             envs.step(np.zeros(4, np.int64))
+
+    def test_threads_that_share_an_environment_end(self):
+        self.addCleanup(sys.setswitchinterval, sys.getswitchinterval())
+        sys.setswitchinterval(1e-6)  # between any two bytecodes
+        for threads in (1, 2):
+            with self.subTest(threads), cls_gym.VectorEnv(HFO, 64, threads=threads) as envs:
+                envs.reset(seed=1)
+                action = seeded_actions(envs.action_space, 1, 1)[0]
+                steps, refused = [0] * 4, [0] * 4
+
+                def play_some(own):
+                    for _ in range(300):
+                        try:
+                            envs.step(action)
+                            steps[own] += 1
+                        except cls_gym.EngineError as error:
+                            self.assertIn("another thread", str(error))
+                            refused[own] += 1
+
+                players = [threading.Thread(target=play_some, args=(own,)) for own in range(4)]
+                for player in players:
+                    player.start()
+                for player in players:
+                    player.join(60)
+                self.assertFalse(any(player.is_alive() for player in players))
+                self.assertEqual(sum(steps) + sum(refused), 1200)
+
+    def test_a_step_of_another_thread_is_refused_while_one_runs(self):
+        entered, leave = threading.Event(), threading.Event()
+
+        class SlowAction:
+            """An array that takes its time."""
+
+            def __array__(self, *_, **__):
+                entered.set()
+                leave.wait(60)
+                return np.zeros(2, np.int64)
+
+        with cls_gym.VectorEnv(HFO, 2, actions="low_discrete") as envs:
+            envs.reset(seed=1)
+            first = threading.Thread(target=envs.step, args=(SlowAction(),))
+            first.start()
+            self.assertTrue(entered.wait(60))
+            for call in (lambda: envs.step(np.zeros(2, np.int64)), envs.reset):
+                self.assertRaisesRegex(cls_gym.EngineError, "another thread", call)
+            leave.set()
+            first.join(60)
+            self.assertEqual(envs.step(np.zeros(2, np.int64))[4]["cycles"].tolist(), [2, 2])
 
     def test_interrupt_ends_a_loop_and_leaves_the_worlds_whole(self):
         with cls_gym.VectorEnv("cls/Match-v0", 8) as envs:

@@ -20,6 +20,7 @@
 #include "base/text/json_document.h"
 #include "mock-server/script/named_behaviors.h"
 #include "mock-server/script/script.h"
+#include "orchestration/match/book/book_file.h"
 #include "orchestration/match/options/planner_file.h"
 #include "orchestration/match/options/saved_match.h"
 #include "orchestration/match/result/match_result.h"
@@ -190,6 +191,22 @@ std::string saved_match_of(const std::string& text) {
   return match.SerializePartialAsString();
 }
 
+void check_book(const std::string& text) {
+  using namespace orchestration::match;
+  const auto book = parse_book(text);
+  if (!book) return require(!book.error().message.empty());
+  const auto bytes = [](const Book& one) {
+    base::StringSink out;
+    write_book(one, out);
+    return out.bytes();
+  };
+  const std::string written = bytes(*book);
+  const auto again = parse_book(written);
+  require(again.ok() && bytes(*again) == written);
+  constexpr int kMany = 100;
+  require(!situations_of(*book, 1, kMany).empty());
+}
+
 // Lines of schedules, rows of the store, results of matches.
 void check_record(const std::string& text) {
   using namespace orchestration::tournament;
@@ -241,6 +258,8 @@ void check_user_file(std::string_view input) {
       return check_saved_match(saved_match_of(text));
     case 'V':
       return check_saved_match(text);
+    case 'b':
+      return check_book(text);
     case 'e':
       return check_record(text);
     default:

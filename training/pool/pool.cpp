@@ -246,7 +246,8 @@ Outcome Pool::record(std::uint64_t env, const char* path) {
   if (Outcome known = check_index(env); !known.ok()) return known;
   Slot& slot = worlds_[env];
   if (slot.recording) finish_recording(slot);
-  slot.recording_error.clear();
+  if (!slot.recording_error.empty())
+    return {Code::kBadFile, std::exchange(slot.recording_error, {})};
   if (path == nullptr) return {};
   auto recording = Recording::create(path);
   if (!recording) return {Code::kBadFile, recording.error().message};

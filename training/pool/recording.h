@@ -12,9 +12,8 @@ namespace cls::training {
 
 class Recording {
  public:
-  /// Creates the game log and, if its name ends in ".rcg" or ".rcg.gz", a text log of that name
-  /// with
-  /// ".rcl": the commands of the episode. The error names the file.
+  /// Creates the game log and, if its name ends in ".rcg" or ".rcg.gz", a text log with the
+  /// commands of the episode, whose name ends in ".rcl". The error names the file.
   static base::Result<std::unique_ptr<Recording>> create(const std::string& path);
 
   /// Writes the start of the episode: from now on pass recorder() to its steps.

@@ -32,6 +32,10 @@ class MatchHooks {
   /// changed like by a trainer. In lockstep only.
   virtual void arrange(simulator::World& /*world*/, simulator::Events& /*events*/) {}
 
+  /// After every step, before players perceive it: the world may be changed like by a trainer. In
+  /// lockstep only.
+  virtual void after_step(simulator::World& /*world*/, simulator::Events& /*events*/) {}
+
   /// After every step, before the Playmakers are asked about it. May block: the stall limit counts
   /// from its return. In lockstep, and over UDP with MatchOptions::step.
   virtual void before_decisions(const MatchView& /*view*/) {}

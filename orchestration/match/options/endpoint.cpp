@@ -10,6 +10,7 @@
 
 #include "base/io/home_path.h"
 #include "base/io/whole_file.h"
+#include "base/text/number_text.h"
 #include "base/text/suggestion.h"
 #include "mock-server/mock.h"
 #include "orchestration/match/options/host_name.h"
@@ -56,6 +57,8 @@ Error unknown_form(std::string_view text) {
     message += fmt::format("; did you mean 'run:{} --port {{port}}'?", command);
   } else if (!near.empty()) {
     message += fmt::format("; did you mean '{}'?", near);
+  } else if (text == "localhost" || base::parse_int(text)) {  // half of HOST:PORT
+    message += fmt::format("; did you mean 'localhost:{}'?", text == "localhost" ? "50051" : text);
   }
   message +=
       " (a side is mock, mock:BEHAVIOR, mock:FILE.json, HOST:PORT, HOST:PORT+step, "
@@ -110,13 +113,18 @@ Result<Endpoint> parse_mixed(std::string_view text) {
     if (!parsed->planner_file.empty()) {
       return wrong("planner:FILE= applies to the whole team; write it before mix:");
     }
-    if (parsed->kind == Endpoint::Kind::kMixed || !parsed->has_playmaker()) {
-      return wrong(fmt::format("'{}' cannot be a part", part.side));
-    }
+    if (!parsed->parts.empty()) return wrong(fmt::format("'{}' cannot be a part", part.side));
     parsed->label = part.label;
     parsed->agents = part.agents;
     endpoint.parts.push_back(*std::move(parsed));
   }
+  const auto teams = std::count_if(endpoint.parts.begin(), endpoint.parts.end(),
+                                   [](const Endpoint& part) { return !part.has_playmaker(); });
+  if (teams == 0) return endpoint;
+  if (teams != std::ssize(endpoint.parts)) {
+    return wrong("external teams and Playmakers do not play in one team");
+  }
+  endpoint.kind = Endpoint::Kind::kTeam;
   return endpoint;
 }
 
@@ -158,6 +166,21 @@ std::string name_of_all(const Endpoint& endpoint) {
     return !one.command.empty() && one.command == parts.front().command;
   });
   return same ? name_of_command(parts.front().command) : std::string();
+}
+
+// "RED+BLUE", shortened where needed.
+std::string name_of_teams(const Endpoint& endpoint) {
+  std::vector<std::string> names;
+  for (const Endpoint& part : endpoint.parts) {
+    const std::string name = folder_name(part.path);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  const std::size_t share = (kMaxTeamName + 1) / names.size() - 1;
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : "+") + name.substr(0, std::max<std::size_t>(share, 1));
+  }
+  return text.substr(0, kMaxTeamName);
 }
 
 Result<Endpoint> parse_with_planner(std::string_view text) {
@@ -278,7 +301,7 @@ std::string default_team_name(const Endpoint& endpoint) {
       source = name_of_command(endpoint.command);
       break;
     case Endpoint::Kind::kTeam:
-      source = folder_name(endpoint.path);
+      source = endpoint.parts.empty() ? folder_name(endpoint.path) : name_of_teams(endpoint);
       break;
     case Endpoint::Kind::kMixed:
       source = name_of_all(endpoint);

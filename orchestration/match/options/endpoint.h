@@ -25,7 +25,8 @@ struct Endpoint {
     kAddress,     ///< `HOST:PORT`, `HOST:PORT+step`, `tls:HOST:PORT`: a running Playmaker
     kUnixSocket,  ///< `unix:PATH`: a running Playmaker on a local socket
     kRun,         ///< `run:COMMAND`: a Playmaker that cls starts
-    kTeam,        ///< `team:DIR`: an external team that cls starts; it needs no cls agents
+    kTeam,        ///< `team:DIR`: an external team that cls starts; it needs no cls agents.
+                  ///< `mix:AGENTS=team:DIR;...`: one whose agents are those of several, `parts`
     kMixed,       ///< `mix:AGENTS=SIDE;...`: several Playmakers, each for some of the agents;
                   ///< `each:run:COMMAND`: one for each agent
   };
@@ -40,9 +41,9 @@ struct Endpoint {
   bool port_step = false;  ///< kAddress: player n connects to port + n, the coach to port + 13
   /// kAddress: null for plain text; `tls:` alone trusts the system CAs.
   std::shared_ptr<const proxy::TlsFiles> tls;
-  std::string path;             ///< kUnixSocket: the socket; kTeam: the folder
+  std::string path;             ///< kUnixSocket: the socket; kTeam: the folder, unless mixed
   std::string command;          ///< kRun: for /bin/sh, with placeholders (run_command.h)
-  std::vector<Endpoint> parts;  ///< kMixed: the Playmakers, of any other kind but kTeam
+  std::vector<Endpoint> parts;  ///< kMixed: the Playmakers; kTeam: the mixed teams
   std::string label;            ///< of a part: its agents as the user wrote them, "2-5,coach"
   std::vector<int> agents;      ///< of a part: agent numbers (mixed_side.h)
   /// The FILE of `planner:FILE=SIDE`, whose other members are those of SIDE; empty: none.

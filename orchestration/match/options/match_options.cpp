@@ -10,6 +10,7 @@
 #include "base/system/host.h"
 #include "mock-server/mock.h"
 #include "mock-server/script/named_behaviors.h"
+#include "orchestration/match/book/book_file.h"
 #include "orchestration/match/options/match_settings.h"
 #include "simulator/server/lockstep_server.h"
 #include "soccer/parameters/server_setting.h"
@@ -52,8 +53,10 @@ soccer::ServerParams server_params(const MatchOptions& options) {
 
 MatchMode mode_of(const MatchOptions& options) {
   if (options.mode) return *options.mode;
-  const bool external = options.server_choice.kind != ServerChoice::Kind::kEmbedded ||
-                        !options.left.has_playmaker() || !options.right.has_playmaker();
+  const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
+  if (embedded && !options.book.empty()) return MatchMode::kLockstep;
+  const bool external =
+      !embedded || !options.left.has_playmaker() || !options.right.has_playmaker();
   return external ? MatchMode::kSynch : MatchMode::kLockstep;
 }
 
@@ -86,6 +89,17 @@ Result<void> pin_sides(MatchOptions& options) {
   return {};
 }
 
+int situation_cycles(const MatchOptions& options) {
+  return options.cycles.value_or(kDefaultSituationCycles);
+}
+
+Result<void> load_book(MatchOptions& options) {
+  if (options.book.empty()) return {};
+  TRY_INIT(auto book, read_book(options.book));
+  options.loaded_book = std::make_shared<const Book>(std::move(book));
+  return {};
+}
+
 simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t seed) {
   simulator::MatchConfig config;
   config.server = server_params(options);
@@ -94,7 +108,14 @@ simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t 
   config.server.game_log_compression = config.server.text_log_compression = 0;
   config.player = options.player;
   config.seed = seed;
-  config.cycle_limit = options.cycles;
+  if (options.book.empty()) config.cycle_limit = options.cycles;
+  config.decisive_lead = options.adjudicate;
+  if (options.loaded_book != nullptr) {
+    const Book& book = *options.loaded_book;
+    const auto situations = situations_of(book, seed, options.situations);
+    config.types = book.logs[static_cast<std::size_t>(situations.front()->log)].types;
+    config.player.player_types = static_cast<int>(config.types.size());
+  }
   return config;
 }
 
@@ -137,7 +158,7 @@ void check_server_and_mode(const MatchOptions& options, Errors& errors) {
       !running || stock,
       fmt::format("the server at {} has settings of its own: no --set, no --half-time", server));
   for (const Endpoint* side : {&options.left, &options.right}) {
-    errors.require(!lockstep || side->has_playmaker(),
+    errors.require(!lockstep || side->has_playmaker() || !options.book.empty(),
                    fmt::format("--mode lockstep does not support side '{}'; use synch or realtime",
                                side->text));
     errors.require(!running || side->has_playmaker(),
@@ -145,6 +166,37 @@ void check_server_and_mode(const MatchOptions& options, Errors& errors) {
                                "not report which players connect",
                                side->text, server));
   }
+}
+
+// Other servers, and teams over a network, take the end of a match from the referee.
+void check_adjudication(const MatchOptions& options, Errors& errors) {
+  if (!options.adjudicate) return;
+  const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
+  errors.require(embedded && mode_of(options) == MatchMode::kLockstep,
+                 "--adjudicate needs the embedded server in lockstep: other servers play on");
+  errors.require(options.book.empty(), "--adjudicate: situations of a book end with a goal");
+}
+
+// Where situations of a book can be played exactly.
+void check_book(const MatchOptions& options, Errors& errors) {
+  if (options.book.empty()) return;
+  const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
+  errors.require(embedded && mode_of(options) == MatchMode::kLockstep,
+                 "--book needs the embedded server in lockstep: a trainer of another server sets "
+                 "neither stamina nor the state of the referee, so situations would not be exact");
+  errors.require(!options.save_at && options.resumed == nullptr,
+                 "--book: a match with situations can be neither saved nor resumed");
+  errors.require(!options.trainer, "--book: a match with situations has no trainer");
+  errors.require(!options.server.coach || options.server.coach_w_referee,
+                 "--book needs a referee: no server::coach");
+  const int half = options.server.half_time_cycles();
+  const std::int64_t steps =
+      std::int64_t{options.situations} * (situation_cycles(options) + kMaxWarmUp);
+  errors.require(
+      half <= 0 || steps < half,
+      fmt::format("--situations {} of {} cycles are longer than a half of {} cycles; use "
+                  "fewer",
+                  options.situations, situation_cycles(options), half));
 }
 
 // Which servers and modes can hold a match, show it to monitors, and record its calls.
@@ -211,6 +263,8 @@ std::vector<std::string> validate_options(const MatchOptions& options) {
   const std::string length = length_problem(options.server, options.cycles, "give --cycles");
   errors.require(length.empty(), length);
   check_hooks(options, errors);
+  check_adjudication(options, errors);
+  check_book(options, errors);
   for (std::string& line : log_setting_errors(options)) errors.require(false, std::move(line));
   check_playmakers(options, errors);
   errors.require(simulator::LockstepServer::create(server_config(options, 0)));

@@ -18,6 +18,7 @@
 #include "proxy/playmaker/batch_playmaker.h"
 #include "soccer/parameters/player_params.h"
 #include "soccer/parameters/server_params.h"
+#include "soccer/protocol/protocol_version.h"
 
 namespace cls::simulator {
 struct MatchConfig;
@@ -27,6 +28,8 @@ class SavedMatch;
 }
 
 namespace cls::orchestration::match {
+
+struct Book;
 
 /// Parameters of the embedded server for `cls match`: those of rcssserver, but a level match ends
 /// after normal time (server::nr_extra_halfs 0, server::penalty_shoot_outs off).
@@ -50,7 +53,11 @@ struct MatchOptions {
   bool rated = false;      ///< policies trained with the full state are refused
 
   std::optional<std::uint64_t> seed;  ///< none: random, reported
-  std::optional<int> cycles;          ///< end of the match in game time
+  std::optional<int> cycles;          ///< end of the match in game time; with a book see below
+  std::optional<int> adjudicate;      ///< lead that ends the match
+  std::string book;                   ///< file of situations that are played instead of a match
+  int situations = 8;                 ///< of the book
+  std::shared_ptr<const Book> loaded_book;  ///< see load_book()
   soccer::ServerParams server = match_server_params();
   soccer::PlayerParams player;
 
@@ -61,6 +68,7 @@ struct MatchOptions {
   std::vector<int> left_cpus;   ///< processor cores of that side's programs and agents; empty: all
   std::vector<int> right_cpus;  ///< see pin_sides()
   bool sandbox = true;          ///< `team:` sides use their own files only, see TeamValues
+  bool bind_clients = true;     ///< players and coaches of a side come from its own programs
   process::ResourceLimits limits;  ///< of each process that a `run:` or `team:` side starts
 
   bool pin = false;  ///< pin_sides() chooses the cores
@@ -87,7 +95,7 @@ struct MatchOptions {
 
   proxy::DebugOptions debug;  ///< for soccerwindow2
 
-  int protocol = 18;                   ///< version of the soccer protocol, 14 to 19
+  int protocol = soccer::kDefaultProtocolVersion;  ///< of cls agents, 14 to 19
   std::optional<int> rpc_deadline_ms;  ///< none: depends on the mode, see decision_deadline()
   bool no_deadline = false;
   proxy::OnLate on_late = proxy::OnLate::kHold;
@@ -132,6 +140,13 @@ inline constexpr std::chrono::milliseconds kMatchLimitMargin{1000};
 /// Timeout of a decision's calls: the decision deadline, unless the stall limit is as short. Then
 /// the stall limit alone decides.
 std::optional<std::chrono::milliseconds> reply_timeout(const MatchOptions& options);
+
+/// Cycles of each situation of a book.
+inline constexpr int kDefaultSituationCycles = 50;
+int situation_cycles(const MatchOptions& options);
+
+/// Reads the book of the options, if they name one. The error names file and line.
+base::Result<void> load_book(MatchOptions& options);
 
 /// The configuration of the embedded server.
 simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t seed);

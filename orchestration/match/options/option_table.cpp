@@ -144,7 +144,9 @@ Rows match_rows() {
       row("seed", &Options::seed, "N", form_of(ValueKind::kUnsigned),
           "random seed; the same seed repeats the match (default: random, printed)"),
       with(conditions, "6000",
-           row("cycles", &Options::cycles, "N", whole_from(1), "end the match at this game time")),
+           row("cycles", &Options::cycles, "N", whole_from(1),
+               "end the match at this game time; with --book: cycles of each situation (default: "
+               "50)")),
       with(conditions, "300",
            {"half_time", "N", "length of a half in seconds (default: 300)", whole_from(-1),
             [](Options& options, const std::string& text) -> Result<void> {
@@ -152,6 +154,15 @@ Rows match_rows() {
               return {};
             },
             [](const Options& options) { return fmt::to_string(options.server.half_time); }}),
+      with(conditions, "5",
+           row("adjudicate", &Options::adjudicate, "GOALS", whole_from(1),
+               "end the match when a team leads by this (docs/tournaments.md)")),
+      with(conditions, "\"moments.book.gz\"",
+           row("book", &Options::book, "FILE", text_as("a file"),
+               "play situations of this book (docs/tournaments.md) instead of a whole match")),
+      with(conditions, "8",
+           row("situations", &Options::situations, "N", whole_from(1, 100),
+               "with --book: situations of a match (default: 8)")),
       row("dir", &Options::folder, "DIR", text_as("a folder"),
           "match folder (default: ./runs/<UTC>-<left>-vs-<right>)"),
       with(conditions, "\"embedded\"",
@@ -219,6 +230,10 @@ Rows team_rows() {
            with_opposite(flag("sandbox", &Options::sandbox,
                               "let team: sides read the system and change their own folder only "
                               "(default: on; docs/security.md)"))),
+      with(OptionUse::kExecution, "true",
+           with_opposite(flag("bind_clients", &Options::bind_clients,
+                              "accept players and coaches from the programs of their side only "
+                              "(default: on; off for teams in containers; docs/security.md)"))),
   };
   for (Row& one : rows) {
     one.group = OptionGroup::kTeams;
@@ -424,10 +439,11 @@ Rows debugging_rows() {
   for (Row& one : rows) one.group = OptionGroup::kDebugging;
   rows.push_back(row("speed", &Options::speed, "X", number_from(0.1, 1000.0),
                      "limit speed to X times real time (default: no limit)"));
-  rows.push_back(with(OptionUse::kConditions, "18",
+  rows.push_back(with(OptionUse::kConditions, "19",
                       row("protocol", &Options::protocol, "N",
                           whole_from(soccer::kMinProtocolVersion, soccer::kMaxProtocolVersion),
-                          "protocol version of cls agents, 14 to 19 (default: 18)")));
+                          "protocol version of cls agents, 14 to 19; 19 becomes 18 on older "
+                          "servers (default: 19)")));
   return rows;
 }
 

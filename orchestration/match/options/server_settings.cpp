@@ -8,6 +8,7 @@
 #include "base/io/home_path.h"
 #include "base/io/whole_file.h"
 #include "base/text/split.h"
+#include "orchestration/match/options/endpoint.h"
 #include "soccer/parameters/configuration.h"
 #include "soccer/parameters/parameter.h"
 #include "soccer/parameters/server_setting.h"
@@ -62,21 +63,30 @@ Result<void> set_other(ServerSettings& settings, const OtherTable& table,
 }
 
 constexpr std::string_view kTeam = "team";
+constexpr std::string_view kNamedTeam = "team:";
 constexpr std::string_view kAgents = "cls";
 constexpr std::string_view kTrainer = "trainer";
 
-// "team,cls" or "team,cls,trainer": left side, right side.
+// "team,cls" or "team:A+B,cls,trainer": left side, right side.
 Result<void> set_match(ServerSettings& settings, const ConfigurationItem& item) {
   const auto error = [&item] {
     return Error{
         fmt::format("match::{}: only a match sets this, as match::sides=team,cls", item.name)};
   };
   const std::vector<std::string_view> words = base::split(item.value, ',');
-  const auto is_side = [](std::string_view word) { return word == kTeam || word == kAgents; };
+  const auto is_team = [](std::string_view word) {
+    return word == kTeam ||
+           (word.starts_with(kNamedTeam) && check_team_name(word.substr(kNamedTeam.size())));
+  };
+  const auto is_side = [&](std::string_view word) { return is_team(word) || word == kAgents; };
+  const auto name_in = [](std::string_view word) {
+    return word.starts_with(kNamedTeam) ? std::string(word.substr(kNamedTeam.size())) : "";
+  };
   const bool trainer = words.size() == 3 && words[2] == kTrainer;
   if (item.name != "sides" || (words.size() != 2 && !trainer)) return error();
   if (!is_side(words[0]) || !is_side(words[1])) return error();
-  settings.bound = BoundSides{{words[0] == kTeam, words[1] == kTeam}, trainer};
+  settings.bound = BoundSides{
+      {is_team(words[0]), is_team(words[1])}, trainer, {name_in(words[0]), name_in(words[1])}};
   return {};
 }
 
@@ -148,8 +158,13 @@ Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& f
 }  // namespace
 
 std::string bound_sides_argument(const BoundSides& sides) {
-  return fmt::format("match::sides='{},{}{}'", sides.external.left ? kTeam : kAgents,
-                     sides.external.right ? kTeam : kAgents, sides.trainer ? ",trainer" : "");
+  const auto side = [](bool external, const std::string& name) {
+    if (!external) return std::string(kAgents);
+    return name.empty() ? std::string(kTeam) : std::string(kNamedTeam) + name;
+  };
+  return fmt::format("match::sides='{},{}{}'", side(sides.external.left, sides.names.left),
+                     side(sides.external.right, sides.names.right),
+                     sides.trainer ? ",trainer" : "");
 }
 
 Result<void> apply_arguments(ServerSettings& settings, const std::vector<std::string>& arguments) {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/io/whole_file.h"
 #include "orchestration/match/options/team_sandbox.h"
 #include "orchestration/process/confinement.h"
@@ -20,8 +22,8 @@ constexpr int kPlayers = 11;
 constexpr int kCoach = 12;
 
 std::vector<fs::path> hidden_folders(const TeamValues& values) {
-  std::vector<fs::path> hidden = {values.folder};
-  if (!values.opponent.empty()) hidden.push_back(values.opponent);
+  std::vector<fs::path> hidden = values.hidden;
+  hidden.push_back(values.folder);
   return hidden;
 }
 
@@ -97,9 +99,47 @@ Result<TeamPlan> team_plan(const fs::path& folder, const TeamValues& values) {
     plan.agents.push_back({0, whole_team_plan(team, values)});
   }
   if (process::find_program((team / "kill").string())) {
-    plan.kill = plan_of(team, values, team / "kill", "kill script", "kill");
+    plan.kills.push_back(plan_of(team, values, team / "kill", "kill script", "kill"));
   }
   return plan;
+}
+
+std::vector<fs::path> team_folders(const Endpoint& side) {
+  if (side.kind != Endpoint::Kind::kTeam) return {};
+  if (side.parts.empty()) return {side.path};
+  std::vector<fs::path> folders;
+  for (const Endpoint& part : side.parts) folders.emplace_back(part.path);
+  return folders;
+}
+
+Result<TeamPlan> team_plan(const Endpoint& side, const TeamValues& values) {
+  if (side.parts.empty()) return team_plan(fs::path(side.path), values);
+  TeamPlan mixed;
+  mixed.mixed = true;
+  mixed.takes_name = true;  // the server names the side
+  for (const Endpoint& part : side.parts) {
+    TeamValues own = values;
+    for (const Endpoint& other : side.parts) {
+      if (other.path != part.path) own.hidden.emplace_back(other.path);
+    }
+    TRY_INIT(auto plan, team_plan(fs::path(part.path), own));
+    if (plan.contract != TeamPlan::Contract::kStartEachAgent) {
+      return Error{fmt::format(
+          "team folder {}: a part of a mixed team needs start, which starts one player; start.sh "
+          "starts all",
+          part.path)};
+    }
+    for (AgentPlan& agent : plan.agents) {
+      const bool is_own =
+          std::find(part.agents.begin(), part.agents.end(), agent.unum) != part.agents.end();
+      if (is_own) mixed.agents.push_back(std::move(agent));
+    }
+    for (process::CommandPlan& kill : plan.kills) mixed.kills.push_back(std::move(kill));
+    mixed.coach_port = plan.coach_port;
+  }
+  std::sort(mixed.agents.begin(), mixed.agents.end(),
+            [](const AgentPlan& a, const AgentPlan& b) { return a.unum < b.unum; });
+  return mixed;
 }
 
 }  // namespace cls::orchestration::match

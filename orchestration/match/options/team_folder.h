@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "orchestration/match/options/endpoint.h"
 #include "orchestration/match/options/server_command.h"
 #include "orchestration/process/command_plan.h"
 #include "soccer/side.h"
@@ -23,8 +24,8 @@ struct TeamValues {
   std::filesystem::path folder;  ///< match folder, for the logs
   std::vector<int> cpus;
   process::ResourceLimits limits;
-  bool sandbox = false;            ///< see team_files() and team_environment()
-  std::filesystem::path opponent;  ///< folder of the other external team; empty: none
+  bool sandbox = false;                       ///< see team_files() and team_environment()
+  std::vector<std::filesystem::path> hidden;  ///< folders of other external teams
 };
 
 /// One process of a team.
@@ -39,16 +40,24 @@ struct TeamPlan {
   enum class Contract { kStartEachAgent, kStartAll };
 
   Contract contract = Contract::kStartEachAgent;
-  std::vector<AgentPlan> agents;             ///< goalie first, coach last; kStartAll: one plan
-  std::optional<process::CommandPlan> kill;  ///< called at the end; cls ends what it leaves
-  bool takes_ports = false;                  ///< otherwise the server must use 6000, 6001 and 6002
-  int coach_port = 0;                        ///< where its coach should join; 0: without a coach
-  bool takes_name = false;                   ///< otherwise the team chooses its name
+  std::vector<AgentPlan> agents;            ///< goalie first, coach last; kStartAll: one plan
+  std::vector<process::CommandPlan> kills;  ///< called at the end; cls ends what they leave
+  bool mixed = false;                       ///< its agents are those of several teams
+  bool takes_ports = false;                 ///< otherwise the server must use 6000, 6001 and 6002
+  int coach_port = 0;                       ///< where its coach should join; 0: without a coach
+  bool takes_name = false;                  ///< otherwise the team chooses its name
 };
 
 /// Reads folder DIR: `start` (called as `start HOST DIR NUM PORT COACHPORT`, NUM 1 for the goalie
 /// to 11, 12 for the coach) or, without one, `start.sh` (called with -h HOST -p PORT -P COACHPORT
 /// -t NAME), and `kill`. The error says what is missing.
 base::Result<TeamPlan> team_plan(const std::filesystem::path& team, const TeamValues& values);
+
+/// The plan of a side `team:DIR`, or of a mixed one: each agent is that of its part, started by
+/// the `start` of that team with its own number. A part with start.sh alone is an error.
+base::Result<TeamPlan> team_plan(const Endpoint& side, const TeamValues& values);
+
+/// The folders of an external side; none for another one.
+std::vector<std::filesystem::path> team_folders(const Endpoint& side);
 
 }  // namespace cls::orchestration::match

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "orchestration/match/options/team_folder.h"
 #include "orchestration/process/confinement.h"
 #include "orchestration/process/landlock.h"
 
@@ -130,20 +131,20 @@ std::vector<std::string> sandbox_warnings(const MatchOptions& options,
   if (!options.sandbox || !external) return lines;
   if (std::string missing = missing_sandbox(); !missing.empty()) return {std::move(missing)};
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (sides[i]->has_playmaker()) continue;
-    const fs::path team = real(sides[i]->path);
-    if (!match_folder.empty() && encloses(team, real(match_folder))) {
-      lines.push_back(fmt::format(
-          "the folder of {} contains the match folder: the team can change the results; "
-          "choose another --dir",
-          sides[i]->text));
-    }
-    const Endpoint& other = *sides[1 - i];
-    if (other.has_playmaker() || real(other.path) == team) continue;
-    if (encloses(team, real(other.path))) {
-      lines.push_back(fmt::format(
-          "the folder of {} contains that of {}: it can change the other team; move one of them",
-          sides[i]->text, other.text));
+    for (const fs::path& folder : team_folders(*sides[i])) {
+      const fs::path team = real(folder);
+      if (!match_folder.empty() && encloses(team, real(match_folder))) {
+        lines.push_back(fmt::format(
+            "the folder of {} contains the match folder: the team can change the results; "
+            "choose another --dir",
+            sides[i]->text));
+      }
+      for (const fs::path& other : team_folders(*sides[1 - i])) {
+        if (real(other) == team || !encloses(team, real(other))) continue;
+        lines.push_back(fmt::format(
+            "the folder of {} contains that of {}: it can change the other team; move one of them",
+            sides[i]->text, sides[1 - i]->text));
+      }
     }
   }
   return lines;

@@ -63,8 +63,8 @@ bool is_reported(const MatchResult& result, const std::string& exception) {
 std::string remedy_of(const std::string& exception) {
   constexpr std::pair<std::string_view, std::string_view> kRemedies[] = {
       {"No module named 'cls_",
-       "./bootstrap python in the checkout of cls makes an environment that has it; "
-       "pip install ./python adds it to another one"},
+       "./bootstrap python in the checkout of cls makes an environment that has it, and "
+       ". .venv/bin/activate there uses it; pip install ./python adds it to another one"},
       {"No module named 'grpc", "install grpcio: pip install grpcio, on Debian python3-grpcio"},
       {"No module named 'google",
        "install protobuf: pip install protobuf, on Debian python3-protobuf"},

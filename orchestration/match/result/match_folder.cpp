@@ -159,7 +159,8 @@ Result<fs::path> make_match_folder(const MatchOptions& options, const TeamNames&
         fs::path("runs") / (attempt == 1 ? stem : fmt::format("{}-{}", stem, attempt));
     if (fs::create_directory(folder, code)) return folder;
   }
-  return Error{fmt::format("cannot create folder runs/{}: {}", stem, code.message())};
+  return Error{fmt::format("cannot create folder runs/{}: {}; --dir DIR selects another place",
+                           stem, code.message())};
 }
 
 namespace {

@@ -155,6 +155,24 @@ static void members(Codec& codec, Object<Codec, SpeedResult>& speed) {
   codec.member("fits_100_ms", speed.fits_100_ms);
 }
 
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, SituationResult>& situation) {
+  constexpr double kDigits = 1e6;
+  codec.member("class", situation.kind);
+  codec.member("log", situation.log);
+  codec.member("time", situation.time);
+  codec.member("cycles", situation.cycles);
+  codec.rounded("value", situation.value, kDigits);
+  codec.member("figures", situation.figures);
+}
+
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, BookResult>& book) {
+  constexpr double kDigits = 1e6;
+  codec.rounded("value", book.value, kDigits);
+  codec.member("situations", book.situations);
+}
+
 // The seed of the server is written even where it is the seed of the match.
 template <typename Codec>
 static void list_server(Codec& codec, Object<Codec, MatchResult>& result) {
@@ -190,6 +208,7 @@ static void members(Codec& codec, Object<Codec, MatchResult>& result) {
   codec.member("deterministic", result.deterministic);
   codec.object("server", [&](Codec& server) { list_server(server, result); });
   codec.member("goals", result.goals);
+  codec.member("book", result.book);
   codec.rounded("wall_seconds", result.wall_seconds, 1000);
   codec.rounded("cycles_per_second", result.cycles_per_second, 10);
   codec.member("speed", result.speed);

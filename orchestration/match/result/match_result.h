@@ -116,6 +116,23 @@ struct ProcessFailure {
   std::optional<int> cycle = {};    ///< of that call; none before the first cycle
 };
 
+/// A situation of a book that was played: figures of the left team minus those of the right one
+/// (orchestration/match/book/situation_value.h).
+struct SituationResult {
+  std::string kind;  ///< "attack"
+  std::string log;   ///< the recorded match
+  int time = 0;      ///< of the moment in it
+  int cycles = 0;    ///< played
+  double value = 0.0;
+  std::map<std::string, double> figures;  ///< by name: "goals", "expected_goals", ...
+};
+
+/// A match of situations.
+struct BookResult {
+  double value = 0.0;  ///< mean of the situations: the lead of the left team in goals a match
+  std::vector<SituationResult> situations;
+};
+
 struct MatchResult {
   TeamResult left;
   TeamResult right;
@@ -141,6 +158,7 @@ struct MatchResult {
   double cycles_per_second = 0.0;            ///< cycles over the time from first step to last
   std::optional<SpeedResult> speed;          ///< none: no cycle was played
   std::vector<Goal> goals;
+  std::optional<BookResult> book;  ///< of a match with a book
   std::vector<std::string> warnings;
   std::vector<ProcessResult> processes;
   std::string rcg;  ///< file name inside the match folder; empty: not written

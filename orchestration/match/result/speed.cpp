@@ -39,7 +39,7 @@ struct LimitNames {
   std::string_view document;
   std::string_view sentence;
 };
-constexpr std::array<LimitNames, 8> kLimits = {{
+constexpr std::array<LimitNames, 9> kLimits = {{
     {"", ""},
     {"left playmaker", "the left Playmaker"},
     {"right playmaker", "the right Playmaker"},
@@ -48,8 +48,9 @@ constexpr std::array<LimitNames, 8> kLimits = {{
     {"agents", "the agents"},
     {"server", "the server"},
     {"clock", "the clock"},
+    {"server and teams", "the server and the external teams"},
 }};
-static_assert(kLimits.size() == static_cast<std::size_t>(SpeedLimit::kClock) + 1);
+static_assert(kLimits.size() == static_cast<std::size_t>(SpeedLimit::kServerAndTeams) + 1);
 
 struct Party {
   double share;

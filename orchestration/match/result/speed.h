@@ -39,6 +39,7 @@ enum class SpeedLimit {
   kAgents,
   kServer,
   kClock,
+  kServerAndTeams,  ///< a server of its own, which hides how long external teams take
 };
 
 /// Its name in result.json, such as "left playmaker"; empty for kNothing.

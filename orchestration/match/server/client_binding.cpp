@@ -52,7 +52,8 @@ simulator::ClientRights ClientBinding::rights_of(const base::SocketAddress& send
   }
   const Side side = side_of(owner);
   if (side == Side::kNeutral || !sides_.external[side]) return kNone;
-  return {side == Side::kLeft, side == Side::kRight, false, false};
+  return {side == Side::kLeft, side == Side::kRight, false, false,
+          soccer::TeamName(sides_.names[side])};
 }
 
 std::optional<std::string> ClientBinding::intrusion_line(const base::SocketAddress& sender,

@@ -3,8 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <ctime>
+
 #include "base/system/version.h"
 #include "gamelog/rcg/rcg_writer.h"
+#include "orchestration/match/server/match_plan.h"
+#include "orchestration/match/server/server_logs.h"
 #include "orchestration/process/ports.h"
 #include "orchestration/process/socket_visibility.h"
 
@@ -23,6 +28,14 @@ constexpr milliseconds kJoinStep{20};  // length of a cycle while external teams
 constexpr milliseconds kCommandPollInterval{2};
 constexpr milliseconds kLateCommandTimeout{2000};
 
+// True if a match with the same seed may have the same bytes, so that its log has no date.
+bool repeats(const MatchOptions& options) {
+  const bool external = std::any_of(
+      soccer::kBothSides.begin(), soccer::kBothSides.end(),
+      [&options](Side side) { return endpoint_of(options, side).kind == Endpoint::Kind::kTeam; });
+  return !external && mode_of(options) != MatchMode::kRealtime;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<EmbeddedServer>> EmbeddedServer::create(const MatchOptions& options,
@@ -36,18 +49,19 @@ Result<std::unique_ptr<EmbeddedServer>> EmbeddedServer::create(const MatchOption
 void EmbeddedServer::record(base::ByteSink* game_log, base::ByteSink* text_log,
                             EventRecorder* events) {
   simulator::LogSinks sinks{game_log, text_log};
+  if (!repeats(options_)) sinks.date = log_date(std::time(nullptr));
   sinks.version = gamelog::rcg_version(options_.server.game_log_version).value_or(sinks.version);
   server_->record(sinks);
   events_ = events;
 }
 
 void EmbeddedServer::bind_clients() {
-  if (binding_) return;
+  if (binding_ || !options_.bind_clients) return;
   if (auto missing = process::missing_socket_owners(); !missing.empty()) {
     warnings_.push_back(std::move(missing));
     return;
   }
-  binding_.emplace(BoundSides{external_, options_.trainer.has_value()},
+  binding_.emplace(BoundSides{external_, options_.trainer.has_value(), names_},
                    process::SocketOwners::of_own_programs());
   server_->bind_clients(
       [this](const base::SocketAddress& sender) { return binding_->rights_of(sender); },
@@ -141,14 +155,14 @@ void EmbeddedServer::begin_play(const std::vector<Arrange>& arrange) {
   }
 }
 
-void EmbeddedServer::step() {
+void EmbeddedServer::step(const Arrange& after_step) {
   if (branch_ && branch_->steps == steps_) {
     server_->modify_world([seed = branch_->seed](simulator::World& world, simulator::Events&) {
       world.seed = seed;
       world.random = simulator::RandomStreams(seed);
     });
   }
-  server_->run_cycle();
+  server_->run_cycle(after_step);
   ++steps_;
   if (events_ != nullptr) events_->follow(server_->world());
 }

@@ -38,13 +38,18 @@ class EmbeddedServer : public Server {
   /// Accepts players over UDP, for an external team on `side`. With `free_port` at a free port,
   /// otherwise at 6000. The error names the owner of the port.
   base::Result<ServerPorts> open_player_port(bool free_port);
-  void expect_external_team(soccer::Side side) { external_[side] = true; }
+  /// `name`: of a team whose programs have names of their own; see BoundSides.
+  void expect_external_team(soccer::Side side, const std::string& name) {
+    external_[side] = true;
+    names_[side] = name;
+  }
 
   /// All sides have joined: the match begins, in a world that `arrange` has changed.
   using Arrange = std::function<void(simulator::World&, simulator::Events&)>;
   void begin_play(const std::vector<Arrange>& arrange);
-  /// Advances by one step, after all sides have ended their turn.
-  void step();
+  /// Advances by one step, after all sides have ended their turn. `after_step` may change the world
+  /// before players perceive it.
+  void step(const Arrange& after_step = {});
   /// True when all external clients have ended their turn; waits for them up to `limit`.
   bool wait_for_commands(std::chrono::milliseconds limit);
   /// The world after the last step.
@@ -82,6 +87,7 @@ class EmbeddedServer : public Server {
   EventRecorder* events_ = nullptr;
   std::string monitor_address_;
   soccer::PerSide<bool> external_;
+  soccer::PerSide<std::string> names_ = {};
   std::array<bool, soccer::kPlayersOnPitch> must_stay_{};  ///< external players on the pitch
   std::optional<ClientBinding> binding_;                   ///< of a server with an open port
   std::vector<std::string> warnings_;

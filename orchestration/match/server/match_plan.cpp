@@ -20,12 +20,14 @@ constexpr int kGameOverWait = 20;
 // For --step: as long as a user may think about one cycle, 24 hours.
 constexpr int kInteractiveWaitMs = 86'400'000;
 
-Result<std::vector<std::string>> server_program(const MatchOptions& options, std::uint64_t seed,
-                                                const fs::path& folder) {
+Result<std::vector<std::string>> server_program(const MatchOptions& options, const TeamNames& names,
+                                                std::uint64_t seed, const fs::path& folder) {
   if (options.server_choice.kind == ServerChoice::Kind::kProgram) {
     const auto program = process::find_program(options.server_choice.program);
     if (program) return std::vector<std::string>{program->string()};
-    return Error{fmt::format("soccer server {}", program.error().message)};
+    const bool is_known = options.server_choice.program == "rcssserver";
+    return Error{fmt::format("soccer server {}{}", program.error().message,
+                             is_known ? "; `cls doctor` says how to install it" : "")};
   }
   TRY_INIT(const fs::path self, base::own_program());
   std::vector<std::string> argv = {self.string(),        "server", "--seed",
@@ -37,8 +39,15 @@ Result<std::vector<std::string>> server_program(const MatchOptions& options, std
   const auto is_team = [&options](Side side) {
     return endpoint_of(options, side).kind == Endpoint::Kind::kTeam;
   };
-  argv.push_back(bound_sides_argument(
-      {{is_team(Side::kLeft), is_team(Side::kRight)}, options.trainer.has_value()}));
+  const auto name_of = [&](Side side, const std::string& name) {
+    return is_team(side) && !endpoint_of(options, side).parts.empty() ? name : std::string();
+  };
+  if (options.bind_clients) {
+    argv.push_back(bound_sides_argument(
+        {{is_team(Side::kLeft), is_team(Side::kRight)},
+         options.trainer.has_value(),
+         {name_of(Side::kLeft, names.left), name_of(Side::kRight, names.right)}}));
+  }
   if (options.step) argv.push_back(fmt::format("sync::max_wait_ms={}", kInteractiveWaitMs));
   return argv;
 }
@@ -48,8 +57,8 @@ Result<void> plan_teams(MatchPlan& plan, const MatchOptions& options, const Team
   for (const Side side : soccer::kBothSides) {
     const Endpoint& endpoint = endpoint_of(options, side);
     if (endpoint.kind != Endpoint::Kind::kTeam) continue;
-    TRY_INIT(auto team, team_plan(endpoint.path, team_values(options, names, side, plan.server_host,
-                                                             plan.ports, folder)));
+    TRY_INIT(auto team, team_plan(endpoint, team_values(options, names, side, plan.server_host,
+                                                        plan.ports, folder)));
     plan.teams[side] = std::move(team);
   }
   return {};
@@ -111,7 +120,7 @@ TeamValues team_values(const MatchOptions& options, const TeamNames& names, Side
   values.limits = options.limits;
   values.sandbox = options.sandbox;
   const Endpoint& other = left ? options.right : options.left;
-  if (other.kind == Endpoint::Kind::kTeam) values.opponent = other.path;
+  values.hidden = team_folders(other);
   return values;
 }
 
@@ -125,7 +134,7 @@ Result<MatchPlan> plan_match(const MatchOptions& options, const TeamNames& names
     TRY(plan_teams(plan, options, names, folder));
     return plan;
   }
-  TRY_INIT(auto program, server_program(options, seed, folder));
+  TRY_INIT(auto program, server_program(options, names, seed, folder));
   TRY(plan_teams(plan, options, names, folder));
   const int monitor_port = options.monitor_port.value_or(0);
   if (!needs_stock_ports(plan)) {

@@ -26,6 +26,10 @@ std::string formatted(const std::string& format, std::time_t time) {
 
 }  // namespace
 
+gamelog::LogDate log_date(std::time_t start) {
+  return {formatted("%Y%m%d%H%M", start), formatted("%FT%T%z", start)};
+}
+
 /// Parameters of one log.
 struct ServerLogs::Wish {
   bool wanted;
@@ -60,9 +64,7 @@ Result<ServerLogs> ServerLogs::open(const soccer::ServerParams& p, std::time_t s
   const std::string date = formatted(p.log_date_format, start);
   ServerLogs logs;
   logs.version_ = gamelog::rcg_version(p.game_log_version).value_or(gamelog::RcgVersion::kV6);
-  if (p.game_log_dated && !p.game_log_fixed) {
-    logs.date_ = {formatted("%Y%m%d%H%M", start), formatted("%FT%T%z", start)};
-  }
+  if (p.game_log_dated && !p.game_log_fixed) logs.date_ = log_date(start);
   const std::pair<Log*, Wish> wishes[] = {
       {&logs.game_,
        {p.game_logging, p.game_log_dir, p.game_log_fixed, p.game_log_fixed_name, p.game_log_dated,

@@ -15,6 +15,9 @@
 
 namespace cls::orchestration::match {
 
+/// The date of a match that begins then, in local time.
+gamelog::LogDate log_date(std::time_t start);
+
 /// Opens the logs that the parameters ask for (game_logging, text_logging; keepaway_logging in
 /// keepaway): game_log_dir, game_log_fixed_name, game_log_dated, game_log_compression and so on.
 /// During the match they are named incomplete.rcg, .rcl and .kwy; finish() renames them

@@ -134,8 +134,6 @@ Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const Si
   if (endpoint.kind == Endpoint::Kind::kMixed) return connect_parts(endpoint, setup);
   PlaymakerConnection connection;
   connection.endpoint = endpoint;
-  const proxy::RpcTimeout team_reply =
-      setup.batch == proxy::BatchMode::kAuto ? proxy::kTeamReplyTimeout : proxy::kNoTimeout;
   if (endpoint.kind == Endpoint::Kind::kMock) {
     TRY(connect_mock(endpoint, setup, connection));
   } else if (endpoint.kind == Endpoint::Kind::kRun) {
@@ -147,9 +145,9 @@ Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const Si
     proxy::GrpcTarget target;
     target.host = process::loopback_host();
     target.port = connection.process->port();
-    connection.playmaker = proxy::make_grpc_playmaker(target, team_reply);
+    connection.playmaker = proxy::make_grpc_playmaker(target, setup.team_reply);
   } else {
-    connection.playmaker = proxy::make_grpc_playmaker(target_of(endpoint), team_reply);
+    connection.playmaker = proxy::make_grpc_playmaker(target_of(endpoint), setup.team_reply);
   }
   if (!endpoint.port_step && !connection.direct) {
     connection.playmaker =

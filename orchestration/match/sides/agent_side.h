@@ -28,6 +28,7 @@ struct SideSetup {
   std::vector<int> cpus;                 ///< processor cores of agents and Playmaker; empty: all
   process::ResourceLimits limits{};      ///< of the Playmaker's processes
   proxy::BatchMode batch = proxy::BatchMode::kOff;
+  proxy::RpcTimeout team_reply = proxy::kNoTimeout;  ///< for RegisterTeam, once connected
 };
 
 /// A Playmaker as a match uses it, with the programs behind it.

@@ -61,7 +61,7 @@ Problem check_endpoint(const Endpoint& endpoint, std::chrono::milliseconds patie
       return missing.empty() ? Problem() : EndpointProblem{Kind::kMissing, std::move(missing)};
     }
     case Endpoint::Kind::kTeam: {
-      const auto plan = team_plan(endpoint.path, {});
+      const auto plan = team_plan(endpoint, {});
       return plan ? Problem() : EndpointProblem{Kind::kMissing, plan.error().message};
     }
     case Endpoint::Kind::kMixed:

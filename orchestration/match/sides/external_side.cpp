@@ -118,6 +118,13 @@ std::string ExternalSide::waiting_for() const {
   return fmt::format("{}: {} has not joined", who(), agents_.back().child->plan().name);
 }
 
+// Only a server that knows whose process a client is gives the parts of a team one name.
+std::string ExternalSide::timeout_hint() const {
+  const bool one_name = plan_.mixed && !server_.binds_clients();
+  return shared_name_hint_ + limit_hints() +
+         (one_name ? "; on this server all parts of a mixed team must have one name" : "");
+}
+
 const process::Child* ExternalSide::awaited_process() const {
   return agents_.empty() ? nullptr : agents_.back().child.get();
 }
@@ -256,17 +263,17 @@ std::optional<MatchEnd> ExternalSide::final_failure(const MatchMoment& moment) {
 
 // The kill script may end agents of other teams, looking for its own by name.
 void ExternalSide::leave() {
-  if (!plan_.kill || agents_.empty()) return;
-  auto script = start(*plan_.kill);
-  if (!script) return;
-  kill_script_ = std::move(*script);
+  if (agents_.empty()) return;
+  for (const process::CommandPlan& kill : plan_.kills) {
+    if (auto script = start(kill)) kill_scripts_.push_back(*std::move(script));
+  }
   kill_script_deadline_ = Clock::now() + kKillScriptTimeout;
 }
 
 void ExternalSide::terminate() {
-  if (kill_script_ != nullptr) {
-    kill_script_->wait_exit(time_until(kill_script_deadline_));
-    kill_script_->end(kKillScriptGrace);
+  for (const auto& script : kill_scripts_) {
+    script->wait_exit(time_until(kill_script_deadline_));
+    script->end(kKillScriptGrace);
   }
   for (const Agent& agent : agents_) agent.child->end(kTerminateGrace);
 }
@@ -276,9 +283,9 @@ std::vector<ProcessResult> ExternalSide::wait_gone() {
   std::vector<ProcessResult> results;
   for (const Agent& agent : agents_) agent.child->wait_gone(time_until(deadline));
   for (const Agent& agent : agents_) results.push_back(result_of(*agent.child));
-  if (kill_script_ != nullptr) {
-    kill_script_->wait_gone(time_until(deadline));
-    results.push_back(result_of(*kill_script_));
+  for (const auto& script : kill_scripts_) {
+    script->wait_gone(time_until(deadline));
+    results.push_back(result_of(*script));
   }
   return results;
 }

@@ -38,7 +38,7 @@ class ExternalSide : public MatchSide {
                                const std::vector<std::string>& others) override;
   bool joined() const override { return joined_; }
   std::string waiting_for() const override;
-  std::string timeout_hint() const override { return shared_name_hint_ + limit_hints(); }
+  std::string timeout_hint() const override;
   const process::Child* awaited_process() const override;
   std::optional<MatchEnd> failure(const MatchMoment& moment) override;
   std::optional<MatchEnd> final_failure(const MatchMoment& moment) override;
@@ -87,7 +87,7 @@ class ExternalSide : public MatchSide {
   std::string shared_name_hint_;  ///< while the team has not been seen, but another one has
   std::vector<Agent> agents_;
   std::optional<AgentExit> exit_;
-  std::shared_ptr<process::Child> kill_script_;
+  std::vector<std::shared_ptr<process::Child>> kill_scripts_;
   std::chrono::steady_clock::time_point kill_script_deadline_;
   int on_pitch_ = 0;
   bool joined_ = false;

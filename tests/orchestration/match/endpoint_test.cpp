@@ -58,6 +58,8 @@ TEST(Endpoint, ReportsErrorAndAllForms) {
             "run:COMMAND, team:DIR, mix:AGENTS=SIDE;..., each:run:COMMAND or "
             "planner:FILE=SIDE)");
   EXPECT_THAT(error_of("brain"), HasSubstr("unknown side 'brain' (a side is"));
+  EXPECT_THAT(error_of("localhost"), HasSubstr("did you mean 'localhost:50051'?"));
+  EXPECT_THAT(error_of("50052"), HasSubstr("did you mean 'localhost:50052'?"));
   EXPECT_EQ(error_of("localhost:0"), "side 'localhost:0': port 0 is not within 1 to 65535");
   EXPECT_EQ(error_of("localhost:70000"),
             "side 'localhost:70000': port 70000 is not within 1 to 65535");
@@ -165,7 +167,7 @@ TEST(Endpoint, ReportsErrorsOfMixedSide) {
   EXPECT_THAT(error_of("mix:golie=mock;others=mock"), HasSubstr("did you mean 'goalie'?"));
   EXPECT_THAT(error_of("mix:12=mock;others=mock"), HasSubstr("'12' is not a player"));
   EXPECT_THAT(error_of("mix:1=team:helios;others=mock"),
-              HasSubstr("'team:helios' cannot be a part"));
+              HasSubstr("external teams and Playmakers do not play in one team"));
   EXPECT_THAT(error_of("mix:1=moc;others=mock"), HasSubstr("did you mean 'mock'?"));
 }
 

@@ -162,7 +162,8 @@ TEST_F(TeamFolder, StartsGoalieFirstAndCoachLast) {
   EXPECT_EQ(goalie.log, "/match/right-player-01.log");
   EXPECT_EQ(plan->agents.back().command.argv[3], "12");
   EXPECT_EQ(plan->agents.back().command.name, "right coach");
-  EXPECT_EQ(plan->kill->argv, Words{team + "/kill"});
+  ASSERT_EQ(plan->kills.size(), 1u);
+  EXPECT_EQ(plan->kills[0].argv, Words{team + "/kill"});
   values.coach = false;
   EXPECT_EQ(team_plan(path(), values)->agents.size(), 11U);
 }
@@ -181,7 +182,7 @@ TEST_F(TeamFolder, UsesStartShWithoutStart) {
   EXPECT_EQ(plan->agents.front().command.argv,
             (Words{fs::canonical(path()).string() + "/start.sh", "-h", "127.0.0.1", "-p", "20001",
                    "-P", "20009", "-t", "helios"}));
-  EXPECT_FALSE(plan->kill);
+  EXPECT_TRUE(plan->kills.empty());
 }
 
 TEST_F(TeamFolder, ReportsMissingScripts) {
