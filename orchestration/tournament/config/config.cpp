@@ -10,6 +10,8 @@
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/match/options/match_settings.h"
 #include "orchestration/match/options/server_choice.h"
+#include "orchestration/tournament/config/host_list.h"
+#include "orchestration/tournament/config/start_times.h"
 
 namespace cls::orchestration::tournament {
 namespace {
@@ -77,7 +79,11 @@ void check_size(ErrorList& errors, const TournamentConfig& config) {
       config.format == Format::kList       ? static_cast<double>(config.matches.size())
       : config.format == Format::kGauntlet ? teams * static_cast<double>(config.gauntlet.size())
                                            : teams * (teams - 1) / 2;
-  const double matches = pairings * rounds_of(config) * (config.swap_sides ? 2 : 1);
+  double matches = pairings * rounds_of(config) * (config.swap_sides ? 2 : 1);
+  if (config.format == Format::kStages) {
+    matches = 0;
+    for (const Stage& stage : config.stages) matches += pairings * stage.legs;
+  }
   errors.require(config.format == Format::kSwiss || matches <= kMaxMatches,
                  fmt::format("a schedule of about {:.0f} matches; at most {:.0f} are possible",
                              matches, kMaxMatches));
@@ -96,6 +102,21 @@ void check_groups(ErrorList& errors, const TournamentConfig& config) {
                  "a knockout requires at least two teams; increase groups or advance");
 }
 
+void check_stages(ErrorList& errors, const TournamentConfig& config) {
+  const bool staged = config.format == Format::kStages;
+  errors.require(staged == !config.stages.empty(),
+                 staged ? "format 'stages' requires [[stages]], each with a name"
+                        : fmt::format("[[stages]] belong to format 'stages', not to '{}'",
+                                      name(config.format)));
+  if (!staged) return;
+  errors.require(!config.rounds, "rounds: a stage has `legs` instead");
+  std::vector<std::string> teams;
+  for (const TeamEntry& team : config.teams) teams.push_back(team.name);
+  for (std::string& error : stage_errors(config.stages, teams)) {
+    errors.require(false, std::move(error));
+  }
+}
+
 void check_conditions(ErrorList& errors, const TournamentConfig& config) {
   match::MatchOptions options;
   for (const ServerSetting& setting : config.settings) {
@@ -108,6 +129,38 @@ void check_conditions(ErrorList& errors, const TournamentConfig& config) {
   const match::MatchOptions whole = match_options(config);
   const std::string length = match::length_problem(whole.server, whole.cycles, "set cycles");
   errors.require(length.empty(), length);
+}
+
+// Teams reach other hosts as copies of their folders.
+void check_hosts(ErrorList& errors, const TournamentConfig& config) {
+  if (config.executor != ExecutorKind::kHosts) return;
+  errors.require(!config.hosts.empty(), "executor = \"hosts\" needs at least one host in hosts");
+  errors.require(!config.options.contains("book"),
+                 "executor = \"hosts\": a book of situations is not copied to other hosts");
+  const auto hosts = parse_hosts(config.hosts);
+  errors.require(hosts.ok(), hosts ? "" : hosts.error().message);
+  const std::string& shell = config.remote_shell;
+  errors.require(shell.empty() || shell.find("{host}") != std::string::npos,
+                 "remote_shell: {host} is missing");
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("._/-").find(c) != std::string_view::npos;
+  };
+  errors.require(std::all_of(config.remote_folder.begin(), config.remote_folder.end(), plain),
+                 "remote_folder: only letters, digits and . _ / -");
+  for (const TeamEntry& team : config.teams) {
+    const auto endpoint = match::parse_endpoint(team.endpoint);
+    if (!endpoint) continue;
+    const bool copied = endpoint->kind == match::Endpoint::Kind::kTeam && endpoint->parts.empty();
+    const bool built_in = endpoint->kind == match::Endpoint::Kind::kMock &&
+                          endpoint->behavior.find('.') == std::string::npos &&
+                          endpoint->planner_file.empty();
+    errors.require(
+        copied || built_in,
+        fmt::format("team {} ({}): on other hosts only team:DIR and built-in mocks play; "
+                    "`cls package-team` makes such a folder",
+                    team.name, team.endpoint));
+  }
 }
 
 // With more rounds two teams would meet twice.
@@ -146,8 +199,12 @@ std::vector<std::string> validate(const TournamentConfig& config) {
   check_teams(errors, config);
   check_pairings(errors, config);
   check_groups(errors, config);
+  check_stages(errors, config);
   check_size(errors, config);
   check_conditions(errors, config);
+  check_hosts(errors, config);
+  const auto times = parse_start_times(config.start_times);
+  errors.require(times.ok(), times ? "" : times.error().message);
   const int teams = static_cast<int>(config.teams.size());
   errors.require(
       config.format != Format::kSwiss || teams < 2 || rounds_of(config) <= max_swiss_rounds(config),
@@ -173,6 +230,8 @@ std::string_view name(Format format) {
       return "double-elimination";
     case Format::kSwiss:
       return "swiss";
+    case Format::kStages:
+      return "stages";
   }
   return "";
 }
@@ -190,7 +249,15 @@ std::string_view name(OnCrash on_crash) {
 }
 
 std::string_view name(ExecutorKind executor) {
-  return executor == ExecutorKind::kSlurm ? "slurm" : "local";
+  switch (executor) {
+    case ExecutorKind::kLocal:
+      return "local";
+    case ExecutorKind::kSlurm:
+      return "slurm";
+    case ExecutorKind::kHosts:
+      return "hosts";
+  }
+  return "";
 }
 
 std::string_view name(KeepLogs keep) {

@@ -11,6 +11,7 @@
 
 #include "base/result.h"
 #include "orchestration/match/options/option_table.h"
+#include "orchestration/tournament/config/stage.h"
 
 namespace cls::orchestration::tournament {
 
@@ -22,6 +23,7 @@ enum class Format {
   kKnockout,           ///< single elimination
   kDoubleElimination,  ///< elimination by the second loss
   kSwiss,              ///< pairs teams with similar points, never the same pair twice
+  kStages,             ///< the `stages`, one after the other
 };
 
 /// The policy for invalid matches.
@@ -37,6 +39,7 @@ enum class KeepLogs { kAll, kFailed, kNone };
 enum class ExecutorKind {
   kLocal,  ///< on this host
   kSlurm,  ///< on a Slurm cluster that shares the tournament's folder
+  kHosts,  ///< on `hosts` that share nothing with this one
 };
 
 /// Criteria that order teams with the same points, see standings.h.
@@ -52,12 +55,16 @@ enum class TieBreaker {
   kSonnebornBerger,
 };
 
+inline constexpr const char* kRemoteShell =
+    "ssh -o BatchMode=yes -o ConnectTimeout=15 -o ServerAliveInterval=15 {host}";
+inline constexpr const char* kRemoteFolder = ".cache/cls";
+
 /// Columns of the standings table that users may choose (`columns`).
-inline constexpr std::array<std::string_view, 21> kStandingsColumns = {
-    "rank",       "team",    "played",   "won",      "drawn",           "lost",
-    "goals",      "diff",    "points",   "score",    "interval",        "shoot-outs",
-    "forfeits",   "invalid", "byes",     "buchholz", "median-buchholz", "sonneborn-berger",
-    "tiebreaker", "elo",     "elo-error"};
+inline constexpr std::array<std::string_view, 22> kStandingsColumns = {
+    "rank",       "team",    "played",    "won",      "drawn",           "lost",
+    "goals",      "diff",    "points",    "score",    "interval",        "shoot-outs",
+    "forfeits",   "invalid", "byes",      "buchholz", "median-buchholz", "sonneborn-berger",
+    "tiebreaker", "elo",     "elo-error", "average"};
 
 struct TeamEntry {
   std::string name;
@@ -89,6 +96,7 @@ struct TournamentConfig {
   int advance = 2;  ///< teams of each group that advance to the knockout
   bool third_place = true;
   std::vector<TieBreaker> tie_breakers;  ///< empty: those of the format
+  std::vector<Stage> stages;             ///< kStages
   std::vector<TeamEntry> teams;          ///< in the order of the file
 
   // Every match. The use of an option says whether it belongs to the plan.
@@ -102,16 +110,23 @@ struct TournamentConfig {
   std::vector<std::string> slurm_options;  ///< arguments for sbatch, such as "--partition=short"
   int slurm_tasks = 1000;                  ///< maximum of pending and running matches in Slurm
   std::optional<double> slurm_poll_s;      ///< interval of squeue polls; default 10
+  std::vector<std::string> hosts;          ///< kHosts: "node1", or "4/node1" for 4 parallel matches
+  std::string remote_shell;   ///< kHosts: runs a command line on {host}; empty: kRemoteShell
+  std::string remote_folder;  ///< kHosts: for teams and matches there; empty: kRemoteFolder
   OnCrash on_crash = OnCrash::kStop;
   int max_reruns = 2;
   KeepLogs keep_logs = KeepLogs::kAll;
-  std::string on_match_finish;   ///< shell command that gets the match as JSON on stdin
-  std::string on_finish;         ///< shell command that gets the report as JSON on stdin
-  std::filesystem::path folder;  ///< of the file; base of relative paths in endpoints
+  std::string on_event;                ///< shell command at start, goal, ... of each match
+  std::string on_match_finish;         ///< shell command that gets the match as JSON on stdin
+  std::string on_finish;               ///< shell command that gets the report as JSON on stdin
+  std::optional<double> hook_limit_s;  ///< for these commands; none: process::kHookLimit
+  std::filesystem::path folder;        ///< of the file; base of relative paths in endpoints
 
   // Reports.
-  std::string name;                  ///< of the tournament; empty: that of its folder
-  std::vector<std::string> columns;  ///< of kStandingsColumns; empty: as the format needs
+  std::string name;                      ///< of the tournament; empty: that of its folder
+  std::vector<std::string> columns;      ///< of kStandingsColumns; empty: as the format needs
+  std::vector<std::string> start_times;  ///< see config/start_times.h
+  std::optional<double> slot_minutes;    ///< from one match to the next on a server
 };
 
 /// The options of every match: those of `cls match` where the configuration says nothing. Wrong

@@ -15,6 +15,7 @@
 #include "orchestration/match/options/toml_schema.h"
 #include "orchestration/process/command_plan.h"
 #include "orchestration/tournament/config/config_keys.h"
+#include "orchestration/tournament/config/stage_keys.h"
 
 namespace cls::orchestration::tournament {
 namespace {
@@ -31,6 +32,16 @@ std::optional<std::vector<std::string>> strings_in(const toml::array& array) {
   return strings;
 }
 
+std::optional<std::vector<std::int64_t>> numbers_in(const toml::array& array) {
+  std::vector<std::int64_t> numbers;
+  for (const toml::node& node : array) {
+    const auto* number = node.as_integer();
+    if (number == nullptr) return std::nullopt;
+    numbers.push_back(number->get());
+  }
+  return numbers;
+}
+
 std::optional<ConfigValue> parse_value(const toml::node& node) {
   if (const auto* flag = node.as_boolean()) return ConfigValue(flag->get());
   if (const auto* whole = node.as_integer()) return ConfigValue(whole->get());
@@ -39,6 +50,7 @@ std::optional<ConfigValue> parse_value(const toml::node& node) {
   const toml::array* array = node.as_array();
   if (array == nullptr) return std::nullopt;
   if (auto strings = strings_in(*array)) return ConfigValue(*std::move(strings));
+  if (auto numbers = numbers_in(*array)) return ConfigValue(*std::move(numbers));
   std::vector<std::vector<std::string>> lists;
   for (const toml::node& inner : *array) {
     const toml::array* list = inner.as_array();
@@ -143,10 +155,14 @@ class Parser {
     if (!check_schema(top)) return;
     for (const Entry& entry : in_file_order(top)) {
       if (entry.key == "schema") continue;
+      if (entry.key == "stages") {
+        parse_stages(entry);
+        continue;
+      }
       if (entry.key != "tournament" && entry.key != "server" && entry.key != "player" &&
           entry.key != "teams") {
         add_error(entry, unknown_key(entry.node->is_table() ? "table" : "key", entry.key,
-                                     {"tournament", "server", "player", "teams"}));
+                                     {"tournament", "server", "player", "teams", "stages"}));
         continue;
       }
       const toml::table* table = table_of(entry);
@@ -172,6 +188,33 @@ class Parser {
                               : base::Result<void>(base::Error{"unsupported value type"});
       if (!read) add_error(entry, fmt::format("{}: {}", entry.key, read.error().message));
     }
+  }
+
+  void parse_stages(const Entry& entry) {
+    const toml::array* array = entry.node->as_array();
+    if (array == nullptr || !array->is_homogeneous(toml::node_type::table)) {
+      add_error(entry, "'stages' must be a list of tables, [[stages]] for each");
+      return;
+    }
+    for (const toml::node& node : *array) {
+      Stage stage;
+      for (const Entry& field : in_file_order(*node.as_table())) parse_stage_key(field, stage);
+      parsed_.config.stages.push_back(std::move(stage));
+    }
+  }
+
+  void parse_stage_key(const Entry& field, Stage& stage) {
+    std::vector<std::string_view> known;
+    for (const StageKey& key : stage_keys()) {
+      known.push_back(key.name);
+      if (key.name != field.key) continue;
+      const auto value = parse_value(*field.node);
+      const auto read = value ? key.parse(stage, *value)
+                              : base::Result<void>(base::Error{"unsupported value type"});
+      if (!read) add_error(field, fmt::format("{}: {}", field.key, read.error().message));
+      return;
+    }
+    add_error(field, unknown_key("key", field.key, known));
   }
 
   void parse_settings(const std::string& module, const toml::table& table) {
@@ -223,6 +266,7 @@ struct Line {
   std::string section;
   std::string key;
   std::string value;
+  int element = 0;  // of an array of tables, from 1; 0: the section is a table
 };
 
 std::vector<Line> lines_of(const TournamentConfig& config, bool plan_only) {
@@ -231,25 +275,36 @@ std::vector<Line> lines_of(const TournamentConfig& config, bool plan_only) {
     const bool planned = key.group != KeyGroup::kExecution && key.group != KeyGroup::kReport;
     if (plan_only && !planned) continue;
     if (std::string value = key.format(config); !value.empty()) {
-      lines.push_back({"tournament", std::string(key.name), std::move(value)});
+      lines.push_back({"tournament", std::string(key.name), std::move(value), 0});
+    }
+  }
+  int element = 0;
+  for (const Stage& stage : config.stages) {
+    ++element;
+    for (const StageKey& key : stage_keys()) {
+      if (std::string value = key.format(stage); !value.empty()) {
+        lines.push_back({"stages", std::string(key.name), std::move(value), element});
+      }
     }
   }
   for (const char* module : {"server", "player"}) {
     const std::string prefix = std::string(module) + "::";
     for (const ServerSetting& setting : config.settings) {
       if (!setting.name.starts_with(prefix)) continue;
-      lines.push_back({module, setting.name.substr(prefix.size()), toml_quoted(setting.value)});
+      lines.push_back({module, setting.name.substr(prefix.size()), toml_quoted(setting.value), 0});
     }
   }
   for (const TeamEntry& team : config.teams) {
     // Quoted, because a name may contain '+'.
-    lines.push_back({"teams." + toml_quoted(team.name), "endpoint", toml_quoted(team.endpoint)});
+    lines.push_back({"teams." + toml_quoted(team.name), "endpoint", toml_quoted(team.endpoint), 0});
   }
   return lines;
 }
 
 std::string label(const Line& line) {
-  return line.section == "tournament" ? line.key : fmt::format("[{}] {}", line.section, line.key);
+  if (line.section == "tournament") return line.key;
+  if (line.element > 0) return fmt::format("stage {}: {}", line.element, line.key);
+  return fmt::format("[{}] {}", line.section, line.key);
 }
 
 }  // namespace
@@ -310,11 +365,13 @@ std::string endpoint_from(const fs::path& folder, const std::string& endpoint) {
 
 std::string format_config(const TournamentConfig& config, bool plan_only) {
   std::string text;
-  std::string section;
+  std::pair<std::string, int> header;
   for (const Line& line : lines_of(config, plan_only)) {
-    if (line.section != section) {
-      section = line.section;
-      fmt::format_to(std::back_inserter(text), "{}[{}]\n", text.empty() ? "" : "\n", section);
+    if (std::pair now(line.section, line.element); now != header) {
+      header = std::move(now);
+      fmt::format_to(std::back_inserter(text),
+                     fmt::runtime(line.element > 0 ? "{}[[{}]]\n" : "{}[{}]\n"),
+                     text.empty() ? "" : "\n", line.section);
     }
     fmt::format_to(std::back_inserter(text), "{} = {}\n", line.key, line.value);
   }
@@ -325,7 +382,7 @@ std::string first_difference(const TournamentConfig& now, const TournamentConfig
   const std::vector<Line> a = lines_of(now, true);
   const std::vector<Line> b = lines_of(before, true);
   const auto same_key = [](const Line& x, const Line& y) {
-    return x.section == y.section && x.key == y.key;
+    return x.section == y.section && x.element == y.element && x.key == y.key;
   };
   for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
     if (i < a.size() && i < b.size() && same_key(a[i], b[i])) {

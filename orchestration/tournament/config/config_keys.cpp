@@ -50,21 +50,28 @@ Row integer(std::string_view key, Group group, Member member, std::int64_t min, 
           }};
 }
 
-Row seconds(std::string_view key, Group group, std::optional<double> Config::*member,
-            std::string_view example, std::string_view help) {
+Row number(std::string_view key, Group group, std::optional<double> Config::*member,
+           std::string_view unit, std::string_view example, std::string_view help) {
   return {key,
           group,
           help,
           example,
           [=](Config& config, const ConfigValue& value) -> Result<void> {
             const auto read = number_in(value);
-            if (!read || *read <= 0) return Error{"must be a positive number of seconds"};
+            if (!read || *read <= 0) {
+              return Error{fmt::format("must be a positive number of {}", unit)};
+            }
             config.*member = *read;
             return {};
           },
           [=](const Config& config) {
             return config.*member ? fmt::format("{}", *(config.*member)) : std::string();
           }};
+}
+
+Row seconds(std::string_view key, Group group, std::optional<double> Config::*member,
+            std::string_view example, std::string_view help) {
+  return number(key, group, member, "seconds", example, help);
 }
 
 Row flag(std::string_view key, Group group, bool Config::*member, std::string_view example,
@@ -96,6 +103,30 @@ Row text(std::string_view key, Group group, std::string Config::*member, std::st
           },
           [=](const Config& config) {
             return (config.*member).empty() ? std::string() : toml_quoted(config.*member);
+          }};
+}
+
+std::string toml_list(const std::vector<std::string>& texts) {
+  std::vector<std::string> quoted;
+  for (const std::string& text : texts) quoted.push_back(toml_quoted(text));
+  return fmt::format("[{}]", fmt::join(quoted, ", "));
+}
+
+Row texts(std::string_view key, Group group, std::vector<std::string> Config::*member,
+          std::string_view example, std::string_view help) {
+  return {key,
+          group,
+          help,
+          example,
+          [=](Config& config, const ConfigValue& value) -> Result<void> {
+            const auto* read = std::get_if<std::vector<std::string>>(&value);
+            const auto* one = std::get_if<std::string>(&value);
+            if (read == nullptr && one == nullptr) return Error{"must be a list of strings"};
+            config.*member = read != nullptr ? *read : std::vector<std::string>{*one};
+            return {};
+          },
+          [=](const Config& config) {
+            return (config.*member).empty() ? std::string() : toml_list(config.*member);
           }};
 }
 
@@ -134,20 +165,15 @@ Row choice(std::string_view key, Group group, Enum Config::*member,
 
 constexpr std::array kFormats = {Format::kRoundRobin, Format::kGauntlet, Format::kList,
                                  Format::kGroups,     Format::kKnockout, Format::kDoubleElimination,
-                                 Format::kSwiss};
+                                 Format::kSwiss,      Format::kStages};
 constexpr std::array kOnCrash = {OnCrash::kStop, OnCrash::kForfeit, OnCrash::kRerun};
-constexpr std::array kExecutors = {ExecutorKind::kLocal, ExecutorKind::kSlurm};
+constexpr std::array kExecutors = {ExecutorKind::kLocal, ExecutorKind::kSlurm,
+                                   ExecutorKind::kHosts};
 constexpr std::array kKeepLogs = {KeepLogs::kAll, KeepLogs::kFailed, KeepLogs::kNone};
 constexpr std::array kTieBreakers = {
     TieBreaker::kHeadToHead, TieBreaker::kGoalDifference, TieBreaker::kGoalDifferenceAmong,
     TieBreaker::kGoals,      TieBreaker::kGoalsAmong,     TieBreaker::kWins,
     TieBreaker::kBuchholz,   TieBreaker::kMedianBuchholz, TieBreaker::kSonnebornBerger};
-
-std::string toml_list(const std::vector<std::string>& texts) {
-  std::vector<std::string> quoted;
-  for (const std::string& text : texts) quoted.push_back(toml_quoted(text));
-  return fmt::format("[{}]", fmt::join(quoted, ", "));
-}
 
 Result<void> parse_seed(Config& config, const ConfigValue& value) {
   const auto* read = std::get_if<std::int64_t>(&value);
@@ -302,7 +328,7 @@ std::vector<Row> schedule_rows() {
   constexpr Group kGroup = Group::kSchedule;
   return {
       choice("format", kGroup, &Config::format, kFormats, "\"round-robin\"",
-             "round-robin, gauntlet, list, groups, knockout, double-elimination or swiss"),
+             "round-robin, gauntlet, list, groups, knockout, double-elimination, swiss or stages"),
       integer("rounds", kGroup, &Config::rounds, 1, 1'000'000, "1",
               "times each pairing is played (once per side); swiss: number of rounds"),
       Row{"seed", kGroup, "seed of all match seeds and draws", "1", parse_seed,
@@ -336,7 +362,7 @@ std::vector<Row> execution_rows() {
           parse_concurrency, format_concurrency},
       flag("pin", kGroup, &Config::pin, "false", "pin each running match to its own cores"),
       choice("executor", kGroup, &Config::executor, kExecutors, "\"local\"",
-             "where matches run: local or slurm"),
+             "where matches run: local, slurm or hosts"),
       Row{"slurm_options", kGroup, "slurm: options for sbatch", "[\"--partition=short\"]",
           parse_slurm_options,
           [](const Config& config) {
@@ -357,10 +383,20 @@ std::vector<Row> execution_rows() {
           [](const Config& config) {
             return config.folder.empty() ? std::string() : toml_quoted(config.folder.string());
           }},
+      texts("hosts", kGroup, &Config::hosts, "[\"node1\", \"4/node2\"]",
+            "hosts: where to play; 4/NAME for four parallel matches"),
+      text("remote_shell", kGroup, &Config::remote_shell, "\"ssh -o BatchMode=yes {host}\"",
+           "hosts: command that runs a command line on {host}"),
+      text("remote_folder", kGroup, &Config::remote_folder, "\".cache/cls\"",
+           "hosts: folder there for teams and running matches"),
+      text("on_event", kGroup, &Config::on_event, "\"./chat.sh\"",
+           "command at start, goal, half time, end and failure of each match"),
       text("on_match_finish", kGroup, &Config::on_match_finish, "\"cat >>matches.jsonl\"",
            "command after each match; gets the match as JSON on stdin"),
       text("on_finish", kGroup, &Config::on_finish, "\"cat >report.json\"",
            "command at the end; gets the report as JSON on stdin"),
+      seconds("hook_limit", kGroup, &Config::hook_limit_s, "60",
+              "seconds for each of these commands, and for all at the end"),
   };
 }
 
@@ -387,6 +423,11 @@ std::vector<Row> report_rows() {
           [](const Config& config) {
             return config.columns.empty() ? std::string() : toml_list(config.columns);
           }},
+      texts("start_times", kGroup, &Config::start_times,
+            "[\"2027-07-15 09:00\", \"final day: 2027-07-18 10:00\"]",
+            "when the tournament and its stages begin, for the times in the plan"),
+      number("slot_minutes", kGroup, &Config::slot_minutes, "minutes", "20",
+             "minutes from one match to the next on a server (default: by half_time and mode)"),
   };
 }
 
@@ -423,7 +464,8 @@ ConfigValue parse_config_value(const ConfigKey& key, std::string_view text) {
     return parts;
   };
   if (key.name == "slurm_options") return split(text, ' ');
-  if (key.name == "gauntlet" || key.name == "tie_breakers" || key.name == "columns")
+  if (key.name == "gauntlet" || key.name == "tie_breakers" || key.name == "columns" ||
+      key.name == "hosts" || key.name == "start_times")
     return split(text, ',');
   if (key.name == "matches") {
     std::vector<std::vector<std::string>> pairings;

@@ -15,7 +15,7 @@ namespace cls::orchestration::tournament {
 
 /// A value in a file or on the command line.
 using ConfigValue = std::variant<bool, std::int64_t, double, std::string, std::vector<std::string>,
-                                 std::vector<std::vector<std::string>>>;
+                                 std::vector<std::vector<std::string>>, std::vector<std::int64_t>>;
 
 enum class KeyGroup {
   kSchedule,    ///< which teams play each other

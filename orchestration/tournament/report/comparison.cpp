@@ -2,6 +2,7 @@
 #include "orchestration/tournament/report/comparison.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "orchestration/tournament/report/comparison_hypotheses.h"
 #include "orchestration/tournament/schedule/schedule.h"
@@ -36,10 +37,7 @@ void add_pair(const Comparison& comparison, std::vector<Fixture>& fixtures, int 
 int sum_of(std::span<const ScheduledMatch> sample, int team, Measure measure, int limit) {
   int sum = 0;
   for (const ScheduledMatch& match : sample) {
-    const Outcome& outcome = *match.outcome;
-    const int value = measure == Measure::kPoints ? winner_sign(outcome)
-                                                  : outcome.left_score - outcome.right_score;
-    const int counted = std::clamp(value, -limit, limit);
+    const int counted = counted_value(*match.outcome, measure, limit);
     if (match.fixture.left == team) sum += counted;
     if (match.fixture.right == team) sum -= counted;
   }
@@ -47,14 +45,14 @@ int sum_of(std::span<const ScheduledMatch> sample, int team, Measure measure, in
 }
 
 std::size_t outcomes_of(const Comparison& comparison, Measure measure) {
-  const int span = 2 * matches_in_sample(comparison) * limit_of(comparison, measure);
+  const int span = 2 * matches_in_sample(comparison) * steps_of(comparison, measure);
   return static_cast<std::size_t>(span + 1);
 }
 
 // From worst to best; the middle one means that NEW and BASE are equal.
 std::size_t outcome_of(const Comparison& comparison, std::span<const ScheduledMatch> sample,
                        Measure measure) {
-  const int limit = limit_of(comparison, measure);
+  const int limit = steps_of(comparison, measure);
   int sum = sum_of(sample, kNew, measure, limit);
   if (!is_direct(comparison)) sum -= sum_of(sample, kBase, measure, limit);
   return static_cast<std::size_t>(sum + matches_in_sample(comparison) * limit);
@@ -70,6 +68,28 @@ void add_sample(ComparisonVerdict& verdict, std::size_t outcome, TestKind kind) 
 }
 
 }  // namespace
+
+std::string_view name(Measure measure) {
+  switch (measure) {
+    case Measure::kPoints:
+      return "points";
+    case Measure::kGoals:
+      return "goals";
+    case Measure::kValue:
+      return "value";
+  }
+  return "";
+}
+
+int counted_value(const Outcome& outcome, Measure measure, int limit) {
+  int value = outcome.left_score - outcome.right_score;
+  if (measure == Measure::kPoints) value = winner_sign(outcome);
+  if (measure == Measure::kValue) {
+    const double steps = outcome.value.value_or(0.0) * kValueSteps;
+    value = static_cast<int>(std::lround(std::clamp<double>(steps, -limit, limit)));
+  }
+  return std::clamp(value, -limit, limit);
+}
 
 bool is_direct(const Comparison& comparison) { return opponents_of(comparison) == 0; }
 

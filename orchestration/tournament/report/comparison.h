@@ -17,7 +17,18 @@
 namespace cls::orchestration::tournament {
 
 enum class TestKind { kBetting, kSprt };
-enum class Measure { kPoints, kGoals };
+/// kValue: the value of a book's situations, in goals a match.
+enum class Measure { kPoints, kGoals, kValue };
+
+/// True where the unit is goals a match.
+inline bool in_goals(Measure measure) { return measure != Measure::kPoints; }
+std::string_view name(Measure measure);
+
+/// The steps of a goal to which values are rounded.
+inline constexpr int kValueSteps = 20;
+/// A value above it counts as this, where no other limit is given: situations vary more than whole
+/// matches.
+inline constexpr int kMaxValue = 8;
 
 /// H0: NEW is better than BASE by `elo0` at most, or by `goals0` goals a match; H1: by `elo1` at
 /// least, or by `goals1`. Errors as in Hypotheses.
@@ -40,6 +51,10 @@ struct Comparison {
   TestSettings test;
   std::optional<int> max_samples;  ///< pairs of matches, or quartets with opponents; none: no limit
 };
+
+/// The measure of the left team in a match that was played, in steps: points and goals as whole
+/// numbers, values in 1 / kValueSteps; at most `limit`.
+int counted_value(const Outcome& outcome, Measure measure, int limit);
 
 /// True without opponents: NEW plays BASE.
 bool is_direct(const Comparison& comparison);

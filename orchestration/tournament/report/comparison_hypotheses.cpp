@@ -66,10 +66,14 @@ int limit_of(const Comparison& comparison, Measure measure) {
   return measure == Measure::kPoints ? 1 : comparison.test.max_goals;
 }
 
+int steps_of(const Comparison& comparison, Measure measure) {
+  return limit_of(comparison, measure) * (measure == Measure::kValue ? kValueSteps : 1);
+}
+
 Hypotheses hypotheses_of(const Comparison& comparison) {
   const TestSettings& test = comparison.test;
   const auto mean = [&](double elo, double goals) {
-    if (test.measure == Measure::kGoals) return mean_at(comparison, goals);
+    if (in_goals(test.measure)) return mean_at(comparison, goals);
     return mean_at(comparison, (is_direct(comparison) ? 2 : 1) * (score_from_elo(elo) - 0.5));
   };
   return {mean(test.elo0, test.goals0), mean(test.elo1, test.goals1), test.alpha, test.beta};
@@ -78,24 +82,28 @@ Hypotheses hypotheses_of(const Comparison& comparison) {
 double typical_variance(const Comparison& comparison) {
   constexpr double kOfPair = 0.15;
   constexpr double kOfGoals = 0.5;
+  constexpr double kOfValue = 2.0;
   const double limit = comparison.test.max_goals;
+  const double of_square = comparison.test.measure == Measure::kValue ? kOfValue : kOfGoals;
   const double of_pair = comparison.test.measure == Measure::kPoints
                              ? kOfPair
-                             : std::min(kOfPair, kOfGoals / (limit * limit));
+                             : std::min(kOfPair, of_square / (limit * limit));
   return is_direct(comparison) ? of_pair : of_pair / 2;
 }
 
 std::string model_text(const Comparison& comparison) {
   const TestSettings& test = comparison.test;
   const std::string errors = fmt::format("alpha {:g}, beta {:g}", test.alpha, test.beta);
-  const std::string_view name = test.kind == TestKind::kBetting   ? "betting test"
-                                : test.measure == Measure::kGoals ? "multinomial SPRT"
-                                : is_direct(comparison)           ? "pentanomial SPRT"
-                                                                  : "nonanomial SPRT";
+  const std::string_view name = test.kind == TestKind::kBetting ? "betting test"
+                                : in_goals(test.measure)        ? "multinomial SPRT"
+                                : is_direct(comparison)         ? "pentanomial SPRT"
+                                                                : "nonanomial SPRT";
   const std::string start = fmt::format("{} ({})", name, sample_text(comparison));
-  if (test.measure == Measure::kGoals) {
-    return fmt::format("{}, goal difference up to {}: H0 {:+g} goals a match, H1 {:+g}, {}", start,
-                       test.max_goals, test.goals0, test.goals1, errors);
+  if (in_goals(test.measure)) {
+    const bool goals = test.measure == Measure::kGoals;
+    return fmt::format("{}, {} up to {}: H0 {:+g} goals a match, H1 {:+g}, {}", start,
+                       goals ? "goal difference" : "value of situations", test.max_goals,
+                       test.goals0, test.goals1, errors);
   }
   if (is_direct(comparison)) {
     return fmt::format("{}, logistic Elo: H0 {:+g}, H1 {:+g}, {}", start, test.elo0, test.elo1,
@@ -112,7 +120,7 @@ std::string test_error(const TestSettings& test) {
   if (test.measure == Measure::kPoints && test.elo0 >= test.elo1) {
     return "--elo0 must be below --elo1";
   }
-  if (test.measure == Measure::kGoals) {
+  if (in_goals(test.measure)) {
     if (test.goals0 >= test.goals1) return "--goals0 must be below --goals1";
     if (test.goals1 >= test.max_goals || test.goals0 <= -test.max_goals) {
       return "--goals0 and --goals1 must be within --max-goals";
@@ -130,7 +138,7 @@ double advantage(const Comparison& comparison, double mean) {
 }
 
 std::string advantage_text(const Comparison& comparison, double mean) {
-  if (comparison.test.measure == Measure::kGoals) {
+  if (in_goals(comparison.test.measure)) {
     return difference_text(advantage(comparison, mean), 2) + " goals a match";
   }
   if (is_direct(comparison)) return difference_text(elo_from_score(mean), 1) + " Elo";

@@ -8,8 +8,10 @@
 
 namespace cls::orchestration::tournament {
 
-/// The most that a match may contribute to a sample, in either direction.
+/// The most that a match may contribute to a sample, in either direction: points or goals.
 int limit_of(const Comparison& comparison, Measure measure);
+/// The same in steps of counted_value().
+int steps_of(const Comparison& comparison, Measure measure);
 
 Hypotheses hypotheses_of(const Comparison& comparison);
 

@@ -10,6 +10,7 @@
 #include "base/system/version.h"
 #include "base/text/json_text.h"
 #include "base/text/wrap_text.h"
+#include "orchestration/match/options/match_options.h"
 #include "orchestration/tournament/rating/statistics.h"
 #include "orchestration/tournament/report/report_model.h"
 #include "orchestration/tournament/report/report_tables.h"
@@ -67,10 +68,12 @@ std::string strength_text(const Names& names, const ComparisonVerdict& verdict) 
 
 std::string goals_text(const Comparison& comparison, const ComparisonVerdict& verdict) {
   const Estimate goals = estimate(verdict.samples);
-  return fmt::format("{} (95 %: {:+.2f} to {:+.2f}), differences up to {}",
+  return fmt::format("{} (95 %: {:+.2f} to {:+.2f}), {} up to {}",
                      advantage_text(comparison, goals.score),
                      advantage(comparison, goals.score_interval.low),
-                     advantage(comparison, goals.score_interval.high), comparison.test.max_goals);
+                     advantage(comparison, goals.score_interval.high),
+                     comparison.test.measure == Measure::kGoals ? "differences" : "values",
+                     comparison.test.max_goals);
 }
 
 // What decides.
@@ -88,6 +91,26 @@ std::string test_text(const Comparison& comparison, const ComparisonVerdict& ver
       verdict.betting.for_h0(), 1 / h.beta, advantage_text(comparison, h.mean1),
       advantage_text(comparison, bounds.low), 100 * (1 - h.alpha),
       advantage_text(comparison, bounds.high), 100 * (1 - h.beta));
+}
+
+// Counts by outcome; of values, whose outcomes are many, those that occurred with their counts.
+Json samples_json(const Comparison& comparison, const ComparisonVerdict& verdict) {
+  if (comparison.test.measure != Measure::kValue) return verdict.samples;
+  Json list = Json::array();
+  const auto last = static_cast<double>(verdict.samples.size() - 1);
+  for (std::size_t i = 0; i < verdict.samples.size(); ++i) {
+    if (verdict.samples[i] == 0) continue;
+    const double value = advantage(comparison, static_cast<double>(i) / last);
+    list.push_back({rounded(value), verdict.samples[i]});
+  }
+  return list;
+}
+
+// "2 x 4 x 100 cycles": matches, situations of each.
+std::string situations_text(const Comparison& comparison) {
+  const match::MatchOptions options = match_options(comparison.config);
+  return fmt::format("{} x {} situations of {} cycles", matches_in_sample(comparison),
+                     options.situations, match::situation_cycles(options));
 }
 
 // Only where the unit is goals; the points have members of their own.
@@ -111,7 +134,7 @@ void add_bounds(Json& document, const Comparison& comparison, const ComparisonVe
     return {rounded(advantage(comparison, bounds.low)),
             rounded(advantage(comparison, bounds.high))};
   };
-  if (comparison.test.measure == Measure::kGoals) {
+  if (in_goals(comparison.test.measure)) {
     document["goal_difference_bounds"] = advantages();
   } else if (is_direct(comparison)) {
     document["score_bounds"] = {rounded(bounds.low), rounded(bounds.high)};
@@ -143,11 +166,18 @@ std::string comparison_text(const Comparison& comparison, std::span<const Schedu
   std::string text = fmt::format("verdict: {}\n", decision_text(comparison, names, known));
   auto out = std::back_inserter(text);
   fmt::format_to(out, "{}\n", strength_text(names, known));
-  if (comparison.test.measure == Measure::kGoals) {
+  if (in_goals(comparison.test.measure)) {
     fmt::format_to(out, "{}\n", goals_text(comparison, known));
   }
-  fmt::format_to(out, "{} {}, from worst to best: {}", total(known.samples),
-                 sample_name(comparison), fmt::join(known.samples, " "));
+  const double samples = total(known.samples);
+  std::string_view sample = sample_name(comparison);
+  if (samples == 1) sample.remove_suffix(1);  // the name is a plural
+  fmt::format_to(out, "{} {}", samples, sample);
+  if (comparison.test.measure == Measure::kValue) {
+    fmt::format_to(out, " of {}", situations_text(comparison));
+  } else {
+    fmt::format_to(out, ", from worst to best: {}", fmt::join(known.samples, " "));
+  }
   if (known.left_out > 0) fmt::format_to(out, "; {} excluded (INVALID matches)", known.left_out);
   fmt::format_to(out, "\n{}\n{}\n", test_text(comparison, known), known.model);
   if (known.decision != Decision::kOpen) {
@@ -171,7 +201,7 @@ std::string comparison_json(const Comparison& comparison, std::span<const Schedu
                    {"verdict", verdict_name(known)},
                    {"answer", name(known.decision)},
                    {"test", comparison.test.kind == TestKind::kBetting ? "betting" : "sprt"},
-                   {"measure", comparison.test.measure == Measure::kPoints ? "points" : "goals"},
+                   {"measure", name(comparison.test.measure)},
                    {"pairs", total(known.samples)},
                    {"evidence",
                     {{"better", rounded(known.betting.for_h1())},
@@ -186,7 +216,7 @@ std::string comparison_json(const Comparison& comparison, std::span<const Schedu
                    {"alpha", comparison.test.alpha},
                    {"beta", comparison.test.beta},
                    {"model", known.model},
-                   {"samples", known.samples},
+                   {"samples", samples_json(comparison, known)},
                    {"left_out", known.left_out},
                    {"superiority", rounded(strength.superiority)}};
   if (names.direct) {
@@ -201,7 +231,7 @@ std::string comparison_json(const Comparison& comparison, std::span<const Schedu
     document["gain_interval"] = {rounded(gain(strength.score_interval.low)),
                                  rounded(gain(strength.score_interval.high))};
   }
-  if (comparison.test.measure == Measure::kGoals) add_goals(document, comparison, known);
+  if (in_goals(comparison.test.measure)) add_goals(document, comparison, known);
   add_bounds(document, comparison, known);
   document["counts"] = {{"finished", counts.finished}, {"invalid", counts.invalid}};
   document["matches"] = std::move(rows);

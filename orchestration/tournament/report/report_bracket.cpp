@@ -50,7 +50,8 @@ std::string scores_text(const Report& report, const BracketTie& tie, int team) {
   std::string text;
   for (const ScheduledMatch& match : matches_of(report, tie)) {
     if (!match.outcome) continue;
-    text += (text.empty() ? "" : ", ") + score_text(match, match.fixture.right == team);
+    text +=
+        (text.empty() ? "" : ", ") + score_text(*report.config, match, match.fixture.right == team);
   }
   return text + (tie.by_lot ? ", by lot" : "");
 }
@@ -111,6 +112,11 @@ class Tree {
 
 // "quarter-finals" of "quarter-final 2", "losers' round 1" of "losers' round 1, tie 3".
 std::string round_title(const std::string& stage) {
+  for (const char* name : {", quarter-final ", ", semi-final "}) {
+    if (const std::size_t at = stage.find(name); at != stage.npos) {
+      return stage.substr(0, at + std::string_view(name).size() - 1) + "s";
+    }
+  }
   if (const std::size_t tie = stage.find(", tie "); tie != std::string::npos) {
     return stage.substr(0, tie);
   }
@@ -121,7 +127,10 @@ std::string round_title(const std::string& stage) {
 }
 
 // The part of the bracket that a round belongs to: rounds of one part stand side by side.
-std::string part_of(const std::string& title) {
+std::string part_of(const Report& report, const std::string& title) {
+  for (const Stage& stage : report.config->stages) {
+    if (belongs_to(title, stage.name)) return stage.name;
+  }
   for (const char* part : {"winners'", "losers'", "grand final", "third place"}) {
     if (title.starts_with(part)) return part;
   }
@@ -142,7 +151,7 @@ std::vector<Part> parts_of(const Report& report) {
   std::vector<Part> parts;
   for (const BracketTie& tie : report.bracket) {
     const std::string title = round_title(tie.stage);
-    const std::string name = part_of(title);
+    const std::string name = part_of(report, title);
     auto part = std::find_if(parts.begin(), parts.end(),
                              [&name](const Part& one) { return one.name == name; });
     if (part == parts.end()) part = parts.insert(parts.end(), {name, {}});
@@ -169,9 +178,11 @@ std::string entrant_html(const Report& report, const BracketTie& tie, const Entr
     const Outcome& outcome = *match.outcome;
     goals += fmt::format(" {}", left ? outcome.left_score : outcome.right_score);
     if (had_shoot_out(outcome)) {
-      goals += fmt::format(" ({} pen)", left ? *outcome.left_penalties : *outcome.right_penalties);
+      const bool staged = report.config->format == Format::kStages;
+      goals += fmt::format(fmt::runtime(staged ? "+{}" : " ({} pen)"),
+                           left ? *outcome.left_penalties : *outcome.right_penalties);
     }
-    if (outcome.forfeit) goals += " (forfeit)";
+    if (outcome.forfeit) goals += match.decision ? " (decision)" : " (forfeit)";
   }
   if (tie.by_lot && won) goals += " by lot";
   const char* kind = won ? " class=\"won\"" : entrant.team ? "" : " class=\"open\"";

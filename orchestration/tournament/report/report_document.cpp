@@ -13,6 +13,7 @@
 #include "base/system/version.h"
 #include "base/text/json_text.h"
 #include "base/text/table.h"
+#include "orchestration/tournament/config/start_times.h"
 #include "orchestration/tournament/rating/statistics.h"
 #include "orchestration/tournament/store/match_document.h"
 
@@ -156,6 +157,14 @@ Json byes_json(const Report& report) {
   return byes;
 }
 
+Json stages_json(const TournamentConfig& config) {
+  Json stages = Json::array();
+  for (const Stage& stage : config.stages) {
+    stages.push_back({{"name", stage.name}, {"format", name(stage.format)}, {"legs", stage.legs}});
+  }
+  return stages;
+}
+
 // ISO 8601; null while no match was played.
 Json time_json(const std::string& time) { return time.empty() ? Json(nullptr) : Json(time); }
 
@@ -220,8 +229,8 @@ base::JunitCase junit_case(const Report& report, const ScheduledMatch& match) {
   }
   const Outcome& outcome = *match.outcome;
   one.seconds = outcome.wall_seconds;
-  if (outcome.played()) {
-    one.text = score_text(match);
+  if (!failed(match)) {
+    one.text = score_text(*report.config, match);
     return one;
   }
   one.result = outcome.fault ? base::JunitCase::Result::kFailed : base::JunitCase::Result::kError;
@@ -231,7 +240,26 @@ base::JunitCase junit_case(const Report& report, const ScheduledMatch& match) {
   return one;
 }
 
+Json pauses_json(const Report& report) {
+  Json pauses = Json::array();
+  for (const Pause& pause : report.pauses) {
+    pauses.push_back({{"begin", pause.begin},
+                      {"end", pause.end.empty() ? Json(nullptr) : Json(pause.end)},
+                      {"reason", pause.reason}});
+  }
+  return pauses;
+}
+
 }  // namespace
+
+nlohmann::ordered_json json_of(const Timetable& timetable) {
+  Json starts = Json::array();
+  for (const PlannedStart& start : timetable.starts) {
+    starts.push_back(
+        {{"match", start.match}, {"start", utc_time_text(start.time)}, {"server", start.server}});
+  }
+  return starts;
+}
 
 std::string report_json(const Report& report) {
   const TournamentConfig& config = *report.config;
@@ -264,6 +292,7 @@ std::string report_json(const Report& report) {
       {"rounds", rounds_of(config)},
       {"seed", config.seed},
       {"swap_sides", config.swap_sides},
+      {"stages", stages_json(config)},
       {"tie_breakers", std::move(breakers)},
       {"teams", teams_json(report)},
       {"hosts", hosts_json(report)},
@@ -273,12 +302,15 @@ std::string report_json(const Report& report) {
         {"finished", report.counts.finished},
         {"forfeits", report.counts.forfeits},
         {"invalid", report.counts.invalid},
+        {"annulled", report.counts.annulled},
         {"open", report.counts.open}}},
       {"standings", json_of(report, report.tables.back().standings)},
       {"tables", std::move(all_tables)},
       {"crosstable", std::move(crosstable)},
       {"bracket", bracket_json(report)},
       {"byes", byes_json(report)},
+      {"schedule", json_of(report.timetable)},
+      {"pauses", pauses_json(report)},
       {"rating", {{"model", "Bradley-Terry"}, {"superiority", std::move(superiority)}}},
       {"matches", std::move(matches)},
       {"versions", {{"cls", base::kVersion}, {"wire", base::kWireVersion}}}};

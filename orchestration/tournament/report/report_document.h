@@ -1,6 +1,7 @@
 // Reports as JSON, CSV and JUnit.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "orchestration/tournament/report/report_model.h"
@@ -9,6 +10,9 @@ namespace cls::orchestration::tournament {
 
 /// {"schema": "cls.tournament/1", "matches": [...], "standings": [...], ...}, indented.
 std::string report_json(const Report& report);
+
+/// `schedule` of the documents: [{"match": 3, "start": "2027-07-15T07:00:00Z", "server": 1}, ...].
+nlohmann::ordered_json json_of(const Timetable& timetable);
 
 /// A line of column names, then a line for each match.
 std::string report_csv(const Report& report);

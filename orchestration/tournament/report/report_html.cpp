@@ -71,6 +71,9 @@ std::string report_html(const Report& report) {
     text += table_html(standings_table(report, ranked, Headings::kLong));
   }
   if (!report.bracket.empty()) text += "<h2>bracket</h2>\n" + bracket_html(report);
+  text += table_html(schedule_table(report));
+  text += table_html(decisions_table(report));
+  text += table_html(pauses_table(report));
   const bool numbered = report.config->teams.size() > kMaxNamedColumns;
   text += table_html(crosstable(report, numbered), numbered ? "scroll dense" : "scroll");
   text += ratings_html(report);

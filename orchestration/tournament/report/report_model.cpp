@@ -24,12 +24,18 @@ std::string ratio(Number left, Number right, bool swapped) {
 
 }  // namespace
 
+std::string tournament_name(const TournamentConfig& config, const std::filesystem::path& folder) {
+  return config.name.empty() ? folder_name(folder) : config.name;
+}
+
 MatchCounts count(std::span<const ScheduledMatch> matches) {
   MatchCounts counts;
   counts.scheduled = static_cast<int>(matches.size());
   for (const ScheduledMatch& match : matches) {
     if (!match.outcome) {
       ++counts.open;
+    } else if (match.outcome->annulled) {
+      ++counts.annulled;
     } else if (match.outcome->forfeit) {
       ++counts.forfeits;
     } else {
@@ -45,6 +51,9 @@ std::string counts_text(const MatchCounts& counts) {
   if (counts.forfeits > 0) {
     text += fmt::format("{}{} forfeited", std::exchange(separator, ", "), counts.forfeits);
   }
+  if (counts.annulled > 0) {
+    text += fmt::format("{}{} annulled", std::exchange(separator, ", "), counts.annulled);
+  }
   if (counts.invalid > 0) text += fmt::format("{}{} INVALID", separator, counts.invalid);
   return text;
 }
@@ -56,7 +65,7 @@ Report make_report(const TournamentConfig& config, std::span<const ScheduledMatc
   report.matches = matches;
   report.folder = folder;
   report.link_base = folder;
-  report.name = config.name.empty() ? folder_name(folder) : config.name;
+  report.name = tournament_name(config, folder);
   report.counts = count(matches);
   report.complete = report.counts.open == 0 && report.counts.scheduled > 0 &&
                     next_fixtures(config, matches).empty();
@@ -71,7 +80,19 @@ Report make_report(const TournamentConfig& config, std::span<const ScheduledMatc
   }
   report.playmakers = playmaker_figures(config.teams.size(), matches);
   report.hosts = host_figures(matches);
+  report.timetable = timetable(config, matches, std::time(nullptr));
+  // read_tournament() reports a file that cannot be read.
+  if (auto pauses = read_pauses(folder)) report.pauses = *std::move(pauses);
   return report;
+}
+
+std::vector<std::string> first_teams(const Report& report) {
+  std::vector<std::string> first;
+  if (report.tables.empty()) return first;
+  for (const Standing& one : report.tables.back().standings) {
+    if (one.rank == 1) first.push_back(report.team(one.team));
+  }
+  return first;
 }
 
 std::optional<HeadToHead> find_head_to_head(const Report& report, int first, int second) {
@@ -82,20 +103,52 @@ std::optional<HeadToHead> find_head_to_head(const Report& report, int first, int
   return std::nullopt;
 }
 
+bool failed(const ScheduledMatch& match) {
+  return match.outcome && !match.outcome->played() && !match.outcome->annulled &&
+         !(match.decision && match.outcome->forfeit);
+}
+
 std::string rerun_command(const TournamentConfig& config, const Fixture& fixture) {
   return process::to_shell(match_plan(config, fixture, "cls", ""));
+}
+
+std::string score_text(const TournamentConfig& config, const ScheduledMatch& match, bool swapped) {
+  const bool by_play = match.outcome && match.outcome->played();
+  if (config.format != Format::kStages || !by_play || !had_shoot_out(*match.outcome)) {
+    return score_text(match, swapped);
+  }
+  const Outcome& outcome = *match.outcome;
+  const std::string left = fmt::format("({}+{})", outcome.left_score, *outcome.left_penalties);
+  const std::string right = fmt::format("({}+{})", outcome.right_score, *outcome.right_penalties);
+  return swapped ? fmt::format("{} - {}", right, left) : fmt::format("{} - {}", left, right);
+}
+
+std::string decision_text(const ScheduledMatch& match) {
+  if (!match.decision) return {};
+  switch (match.decision->kind) {
+    case DecisionKind::kAnnul:
+      return "annulled";
+    case DecisionKind::kReplay:
+      return match.outcome ? "played again" : "to be played again";
+    case DecisionKind::kAward:
+      return fmt::format("awarded {}:{}", match.decision->left_score, match.decision->right_score);
+    case DecisionKind::kAsPlayed:
+      break;
+  }
+  return {};
 }
 
 std::string score_text(const ScheduledMatch& match, bool swapped) {
   if (!match.outcome) return "-";
   const Outcome& outcome = *match.outcome;
+  if (outcome.annulled) return "annulled";
   if (!outcome.counts()) return std::string(name(outcome.end_reason));
   std::string text = ratio(outcome.left_score, outcome.right_score, swapped);
   if (had_shoot_out(outcome)) {
     text +=
         fmt::format(" ({} pen)", ratio(*outcome.left_penalties, *outcome.right_penalties, swapped));
   }
-  if (outcome.forfeit) text += " (forfeit)";
+  if (outcome.forfeit) text += match.decision ? " (decision)" : " (forfeit)";
   return text;
 }
 

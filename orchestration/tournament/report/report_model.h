@@ -14,11 +14,16 @@
 #include "orchestration/tournament/schedule/fixture.h"
 #include "orchestration/tournament/schedule/head_to_head.h"
 #include "orchestration/tournament/schedule/schedule.h"
+#include "orchestration/tournament/schedule/timetable.h"
+#include "orchestration/tournament/store/pauses_file.h"
 
 namespace cls::orchestration::tournament {
 
 /// Name of the replay page in a match folder.
 inline constexpr const char* kReplayPage = "match.html";
+
+/// The configured name, or that of the folder.
+std::string tournament_name(const TournamentConfig& config, const std::filesystem::path& folder);
 
 /// Numbers of matches by state.
 struct MatchCounts {
@@ -26,9 +31,10 @@ struct MatchCounts {
   int finished = 0;  ///< played to the end
   int forfeits = 0;
   int invalid = 0;
+  int annulled = 0;
   int open = 0;
 
-  int done() const { return finished + forfeits + invalid; }
+  int done() const { return finished + forfeits + invalid + annulled; }
 };
 MatchCounts count(std::span<const ScheduledMatch> matches);
 
@@ -42,9 +48,11 @@ struct Report {
   std::filesystem::path folder;     ///< of the tournament
   std::filesystem::path link_base;  ///< path from the document to `folder`, for links
   std::set<int> replays;            ///< indices of matches with a replay page in their folder
-  std::string name;                 ///< of the tournament: configured, or that of its folder
+  std::string name;                 ///< tournament_name()
   MatchCounts counts;
   bool complete = false;
+  std::vector<Pause> pauses;
+  Timetable timetable;  ///< of the matches scheduled so far that were not played
   std::vector<RankedTable> tables;
   std::vector<BracketTie> bracket;  ///< empty for formats without one
   std::vector<Bye> byes;            ///< of a Swiss tournament
@@ -62,15 +70,28 @@ struct Report {
 Report make_report(const TournamentConfig& config, std::span<const ScheduledMatch> matches,
                    const std::filesystem::path& folder);
 
+/// The names of the teams that share the first rank of the last table; empty before there is one.
+std::vector<std::string> first_teams(const Report& report);
+
 /// The results of `first` against `second`; nothing when they have not met.
 std::optional<HeadToHead> find_head_to_head(const Report& report, int first, int second);
+
+/// True when a match was neither played to the end nor decided otherwise.
+bool failed(const ScheduledMatch& match);
 
 /// The shell command that plays a match again.
 std::string rerun_command(const TournamentConfig& config, const Fixture& fixture);
 
-/// "2:1", "2:2 (4:3 pen)", "0:3 (forfeit)", "crashed", or "-" without an outcome. With `swapped`
+/// "2:1", "2:2 (4:3 pen)", "0:3 (forfeit)", "3:0 (decision)", "annulled", "crashed", or "-" without
+/// an outcome. With `swapped`
 /// the right team's score is first.
 std::string score_text(const ScheduledMatch& match, bool swapped = false);
+/// The same as the report writes it: in stages a shoot-out as the league does, "(2+4) - (2+3)".
+std::string score_text(const TournamentConfig& config, const ScheduledMatch& match,
+                       bool swapped = false);
+
+/// "annulled", "to be played again", "played again", "awarded 3:0"; empty without a decision.
+std::string decision_text(const ScheduledMatch& match);
 
 /// "semi-final 2", or "round 3" for matches without a stage.
 std::string stage_text(const Fixture& fixture);

@@ -12,6 +12,7 @@
 #include "base/text/counted.h"
 #include "base/text/percent_encoding.h"
 #include "base/text/printable.h"
+#include "orchestration/tournament/config/start_times.h"
 #include "orchestration/tournament/report/standings_columns.h"
 
 namespace cls::orchestration::tournament {
@@ -143,7 +144,7 @@ std::vector<std::string> head_lines(const Report& report) {
 
 std::string match_text(const Report& report, const ScheduledMatch& match) {
   return fmt::format("match {}, {} {} {}", match.fixture.index, report.team(match.fixture.left),
-                     score_text(match), report.team(match.fixture.right));
+                     score_text(*report.config, match), report.team(match.fixture.right));
 }
 
 std::vector<std::string> warning_lines(const Report& report) {
@@ -334,11 +335,63 @@ ReportTable hosts_table(const Report& report) {
   return result;
 }
 
+ReportTable decisions_table(const Report& report) {
+  ReportTable result;
+  base::Table& table = result.table;
+  for (const ScheduledMatch& match : report.matches) {
+    if (!match.decision) continue;
+    if (table.empty()) {
+      result.title = "decisions";
+      table.add_column("match", Align::kRight);
+      table.add_columns({"stage", "left", "right", "was", "decision", "reason", "UTC"});
+    }
+    const MatchDecision& decision = *match.decision;
+    table.add_row({fmt::to_string(match.fixture.index), stage_text(match.fixture),
+                   report.team(match.fixture.left), report.team(match.fixture.right),
+                   decision.before.empty() ? "-" : decision.before, decision_text(match),
+                   base::printable(decision.reason), time_text(decision.time)});
+  }
+  return result;
+}
+
+ReportTable pauses_table(const Report& report) {
+  ReportTable result;
+  base::Table& table = result.table;
+  for (const Pause& pause : report.pauses) {
+    if (table.empty()) {
+      result.title = "technical time-outs";
+      table.add_columns({"from UTC", "to UTC", "reason"});
+    }
+    table.add_row({time_text(pause.begin), pause.end.empty() ? "-" : time_text(pause.end),
+                   base::printable(pause.reason)});
+  }
+  return result;
+}
+
+ReportTable schedule_table(const Report& report) {
+  constexpr std::size_t kListed = 40;
+  ReportTable result;
+  base::Table& table = result.table;
+  const std::vector<PlannedStart>& starts = report.timetable.starts;
+  for (std::size_t i = 0; i < std::min(kListed, starts.size()); ++i) {
+    if (table.empty()) {
+      result.title = "next matches";
+      table.add_column("match", Align::kRight);
+      table.add_columns({"start", "server", "stage", "left", "right"});
+    }
+    const ScheduledMatch& match = report.matches[static_cast<std::size_t>(starts[i].match) - 1];
+    table.add_row({fmt::to_string(starts[i].match), local_time_text(starts[i].time),
+                   fmt::to_string(starts[i].server), stage_text(match.fixture),
+                   report.team(match.fixture.left), report.team(match.fixture.right)});
+  }
+  return result;
+}
+
 ReportTable failures_table(const Report& report) {
   ReportTable result;
   base::Table& table = result.table;
   for (const ScheduledMatch& match : report.matches) {
-    if (!match.outcome || match.outcome->played()) continue;
+    if (!failed(match)) continue;
     const Outcome& outcome = *match.outcome;
     if (table.empty()) {
       result.title = "failed matches";
@@ -377,7 +430,7 @@ ReportTable matches_table(const Report& report, MatchDetails details) {
   for (const ScheduledMatch& match : report.matches) {
     const Fixture& fixture = match.fixture;
     std::vector<std::string> cells = {fmt::to_string(fixture.index), stage_text(fixture),
-                                      report.team(fixture.left), score_text(match),
+                                      report.team(fixture.left), score_text(*report.config, match),
                                       report.team(fixture.right)};
     const bool known = match.outcome.has_value();
     const Outcome outcome = match.outcome.value_or(Outcome());

@@ -94,7 +94,7 @@ std::string logs_and_command(const Report& report, const ScheduledMatch& match, 
 std::string format_failures(const Report& report, const TextOptions& options) {
   std::string text;
   for (const ScheduledMatch& match : report.matches) {
-    if (!match.outcome || match.outcome->played()) continue;
+    if (!failed(match)) continue;
     const Outcome& outcome = *match.outcome;
     const std::string line =
         fmt::format("{} {} - {}: {}{}{}", match.fixture.index, report.team(match.fixture.left),
@@ -152,7 +152,8 @@ ReportTable crosstable_within(const Report& report, std::size_t width) {
 std::vector<ReportTable> middle_tables(const Report& report, ReportTable cross, bool endpoints) {
   std::vector<ReportTable> result;
   for (ReportTable& table :
-       std::vector{std::move(cross), head_to_head_table(report), ratings_table(report),
+       std::vector{schedule_table(report), decisions_table(report), pauses_table(report),
+                   std::move(cross), head_to_head_table(report), ratings_table(report),
                    playmakers_table(report, endpoints), hosts_table(report)}) {
     if (!table.empty()) result.push_back(std::move(table));
   }
@@ -184,14 +185,10 @@ std::string standings_text(const Report& report, const TextOptions& options) {
 std::string winner_text(const Report& report) {
   if (report.tables.empty() || report.counts.finished + report.counts.forfeits == 0) return {};
 
-  const std::vector<Standing>& ranked = report.tables.back().standings;
-  std::vector<std::string> first;
-  for (const Standing& one : ranked) {
-    if (one.rank == 1) first.push_back(report.team(one.team));
-  }
+  const std::vector<std::string> first = first_teams(report);
   if (first.empty()) return {};
 
-  const Standing& best = ranked.front();
+  const Standing& best = report.tables.back().standings.front();
   const char* what = report.complete ? "winner" : "leader";
   return fmt::format("{}: {}, {}, goals {}:{}\n", first.size() > 1 ? "level" : what,
                      fmt::join(first, " and "), base::counted(best.points, "point"), best.goals_for,

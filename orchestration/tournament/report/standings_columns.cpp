@@ -26,6 +26,11 @@ std::string interval_cell(const Report& /*report*/, const Standing& row) {
                      100 * known.score_interval.high);
 }
 
+std::string average_cell(const Report& /*report*/, const Standing& row) {
+  if (row.played == 0) return "-";
+  return fmt::format("{:.2f}", static_cast<double>(row.points) / row.played);
+}
+
 std::string won_lost(const WinLoss& record) {
   return fmt::format("{}-{}", record.won, record.lost);
 }
@@ -82,6 +87,7 @@ constexpr std::array<StandingsColumn, kStandingsColumns.size()> kColumns = {{
      [](const Report&, const Standing& row) { return row.separated_by; }},
     {"elo", "Elo", "Elo", kRight, elo_cell},
     {"elo-error", "+- 95 %", "+-", kRight, elo_error_cell},
+    {"average", "average", "avg", kRight, average_cell},
 }};
 
 const StandingsColumn& column(std::string_view name) {
@@ -108,6 +114,7 @@ std::vector<const StandingsColumn*> chosen_columns(const Report& report,
   const auto add_if = [&chosen](bool wanted, const char* name) {
     if (wanted) chosen.push_back(&column(name));
   };
+  add_if(ranked.average, "average");
   add_if(any_row(ranked, [](const Standing& row) { return row.shoot_outs.any(); }), "shoot-outs");
   add_if(any_row(ranked, [](const Standing& row) { return row.forfeits.any(); }), "forfeits");
   add_if(any_row(ranked, [](const Standing& row) { return row.invalid > 0; }), "invalid");

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/system/host.h"
-#include "orchestration/tournament/run/concurrency.h"
 #include "orchestration/tournament/run/match_executor.h"
+#include "orchestration/tournament/schedule/concurrency.h"
 #include "orchestration/tournament/store/match_attempt.h"
 
 namespace cls::orchestration::tournament {
@@ -111,8 +111,15 @@ class LocalExecutor : public MatchExecutor {
 Result<std::unique_ptr<MatchExecutor>> make_executor(const TournamentConfig& config,
                                                      const fs::path& folder,
                                                      const fs::path& program) {
-  return config.executor == ExecutorKind::kSlurm ? slurm_executor(config, folder, program)
-                                                 : local_executor(config, folder, program);
+  switch (config.executor) {
+    case ExecutorKind::kSlurm:
+      return slurm_executor(config, folder, program);
+    case ExecutorKind::kHosts:
+      return hosts_executor(config, folder, program);
+    case ExecutorKind::kLocal:
+      break;
+  }
+  return local_executor(config, folder, program);
 }
 
 Result<std::unique_ptr<MatchExecutor>> local_executor(const TournamentConfig& config,

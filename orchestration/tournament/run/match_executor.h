@@ -1,4 +1,4 @@
-// Executors that play the matches of a tournament: on this host or on a Slurm cluster.
+// Executors that play the matches of a tournament: on this host, on others, or on a Slurm cluster.
 #pragma once
 
 #include <chrono>
@@ -52,6 +52,9 @@ class MatchExecutor {
   /// Running matches continue.
   virtual void withdraw() {}
 
+  /// While held, matches that have not started wait.
+  virtual void hold(bool /*held*/) {}
+
   /// Called once, before anything else. Returns the numbers of those `matches` (all, by number)
   /// that an earlier run assigned and that may still be running; they count as running.
   virtual base::Result<std::vector<int>> take_over(std::span<const ScheduledMatch> /*matches*/) {
@@ -75,6 +78,16 @@ base::Result<std::unique_ptr<MatchExecutor>> local_executor(const TournamentConf
 base::Result<std::unique_ptr<MatchExecutor>> slurm_executor(const TournamentConfig& config,
                                                             const std::filesystem::path& folder,
                                                             const std::filesystem::path& program);
+
+/// Hosts that share nothing with this one and are reached by config.remote_shell: teams and
+/// `program` are copied there, results and logs back. See hosts_executor.cpp.
+base::Result<std::unique_ptr<MatchExecutor>> hosts_executor(const TournamentConfig& config,
+                                                            const std::filesystem::path& folder,
+                                                            const std::filesystem::path& program);
+
+/// Plays nothing: takes results from a file (ResultsFile). A match that the file lacks is an error.
+base::Result<std::unique_ptr<MatchExecutor>> results_executor(const TournamentConfig& config,
+                                                              const std::filesystem::path& file);
 
 /// The executor that config.executor names.
 base::Result<std::unique_ptr<MatchExecutor>> make_executor(const TournamentConfig& config,

@@ -15,7 +15,7 @@
 #include "orchestration/match/options/team_sandbox.h"
 #include "orchestration/process/command_plan.h"
 #include "orchestration/tournament/config/config_file.h"
-#include "orchestration/tournament/run/concurrency.h"
+#include "orchestration/tournament/schedule/concurrency.h"
 
 namespace cls::orchestration::tournament {
 namespace {
@@ -44,7 +44,7 @@ std::optional<StartProblem> check_team(const TournamentConfig& config, const Tea
 std::optional<StartProblem> check_server(const TournamentConfig& config) {
   const match::ServerChoice server = match_options(config).server_choice;
   const bool started = server.kind == match::ServerChoice::Kind::kProgram;
-  if (!started || config.executor == ExecutorKind::kSlurm) return std::nullopt;
+  if (!started || config.executor != ExecutorKind::kLocal) return std::nullopt;
   const auto program = process::find_program(server.program);
   if (program) return std::nullopt;
   return StartProblem{match::EndpointProblem::Kind::kMissing,
@@ -71,8 +71,10 @@ double bytes_of_logs(const TournamentConfig& config, double to_play) {
 }
 
 bool has_external_team(const TournamentConfig& config) {
-  return std::any_of(config.teams.begin(), config.teams.end(),
-                     [](const TeamEntry& team) { return team.endpoint.starts_with("team:"); });
+  return std::any_of(config.teams.begin(), config.teams.end(), [](const TeamEntry& team) {
+    const auto endpoint = match::parse_endpoint(team.endpoint);
+    return endpoint && !endpoint->has_playmaker();
+  });
 }
 
 }  // namespace

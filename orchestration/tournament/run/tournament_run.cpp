@@ -10,18 +10,22 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <thread>
 #include <utility>
 
 #include "base/text/json_text.h"
 #include "orchestration/match/options/team_sandbox.h"
+#include "orchestration/process/hook_runner.h"
 #include "orchestration/tournament/report/report_document.h"
-#include "orchestration/tournament/run/hook.h"
+#include "orchestration/tournament/run/event_feed.h"
 #include "orchestration/tournament/schedule/schedule.h"
 #include "orchestration/tournament/store/collector.h"
+#include "orchestration/tournament/store/decide.h"
 #include "orchestration/tournament/store/event_file.h"
 #include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_attempt.h"
 #include "orchestration/tournament/store/match_document.h"
+#include "orchestration/tournament/store/pauses_file.h"
 #include "orchestration/tournament/store/store.h"
 
 namespace cls::orchestration::tournament {
@@ -36,6 +40,12 @@ using Clock = std::chrono::steady_clock;
 constexpr int kForfeitGoals = 3;
 constexpr std::chrono::milliseconds kPollInterval{200};
 
+std::chrono::milliseconds hook_limit(const TournamentConfig& config) {
+  if (!config.hook_limit_s) return process::kHookLimit;
+  return std::chrono::duration_cast<std::chrono::milliseconds>(
+      std::chrono::duration<double>(*config.hook_limit_s));
+}
+
 class TournamentRun {
  public:
   TournamentRun(const RunOptions& options, TournamentObserver& observer,
@@ -48,7 +58,8 @@ class TournamentRun {
         store_(std::move(store)),
         events_(std::move(events)),
         executor_(std::move(executor)),
-        hooks_(options.folder, config_.folder) {}
+        hooks_(options.folder, config_.folder, hook_limit(config_)),
+        feed_(config_, options.folder) {}
 
   Result<RunSummary> run() {
     TRY(play());
@@ -75,8 +86,8 @@ class TournamentRun {
 
   Result<void> load() {
     if (auto requeued = store_.requeue(true); !requeued) return requeued;
-    TRY_INIT(auto stored, store_.matches());
-    matches_ = std::move(stored);
+    TRY_INIT(auto decided, decided_matches(options_.folder, store_));
+    matches_ = std::move(decided);
     log_event("tournament_started",
               {{"folder", options_.folder.string()},
                {"scheduled", matches_.size()},
@@ -147,6 +158,8 @@ class TournamentRun {
   }
 
   Result<void> start_matches() {
+    TRY(follow_pauses());
+    if (paused_) return {};
     std::vector<int> indices;
     for (int slots = executor_->free_slots(); slots > 0 && !waiting_.empty(); --slots) {
       indices.push_back(waiting_.front());
@@ -161,6 +174,21 @@ class TournamentRun {
       log_event("match_started", {{"match", indices[i]}, {"attempt", (attempts)[i]}});
     }
     return executor_->start(assignments);
+  }
+
+  // A technical time-out holds the matches that have not started.
+  Result<void> follow_pauses() {
+    TRY_INIT(const auto pauses, read_pauses(options_.folder));
+    const bool paused = is_paused(pauses);
+    if (paused && executor_->running() == 0) std::this_thread::sleep_for(kPollInterval);
+    if (paused == paused_) return {};
+    paused_ = paused;
+    executor_->hold(paused);
+    log_event(paused ? "paused" : "resumed", {{"reason", pauses.back().reason}});
+    observer_.on_note(paused ? fmt::format("paused: {}; cls tournament resume {}",
+                                           pauses.back().reason, options_.folder.string())
+                             : "resumed");
+    return {};
   }
 
   Result<void> record_finished(std::chrono::milliseconds limit) {
@@ -208,8 +236,10 @@ class TournamentRun {
     log_event("match_finished",
               {{"match", index}, {"again", rerun || stops}, {"result", document}});
     observer_.on_match(config_, recorded, progress());
+    feed_.settle(matches_, recorded, hooks_);
     if (!config_.on_match_finish.empty()) {
-      hooks_.start("on_match_finish", config_.on_match_finish, base::json_line(document) + "\n");
+      hooks_.start(
+          {"on_match_finish", config_.on_match_finish, base::json_line(document) + "\n", {}});
     }
     if (stops) end(RunEnd::kFault, fault_text(recorded));
     if (!ending_ && options_.decided && options_.decided(matches_)) end(RunEnd::kDecided);
@@ -221,7 +251,7 @@ class TournamentRun {
   void count_done(const ScheduledMatch& match) {
     if (!allowed(match.fixture.index)) return;
     ++done_;
-    invalid_ += !match.outcome->counts();
+    invalid_ += match.outcome->invalid();
   }
 
   bool allowed(int index) const { return !options_.last_match || index <= *options_.last_match; }
@@ -257,7 +287,7 @@ class TournamentRun {
       observer_.on_note(note);
       log_event("note", {{"text", note}});
     }
-    for (const std::string& line : hooks_.take_errors()) observer_.on_note(line);
+    pass_on_events();
     observer_.on_progress(progress());
     std::error_code code;
     if (const int signal = stop_signal_; signal != 0 && !ending_) {
@@ -266,6 +296,11 @@ class TournamentRun {
     } else if (!ending_ && fs::exists(options_.folder / kStopFile, code)) {
       end(RunEnd::kStopRequested);
     }
+  }
+
+  void pass_on_events() {
+    feed_.poll(matches_, hooks_);
+    for (const std::string& line : hooks_.take_errors()) observer_.on_note(line);
   }
 
   void end(RunEnd why, std::string message = "") {
@@ -284,6 +319,7 @@ class TournamentRun {
         executor_->withdraw();
       }
       if (auto recorded = record_finished(kPollInterval); !recorded) return recorded;
+      pass_on_events();
       observer_.on_progress(progress());
     }
     if (auto requeued = store_.requeue(false); !requeued) return requeued;
@@ -299,8 +335,10 @@ class TournamentRun {
                                    {"invalid", now.invalid}});
     const bool over = summary_.end == RunEnd::kComplete || summary_.end == RunEnd::kDecided;
     if (over && !config_.on_finish.empty()) {
-      hooks_.start("on_finish", config_.on_finish,
-                   report_json(make_report(config_, matches_, options_.folder)));
+      hooks_.start({"on_finish",
+                    config_.on_finish,
+                    report_json(make_report(config_, matches_, options_.folder)),
+                    {}});
     }
     for (const std::string& line : hooks_.finish(stop_signal_)) observer_.on_note(line);
     return {};
@@ -334,11 +372,13 @@ class TournamentRun {
   Store store_;
   EventFile events_;
   std::unique_ptr<MatchExecutor> executor_;
-  HookRunner hooks_;
+  process::HookRunner hooks_;
+  EventFeed feed_;
   std::vector<ScheduledMatch> matches_;
   std::deque<int> waiting_;
   std::optional<RunEnd> ending_;
   RunSummary summary_;
+  bool paused_ = false;
   int done_ = 0;
   int invalid_ = 0;
   int done_in_this_run_ = 0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "orchestration/match/result/end_reason.h"
+#include "orchestration/tournament/schedule/decision.h"
 #include "soccer/side.h"
 
 namespace cls::orchestration::tournament {
@@ -41,11 +42,13 @@ struct SideStats {
 /// How a fixture ended: the part of a MatchResult that a tournament needs, and how it was run.
 struct Outcome {
   match::EndReason end_reason = match::EndReason::kFinished;
-  bool forfeit = false;  ///< the score is 0:3 or 3:0 by decision
+  bool forfeit = false;   ///< the score is 0:3 or 3:0 by rule, or another one by decision
+  bool annulled = false;  ///< counts for nothing, by decision
   int left_score = 0;
   int right_score = 0;
   std::optional<int> left_penalties;
   std::optional<int> right_penalties;
+  std::optional<double> value;        ///< of the situations of a book: goals a match, left team
   std::optional<soccer::Side> fault;  ///< side of the Playmaker that made it invalid
   std::string message;                ///< what went wrong
   std::vector<std::string> warnings;  ///< of the match, in its own words
@@ -70,17 +73,21 @@ struct Outcome {
   /// Played to the end.
   bool finished() const { return end_reason == match::EndReason::kFinished; }
   /// Counts for tables: played to the end, or forfeited.
-  bool counts() const { return forfeit || finished(); }
+  bool counts() const { return !annulled && (forfeit || finished()); }
   /// Counts for ratings: played to the end.
-  bool played() const { return !forfeit && finished(); }
+  bool played() const { return !annulled && !forfeit && finished(); }
+  /// Neither counts nor was annulled by decision.
+  bool invalid() const { return !annulled && !counts(); }
 };
 
 /// A fixture, and its outcome once it has one.
 struct ScheduledMatch {
   Fixture fixture;
   std::optional<Outcome> outcome;
-  int attempts = 0;  ///< started so far
-  int settled = 0;   ///< the latest attempt whose outcome was recorded
+  int attempts = 0;                          ///< started so far
+  int settled = 0;                           ///< the latest attempt whose outcome was recorded
+  std::optional<MatchDecision> decision;     ///< the one that counts, see apply_decisions()
+  std::optional<std::uint64_t> replay_seed;  ///< of the latest replay
 };
 
 /// A match that was not played yet.

@@ -1,6 +1,8 @@
 // Numbers and seeds of new matches; seeding and round-robin order.
 #include "orchestration/tournament/schedule/fixture_list.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -17,12 +19,22 @@ FixtureList::FixtureList(const TournamentConfig& config, std::span<const Schedul
   }
 }
 
+void FixtureList::begin_stage(TournamentConfig config, std::string name) {
+  stage_ = std::move(config);
+  stage_name_ = std::move(name);
+}
+
+std::string FixtureList::full_name(std::string_view stage) const {
+  if (stage_name_.empty()) return std::string(stage);
+  return stage.empty() ? stage_name_ : fmt::format("{}, {}", stage_name_, stage);
+}
+
 void FixtureList::add_pairing(int round, std::string_view stage, int first, int second,
                               bool swapped) {
   if (swapped) std::swap(first, second);
   ++last_pairing_;
   add(round, stage, first, second, false);
-  if (config_.swap_sides) add(round, stage, second, first, false);
+  if (config().swap_sides) add(round, stage, second, first, false);
 }
 
 void FixtureList::add_decider(int round, std::string_view stage, int left, int right) {
@@ -34,7 +46,7 @@ void FixtureList::add(int round, std::string_view stage, int left, int right, bo
   Fixture fixture;
   fixture.index = static_cast<int>(so_far_.size() + added_.size()) + 1;
   fixture.round = round;
-  fixture.stage = stage;
+  fixture.stage = full_name(stage);
   fixture.pairing = last_pairing_;
   fixture.left = left;
   fixture.right = right;
@@ -44,14 +56,16 @@ void FixtureList::add(int round, std::string_view stage, int left, int right, bo
 }
 
 int FixtureList::add_tie(BracketTie tie) {
+  tie.stage = full_name(tie.stage);
   bracket_.push_back(std::move(tie));
   return static_cast<int>(bracket_.size()) - 1;
 }
 
 std::vector<ScheduledMatch> FixtureList::of_stage(std::string_view stage) const {
+  const std::string name = full_name(stage);
   std::vector<ScheduledMatch> found;
   for (const ScheduledMatch& match : so_far_) {
-    if (match.fixture.stage == stage) found.push_back(match);
+    if (match.fixture.stage == name) found.push_back(match);
   }
   return found;
 }

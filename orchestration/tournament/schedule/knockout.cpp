@@ -142,6 +142,13 @@ std::string stage_name(std::size_t ties, std::size_t number) {
   return fmt::format("last {}, tie {}", 2 * ties, number);
 }
 
+// By the rank of the defender.
+std::string step_name(std::size_t rank) {
+  if (rank == 1) return "final";
+  if (rank == 2) return "semi-final";
+  return fmt::format("rank {}", rank);
+}
+
 /// Teams in order of their elimination, from which the ranks follow in reverse.
 class Eliminations {
  public:
@@ -263,6 +270,23 @@ std::vector<std::vector<int>> schedule_double_elimination(FixtureList& list,
   } else if (first.winner.team) {
     eliminated.add(
         {bracket.tie(last_round + 1, "grand final, second", undefeated, challenger).loser});
+  }
+  return eliminated.ranks(seeds);
+}
+
+std::vector<std::vector<int>> schedule_stepladder(FixtureList& list, const std::vector<int>& seeds,
+                                                  int first_round) {
+  Bracket bracket(list);
+  Eliminations eliminated;
+  Entrant climber;
+  climber.team = seeds.back();
+  for (std::size_t rank = seeds.size() - 1; rank > 0; --rank) {
+    const int round = first_round + static_cast<int>(seeds.size() - 1 - rank);
+    Entrant defender;
+    defender.team = seeds[rank - 1];
+    const Tie tie = bracket.tie(round, step_name(rank), defender, climber);
+    eliminated.add({tie.loser});
+    climber = tie.winner;
   }
   return eliminated.ranks(seeds);
 }

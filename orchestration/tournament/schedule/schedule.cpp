@@ -125,11 +125,15 @@ Ranks run_format(FixtureList& list) {
     case Format::kSwiss:
       schedule_swiss(list);
       return {};
+    case Format::kStages:
+      schedule_stages(list);
+      return {};
   }
   return {};
 }
 
-// The rows of `table` in the order of a knockout's ranks.
+}  // namespace
+
 std::vector<Standing> order_by_rank(const Ranks& ranks, const std::vector<Standing>& table) {
   std::map<int, Standing> by_team;
   for (const Standing& standing : table) by_team[standing.team] = standing;
@@ -145,23 +149,26 @@ std::vector<Standing> order_by_rank(const Ranks& ranks, const std::vector<Standi
   return ordered;
 }
 
-}  // namespace
-
 std::string group_name(std::size_t group) {
   return group < 26 ? fmt::format("group {}", static_cast<char>('A' + group))
                     : fmt::format("group {}", group + 1);
 }
 
-std::vector<std::vector<int>> groups_of(const TournamentConfig& config) {
-  const auto count = static_cast<std::size_t>(config.groups);
-  std::vector<std::vector<int>> groups(count);
-  const std::vector<int> order = seeding(config);
+std::vector<std::vector<int>> serpentine(std::span<const std::optional<int>> order,
+                                         std::size_t groups) {
+  std::vector<std::vector<int>> result(groups);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::size_t turn = i / count;
-    const std::size_t step = i % count;
-    groups[turn % 2 == 0 ? step : count - 1 - step].push_back(order[i]);
+    const std::size_t turn = i / groups;
+    const std::size_t step = i % groups;
+    if (order[i]) result[turn % 2 == 0 ? step : groups - 1 - step].push_back(*order[i]);
   }
-  return groups;
+  return result;
+}
+
+std::vector<std::vector<int>> groups_of(const TournamentConfig& config) {
+  const std::vector<int> order = seeding(config);
+  const std::vector<std::optional<int>> slots(order.begin(), order.end());
+  return serpentine(slots, static_cast<std::size_t>(config.groups));
 }
 
 std::vector<Fixture> next_fixtures(const TournamentConfig& config,
@@ -173,6 +180,8 @@ std::vector<Fixture> next_fixtures(const TournamentConfig& config,
 
 std::vector<RankedTable> tables(const TournamentConfig& config,
                                 std::span<const ScheduledMatch> so_far) {
+  FixtureList list(config, so_far);
+  if (config.format == Format::kStages) return schedule_stages(list);
   const std::vector<int> order = seeding(config);
   const auto breakers = tie_breakers_of(config);
   std::vector<RankedTable> result;
@@ -184,7 +193,6 @@ std::vector<RankedTable> tables(const TournamentConfig& config,
       result.push_back({group_name(i), std::move(groups[i])});
     }
   }
-  FixtureList list(config, so_far);
   const bool has_ranks = config.format == Format::kGroups || config.format == Format::kKnockout ||
                          config.format == Format::kDoubleElimination;
   const Ranks ranks = has_ranks ? run_format(list) : Ranks();

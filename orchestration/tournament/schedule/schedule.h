@@ -24,6 +24,7 @@ std::vector<Fixture> next_fixtures(const TournamentConfig& config,
 struct RankedTable {
   std::string title;  ///< "", "group A", "knock-out"
   std::vector<Standing> standings;
+  bool average = false;  ///< its teams have played different numbers of matches
 };
 
 /// The tables of the matches so far; the last one ranks the tournament.

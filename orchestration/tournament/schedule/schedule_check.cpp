@@ -37,26 +37,36 @@ Result<void> check_rows(const TournamentConfig& config, std::span<const Schedule
   return {};
 }
 
-Result<void> check_schedule(const TournamentConfig& config,
-                            std::span<const ScheduledMatch> matches) {
+std::optional<Contradiction> find_contradiction(const TournamentConfig& config,
+                                                std::span<const ScheduledMatch> matches) {
   std::size_t known = 0;
   while (true) {
+    const int first = static_cast<int>(known) + 1;
     const std::vector<Fixture> next = next_fixtures(config, matches.first(known));
     for (std::size_t i = 0; i < next.size(); ++i) {
       const std::size_t at = known + i;
       // A round is scheduled as a whole, or not yet.
       if (at == matches.size()) {
         if (i == 0) return {};
-        return Error{fmt::format("match {} is missing", at + 1)};
+        return Contradiction{first, fmt::format("match {} is missing", at + 1)};
       }
-      if (matches[at].fixture == next[i]) continue;
-      return Error{fmt::format("match {} is not the one that the plan schedules", at + 1)};
+      Fixture expected = next[i];
+      if (matches[at].replay_seed) expected.seed = *matches[at].replay_seed;
+      if (matches[at].fixture == expected) continue;
+      return Contradiction{first,
+                           fmt::format("match {} is not the one that the plan schedules", at + 1)};
     }
     known += next.size();
     if (!next.empty()) continue;
     if (known == matches.size()) return {};
-    return Error{fmt::format("match {} is not scheduled by the plan", known + 1)};
+    return Contradiction{first, fmt::format("match {} is not scheduled by the plan", first)};
   }
+}
+
+Result<void> check_schedule(const TournamentConfig& config,
+                            std::span<const ScheduledMatch> matches) {
+  if (const auto found = find_contradiction(config, matches)) return Error{found->problem};
+  return {};
 }
 
 }  // namespace cls::orchestration::tournament

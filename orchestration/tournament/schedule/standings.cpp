@@ -70,13 +70,14 @@ class Table {
 
   Standing& row(int team) { return rows_[place_.at(team)]; }
 
-  // False for a match without a result, and for one of other teams.
+  // False for a match without a result, for one that was annulled, and for one of other teams.
   bool add(const ScheduledMatch& match) {
     const Fixture& fixture = match.fixture;
     if (!match.outcome || !place_.contains(fixture.left) || !place_.contains(fixture.right)) {
       return false;
     }
     const Outcome& outcome = *match.outcome;
+    if (outcome.annulled) return false;
     if (!outcome.counts()) {
       ++row(fixture.left).invalid;
       ++row(fixture.right).invalid;

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <span>
 
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
@@ -18,7 +19,9 @@
 #include "orchestration/tournament/config/config_file.h"
 #include "orchestration/tournament/schedule/schedule_check.h"
 #include "orchestration/tournament/store/collector.h"
+#include "orchestration/tournament/store/decisions_file.h"
 #include "orchestration/tournament/store/match_document.h"
+#include "orchestration/tournament/store/pauses_file.h"
 #include "orchestration/tournament/store/store.h"
 
 namespace cls::orchestration::tournament {
@@ -73,6 +76,18 @@ Result<std::optional<FolderLock>> FolderLock::try_lock(const fs::path& folder) {
   return std::optional<FolderLock>(FolderLock(std::move(file)));
 }
 
+Result<std::string> read_if_there(const fs::path& file) {
+  if (auto text = base::read_file(file)) return *std::move(text);
+  std::error_code code;
+  if (!fs::exists(file, code) && !code) return std::string();
+  return Error{fmt::format("{}: cannot be read", file.string())};
+}
+
+bool FolderLock::is_held(const fs::path& folder) {
+  const base::UniqueFd file(::open((folder / kLockFile).c_str(), O_RDONLY | O_CLOEXEC));
+  return file && ::flock(file.get(), LOCK_SH | LOCK_NB) != 0;
+}
+
 bool holds_plan(const fs::path& folder) {
   std::error_code code;
   return fs::exists(folder / kPlanFile, code);
@@ -106,7 +121,8 @@ Result<void> check_plan(const fs::path& folder, const TournamentConfig& config) 
     return {};
   }
   return Error{
-      fmt::format("{} holds another plan: {}; --force renames the old folder and starts again",
+      fmt::format("{} holds another plan: {}; the options of its first run continue it, --force "
+                  "renames the folder and starts again",
                   folder.string(), difference)};
 }
 
@@ -176,10 +192,21 @@ std::vector<ScheduledMatch> schedule_in(const fs::path& folder) {
   return matches;
 }
 
-// schedule.jsonl is written before the store. Matches that the store lacks were not played.
-Result<void> add_scheduled(const fs::path& folder, std::vector<ScheduledMatch>& matches) {
+bool is_replay(const Fixture& fixture, std::span<const MatchDecision> decisions) {
+  return std::any_of(decisions.begin(), decisions.end(), [&fixture](const MatchDecision& decision) {
+    return decision.kind == DecisionKind::kReplay && decision.match == fixture.index &&
+           decision.seed == fixture.seed;
+  });
+}
+
+// schedule.jsonl is written before the store. Matches that the store lacks were not played; those
+// that a decision has replayed have another seed.
+Result<void> add_scheduled(const fs::path& folder, std::span<const MatchDecision> decisions,
+                           std::vector<ScheduledMatch>& matches) {
   std::vector<ScheduledMatch> scheduled = schedule_in(folder);
   for (std::size_t i = 0; i < std::min(matches.size(), scheduled.size()); ++i) {
+    const Fixture& stored = matches[i].fixture;
+    if (is_replay(stored, decisions)) scheduled[i].fixture.seed = stored.seed;
     if (matches[i].fixture == scheduled[i].fixture) continue;
     return corrupt(folder / kStoreFile,
                    {fmt::format("match {} is not that of {}", i + 1, kScheduleFile)});
@@ -196,6 +223,9 @@ Result<TournamentState> read_tournament(const fs::path& folder) {
   TournamentState state;
   TRY_INIT(auto config, read_plan(folder));
   state.config = std::move(config);
+  TRY_INIT(const auto decisions, read_decisions(folder));
+  TRY_INIT(const auto pauses, read_pauses(folder));
+  state.paused = is_paused(pauses);
   std::error_code code;
   if (fs::exists(folder / kStoreFile, code)) {
     TRY_INIT(const auto store, Store::open_to_read(folder / kStoreFile));
@@ -205,9 +235,8 @@ Result<TournamentState> read_tournament(const fs::path& folder) {
     if (const auto rows = check_rows(state.config, state.matches); !rows) {
       return corrupt(folder / kStoreFile, rows.error());
     }
-    TRY(add_scheduled(folder, state.matches));
-    const auto lock = FolderLock::try_lock(folder);
-    if (lock && !*lock) {
+    TRY(add_scheduled(folder, decisions, state.matches));
+    if (FolderLock::is_held(folder)) {
       TRY_INIT(auto running, store.running());
       state.running = std::move(running);
     }
@@ -224,6 +253,7 @@ Result<TournamentState> read_tournament(const fs::path& folder) {
   for (WorkResult& result : collect_work_results(folder, state.matches)) {
     state.matches[static_cast<std::size_t>(result.index) - 1].outcome = std::move(result.outcome);
   }
+  apply_decisions(state.matches, decisions);
   return state;
 }
 

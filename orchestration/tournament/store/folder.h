@@ -19,10 +19,12 @@ inline constexpr const char* kPlanFile = "plan.toml";           ///< the resolve
 inline constexpr const char* kStoreFile = "tournament.db";      ///< see store.h
 inline constexpr const char* kScheduleFile = "schedule.jsonl";  ///< a line a match, for `work`
 inline constexpr const char* kTournamentEvents = "events.jsonl";
+inline constexpr const char* kMatchEvents = "match-events.jsonl";  ///< cls.event/1, for on_event
 inline constexpr const char* kMatchesFolder = "matches";
 inline constexpr const char* kResultsFolder = "results";        ///< result files of `work`
 inline constexpr const char* kUnfinishedFolder = "unfinished";  ///< what `work` has in hand
 inline constexpr const char* kSlurmFolder = "slurm";            ///< job arrays, see slurm_batch.h
+inline constexpr const char* kHostsFolder = "hosts";            ///< see hosts_executor.cpp
 inline constexpr const char* kStopFile = "stop";
 inline constexpr const char* kLockFile = "lock";
 
@@ -51,12 +53,17 @@ struct AttemptName {
 /// {17, 2, "json"} for "000017.2.json".
 std::optional<AttemptName> parse_attempt_name(std::string_view name);
 
+/// The text of a file that a tournament need not have; then empty. An error if it cannot be read.
+base::Result<std::string> read_if_there(const std::filesystem::path& file);
+
 /// Held by the one `cls tournament run` that may write to a folder. Released when the process
 /// exits.
 class FolderLock {
  public:
   /// Nothing when another process holds the lock of `folder`.
   static base::Result<std::optional<FolderLock>> try_lock(const std::filesystem::path& folder);
+  /// True when a process holds the lock. For readers: needs no right to write.
+  static bool is_held(const std::filesystem::path& folder);
 
  private:
   explicit FolderLock(base::UniqueFd file) : file_(std::move(file)) {}
@@ -91,6 +98,7 @@ struct TournamentState {
   std::vector<ScheduledMatch> matches;  ///< by number
   std::size_t stored = 0;               ///< of these, in the store; the others were not played
   std::vector<int> running;             ///< numbers, ascending; empty without a running `run`
+  bool paused = false;                  ///< a technical time-out has not ended
 };
 
 /// Reads plan, store and result files of `work`, without writing. An error if they contradict each

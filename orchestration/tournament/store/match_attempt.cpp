@@ -49,6 +49,12 @@ void add_log_compression(std::vector<std::string>& argv, const TournamentConfig&
   }
 }
 
+// Events of all matches go to one file, from which `run` passes them on (event_feed.h).
+void add_events(std::vector<std::string>& argv, const fs::path& tournament) {
+  const std::string file = process::shell_quoted((tournament / kMatchEvents).string());
+  add_option(argv, "--on-event", fmt::format("exec cat >>{}", file));
+}
+
 // The outcome in the result.json of a match folder; nothing when there is none, a corrupt one, or
 // one of another seed.
 std::optional<Outcome> read_outcome(const fs::path& folder, const Fixture& fixture) {
@@ -111,7 +117,10 @@ process::CommandPlan match_plan(const TournamentConfig& config, const Fixture& f
     add_option(plan.argv, "--set", setting.name + "=" + setting.value);
   }
   if (fixture.decides) {
-    add_option(plan.argv, "--set", std::string("server::nr_extra_halfs=2"));
+    const bool chosen =
+        std::any_of(config.settings.begin(), config.settings.end(),
+                    [](const ServerSetting& one) { return one.name == "server::nr_extra_halfs"; });
+    if (!chosen) add_option(plan.argv, "--set", std::string("server::nr_extra_halfs=2"));
     add_option(plan.argv, "--set", std::string("server::penalty_shoot_outs=on"));
   }
   if (!folder.empty()) {
@@ -141,6 +150,7 @@ Result<MatchAttempt> MatchAttempt::start(process::ProcessHost& host, const Tourn
   process::CommandPlan plan =
       match_plan(config, fixture, options.program, started.tournament_ / started.folder_);
   plan.cpus = std::move(options.cpus);
+  if (!config.on_event.empty()) add_events(plan.argv, started.tournament_);
   TRY_INIT(auto child, host.start(plan));
   started.child_ = std::move(child);
   return started;

@@ -9,6 +9,7 @@
 #include "base/text/json_codec.h"
 #include "base/text/json_text.h"
 #include "orchestration/match/result/reply_summary.h"
+#include "orchestration/tournament/store/decisions_file.h"
 #include "soccer/side.h"
 
 namespace cls::orchestration::tournament {
@@ -73,6 +74,7 @@ static void members(Codec& codec, Object<Codec, Outcome>& outcome) {
   codec.member("forfeit", outcome.forfeit);
   codec.pair("score", outcome.left_score, outcome.right_score);
   codec.pair("penalty_score", outcome.left_penalties, outcome.right_penalties);
+  codec.rounded("value", outcome.value, 1e6);
   codec.derived("winner", [&] { return winner_json(outcome); });
   codec.named("fault", outcome.fault, soccer::side_name, soccer::parse_side);
   codec.text_or_null("message", outcome.message);
@@ -117,6 +119,7 @@ Json json_of(const TournamentConfig& config, const ScheduledMatch& match) {
     json["end_reason"] = nullptr;
     json["score"] = nullptr;
   }
+  if (match.decision) json["decision"] = json_of(*match.decision);
   return json;
 }
 
@@ -160,6 +163,7 @@ Outcome outcome_of(const match::MatchResult& result) {
     outcome.left_penalties = result.left.penalty_score;
     outcome.right_penalties = result.right.penalty_score;
   }
+  if (result.book) outcome.value = result.book->value;
   if (result.fault != soccer::Side::kNeutral) outcome.fault = result.fault;
   outcome.message = result.message;
   outcome.warnings = result.warnings;

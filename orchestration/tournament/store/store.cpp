@@ -3,6 +3,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <system_error>
 #include <utility>
@@ -179,6 +180,13 @@ ScheduledMatch match_in(SQLite::Statement& row) {
   return match;
 }
 
+// Device and inode; zeros for a missing file.
+std::array<std::uint64_t, 2> file_identity(const std::string& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return {};
+  return {status.st_dev, status.st_ino};
+}
+
 // Runs `work` and turns exceptions of the library into an error that names the file.
 template <typename Work>
 auto guarded(const std::string& file, Work work) {
@@ -187,7 +195,8 @@ auto guarded(const std::string& file, Work work) {
 
 }  // namespace
 
-Store::Store(std::unique_ptr<SQLite::Database> database) : database_(std::move(database)) {}
+Store::Store(std::unique_ptr<SQLite::Database> database)
+    : database_(std::move(database)), file_(file_identity(database_->getFilename())) {}
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 Store::~Store() = default;
@@ -261,8 +270,16 @@ Result<std::vector<ScheduledMatch>> Store::matches() const {
   });
 }
 
+// SQLite continues to write into a file that has no name any more.
+void Store::check_file() const {
+  if (file_identity(database_->getFilename()) == file_) return;
+  throw SQLite::Exception(
+      "was removed or replaced while it was in use; results since then are lost");
+}
+
 Result<void> Store::add(std::span<const Fixture> fixtures) {
   return guarded(database_->getFilename(), [&] {
+    check_file();
     SQLite::Transaction transaction(*database_);
     SQLite::Statement insert(*database_,
                              "INSERT INTO match (number, round, stage, pairing, left_team, "
@@ -285,6 +302,7 @@ Result<void> Store::add(std::span<const Fixture> fixtures) {
 
 Result<std::vector<int>> Store::begin_attempts(std::span<const int> indices) {
   return guarded(database_->getFilename(), [&] {
+    check_file();
     std::vector<int> attempts;
     SQLite::Transaction transaction(*database_);
     SQLite::Statement update(*database_,
@@ -320,8 +338,28 @@ Result<void> Store::requeue(bool failed_too) {
   });
 }
 
+Result<void> Store::plan_again(int index, std::uint64_t seed) {
+  return guarded(database_->getFilename(), [&] {
+    SQLite::Statement update(
+        *database_,
+        "UPDATE match SET state = 'planned', outcome = NULL, seed = ?2 WHERE number = ?1");
+    update.bind(1, index);
+    update.bind(2, static_cast<std::int64_t>(seed));
+    update.exec();
+  });
+}
+
+Result<void> Store::remove_from(int index) {
+  return guarded(database_->getFilename(), [&] {
+    SQLite::Statement remove(*database_, "DELETE FROM match WHERE number >= ?1");
+    remove.bind(1, index);
+    remove.exec();
+  });
+}
+
 Result<void> Store::finish(int index, const Outcome& outcome, bool final) {
   return guarded(database_->getFilename(), [&] {
+    check_file();
     SQLite::Statement update(*database_,
                              "UPDATE match SET state = ?2, attempts = max(attempts, ?3), "
                              "settled = ?3, outcome = ?4 WHERE number = ?1");

@@ -18,14 +18,12 @@ int seed_number(const TuneConfig& config, int generation, int round) {
 
 double value_of_pair(const TuneConfig& config, std::span<const ScheduledMatch* const> matches,
                      int candidate) {
-  const int limit = config.measure == Measure::kPoints ? 1 : config.max_goals;
+  const int limit = config.measure == Measure::kPoints  ? 1
+                    : config.measure == Measure::kGoals ? config.max_goals
+                                                        : config.max_goals * kValueSteps;
   int sum = 0;
   for (const ScheduledMatch* match : matches) {
-    const Outcome& outcome = *match->outcome;
-    const int difference = config.measure == Measure::kPoints
-                               ? winner_sign(outcome)
-                               : outcome.left_score - outcome.right_score;
-    const int counted = std::clamp(difference, -limit, limit);
+    const int counted = counted_value(*match->outcome, config.measure, limit);
     sum += match->fixture.left == candidate ? counted : -counted;
   }
   return 0.5 + sum / (4.0 * limit);

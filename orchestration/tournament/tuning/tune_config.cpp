@@ -164,10 +164,11 @@ class TuneParser {
     if (const auto method = read.read_choice("method", {"cma-es", "spsa"})) {
       config.method = *method == 0 ? TuneMethod::kCmaEs : TuneMethod::kSpsa;
     }
-    if (const auto measure = read.read_choice("measure", {"points", "goals"})) {
-      config.measure = *measure == 0 ? Measure::kPoints : Measure::kGoals;
+    if (const auto measure = read.read_choice("measure", {"points", "goals", "value"})) {
+      config.measure = static_cast<Measure>(*measure);
     }
-    read.read("max_goals", config.max_goals, 1, 20);
+    if (config.measure == Measure::kValue) config.max_goals = kMaxValue;
+    read.read("max_goals", config.max_goals, 1, 100);
     read.read("generations", config.generations, 1, 100'000);
     read.read("population", config.population, 0, 1000);
     read.read("pairs", config.pairs, 1, 10'000);
@@ -336,7 +337,7 @@ std::vector<std::string> plan_lines(const TuneConfig& config) {
       fmt::format("team = {}", config.team),
       fmt::format("opponents = {}", fmt::join(config.opponents, ", ")),
       fmt::format("method = {}", config.method == TuneMethod::kCmaEs ? "cma-es" : "spsa"),
-      fmt::format("measure = {}", config.measure == Measure::kGoals ? "goals" : "points"),
+      fmt::format("measure = {}", name(config.measure)),
       fmt::format("max_goals = {}", config.max_goals),
       fmt::format("population = {}", config.population),
       fmt::format("pairs = {}", config.pairs),
@@ -375,7 +376,7 @@ team = "mock:{file}"
 opponents = ["mock:hold"]
 
 #method = "cma-es"    # or "spsa"
-#measure = "goals"    # or "points"
+#measure = "goals"    # or "points"; "value" with a book in cls.toml
 max_goals = 6         # a larger goal difference counts as this (3)
 generations = 6
 #population = 0       # candidates of a generation; 0: 4 + 3 ln(parameters); spsa: 2

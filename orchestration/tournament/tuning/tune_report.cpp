@@ -88,7 +88,7 @@ viewer::SearchData::Value band(const TuneConfig& config, const Estimate& score) 
 
 std::string score_text(const TuneConfig& config, const Estimate& score) {
   const viewer::SearchData::Value value = band(config, score);
-  if (config.measure == Measure::kGoals) {
+  if (in_goals(config.measure)) {
     return fmt::format("{:+.2f} goals a match ({:+.2f} to {:+.2f})", value.center, value.low,
                        value.high);
   }
@@ -145,7 +145,7 @@ std::string tune_json(const Tuning& tuning, const std::optional<TuneVerdict>& ve
   for (const Generation& one : tuning.history()) generations.push_back(json_of(config, one));
   const Json document = {{"schema", "cls.tune/1"},
                          {"method", method_name(config)},
-                         {"measure", config.measure == Measure::kGoals ? "goals" : "points"},
+                         {"measure", name(config.measure)},
                          {"generations", config.generations},
                          {"played", tuning.history().size()},
                          {"pairs", tuning.pairs_played()},
@@ -163,7 +163,7 @@ std::string tune_picture(const Tuning& tuning) {
   data.title = {fmt::format("{} over {}", method_name(config),
                             base::counted(tuning.history().size(), "generation")),
                 base::counted(tuning.pairs_played(), "pair")};
-  const bool goals = config.measure == Measure::kGoals;
+  const bool goals = in_goals(config.measure);
   data.unit = goals ? "goals a match" : "share of the points";
   data.even = goals ? 0.0 : 0.5;
   for (const Generation& one : tuning.history()) data.scores.push_back(band(config, one.score));

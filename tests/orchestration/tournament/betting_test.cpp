@@ -159,6 +159,13 @@ std::vector<Table> tables() {
       {"goals, planner against helios", pairs_of({0, 0, 3, 2, 0, 2, 6}), half_a_goal(3), 0.056},
       // A fifth of the matches are draws, the matches of a pair share half of their luck.
       {"points, equal teams, shared luck", {0.28, 0.08, 0.28, 0.08, 0.28}, elo40(), 0.15},
+      // 30 pairs of 8 situations of a book, mock:planner with and without two-leg dashes: values
+      // from -8 to 8 in steps of a half.
+      {"values of situations, planner",
+       {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 4,
+        1, 1, 0, 4, 2, 5, 5, 2, 1, 0, 0, 1, 0, 0, 0, 2},
+       half_a_goal(8),
+       0.03125},
   };
 }
 

@@ -8,7 +8,7 @@
 
 #include "base/system/host.h"
 #include "base/system/version.h"
-#include "orchestration/tournament/run/concurrency.h"
+#include "orchestration/tournament/schedule/concurrency.h"
 #include "orchestration/tournament/schedule/schedule.h"
 #include "tests/orchestration/tournament/fake_executor.h"
 #include "tests/support/temporary_folder.h"

@@ -353,6 +353,27 @@ TEST(Comparison, CountsGoalsUpToTheirLimit) {
   EXPECT_EQ(walkover_samples(comparison), 6);
 }
 
+TEST(Comparison, CountsValuesOfSituationsUpToTheirLimit) {
+  Comparison comparison = comparison_of(0);
+  comparison.test.measure = Measure::kValue;
+  comparison.test.max_goals = kMaxValue;
+  comparison.max_samples = 1;
+  // A has +2.5 as the left team, and more than the limit as the right one; the score is nothing.
+  const auto matches = play(comparison, [](const Fixture& fixture) {
+    Outcome outcome = score(0, 4);
+    outcome.value = fixture.left == 0 ? 2.5 : -1e300;
+    return outcome;
+  });
+  const ComparisonVerdict known = verdict(comparison, matches);
+  EXPECT_EQ(known.samples.size(), std::size_t{4 * kMaxValue * kValueSteps + 1});
+  EXPECT_EQ(total(known.samples), 1);
+  EXPECT_NEAR(advantage(comparison, mean(known.samples)), (2.5 + kMaxValue) / 2, 1e-9);
+  EXPECT_NEAR(known.hypotheses.mean1, 0.5 + 0.25 / kMaxValue, 1e-12);
+  EXPECT_EQ(advantage_text(comparison, 0.5 + 0.25 / kMaxValue), "+0.50 goals a match");
+  comparison.max_samples.reset();
+  EXPECT_EQ(walkover_samples(comparison), 6);
+}
+
 TEST(Comparison, CountsGoalsAgainstOpponents) {
   Comparison comparison = comparison_of(1);
   comparison.test.measure = Measure::kGoals;

@@ -28,6 +28,20 @@ namespace fs = std::filesystem;
 using match::EndReason;
 using nlohmann::ordered_json;
 
+TEST(Store, SaysThatItsFileIsGone) {
+  const tests::TemporaryFolder folder;
+  auto store = Store::open(folder.path() / "db");
+  ASSERT_TRUE(store);
+  ASSERT_TRUE(store->add(next_fixtures(config_of(Format::kKnockout, 2), {})).ok());
+  fs::rename(folder.path() / "db", folder.path() / "moved");
+  for (const char* what : {"removed", "replaced"}) {
+    const auto stored = store->finish(1, fault(EndReason::kLate));
+    ASSERT_FALSE(stored) << what;
+    EXPECT_THAT(stored.error().message, HasSubstr("db: was removed or replaced"));
+    fs::copy_file(folder.path() / "moved", folder.path() / "db", fs::copy_options::skip_existing);
+  }
+}
+
 TEST(Store, RoundTripsEveryMember) {
   const tests::TemporaryFolder folder;
   Outcome outcome = fault(EndReason::kLate);

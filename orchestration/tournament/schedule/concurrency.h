@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "orchestration/tournament/config/config.h"
+#include "orchestration/tournament/config/host_list.h"
 #include "orchestration/tournament/schedule/fixture.h"
 
 namespace cls::orchestration::tournament {
@@ -12,6 +13,9 @@ namespace cls::orchestration::tournament {
 /// The first team that needs its soccer server at the ports 6000 to 6002 (`team:DIR` with a `start`
 /// without port arguments): a host can run one such match. Empty when there is none.
 std::string fixed_port_team(const TournamentConfig& config);
+
+/// The hosts of the executor "hosts" with the matches that each plays in parallel.
+std::vector<HostSlots> host_slots(const TournamentConfig& config);
 
 /// CPUs of slot `slot` (from 0) of `matches` parallel matches: an equal share of whole cores, each
 /// given as the list of its CPUs. With fewer cores than matches some slots share one.

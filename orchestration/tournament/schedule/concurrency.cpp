@@ -1,5 +1,5 @@
 // Decreases after a miss, increases after a clean round.
-#include "orchestration/tournament/run/concurrency.h"
+#include "orchestration/tournament/schedule/concurrency.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -24,9 +24,18 @@ std::string fixed_port_team(const TournamentConfig& config) {
     const auto endpoint = match::parse_endpoint(team.endpoint);
     if (!endpoint || endpoint->kind != match::Endpoint::Kind::kTeam) continue;
     std::error_code code;
+    if (!endpoint->parts.empty()) return team.name;  // mixed teams have start scripts
     if (std::filesystem::exists(config.folder / endpoint->path / "start", code)) return team.name;
   }
   return "";
+}
+
+std::vector<HostSlots> host_slots(const TournamentConfig& config) {
+  auto hosts = parse_hosts(config.hosts);
+  if (!hosts) return {};
+  if (fixed_port_team(config).empty()) return *std::move(hosts);
+  for (HostSlots& host : *hosts) host.slots = 1;
+  return *std::move(hosts);
 }
 
 std::vector<int> cpus_of_slot(const std::vector<std::vector<int>>& cores, int slot, int matches) {
@@ -42,6 +51,12 @@ std::vector<int> cpus_of_slot(const std::vector<std::vector<int>>& cores, int sl
 
 Concurrency::Concurrency(const TournamentConfig& config, int cores)
     : automatic_(config.concurrency == 0) {
+  if (config.executor == ExecutorKind::kHosts) {
+    automatic_ = false;
+    current_ = 0;
+    for (const HostSlots& host : host_slots(config)) current_ += host.slots;
+    return;
+  }
   if (!fixed_port_team(config).empty()) {
     automatic_ = false;
     return;

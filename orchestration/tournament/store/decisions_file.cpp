@@ -1,0 +1,73 @@
+// Lines of decisions.jsonl.
+#include "orchestration/tournament/store/decisions_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "base/catch_as_error.h"
+#include "base/io/whole_file.h"
+#include "base/text/json_codec.h"
+#include "base/text/json_text.h"
+
+namespace cls::orchestration::tournament {
+namespace {
+
+constexpr std::array kDecisionKinds = {DecisionKind::kAnnul, DecisionKind::kReplay,
+                                       DecisionKind::kAward, DecisionKind::kAsPlayed};
+
+std::optional<DecisionKind> parse_decision_kind(std::string_view text) {
+  for (const DecisionKind kind : kDecisionKinds) {
+    if (name(kind) == text) return kind;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+template <typename Codec>
+static void members(Codec& codec, typename Codec::template Object<MatchDecision>& decision) {
+  codec.required("match", decision.match);
+  codec.named(
+      "kind", decision.kind, [](DecisionKind kind) { return name(kind); }, parse_decision_kind);
+  codec.pair("score", decision.left_score, decision.right_score);
+  codec.pair("penalty_score", decision.left_penalties, decision.right_penalties);
+  codec.member("seed", decision.seed);
+  codec.member("reason", decision.reason);
+  codec.text_or_null("before", decision.before);
+  codec.member("time", decision.time);
+}
+
+nlohmann::ordered_json json_of(const MatchDecision& decision) {
+  return base::JsonEncoder::encode(decision);
+}
+
+base::Result<std::vector<MatchDecision>> read_decisions(const std::filesystem::path& folder) {
+  std::vector<MatchDecision> decisions;
+  const std::filesystem::path file = folder / kDecisionsFile;
+  TRY_INIT(const std::string text, read_if_there(file));
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    const std::string place = fmt::format("{}:{}", file.string(), number);
+    TRY_INIT(auto decision, base::catch_as_error<std::exception>(place, [&] {
+               MatchDecision value;
+               base::JsonDecoder::decode(nlohmann::ordered_json::parse(line), value);
+               return value;
+             }));
+    decisions.push_back(std::move(decision));
+  }
+  return decisions;
+}
+
+base::Result<void> write_decisions(const std::filesystem::path& folder,
+                                   const std::vector<MatchDecision>& decisions) {
+  std::string text;
+  for (const MatchDecision& decision : decisions) text += base::json_line(json_of(decision)) + "\n";
+  return base::write_file_durably(folder / kDecisionsFile, text);
+}
+
+}  // namespace cls::orchestration::tournament
