@@ -22,11 +22,15 @@ SLEEF = ARCHIVES / "libsleef.so.3"
 STATIC = ["grpc++_reflection", "grpc++", "grpc", "gpr", "address_sorting", "upb", "re2", "cares",
           "protobuf", "SQLiteCpp", "sqlite3", "ssl", "crypto", "z"]
 # Without an archive in Debian; packaging/ has what takes their place.
-REPLACED = {"fmt": "static_fmt", "tomlplusplus": "static_toml", "sleef": "embedded_sleef"}
+REPLACED = {"fmt": "static_fmt", "tomlplusplus": "static_toml", "sleef": "embedded_sleef",
+            "glibc": "old_c_library"}
 HARDENED = ["-Wl,-z,relro,-z,now", "-Wl,--exclude-libs,ALL", "-static-libstdc++", "-static-libgcc"]
-# A megabyte less of relocations, which glibc reads since 2.36; no symbols, so that the build id does
-# not depend on debug information.
-SMALL = ["-Wl,--gc-sections", "-Wl,-z,pack-relative-relocs", "-Wl,--strip-all"]
+# No symbols, so that the build id does not depend on debug information.
+SMALL = ["-Wl,--gc-sections", "-Wl,--strip-all"]
+# The oldest C library that starts the program: that of Ubuntu 20.04, where competitions run.
+GLIBC = (2, 31)
+# Libraries that libc.so.6 absorbed in glibc 2.34, and what names of their functions begin with.
+ABSORBED = {"libpthread.so.0": ("pthread_", "__pthread_"), "libdl.so.2": ("dl",)}
 
 
 def run(*command: object, cwd: pathlib.Path | None = None) -> str:
@@ -58,19 +62,62 @@ def compile_replacements(build: pathlib.Path, work: pathlib.Path) -> list[pathli
     return objects
 
 
+def numbers(version: str) -> tuple[int, ...]:
+    return tuple(map(int, version.split(".")))
+
+
+def old_versions() -> dict[str, dict[str, list[str]]]:
+    """Functions that are newer in libc.so.6 than GLIBC because they moved there: their versions before
+    that, by library and version."""
+    symbols = run("readelf", "-W", "--dyn-syms", ARCHIVES / "libc.so.6")
+    moved = {name for name, version in re.findall(r" (\w+)@@GLIBC_([\d.]+)$", symbols, re.M)
+             if numbers(version) > GLIBC}
+    found: dict[str, dict[str, list[str]]] = {}
+    for name, version in re.findall(r" (\w+)@GLIBC_([\d.]+)$", symbols, re.M):
+        for library, beginnings in ABSORBED.items():
+            if name in moved and name.startswith(beginnings) and numbers(version) <= GLIBC:
+                found.setdefault(library, {}).setdefault(version, []).append(name)
+    return found
+
+
+def old_libraries(work: pathlib.Path) -> list[pathlib.Path]:
+    """Libraries without code, with which the linker finds the old version of a function first."""
+    libraries_found = []
+    for library, versions in old_versions().items():
+        names = sorted({name for listed in versions.values() for name in listed})
+        source, script, out = work / f"{library}.c", work / f"{library}.map", work / library
+        source.write_text("".join(f"void {name}(void) {{}}\n" for name in names))
+        # A function with several old versions gets the latest of them.
+        seen: set[str] = set()
+        text = ""
+        for version in sorted(versions, key=numbers, reverse=True):
+            names_here = [name for name in sorted(versions[version]) if name not in seen]
+            seen.update(names_here)
+            if names_here:
+                text += f"GLIBC_{version} {{ {' '.join(f'{name};' for name in names_here)} }};\n"
+        script.write_text(text)
+        run("cc", "-shared", "-nostdlib", "-fno-builtin", "-w", f"-Wl,-soname,{library}",
+            f"-Wl,--version-script={script}", source, "-o", out)
+        libraries_found.append(out)
+    return libraries_found
+
+
 def link(build: pathlib.Path, target: str, out: pathlib.Path, replacements: list[pathlib.Path]) -> None:
     """Links `target` again, with archives in place of Debian's shared libraries."""
     command = run("ninja", "-C", build, "-t", "commands", "-s", target).strip().splitlines()[-1]
     words = shlex.split(command.removeprefix(": && ").removesuffix(" && :"))
     shared = re.compile(r"/lib[\w+-]+\.so[\d.]*$|^-l|^-Wl,-rpath")
-    kept = [word for word in words if not shared.search(word)]
-    kept[kept.index("-o") + 1] = str(out)
+    inputs = words.index("-o") + 2
+    kept = [word for word in words[inputs:] if not shared.search(word)]
+    options = [word for word in words[:inputs - 1] if not shared.search(word)]
     # Programs of the group need each other in both directions.
     archives = [ARCHIVES / f"lib{name}.a" for name in STATIC]
     archives += sorted(ARCHIVES.glob("libabsl_*.a"))
-    inputs = kept.index(str(out)) + 1
-    run(*kept[:inputs], *HARDENED, *SMALL, "-Wl,--start-group", *kept[inputs:],
-        *replacements, *archives, "-Wl,--end-group", "-ldl", "-lm", cwd=build)
+    # Libraries have no __libc_start_main.
+    start = [] if "-shared" in options else ["-Wl,--wrap=__libc_start_main"]
+    run(*options, out, *HARDENED, *SMALL, *start, "-Wl,--start-group", *kept,
+        *replacements, *archives, "-Wl,--end-group", "-Wl,--no-as-needed", *old_libraries(replacements[0].parent),
+        "-Wl,--as-needed", "-lm", cwd=build)
     run("strip", "--remove-section=.comment", out)
 
 

@@ -15,6 +15,7 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "orchestration/match/options/endpoint.h"
+#include "orchestration/process/command_plan.h"
 
 namespace cls::cli {
 namespace {
@@ -64,11 +65,11 @@ void print(const Arguments& arguments, const std::string& dir,
   }
 
   fmt::print(
-      "{0}/: {1} files; README.md has the next steps:\n"
-      "  cd {0}\n"
+      "{}/: {} files; README.md has the next steps:\n"
+      "  cd {}\n"
       "  ./run build\n"
-      "  cls match {2} mock --cycles 1000\n",
-      dir, files.size(), arguments.name);
+      "  cls match {} mock --cycles 1000\n",
+      dir, files.size(), orchestration::process::shell_quoted(dir), arguments.name);
 }
 
 int run(const Arguments& arguments) {
@@ -85,7 +86,9 @@ int run(const Arguments& arguments) {
   }
 
   if (const auto written = write_project(dir, *files); !written) {
-    return print_error(kCannotCreate, written.error().message);
+    return print_error(
+        kCannotCreate,
+        written.error().message + (arguments.dir.empty() ? "; --dir selects another folder" : ""));
   }
 
   print(arguments, dir, *files);

@@ -1,6 +1,7 @@
 // `cls package-team`: a team of cls.toml as a folder that the machines of a competition start.
 #include <fmt/format.h>
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,12 +12,18 @@
 
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
+#include "base/system/own_program.h"
+#include "base/text/byte_size.h"
 #include "base/text/json_text.h"
 #include "base/text/suggestion.h"
+#include "cli/project/elf_file.h"
+#include "cli/project/package_check.h"
 #include "cli/project/team_package.h"
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
+#include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/terminal.h"
 #include "orchestration/tournament/config/config_file.h"
 
 namespace cls::cli {
@@ -27,12 +34,17 @@ using namespace orchestration::tournament;
 
 constexpr const char* kDescription =
     "write a team of cls.toml as a folder for a competition\n"
-    "It holds start HOST DIR NUM, kill, this cls, the project of the Playmaker, and\n"
-    "the virtual environment of Python that is active, or .venv of the project.\n"
-    "Matches, logs and pages are left out.\n"
     "\n"
     "  cls package-team ada                       writes ada-team/\n"
-    "  cls match team:ada-team mock               plays it as a competition does";
+    "  cls match team:ada-team mock               plays it on this host\n"
+    "  cls package-team ada --check --root DIR    plays it on twelve machines, whose\n"
+    "                                             files are those of DIR, at 10 Hz\n"
+    "\n"
+    "It holds start HOST DIR NUM, kill, this cls and the project of the Playmaker,\n"
+    "with their loader and libraries: any Linux with glibc 2.31 or later starts it.\n"
+    "For a project in Python it has the interpreter and the packages that the project\n"
+    "imports or its virtual environment has, for package.json node, and what --with\n"
+    "names. Matches, logs and pages are left out.";
 
 constexpr std::string_view kRunForm = "run:";
 
@@ -40,7 +52,13 @@ struct Arguments {
   std::string name;
   std::string dir;
   std::string config;
+  std::vector<std::string> with;
   bool force = false;
+  bool check = false;
+  std::string root = "/";
+  int cycles = 6000;
+  std::string memory = "1G";
+  int cpus = 1;
   bool json = false;
 };
 
@@ -57,12 +75,21 @@ std::string megabytes(std::uintmax_t bytes) {
   return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
 }
 
+std::string named(const BroughtInterpreter& interpreter) {
+  if (interpreter.packages.empty()) return interpreter.name;
+  return fmt::format("{} with {}", interpreter.name, fmt::join(interpreter.packages, ", "));
+}
+
 void print_text(const std::string& dir, const WrittenPackage& written) {
-  fmt::print("{}/: {}: cls {}", dir, megabytes(written.bytes()), megabytes(written.program_bytes));
+  fmt::print("{}/: {}, {} compressed: cls and libraries {}", dir, megabytes(written.bytes()),
+             megabytes(written.packed_bytes), megabytes(written.program_bytes));
   if (written.environment_bytes > 0) {
-    fmt::print(", env/ with Python's packages {}", megabytes(written.environment_bytes));
+    fmt::print(", env/ with interpreters {}", megabytes(written.environment_bytes));
   }
   fmt::print(", team/ with the Playmaker {}\n", megabytes(written.project_bytes));
+  for (const BroughtInterpreter& one : written.interpreters) {
+    fmt::print("env/ has {}\n", named(one));
+  }
   if (!written.left_out.empty()) fmt::print("left out: {}\n", fmt::join(written.left_out, ", "));
   fmt::print(
       "try it as a competition does; its output is in {0}/playmaker.log:\n"
@@ -71,17 +98,29 @@ void print_text(const std::string& dir, const WrittenPackage& written) {
 }
 
 void print_json(const std::string& dir, const TeamPackage& package, const WrittenPackage& written) {
+  nlohmann::ordered_json interpreters = nlohmann::ordered_json::array();
+  for (const BroughtInterpreter& one : written.interpreters) {
+    interpreters.push_back(
+        {{"name", one.name}, {"program", one.program.string()}, {"packages", one.packages}});
+  }
   const nlohmann::ordered_json document = {{"schema", "cls.package-team/1"},
                                            {"dir", dir},
                                            {"command", package.command},
                                            {"bytes", written.bytes()},
+                                           {"compressed_bytes", written.packed_bytes},
                                            {"environment", package.environment.string()},
+                                           {"interpreters", interpreters},
+                                           {"missing", written.missing},
                                            {"left_out", written.left_out}};
   fmt::print("{}", base::json_document(document));
 }
 
+std::string folder_of(const Arguments& arguments) {
+  return arguments.dir.empty() ? arguments.name + "-team" : arguments.dir;
+}
+
 int write(const Arguments& arguments, const TeamPackage& package) {
-  const std::string dir = arguments.dir.empty() ? arguments.name + "-team" : arguments.dir;
+  const std::string dir = folder_of(arguments);
   if (const std::string contents = base::contents_of(dir); !contents.empty()) {
     if (!arguments.force) {
       return print_error(
@@ -94,16 +133,13 @@ int write(const Arguments& arguments, const TeamPackage& package) {
     if (!aside) return print_error(kCannotCreate, aside.error().message);
     fmt::print(stderr, "cls: old package moved to {}\n", aside->string());
   }
-  const auto written = write_package(package, dir);
+  const auto written = write_package(package, dir, [](std::string_view step) {
+    if (stderr_is_terminal()) fmt::print(stderr, "cls: {}\n", step);
+  });
   if (!written) return print_error(kCannotCreate, written.error().message);
 
-  if (!package.environment.empty()) {
-    if (const std::string program = foreign_interpreter(package.environment); !program.empty()) {
-      print_error(0,
-                  fmt::format("warning: the environment needs {}, which other machines and the "
-                              "sandbox of team: do not have; make it with /usr/bin/python3 -m venv",
-                              program));
-    }
+  for (const std::string& one : written->missing) {
+    print_error(0, fmt::format("warning: {} is not on this host, and so not in the package", one));
   }
   if (arguments.json) {
     print_json(dir, package, *written);
@@ -113,7 +149,33 @@ int write(const Arguments& arguments, const TeamPackage& package) {
   return kOk;
 }
 
+int check(const Arguments& arguments) {
+  PackageCheckOptions options;
+  options.package = folder_of(arguments);
+  options.root = arguments.root;
+  options.cycles = arguments.cycles;
+  options.cpus = arguments.cpus;
+  const auto memory = base::parse_byte_size(arguments.memory);
+  if (!memory) {
+    return print_error(
+        kUsage, fmt::format("--memory '{}': must be a size such as 512M or 2G", arguments.memory));
+  }
+  options.memory = *memory;
+  const auto program = base::own_program();
+  if (!program) return print_error(kUnavailable, program.error().message);
+  options.program = *program;
+
+  const std::atomic<int>& signal = watch_interrupts();
+  const auto found = check_package(options, signal);
+  if (!found) return print_error(kNoInput, found.error().message);
+  fmt::print("{}", arguments.json ? to_json(options, *found) : to_text(options, *found));
+  if (signal != 0) return signal_exit_code(signal);
+  if (!found->skipped.empty()) return kUnavailable;
+  return found->passed() ? kOk : kFailed;
+}
+
 int run(const Arguments& arguments) {
+  if (arguments.check) return check(arguments);
   std::error_code code;
   const auto found = find_config(fs::current_path(code));
   const std::optional<fs::path> file =
@@ -140,8 +202,14 @@ int run(const Arguments& arguments) {
                                    arguments.name, endpoint));
   }
 
+  const auto program = base::own_program();
+  if (!program) return print_error(kUnavailable, program.error().message);
+  if (!read_elf_file(*program)) {
+    return print_error(
+        kUsage, fmt::format("{}: the cls of a package cannot make another one", program->string()));
+  }
   return write(arguments, {arguments.name, endpoint.substr(kRunForm.size()), parsed.config.folder,
-                           "/proc/self/exe", environment_of(parsed.config.folder)});
+                           *program, environment_of(parsed.config.folder), arguments.with});
 }
 
 }  // namespace
@@ -149,12 +217,34 @@ int run(const Arguments& arguments) {
 void add_package_team_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("package-team", kDescription);
+  command.starts_programs = true;
   command.option("NAME", arguments->name, "a team of cls.toml").required();
 
   command.option("--dir", arguments->dir, "folder of the package (default: NAME-team)");
   command.option("--config", arguments->config,
                  "cls.toml with the team (default: in or above the working directory)");
 
+  command
+      .option("--with", arguments->with,
+              "also bring PROGRAM of PATH and its libraries (may be repeated)")
+      .placeholder("PROGRAM")
+      .repeatable();
+  command.flag("--check", arguments->check,
+               "play the package that is there: each agent on a machine of its own, 10 Hz");
+  command
+      .option("--root", arguments->root,
+              "--check: folder with the files of the machines, such as those of an older Linux")
+      .placeholder("DIR")
+      .shows_default();
+  command.option("--cycles", arguments->cycles, "--check: length of the match")
+      .range(1, 100000)
+      .shows_default();
+  command.option("--memory", arguments->memory, "--check: memory of each agent with its Playmaker")
+      .placeholder("SIZE")
+      .shows_default();
+  command.option("--cpus", arguments->cpus, "--check: processors of each of them")
+      .range(1, 64)
+      .shows_default();
   command.flag("--force", arguments->force, "rename an older package to NAME.old first");
   command.flag("--json", arguments->json, "print one JSON document");
   command.run = [arguments] { return run(*arguments); };

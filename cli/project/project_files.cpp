@@ -137,11 +137,30 @@ std::optional<std::string> project_path(std::string_view name, const Language& l
   return path;
 }
 
+// Fills in the name, and moves no comment behind it out of its column.
+std::string with_name(std::string_view text, std::string_view name) {
+  constexpr std::string_view kComment = "  # ";
+  std::string filled;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
+    std::string line(text.substr(0, end));
+    text.remove_prefix(end);
+
+    const std::size_t before = line.find(kComment);
+    base::replace_all(line, "@NAME@", name);
+    const std::size_t after = line.find(kComment);
+    if (after < before) line.insert(after, before - after, ' ');
+    if (after > before) line.erase(before, after - before);
+    filled += line;
+  }
+  return filled;
+}
+
 std::string filled_in(std::string_view text, std::string_view name, const Language& language,
                       std::string_view team_template) {
   std::string filled(text);
   base::replace_all(filled, "@TRAINING@\n", team_template == kPolicy ? kTrainingLines : "");
-  base::replace_all(filled, "@NAME@", name);
+  filled = with_name(filled, name);
   base::replace_all(filled, "@LANGUAGE@", language.name);
   base::replace_all(filled, "@DECIDE@", language.decide);
   base::replace_all(filled, "@PACKAGES@", language.packages);
@@ -157,6 +176,13 @@ base::Error unknown(std::string_view what, std::string_view word,
 }
 
 }  // namespace
+
+std::string_view embedded_file(std::string_view name) {
+  const auto& files = embedded_files();
+  const auto found = std::find_if(files.begin(), files.end(),
+                                  [name](const EmbeddedFile& file) { return file.name == name; });
+  return found == files.end() ? std::string_view() : found->text;
+}
 
 const std::vector<std::string_view>& project_languages() {
   static const std::vector<std::string_view> names = [] {

@@ -16,6 +16,9 @@ struct EmbeddedFile {
 };
 const std::vector<EmbeddedFile>& embedded_files();
 
+/// The text of one of them; empty if there is none of that name.
+std::string_view embedded_file(std::string_view name);
+
 /// A file of a project.
 struct ProjectFile {
   std::string path;  ///< in the folder of the project: "src/decide.ts"

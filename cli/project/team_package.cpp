@@ -4,14 +4,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <memory>
 
+#include "base/io/gzip_sink.h"
 #include "base/io/whole_file.h"
 #include "base/text/replace_all.h"
+#include "cli/project/bundle.h"
+#include "cli/project/elf_file.h"
 #include "cli/project/project_files.h"
+#include "cli/support/run_program.h"
 #include "orchestration/match/options/run_command.h"
 #include "orchestration/match/result/match_folder.h"
+#include "orchestration/process/command_plan.h"
 #include "orchestration/tournament/store/folder.h"
 #include "viewer/page/page.h"
 
@@ -21,12 +29,10 @@ namespace {
 namespace fs = std::filesystem;
 using base::Result;
 
-std::string embedded(std::string_view name) {
-  const auto& files = embedded_files();
-  const auto found = std::find_if(files.begin(), files.end(),
-                                  [name](const EmbeddedFile& file) { return file.name == name; });
-  return found == files.end() ? std::string() : std::string(found->text);
-}
+constexpr std::chrono::seconds kBuildLimit{1800};
+constexpr const char* kScript = "./run";                        // of a project of `cls new`
+constexpr const char* kPublished = ".build/publish/Team";       // by its step `publish`
+constexpr const char* kLoader = "/lib64/ld-linux-x86-64.so.2";  // if cls itself needs none
 
 Result<void> write_program(const fs::path& path, std::string_view text) {
   if (auto written = base::write_file(path, text); !written) return written;
@@ -34,10 +40,41 @@ Result<void> write_program(const fs::path& path, std::string_view text) {
   return {};
 }
 
-std::uintmax_t size_of(const fs::path& file) {
-  std::error_code code;
-  const std::uintmax_t size = fs::is_regular_file(file, code) ? fs::file_size(file, code) : 0;
-  return code ? 0 : size;
+// Counts what passes through it.
+class CountingSink : public base::ByteSink {
+ public:
+  explicit CountingSink(std::uintmax_t& bytes) : bytes_(bytes) {}
+  void write(std::string_view bytes) override { bytes_ += bytes.size(); }
+  Result<void> close() override { return {}; }
+
+ private:
+  std::uintmax_t& bytes_;
+};
+
+// Adds the sizes of the files of a package or of a part of it, and compresses them.
+std::uintmax_t size_of(const fs::path& folder, base::ByteSink& packed) {
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_symlink() || !entry.is_regular_file()) continue;
+    const auto content = base::read_file(entry.path());
+    if (!content) continue;
+    bytes += content->size();
+    packed.write(*content);
+  }
+  return bytes;
+}
+
+Result<void> measure(const fs::path& folder, WrittenPackage& written) {
+  base::GzipSink packed(std::make_unique<CountingSink>(written.packed_bytes));
+  written.project_bytes = size_of(folder / "team", packed);
+  if (fs::exists(folder / "env")) written.environment_bytes = size_of(folder / "env", packed);
+  for (const char* part : {"bin", "lib"}) {
+    if (fs::exists(folder / part)) written.program_bytes += size_of(folder / part, packed);
+  }
+  const auto program = base::read_file(folder / "cls").value_or("");
+  written.program_bytes += program.size();
+  packed.write(program);
+  return packed.close();
 }
 
 bool is_page(const fs::path& file) {
@@ -52,6 +89,32 @@ bool is_log(const fs::path& file) {
   if (name.ends_with(".gz")) name.resize(name.size() - 3);
   const std::string ending = fs::path(name).extension().string();
   return ending == ".rcg" || ending == ".rcl" || ending == ".rpc";
+}
+
+// What Rust compiles on the way to a program, often gigabytes.
+bool is_cache_of_cargo(const fs::path& folder) {
+  static constexpr std::array<std::string_view, 4> kNames = {"deps", "build", "incremental",
+                                                             ".fingerprint"};
+  const fs::path profile = folder.parent_path();
+  return fs::exists(profile.parent_path() / "CACHEDIR.TAG") &&
+         std::find(kNames.begin(), kNames.end(), folder.filename()) != kNames.end();
+}
+
+// What the .NET SDK makes on the way to a program: obj/, and bin/ where the Playmaker is the
+// published program beside it. More than ten times its size, with libraries that no host has.
+bool is_cache_of_dotnet(const fs::path& folder, const std::string& command) {
+  const fs::path objects = folder.parent_path() / "obj";
+  const bool published = fs::is_directory(folder.parent_path() / "publish") &&
+                         command.find("publish/") != std::string::npos;
+  if (folder != objects && !(folder.filename() == "bin" && published)) return false;
+  if (!fs::is_directory(objects)) return false;
+
+  const auto is_restored = [](const fs::path& path) {
+    return fs::exists(path / "project.assets.json");
+  };
+  return is_restored(objects) ||
+         std::any_of(fs::directory_iterator(objects), {},
+                     [&](const fs::directory_entry& entry) { return is_restored(entry.path()); });
 }
 
 // An earlier package, such as ada-team.old.
@@ -79,7 +142,8 @@ class ProjectCopy {
         copy(entry.path(), target);
       } else {
         fs::copy(entry.path(), target, fs::copy_options::copy_symlinks);
-        written_.project_bytes += size_of(target);
+        // Scripts compare the dates of programs with those of their sources.
+        if (!entry.is_symlink()) fs::last_write_time(target, entry.last_write_time());
       }
     }
   }
@@ -92,6 +156,7 @@ class ProjectCopy {
     const std::string name = path.filename().string();
     if (fs::equivalent(path, folder_, code)) return "";
     if (name == ".git" || name == "__pycache__") return "";
+    if (is_cache_of_cargo(path) || is_cache_of_dotnet(path, package_.command)) return "";
     if (!package_.environment.empty() && fs::equivalent(path, package_.environment, code)) {
       return "";
     }
@@ -114,19 +179,65 @@ class ProjectCopy {
   WrittenPackage& written_;
 };
 
-// A copy works wherever its interpreter is: Python finds pyvenv.cfg beside its own folder.
-void copy_environment(const fs::path& from, const fs::path& to, WrittenPackage& written) {
-  fs::create_directories(to);
-  for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
-    const fs::path target = to / entry.path().filename();
-    if (entry.path().filename() == "__pycache__") continue;
-    if (entry.is_directory() && !entry.is_symlink()) {
-      copy_environment(entry.path(), target, written);
-    } else {
-      fs::copy(entry.path(), target, fs::copy_options::copy_symlinks);
-      written.environment_bytes += size_of(target);
-    }
+// Symbols are for debuggers: most of the size of a build that was not installed.
+Result<void> copy_stripped(const fs::path& program, const fs::path& to) {
+  TRY(base::create_folders(to.parent_path()));
+  if (const auto strip = orchestration::process::find_program("strip")) {
+    const auto stripped =
+        run_program("strip", {strip->string(), "-o", to.string(), program.string()});
+    if (stripped && fs::exists(to)) return {};
   }
+  fs::copy_file(program, to, fs::copy_options::overwrite_existing);
+  return {};
+}
+
+Result<Bundle> write_programs(const TeamPackage& package, const fs::path& folder) {
+  const fs::path loader = loader_of(package.program);
+  TRY_INIT(Bundle bundle, Bundle::create(folder, loader.empty() ? kLoader : loader));
+  const auto file = read_elf_file(package.program);
+  if (file && loads_on_oldest(*file)) {
+    TRY(copy_stripped(package.program, folder / "cls"));
+    return bundle;
+  }
+  TRY(copy_stripped(package.program, folder / "bin/cls"));
+  TRY(bundle.add_program(fs::absolute(folder / "bin/cls").lexically_normal(), "bin/cls", "cls",
+                         "export CLS_PROGRAM=\"$here/cls\"\n"));
+  return bundle;
+}
+
+Result<void> bring_interpreters(const TeamPackage& package, const fs::path& folder, Bundle& bundle,
+                                const PackageStep& on_step, WrittenPackage& written) {
+  const InterpretedProject project{package.command, package.project, package.environment};
+  std::vector<fs::path> programs = interpreters_of(project);
+  for (const std::string& name : package.with) {
+    TRY_INIT(fs::path found, orchestration::process::find_program(name));
+    programs.push_back(std::move(found));
+  }
+  for (const fs::path& program : programs) {
+    on_step(fmt::format("copying {} with what it needs", program.string()));
+    TRY_INIT(auto brought, bring_interpreter(program, project, folder, bundle));
+    written.interpreters.push_back(std::move(brought));
+  }
+  if (!programs.empty()) TRY(bundle.add_folder("env"));
+  return {};
+}
+
+// Lets the script of a project build before its files are copied, in C# one program instead of
+// themselves. Returns the command that starts the Playmaker.
+Result<std::string> build_project(const TeamPackage& package, const PackageStep& on_step) {
+  const fs::path script = package.project / kScript;
+  const auto text = base::read_file(script);
+  if (!package.command.starts_with(std::string(kScript) + ' ') || !text) return package.command;
+
+  const bool publishes =
+      is_for_dotnet(package.project) && text->find("publish") != std::string::npos;
+  const std::string step = publishes ? "publish" : "build";
+  const std::string name = fmt::format("{} {}", kScript, step);
+  on_step(name);
+  TRY_INIT([[maybe_unused]] const auto lines,
+           run_program(name, {script.string(), step}, kBuildLimit));
+  if (!publishes) return package.command;
+  return kPublished + package.command.substr(std::string_view(kScript).size());
 }
 
 }  // namespace
@@ -138,7 +249,7 @@ std::string start_script(const TeamPackage& package) {
   orchestration::match::RunValues values;
   values.team_name = package.name;
 
-  std::string script = embedded("cli/project/league/start");
+  std::string script = std::string(embedded_file("cli/project/league/start"));
   base::replace_all(script, "@NAME@", package.name);
   base::replace_all(script, "@COMMAND@", orchestration::match::fill_in(command, values));
   return script;
@@ -153,31 +264,46 @@ fs::path environment_of(const fs::path& project) {
   return {};
 }
 
-std::string foreign_interpreter(const fs::path& environment) {
-  std::error_code code;
-  const fs::path interpreter = fs::weakly_canonical(environment / "bin/python", code);
-  for (const char* folder : {"/usr", "/opt", "/bin"}) {
-    if (interpreter.string().starts_with(std::string(folder) + "/")) return {};
-  }
-  return interpreter.string();
-}
+namespace {
 
-Result<WrittenPackage> write_package(const TeamPackage& package, const fs::path& folder) try {
+Result<WrittenPackage> write_unfinished(TeamPackage package, const fs::path& folder,
+                                        const PackageStep& on_step) try {
   WrittenPackage written;
+  TRY_INIT(package.command, build_project(package, on_step));
   TRY(base::create_folders(folder));
   TRY(write_program(folder / "start", start_script(package)));
-  TRY(write_program(folder / "kill", embedded("cli/project/league/kill")));
-
-  fs::copy_file(package.program, folder / "cls");
-  written.program_bytes = size_of(folder / "cls");
+  TRY(write_program(folder / "kill", embedded_file("cli/project/league/kill")));
+  TRY_INIT(Bundle bundle, write_programs(package, folder));
+  TRY(write_program(folder / "lib/machine.sh", embedded_file("cli/project/league/machine.sh")));
   ProjectCopy(package, folder, written).copy(package.project, folder / "team");
-  if (!package.environment.empty()) {
-    copy_environment(package.environment, folder / "env", written);
-  }
+  TRY(bring_interpreters(package, folder, bundle, on_step, written));
+  TRY(bundle.add_folder("team"));
+
+  written.missing = bundle.missing();
   std::sort(written.left_out.begin(), written.left_out.end());
+  on_step("compressing, for its size");
+  TRY(measure(folder, written));
   return written;
 } catch (const fs::filesystem_error& error) {
   return base::Error{fmt::format("{}: {}", error.path1().string(), error.code().message())};
+}
+
+}  // namespace
+
+Result<WrittenPackage> write_package(const TeamPackage& package, const fs::path& dir,
+                                     const PackageStep& on_step) {
+  fs::path folder = fs::absolute(dir).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();  // "ada-team/"
+  const fs::path unfinished = folder.string() + ".unfinished";
+  std::error_code code;
+  fs::remove_all(unfinished, code);  // of one that was killed
+  auto written = write_unfinished(package, unfinished, on_step);
+  if (written) {
+    fs::rename(unfinished, folder, code);
+    if (code) written = base::Error{fmt::format("{}: {}", folder.string(), code.message())};
+  }
+  if (!written) fs::remove_all(unfinished, code);
+  return written;
 }
 
 }  // namespace cls::cli

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/result.h"
+#include "cli/project/interpreters.h"
 
 namespace cls::cli {
 
@@ -18,14 +20,18 @@ struct TeamPackage {
   std::filesystem::path project;        ///< folder where the command runs
   std::filesystem::path program;        ///< the binary cls
   std::filesystem::path environment{};  ///< a virtual environment of Python; empty: none
+  std::vector<std::string> with{};      ///< more programs for env/bin, by path or name on PATH
 };
 
 /// What write_package() has written.
 struct WrittenPackage {
-  std::uintmax_t program_bytes = 0;
-  std::uintmax_t project_bytes = 0;
-  std::uintmax_t environment_bytes = 0;
+  std::uintmax_t program_bytes = 0;      ///< of cls and lib/
+  std::uintmax_t project_bytes = 0;      ///< of team/
+  std::uintmax_t environment_bytes = 0;  ///< of env/
+  std::uintmax_t packed_bytes = 0;       ///< of all, as .tar.gz has them
+  std::vector<BroughtInterpreter> interpreters;
   std::vector<std::string> left_out;  ///< of the project: "runs/", "first/ (match)", ...
+  std::vector<std::string> missing;   ///< libraries that this host lacks: "env/x.so: libfoo.so.1"
 
   std::uintmax_t bytes() const { return program_bytes + project_bytes + environment_bytes; }
 };
@@ -33,18 +39,19 @@ struct WrittenPackage {
 /// The text of the script `start`.
 std::string start_script(const TeamPackage& package);
 
-/// Writes start, kill, cls, env/ and team/, a copy of the project without version control,
-/// packages, folders of matches and tournaments, logs, pages of cls, the environment and `folder`
-/// itself. The error names the file.
+/// Called with each step that takes seconds: "./run build".
+using PackageStep = std::function<void(std::string_view)>;
+
+/// Writes start, kill, cls with loader and libraries, env/ with interpreters and their packages,
+/// and team/, a copy of the project without version control, packages, folders of matches and
+/// tournaments, logs, pages of cls, the environment and `folder` itself. The error names the file.
+/// Until it is whole, the package is FOLDER.unfinished.
 base::Result<WrittenPackage> write_package(const TeamPackage& package,
-                                           const std::filesystem::path& folder);
+                                           const std::filesystem::path& folder,
+                                           const PackageStep& on_step);
 
 /// The virtual environment that the Playmaker of a project uses: the active one ($VIRTUAL_ENV),
 /// else .venv of the project; empty: none.
 std::filesystem::path environment_of(const std::filesystem::path& project);
-
-/// Why other machines, and the sandbox of `team:`, have no interpreter for an environment: it is in
-/// no folder of the system. Empty: they have one.
-std::string foreign_interpreter(const std::filesystem::path& environment);
 
 }  // namespace cls::cli

@@ -13,6 +13,7 @@ void add_tune_command(Command& app);
 void add_tune_run_command(Command& app);
 void add_tune_status_command(Command& app);
 void add_tune_report_command(Command& app);
+void add_book_command(Command& app);
 void add_challenge_command(Command& app);
 void add_compare_command(Command& app);
 void add_completion_command(Command& app);
@@ -24,6 +25,7 @@ void add_init_command(Command& app);
 void add_new_command(Command& app);
 void add_report_command(Command& app);
 void add_package_team_command(Command& app);
+void add_qualify_command(Command& app);
 void add_results_command(Command& app);
 void add_stats_command(Command& app);
 void add_logs_command(Command& app);
@@ -48,9 +50,15 @@ void add_check_perception_command(Command& app);
 // Sub-commands; `app` is the command `tournament`.
 void add_tournament_plan_command(Command& app);
 void add_tournament_run_command(Command& app);
+void add_tournament_watch_command(Command& app);
 void add_tournament_work_command(Command& app);
 void add_tournament_status_command(Command& app);
 void add_tournament_report_command(Command& app);
 void add_tournament_stop_command(Command& app);
+void add_tournament_archive_command(Command& app);
+void add_tournament_pause_command(Command& app);
+void add_tournament_resume_command(Command& app);
+void add_tournament_decide_command(Command& app);
+void add_tournament_check_in_command(Command& app);
 
 }  // namespace cls::cli

@@ -14,6 +14,7 @@
 #include "cli/support/print_error.h"
 #include "cli/support/tls_options.h"
 #include "orchestration/match/options/endpoint.h"
+#include "orchestration/process/command_plan.h"
 #include "orchestration/tournament/config/config_file.h"
 
 namespace cls::cli {
@@ -52,6 +53,23 @@ base::Result<std::string> endpoint_in(const TournamentConfig& config, const fs::
   return base::Error{unknown(side, near, file, teams)};
 }
 
+// What `side` means where it is a folder; empty where it is none. The name of a project is a side
+// inside of the project only.
+std::string folder_meant(const std::string& side) {
+  const fs::path folder(side);
+  std::error_code code;
+  if (!fs::is_directory(folder, code)) return "";
+
+  if (const fs::path file = folder / "cls.toml"; !base::why_no_file(file)) {
+    return fmt::format(
+        "unknown side '{}': a folder with a cls.toml of its own; cd {} first, or --config {}", side,
+        orchestration::process::shell_quoted(side),
+        orchestration::process::shell_quoted(file.string()));
+  }
+  if (base::why_no_file(folder / "start") && base::why_no_file(folder / "start.sh")) return "";
+  return fmt::format("unknown side '{0}'; did you mean 'team:{0}'?", side);
+}
+
 }  // namespace
 
 int resolve_team_name(std::string& side, std::string& team_name, const std::string& config_file) {
@@ -86,9 +104,26 @@ base::Result<std::string> endpoint_of_team(const std::string& side, const fs::pa
   return endpoint_in(parsed.config, *file, side);
 }
 
+std::optional<double> start_timeout_of_project() {
+  std::error_code code;
+  const std::optional<fs::path> file = find_config(fs::current_path(code));
+  if (!file) return std::nullopt;
+
+  const ParsedConfig parsed = read_config(*file);
+  if (!parsed.errors.empty() || !parsed.config.options.contains("start_timeout")) {
+    return std::nullopt;
+  }
+  return match_options(parsed.config).start_timeout_s;
+}
+
 base::Result<orchestration::match::Endpoint> parse_side(const std::string& side,
                                                         const std::string& config_file) {
   auto endpoint = orchestration::match::parse_endpoint(side);
+  if (!endpoint && config_file.empty()) {
+    if (std::string meant = folder_meant(side); !meant.empty())
+      return base::Error{std::move(meant)};
+  }
+
   std::error_code code;
   if (endpoint || is_endpoint(side) || !config_file.empty() ||
       find_config(fs::current_path(code))) {
@@ -130,5 +165,7 @@ int read_side_files(orchestration::match::Endpoint& side) {
   const bool exists = missing_file(side).empty();
   return print_error(exists ? kBadData : kNoInput, loaded.error().message);
 }
+
+int exit_code_of_book(const std::string& file) { return base::absence(file) ? kNoInput : kBadData; }
 
 }  // namespace cls::cli

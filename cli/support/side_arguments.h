@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "orchestration/match/options/endpoint.h"
@@ -20,10 +21,17 @@ int resolve_team_name(std::string& side, std::string& team_name, const std::stri
 base::Result<std::string> endpoint_of_team(const std::string& side,
                                            const std::filesystem::path& folder);
 
+/// Seconds that the cls.toml in or above the working directory gives its teams to start, and
+/// perhaps to build; none without such a file, or if it leaves the time to the command.
+std::optional<double> start_timeout_of_project();
+
 /// parse_endpoint() for a side without its team name. The error says where names of teams come from
 /// if there is no such file.
 base::Result<orchestration::match::Endpoint> parse_side(const std::string& side,
                                                         const std::string& config_file);
+
+/// Of a book that cannot be read: whether it is there.
+int exit_code_of_book(const std::string& file);
 
 /// The side that a command plays with or checks: an endpoint, or the name of a team of cls.toml;
 /// with its files and certificates. Prints errors, which begin with `label` ("--against: ");

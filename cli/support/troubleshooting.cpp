@@ -9,9 +9,9 @@ using orchestration::match::EndReason;
 
 std::string troubleshooting_hint(EndReason reason) {
   if (reason == EndReason::kFinished) return {};
-  // The anchors of the page are the names of result.json.
-  const std::string page = fmt::format("see docs/troubleshooting.md#{}", name(reason));
-  return reason == EndReason::kRefused ? page + "; `cls doctor` checks the host" : page;
+  // Not the page: a program without a checkout beside it has no docs/.
+  const std::string entry = fmt::format("see `cls explain {}`", name(reason));
+  return reason == EndReason::kRefused ? entry + "; `cls doctor` checks the host" : entry;
 }
 
 }  // namespace cls::cli

@@ -7,7 +7,7 @@
 
 namespace cls::cli {
 
-/// "see docs/troubleshooting.md#stalled"; empty for a match that finished.
+/// "see `cls explain stalled`"; empty for a match that finished.
 std::string troubleshooting_hint(orchestration::match::EndReason reason);
 
 }  // namespace cls::cli

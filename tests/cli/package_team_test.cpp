@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/installed.h"
 #include "tests/support/port_lock.h"
 
 namespace cls::tests {
@@ -31,13 +33,30 @@ class PackageTeam : public testing::Test, public cls::tests::ClsFolder {
            "[teams.rivals]\nendpoint = \"mock\"\n";
   }
 
-  // A virtual environment, as far as the package is concerned, with the program my-playmaker.
-  static void write_environment(const fs::path& folder, const std::string& command) {
-    fs::create_directories(folder / "bin");
-    std::ofstream(folder / "pyvenv.cfg") << "home = /usr/bin\n";
-    fs::create_symlink("/bin/sh", folder / "bin/python");
-    std::ofstream(folder / "bin/my-playmaker") << "#!/bin/sh\n" << command << "\n";
+  // A virtual environment with a module, and a program that needs it and starts a mock.
+  static void write_environment(const fs::path& folder) {
+    ASSERT_EQ(tests::run({"/usr/bin/python3", "-m", "venv", "--without-pip", folder}).exit_code, 0);
+    const std::string python = (folder / "bin/python").string();
+    const std::string site = tests::run({python, "-c",
+                                         "import sysconfig; "
+                                         "print(sysconfig.get_path('purelib'), end='')"})
+                                 .out;
+    std::ofstream(fs::path(site) / "ada_weights.py") << "import json\nQUIET = '--quiet'\n";
+    std::ofstream(folder / "bin/my-playmaker")
+        << "#!" << python << "\nimport os, sys, ada_weights\n"
+        << "os.execv('../cls', ['../cls', 'mock', ada_weights.QUIET] + sys.argv[1:])\n";
     fs::permissions(folder / "bin/my-playmaker", fs::perms(0755));
+  }
+
+  // The report of `cls package-team ada --check`, or null where machines cannot be made.
+  nlohmann::json check(std::vector<std::string> options) const {
+    options.insert(options.begin(), {"package-team", "ada", "--check", "--json"});
+    const CommandResult result = run(options);
+    EXPECT_NE(result.out, "") << result.err;
+    auto report = nlohmann::json::parse(result.out);
+    EXPECT_EQ(report["schema"], "cls.package-check/1");
+    EXPECT_EQ(result.exit_code, !report["skipped"].is_null() ? 69 : report["passed"] ? 0 : 1);
+    return report;
   }
 };
 
@@ -67,7 +86,8 @@ TEST_F(PackageTeam, LeavesOutMatchesAndPagesAndSaysItsSize) {
 
   const CommandResult result = run({"package-team", "ada"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, testing::MatchesRegex("ada-team/: [0-9.]+ MB: cls [0-9.]+ MB, .*"));
+  EXPECT_THAT(result.out, testing::MatchesRegex("ada-team/: [0-9.]+ MB, [0-9.]+ MB compressed: "
+                                                "cls and libraries [0-9.]+ MB, .*"));
   EXPECT_THAT(result.out, HasSubstr("left out: cup/ (tournament), first/ (match), runs/ (matches), "
                                     "shown.html (page)\n"));
   for (const char* name : {"first", "cup", "runs", "shown.html"}) {
@@ -80,13 +100,17 @@ TEST_F(PackageTeam, LeavesOutMatchesAndPagesAndSaysItsSize) {
 // The program is found only by the PATH of the environment, which is outside of the package.
 TEST_F(PackageTeam, PlaysWithItsEnvironmentInTheSandbox) {
   const TemporaryFolder elsewhere;
-  write_environment(elsewhere.path() / "env", "exec ../cls mock --quiet \"$@\"");
+  write_environment(elsewhere.path() / "env");
   write("cls.toml", "[teams.ada]\nendpoint = \"run:my-playmaker --port {port}\"\n");
 
   const std::string active = "VIRTUAL_ENV=" + (elsewhere.path() / "env").string();
   const CommandResult written = run({"package-team", "ada", "--json"}, {active});
   ASSERT_EQ(written.exit_code, 0) << written.err;
-  EXPECT_GT(nlohmann::json::parse(written.out)["bytes"], 1'000'000);
+  const auto document = nlohmann::json::parse(written.out);
+  EXPECT_GT(document["bytes"], 1'000'000);
+  ASSERT_EQ(document["interpreters"].size(), 1);
+  EXPECT_EQ(document["interpreters"][0]["name"], "python3");
+  EXPECT_THAT(document["interpreters"][0]["packages"], testing::Contains("ada_weights"));
 
   const PortLock ports;
   const CommandResult match = run({"match", "team:ada-team", "mock:hold", "--cycles", "20",
@@ -120,6 +144,100 @@ TEST_F(PackageTeam, PlaysAsACompetitionStartsIt) {
   EXPECT_EQ(result["end_reason"], "finished");
   EXPECT_EQ(result["left"]["name"], "ada");
   EXPECT_FALSE(fs::exists(folder_.path() / "ada-team/run")) << "kill removes it";
+}
+
+// Each agent has a machine with a network, a user and files of its own; the package is read-only.
+TEST_F(PackageTeam, PlaysOnTwelveMachines) {
+  ASSERT_EQ(run({"package-team", "ada"}).exit_code, 0);
+  const auto report = check({"--cycles", "30"});
+  if (!report["skipped"].is_null()) GTEST_SKIP() << report["skipped"];
+  EXPECT_EQ(report["problem"], nullptr);
+  ASSERT_EQ(report["agents"].size(), 12);
+  for (const auto& agent : report["agents"]) {
+    EXPECT_TRUE(agent["finished"]) << agent;
+    if (agent["agent"] == "coach") continue;  // it counts none
+    EXPECT_GT(agent["decisions"], 20) << agent;
+  }
+}
+
+// CLS_OLD_ROOT: the files of a system with an old C library, as debootstrap makes them.
+TEST_F(PackageTeam, PlaysOnAnOlderCLibrary) {
+  const char* root = std::getenv("CLS_OLD_ROOT");
+  if (root == nullptr) GTEST_SKIP() << "CLS_OLD_ROOT names no folder";
+  ASSERT_EQ(run({"package-team", "ada"}).exit_code, 0);
+  const auto report = check({"--cycles", "30", "--root", root});
+  if (!report["skipped"].is_null()) GTEST_SKIP() << report["skipped"];
+  EXPECT_LT(std::stod(report["glibc"].get<std::string>()), 2.36);
+  for (const auto& agent : report["agents"]) EXPECT_TRUE(agent["finished"]) << agent;
+}
+
+TEST_F(PackageTeam, CheckReportsAgentsThatDoNotPlay) {
+  write("cls.toml", "[teams.ada]\nendpoint = \"run:echo no weights; exit 3; : {port}\"\n");
+  ASSERT_EQ(run({"package-team", "ada"}).exit_code, 0);
+  write("ada-team/start", "#!/bin/sh\necho no license for agent $3\nexit 3\n");
+  const auto report = check({"--cycles", "30"});
+  if (!report["skipped"].is_null()) GTEST_SKIP() << report["skipped"];
+  EXPECT_FALSE(report["passed"]);
+  EXPECT_EQ(report["agents"][4]["problem"], "exit code 3: no license for agent 5");
+}
+
+TEST_F(PackageTeam, CheckRefusesFoldersWithoutTheFilesOfALinux) {
+  EXPECT_EQ(run({"package-team", "ada", "--check"}).err,
+            "cls: ada-team/start: no such file; cls package-team without --check writes it\n");
+  ASSERT_EQ(run({"package-team", "ada"}).exit_code, 0);
+  const CommandResult result = run({"package-team", "ada", "--check", "--root", "src"});
+  EXPECT_EQ(result.exit_code, 66);
+  EXPECT_EQ(result.err,
+            "cls: src/dev: no such file; --root needs the files of a Linux, as debootstrap makes "
+            "them\n");
+}
+
+// A program that needs a newer system than the oldest one starts with the loader of the package.
+TEST_F(PackageTeam, StartsProgramsOfTheProjectWithItsLibraries) {
+  fs::copy_file(cls_binary(), path("src/playmaker"));
+  write("cls.toml", "[teams.ada]\nendpoint = \"run:src/playmaker mock --quiet --port {port}\"\n");
+  ASSERT_EQ(run({"package-team", "ada"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(path("ada-team/team/src/playmaker.program")));
+  EXPECT_EQ(fs::last_write_time(path("ada-team/team/src/playmaker")),
+            fs::last_write_time(path("src/playmaker")));
+  const CommandResult version = tests::run({path("ada-team/team/src/playmaker"), "version"});
+  EXPECT_THAT(version.out, HasSubstr("cls ")) << version.err;
+}
+
+// A project in C# as `cls new` makes it, with a program in place of the one that the SDK compiles.
+TEST_F(PackageTeam, PublishesProjectsInCSharp) {
+  write("Team.csproj", "<Project/>");
+  write("run",
+        "#!/bin/sh\n[ \"$1\" = publish ] || exit 1\ncd \"$(dirname \"$0\")\"\n"
+        "mkdir -p .build/publish .build/bin/Team .build/obj/Team\n"
+        "echo '{}' > .build/obj/Team/project.assets.json\n"
+        "cp " +
+            cls_binary().string() + " .build/publish/Team\n");
+  fs::permissions(path("run"), fs::perms(0755));
+  write("cls.toml", "[teams.ada]\nendpoint = \"run:./run mock --quiet --port {port}\"\n");
+  const CommandResult packed = run({"package-team", "ada"});
+  ASSERT_EQ(packed.exit_code, 0) << packed.err;
+  EXPECT_THAT(read_file(path("ada-team/start")), HasSubstr(".build/publish/Team mock --quiet"));
+  EXPECT_TRUE(fs::exists(path("ada-team/team/.build/publish/Team.program")));
+  EXPECT_FALSE(fs::exists(path("ada-team/team/.build/bin")));
+  EXPECT_FALSE(fs::exists(path("ada-team/team/.build/obj")));
+}
+
+// A file that is loaded on demand may need what no host has: a warning, and the package is whole.
+TEST_F(PackageTeam, WarnsOfLibrariesThatThisHostLacks) {
+  if (!is_installed("cc")) GTEST_SKIP() << "no cc on PATH";
+  write("empty.c", "");
+  write("uses.c", "int from_lost(void); int uses(void) { return from_lost(); }");
+  write("lost.c", "int from_lost(void) { return 1; }");
+  ASSERT_EQ(tests::run({"cc", "-shared", "-o", path("liblost.so"), path("lost.c")}).exit_code, 0);
+  ASSERT_EQ(tests::run({"cc", "-shared", "-o", path("src/plugin.so"), path("uses.c"),
+                        path("liblost.so"), "-Wl,-soname,plugin.so"})
+                .exit_code,
+            0);
+  fs::remove(path("liblost.so"));
+  const CommandResult packed = run({"package-team", "ada"});
+  EXPECT_EQ(packed.exit_code, 0) << packed.err;
+  EXPECT_THAT(packed.err, HasSubstr("liblost.so is not on this host, and so not in the package"));
 }
 
 TEST_F(PackageTeam, RefusesWhatCannotBeStarted) {
