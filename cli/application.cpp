@@ -102,6 +102,7 @@ void add_commands(Command& root) {
   add_stats_command(root);
   add_logs_command(root);
   add_convert_command(root);
+  add_book_command(root);
   add_challenge_command(root);
   add_dataset_command(root);
   add_watch_command(root);
@@ -116,6 +117,7 @@ void add_commands(Command& root) {
   add_init_command(root);
   add_new_command(root);
   add_package_team_command(root);
+  add_qualify_command(root);
   add_completion_command(root);
   add_train_command(root);
   add_version_command(root);

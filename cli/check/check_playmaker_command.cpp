@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cli/check/check_output.h"
@@ -35,7 +36,7 @@ constexpr const char* kDescription =
 struct Arguments {
   std::string endpoint;
   orchestration::match::TlsFileNames tls;
-  double start_timeout_s = 20.0;
+  std::optional<double> start_timeout_s;
   int deadline_ms = 3000;
   int calls = 10'000;
   int latency_limit_ms = 100;
@@ -47,8 +48,11 @@ int run_check_playmaker(const Arguments& arguments) {
   const int read = read_playmaker("", arguments.endpoint, arguments.tls, options.endpoint);
   if (read != kOk) return read;
 
-  options.start_timeout =
-      orchestration::checks::Milliseconds(static_cast<int>(arguments.start_timeout_s * 1000.0));
+  const std::optional<double> limit =
+      arguments.start_timeout_s ? arguments.start_timeout_s : start_timeout_of_project();
+  if (limit) {
+    options.start_timeout = orchestration::checks::Milliseconds(static_cast<int>(*limit * 1000.0));
+  }
   options.deadline = orchestration::checks::Milliseconds(arguments.deadline_ms);
   options.calls = arguments.calls;
   options.latency_limit = orchestration::checks::Milliseconds(arguments.latency_limit_ms);
@@ -73,9 +77,10 @@ void add_check_playmaker_command(Command& check) {
   add_tls_options(command, arguments->tls);
   add_check_output_options(command, arguments->output);
 
-  command.option("--start-timeout", arguments->start_timeout_s, "seconds until the first response")
-      .above(0)
-      .shows_default();
+  command
+      .option("--start-timeout", arguments->start_timeout_s,
+              "seconds until the first response (default: that of cls.toml, else 20)")
+      .above(0);
   command.option("--rpc-deadline", arguments->deadline_ms, "deadline of an RPC in ms")
       .above(0)
       .shows_default();

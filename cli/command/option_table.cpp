@@ -45,6 +45,8 @@ constexpr OptionRow kOptions[] = {
     {"--watch", kOutputGroup, ""},
     {"--open", kOutputGroup, ""},
     {"--linger", kOutputGroup, "X"},
+    {"--on-event", kOutputGroup, "COMMAND"},
+    {"--hook-limit", kOutputGroup, "X"},
     {"--cast", kOutputGroup, "FILE"},
     {"--json", kOutputGroup, ""},
     {"--format", kOutputGroup, "FORMAT"},

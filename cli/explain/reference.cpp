@@ -367,6 +367,22 @@ std::string other_form(std::string_view word) {
   return word.size() > 3 && word.ends_with('s') ? std::string(word.substr(0, word.size() - 1)) : "";
 }
 
+// An action or a value as languages write it with what it belongs to: "GameModeType.KickIn" in C#,
+// "GameModeType_KickIn_" in Go, "PlayerAction.BodySmartKick". Folded, without separators.
+std::string qualified(const ReferenceEntry& entry) {
+  const bool is_action = entry.kind == ReferenceKind::kAction;
+  const bool is_value =
+      entry.kind == ReferenceKind::kValue || entry.kind == ReferenceKind::kPlayMode;
+  if (!is_action && !is_value) return {};
+  return folded(entry.group + (is_action ? "Action" : "") + entry.name);
+}
+
+std::string without_separators(std::string_view word) {
+  std::string result = folded(word);
+  std::erase_if(result, [](char c) { return c == '.' || c == ':'; });
+  return result;
+}
+
 std::vector<const ReferenceEntry*> entries_named(std::string_view word) {
   const auto select = [](auto matches) {
     std::vector<const ReferenceEntry*> found;
@@ -385,6 +401,9 @@ std::vector<const ReferenceEntry*> entries_named(std::string_view word) {
   if (found.empty()) {
     found = select(
         [&](const ReferenceEntry& entry) { return folded(last_part(entry.name)) == wanted; });
+  }
+  if (const std::string plain = without_separators(word); found.empty() && !plain.empty()) {
+    found = select([&](const ReferenceEntry& entry) { return qualified(entry) == plain; });
   }
 
   return found;

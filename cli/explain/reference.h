@@ -38,8 +38,9 @@ std::string_view fact(const ReferenceEntry& entry, std::string_view label);
 /// What an action does, or what another entry means; may be empty.
 std::string_view meaning(const ReferenceEntry& entry);
 
-/// The entries that `word` names: a full name, or the last part of it ("stamina"). Case, `_` and
-/// `-` do not count. Exact names win; where there are none, a plural means its singular
+/// The entries that `word` names: a full name, the last part of it ("stamina"), or a name as a
+/// language has it ("GameModeType.KickIn"). Case, `_` and `-` do not count. Exact names win; where
+/// there are none, a plural means its singular
 /// ("tackles"), and some words of users mean a name ("keeper").
 std::vector<const ReferenceEntry*> find_entries(std::string_view word);
 

@@ -184,6 +184,26 @@ std::string ends_page() {
   return text;
 }
 
+// The spellings are those of the code that each language's compiler of protobuf generates.
+constexpr std::string_view kNamesInLanguages = R"(
+## Names in your language
+
+These pages have the names of the interface. `cls explain` also takes those of a language: `cls explain BodySmartKick`, `Self.IsKickable`,
+`GameModeType.KickIn`.
+
+| language | a field: `is_kickable` of `self` | a value: `KickIn_` | an action: `body_smart_kick` |
+|---|---|---|---|
+| Python | `world.self.is_kickable` | `pb.KickIn_` | `pb.PlayerAction(body_smart_kick=pb.Body_SmartKick(max_steps=2))` |
+| JavaScript, TypeScript | `world.self.is_kickable` | `'KickIn_'` | `{ body_smart_kick: { max_steps: 2 } }` |
+| Go | `world.GetSelf().GetIsKickable()` | `pb.GameModeType_KickIn_` | `&pb.PlayerAction{Action: &pb.PlayerAction_BodySmartKick{BodySmartKick: &pb.Body_SmartKick{MaxSteps: 2}}}` |
+| Java | `world.getSelf().getIsKickable()` | `GameModeType.KickIn_` | `PlayerAction.newBuilder().setBodySmartKick(Body_SmartKick.newBuilder().setMaxSteps(2)).build()` |
+| Rust | `world.self_.as_ref()?.is_kickable` | `GameModeType::KickIn` | `PlayerAction { action: Some(Action::BodySmartKick(BodySmartKick { max_steps: 2, ..Default::default() })) }` |
+| C# | `world.Self.IsKickable` | `GameModeType.KickIn` | `new PlayerAction { BodySmartKick = new() { MaxSteps = 2 } }` |
+
+A message that is not set is `null` in JavaScript, TypeScript and C# (`world.Ball?.Position`), `None` in Rust, and an empty message in Python, Go (by its
+getters) and Java. In C# initializers fill lists: `new PlayerActions { Actions = { first, second } }`.
+)";
+
 std::string index_page() {
   return fmt::format(
       "# Reference\n\n{}\n"
@@ -194,8 +214,9 @@ std::string index_page() {
       "| [parameters.md](parameters.md) | the parameters of a match, with units and defaults |\n"
       "| [modes.md](modes.md) | play modes and end reasons |\n\n"
       "`cls explain NAME` prints an entry of these pages in the terminal, `cls explain --list` "
-      "their names.\n",
-      kGenerated);
+      "their names.\n"
+      "{}",
+      kGenerated, kNamesInLanguages);
 }
 
 // The action with this message; null for another message.

@@ -116,7 +116,7 @@ int compare_matches(const CompareArguments& arguments) {
   const std::string text = viewer::compare_page(
       a.match.record, {&a.summary, &a.statistics}, b.match.record, {&b.summary, &b.statistics},
       {viewer::read_page_drawings(a.found.folder), viewer::read_page_drawings(b.found.folder)});
-  if (const auto written = base::write_file(page, text); !written) {
+  if (const auto written = write_beside(page, text, arguments.out); !written) {
     return print_error(kCannotCreate, written.error().message);
   }
 

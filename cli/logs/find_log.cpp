@@ -9,6 +9,7 @@
 
 #include "base/io/whole_file.h"
 #include "cli/logs/find_match_folder.h"
+#include "orchestration/process/command_plan.h"
 #include "viewer/page/page.h"
 
 namespace cls::cli {
@@ -34,12 +35,17 @@ Result<FoundLog> find_in_folder(const fs::path& folder) {
   const auto has_game = [](const gamelog::MatchLogs& one) { return !one.game.empty(); };
   const auto first = std::find_if(found.matches.begin(), found.matches.end(), has_game);
   if (first == found.matches.end()) {
-    return match ? Error{fmt::format("{}: no game log (*.rcg, *.rcg.gz)", where.string())}
-                 : match.error();
+    if (!match) return match.error();
+    return Error{
+        fmt::format("{}: no game log (*.rcg, *.rcg.gz); cls logs {} says how the match ended",
+                    where.string(), orchestration::process::shell_quoted(where.string()))};
   }
   if (!match && found.matches.size() > 1) {
-    return Error{fmt::format("{}: {} logs; name one, such as {}", where.string(),
-                             found.matches.size(), first->game)};
+    std::error_code code;
+    const fs::path runs = folder / "runs";  // of a project
+    return Error{fmt::format(
+        "{}: {} logs; name one, such as {}", where.string(), found.matches.size(),
+        fs::is_directory(runs, code) ? runs.string() + " for the latest match" : first->game)};
   }
 
   return FoundLog{*first, where, "match"};
@@ -80,6 +86,13 @@ std::optional<std::string> why_no_page(const fs::path& file) {
   if (viewer::looks_like_page(start_of(file))) return std::nullopt;
   return fmt::format("{}: exists and is not a page of cls; name another file with --out",
                      file.string());
+}
+
+Result<void> write_beside(const fs::path& file, const std::string& text,
+                          const std::string& out_option) {
+  auto written = base::write_file(file, text);
+  if (written || !out_option.empty()) return written;
+  return Error{written.error().message + "; --out selects another place"};
 }
 
 }  // namespace cls::cli

@@ -23,4 +23,9 @@ base::Result<FoundLog> find_log(const std::string& what);
 /// Why a page cannot be written to `file`: pages are replaced, other files are not.
 std::optional<std::string> why_no_page(const std::filesystem::path& file);
 
+/// Writes `text` to `file`. The error names --out if that did not choose the file: the folder of a
+/// match may be read-only.
+base::Result<void> write_beside(const std::filesystem::path& file, const std::string& text,
+                                const std::string& out_option);
+
 }  // namespace cls::cli

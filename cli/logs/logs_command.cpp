@@ -149,8 +149,9 @@ void print_text(const FoundMatch& found, const match::MatchResult& result,
                 const std::vector<LogFile>& files, const std::optional<Tail>& tail) {
   fmt::print("{}{}\n", base::printable(found.folder.string()),
              found.why.empty() ? "" : "  (" + found.why + ")");
+  const bool adds_nothing = result.message.empty() || result.message == name(result.end_reason);
   fmt::print("{}{}\n\n", name(result.end_reason),
-             result.message.empty() ? "" : ": " + base::printable(result.message));
+             adds_nothing ? "" : ": " + base::printable(result.message));
 
   base::Table table;
   table.add_column("file");

@@ -134,7 +134,7 @@ std::vector<File> files_of(const Arguments& arguments, const AnalyzedMatch& matc
   return files;
 }
 
-int write_files(const std::vector<File>& files) {
+int write_files(const std::vector<File>& files, const std::string& out_option) {
   for (const File& file : files) {
     const fs::path folder = file.path.parent_path();
     if (!folder.empty()) {
@@ -143,7 +143,7 @@ int write_files(const std::vector<File>& files) {
       }
     }
 
-    if (const auto written = base::write_file(file.path, file.text); !written) {
+    if (const auto written = write_beside(file.path, file.text, out_option); !written) {
       return print_error(kCannotCreate, written.error().message);
     }
   }
@@ -173,7 +173,7 @@ int run_report_command(const Arguments& arguments) {
   }
 
   const std::vector<File> files = files_of(arguments, match, target);
-  if (const int exit_code = write_files(files); exit_code != kOk) return exit_code;
+  if (const int exit_code = write_files(files, arguments.out); exit_code != kOk) return exit_code;
 
   if (arguments.json) {
     print_document(files, match);

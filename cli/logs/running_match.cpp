@@ -10,6 +10,7 @@
 #include "base/system/socket_address.h"
 #include "base/text/number_text.h"
 #include "cli/logs/find_match_folder.h"
+#include "orchestration/match/result/match_files.h"
 #include "orchestration/match/result/match_folder.h"
 
 namespace cls::cli {
@@ -30,12 +31,12 @@ bool changed_lately(const fs::path& file) {
 // A match that was killed has no result either, but an old log.
 std::optional<FollowedMatch> in_folder(const std::string& what) {
   const auto found = find_match_folder(what, std::nullopt);
-  if (!found || has_result(found->folder)) return std::nullopt;
+  if (!found || match::has_result(found->folder)) return std::nullopt;
 
   const fs::path folder = found->folder;
-  const fs::path log = game_log_in(folder);
+  const fs::path log = match::game_log_in(folder);
   if (!changed_lately(log) && !changed_lately(folder / match::kManifestFile)) return std::nullopt;
-  return FollowedMatch{viewer::follow_log(log, [folder] { return has_result(folder); }),
+  return FollowedMatch{viewer::follow_log(log, [folder] { return match::has_result(folder); }),
                        folder / match::kTextLogFile, folder.filename().string(), folder};
 }
 
@@ -55,20 +56,6 @@ base::Result<std::optional<FollowedMatch>> on_server(const std::string& what) {
 }
 
 }  // namespace
-
-fs::path game_log_in(const fs::path& folder) {
-  fs::path log = folder / match::kGameLogFile;
-  std::error_code code;
-
-  if (fs::exists(log, code)) return log;
-  fs::path packed = log.string() + ".gz";
-  return fs::exists(packed, code) ? packed : log;
-}
-
-bool has_result(const fs::path& folder) {
-  std::error_code code;
-  return fs::exists(folder / match::kResultFile, code);
-}
 
 base::Result<std::optional<FollowedMatch>> find_running_match(const std::string& what,
                                                               bool is_live_log) {

@@ -17,10 +17,4 @@ namespace cls::cli {
 base::Result<std::optional<FollowedMatch>> find_running_match(const std::string& what,
                                                               bool is_live_log);
 
-/// The game log of a match folder, plain or gzip; match.rcg if there is none yet.
-std::filesystem::path game_log_in(const std::filesystem::path& folder);
-
-/// True once the match of a folder has its result.
-bool has_result(const std::filesystem::path& folder);
-
 }  // namespace cls::cli

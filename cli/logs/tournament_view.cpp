@@ -11,13 +11,13 @@
 #include <utility>
 
 #include "base/text/number_text.h"
-#include "cli/logs/running_match.h"
 #include "cli/support/browser.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "gamelog/files/log_files.h"
 #include "gamelog/rcl/rcl_reader.h"
+#include "orchestration/match/result/match_files.h"
 #include "orchestration/tournament/report/report_model.h"
 #include "orchestration/tournament/report/report_tables.h"
 #include "orchestration/tournament/store/folder.h"
@@ -33,6 +33,8 @@ namespace {
 
 namespace fs = std::filesystem;
 namespace tournament = orchestration::tournament;
+using orchestration::match::game_log_in;
+using orchestration::match::has_result;
 using tournament::ScheduledMatch;
 using viewer::HttpReply;
 
@@ -156,7 +158,8 @@ class TournamentSite {
     } else {
       row.score = fmt::format("{} : {}", match.outcome->left_score, match.outcome->right_score);
       row.state = match.outcome->forfeit ? "forfeited" : "finished";
-      if (!match.outcome->counts()) row.state = "failed: " + match.outcome->message;
+      if (match.outcome->annulled) row.state = "annulled";
+      if (match.outcome->invalid()) row.state = "failed: " + match.outcome->message;
       row.has_page = row.has_page && !match.outcome->folder.empty();
     }
 

@@ -54,9 +54,9 @@ constexpr const char* kDescription =
     "  cls watch runs --view terminal         without a browser, for example over ssh\n"
     "\n"
     "WHAT is a game log (rcg 1 to 7, JSON, gzip), a page of cls, a match folder, a\n"
-    "folder of matches (the latest that failed, else the latest), a tournament's\n"
-    "folder (a list of its matches with a page of each; with --out as a folder of\n"
-    "matches), HOST:PORT of a soccer server, or - for standard input.";
+    "folder of matches (the latest that has a log), a tournament's folder (a list of\n"
+    "its matches with a page of each; with --out its latest match that failed, else\n"
+    "the latest), HOST:PORT of a soccer server, or - for standard input.";
 
 struct Arguments {
   std::string what;
@@ -212,7 +212,7 @@ int write_match_page(const Arguments& arguments, const FoundLog& found, const fs
        decisions->empty() ? std::array<std::string, 2>() : sides_of(found.folder)},
       *decisions);
 
-  if (const auto written = base::write_file(page, html); !written) {
+  if (const auto written = write_beside(page, html, arguments.out); !written) {
     return print_error(kCannotCreate, written.error().message);
   }
 

@@ -68,6 +68,24 @@ class DevSession {
              const std::atomic<int>& signal)
       : arguments_(arguments), host_(host), signal_(signal) {}
 
+  /// The scenarios of a file or folder, or the shipped one of this name.
+  static base::Result<std::vector<Scenario>> read(const std::string& name) {
+    if (!base::absence(name)) {
+      return orchestration::scenario::read_scenarios(name, endpoint_of_team);
+    }
+
+    auto shipped = orchestration::scenario::shipped_scenarios();
+    if (!shipped) return shipped;
+
+    std::vector<std::string_view> names;
+    for (Scenario& scenario : *shipped) {
+      if (scenario.name == name) return std::vector<Scenario>{std::move(scenario)};
+      names.emplace_back(scenario.name);
+    }
+    return base::Error{
+        fmt::format("unknown scenario '{}'{}", name, base::did_you_mean(name, names))};
+  }
+
   /// The scenarios may have changed, too. An error is printed, and the next change tried.
   void play(const std::vector<std::string>& changed) {
     Json document = {{"schema", "cls.dev/1"}, {"changed", changed}, {"scenarios", Json::array()}};
@@ -94,23 +112,6 @@ class DevSession {
   template <typename... Values>
   void print(fmt::format_string<Values...> format, Values&&... values) const {
     if (!arguments_.json) fmt::print(format, std::forward<Values>(values)...);
-  }
-
-  static base::Result<std::vector<Scenario>> read(const std::string& name) {
-    if (!base::absence(name)) {
-      return orchestration::scenario::read_scenarios(name, endpoint_of_team);
-    }
-
-    auto shipped = orchestration::scenario::shipped_scenarios();
-    if (!shipped) return shipped;
-
-    std::vector<std::string_view> names;
-    for (Scenario& scenario : *shipped) {
-      if (scenario.name == name) return std::vector<Scenario>{std::move(scenario)};
-      names.emplace_back(scenario.name);
-    }
-    return base::Error{
-        fmt::format("unknown scenario '{}'{}", name, base::did_you_mean(name, names))};
   }
 
   Json play(const Scenario& scenario) {
@@ -306,6 +307,14 @@ int run(Arguments& arguments) {
                          "cls test --export tests/");
     }
     arguments.scenarios = {"tests"};
+  }
+
+  // An error inside of a file is for the next change; no change makes a mistyped name right.
+  for (const std::string& name : arguments.scenarios) {
+    if (!base::absence(name)) continue;
+    if (const auto shipped = DevSession::read(name); !shipped) {
+      return print_error(kNoInput, shipped.error().message);
+    }
   }
 
   if (!arguments.against.empty()) {

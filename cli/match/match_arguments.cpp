@@ -46,6 +46,16 @@ void add_match_options(Command& command, MatchArguments& arguments) {
                "address (docs/watching.md)");
   command.flag("--open", arguments.open, "--watch, and open the page in the browser");
   add_linger_option(command, arguments.linger_s);
+  command
+      .option("--on-event", arguments.on_event,
+              "command at start, goal, half time, end and failure; gets the event as JSON on "
+              "stdin and as variables CLS_EVENT, CLS_TEXT, ... (docs/matches.md)")
+      .placeholder("COMMAND");
+  command
+      .option("--hook-limit", arguments.hook_limit_s,
+              "seconds for a command of --on-event, and for all at the end")
+      .above(0)
+      .shows_default();
   command.flag("--json", arguments.json, "print only the result document");
   command.flag("--strict", arguments.strict, "fail (exit 1) on any warning");
   command.flag("--quiet", arguments.quiet, "print no progress and no warnings");
@@ -254,6 +264,10 @@ int resolve_match(const Command& command, MatchArguments& arguments) {
   const std::vector<std::string> errors = resolve(arguments);
   if (!errors.empty()) return print_errors(kUsage, errors);
   if (const int resumed = resume(arguments); resumed != kOk) return resumed;
+  if (const auto loaded = orchestration::match::load_book(arguments.options); !loaded) {
+    return print_error(exit_code_of_book(arguments.options.book),
+                       "--book: " + loaded.error().message);
+  }
 
   std::vector<orchestration::match::Endpoint*> sides = {&arguments.options.left,
                                                         &arguments.options.right};

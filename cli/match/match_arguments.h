@@ -30,6 +30,8 @@ struct MatchArguments {
   bool watch = false;
   bool open = false;
   std::optional<double> linger_s;
+  std::string on_event;
+  double hook_limit_s = 60.0;
 
   /// Where settings come from that have not their default value: "cls.toml:12", "option --seed".
   std::map<std::string, std::string> origins;

@@ -25,6 +25,7 @@
 #include "cli/terminal/progress_line.h"
 #include "cli/terminal/terminal.h"
 #include "orchestration/match/dry_run.h"
+#include "orchestration/match/hooks/match_events.h"
 #include "orchestration/match/result/match_folder.h"
 #include "orchestration/match/run_match.h"
 
@@ -46,8 +47,8 @@ constexpr const char* kDescription =
     "\n"
     "LEFT and RIGHT are sides (docs/matches.md):\n"
     "\n"
-    "  mock             the bundled team; mock:example, mock:planner, mock:hold,\n"
-    "                   mock:random, mock:random:SEED: other behaviors\n"
+    "  mock             the bundled team; mock:simple, mock:example, mock:planner,\n"
+    "                   mock:hold, mock:random, mock:random:SEED: other behaviors\n"
     "  mock:FILE.json   a script (docs/mock.md); mock:replay:FILE: recorded replies\n"
     "  HOST:PORT        a running Playmaker; tls:HOST:PORT, unix:PATH\n"
     "  HOST:PORT+step   the same; player n connects to PORT + n\n"
@@ -180,6 +181,20 @@ void print_interrupted(const MatchResult& result) {
                              result.cycles, result.folder, result.seed));
 }
 
+// Plays the match; with --on-event events go to the command, too.
+base::Result<MatchResult> play(const MatchArguments& arguments, WatchedMatch& progress,
+                               const std::atomic<int>& signal,
+                               orchestration::match::MatchHooks* hooks) {
+  if (arguments.on_event.empty()) return run_match(arguments.options, progress, signal, hooks);
+  const std::chrono::duration<double> limit(arguments.hook_limit_s);
+  orchestration::match::EventCommand events(
+      progress, arguments.on_event, std::chrono::duration_cast<std::chrono::milliseconds>(limit),
+      orchestration::match::team_names(arguments.options));
+  auto result = run_match(arguments.options, events, signal, hooks);
+  if (result) events.finish(*result, signal);
+  return result;
+}
+
 int run_match_command(const Command& command, MatchArguments& arguments) {
   if (const int resolved = resolve_match(command, arguments); resolved != kOk) return resolved;
   if ((arguments.watch || arguments.open) && !arguments.options.server.game_logging) {
@@ -200,7 +215,7 @@ int run_match_command(const Command& command, MatchArguments& arguments) {
   const std::atomic<int>& signal = watch_interrupts();
   MatchStepper stepper(arguments.at.value_or(0), STDIN_FILENO, signal);
   const bool steps = arguments.step || arguments.at;
-  const auto result = run_match(arguments.options, progress, signal, steps ? &stepper : nullptr);
+  const auto result = play(arguments, progress, signal, steps ? &stepper : nullptr);
   progress.clear();
   if (!result) return print_error(kCannotCreate, result.error().message);
 

@@ -27,6 +27,7 @@
 #include "cli/support/print_error.h"
 #include "cli/terminal/json_stdout.h"
 #include "mock-server/mock.h"
+#include "mock-server/script/named_behaviors.h"
 #include "mock-server/server.h"
 #include "orchestration/process/ports.h"
 #include "soccer/parameters/parameter.h"
@@ -51,7 +52,7 @@ constexpr const char* kDescription =
     "  cls mock --crash-at-cycle 200        crash during the match";
 
 struct Arguments {
-  std::string behavior = "simple";
+  std::string behavior{mock_server::kDefaultBehavior};
   std::string host = "127.0.0.1";
   int port = 0;
   Faults faults;

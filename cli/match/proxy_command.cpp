@@ -141,7 +141,9 @@ void add_options(Command& command, Arguments& arguments) {
       .option("-u,--unum", arguments.unum,
               "only this uniform number; 1 is the goalie, 12 the coach")
       .range(1, kCoach);
-  command.option("-v,--version", options.team.protocol, "protocol version, 14 to 19")
+  command
+      .option("-v,--version", options.team.protocol,
+              "protocol version, 14 to 19; 19 becomes 18 on older servers")
       .shows_default()
       .range(soccer::kMinProtocolVersion, soccer::kMaxProtocolVersion);
   command.flag("-r,--reconnect", options.team.reconnect,

@@ -34,6 +34,7 @@
 #include "orchestration/scenario/scenario_library.h"
 #include "orchestration/scenario/suite.h"
 #include "orchestration/scenario/suite_report.h"
+#include "orchestration/tournament/config/config_file.h"
 #include "proto/rpc.h"
 #include "soccer/side.h"
 
@@ -141,6 +142,11 @@ std::optional<Failure> select_shard(const std::string& shard, std::vector<Scenar
   return std::nullopt;
 }
 
+// As dev plays them without arguments.
+bool in_project_with_scenarios() {
+  return !base::why_no_folder("tests") && !base::absence(orchestration::tournament::kConfigFile);
+}
+
 std::optional<Failure> choose(const Arguments& arguments, std::vector<Scenario>& chosen) {
   std::vector<Scenario> shipped;
   if (!std::all_of(arguments.scenarios.begin(), arguments.scenarios.end(), is_path) ||
@@ -150,7 +156,13 @@ std::optional<Failure> choose(const Arguments& arguments, std::vector<Scenario>&
     shipped = *std::move(read);
   }
 
-  if (arguments.scenarios.empty()) chosen = shipped;
+  if (arguments.scenarios.empty()) {
+    chosen = shipped;
+    if (!arguments.quiet && in_project_with_scenarios()) {
+      fmt::print(stderr,
+                 "the scenarios that ship with cls; those of this folder: cls test tests/\n");
+    }
+  }
   for (const std::string& argument : arguments.scenarios) {
     auto failure =
         is_path(argument) ? add_file(argument, chosen) : add_named(argument, shipped, chosen);
@@ -171,6 +183,7 @@ std::optional<Failure> resolve(const Arguments& arguments, SuiteOptions& options
   options.seed = arguments.seed;
   options.folder = arguments.folder;
   options.sandbox = arguments.sandbox;
+  options.start_timeout_s = start_timeout_of_project();
   options.jobs = arguments.jobs;
   if (options.jobs == 0) options.jobs = static_cast<int>(std::thread::hardware_concurrency());
   options.jobs = std::max(options.jobs, 1);
@@ -311,6 +324,7 @@ std::optional<Failure> resolve(const Arguments& arguments,
 
   options.file = arguments.replay;
   options.folder = arguments.folder;
+  if (const auto limit = start_timeout_of_project()) options.start_timeout_s = *limit;
   if (const auto absence = base::absence(options.file)) {
     return Failure{kNoInput, fmt::format("{}: {}", options.file, *absence)};
   }

@@ -23,7 +23,7 @@ double rounded(double value, double fraction = 1) {
 
 std::string difference_text(const Comparison& comparison, const ComparisonVerdict& known) {
   const Estimate& strength = known.strength;
-  if (comparison.test.measure == Measure::kGoals) {
+  if (in_goals(comparison.test.measure)) {
     const Estimate goals = estimate(known.samples);
     return fmt::format("{:+.2f} goals ({:+.2f}..{:+.2f})",
                        rounded(advantage(comparison, goals.score), 100),
@@ -80,8 +80,11 @@ std::string comparison_outlook(const Comparison& comparison, const ComparisonVer
 
   const double most = std::ceil(max_expected_samples(comparison));
   if (most <= likely) return fmt::format("{} to play: {:.0f}", samples, likely);
-  return fmt::format("{} to play: {} if NEW wins all, about {:.0f} at H0 or H1, {:.0f} halfway",
-                     samples, walkover_samples(comparison), likely, most);
+  const bool goals = in_goals(comparison.test.measure);
+  return fmt::format(
+      "{} to play: {} if NEW wins all, about {:.0f} if it is better by --{}, {:.0f} halfway",
+      samples, walkover_samples(comparison), likely,
+      goals ? "goals0 or --goals1" : "elo0 or --elo1", most);
 }
 
 std::string CompareProgress::status(const RunProgress& progress) const {

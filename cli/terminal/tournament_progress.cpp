@@ -44,7 +44,7 @@ std::string match_line(const TournamentConfig& config, const ScheduledMatch& mat
 
   std::string line = fmt::format(
       "match {}/{}  {} {} {}  ({})", match.fixture.index, total, team(match.fixture.left),
-      outcome.counts() ? score_text(match) : "-", team(match.fixture.right), how);
+      outcome.counts() ? score_text(config, match) : "-", team(match.fixture.right), how);
   if (!outcome.finished() && !outcome.message.empty()) line += ": " + outcome.message;
   return line;
 }

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/io/whole_file.h"
 #include "base/text/fnv1a.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
@@ -34,10 +36,11 @@ constexpr const char* kDescription =
     "  cls compare localhost:50051 mock --elo1 80  or any sides\n"
     "  cls compare NEW OLD --opponents A,B         both against each, same seeds\n"
     "  cls compare NEW OLD --measure goals         by goal difference\n"
+    "  cls compare NEW OLD --book moments.book.gz  on situations of a book\n"
     "\n"
     "NEW is better if it is better than BASE by more than --elo0, with confidence\n"
     "1 - alpha, and not better if it is better by less than --elo1, with confidence\n"
-    "1 - beta (with goals: --goals0, --goals1).\n"
+    "1 - beta (with goals and with --book: --goals0, --goals1).\n"
     "Exit code: 0 better, 1 not better, 3 undecided after --max-pairs. The same\n"
     "command resumes, also with another test or --max-pairs; other sides, seed or\n"
     "match settings have another folder.";
@@ -49,7 +52,8 @@ struct Arguments {
   TournamentOptions options;
   TestSettings test;
   std::string test_name = "betting";
-  std::string measure = "points";
+  std::string measure;
+  std::optional<int> max_goals;
   std::optional<int> max_pairs;
   SessionOptions session;
 };
@@ -77,6 +81,28 @@ int add_team(TournamentConfig& config, std::string side, const std::string& suff
   return kOk;
 }
 
+// Situations have values, whole matches points and goals.
+int choose_measure(const Arguments& arguments, Comparison& comparison) {
+  match::MatchOptions options = match_options(comparison.config);
+  if (const auto loaded = match::load_book(options); !loaded) {
+    return print_error(exit_code_of_book(options.book), "--book: " + loaded.error().message);
+  }
+  const bool book = !options.book.empty();
+  const std::string measure =
+      arguments.measure.empty() ? (book ? "value" : "points") : arguments.measure;
+  if (measure == "value" && !book) {
+    return print_error(kUsage, "--measure value needs --book: whole matches have points and goals");
+  }
+  if (measure == "points") comparison.test.measure = Measure::kPoints;
+  if (measure == "goals") comparison.test.measure = Measure::kGoals;
+  if (measure == "value") {
+    comparison.test.measure = Measure::kValue;
+    comparison.test.max_goals = kMaxValue;
+  }
+  if (arguments.max_goals) comparison.test.max_goals = *arguments.max_goals;
+  return kOk;
+}
+
 int make_comparison(const Arguments& arguments, Comparison& comparison) {
   ChosenConfig chosen = choose_conditions(arguments.options);
   if (chosen.exit_code != kOk) return chosen.exit_code;
@@ -101,7 +127,7 @@ int make_comparison(const Arguments& arguments, Comparison& comparison) {
   config.matches = {{config.teams[0].name, config.teams[1].name}};
   comparison.test = arguments.test;
   comparison.test.kind = arguments.test_name == "sprt" ? TestKind::kSprt : TestKind::kBetting;
-  comparison.test.measure = arguments.measure == "goals" ? Measure::kGoals : Measure::kPoints;
+  if (const int code = choose_measure(arguments, comparison); code != kOk) return code;
   comparison.max_samples = arguments.max_pairs;
 
   const auto errors = validate(config);
@@ -124,7 +150,14 @@ fs::path folder_of(const Arguments& arguments, const Comparison& comparison) {
 int run(const Arguments& arguments) {
   Comparison comparison;
   if (const int code = make_comparison(arguments, comparison); code != kOk) return code;
-  return run_comparison(comparison, folder_of(arguments, comparison), arguments.session);
+
+  const fs::path folder = folder_of(arguments, comparison);
+  if (arguments.options.folder.empty()) {
+    if (const auto created = base::create_folders(folder.parent_path()); !created) {
+      return print_error(kCannotCreate, created.error().message + "; --dir selects another folder");
+    }
+  }
+  return run_comparison(comparison, folder, arguments.session);
 }
 
 void add_test_options(Command& command, Arguments& arguments) {
@@ -135,22 +168,28 @@ void add_test_options(Command& command, Arguments& arguments) {
       .one_of({"betting", "sprt"})
       .shows_default();
 
-  command.option("--measure", arguments.measure, "what counts: points, or goal difference")
-      .one_of({"points", "goals"})
-      .shows_default();
+  command
+      .option(
+          "--measure", arguments.measure,
+          "what counts: points, goals (difference), or with --book value (default: points, with "
+          "--book value)")
+      .one_of({"points", "goals", "value"});
 
   command.option("--elo0", test.elo0, "Elo difference of H0").shows_default();
   command.option("--elo1", test.elo1, "Elo difference of H1").shows_default();
   command
-      .option("--goals0", test.goals0, "with --measure goals: goal difference per match under H0")
+      .option("--goals0", test.goals0,
+              "with --measure goals or value: goal difference per match under H0")
       .shows_default();
   command
-      .option("--goals1", test.goals1, "with --measure goals: goal difference per match under H1")
+      .option("--goals1", test.goals1,
+              "with --measure goals or value: goal difference per match under H1")
       .shows_default();
 
-  command.option("--max-goals", test.max_goals, "a goal difference above it counts as this")
-      .range(1, 20)
-      .shows_default();
+  command
+      .option("--max-goals", arguments.max_goals,
+              "a goal difference or value above it counts as this (default: 3, with --book 8)")
+      .range(1, 100);
   command.option("--alpha", test.alpha, "probability of a type I error (NEW wrongly called better)")
       .shows_default();
   command

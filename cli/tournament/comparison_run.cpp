@@ -75,6 +75,7 @@ int run_comparison(const Comparison& comparison, const std::filesystem::path& fo
   if (!summary) return print_error(kWriteFailed, summary.error().message);
 
   if (prints) print_result(comparison, summary->matches, folder, session.json);
+  if (prints && !session.json) fmt::print("{}", watch_line(folder, summary->matches));
   const int exit_code =
       end_session(*summary, options.config, session, exit_code_of(*summary, known), false);
   if (summary->end == RunEnd::kComplete && prints && !session.quiet) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -69,7 +70,8 @@ class Packer {
   Packer(const TournamentConfig& config, fs::path dataset)
       : config_(config), dataset_(std::move(dataset)) {}
 
-  /// Each match once, however often this is called.
+  /// Each match once, however often this is called. Waits while each processor packs one: after a
+  /// kill many matches can be left unpacked, and each needs memory for its whole log.
   void pack(const ScheduledMatch& match) {
     std::erase_if(running_, [this](std::future<base::Result<void>>& one) {
       if (one.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
@@ -77,6 +79,10 @@ class Packer {
       return true;
     });
     if (is_packed(match) || !begun_.insert(match.fixture.index).second) return;
+    while (running_.size() >= base::default_jobs()) {
+      note(running_.front().get());
+      running_.pop_front();
+    }
     running_.push_back(std::async(std::launch::async, [this, match] { return work(match); }));
   }
 
@@ -126,7 +132,7 @@ class Packer {
 
   const TournamentConfig& config_;
   fs::path dataset_;
-  std::vector<std::future<base::Result<void>>> running_;
+  std::deque<std::future<base::Result<void>>> running_;
   std::set<int> begun_;  // numbers of matches
   std::string error_;
 };

@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
@@ -15,6 +17,7 @@
 #include "cli/support/print_error.h"
 #include "orchestration/match/options/planner_file.h"
 #include "orchestration/tournament/config/config_file.h"
+#include "orchestration/tournament/config/preset.h"
 
 namespace cls::cli {
 namespace {
@@ -26,6 +29,8 @@ constexpr const char* kDescription =
     "\n"
     "  cls init            into the working directory\n"
     "  cls init cup        into cup, which is created\n"
+    "  cls init cup --preset robocup --teams RED,BLUE,GREEN,GOLD\n"
+    "                      the stages of the RoboCup league, of teams in cup/RED, ...\n"
     "  cls init --planner  planner.toml: all parameters of the planner (docs/mock.md)";
 
 constexpr const char* kPlannerFile = "planner.toml";
@@ -33,11 +38,31 @@ constexpr const char* kPlannerFile = "planner.toml";
 struct Arguments {
   std::string folder = ".";
   bool planner = false;
+  std::string preset;
+  std::string teams;
   bool force = false;
   bool json = false;
 };
 
+// The text of the file, or an error of usage.
+base::Result<std::string> file_text(const Arguments& arguments) {
+  if (arguments.planner && !arguments.preset.empty()) {
+    return base::Error{"--preset is for cls.toml, --planner for planner.toml; give one of them"};
+  }
+  if (arguments.preset.empty()) {
+    if (!arguments.teams.empty()) return base::Error{"--teams requires --preset"};
+    return arguments.planner ? orchestration::match::commented_planner_file()
+                             : orchestration::tournament::commented_config();
+  }
+  std::vector<std::string> teams;
+  std::istringstream stream(arguments.teams);
+  for (std::string team; std::getline(stream, team, ',');) teams.push_back(team);
+  return orchestration::tournament::preset_config(arguments.preset, teams);
+}
+
 int run(const Arguments& arguments) {
+  const auto text = file_text(arguments);
+  if (!text) return print_error(kUsage, text.error().message);
   const fs::path folder = arguments.folder;
   const fs::path file =
       folder / (arguments.planner ? kPlannerFile : orchestration::tournament::kConfigFile);
@@ -55,9 +80,7 @@ int run(const Arguments& arguments) {
     return print_error(kCannotCreate, created.error().message);
   }
 
-  const auto written =
-      base::write_file(file, arguments.planner ? orchestration::match::commented_planner_file()
-                                               : orchestration::tournament::commented_config());
+  const auto written = base::write_file(file, *text);
   if (!written) return print_error(kCannotCreate, written.error().message);
 
   if (arguments.json) {
@@ -77,6 +100,15 @@ void add_init_command(Command& app) {
   command.option("DIR", arguments->folder, "folder of the file (default: working directory)");
   command.flag("--planner", arguments->planner,
                "write planner.toml, parameters of the planner, instead of cls.toml");
+  command
+      .option("--preset", arguments->preset,
+              fmt::format("a cls.toml with the format of a competition: {}",
+                          fmt::join(orchestration::tournament::preset_names(), ", ")))
+      .placeholder("NAME");
+  command
+      .option("--teams", arguments->teams,
+              "of the preset: names of team folders in DIR (default: eight mocks)")
+      .placeholder("A,B,...");
   command.flag("--force", arguments->force, "rename an existing file to NAME.old");
   command.flag("--json", arguments->json, "print one JSON document");
   command.run = [arguments] { return run(*arguments); };

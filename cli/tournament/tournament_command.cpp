@@ -7,12 +7,17 @@ namespace {
 constexpr const char* kDescription =
     "play a tournament, store each result, rank the teams\n"
     "\n"
-    "  cls init                   write a commented cls.toml: teams, format, rounds\n"
-    "  cls tournament plan DIR    list the fixtures\n"
-    "  cls tournament run DIR     play them; run again to resume\n"
-    "  cls tournament status DIR  show progress and standings\n"
-    "  cls tournament report DIR  print tables and statistics\n"
-    "  cls tournament stop DIR    stop a run after its current matches\n"
+    "  cls init                     write a commented cls.toml: teams, format, rounds\n"
+    "  cls tournament check-in DIR  start every team once, before the first match\n"
+    "  cls tournament plan DIR      list the fixtures\n"
+    "  cls tournament run DIR       play them; run again to resume\n"
+    "  cls tournament status DIR    show progress and standings\n"
+    "  cls tournament report DIR    print tables and statistics\n"
+    "  cls tournament stop DIR      stop a run after its current matches\n"
+    "  cls tournament pause DIR     begin a technical time-out; resume DIR ends it\n"
+    "  cls tournament watch DIR     serve a page for spectators\n"
+    "  cls tournament decide DIR    annul, award or repeat a match, with a reason\n"
+    "  cls tournament archive DIR   write all logs under the names of the league\n"
     "\n"
     "docs/tournaments.md is a tutorial: from two Playmakers to a result.";
 
@@ -22,11 +27,17 @@ void add_tournament_command(Command& app) {
   Command& command = app.command("tournament", kDescription);
   command.group = kPlayCommands;
   command.starts_programs = true;
+  add_tournament_check_in_command(command);
   add_tournament_plan_command(command);
   add_tournament_run_command(command);
   add_tournament_status_command(command);
   add_tournament_report_command(command);
   add_tournament_stop_command(command);
+  add_tournament_pause_command(command);
+  add_tournament_resume_command(command);
+  add_tournament_decide_command(command);
+  add_tournament_archive_command(command);
+  add_tournament_watch_command(command);
   add_tournament_work_command(command);
 }
 

@@ -134,6 +134,14 @@ void add_team_option(Command& command, TournamentOptions& options) {
       .repeatable();
 }
 
+// The book of an option is looked for in the working directory, that of a file beside the file.
+void resolve_book(TournamentConfig& config, bool option) {
+  const auto book = config.options.find("book");
+  if (book == config.options.end()) return;
+  const fs::path folder = option ? fs::current_path() : fs::absolute(config.folder);
+  book->second = (folder / book->second).lexically_normal().string();
+}
+
 ChosenConfig read_and_override(TournamentOptions options, const FoundConfig& found) {
   const std::optional<fs::path>& path = found.path;
   std::erase_if(options.overrides, [](const auto& one) { return one.second.empty(); });
@@ -151,6 +159,7 @@ ChosenConfig read_and_override(TournamentOptions options, const FoundConfig& fou
   if (!found.own && !options.teams.empty()) reading.config.teams.clear();
   const auto usage = apply_overrides(reading.config, options);
   if (!usage.empty()) return {print_errors(kUsage, usage), {}};
+  resolve_book(reading.config, is_given(options, "book"));
   return {kOk, std::move(reading.config)};
 }
 

@@ -1,4 +1,4 @@
-// `cls tournament plan|status|report|stop`: commands that play no match.
+// `cls tournament plan|status|report|stop|pause|resume`: commands that play no match.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "base/io/whole_file.h"
+#include "base/text/counted.h"
 #include "base/text/json_text.h"
+#include "base/text/printable.h"
 #include "base/text/suggestion.h"
 #include "cli/logs/find_log.h"
 #include "cli/support/commands.h"
@@ -24,12 +26,15 @@
 #include "gamelog/rcl/rcl_reader.h"
 #include "orchestration/tournament/config/config_file.h"
 #include "orchestration/tournament/config/config_keys.h"
+#include "orchestration/tournament/config/start_times.h"
 #include "orchestration/tournament/report/report_document.h"
 #include "orchestration/tournament/report/report_html.h"
 #include "orchestration/tournament/report/report_text.h"
 #include "orchestration/tournament/schedule/schedule.h"
+#include "orchestration/tournament/schedule/timetable.h"
 #include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_document.h"
+#include "orchestration/tournament/store/pauses_file.h"
 #include "viewer/page/match_page.h"
 #include "viewer/page/page_decisions.h"
 #include "viewer/page/page_drawings.h"
@@ -64,20 +69,66 @@ constexpr const char* kStopDescription =
     "\n"
     "  cls tournament stop cup    `cls tournament run cup` resumes";
 
+constexpr const char* kPauseDescription =
+    "begin a technical time-out: no further match starts\n"
+    "\n"
+    "  cls tournament pause cup --reason 'network of team BLUE'\n"
+    "  cls tournament resume cup\n"
+    "\n"
+    "Running matches are played to the end. The report lists the time-outs.";
+
+constexpr const char* kResumeDescription =
+    "end a technical time-out: matches start again\n"
+    "\n"
+    "  cls tournament resume cup";
+
 struct PlanArguments {
   TournamentOptions tournament;
   bool json = false;
 };
 
 // Prints incrementally: a plan may have a million matches.
-void print_json(const TournamentConfig& config, const std::vector<Fixture>& fixtures) {
+void print_json(const TournamentConfig& config, const std::vector<ScheduledMatch>& matches,
+                const Timetable& times) {
   fmt::print("{{\"schema\": \"cls.tournament/1\", \"matches\": [");
   const char* separator = "\n";
-  for (const Fixture& fixture : fixtures) {
-    fmt::print("{}{}", separator, base::json_line(json_of(config, planned(fixture))));
+  for (const ScheduledMatch& match : matches) {
+    fmt::print("{}{}", separator, base::json_line(json_of(config, match)));
     separator = ",\n";
   }
-  fmt::print("\n], \"standings\": []}}\n");
+  fmt::print("\n], \"schedule\": {}, \"standings\": []}}\n", base::json_line(json_of(times)));
+}
+
+// "2027-07-15 09:00, server 1  " before a line of the plan; a result in place of the server.
+std::string when_text(const TournamentConfig& config, const ScheduledMatch& match,
+                      const PlannedStart* start) {
+  if (start != nullptr) {
+    return fmt::format("{}, server {:<3}", local_time_text(start->time), start->server);
+  }
+  if (!match.outcome) return "";
+  const std::time_t began = parse_utc_time(match.outcome->started);
+  return fmt::format("{}, {:<10}", began == 0 ? "played" : local_time_text(began),
+                     score_text(config, match));
+}
+
+// The matches of the plan: those of a tournament that has begun, and those that follow now.
+base::Result<std::vector<ScheduledMatch>> planned_matches(const TournamentOptions& options,
+                                                          const TournamentConfig& config) {
+  std::vector<ScheduledMatch> matches;
+  if (holds_plan(options.folder)) {
+    const auto plan = read_plan(options.folder);
+    if (plan && first_difference(config, *plan).empty()) {
+      TRY_INIT(auto state, read_tournament(options.folder));
+      matches = std::move(state.matches);
+    }
+  }
+  const bool open = std::any_of(matches.begin(), matches.end(),
+                                [](const ScheduledMatch& match) { return !match.outcome; });
+  if (open) return matches;
+  for (Fixture& fixture : next_fixtures(config, matches)) {
+    matches.push_back(planned(std::move(fixture)));
+  }
+  return matches;
 }
 
 int plan(const PlanArguments& arguments) {
@@ -85,17 +136,28 @@ int plan(const PlanArguments& arguments) {
   if (chosen.exit_code != kOk) return chosen.exit_code;
   const TournamentConfig& config = chosen.config;
 
-  const std::vector<Fixture> fixtures = next_fixtures(config, {});
+  const auto matches = planned_matches(arguments.tournament, config);
+  if (!matches) return print_error(kBadData, matches.error().message);
+  const Timetable times = timetable(config, *matches, std::time(nullptr));
   if (arguments.json) {
-    print_json(config, fixtures);
+    print_json(config, *matches, times);
     return kOk;
   }
 
-  for (const Fixture& fixture : fixtures) fmt::print("{}\n", schedule_text(config, fixture));
+  for (const ScheduledMatch& match : *matches) {
+    const PlannedStart* start = find_start(times, match.fixture.index);
+    fmt::print("{}{}\n", times.starts.empty() ? "" : when_text(config, match, start),
+               schedule_text(config, match.fixture));
+  }
   const bool later = config.format == Format::kGroups || config.format == Format::kKnockout ||
-                     config.format == Format::kDoubleElimination || config.format == Format::kSwiss;
+                     config.format == Format::kDoubleElimination ||
+                     config.format == Format::kSwiss || config.format == Format::kStages;
   fmt::print("{}, {} teams, seed {}: {} matches{}\n", name(config.format), config.teams.size(),
-             config.seed, fixtures.size(), later ? ", more follow from results" : "");
+             config.seed, matches->size(), later ? ", more follow from results" : "");
+  if (!times.starts.empty()) {
+    fmt::print("{}, a match every {} minutes on each\n", base::counted(times.servers, "server"),
+               times.slot_minutes);
+  }
   return kOk;
 }
 
@@ -107,6 +169,7 @@ struct FolderArguments {
   bool all_matches = false;
   bool replays = false;
   bool json = false;
+  std::string reason;
 };
 
 // Reads the tournament in DIR. Returns an exit code.
@@ -129,6 +192,8 @@ int choose_presentation(const FolderArguments& arguments, TournamentConfig& conf
     if (ParsedConfig now = read_config(file); now.errors.empty()) {
       config.name = std::move(now.config.name);
       config.columns = std::move(now.config.columns);
+      config.start_times = std::move(now.config.start_times);
+      config.slot_minutes = now.config.slot_minutes;
     }
   }
 
@@ -159,13 +224,15 @@ int status(const FolderArguments& arguments) {
         {"schema", "cls.status/1"},      {"complete", report.complete},
         {"scheduled", counts.scheduled}, {"finished", counts.finished},
         {"forfeits", counts.forfeits},   {"invalid", counts.invalid},
-        {"open", counts.open},           {"running", state.running}};
+        {"annulled", counts.annulled},   {"open", counts.open},
+        {"running", state.running},      {"paused", state.paused}};
     fmt::print("{}", base::json_document(document));
     return kOk;
   }
 
   fmt::print("{}; {}\n", counts_text(counts),
              report.complete ? "complete" : fmt::format("{} running", state.running.size()));
+  if (state.paused) fmt::print("paused: {}\n", base::printable(report.pauses.back().reason));
   for (const int index : state.running) {
     const Fixture& fixture = state.matches[static_cast<std::size_t>(index) - 1].fixture;
     fmt::print("{}\n", schedule_text(state.config, fixture));
@@ -282,8 +349,7 @@ int stop(const FolderArguments& arguments) {
     return print_error(kNoInput, fmt::format("{}: no tournament", arguments.folder));
   }
 
-  const auto lock = FolderLock::try_lock(arguments.folder);
-  if (lock && *lock) {
+  if (!FolderLock::is_held(arguments.folder)) {
     print_stop(arguments, false);
     return kOk;
   }
@@ -295,6 +361,40 @@ int stop(const FolderArguments& arguments) {
 
   print_stop(arguments, true);
   return kOk;
+}
+
+// What `pause` and `resume` print; `changed`: the tournament was not so before.
+int print_pause(const FolderArguments& arguments, bool paused, const base::Result<bool>& changed) {
+  if (!changed) return print_error(kWriteFailed, changed.error().message);
+  if (arguments.json) {
+    const nlohmann::ordered_json document = {{"schema", "cls.pause/1"},
+                                             {"dir", arguments.folder},
+                                             {"paused", paused},
+                                             {"changed", *changed}};
+    fmt::print("{}", base::json_document(document));
+    return kOk;
+  }
+  const char* after = paused ? "paused; running matches are played to the end" : "resumed";
+  const char* before = paused ? "is paused already" : "is not paused";
+  fmt::print("{}: {}\n", arguments.folder, *changed ? after : before);
+  return kOk;
+}
+
+int pause(const FolderArguments& arguments) {
+  if (!holds_plan(arguments.folder)) {
+    return print_error(kNoInput, fmt::format("{}: no tournament", arguments.folder));
+  }
+  if (arguments.reason.empty()) {
+    return print_error(kUsage, "--reason WHY is required: the report shows it");
+  }
+  return print_pause(arguments, true, begin_pause(arguments.folder, arguments.reason));
+}
+
+int resume(const FolderArguments& arguments) {
+  if (!holds_plan(arguments.folder)) {
+    return print_error(kNoInput, fmt::format("{}: no tournament", arguments.folder));
+  }
+  return print_pause(arguments, false, end_pause(arguments.folder));
 }
 
 Command& add_folder_command(Command& app, const char* name, const char* description,
@@ -351,6 +451,21 @@ void add_tournament_report_command(Command& app) {
 void add_tournament_stop_command(Command& app) {
   const auto arguments = std::make_shared<FolderArguments>();
   Command& command = add_folder_command(app, "stop", kStopDescription, arguments, stop);
+  command.flag("--json", arguments->json, "print one JSON document");
+}
+
+void add_tournament_pause_command(Command& app) {
+  const auto arguments = std::make_shared<FolderArguments>();
+  Command& command = add_folder_command(app, "pause", kPauseDescription, arguments, pause);
+  command.option("--reason", arguments->reason, "why, for the report")
+      .placeholder("WHY")
+      .required();
+  command.flag("--json", arguments->json, "print one JSON document");
+}
+
+void add_tournament_resume_command(Command& app) {
+  const auto arguments = std::make_shared<FolderArguments>();
+  Command& command = add_folder_command(app, "resume", kResumeDescription, arguments, resume);
   command.flag("--json", arguments->json, "print one JSON document");
 }
 

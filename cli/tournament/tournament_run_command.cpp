@@ -13,6 +13,7 @@
 #include "cli/terminal/terminal.h"
 #include "cli/terminal/tournament_progress.h"
 #include "cli/tournament/tournament_options.h"
+#include "cli/tournament/tournament_run.h"
 #include "cli/tournament/tournament_session.h"
 #include "orchestration/tournament/report/report_document.h"
 #include "orchestration/tournament/report/report_text.h"
@@ -34,6 +35,7 @@ constexpr const char* kDescription =
     "  cls tournament run cup              with cup/cls.toml, or cls.toml in or above\n"
     "                                      the working directory\n"
     "  cls tournament run cup --rounds 10  the command line overrides the file\n"
+    "  cls tournament run cup --results FILE     matches that were played elsewhere\n"
     "\n"
     "Each result is on disk before the next match starts. After any interruption\n"
     "(Ctrl-C, kill -9, power failure) the same command resumes and repeats no\n"
@@ -42,6 +44,8 @@ constexpr const char* kDescription =
 struct Arguments {
   TournamentOptions tournament;
   SessionOptions session;
+  std::string results;
+  bool report = true;  ///< print it
 };
 
 // Matches of later rounds are unknown as long as earlier ones are not played.
@@ -71,11 +75,13 @@ int run(const Arguments& arguments) {
   if (chosen.exit_code != kOk) return chosen.exit_code;
 
   const fs::path folder = arguments.tournament.folder;
+  SessionOptions session = arguments.session;
+  if (!arguments.results.empty()) session.no_preflight = true;  // no team starts
   const auto outlook_of = [&chosen](const std::vector<ScheduledMatch>& matches) {
     const std::size_t to_play = matches_to_play(chosen.config, matches);
     return Outlook{static_cast<double>(to_play), fmt::format("{} matches to play", to_play)};
   };
-  const OpenedFolder opened = begin_session(folder, chosen.config, arguments.session, outlook_of);
+  const OpenedFolder opened = begin_session(folder, chosen.config, session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
 
   if (const auto checked = check_schedule(chosen.config, opened.matches); !checked) {
@@ -92,21 +98,26 @@ int run(const Arguments& arguments) {
   progress.resume(chosen.config, opened.matches);
   const auto make =
       [&](const TournamentConfig& config) -> base::Result<std::unique_ptr<MatchExecutor>> {
+    if (!arguments.results.empty()) return results_executor(config, arguments.results);
     TRY_INIT(const auto program, base::own_program());
     return make_executor(config, folder, program);
   };
 
   const auto summary = run_tournament(options, make, progress, watch_interrupts());
   progress.clear();
-  if (!summary) return print_error(kWriteFailed, summary.error().message);
+  if (!summary) {
+    const bool listed = !arguments.results.empty();  // the file is wrong or incomplete
+    return print_error(listed ? kBadData : kWriteFailed, summary.error().message);
+  }
 
   const Report report = make_report(chosen.config, summary->matches, folder);
   const bool any = std::any_of(summary->matches.begin(), summary->matches.end(),
                                [](const ScheduledMatch& match) { return match.outcome; });
   if (arguments.session.json) {
     fmt::print("{}", report_json(report));
-  } else if (any) {
-    fmt::print("{}", report_text(report, {stdout_width(), false, true}));
+  } else if (any && arguments.report) {
+    fmt::print("{}{}", report_text(report, {stdout_width(), false, true}),
+               watch_line(folder, summary->matches));
   }
 
   const bool listed = !arguments.session.json;  // the report lists them
@@ -115,11 +126,23 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
+int play_tournament(const std::string& folder, bool quiet) {
+  Arguments arguments;
+  arguments.tournament.folder = folder;
+  arguments.session.quiet = quiet;
+  arguments.report = false;
+  return run(arguments);
+}
+
 void add_tournament_run_command(Command& app) {
   const auto arguments = std::make_shared<Arguments>();
   Command& command = app.command("run", kDescription);
   add_tournament_options(command, arguments->tournament);
   add_session_options(command, arguments->session, "report");
+  command
+      .option("--results", arguments->results,
+              "play nothing: FILE has the results, as docs/tournaments.md describes")
+      .placeholder("FILE");
   command.run = [arguments] { return run(*arguments); };
 }
 

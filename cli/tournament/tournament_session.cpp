@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,8 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
+#include "orchestration/match/result/match_folder.h"
+#include "orchestration/process/command_plan.h"
 #include "orchestration/tournament/config/config_file.h"
 #include "orchestration/tournament/report/report_model.h"
 #include "orchestration/tournament/run/preflight.h"
@@ -112,23 +116,35 @@ std::string warning_counts(const std::vector<ScheduledMatch>& matches) {
   return base::counted(warnings, "warning") + " in " + base::counted(warned, "match", "matches");
 }
 
+// Each reader of the folder holds the lock for a moment, to see whether a run has it.
+base::Result<std::optional<FolderLock>> lock_patiently(const fs::path& folder) {
+  constexpr int kTries = 5;
+  constexpr std::chrono::milliseconds kPause{20};
+  for (int tries = 1;; ++tries) {
+    auto lock = FolderLock::try_lock(folder);
+    if (!lock || *lock || tries == kTries) return lock;
+    std::this_thread::sleep_for(kPause);
+  }
+}
+
 // Prints and returns the error if another process works in the folder.
 int check_idle(const fs::path& folder) {
   if (!holds_plan(folder)) return kOk;
-  const auto lock = FolderLock::try_lock(folder);
+  const auto lock = lock_patiently(folder);
   return lock && !*lock ? busy(folder) : kOk;
 }
 
 OpenedFolder open_folder(const fs::path& folder, const TournamentConfig& config, bool afresh) {
   const auto failed = [](int exit_code) { return OpenedFolder{exit_code, {}, {}}; };
   if (afresh) {
-    if (const int code = start_over(folder); code != kOk) return failed(code);
+    // A relative path may lead through the folder that is renamed.
+    if (const int code = start_over(fs::absolute(folder)); code != kOk) return failed(code);
   }
 
   if (const auto created = base::create_folders(folder); !created) {
     return failed(print_error(kCannotCreate, created.error().message));
   }
-  auto lock = FolderLock::try_lock(folder);
+  auto lock = lock_patiently(folder);
   if (!lock) return failed(print_error(kCannotCreate, lock.error().message));
   if (!*lock) return failed(busy(folder));
 
@@ -206,6 +222,21 @@ OpenedFolder begin_session(const fs::path& folder, const TournamentConfig& confi
         run_preflight(folder, config, options, opened.matches, outlook_of(opened.matches));
   }
   return opened;
+}
+
+std::string watch_line(const fs::path& folder, std::span<const ScheduledMatch> matches) {
+  std::string line;
+  for (const ScheduledMatch& match : matches) {
+    if (!match.outcome || match.outcome->folder.empty()) continue;
+    const fs::path played = folder / match.outcome->folder;
+    // A match that was refused has a folder without a log.
+    const fs::path log = played / orchestration::match::kGameLogFile;
+    std::error_code code;
+    if (!fs::exists(log, code) && !fs::exists(log.string() + ".gz", code)) continue;
+    line = fmt::format("  cls watch {}\n",
+                       orchestration::process::shell_quoted(played.lexically_normal().string()));
+  }
+  return line;
 }
 
 int end_session(const RunSummary& summary, const TournamentConfig& config,

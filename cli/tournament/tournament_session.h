@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 #include "cli/command/command.h"
@@ -48,6 +49,11 @@ using OutlookOf =
 OpenedFolder begin_session(const std::filesystem::path& folder,
                            const orchestration::tournament::TournamentConfig& config,
                            const SessionOptions& options, const OutlookOf& outlook_of);
+
+/// The line that shows the last match whose logs are kept, "  cls watch cup/matches/...\n"; empty
+/// if there is none.
+std::string watch_line(const std::filesystem::path& folder,
+                       std::span<const orchestration::tournament::ScheduledMatch> matches);
 
 /// Prints the warnings of the matches, unless `listed` already, their number and, after an
 /// incomplete run, the command that resumes it. Returns `exit_code`; with --strict kFailed if there

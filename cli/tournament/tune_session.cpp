@@ -107,6 +107,13 @@ int make_tune_setup(const TournamentOptions& options, TuneSetup& setup) {
   setup.conditions = std::move(chosen.config);
   if (setup.conditions.folder.empty()) setup.conditions.folder = fs::absolute(options.folder);
 
+  const bool book = !match_options(setup.conditions).book.empty();
+  if (book != (setup.tune.measure == Measure::kValue)) {
+    return print_error(kBadConfig,
+                       book ? "with a book, tune.toml needs measure = \"value\""
+                            : "tune.toml: measure = \"value\" needs a book, as in --book FILE");
+  }
+
   if (is_given(options, "seed")) setup.tune.seed = setup.conditions.seed;
   // Hundreds of match folders are of no use; --keep-logs all retains them.
   if (!is_given(options, "keep_logs")) setup.conditions.keep_logs = KeepLogs::kFailed;

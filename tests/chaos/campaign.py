@@ -41,7 +41,10 @@ class Campaign:
         self.process = None
         self.errors = references.folder / f"errors-{seed}"  # where no disk is full
         self.last_fault = ""
+        self.plan = plan.PLANS[seed % len(plan.PLANS)]
         self.wanted = None
+        self.planted = []  # links, which must not be followed
+        self.decoy = folder / "decoy"
         self.log = []
         self.violations = []
         self.begin = time.monotonic()
@@ -95,8 +98,7 @@ class Campaign:
 
     def play(self):
         """True when the tournament is complete."""
-        plan.write(self.folder, plan.PLANS[self.seed % len(plan.PLANS)], self.cls,
-                   self.forwarder.port)
+        plan.write(self.folder, self.plan, self.cls, self.forwarder.port, self.references.thief)
         count = self.random.randint(1, self.options.faults)
         self.start()
         for _ in range(count):
@@ -141,10 +143,25 @@ class Campaign:
             self.violate("processes are left: " + ", ".join(f"{p} ({p.command})" for p in left))
             processes.kill_all(self.mark)
         if complete:
+            self.check_intrusion()
             self.check_files()
             self.check_events()
             self.check_outcome()
         return self.violations
+
+    def check_intrusion(self):
+        """Neither a thief nor a link that a stranger has planted got anything."""
+        for log in self.folder.rglob("*team.log"):
+            # A thief may join for its own side, under any name.
+            own = re.compile(rf"b'\((init|reconnect) {log.name[0]} ")
+            for line in log.read_text(errors="replace").splitlines():
+                if "TAKEN" in line and not own.search(line):
+                    self.violate(f"{log.relative_to(self.folder)}: {line}")
+        if self.planted and self.decoy.read_text() != faults.DECOY:
+            self.violate(f"a planted link was followed: one of {self.planted}")
+        for link in self.planted:
+            if link.is_symlink():
+                link.unlink()
 
     def check_files(self):
         with open(self.folder / "lock", "rb") as lock:
@@ -201,7 +218,7 @@ class Campaign:
             self.violate(f"no report: exit {code}: {errors}")
             return
         self.check_unfinished(document)
-        got = plan.outcome(document, self.folder)
+        got = plan.outcome(document, self.folder, self.plan)
         wanted = self.wanted
         if got == wanted:
             return

@@ -187,6 +187,94 @@ def flood_ports(campaign):
     return f"{count} connections with noise to {sorted(set(ports))}"
 
 
+def _udp_ports(pid):
+    """Local UDP ports of a process."""
+    inodes = set()
+    try:
+        for name in os.listdir(f"/proc/{pid}/fd"):
+            target = os.readlink(f"/proc/{pid}/fd/{name}")
+            if target.startswith("socket:["):
+                inodes.add(target[8:-1])
+    except OSError:
+        return []
+    ports = []
+    for table in ("/proc/net/udp", "/proc/net/udp6"):
+        try:
+            with open(table, encoding="ascii") as file:
+                rows = [line.split() for line in list(file)[1:]]
+        except OSError:
+            continue
+        ports += [int(row[1].rsplit(":", 1)[1], 16) for row in rows if row[9] in inodes]
+    return sorted(set(ports))
+
+
+def intrude(campaign):
+    """A stranger joins, reconnects and watches at all ports of a match, and sends players off."""
+    process = _one(campaign, ["match"])
+    ports = _udp_ports(process.pid) if process else []
+    if not ports:
+        return None
+    wanted = ["(dispinit version 4)", "(dispcard 1 2 red)", "(dispfoul 0 0 1)", "(init T1 (version 18))",
+              "(init T3 (version 18))", "(start)", "(bye)"]
+    wanted += [f"(reconnect T{team} {number})" for team in (1, 2, 3) for number in range(1, 12)]
+    sent = 0
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
+        stranger.settimeout(0.01)
+        for _ in range(3):
+            campaign.random.shuffle(wanted)
+            for message in wanted:
+                for port in campaign.random.sample(ports, min(4, len(ports))):
+                    stranger.sendto(message.encode() + b"\0", ("127.0.0.1", port))
+                    sent += 1
+                try:
+                    reply = stranger.recv(8192)
+                except OSError:
+                    continue
+                if reply.startswith((b"(reconnect", b"(init l", b"(init r")):
+                    campaign.violate(f"a stranger got {reply[:80]!r} from one of {ports}")
+    return f"{sent} messages of a stranger to {len(ports)} ports of {process}"
+
+
+def squat(campaign):
+    """Takes ports that others may want next, UDP and TCP."""
+    held = []
+    for port in campaign.random.sample(range(20000, 32000), 400) + [6000, 6001, 6002]:
+        for kind in (socket.SOCK_DGRAM, socket.SOCK_STREAM):
+            peer = socket.socket(socket.AF_INET, kind)
+            try:
+                peer.bind(("127.0.0.1", port))
+                held.append(peer)
+            except OSError:
+                peer.close()
+    time.sleep(campaign.random.uniform(0.2, 1.0))
+    for peer in held:
+        peer.close()
+    return f"{len(held)} ports held"
+
+
+DECOY = "what a planted link points to\n"
+
+
+def plant_links(campaign):
+    """Links under the names of temporary files that could be guessed, to a file of another."""
+    campaign.decoy.write_text(DECOY)
+    folders = [campaign.folder, *(path for path in campaign.folder.glob("*") if path.is_dir()),
+               *campaign.folder.glob("*/*")]
+    names = ["events.jsonl", "schedule.jsonl", "plan.toml", "tournament.db", "result.json",
+             "manifest.json", "match.rcg.gz", "match.rcl.gz", "standings.csv"]
+    for folder in folders:
+        if not folder.is_dir():
+            continue
+        for name in names:
+            for link in (folder / (name + ".tmp"), folder / ("." + name + ".tmp")):
+                try:
+                    link.symlink_to(campaign.decoy)
+                    campaign.planted.append(link)
+                except OSError:
+                    pass
+    return f"{len(campaign.planted)} links planted" if campaign.planted else None
+
+
 def start_second_run(campaign):
     """Two runs in one folder: one of them plays."""
     if not campaign.is_running():
@@ -322,7 +410,7 @@ FAULTS = [
     (terminate_playmaker, 1), (pause, 3), (hang_playmaker, 0.3), (limit_descriptors, 2),
     (limit_memory, 2), (limit_file_size, 2), (fill_disk, 2), (cut_connections, 3),
     (flood_ports, 1), (start_second_run, 1), (read_reports, 2), (play_by_hand, 1.5),
-    (corrupt_store, 2),
+    (corrupt_store, 2), (intrude, 3), (squat, 1), (plant_links, 1),
 ]
 if clock_is_ours():
     FAULTS.append((step_clock, 3))

@@ -3,6 +3,7 @@ import hashlib
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 
 # A decision that is missed would make another, valid match: here it makes an invalid one, which is
@@ -33,15 +34,46 @@ PLANS = [
      "more": "rounds = 2"},
     {"format": "groups", "cycles": 8, "sides": ["mock", "mock:hold", "mock", "run"],
      "more": "groups = 2\nadvance = 1\nthird_place = false"},
+    # Over UDP, with a team that attacks the others (thief.py). The order in which datagrams of two
+    # programs arrive is the system's, so the games differ; that they are played whole does not.
+    {"format": "round-robin", "cycles": 20, "sides": ["mock", "thief", "run"], "more": 'mode = "synch"',
+     "compared": ["index", "round", "left", "right", "end_reason", "cycles", "forfeit"]},
 ]
+COMPARED = ["index", "round", "stage", "left", "right", "seed", "end_reason", "score", "penalty_score",
+            "cycles", "forfeit", "winner", "game log"]
+
+# The team that attacks: players and a coach by `cls proxy`, and the thief beside them.
+THIEF = """#!/bin/sh
+while [ $# -gt 0 ]; do
+  case $1 in -p) port=$2;; -P) coach=$2;; -t) name=$2;; esac
+  shift; [ $# -gt 0 ] && [ "${1#-}" = "$1" ] && shift
+done
+export PATH=/usr/bin:/bin  # a sandboxed program cannot read an interpreter in a home folder
+python3 thief.py "$port" "$coach" T1 T3 2>&1 &
+./cls mock hold --port 0 > "$TMPDIR/mock" &
+until [ -s "$TMPDIR/mock" ]; do sleep 0.05; done
+playmaker=$(sed -n 's/.*listening on //p' "$TMPDIR/mock")
+exec ./cls proxy --port "$port" --coach-port "$coach" --teamname "$name" --playmaker "$playmaker"
+"""
 
 
-def write(folder, plan, cls, tcp_port):
+def write_thief(folder, cls):
+    """A folder for `team:`. A sandboxed team can read what is in it, so it holds a copy of cls."""
+    folder.mkdir()
+    shutil.copy2(cls, folder / "cls")
+    shutil.copy2(pathlib.Path(__file__).parent / "thief.py", folder)
+    (folder / "start.sh").write_text(THIEF)
+    (folder / "start.sh").chmod(0o755)
+    return folder
+
+
+def write(folder, plan, cls, tcp_port, thief):
     """cls.toml of a plan in a new folder."""
     folder.mkdir(parents=True)
     text = SETTINGS.format(format=plan["format"], cycles=plan["cycles"], seed=7,
                            more=plan.get("more", ""))
-    endpoints = {"run": f"run:{cls} mock --port {{port}}", "tcp": f"127.0.0.1:{tcp_port}"}
+    endpoints = {"run": f"run:{cls} mock --port {{port}}", "tcp": f"127.0.0.1:{tcp_port}",
+                 "thief": f"team:{thief}"}
     for number, side in enumerate(plan["sides"], 1):
         text += f'[teams.T{number}]\nendpoint = "{endpoints.get(side, side)}"\n'
     (folder / "cls.toml").write_text(text)
@@ -59,16 +91,17 @@ def digest(path):
     return hashlib.sha256(path.read_bytes()).hexdigest() if path.exists() else "missing"
 
 
-def outcome(document, folder):
+def outcome(document, folder, plan):
     """What must be equal whatever happened: matches with their game logs, and tables."""
+    compared = plan.get("compared", COMPARED)
     matches = []
     for match in document["matches"]:
-        same = {key: match.get(key) for key in ("index", "round", "stage", "left", "right", "seed",
-                                                "end_reason", "score", "penalty_score", "cycles",
-                                                "forfeit", "winner")}
-        same["game log"] = digest(pathlib.Path(folder) / (match.get("folder") or "") / "match.rcg.gz")
+        same = {key: match.get(key) for key in compared if key != "game log"}
+        if "game log" in compared:
+            log = pathlib.Path(folder) / (match.get("folder") or "") / "match.rcg.gz"
+            same["game log"] = digest(log)
         matches.append(same)
-    return {"matches": matches, "standings": document["standings"]}
+    return {"matches": matches, "standings": document["standings"] if "score" in compared else None}
 
 
 class References:
@@ -76,15 +109,16 @@ class References:
 
     def __init__(self, cls, folder, tcp_port):
         self.cls, self.folder, self.tcp_port = cls, pathlib.Path(folder), tcp_port
+        self.thief = write_thief(self.folder / "thief", cls)
         self.known = {}
 
     def of(self, number):
         if number not in self.known:
             folder = self.folder / f"reference-{number}"
-            write(folder, PLANS[number], self.cls, self.tcp_port)
+            write(folder, PLANS[number], self.cls, self.tcp_port, self.thief)
             done = subprocess.run([self.cls, "tournament", "run", folder, "--quiet"], check=False,
                                   capture_output=True, text=True, timeout=120, env=os.environ)
             if done.returncode != 0:
                 raise RuntimeError(f"the undisturbed tournament failed: {done.stderr}")
-            self.known[number] = outcome(report(self.cls, folder)[0], folder)
+            self.known[number] = outcome(report(self.cls, folder)[0], folder, PLANS[number])
         return self.known[number]

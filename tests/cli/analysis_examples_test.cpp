@@ -1,4 +1,5 @@
-// The programs of examples/analysis on tables of a fixture, compared with `cls stats`.
+// The programs of examples/analysis and examples/tuning on tables of a fixture, compared with `cls
+// stats`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,10 +24,10 @@ class AnalysisExamples : public testing::Test {
  protected:
   void SetUp() override {
     if (run({"python3", "-c", "pass"}).exit_code != 0) GTEST_SKIP() << "needs python3";
-    ASSERT_EQ(
-        cls({"match", "mock", "mock", "--seed", "5", "--cycles", "400", "--dir", "m", "--quiet"})
-            .exit_code,
-        0);
+    ASSERT_EQ(cls({"match", "mock", "mock:simple", "--seed", "5", "--cycles", "1000", "--dir", "m",
+                   "--quiet"})
+                  .exit_code,
+              0);
     std::ofstream(path("events.csv")) << cls({"stats", "m", "--format", "csv-events"}).out;
     statistics_ = json::parse(cls({"stats", "m", "--json"}).out)["matches"][0];
   }
@@ -40,9 +41,10 @@ class AnalysisExamples : public testing::Test {
     return run(std::move(words));
   }
   CommandResult example(const std::string& name, std::vector<std::string> words) const {
-    const fs::path program = cls::tests::source_folder() / "examples/analysis" / name;
+    const fs::path program = cls::tests::source_folder() / "examples" / name;
     words.insert(words.begin(), {"python3", program.string()});
-    return run(std::move(words));
+    return Command(std::move(words), {"CLS=" + cls::tests::cls_binary().string()}, folder_.path())
+        .finish();
   }
   int stat(const std::string& pointer) const {
     return statistics_.at(json::json_pointer(pointer)).get<int>();
@@ -54,7 +56,8 @@ class AnalysisExamples : public testing::Test {
 
 TEST_F(AnalysisExamples, PassNetworkAgreesWithStatistics) {
   for (const std::string side : {"left", "right"}) {
-    const CommandResult result = example("pass_network.py", {"events.csv", side, "out.svg"});
+    const CommandResult result =
+        example("analysis/pass_network.py", {"events.csv", side, "out.svg"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const int attempted = stat("/" + side + "/passes/attempted");
     EXPECT_GT(attempted, 0);
@@ -67,7 +70,7 @@ TEST_F(AnalysisExamples, PassNetworkAgreesWithStatistics) {
 }
 
 TEST_F(AnalysisExamples, ExpectedThreatAgreesWithStatistics) {
-  const CommandResult result = example("expected_threat.py", {"events.csv", "out.svg"});
+  const CommandResult result = example("analysis/expected_threat.py", {"events.csv", "out.svg"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const int shots = stat("/left/shots/total") + stat("/right/shots/total");
   const int goals = stat("/left/shots/goal") + stat("/right/shots/goal");
@@ -79,10 +82,26 @@ TEST_F(AnalysisExamples, ExpectedThreatAgreesWithStatistics) {
 TEST_F(AnalysisExamples, FormationClustersReadTrackingTables) {
   ASSERT_EQ(cls({"convert", "m", "m.tracking.csv"}).exit_code, 0);
   const CommandResult result =
-      example("formation_clusters.py", {"m.tracking.csv", "left", "out.svg"});
+      example("analysis/formation_clusters.py", {"m.tracking.csv", "left", "out.svg"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr(" frames, mean x "));
   EXPECT_THAT(cls::tests::read_file(path("out.svg")), HasSubstr("% of "));
+}
+
+TEST_F(AnalysisExamples, GoalsAgainstAgreeWithTheScore) {
+  const json result = json::parse(cls({"results", "m", "--json"}).out)["matches"][0];
+  const std::string loser = result["right"]["name"];
+  const int score = result["left"]["score"];
+  ASSERT_GT(score, 0);
+  const CommandResult against = example("tuning/goals_against.py", {loser, "m"});
+  ASSERT_EQ(against.exit_code, 0) << against.err;
+  EXPECT_THAT(against.out,
+              HasSubstr(loser + ": " + std::to_string(score) + " goals against in 1 match,"));
+  EXPECT_THAT(against.out, HasSubstr("m/match.rcg"));
+
+  const CommandResult unknown = example("tuning/goals_against.py", {"unknown", "m"});
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_THAT(unknown.err, HasSubstr("no match of unknown in m"));
 }
 
 }  // namespace

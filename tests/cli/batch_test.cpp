@@ -171,6 +171,19 @@ std::string printed_address(const Command& program) {
   return out.substr(begin, out.find_first_of(" \n", begin) - begin);
 }
 
+// A program in its first seconds on a busy host needs more than a fixed short time.
+TEST_F(Batch, GivesRegisterTeamHalfOfTheStartTime) {
+  const std::string script =
+      file("silent.json", R"({"otherwise": "simple", "faults": {"slow_start_ms": 600000}})");
+  Command program({cls_binary(), "mock", script, "--port", "0"});
+  ASSERT_TRUE(program.wait_for_output("127.0.0.1:"));
+  const CommandResult refused =
+      cls::tests::run({cls_binary(), "match", printed_address(program), "mock", "--start-timeout",
+                       "8", "--cycles", "5", "--dir", folder_.path() / "refused"});
+  EXPECT_EQ(refused.exit_code, 69);
+  EXPECT_THAT(refused.err, HasSubstr("no reply to RegisterTeam within 4000 ms"));
+}
+
 TEST_F(Batch, SameMatchOverTcp) {
   for (const std::string& spec : {std::string("simple"), scripted()}) {
     Command mock({cls_binary(), "mock", spec, "--port", "0"});

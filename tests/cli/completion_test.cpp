@@ -47,7 +47,7 @@ bool has(const Words& words, const std::string& word) {
 TEST_F(Completion, OffersCommandsAndSubcommands) {
   EXPECT_EQ(complete({"mat"}), Words{"match"});
   EXPECT_TRUE(has(complete({""}), "tournament"));
-  EXPECT_EQ(complete({"tournament", "r"}), (Words{"run", "report"}));
+  EXPECT_EQ(complete({"tournament", "r"}), (Words{"run", "report", "resume"}));
   EXPECT_EQ(complete({"--json", "check", "pe"}), Words{"perception"});
   EXPECT_EQ(complete({"nonsense", ""}), Words{});
 }

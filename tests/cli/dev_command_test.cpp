@@ -149,6 +149,14 @@ TEST_F(DevCommand, IgnoresItsOutputInTheWatchedFolder) {
   command.finish();
 }
 
+TEST_F(DevCommand, RefusesUnknownScenario) {
+  Command command(dev({"test/runs.json"}), {}, folder_.path());
+  const CommandResult result = command.finish();
+  EXPECT_EQ(result.exit_code, 66);
+  EXPECT_THAT(result.err, HasSubstr("unknown scenario 'test/runs.json'")) << result.err;
+  EXPECT_THAT(result.out, Not(HasSubstr("watching"))) << result.out;
+}
+
 TEST_F(DevCommand, NeedsScenarios) {
   const TemporaryFolder empty;
   Command command(dev(), {}, empty.path());

@@ -59,6 +59,7 @@ CodeBlock open_block(const std::string& fence, const std::string& line_above, in
   block.language = fence.substr(3);
   block.file = note(line_above, "file");
   block.not_run = note(line_above, "not run");
+  block.needs = note(line_above, "needs");
   block.line = line;
   return block;
 }
@@ -98,6 +99,7 @@ DocPage read_page(const fs::path& path) {
       page.blocks.back().lines.push_back(line.substr(std::min({indent, start, line.size()})));
     } else {
       if (line.starts_with("#")) page.anchors.insert(anchor_of(line.substr(line.find(' ') + 1)));
+      if (page.files_of.empty()) page.files_of = note(line, "files of");
       add_links(line, page.links);
     }
     above = line;

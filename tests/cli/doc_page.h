@@ -13,6 +13,7 @@ struct CodeBlock {
   std::string language;            ///< first word behind the fence: "console", "sh", "python"
   std::string file;                ///< `<!-- file: NAME -->` above it: a file to save
   std::string not_run;             ///< `<!-- not run: REASON -->` above it
+  std::string needs;               ///< `<!-- needs: LANGUAGE -->` above it: tools and packages
   std::vector<std::string> lines;  ///< without the indentation of the fence
   int line = 0;                    ///< of the fence
 };
@@ -26,6 +27,7 @@ struct ConsoleCommand {
 struct DocPage {
   std::filesystem::path path;
   std::vector<CodeBlock> blocks;
+  std::string files_of;            ///< `<!-- files of: PAGE -->`: whose files its commands use
   std::set<std::string> anchors;   ///< of its headings, as GitHub forms them
   std::vector<std::string> links;  ///< targets inside the repository: "matches.md#sides"
 };

@@ -12,6 +12,7 @@
 #include "tests/cli/doc_page.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/language.h"
 #include "tests/support/python.h"
 #include "tests/support/sanitizers.h"
 #include "tests/support/temporary_folder.h"
@@ -60,7 +61,14 @@ class ExampleFolder {
   bool has_python() const { return !python_.empty(); }
 
   void save(const CodeBlock& block) const {
-    std::ofstream(folder_.path() / block.file) << joined(block.lines);
+    const fs::path file = folder_.path() / block.file;
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << joined(block.lines);
+  }
+  void save_files_of(const fs::path& page) const {
+    for (const CodeBlock& block : read_page(page).blocks) {
+      if (!block.file.empty()) save(block);
+    }
   }
 
   /// What a terminal would show.
@@ -87,7 +95,53 @@ bool is_whole_match(const std::string& command) {
          command.find("--half-time") == std::string::npos;
 }
 
-class DocExamples : public testing::TestWithParam<std::string> {};
+class DocExamples : public testing::TestWithParam<std::string> {
+ protected:
+  // Why the commands of a block cannot run here; empty: they can.
+  std::string why_skipped(const CodeBlock& block) const {
+    if (block.needs.empty()) return {};
+    const auto unreachable = no_registry_.find(block.needs);
+    return unreachable != no_registry_.end() ? unreachable->second : why_missing(block.needs);
+  }
+
+  void run_examples(const ExampleFolder& folder, const CodeBlock& block) {
+    for (const ConsoleCommand& example : console_commands(block)) {
+      if (example.command.find("python3") != std::string::npos && !folder.has_python()) {
+        skip("no Python with grpc", example.command);
+      } else if (is_whole_match(example.command) && !kPlaysWholeMatches) {
+        skip("a whole match in a slow build", example.command);
+      } else if (const std::string why = why_skipped(block); !why.empty()) {
+        skip(why, example.command);
+      } else {
+        run_example(folder, block, example);
+      }
+    }
+  }
+
+  std::string skipped_;
+
+ private:
+  void skip(const std::string& why, const std::string& command) {
+    skipped_ += "\n  " + why + ": " + command;
+  }
+
+  void run_example(const ExampleFolder& folder, const CodeBlock& block,
+                   const ConsoleCommand& example) {
+    const CommandResult shown = folder.run(example.command);
+    if (!block.needs.empty() && shown.exit_code != 0 && is_about_network(shown.out)) {
+      no_registry_[block.needs] = block.needs + ": cannot reach the registry of its packages";
+      return skip(no_registry_[block.needs], example.command);
+    }
+    std::vector<std::string> lines = lines_of(shown.out);
+    std::erase_if(lines, says_that_host_is_slow);
+    EXPECT_TRUE(shows_output(example.output, lines))
+        << GetParam() << ":" << block.line << ": " << example.command << "\nthe page shows\n"
+        << joined(example.output) << "the program prints\n"
+        << shown.out;
+  }
+
+  std::map<std::string, std::string> no_registry_;  ///< by language
+};
 
 std::vector<std::string> pages_with_examples() {
   std::vector<std::string> pages;
@@ -103,27 +157,13 @@ std::vector<std::string> pages_with_examples() {
 
 TEST_P(DocExamples, PrintWhatThePageShows) {
   const ExampleFolder folder;
-  std::string skipped;
-  for (const CodeBlock& block : read_page(source_folder() / GetParam()).blocks) {
+  const DocPage page = read_page(source_folder() / GetParam());
+  if (!page.files_of.empty()) folder.save_files_of(page.path.parent_path() / page.files_of);
+  for (const CodeBlock& block : page.blocks) {
     if (!block.file.empty()) folder.save(block);
-    if (block.language != "console" || !block.not_run.empty()) continue;
-    for (const ConsoleCommand& example : console_commands(block)) {
-      if (example.command.find("python3") != std::string::npos && !folder.has_python()) {
-        skipped += "\n  no Python with grpc: " + example.command;
-      } else if (is_whole_match(example.command) && !kPlaysWholeMatches) {
-        skipped += "\n  a whole match in a slow build: " + example.command;
-      } else {
-        const CommandResult shown = folder.run(example.command);
-        std::vector<std::string> lines = lines_of(shown.out);
-        std::erase_if(lines, says_that_host_is_slow);
-        EXPECT_TRUE(shows_output(example.output, lines))
-            << GetParam() << ":" << block.line << ": " << example.command << "\nthe page shows\n"
-            << joined(example.output) << "the program prints\n"
-            << shown.out;
-      }
-    }
+    if (block.language == "console" && block.not_run.empty()) run_examples(folder, block);
   }
-  if (!skipped.empty()) GTEST_SKIP() << skipped;
+  if (!skipped_.empty()) GTEST_SKIP() << skipped_;
 }
 
 INSTANTIATE_TEST_SUITE_P(Pages, DocExamples, testing::ValuesIn(pages_with_examples()),
@@ -219,7 +259,8 @@ TEST(ShowsOutput, TakesDotsForAnyLines) {
 }
 
 TEST(ConsoleCommands, JoinContinuedLinesAndCollectOutput) {
-  const CodeBlock block{"console", "", "", {"$ cls match \\", "    mock mock", "out", "$ ls"}, 1};
+  const CodeBlock block{"console", "", "", "", {"$ cls match \\", "    mock mock", "out", "$ ls"},
+                        1};
   const auto commands = console_commands(block);
   ASSERT_EQ(commands.size(), 2u);
   EXPECT_EQ(commands[0].command, "cls match     mock mock");

@@ -2,9 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/support/command.h"
@@ -108,6 +110,49 @@ TEST_F(EverydayUse, ProgramsAsSidesSuggestRun) {
               HasSubstr("did you mean 'run:python3 team.py --port {port}'?"));
   EXPECT_THAT(cls({"match", "node team.js --port {port}", "mock"}).err,
               HasSubstr("did you mean 'run:node team.js --port {port}'?"));
+}
+
+// The project is in a folder below the working folder.
+TEST_F(EverydayUse, FoldersAsSidesSuggestWhatTheyHold) {
+  fs::remove(folder_.path() / "cls.toml");
+  fs::create_directories(folder_.path() / "ada");
+  EXPECT_THAT(cls({"match", "ada", "mock"}).err, HasSubstr("unknown side 'ada' (a side is"));
+  write("ada/cls.toml", "[teams.ada]\nendpoint = \"mock:hold\"\n");
+  const CommandResult refused = cls({"match", "ada", "mock"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("cd ada first, or --config ada/cls.toml"));
+  const Words named = {"match", "ada", "mock", "--config", "ada/cls.toml", "--cycles", "20"};
+  EXPECT_EQ(cls(named).exit_code, 0);
+
+  fs::create_directories(folder_.path() / "helios");
+  write("helios/start", "#!/bin/sh\n");
+  EXPECT_THAT(cls({"match", "helios", "mock"}).err, HasSubstr("did you mean 'team:helios'?"));
+}
+
+TEST_F(EverydayUse, WatchOfAMatchThatNeverBeganNamesItsLogs) {
+  cls({"match", "run:false {port}", "mock", "--dir", "runs/1"});
+  EXPECT_THAT(cls({"watch", "runs"}).err,
+              HasSubstr("runs/1: no game log (*.rcg, *.rcg.gz); cls logs runs/1 says"));
+}
+
+// An interrupted match has a message that says no more than its end reason.
+TEST_F(EverydayUse, LogsSayTheEndReasonOnce) {
+  Command command({cls_binary(), "match", "mock", "mock", "--speed", "1", "--dir", "1"}, {},
+                  folder_.path());
+  while (!fs::exists(folder_.path() / "1/match.rcg")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  command.send_signal(SIGINT);
+  EXPECT_EQ(command.finish().exit_code, 130);
+  EXPECT_THAT(cls({"logs", "1"}).out, HasSubstr("interrupted\n"));
+  EXPECT_THAT(cls({"logs", "1"}).out, Not(HasSubstr("interrupted: interrupted")));
+}
+
+// Not as root, who may write everywhere: a file stands where the folder would be.
+TEST_F(EverydayUse, FoldersThatCannotBeCreatedSuggestOthers) {
+  write("runs", "");
+  EXPECT_THAT(cls({"match", "mock", "mock", "--cycles", "20"}).err, HasSubstr("; --dir DIR"));
+  EXPECT_THAT(cls({"compare", "mock", "mock:hold"}).err, HasSubstr("; --dir selects"));
 }
 
 TEST_F(EverydayUse, ExplainKnowsPluralsAndWordsOfUsers) {

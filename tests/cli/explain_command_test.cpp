@@ -127,6 +127,17 @@ TEST(ExplainCommand, FindsFullNamesLastPartsAndOtherSpellings) {
   EXPECT_THAT(several.out, HasSubstr("fails when  speed out of reach")) << several.out;
 }
 
+TEST(ExplainCommand, FindsNamesAsLanguagesWriteThem) {
+  for (const char* name : {"GameModeType.KickIn", "GameModeType_KickIn_", "GameModeType::KickIn"}) {
+    EXPECT_THAT(explain({name}).out, HasSubstr("KickIn_ (play mode")) << name;
+  }
+  EXPECT_THAT(explain({"LoggerLevel.Team"}).out, HasSubstr("TEAM (value of LoggerLevel)"));
+  EXPECT_THAT(explain({"PlayerAction.BodySmartKick"}).out,
+              HasSubstr("body_smart_kick (action of a player)"));
+  EXPECT_THAT(explain({"Self.IsKickable"}).out, HasSubstr("Self.is_kickable (field of Self)"));
+  EXPECT_EQ(explain({"GameModeType.Stamina"}).exit_code, 2);
+}
+
 TEST(ExplainCommand, SearchesNamesAndExplanations) {
   const CommandResult found = explain({"--search", "offside LINE"});
   EXPECT_EQ(found.exit_code, 0) << found.err;

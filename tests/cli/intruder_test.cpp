@@ -152,6 +152,14 @@ TEST_F(Intruder, AloneIsAtFaultOnAServerThatAcceptsAnyClient) {
   EXPECT_THAT(played_.err, HasSubstr("an intrusion: programs of the right side hold "));
 }
 
+// For teams in containers, whose processes cannot be seen here.
+TEST_F(Intruder, PlaysWhereTheUserDoesNotBindClients) {
+  play_embedded(
+      named_team("team", "Thieves", "$intruder --port $port --first '(init Guests (version 18))'"),
+      {"--no-bind-clients"});
+  EXPECT_THAT(output(), HasSubstr("reply (init")) << played_.err;
+}
+
 // Without the binding a started server is as rcssserver: so only a match may ask for it.
 TEST_F(Intruder, BindingNeedsAMatch) {
   const auto server =

@@ -67,7 +67,7 @@ void expect_invalid(const Played& played, const std::string& end_reason, int exi
   EXPECT_FALSE(played.result["valid"]);
   EXPECT_TRUE(played.result["winner"].is_null());
   EXPECT_THAT(played.command.out, HasSubstr("invalid match: " + end_reason));
-  EXPECT_THAT(played.command.out, HasSubstr("see docs/troubleshooting.md#" + end_reason));
+  EXPECT_THAT(played.command.out, HasSubstr("see `cls explain " + end_reason + "`"));
 }
 
 TEST(MatchFaults, ReportsCrashOfPlaymaker) {

@@ -66,6 +66,28 @@ TEST_F(MatchLength, IsRequiredWhereNoRefereeEndsTheMatch) {
   EXPECT_THAT(nothing.err, HasSubstr("neither a half nor a shoot-out is played"));
 }
 
+TEST_F(MatchLength, EndsWithADecisiveLead) {
+  const auto played = [this](const Arguments& more) {
+    Arguments all = {"match", "mock",   "mock:hold", "--seed",  "1",     "--half-time",
+                     "60",    "--json", "--quiet",   "--force", "--dir", "m"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  };
+  const json whole = json::parse(played({}).out);
+  ASSERT_GT(whole["goals"].size(), 2U);
+  const CommandResult ended = played({"--adjudicate", "2"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const json result = json::parse(ended.out);
+  EXPECT_EQ(result["left"]["score"], 2);
+  EXPECT_EQ(result["cycles"], whole["goals"][1]["cycle"]) << "the same match until then";
+
+  for (const Arguments& other : {Arguments{"--mode", "synch"}, Arguments{"--mode", "realtime"}}) {
+    const CommandResult refused = played({"--adjudicate", "2", other[0], other[1]});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("--adjudicate needs the embedded server in lockstep"));
+  }
+}
+
 TEST_F(MatchLength, IsRequiredInTournaments) {
   const auto plan = [&](const std::string& text) {
     write("cls.toml", "[tournament]\n" + text + "[teams.A]\nendpoint = \"mock\"\n" +

@@ -42,14 +42,55 @@ class MixedSide : public testing::Test, public cls::tests::ClsFolder {
 // Who decides for whom does not show in the match.
 TEST_F(MixedSide, PlaysTheMatchOfOnePlaymaker) {
   const Arguments cycles = {"--cycles", "60"};
-  ASSERT_EQ(play("mock", "one", cycles).exit_code, 0);
+  ASSERT_EQ(play("mock:simple", "one", cycles).exit_code, 0);
   const CommandResult mixed = play(
-      "mix:goalie=mock;2-6," + std::string("forwards=") + fake() + ";others=mock", "three", cycles);
+      "mix:goalie=mock:simple;2-6," + std::string("forwards=") + fake() + ";others=mock:simple",
+      "three", cycles);
   ASSERT_EQ(mixed.exit_code, 0) << mixed.err;
   EXPECT_EQ(mixed.err, "");
   EXPECT_TRUE(read_file(folder_.path() / "one/match.rcg") ==
               read_file(folder_.path() / "three/match.rcg"));
   EXPECT_THAT(mixed.out, HasSubstr("left 2-6,forwards: run:exec")) << mixed.out;
+}
+
+// As in the cooperative challenge: players of two teams, each with its own name, in one team.
+TEST_F(MixedSide, PlaysExternalTeamsAsOne) {
+  for (const char* name : {"LIONS", "BEARS"}) {
+    const std::string player = copy_built("cls_fake_player", folder_.path() / name);
+    write(std::string(name) + "/start",
+          "#!/bin/sh\n[ $3 = 12 ] && exec sleep 600\n[ $3 = 1 ] && goalie='--goalie 1'\n"
+          "exec " +
+              player + " --port $4 --name " + name + " $goalie\n");
+    std::filesystem::permissions(path(name) / "start", std::filesystem::perms::owner_all);
+  }
+  for (const char* mode : {"synch", "realtime"}) {
+    const CommandResult mixed =
+        run({"match", "mix:1-5=team:LIONS;others=team:BEARS", "mock:hold", "--cycles", "40",
+             "--no-coach", "--mode", mode, "--dir", mode});
+    ASSERT_EQ(mixed.exit_code, 0) << mode << mixed.err;
+    const json played = result(mode);
+    EXPECT_EQ(played["left"]["name"], "LIONS+BEARS") << mode;
+    int lions = 0;
+    int bears = 0;
+    for (const json& process : played["processes"]) {
+      const std::string command = process["command"];
+      lions += command.find("/LIONS/start") != std::string::npos;
+      bears += command.find("/BEARS/start") != std::string::npos;
+    }
+    EXPECT_EQ(lions, 5) << mode;
+    EXPECT_EQ(bears, 6) << mode;
+  }
+}
+
+TEST_F(MixedSide, ExternalTeamsAndPlaymakersDoNotMix) {
+  const CommandResult both = run({"match", "mix:1=team:LIONS;others=mock", "mock"});
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_THAT(both.err, HasSubstr("external teams and Playmakers do not play in one team"));
+  write("PACK/start.sh", "#!/bin/sh\n");
+  std::filesystem::permissions(path("PACK/start.sh"), std::filesystem::perms::owner_all);
+  const CommandResult all = run({"match", "mix:1=team:PACK;others=team:PACK", "mock"});
+  EXPECT_NE(all.exit_code, 0);
+  EXPECT_THAT(all.err, HasSubstr("a part of a mixed team needs start"));
 }
 
 // Competitions demand a process for each agent. It plays the match of one for all.

@@ -41,13 +41,15 @@ class NetworkMatch : public testing::Test {
 
   /// A team folder with a start.sh that starts up to 11 players and returns.
   std::string team(const std::string& flags, int players = 11) {
-    script("team/start.sh",
-           "while [ $# -gt 0 ]; do case $1 in -p) port=$2;; -t) name=$2;; esac; shift 2; done\n"
-           "for i in $(seq " +
-               std::to_string(players) +
-               "); do\n"
-               "  goalie=; [ $i = 1 ] && goalie='--goalie 1'\n" +
-               player() + " --port $port --name $name $goalie " + flags + " &\n  sleep 0.02\ndone");
+    script(
+        "team/start.sh",
+        "while [ $# -gt 0 ]; do case $1 in -p) port=$2;; -t) name=$2;; -C) shift; continue;; esac; "
+        "shift 2; done\n"
+        "for i in $(seq " +
+            std::to_string(players) +
+            "); do\n"
+            "  goalie=; [ $i = 1 ] && goalie='--goalie 1'\n" +
+            player() + " --port $port --name $name $goalie " + flags + " &\n  sleep 0.02\ndone");
     return "team:" + (folder_.path() / "team").string();
   }
 

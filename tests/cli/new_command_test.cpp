@@ -3,14 +3,18 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 #include <string>
 
 #include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/python.h"
 
 namespace cls::tests {
 namespace {
@@ -51,6 +55,36 @@ TEST_F(NewCommand, WritesProjectOfEachLanguage) {
           "proto/team_playmaker.proto"}) {
       EXPECT_TRUE(fs::exists(project / file)) << language << " " << file;
     }
+  }
+}
+
+TEST_F(NewCommand, NextStepsHoldForAnyFolder) {
+  const CommandResult result = run_new({"python", "ada", "--dir", "my team"});
+  EXPECT_THAT(result.out, HasSubstr("\n  cd 'my team'\n"));
+}
+
+// A new project has scenarios, and no program of tests yet.
+TEST_F(NewCommand, RunTestNamesTheScenariosWhereThereAreNoTests) {
+  const std::string python = python_with_grpc();
+  if (python.empty()) GTEST_SKIP() << "no Python with grpc";
+  ASSERT_EQ(run_new({"python", "ada"}).exit_code, 0);
+  Command command({folder_.path() / "ada/run", "test"}, {}, folder_.path());
+  const CommandResult result = command.finish(std::chrono::seconds(120));
+  EXPECT_EQ(result.exit_code, 2) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("cls test tests/ plays the scenarios"));
+}
+
+TEST_F(NewCommand, CommentsOfTheReadmeShareAColumnForEveryName) {
+  for (const std::string name : {"a", "golden", "fifteen_letters"}) {
+    ASSERT_EQ(run_new({"python", name}).exit_code, 0);
+    std::istringstream readme(read_file(folder_.path() / name / "README.md"));
+    std::set<std::size_t> columns;
+    for (std::string line; std::getline(readme, line);) {
+      if (const std::size_t comment = line.find("  # "); comment != std::string::npos) {
+        columns.insert(comment);
+      }
+    }
+    EXPECT_EQ(columns.size(), 1u) << name;
   }
 }
 

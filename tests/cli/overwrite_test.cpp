@@ -63,6 +63,10 @@ TEST_F(Overwrite, MatchWithoutItsProgramsLeavesNothing) {
   const CommandResult server = run({"match", "mock", "mock", "--server", "nowhere"});
   EXPECT_EQ(server.exit_code, 69);
   EXPECT_EQ(server.err, "cls: soccer server nowhere: no such program on PATH\n");
+  cls::tests::Command bare(
+      {cls::tests::cls_binary(), "match", "mock", "mock", "--server", "rcssserver"}, {"PATH="},
+      folder_.path());
+  EXPECT_THAT(bare.finish().err, HasSubstr("no such program on PATH; `cls doctor` says how"));
   EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 

@@ -35,6 +35,26 @@ std::string port_in(Command& command) {
   return line.substr(colon + 1, line.find_first_not_of("0123456789", colon + 1) - colon - 1);
 }
 
+// Where each agent has a machine of its own, nothing orders their starts.
+TEST(ServerCommand, CoachWaitsForTheFirstPlayerOfItsTeam) {
+  Command server({cls_binary(), "server", "--port", "0", "--seed", "7", "server::synch_mode=on"});
+  const std::string port = port_in(server);
+  const std::string ports = server.out();
+  const std::string coaches = ports.substr(ports.find("coaches ") + 8);
+  Command mock({cls_binary(), "mock"});
+  const std::vector<std::string> proxy = {
+      cls_binary(), "proxy",       "-h", "127.0.0.1", "-p", port,
+      "--rpc-port", port_in(mock), "-t", "Reds",      "-P", coaches.substr(0, coaches.find('\n'))};
+  const auto agent = [&proxy](std::vector<std::string> more) {
+    more.insert(more.begin(), proxy.begin(), proxy.end());
+    return more;
+  };
+  Command coach(agent({"--coach"}));
+  EXPECT_FALSE(coach.wait_for_output("plays on", std::chrono::seconds(1)));
+  Command player(agent({"--unum", "1"}));
+  EXPECT_TRUE(coach.wait_for_output("Reds plays on the left")) << coach.out();
+}
+
 TEST(ServerCommand, ServesTwoProxyTeams) {
   cls::tests::TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--seed", "7", "--cycles", "100", "--dir",
@@ -61,8 +81,8 @@ TEST(ServerCommand, ServesTwoProxyTeams) {
   EXPECT_EQ(served.exit_code, 0) << served.err;
   EXPECT_THAT(served.out, HasSubstr("\n100 cycles, 0 of them missed")) << served.out;
   EXPECT_THAT(served.out, HasSubstr("Simulator Random Seed: 7\n")) << served.out;
-  EXPECT_THAT(served.out, HasSubstr("A new (v18) player (Reds 1) connected.\n"));
-  EXPECT_THAT(served.out, HasSubstr("A new (v18) player (Blues 11) connected.\n"));
+  EXPECT_THAT(served.out, HasSubstr("A new (v19) player (Reds 1) connected.\n"));
+  EXPECT_THAT(served.out, HasSubstr("A new (v19) player (Blues 11) connected.\n"));
   EXPECT_THAT(served.out, HasSubstr("Game Over. Exiting...\n")) << served.out;
   for (const char* line :
        {"\nWaiting for players to connect\n", "\nWaiting to kick off\n", "\nKick_off_left\n"}) {

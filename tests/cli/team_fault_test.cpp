@@ -76,6 +76,21 @@ TEST_F(TeamFault, PlaysWithoutClsAgentsToTheCycleLimit) {
   EXPECT_EQ(result_["cycles"], 30);
 }
 
+// The team of start.sh gets the coach's port and starts no coach.
+TEST_F(TeamFault, WarnsOfCoachThatNeverJoined) {
+  const std::vector<std::string> options = {"--cycles", "320", "--right-name", "Guests"};
+  play(team(""), "embedded", options);
+  expect_finished();
+  EXPECT_THAT(played_.err, HasSubstr("no coach has joined at port ")) << played_.err;
+  EXPECT_THAT(result_["warnings"].dump(), HasSubstr("no coach has joined at port "));
+}
+
+TEST_F(TeamFault, ExpectsNoCoachOfTeamWithoutOne) {
+  play(team(""), "embedded", {"--cycles", "320", "--right-name", "Guests", "--no-coach"});
+  expect_finished();
+  EXPECT_THAT(played_.err, Not(HasSubstr("coach"))) << played_.err;
+}
+
 TEST_F(TeamFault, NamesArgumentsOfStartThatOnlyPrintsItsHelp) {
   script("team/start.sh", "echo 'usage: start.sh -H HOST'");
   play("team:" + (folder_.path() / "team").string(), "embedded", {"--right-name", "Guests"});

@@ -133,6 +133,20 @@ TEST(TestCommand, SelectsByNameFilterAndShard) {
   EXPECT_EQ(cls_test({"--filter", "nothing_of_this"}).exit_code, 2);
 }
 
+TEST(TestCommand, NamesTheScenariosOfTheProject) {
+  TemporaryFolder folder;
+  const auto listed = [&folder] {
+    return Command({cls_binary().string(), "test", "--list", "--filter", "referee_goal"}, {},
+                   folder.path())
+        .finish();
+  };
+  std::filesystem::create_directory(folder.path() / "tests");
+  EXPECT_EQ(listed().err, "") << "not a project";
+  std::ofstream(folder.path() / "cls.toml") << "";
+  EXPECT_THAT(listed().err, HasSubstr("those of this folder: cls test tests/\n"));
+  EXPECT_THAT(listed().out, testing::StartsWith("referee_goal "));
+}
+
 TEST(TestCommand, ReplacesPlaymakerOfSideUnderTest) {
   TemporaryFolder folder;
   const auto hold = cls_test(
@@ -333,8 +347,9 @@ TEST_F(Recording, IsReproducibleAndReplaysWithoutDifferences) {
 }
 
 TEST_F(Recording, ReportsDifferentRepliesOfChangedPlaymaker) {
-  ASSERT_EQ(match("match", {"mock", "mock:hold", "--record-rpc", folder() + "/m.rpc"}).exit_code,
-            0);
+  ASSERT_EQ(
+      match("match", {"mock:simple", "mock:hold", "--record-rpc", folder() + "/m.rpc"}).exit_code,
+      0);
   std::ofstream(folder() + "/changed.json") << R"({"otherwise": "simple", "rules":
       [{"when": {"unum": 5, "cycle": 20}, "reply": [{"dash": {"power": 33}}]}]})";
   const auto changed =
@@ -351,8 +366,9 @@ TEST_F(Recording, ReportsDifferentRepliesOfChangedPlaymaker) {
 }
 
 TEST_F(Recording, SendsOneDecisionAgain) {
-  ASSERT_EQ(match("match", {"mock", "mock:hold", "--record-rpc", folder() + "/m.rpc"}).exit_code,
-            0);
+  ASSERT_EQ(
+      match("match", {"mock:simple", "mock:hold", "--record-rpc", folder() + "/m.rpc"}).exit_code,
+      0);
   std::ofstream(folder() + "/changed.json") << R"({"otherwise": "simple", "rules":
       [{"when": {"unum": 5}, "reply": [{"dash": {"power": 33}}]}]})";
   const std::string changed = "mock:" + folder() + "/changed.json";
@@ -520,6 +536,19 @@ TEST(TestCommand, PlaysTeamsOfTheConfigurationAboveTheScenario) {
   EXPECT_EQ(failed.exit_code, 65);
   EXPECT_THAT(failed.err, HasSubstr("stands.json:2: /left/playmaker: unknown side 'adda'; did you "
                                     "mean 'ada'? (a team in "));
+}
+
+// The first start of a project may build it.
+TEST(TestCommand, GivesProgramsTheStartTimeOfTheConfiguration) {
+  TemporaryFolder folder;
+  std::ofstream(folder.path() / "cls.toml")
+      << "[tournament]\nstart_timeout = 1.5\n"
+         "[teams.ada]\nendpoint = \"run:: {port}; exec sleep 100\"\n";
+  Command test({cls_binary(), "test", "team_stays_on_the_pitch", "--against", "ada", "--seed", "1"},
+               {}, folder.path());
+  const CommandResult result = test.finish();
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("within the start limit of 1.5 s")) << result.out;
 }
 
 // High-level teams use helios_goalie.

@@ -67,13 +67,13 @@ TEST_F(Tournament, PlaysAndReports) {
   EXPECT_THAT(played.err, HasSubstr("  RED 0:0 HOLD  (finished, ")) << played.err;
   EXPECT_EQ(tournament({"run", cup(), "--quiet"}).err, "");
   EXPECT_THAT(played.out, HasSubstr("6 of 6 matches done")) << played.out;
-  // What is longest scrolls away: standings and winner are last.
+  // What is longest scrolls away: standings and winner are last, and how to see a match.
   const std::size_t standings = played.out.find("\nstandings\n");
   EXPECT_NE(standings, std::string::npos) << played.out;
   EXPECT_GT(standings, played.out.find("\nmatches\n")) << played.out;
   EXPECT_THAT(played.out,
               testing::ContainsRegex("\n(winner|level): [A-Z]+.*, [0-9]+ points?, goals "
-                                     "[0-9]+:[0-9]+\n$"));
+                                     "[0-9]+:[0-9]+\n  cls watch [^\n]+\n$"));
   const json document = report();
   EXPECT_EQ(document["schema"], "cls.tournament/1");
   EXPECT_TRUE(document["complete"]);

@@ -32,12 +32,12 @@ TEST(Troubleshooting, HasAnchorOfEveryEndReason) {
   }
 }
 
-TEST(Troubleshooting, HintNamesAnchorUnlessMatchFinished) {
+TEST(Troubleshooting, HintNamesEntryUnlessMatchFinished) {
   EXPECT_EQ(cli::troubleshooting_hint(EndReason::kFinished), "");
   for (int i = 1; i <= static_cast<int>(EndReason::kInterrupted); ++i) {
     const auto reason = static_cast<EndReason>(i);
     const std::string hint = cli::troubleshooting_hint(reason);
-    EXPECT_EQ(hint.find("see docs/troubleshooting.md#" + std::string(name(reason))), 0u) << hint;
+    EXPECT_EQ(hint.find("see `cls explain " + std::string(name(reason)) + "`"), 0u) << hint;
     EXPECT_LE(hint.size(), 76u) << hint;
   }
 }

@@ -15,6 +15,7 @@
 
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/language.h"
 #include "tests/support/python.h"
 #include "tests/support/temporary_folder.h"
 
@@ -24,40 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 constexpr std::chrono::seconds kLong{1500};
-
-struct Language {
-  const char* name;
-  Words tools;
-  Words version = {};  ///< prints the version of the first tool, which may be too old
-  std::pair<int, int> least = {};
-};
-
-void PrintTo(const Language& language, std::ostream* out) { *out << language.name; }
-
-bool is_on_path(const std::string& tool) {
-  return run({"sh", "-c", "command -v " + tool}).exit_code == 0;
-}
-
-// Version {1, 88} of "cargo 1.88.0 (873a06493 2025-05-10)".
-std::pair<int, int> version_in(const std::string& text) {
-  static const std::regex version(R"((\d+)\.(\d+))");
-  std::smatch found;
-  if (!std::regex_search(text, found, version)) return {};
-  return {std::stoi(found[1]), std::stoi(found[2])};
-}
-
-// Registries are unreachable on some hosts; then nothing can be built.
-bool is_about_network(const std::string& text) {
-  for (const char* phrase :
-       {"Could not transfer artifact", "Could not resolve", "EAI_AGAIN", "ENOTFOUND",
-        "ECONNREFUSED", "ETIMEDOUT", "dial tcp", "failed to download",
-        "failed to query replaced source", "Couldn't connect to server", "network failure",
-        "error NU1301", "npm error network", "npm ERR! network", "ECONNRESET",
-        "ERR_SOCKET_TIMEOUT"}) {
-    if (text.find(phrase) != std::string::npos) return true;
-  }
-  return false;
-}
 
 // True if a test of this run, or of one shortly before, wrote the file.
 bool is_fresh(const fs::path& file) {
@@ -79,28 +46,15 @@ class Languages : public testing::TestWithParam<Language> {
  protected:
   void SetUp() override {
     const Language& language = GetParam();
-    for (const std::string& tool : language.tools) {
-      if (!is_on_path(tool)) GTEST_SKIP() << language.name << ": no " << tool << " on PATH";
-    }
-    if (!language.version.empty()) {
-      const CommandResult version = run(language.version);
-      if (version_in(version.out + version.err) < language.least) {
-        GTEST_SKIP() << language.name << ": needs " << language.tools[0] << " "
-                     << language.least.first << "." << language.least.second << ", not "
-                     << version.out << version.err;
-      }
-    }
-    if (language.name == std::string("python") && python_with_grpc().empty()) {
-      GTEST_SKIP() << kNoPython;
-    }
+    const std::string missing = why_missing(language);
+    if (!missing.empty()) GTEST_SKIP() << missing;
     build(example(language.name));
   }
 
   // One build of a folder at a time: ctest runs several tests of a language together. The first
   // one that reaches no registry spares the others the wait.
   void build(const fs::path& folder) const {
-    const std::string no_registry =
-        GetParam().name + std::string(": cannot reach the registry of its packages");
+    const std::string no_registry = GetParam().name + ": cannot reach the registry of its packages";
     const fs::path unreachable = example(GetParam().name) / ".build/unreachable";
     if (is_fresh(unreachable)) GTEST_SKIP() << no_registry;
 
@@ -143,7 +97,7 @@ TEST_P(Languages, PlaySameMatchWithEitherService) {
   const std::string single = game_log(GetParam().name, "never");
   EXPECT_GT(single.size(), 10000U);
   EXPECT_TRUE(game_log(GetParam().name, "always") == single) << "differs with one call per team";
-  if (GetParam().name == std::string("python") || python_with_grpc().empty()) return;
+  if (GetParam().name == "python" || python_with_grpc().empty()) return;
   build(example("python"));
   if (HasFatalFailure() || IsSkipped()) return;
   EXPECT_TRUE(game_log("python", "always") == single) << "differs from the match in Python";
@@ -226,7 +180,7 @@ void replace_kick(const std::vector<std::string>& change, const fs::path& file) 
 }
 
 TEST_P(Languages, FirstChangeOfTheTutorialWins) {
-  if (GetParam().name != std::string("python") && !is_long_form()) {
+  if (GetParam().name != "python" && !is_long_form()) {
     GTEST_SKIP() << GetParam().name << ": builds and plays twice: make languages";
   }
   const auto [file, change] = change_of_tutorial(GetParam().name);
@@ -247,7 +201,7 @@ TEST_P(Languages, FirstChangeOfTheTutorialWins) {
   };
   EXPECT_EQ(goals("first"), std::pair(0, 0));
   replace_kick(change, project / file);
-  EXPECT_EQ(goals("second"), std::pair(5, 0));
+  EXPECT_EQ(goals("second"), std::pair(4, 0));
   const CommandResult tested = run_in(project, {cls_binary(), "test", "tests/"}, environment());
   EXPECT_EQ(tested.exit_code, 0) << tested.out;
 }
@@ -271,12 +225,10 @@ std::vector<std::string> commands_of_tutorial(const std::string& heading) {
 
 // The page as a reader follows it, each command twice: what it calls better is better.
 TEST_P(Languages, TutorialEndsWithItsVerdict) {
-  if (GetParam().name != std::string("python") || !is_long_form()) {
-    GTEST_SKIP() << "plays up to 40 half matches, in Python: make languages";
-  }
-  ASSERT_EQ(run_in(folder_.path(), {cls_binary(), "new", "python", "ada", "--template", "minimal"})
-                .exit_code,
-            0);
+  if (!is_long_form()) GTEST_SKIP() << "plays up to 40 half matches: make languages";
+  const CommandResult written = run_in(
+      folder_.path(), {cls_binary(), "new", GetParam().name, "ada", "--template", "minimal"});
+  ASSERT_EQ(written.exit_code, 0) << written.err;
   const fs::path project = folder_.path() / "ada";
   build(project);
   const auto follow = [&](const std::string& command) {
@@ -289,7 +241,7 @@ TEST_P(Languages, TutorialEndsWithItsVerdict) {
     const CommandResult result = follow(command);
     EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.out << result.err;
   }
-  const auto [file, change] = change_of_tutorial("python");
+  const auto [file, change] = change_of_tutorial(GetParam().name);
   replace_kick(change, project / file);
   EXPECT_NE(read_file(project / file), read_file(folder_.path() / "old" / file));
   EXPECT_FALSE(fs::exists(folder_.path() / "old/runs"));
@@ -299,16 +251,8 @@ TEST_P(Languages, TutorialEndsWithItsVerdict) {
   EXPECT_EQ(verdict.exit_code, 0) << verdict.out << verdict.err;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Examples, Languages,
-    testing::Values(Language{"python", {"protoc", "grpc_python_plugin"}},
-                    Language{"javascript", {"node", "npm"}, {"node", "--version"}, {18, 0}},
-                    Language{"typescript", {"node", "npm"}, {"node", "--version"}, {18, 0}},
-                    Language{"go", {"go", "protoc"}, {"go", "version"}, {1, 26}},
-                    Language{"java", {"javac", "mvn"}, {"javac", "-version"}, {17, 0}},
-                    Language{"rust", {"cargo", "cc"}, {"cargo", "--version"}, {1, 88}},
-                    Language{"csharp", {"dotnet"}, {"dotnet", "--version"}, {8, 0}}),
-    [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(Examples, Languages, testing::ValuesIn(languages()),
+                         [](const auto& each) { return each.param.name; });
 
 }  // namespace
 }  // namespace cls::tests

@@ -1,0 +1,265 @@
+// `cls book`: books of situations for `cls compare` and `cls tune`.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/text/counted.h"
+#include "base/text/json_text.h"
+#include "cli/logs/output_file.h"
+#include "cli/support/commands.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/interrupt.h"
+#include "cli/support/print_error.h"
+#include "cli/support/side_arguments.h"
+#include "cli/terminal/log_progress.h"
+#include "gamelog/files/log_files.h"
+#include "gamelog/rcg/rcg_reader.h"
+#include "orchestration/match/book/book_file.h"
+#include "orchestration/match/book/book_fit.h"
+#include "orchestration/match/book/make_book.h"
+
+namespace cls::cli {
+namespace {
+
+using namespace orchestration::match;
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+  std::vector<std::string> logs;
+  std::string book;
+  std::string out;
+  BookOptions options;
+  int cycles = kFitCycles;
+  double ridge = BookFitter::kDefaultRidge;
+  bool force = false;
+  bool json = false;
+
+  static constexpr int kFitCycles = 50;
+};
+
+// Calls `add` with each game log; it returns why a match is left out. 0, or an exit code after an
+// error line.
+template <typename Add>
+int for_each_log(const std::vector<std::string>& arguments, Add add) {
+  const gamelog::FoundLogs found = gamelog::find_logs(arguments);
+  for (const std::string& missing : found.missing) {
+    print_error(0, fmt::format("{}: no game log", missing));
+  }
+  if (!found.missing.empty()) return kNoInput;
+  LogProgress progress(found.matches.size());
+  std::size_t done = 0;
+  std::size_t used = 0;
+  for (const gamelog::MatchLogs& match : found.matches) {
+    if (watch_interrupts() != 0) return signal_exit_code(watch_interrupts());
+    progress.update(done++);
+    if (match.game.empty()) continue;
+    const auto record = gamelog::read_rcg_file(match.game);
+    if (!record) return print_error(kNoInput, record.error().message);
+    if (const std::string why = add(*record, match.game); !why.empty()) {
+      print_error(0, fmt::format("{}: left out: {}", match.game, why));
+      continue;
+    }
+    ++used;
+  }
+  if (used == 0) return print_error(kBadData, "no log can be used");
+  return kOk;
+}
+
+Json counts_of(const Book& book) {
+  Json counts = Json::object();
+  for (std::size_t i = 0; i < kSituationClasses; ++i) {
+    const auto kind = static_cast<SituationClass>(i);
+    counts[std::string(name(kind))] =
+        std::count_if(book.situations.begin(), book.situations.end(),
+                      [kind](const Situation& one) { return one.kind == kind; });
+  }
+  return counts;
+}
+
+int print_book(const Book& book, const std::string& file, bool json) {
+  if (json) {
+    const Json document = {{"schema", "cls.book-summary/1"},
+                           {"file", file},
+                           {"seed", book.seed},
+                           {"warm_up", book.warm_up},
+                           {"logs", book.logs.size()},
+                           {"situations", book.situations.size()},
+                           {"classes", counts_of(book)}};
+    fmt::print("{}", base::json_document(document));
+    return kOk;
+  }
+  std::string classes;
+  const Json counts = counts_of(book);
+  for (const auto& [kind, count] : counts.items()) {
+    if (!classes.empty()) classes += ", ";
+    classes += fmt::format("{} {}", kind, count.get<int>());
+  }
+  fmt::print("{}: {} of {} ({})\n", file, base::counted(book.situations.size(), "situation"),
+             base::counted(book.logs.size(), "match", "matches"), classes);
+  return kOk;
+}
+
+int run_make(const Arguments& arguments) {
+  if (const int code = report_failure(why_not_replaced(arguments.out, arguments.force));
+      code != kOk) {
+    return code;
+  }
+  BookMaker maker(arguments.options);
+  const int read = for_each_log(arguments.logs, [&](const auto& record, const std::string& file) {
+    const std::filesystem::path path(file);
+    const auto folder = path.parent_path().filename();
+    return maker.add(record, (folder / path.filename()).string());
+  });
+  if (read != kOk) return read;
+
+  for (std::size_t i = 0; i < kSituationClasses; ++i) {
+    const auto kind = static_cast<SituationClass>(i);
+    if (maker.moments(kind) > 0) continue;
+    return print_error(
+        kBadData, fmt::format("the matches have no moment of the class {}; add logs", name(kind)));
+  }
+  const Book book = maker.make();
+  const auto failure = write_output(arguments.out, [&](base::ByteSink& sink) {
+    write_book(book, sink);
+    return true;
+  });
+  if (failure) return report_failure(failure);
+  const auto wanted =
+      static_cast<std::size_t>(arguments.options.count) / kSituationClasses * kSituationClasses;
+  if (book.situations.size() < wanted) {
+    print_error(0, fmt::format("--count {}: the rarest class has fewer moments; the book has {}",
+                               arguments.options.count,
+                               base::counted(book.situations.size(), "situation")));
+  }
+  return print_book(book, arguments.out, arguments.json);
+}
+
+int run_show(const Arguments& arguments) {
+  const auto book = read_book(arguments.book);
+  if (!book) return print_error(exit_code_of_book(arguments.book), book.error().message);
+  return print_book(*book, arguments.book, arguments.json);
+}
+
+int run_fit(const Arguments& arguments) {
+  BookFitter fitter(arguments.cycles, arguments.ridge);
+  const int read = for_each_log(
+      arguments.logs, [&](const auto& record, const std::string&) { return fitter.add(record); });
+  if (read != kOk) return read;
+
+  const BookFit fit = fitter.fit();
+  Json weights = Json::object();
+  for (std::size_t i = 0; i < kFigures; ++i) {
+    weights[std::string(kFigureNames[i])] = {{"fitted", fit.weights[i]},
+                                             {"used", situation_weights()[i]}};
+  }
+  if (arguments.json) {
+    const Json document = {
+        {"schema", "cls.book-fit/1"},     {"cycles", arguments.cycles},
+        {"ridge", arguments.ridge},       {"matches", fit.matches},
+        {"windows", fit.windows},         {"weights", weights},
+        {"correlation", fit.correlation}, {"correlation_of_goals", fit.correlation_of_goals},
+        {"variance", fit.variance},       {"variance_of_goals", fit.variance_of_goals}};
+    fmt::print("{}", base::json_document(document));
+    return kOk;
+  }
+  fmt::print("{} windows of {} cycles in {}\n", fit.windows, arguments.cycles,
+             base::counted(static_cast<std::size_t>(fit.matches), "match", "matches"));
+  fmt::print("{:<16}{:>10}{:>10}\n", "figure", "fitted", "used");
+  for (const auto& [figure, values] : weights.items()) {
+    fmt::print("{:<16}{:>10.3f}{:>10.3f}\n", figure, values["fitted"].get<double>(),
+               values["used"].get<double>());
+  }
+  fmt::print("correlation with the match: {:.3f}, of goals alone {:.3f}\n", fit.correlation,
+             fit.correlation_of_goals);
+  fmt::print("variance within matches: {:.2f}, of goals alone {:.2f}\n", fit.variance,
+             fit.variance_of_goals);
+  return kOk;
+}
+
+void add_logs_argument(Command& command, Arguments& arguments) {
+  command.option("LOGS", arguments.logs, "game logs, or folders with game logs").required();
+}
+
+void add_make(Command& book) {
+  const auto arguments = std::make_shared<Arguments>();
+  Command& command = book.command(
+      "make",
+      "choose situations from recorded matches\n"
+      "\n"
+      "  cls book make cup/matches --out moments.book.gz\n"
+      "  cls book make a.rcg.gz b.rcg.gz --out small.book --count 80 --seed 7\n"
+      "\n"
+      "A situation is the exact world of a moment and the steps before it. The classes\n"
+      "are attack, defense, set_play and turnover, as many of each. The same logs in\n"
+      "the same order, options and seed give the same file (docs/formats/book.md).");
+  add_logs_argument(command, *arguments);
+  command.option("--out", arguments->out, "the book; compressed if it ends in .gz").required();
+  command.option("--count", arguments->options.count, "situations")
+      .range(static_cast<int>(kSituationClasses), static_cast<int>(kMaxSituations))
+      .shows_default();
+  command.option("--warm-up", arguments->options.warm_up, "steps before each moment")
+      .range(3, kMaxWarmUp)
+      .shows_default();
+  command
+      .option("--spacing", arguments->options.spacing,
+              "minimum cycles between two moments of one class and match")
+      .above(0)
+      .shows_default();
+  command.option("--seed", arguments->options.seed, "seed of the choice").shows_default();
+  command.flag("--force", arguments->force, "replace the file");
+  command.flag("--json", arguments->json, "print the summary as JSON");
+  command.run = [arguments] { return run_make(*arguments); };
+}
+
+void add_show(Command& book) {
+  const auto arguments = std::make_shared<Arguments>();
+  Command& command = book.command("show",
+                                  "check a book and print its size\n"
+                                  "\n"
+                                  "  cls book show moments.book.gz --json");
+  command.option("BOOK", arguments->book, "a file of `cls book make`").required();
+  command.flag("--json", arguments->json, "print the summary as JSON");
+  command.run = [arguments] { return run_show(*arguments); };
+}
+
+void add_fit(Command& book) {
+  const auto arguments = std::make_shared<Arguments>();
+  Command& command =
+      book.command("fit",
+                   "compute the weights of the value of situations from whole matches\n"
+                   "\n"
+                   "  cls book fit cup/matches\n"
+                   "\n"
+                   "Prints the weights that these matches give beside those in use\n"
+                   "(docs/tournaments.md). It changes nothing.");
+  add_logs_argument(command, *arguments);
+  command.option("--cycles", arguments->cycles, "length of a window").above(0).shows_default();
+  command
+      .option("--ridge", arguments->ridge,
+              "shrink weights towards those of each figure alone, 0: not at all")
+      .from(0)
+      .shows_default();
+  command.flag("--json", arguments->json, "print the fit as JSON");
+  command.run = [arguments] { return run_fit(*arguments); };
+}
+
+}  // namespace
+
+void add_book_command(Command& app) {
+  Command& command = app.command("book",
+                                 "books of situations for compare and tune\n"
+                                 "\n"
+                                 "  cls book make cup/matches --out moments.book.gz\n"
+                                 "  cls compare NEW OLD --book moments.book.gz");
+  command.group = kPlayCommands;
+  add_make(command);
+  add_show(command);
+  add_fit(command);
+}
+
+}  // namespace cls::cli

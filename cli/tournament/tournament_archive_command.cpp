@@ -1,0 +1,168 @@
+// `cls tournament archive DIR`: the logs of all matches in the league's form.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/io/whole_file.h"
+#include "base/text/counted.h"
+#include "base/text/json_text.h"
+#include "cli/logs/league_logs.h"
+#include "cli/logs/output_file.h"
+#include "cli/support/commands.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/interrupt.h"
+#include "cli/support/print_error.h"
+#include "cli/terminal/log_progress.h"
+#include "gamelog/files/log_files.h"
+#include "orchestration/tournament/config/start_times.h"
+#include "orchestration/tournament/report/report_model.h"
+#include "orchestration/tournament/store/folder.h"
+
+namespace cls::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace orchestration::tournament;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kDescription =
+    "write the logs of all matches as the league archives them\n"
+    "\n"
+    "  cls tournament archive cup               into cup/archive\n"
+    "  cls tournament archive cup /media/logs\n"
+    "\n"
+    "A folder for each stage has 20270715093000-RED_2-vs-BLUE_1.rcg.gz (version 5)\n"
+    "and .rcl.gz. Files that are there already are left as they are, so the command\n"
+    "may run again and again during the tournament.";
+
+struct Arguments {
+  std::string folder;
+  std::string out;
+  bool json = false;
+};
+
+// "first round/group A" of "first round, group A".
+fs::path stage_folder(const Fixture& fixture) {
+  std::string text = stage_text(fixture);
+  for (char& c : text) {
+    if (c == '/') c = '-';
+  }
+  const std::size_t comma = text.find(", ");
+  if (comma == std::string::npos) return text;
+  return fs::path(text.substr(0, comma)) / text.substr(comma + 2);
+}
+
+struct Archive {
+  int written = 0;
+  int present = 0;
+  std::vector<std::string> problems;
+  Json files = Json::array();
+};
+
+// False when a file cannot be written, or after a signal.
+bool write_log_file(const fs::path& file, const std::string& bytes, Archive& archive) {
+  const auto failure = write_output(file, [&bytes](base::ByteSink& sink) {
+    sink.write(bytes);
+    return true;
+  });
+  if (!failure) return true;
+  archive.problems.push_back(failure->message);
+  return false;
+}
+
+bool add_match(const fs::path& folder, const ScheduledMatch& match, const fs::path& out,
+               Archive& archive) {
+  const Outcome& outcome = *match.outcome;
+  const auto logs = read_league_logs(folder / outcome.folder, parse_utc_time(outcome.started));
+  if (!logs) {
+    archive.problems.push_back(
+        fmt::format("match {}: {}", match.fixture.index, logs.error().message));
+    return true;
+  }
+  const fs::path stem = out / stage_folder(match.fixture) / logs->name;
+  const fs::path game = stem.string() + ".rcg.gz";
+  const fs::path text = stem.string() + ".rcl.gz";
+  archive.files.push_back({{"match", match.fixture.index}, {"rcg", game.string()}});
+  archive.files.back()["rcl"] = logs->rcl.empty() ? Json(nullptr) : Json(text.string());
+  std::error_code code;
+  if (fs::exists(game, code)) {
+    ++archive.present;
+    return true;
+  }
+  if (const auto created = base::create_folders(stem.parent_path()); !created) {
+    archive.problems.push_back(created.error().message);
+    return false;
+  }
+  // The game log is last: a match is in the archive when its game log is.
+  if (!logs->rcl.empty() && !write_log_file(text, logs->rcl, archive)) return false;
+  if (!write_log_file(game, logs->rcg, archive)) return false;
+  ++archive.written;
+  return true;
+}
+
+int run(const Arguments& arguments) {
+  if (!holds_plan(arguments.folder)) {
+    return print_error(kNoInput, fmt::format("{}: no tournament", arguments.folder));
+  }
+  const auto state = read_tournament(arguments.folder);
+  if (!state) return print_error(kBadData, state.error().message);
+  const bool inside = arguments.out.empty();
+  const fs::path out = inside ? fs::path(arguments.folder) / "archive" : fs::path(arguments.out);
+  if (const auto made = inside ? gamelog::set_apart(out) : base::create_folders(out); !made) {
+    return print_error(kCannotCreate, made.error().message);
+  }
+
+  const std::atomic<int>& signal = watch_interrupts();
+  Archive archive;
+  LogProgress progress(state->matches.size());
+  std::size_t done = 0;
+  bool whole = true;
+  for (const ScheduledMatch& match : state->matches) {
+    progress.update(++done);
+    if (signal != 0) return signal_exit_code(signal);
+    if (!match.outcome || !match.outcome->finished()) continue;
+    if (match.outcome->folder.empty() && state->config.keep_logs == KeepLogs::kAll) {
+      continue;  // its result comes from a file
+    }
+    if (match.outcome->folder.empty()) {
+      archive.problems.push_back(
+          fmt::format("match {}: its logs were not retained (keep_logs)", match.fixture.index));
+      continue;
+    }
+    if (!add_match(arguments.folder, match, out, archive)) {
+      whole = false;
+      break;
+    }
+  }
+  for (const std::string& problem : archive.problems) {
+    if (!problem.empty()) print_error(0, problem);
+  }
+  if (arguments.json) {
+    const Json document = {{"schema", "cls.archive/1"},  {"dir", out.string()},
+                           {"written", archive.written}, {"present", archive.present},
+                           {"matches", archive.files},   {"problems", archive.problems}};
+    fmt::print("{}", base::json_document(document));
+  } else {
+    fmt::print("{}: {} written, {} there already\n", out.string(),
+               base::counted(archive.written, "match", "matches"), archive.present);
+  }
+  if (signal != 0) return signal_exit_code(signal);
+  if (!whole) return kCannotCreate;
+  return archive.problems.empty() ? kOk : kFailed;
+}
+
+}  // namespace
+
+void add_tournament_archive_command(Command& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  Command& command = app.command("archive", kDescription);
+  command.option("DIR", arguments->folder, "folder of the tournament").required();
+  command.option("OUT", arguments->out, "folder of the archive (default: DIR/archive)");
+  command.flag("--json", arguments->json, "print one JSON document");
+  command.run = [arguments] { return run(*arguments); };
+}
+
+}  // namespace cls::cli

@@ -1,0 +1,199 @@
+// `cls tournament decide DIR`: decisions of the organizers on matches.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "base/system/host.h"
+#include "base/text/counted.h"
+#include "base/text/json_text.h"
+#include "cli/support/commands.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
+#include "cli/terminal/terminal.h"
+#include "orchestration/tournament/report/report_tables.h"
+#include "orchestration/tournament/store/decide.h"
+#include "orchestration/tournament/store/decisions_file.h"
+#include "orchestration/tournament/store/folder.h"
+#include "orchestration/tournament/store/match_document.h"
+#include "orchestration/tournament/store/results_file.h"
+
+namespace cls::cli {
+namespace {
+
+using namespace orchestration::tournament;
+
+constexpr const char* kDescription =
+    "annul, award or repeat a match, with a reason that the report shows\n"
+    "\n"
+    "  cls tournament decide cup --match 12 --award 3:0 --reason 'RED did not start'\n"
+    "  cls tournament decide cup --match 12 --annul --reason 'wrong binary of BLUE'\n"
+    "  cls tournament decide cup --match 12 --replay --reason 'power failure'\n"
+    "  cls tournament decide cup --match 12 --as-played --reason 'protest withdrawn'\n"
+    "  cls tournament decide cup                 list the decisions\n"
+    "\n"
+    "While no run is in progress; `cls tournament run DIR` plays what follows. Later\n"
+    "rounds that a decision changes are drawn again, with --redraw also if they were\n"
+    "played.";
+
+struct Arguments {
+  std::string folder;
+  int match = 0;
+  bool annul = false;
+  bool replay = false;
+  bool as_played = false;
+  std::string award;
+  std::string penalties;
+  std::string reason;
+  bool redraw = false;
+  bool json = false;
+};
+
+// The decision that the options describe, or an exit code whose error is printed.
+int decision_in(const Arguments& arguments, MatchDecision& decision) {
+  const int kinds =
+      arguments.annul + arguments.replay + arguments.as_played + !arguments.award.empty();
+  if (kinds != 1) {
+    return print_error(kUsage, "one of --award, --annul, --replay and --as-played is required");
+  }
+  if (arguments.reason.empty()) {
+    return print_error(kUsage, "--reason WHY is required: the report shows it");
+  }
+  decision.match = arguments.match;
+  decision.reason = arguments.reason;
+  decision.time = base::utc_now();
+  decision.kind = arguments.annul       ? DecisionKind::kAnnul
+                  : arguments.replay    ? DecisionKind::kReplay
+                  : arguments.as_played ? DecisionKind::kAsPlayed
+                                        : DecisionKind::kAward;
+  if (decision.kind != DecisionKind::kAward) {
+    return arguments.penalties.empty() ? kOk : print_error(kUsage, "--penalties requires --award");
+  }
+  const auto goals = parse_goals(arguments.award);
+  if (!goals) {
+    return print_error(
+        kUsage, fmt::format("--award '{}': must be LEFT:RIGHT, such as 3:0", arguments.award));
+  }
+  std::tie(decision.left_score, decision.right_score) = *goals;
+  if (arguments.penalties.empty()) return kOk;
+  const auto penalties = parse_goals(arguments.penalties);
+  if (!penalties || goals->first != goals->second) {
+    return print_error(kUsage, fmt::format("--penalties '{}': must be LEFT:RIGHT, such as 4:2, "
+                                           "after a level score",
+                                           arguments.penalties));
+  }
+  std::tie(decision.left_penalties, decision.right_penalties) = *penalties;
+  return kOk;
+}
+
+int print_decisions(const Arguments& arguments) {
+  const auto state = read_tournament(arguments.folder);
+  if (!state) return print_error(kBadData, state.error().message);
+  if (arguments.json) {
+    nlohmann::ordered_json document = {{"schema", "cls.decisions/1"}};
+    document["decisions"] = nlohmann::ordered_json::array();
+    const auto decisions = read_decisions(arguments.folder);
+    if (!decisions) return print_error(kBadData, decisions.error().message);
+    for (const MatchDecision& one : *decisions) document["decisions"].push_back(json_of(one));
+    fmt::print("{}", base::json_document(document));
+    return kOk;
+  }
+  const Report report = make_report(state->config, state->matches, arguments.folder);
+  const ReportTable table = decisions_table(report);
+  fmt::print("{}", table.empty() ? "no decisions\n"
+                                 : table.table.format_text({0, stdout_width(), table.key_columns}));
+  return kOk;
+}
+
+int print_effect(const Arguments& arguments, const TournamentConfig& config,
+                 const DecisionEffect& effect) {
+  if (effect.refused) {
+    return print_error(
+        kFailed,
+        fmt::format("match {}: this changes the matches from {} on, of which {} played already; "
+                    "nothing was changed; --redraw discards {}, and `cls tournament run` draws "
+                    "again",
+                    arguments.match, *effect.drawn_again,
+                    base::counted(effect.removed_played, "was", "were"),
+                    effect.removed_played == 1 ? "it" : "them"));
+  }
+  if (arguments.json) {
+    nlohmann::ordered_json document = {{"schema", "cls.decide/1"}};
+    document["match"] = json_of(config, effect.match);
+    document["drawn_again_from"] =
+        effect.drawn_again ? nlohmann::ordered_json(*effect.drawn_again) : nullptr;
+    document["removed"] = effect.removed;
+    fmt::print("{}", base::json_document(document));
+    return kOk;
+  }
+  const Fixture& fixture = effect.match.fixture;
+  const auto team = [&config](int index) {
+    return config.teams[static_cast<std::size_t>(index)].name;
+  };
+  const std::string what = decision_text(effect.match);
+  fmt::print("match {}, {}: {} - {}: {}\n", fixture.index, stage_text(fixture), team(fixture.left),
+             team(fixture.right), what.empty() ? "as played, " + score_text(effect.match) : what);
+  if (effect.drawn_again) {
+    fmt::print("removed, and drawn again by the next run: {} from match {} on\n",
+               base::counted(effect.removed, "match", "matches"), *effect.drawn_again);
+  }
+  return kOk;
+}
+
+int run(const Arguments& arguments) {
+  if (!holds_plan(arguments.folder)) {
+    return print_error(kNoInput, fmt::format("{}: no tournament; `cls tournament run` creates one",
+                                             arguments.folder));
+  }
+  if (arguments.match == 0) return print_decisions(arguments);
+  MatchDecision decision;
+  if (const int exit_code = decision_in(arguments, decision); exit_code != kOk) return exit_code;
+
+  const auto lock = FolderLock::try_lock(arguments.folder);
+  if (!lock) return print_error(kCannotCreate, lock.error().message);
+  if (!*lock) {
+    return print_error(kTryAgain, fmt::format("{0}: a run is in progress; `cls tournament stop "
+                                              "{0}` ends it after its current matches",
+                                              arguments.folder));
+  }
+  // Result files of `work` are matches too; this checks the folder as well.
+  const auto state = read_tournament(arguments.folder);
+  if (!state) return print_error(kBadData, state.error().message);
+  const auto effect = decide(arguments.folder, state->config, decision, arguments.redraw);
+  if (!effect) {
+    return print_error(kUsage, fmt::format("{}: {}", arguments.folder, effect.error().message));
+  }
+  return print_effect(arguments, state->config, *effect);
+}
+
+}  // namespace
+
+void add_tournament_decide_command(Command& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  Command& command = app.command("decide", kDescription);
+  command.option("DIR", arguments->folder, "folder of the tournament").required();
+  command.option("--match", arguments->match, "number of the match (default: list the decisions)")
+      .above(0);
+  command
+      .option("--award", arguments->award,
+              "LEFT:RIGHT, the result that counts, of the left and the right team")
+      .placeholder("SCORE");
+  command
+      .option("--penalties", arguments->penalties,
+              "LEFT:RIGHT, the shoot-out of an awarded level match")
+      .placeholder("SCORE");
+  command.flag("--annul", arguments->annul, "the match counts for nothing");
+  command.flag("--replay", arguments->replay, "the match is played again, on a new seed");
+  command.flag("--as-played", arguments->as_played, "take back what was decided before");
+  command.option("--reason", arguments->reason, "why, for the report").placeholder("WHY");
+  command.flag("--redraw", arguments->redraw,
+               "discard later matches whose teams change, even if they were played");
+  command.flag("--json", arguments->json, "print one JSON document");
+  command.run = [arguments] { return run(*arguments); };
+}
+
+}  // namespace cls::cli

@@ -1,0 +1,239 @@
+// The organizer's commands: presets, check-in, stages, decisions.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "tests/support/cls_folder.h"
+#include "tests/support/files.h"
+
+namespace {
+
+using cls::tests::CommandResult;
+using nlohmann::json;
+
+class League : public testing::Test, protected cls::tests::ClsFolder {
+ protected:
+  League() : ClsFolder(std::chrono::seconds(300)) {}
+
+  void copy_fixture(const std::string& year) const {
+    std::filesystem::create_directories(path("cup"));
+    for (const char* file : {"cls.toml", "results.txt"}) {
+      std::filesystem::copy_file(cls::tests::fixture("tournament/robocup" + year) / file,
+                                 path("cup") / file);
+    }
+  }
+
+  json report() const { return json::parse(run({"tournament", "report", "cup", "--json"}).out); }
+
+  std::vector<std::string> ranks() const {
+    std::vector<std::string> names;
+    const json document = report();
+    for (const json& row : document["standings"]) names.push_back(row["team"]);
+    return names;
+  }
+};
+
+TEST_F(League, ResultsOf2025GiveItsFinalStandings) {
+  copy_fixture("2025");
+  const CommandResult result = run({"tournament", "run", "cup", "--results", "cup/results.txt"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(ranks(),
+            (std::vector<std::string>{"HELIOS", "YuShan", "FRA-UNIted", "RoboCIn", "Oxsy", "Titas",
+                                      "SRBIAU2D", "SIRLab", "RoboTech", "ITAndroids"}));
+  EXPECT_NE(result.out.find("(4+2) - (4+0)"), std::string::npos) << result.out;
+}
+
+TEST_F(League, ResultsOf2024NeedADecision) {
+  copy_fixture("2024");
+  const std::vector<std::string> play = {"tournament", "run", "cup", "--results",
+                                         "cup/results.txt"};
+  const CommandResult stuck = run(play);
+  EXPECT_EQ(stuck.exit_code, 65);
+  EXPECT_NE(stuck.err.find("no result of CYRUS and FRA-UNIted, match 146, below [final day, "
+                           "semi-final]"),
+            std::string::npos)
+      << stuck.err;
+  const CommandResult decided = run({"tournament", "decide", "cup", "--match", "145", "--award",
+                                     "1:0", "--reason", "YuShan played the semi-final"});
+  EXPECT_EQ(decided.exit_code, 0) << decided.err;
+  EXPECT_EQ(run(play).exit_code, 0);
+  EXPECT_EQ(ranks(), (std::vector<std::string>{"HELIOS", "CYRUS", "YuShan", "FRA-UNIted", "R2D2",
+                                               "RoboCIn", "Oxsy", "AETeam", "ITAndroids", "Mars"}));
+  const CommandResult page = run({"tournament", "report", "cup", "--format", "html"});
+  EXPECT_NE(page.out.find("YuShan played the semi-final"), std::string::npos);
+}
+
+TEST_F(League, TeamsOfAPresetCheckIn) {
+  ASSERT_EQ(run({"init", "cup", "--preset", "starter"}).exit_code, 0);
+  const CommandResult checked =
+      run({"tournament", "check-in", "cup", "--mode", "lockstep", "--json"});
+  ASSERT_EQ(checked.exit_code, 0) << checked.err;
+  const json document = json::parse(checked.out);
+  ASSERT_EQ(document["teams"].size(), 8u);
+  for (const json& team : document["teams"]) {
+    EXPECT_EQ(team["players"], 11);
+    EXPECT_EQ(team["missed"], 0);
+  }
+}
+
+TEST_F(League, CheckInNamesATeamThatDoesNotPlay) {
+  write("cup/cls.toml",
+        "[tournament]\n[teams.RED]\nendpoint = \"mock\"\n"
+        "[teams.GONE]\nendpoint = \"run:echo no such model {port}; exit 3\"\n");
+  const CommandResult checked = run({"tournament", "check-in", "cup"});
+  EXPECT_EQ(checked.exit_code, 1);
+  EXPECT_NE(checked.out.find("FAILED: "), std::string::npos) << checked.out;
+  EXPECT_NE(checked.err.find("1 of 2 teams did not play to the end"), std::string::npos)
+      << checked.err;
+  EXPECT_EQ(checked.err.find("no frame"), std::string::npos) << checked.err;
+  EXPECT_FALSE(std::filesystem::exists(path("cup/tournament.db")));
+
+  const CommandResult again = run({"tournament", "check-in", "cup", "RED", "--json"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(json::parse(again.out)["teams"].size(), 1U);
+  const CommandResult unknown = run({"tournament", "check-in", "cup", "GON"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("unknown team 'GON'; did you mean 'GONE'?"), std::string::npos)
+      << unknown.err;
+}
+
+TEST_F(League, DecideExplainsWhatIsMissing) {
+  write("cup/cls.toml",
+        "[tournament]\ncycles = 1\n[teams.RED]\nendpoint = \"mock\"\n"
+        "[teams.BLUE]\nendpoint = \"mock\"\n");
+  EXPECT_EQ(run({"tournament", "decide", "cup"}).exit_code, 66);
+  ASSERT_EQ(run({"tournament", "run", "cup"}).exit_code, 0);
+  const auto decide = [this](std::vector<std::string> words) {
+    words.insert(words.begin(), {"tournament", "decide", "cup", "--match", "1"});
+    return run(words);
+  };
+  EXPECT_EQ(decide({"--annul"}).exit_code, 2) << "without a reason";
+  EXPECT_EQ(decide({"--reason", "x"}).exit_code, 2) << "without a decision";
+  EXPECT_EQ(decide({"--annul", "--replay", "--reason", "x"}).exit_code, 2);
+  EXPECT_EQ(decide({"--award", "3", "--reason", "x"}).exit_code, 2);
+  EXPECT_EQ(decide({"--award", "1:0", "--penalties", "3:2", "--reason", "x"}).exit_code, 2);
+  EXPECT_EQ(decide({"--as-played", "--reason", "x"}).exit_code, 2);
+  EXPECT_EQ(run({"tournament", "decide", "cup"}).out, "no decisions\n");
+  EXPECT_EQ(decide({"--award", "0:0", "--penalties", "3:2", "--reason", "x"}).exit_code, 0);
+  EXPECT_EQ(run({"tournament", "run", "cup"}).exit_code, 0);
+  EXPECT_NE(run({"tournament", "decide", "cup"}).out.find("awarded 0:0"), std::string::npos);
+}
+
+constexpr const char* kThreeTeams =
+    "[teams.RED]\nendpoint = \"mock\"\n[teams.BLUE]\nendpoint = \"mock\"\n"
+    "[teams.GOLD]\nendpoint = \"mock\"\n";
+
+TEST_F(League, PlanShowsWhenMatchesStart) {
+  const std::string head = "[tournament]\ncycles = 5\nswap_sides = false\nconcurrency = 2\n";
+  write("cup/cls.toml",
+        head + "start_times = [\"2037-07-15 09:00\"]\nslot_minutes = 20\n" + kThreeTeams);
+  const std::vector<std::string> plan = {"tournament", "plan", "cup"};
+  const std::vector<std::string> utc = {"TZ=UTC"};
+  const CommandResult shown = run(plan, utc);
+  EXPECT_NE(shown.out.find("2037-07-15 09:00, server 2    2  round 1"), std::string::npos)
+      << shown.out;
+  EXPECT_NE(shown.out.find("2037-07-15 09:20, server 1    3  round 1"), std::string::npos);
+  EXPECT_NE(shown.out.find("2 servers, a match every 20 minutes on each"), std::string::npos);
+  const json document = json::parse(run({"tournament", "plan", "cup", "--json"}, utc).out);
+  EXPECT_EQ(document["schedule"][2]["start"], "2037-07-15T09:20:00Z");
+
+  // Afterwards the plan has the results, and the report no next match.
+  ASSERT_EQ(run({"tournament", "run", "cup"}).exit_code, 0);
+  EXPECT_EQ(run(plan, utc).out.find("2037"), std::string::npos);
+  EXPECT_EQ(report()["schedule"], json::array());
+
+  for (const char* wrong : {"15.7.2037 09:00", "2037-02-30 09:00", "2037-07-15 09:00 later"}) {
+    write("bad/cls.toml", head + "start_times = [\"" + std::string(wrong) + "\"]\n" + kThreeTeams);
+    const CommandResult refused = run({"tournament", "plan", "bad"});
+    EXPECT_EQ(refused.exit_code, 78) << wrong;
+    EXPECT_NE(refused.err.find("must be YYYY-MM-DD HH:MM"), std::string::npos) << refused.err;
+  }
+}
+
+// A time-out holds the next matches, also of a run that was killed and started again.
+TEST_F(League, PauseHoldsMatchesUntilResume) {
+  write("cup/cls.toml", std::string("[tournament]\ncycles = 5\n") + kThreeTeams);
+  ASSERT_EQ(run({"tournament", "pause", "cup", "--reason", "x"}).exit_code, 66);
+  ASSERT_EQ(
+      run({"tournament", "work", "cup", "--index", "1", "--config", "cup/cls.toml"}).exit_code, 0);
+  EXPECT_EQ(run({"tournament", "pause", "cup"}).exit_code, 2) << "without a reason";
+  ASSERT_EQ(run({"tournament", "pause", "cup", "--reason", "network of BLUE"}).exit_code, 0);
+  EXPECT_EQ(run({"tournament", "pause", "cup", "--reason", "y"}).out, "cup: is paused already\n");
+  for (int kill = 0; kill < 2; ++kill) {
+    cls::tests::Command held({cls::tests::cls_binary(), "tournament", "run", path("cup")}, {},
+                             path("."));
+    EXPECT_TRUE(held.wait_for_errors("paused: network of BLUE; cls tournament resume "));
+    held.send_signal(SIGKILL);
+    held.finish();
+    EXPECT_EQ(report()["counts"]["finished"], 1) << "the one that was played before";
+  }
+  cls::tests::Command held({cls::tests::cls_binary(), "tournament", "run", path("cup")}, {},
+                           path("."));
+  EXPECT_TRUE(held.wait_for_errors("paused: "));
+  EXPECT_EQ(run({"tournament", "resume", "cup"}).out, "cup: resumed\n");
+  EXPECT_EQ(held.finish().exit_code, 0);
+  const json document = report();
+  EXPECT_EQ(document["counts"]["finished"], 6);
+  ASSERT_EQ(document["pauses"].size(), 1u);
+  EXPECT_EQ(document["pauses"][0]["reason"], "network of BLUE");
+  EXPECT_FALSE(document["pauses"][0]["end"].is_null());
+  EXPECT_NE(run({"tournament", "report", "cup"}).out.find("technical time-outs"),
+            std::string::npos);
+}
+
+TEST_F(League, ArchiveHasTheNamesOfTheLeague) {
+  write("cup/cls.toml",
+        std::string("[tournament]\ncycles = 30\nswap_sides = false\n") + kThreeTeams);
+  ASSERT_EQ(run({"tournament", "run", "cup"}).exit_code, 0);
+  const json written = json::parse(run({"tournament", "archive", "cup", "--json"}, {"TZ=UTC"}).out);
+  EXPECT_EQ(written["written"], 3);
+  for (const json& match : written["matches"]) {
+    const std::filesystem::path log = path(match["rcg"].get<std::string>());
+    EXPECT_TRUE(
+        std::regex_match(log.filename().string(),
+                         std::regex("20[0-9]{12}-[A-Z]+_[0-9]+-vs-[A-Z]+_[0-9]+[.]rcg[.]gz")))
+        << log;
+    EXPECT_EQ(cls::tests::read_file(log).substr(0, 4), "ULG5");
+    EXPECT_NE(cls::tests::read_file(path(match["rcl"].get<std::string>())).find("(kick"),
+              std::string::npos);
+  }
+  const CommandResult again = run({"tournament", "archive", "cup"}, {"TZ=UTC"});
+  EXPECT_EQ(again.out, "cup/archive: 0 matches written, 3 there already\n");
+}
+
+TEST_F(League, QualifyPacksLogsOfWholeMatches) {
+  const std::vector<std::string> words = {"qualify",  "mock",        "mock:hold", "--mode",
+                                          "lockstep", "--half-time", "10"};
+  const CommandResult packed = run(words);
+  ASSERT_EQ(packed.exit_code, 0) << packed.err;
+  EXPECT_NE(packed.err.find("warning: 200 cycles a match; the league asks for whole matches"),
+            std::string::npos);
+  const CommandResult listed = cls::tests::run({"tar", "-tzf", path("mock_logs.tar.gz").string()});
+  EXPECT_EQ(listed.exit_code, 0) << listed.err;
+  EXPECT_TRUE(std::regex_match(listed.out,
+                               std::regex("mock_logs/[0-9]+-mock_[0-9]+-vs-hold_[0-9]+[.]rcg\n"
+                                          "mock_logs/[0-9]+-mock_[0-9]+-vs-hold_[0-9]+[.]rcl\n")))
+      << listed.out;
+  EXPECT_EQ(run(words).out, packed.out) << "nothing is played again";
+  std::vector<std::string> others = words;
+  others[2] = "mock:simple";
+  EXPECT_EQ(run(others).exit_code, 73) << "the folder holds other matches";
+  EXPECT_EQ(run({"qualify", "mock", "mock:hold", "--out", "logs.zip"}).exit_code, 2);
+}
+
+TEST_F(League, PresetOfMixedTeams) {
+  ASSERT_EQ(run({"init", "cup", "--preset", "mixed", "--teams", "RED,BLUE,GREEN,GOLD"}).exit_code,
+            0);
+  const CommandResult plan = run({"tournament", "plan", "cup"});
+  EXPECT_EQ(plan.exit_code, 0) << plan.err;
+  EXPECT_NE(plan.out.find("RED+BLUE"), std::string::npos) << plan.out;
+  EXPECT_EQ(run({"init", "odd", "--preset", "mixed", "--teams", "A,B,C,D,E"}).exit_code, 2);
+  ASSERT_EQ(run({"init", "mocks", "--preset", "mixed"}).exit_code, 0);
+  EXPECT_EQ(run({"tournament", "run", "mocks", "--mode", "lockstep", "--cycles", "5"}).exit_code,
+            0);
+}
+
+}  // namespace

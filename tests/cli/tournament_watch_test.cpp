@@ -1,0 +1,123 @@
+// `cls tournament watch`: where its page is, who may ask for it, and how far behind it is.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/http_client.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using cls::tests::Command;
+using testing::HasSubstr;
+using testing::Not;
+
+class TournamentWatch : public testing::Test {
+ protected:
+  // A match takes forty seconds, and is stopped with the test.
+  void SetUp() override {
+    std::ofstream(folder_.path() / "cls.toml") << R"([tournament]
+format = "round-robin"
+cycles = 400
+mode = "realtime"
+[teams.RED]
+endpoint = "mock"
+[teams.BLUE]
+endpoint = "mock"
+)";
+  }
+
+  Command command(std::vector<std::string> words) const {
+    words.insert(words.begin(), {cls::tests::cls_binary().string(), "tournament"});
+    return Command(std::move(words), {}, folder_.path());
+  }
+
+  void wait_for_store() const {
+    for (int i = 0; i < 200 && !std::filesystem::exists(folder_.path() / "cup/tournament.db");
+         ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+  }
+
+  static std::string url_of(Command& watch) {
+    if (!watch.wait_for_output("}\n")) return watch.finish().err;
+    return nlohmann::json::parse(watch.out())["url"];
+  }
+
+  static int status(const std::string& url, const std::string& path, const std::string& host) {
+    return cls::tests::exchange(
+               cls::tests::port_of(url),
+               "GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\nConnection: close\r\n\r\n")
+        .status;
+  }
+
+  // What the page shows now; waits up to 20 s for `part`.
+  static std::string shown(const std::string& url, const std::string& part) {
+    std::string body;
+    for (int i = 0; i < 200 && body.find(part) == std::string::npos; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      body = cls::tests::get(url + "now").body;
+    }
+    return body;
+  }
+
+  cls::tests::TemporaryFolder folder_;
+};
+
+TEST_F(TournamentWatch, IsAtItsPathForItsHostsAndBehindByItsDelay) {
+  Command cup = command({"run", "cup", "--quiet"});
+  wait_for_store();
+  Command watch = command({"watch", "cup", "--port", "0", "--json", "--path", "cup", "--host-name",
+                           "Cup.Example.org,other.example.org"});
+  Command late = command({"watch", "cup", "--port", "0", "--json", "--delay", "3600"});
+  const std::string url = url_of(watch);
+  ASSERT_TRUE(url.ends_with("/cup/")) << url;
+  const std::string late_url = url_of(late);
+
+  EXPECT_EQ(status(url, "/cup/", "localhost"), 200);
+  EXPECT_EQ(status(url, "/cup/now", "cup.example.org"), 200);
+  EXPECT_EQ(status(url, "/cup/", "other.example.org:443"), 200);
+  EXPECT_EQ(status(url, "/cup/", "evil.example.org"), 403);
+  EXPECT_EQ(status(url, "/", "localhost"), 404);
+  EXPECT_EQ(status(late_url, "/", "cup.example.org"), 403) << "named for the other page only";
+
+  EXPECT_THAT(shown(url, " · cycle "), HasSubstr(" · cycle ")) << "the match is seen";
+  const std::string behind = shown(late_url, "RED");
+  EXPECT_THAT(behind, HasSubstr("RED"));
+  EXPECT_THAT(behind, Not(HasSubstr(" · cycle "))) << "what happens is shown an hour later";
+}
+
+TEST_F(TournamentWatch, SaysWhatKeepsItFromReading) {
+  const auto nothing = command({"watch", "cup"}).finish();
+  EXPECT_EQ(nothing.exit_code, 66);
+  EXPECT_THAT(nothing.err, HasSubstr("cup: no tournament; 'cls tournament run cup' begins one"));
+  std::filesystem::create_directory(folder_.path() / "cup");
+  std::ofstream(folder_.path() / "cup/plan.toml") << "nonsense";
+  const auto corrupt = command({"watch", "cup"}).finish();
+  EXPECT_EQ(corrupt.exit_code, 65);
+  EXPECT_THAT(corrupt.err, Not(HasSubstr("begins one")));
+}
+
+TEST_F(TournamentWatch, RefusesValuesThatCannotWork) {
+  const std::vector<std::vector<std::string>> wrong = {{"--listen", "localhost"},
+                                                       {"--delay", "-1"},
+                                                       {"--delay", "1e300"},
+                                                       {"--path", "/c up/"},
+                                                       {"--max-connections", "0"}};
+  for (const auto& option : wrong) {
+    Command watch = command({"watch", "cup", option[0], option[1]});
+    const auto result = watch.finish();
+    EXPECT_EQ(result.exit_code, 2) << option[1];
+    EXPECT_THAT(result.err, HasSubstr(option[0] + " '" + option[1] + "'"));
+  }
+}
+
+}  // namespace
