@@ -7,6 +7,7 @@ Plays the same match against mock with each language and both services, in turn,
 table: cycles per second, CPU seconds per 1000 cycles of the Playmaker's program, latency of its
 decisions (median player, and 99th percentile of the slowest player; a call for the whole team counts
 for each player). The best round counts. Builds the teams first. All must play the same match.
+csharp-aot is the team in C# as machine code.
 """
 import argparse
 import json
@@ -17,13 +18,22 @@ import sys
 import tempfile
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
-LANGUAGES = ("python", "javascript", "typescript", "go", "java", "rust", "csharp")
+LANGUAGES = ("python", "javascript", "typescript", "go", "java", "rust", "csharp", "csharp-aot")
 SERVICES = {"one per agent": "never", "one per team": "always"}
+
+
+def commands(language):
+    """What builds a team, and what starts it."""
+    folder = os.path.join(ROOT, "examples", language.removesuffix("-aot"))
+    run = os.path.join(folder, "run")
+    if language == "csharp-aot":
+        return [run, "publish", "aot"], os.path.join(folder, ".build", "publish", "Team")
+    return [run, "build"], run
 
 
 def play(options, language, batch):
     """result.json of a match and its game log."""
-    team = os.path.join(ROOT, "examples", language, "run")
+    team = commands(language)[1]
     with tempfile.TemporaryDirectory() as folder:
         played = subprocess.run(
             [options.cls, "match", f"run:exec {team} --port {{port}} --coach", "mock", "--left-name",
@@ -48,8 +58,8 @@ def row(result):
 
 def built(language):
     """Why a team cannot be built here; empty: it is built."""
-    made = subprocess.run([os.path.join(ROOT, "examples", language, "run"), "build"],
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    made = subprocess.run(commands(language)[0], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, check=False)
     if made.returncode == 0:
         return ""
     plain = re.sub(r"\x1b\[[0-9;]*m", "", made.stdout)

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""The example team in Python: serves decide.py on the package cls_playmaker.
+"""The team in Python: serves decide.py on the package cls_playmaker.
 
-    python3 examples/python/playmaker.py --port 50051 --coach
+    ./run --port 50051 --coach         generates the messages of the wire, then starts this program
     cls match mock localhost:50051
 """
 import argparse
 import os
 import sys
 
-# A copy elsewhere needs the installed package: pip install ./python
+# Without ./run: the package of a built checkout. Elsewhere it must be installed (pip install ./python).
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../build/python"))
 from cls_playmaker import Playmaker, proto as pb, serve  # noqa: E402
 

@@ -214,6 +214,9 @@ def main():
     parser.add_argument("--offense", type=int, default=1)
     parser.add_argument("--defense", type=int, default=0)
     parser.add_argument("--steps", type=int, default=2_000_000, help="of the worlds together")
+    parser.add_argument("--obs", choices=("full_state", "world_model"), default="full_state",
+                        help="what the agent observes; rated matches are for world_model, which "
+                             "takes longer (default: full_state)")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--out", metavar="FILE", help="the trained policy (.npz)")
     parser.add_argument("--curve", metavar="FILE", help="share of goals by steps (.json)")
@@ -223,7 +226,7 @@ def main():
     # Dense rewards for training; what counts is the share of goals.
     config = {"id": "cls/HalfFieldOffense-v0", "offense": options.offense,
               "defense": options.defense, "num_agents": 1, "features": "ego",
-              "actions": "low_discrete", "max_cycles": 500, "reward": REWARD}
+              "actions": "low_discrete", "obs": options.obs, "max_cycles": 500, "reward": REWARD}
     random = np.random.default_rng(options.seed)
     if options.controls:
         with cls_gym.Env(**config) as env:
@@ -239,15 +242,21 @@ def main():
 
     def report(steps, goals):
         curve.append((steps, goals))
-        if len(curve) % 10 == 0:
+        if len(curve) % 10 == 0 or len(curve) == 1:
             left = (time.monotonic() - began) * max(0, options.steps - steps) / steps
             print(f"{steps:>9} steps  {goals:.2f} goals  {time.process_time() - start:.0f} s CPU  "
                   f"{time_left(left)}", flush=True)
 
-    policy, interrupted = train(config, options.seed, options.steps, report)
-    if interrupted:
+    def save(**results):
         if options.out:
             policy.save(options.out)
+        if options.curve:
+            with open(options.curve, "w", encoding="utf-8") as out:
+                json.dump({"label": f"seed {options.seed}", **results, "curve": curve}, out)
+
+    policy, interrupted = train(config, options.seed, options.steps, report)
+    if interrupted:
+        save()
         print(f"interrupted after {curve[-1][0] if curve else 0} of {options.steps} steps; " +
               (f"what was learned is in {options.out}" if options.out else "--out FILE would save"))
         return 130
@@ -255,12 +264,7 @@ def main():
     spent = time.process_time() - start
     print(f"seed {options.seed}: {goals:.3f} of 200 fresh episodes end with a goal; "
           f"{spent:.0f} s CPU")
-    if options.out:
-        policy.save(options.out)
-    if options.curve:
-        with open(options.curve, "w", encoding="utf-8") as out:
-            json.dump({"label": f"seed {options.seed}", "goals": goals, "episodes": 200,
-                       "cpu_seconds": spent, "curve": curve}, out)
+    save(goals=goals, episodes=200, cpu_seconds=spent)
     return 0
 
 

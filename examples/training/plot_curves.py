@@ -58,10 +58,11 @@ def main(out, paths, title):
                           for point, share in zip(run["curve"], shares))
         lines.append(f'<polyline points="{points}" fill="none" stroke="{color}" '
                      'stroke-width="2"/>')
+        # A training that was interrupted has no evaluation.
+        result = f': {run["goals"]:.3f} of {run["episodes"]} fresh' if "goals" in run else ""
         at = y(0.04) - 20 * (len(runs) - 1 - number)
         lines.append(f'<path d="M{WIDTH - 260} {at - 4:.0f}h22" stroke="{color}" '
-                     f'stroke-width="2"/><text x="{WIDTH - 232}" y="{at:.0f}">{run["label"]}: '
-                     f'{run["goals"]:.3f} of {run["episodes"]} fresh</text>')
+                     f'stroke-width="2"/><text x="{WIDTH - 232}" y="{at:.0f}">{run["label"]}{result}</text>')
     with open(out, "w", encoding="utf-8") as file:
         file.write("\n".join([*lines, "</svg>\n"]))
 
