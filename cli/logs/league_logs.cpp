@@ -33,7 +33,6 @@ base::Result<LeagueLogs> read_league_logs(const std::filesystem::path& folder, s
   }
   LeagueLogs logs;
   logs.name = start_text(start) + gamelog::match_name(record.teams.back());
-  logs.frames = static_cast<int>(record.frames());
   logs.last_cycle = record.time.back();
   base::StringSink sink;
   gamelog::write_rcg(record, gamelog::RcgVersion::kV5, sink);

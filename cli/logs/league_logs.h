@@ -14,7 +14,6 @@ struct LeagueLogs {
   std::string name;  ///< of both without suffix: "20240718103000-RED_2-vs-BLUE_1"
   std::string rcg;
   std::string rcl;  ///< empty: the match has no text log
-  int frames = 0;
   int last_cycle = 0;
 };
 

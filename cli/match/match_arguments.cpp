@@ -49,7 +49,7 @@ void add_match_options(Command& command, MatchArguments& arguments) {
   command
       .option("--on-event", arguments.on_event,
               "command at start, goal, half time, end and failure; gets the event as JSON on "
-              "stdin and as variables CLS_EVENT, CLS_TEXT, ... (docs/matches.md)")
+              "stdin and as variables CLS_EVENT, CLS_TEXT, ... (docs/tournaments.md)")
       .placeholder("COMMAND");
   command
       .option("--hook-limit", arguments.hook_limit_s,

@@ -176,7 +176,9 @@ int run_preflight(const fs::path& folder, const TournamentConfig& config,
     for (const StartProblem& problem : problems) print_error(0, problem.text);
     if (!problems.empty()) {
       return print_error(exit_code_of(problems.front().kind),
-                         "no match was started; --no-preflight starts without this check");
+                         options.has_no_preflight
+                             ? "no match was started; --no-preflight starts without this check"
+                             : "no match was started");
     }
 
     const auto warnings = host_warnings(config, matches, outlook.to_play, folder);
@@ -198,6 +200,7 @@ int run_preflight(const fs::path& folder, const TournamentConfig& config,
 
 void add_session_options(Command& command, SessionOptions& options, const std::string& document) {
   command.flag("--force", options.force, "start over; an old tournament is renamed to .old");
+  options.has_no_preflight = true;
   command.flag("--no-preflight", options.no_preflight,
                "start without checking teams and host first");
   command.flag("--strict", options.strict, "fail (exit 1) on any warning");

@@ -18,6 +18,7 @@ namespace cls::cli {
 struct SessionOptions {
   bool force = false;
   bool no_preflight = false;
+  bool has_no_preflight = false;  ///< the command has the option --no-preflight
   bool strict = false;
   bool json = false;
   bool quiet = false;

@@ -313,6 +313,4 @@ HttpReply SpectatorSite::reply(std::string_view path, std::string_view query) {
   return state_->match_reply(path.substr(kMatch.size()), query);
 }
 
-bool SpectatorSite::over() const { return state_->over.load(); }
-
 }  // namespace cls::orchestration::tournament

@@ -34,8 +34,6 @@ class SpectatorSite {
 
   /// Never waits for the folder.
   viewer::HttpReply reply(std::string_view path, std::string_view query);
-  /// True once all matches of the tournament have been played.
-  bool over() const;
 
  private:
   struct State;
