@@ -11,6 +11,7 @@
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/marked_processes.h"
+#include "tests/support/port_lock.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -63,6 +64,8 @@ class ExternalTournament : public testing::Test {
   fs::path path() const { return folder_.path(); }
 
   cls::tests::TemporaryFolder folder_;
+  // External teams take the usual ports of a server if they are free, which other tests need.
+  const cls::tests::PortLock ports_;
   const std::string mark_ = cls::tests::new_mark();
 };
 

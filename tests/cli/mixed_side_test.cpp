@@ -12,6 +12,7 @@
 #include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/port_lock.h"
 
 namespace cls::tests {
 namespace {
@@ -63,6 +64,7 @@ TEST_F(MixedSide, PlaysExternalTeamsAsOne) {
               player + " --port $4 --name " + name + " $goalie\n");
     std::filesystem::permissions(path(name) / "start", std::filesystem::perms::owner_all);
   }
+  const PortLock ports;
   for (const char* mode : {"synch", "realtime"}) {
     const CommandResult mixed =
         run({"match", "mix:1-5=team:LIONS;others=team:BEARS", "mock:hold", "--cycles", "40",

@@ -16,6 +16,7 @@
 #include "tests/support/cls_folder.h"
 #include "tests/support/files.h"
 #include "tests/support/marked_processes.h"
+#include "tests/support/port_lock.h"
 
 namespace {
 
@@ -137,6 +138,7 @@ TEST_F(OtherHosts, CopyTeamsByTheirContent) {
          "[ $3 = 12 ] && exec sleep 600\n[ $3 = 1 ] && goalie='--goalie 1'\n"
          "exec \"$2/" +
              player + "\" --port $4 --name Others $goalie");
+  const cls::tests::PortLock ports;
   const CommandResult played = run({"tournament", "run", "cup"}, {marked()});
   EXPECT_EQ(played.exit_code, 0) << played.err;
   EXPECT_EQ(report()["counts"]["finished"], 6);

@@ -19,6 +19,7 @@
 #include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/port_lock.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -124,6 +125,7 @@ TEST_F(Pin, PinsProcessesOfExternalTeam) {
       << cls::tests::copy_built("cls_fake_player", team)
       << " --port $port --name $name --players 11 --print-cpus 1\n";
   ::chmod((team / "start.sh").c_str(), 0755);
+  const cls::tests::PortLock ports;
   Command command(match("mock:hold", "team:" + team.string()));
   EXPECT_TRUE(wait_for([&] { return !log("right-team.log").empty(); }));
   EXPECT_EQ(log("right-team.log").substr(0, line_of(halves_[1]).size()), line_of(halves_[1]));

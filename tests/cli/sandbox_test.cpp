@@ -15,6 +15,7 @@
 #include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/port_lock.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
@@ -69,6 +70,8 @@ class Sandbox : public testing::Test {
   fs::path path(const std::string& name) const { return folder_.path() / name; }
 
   TemporaryFolder folder_;
+  // External teams take the usual ports of a server if they are free, which other tests need.
+  const PortLock ports_;
 };
 
 TEST_F(Sandbox, ClosesResultsAndTheOtherTeam) {
