@@ -86,7 +86,8 @@ Result<void> write_file_durably(const std::filesystem::path& path, std::string_v
 std::optional<std::string> absence(const std::filesystem::path& path) {
   std::error_code code;
   if (std::filesystem::exists(path, code)) return std::nullopt;
-  return code ? code.message() : "no such file";
+  if (code) return code.message();
+  return path.has_filename() ? "no such file" : "no such folder";
 }
 
 std::optional<std::string> why_no_file(const std::filesystem::path& path) {

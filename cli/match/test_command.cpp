@@ -72,6 +72,7 @@ struct Arguments {
   std::optional<int> at;
   std::optional<int> player;
   bool json = false;
+  std::optional<double> start_timeout_s;
   bool list = false;
   bool sandbox = true;
   bool accept_golden = false;
@@ -179,11 +180,15 @@ std::optional<Failure> choose(const Arguments& arguments, std::vector<Scenario>&
   return arguments.shard.empty() ? std::nullopt : select_shard(arguments.shard, chosen);
 }
 
+std::optional<double> start_timeout(const Arguments& arguments) {
+  return arguments.start_timeout_s ? arguments.start_timeout_s : start_timeout_of_project();
+}
+
 std::optional<Failure> resolve(const Arguments& arguments, SuiteOptions& options) {
   options.seed = arguments.seed;
   options.folder = arguments.folder;
   options.sandbox = arguments.sandbox;
-  options.start_timeout_s = start_timeout_of_project();
+  options.start_timeout_s = start_timeout(arguments);
   options.jobs = arguments.jobs;
   if (options.jobs == 0) options.jobs = static_cast<int>(std::thread::hardware_concurrency());
   options.jobs = std::max(options.jobs, 1);
@@ -324,7 +329,7 @@ std::optional<Failure> resolve(const Arguments& arguments,
 
   options.file = arguments.replay;
   options.folder = arguments.folder;
-  if (const auto limit = start_timeout_of_project()) options.start_timeout_s = *limit;
+  if (const auto limit = start_timeout(arguments)) options.start_timeout_s = *limit;
   if (const auto absence = base::absence(options.file)) {
     return Failure{kNoInput, fmt::format("{}: {}", options.file, *absence)};
   }
@@ -446,6 +451,10 @@ void add_test_command(Command& app) {
   command.option("--player", a.player, "with --replay: only calls of this player")
       .range(1, proto::kTrainerNumber);
 
+  command
+      .option("--start-timeout", a.start_timeout_s,
+              "seconds until Playmakers answer (default: that of cls.toml, else 20)")
+      .above(0);
   add_match_option(command, "sandbox", a.sandbox);
   add_tls_options(command, a.tls);
   command.flag("--strict", a.strict, "fail (exit 1) on any skipped scenario");

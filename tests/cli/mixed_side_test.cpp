@@ -166,7 +166,7 @@ TEST_F(MixedSide, RefusesWhenOnePartDoesNotListen) {
       play("mix:1-10=mock;11=" + fake("--never-listen 1"), "match", {"--start-timeout", "1"});
   EXPECT_EQ(played.exit_code, 69);
   EXPECT_THAT(played.err, HasSubstr("no answer to Register of player 11")) << played.err;
-  EXPECT_THAT(played.err, HasSubstr("it does not listen on port ")) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("it did not listen on port ")) << played.err;
 }
 
 TEST_F(MixedSide, PlaysInSynchMode) {

@@ -177,7 +177,8 @@ TEST_F(NewCommand, RefusesUnknownWordsAndExistingFiles) {
   ASSERT_EQ(run_new({"go", "ada"}).exit_code, 0);
   const CommandResult again = run_new({"go", "ada"});
   EXPECT_EQ(again.exit_code, 73);
-  EXPECT_THAT(again.err, HasSubstr("select a new folder with --dir")) << again.err;
+  EXPECT_THAT(again.err, HasSubstr("it stays as it is, and --dir selects another folder"))
+      << again.err;
 }
 
 }  // namespace

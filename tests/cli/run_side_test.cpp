@@ -167,7 +167,7 @@ TEST_F(RunSide, PlaysWithinItsLimits) {
 
 TEST_F(RunSide, RefusesAtStartTimeoutWithoutListener) {
   play("--never-listen 1", {"--start-timeout", "1"});
-  expect_end("refused", 69, "it does not listen on port ");
+  expect_end("refused", 69, "it did not listen on port ");
 }
 
 TEST_F(RunSide, ReportsDifferentPort) {

@@ -198,7 +198,7 @@ TEST_F(TeamFault, ReportsCrashOfPlaymakerOverUdp) {
 TEST_F(TeamFault, RefusesPlaymakerThatNeverListensOverUdp) {
   play("run:exec " + built("cls_fake_playmaker") + " --port {port} --never-listen 1", server(""),
        {"--start-timeout", "1"});
-  expect_end("refused", 69, "it does not listen on port");
+  expect_end("refused", 69, "it did not listen on port");
 }
 
 }  // namespace

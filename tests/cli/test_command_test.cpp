@@ -549,6 +549,16 @@ TEST(TestCommand, GivesProgramsTheStartTimeOfTheConfiguration) {
   const CommandResult result = test.finish();
   EXPECT_EQ(result.exit_code, 1) << result.err;
   EXPECT_THAT(result.out, HasSubstr("within the start limit of 1.5 s")) << result.out;
+
+  Command other({cls_binary(), "test", "team_stays_on_the_pitch", "--against", "ada", "--seed", "1",
+                 "--start-timeout", "0.5"},
+                {}, folder.path());
+  EXPECT_THAT(other.finish().out, HasSubstr("within the start limit of 0.5 s (--start-timeout)"));
+}
+
+TEST(TestCommand, SaysWhetherAFileOrAFolderIsMissing) {
+  EXPECT_THAT(cls_test({"none/"}).err, HasSubstr("none/: no such folder"));
+  EXPECT_THAT(cls_test({"none.json"}).err, HasSubstr("none.json: no such file"));
 }
 
 // High-level teams use helios_goalie.

@@ -62,7 +62,7 @@ Result<std::unique_ptr<PlaymakerProcess>> PlaymakerProcess::start(
 
 std::string PlaymakerProcess::port_hint() const {
   const std::vector<int> open = process::ports_of(process::Protocol::kTcp, child_->status().pid);
-  if (open.empty()) return fmt::format("; it does not listen on port {}", port());
+  if (open.empty()) return fmt::format("; it did not listen on port {} in time", port());
   if (std::find(open.begin(), open.end(), port()) != open.end()) {
     proxy::GrpcTarget target;
     target.host = process::loopback_host();

@@ -165,11 +165,11 @@ std::string comparison_text(const Comparison& comparison, std::span<const Schedu
   const Names names = names_of(comparison);
   std::string text = fmt::format("verdict: {}\n", decision_text(comparison, names, known));
   auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}\n", strength_text(names, known));
-  if (in_goals(comparison.test.measure)) {
+  const double samples = total(known.samples);
+  if (samples > 0) fmt::format_to(out, "{}\n", strength_text(names, known));
+  if (samples > 0 && in_goals(comparison.test.measure)) {
     fmt::format_to(out, "{}\n", goals_text(comparison, known));
   }
-  const double samples = total(known.samples);
   std::string_view sample = sample_name(comparison);
   if (samples == 1) sample.remove_suffix(1);  // the name is a plural
   fmt::format_to(out, "{} {}", samples, sample);
@@ -179,7 +179,10 @@ std::string comparison_text(const Comparison& comparison, std::span<const Schedu
     fmt::format_to(out, ", from worst to best: {}", fmt::join(known.samples, " "));
   }
   if (known.left_out > 0) fmt::format_to(out, "; {} excluded (INVALID matches)", known.left_out);
-  fmt::format_to(out, "\n{}\n{}\n", test_text(comparison, known), known.model);
+  text += "\n";
+  if (samples == 0) return base::wrap_text(text, width);
+
+  fmt::format_to(out, "{}\n{}\n", test_text(comparison, known), known.model);
   if (known.decision != Decision::kOpen) {
     text += "a test that stops early slightly overstates the difference; the verdict is valid\n";
   }

@@ -130,6 +130,14 @@ TEST(Report, PrintsNoNegativeZero) {
   }
 }
 
+TEST(Report, OfAComparisonWithoutAValidPairHasNoFigures) {
+  Comparison comparison;
+  comparison.config = config_of(Format::kRoundRobin, 2);
+  const std::string text = comparison_text(comparison, {}, 80);
+  EXPECT_THAT(text, HasSubstr("verdict: undecided\n0 pairs"));
+  EXPECT_THAT(text, Not(HasSubstr("Elo")));
+}
+
 TEST(Report, GivesOneIntervalForOneScore) {
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
   config.rounds = 8;
