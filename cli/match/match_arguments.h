@@ -9,6 +9,7 @@
 #include "cli/command/command.h"
 
 #include "orchestration/match/options/option_table.h"
+#include "orchestration/process/hook_runner.h"
 
 namespace cls::cli {
 
@@ -31,7 +32,7 @@ struct MatchArguments {
   bool open = false;
   std::optional<double> linger_s;
   std::string on_event;
-  double hook_limit_s = 60.0;
+  double hook_limit_s = orchestration::process::kHookLimit.count();
 
   /// Where settings come from that have not their default value: "cls.toml:12", "option --seed".
   std::map<std::string, std::string> origins;

@@ -16,6 +16,7 @@
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/log_progress.h"
+#include "cli/tournament/tournament_session.h"
 #include "gamelog/files/log_files.h"
 #include "orchestration/tournament/config/start_times.h"
 #include "orchestration/tournament/report/report_model.h"
@@ -104,9 +105,7 @@ bool add_match(const fs::path& folder, const ScheduledMatch& match, const fs::pa
 }
 
 int run(const Arguments& arguments) {
-  if (!holds_plan(arguments.folder)) {
-    return print_error(kNoInput, fmt::format("{}: no tournament", arguments.folder));
-  }
+  if (const int code = check_tournament(arguments.folder); code != kOk) return code;
   const auto state = read_tournament(arguments.folder);
   if (!state) return print_error(kBadData, state.error().message);
   const bool inside = arguments.out.empty();

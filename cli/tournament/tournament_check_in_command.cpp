@@ -30,6 +30,7 @@
 #include "orchestration/tournament/schedule/concurrency.h"
 #include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_attempt.h"
+#include "soccer/side.h"
 
 namespace cls::cli {
 namespace {
@@ -49,7 +50,6 @@ constexpr const char* kDescription =
     "play to the end.";
 
 constexpr const char* kCheckInFolder = "check-in";
-constexpr int kPlayers = 11;
 
 struct Arguments {
   TournamentOptions tournament;
@@ -94,7 +94,7 @@ void read_logs(CheckIn& check) {
   if (result->cycles == 0) return;  // without a frame in the log
   AnalyzedMatch match;
   if (read_match(check.logs.string(), match) != kOk || !match.statistics.responsiveness) return;
-  for (std::size_t slot = 0; slot < kPlayers; ++slot) {
+  for (std::size_t slot = 0; slot < soccer::kPlayersPerTeam; ++slot) {
     const analysis::Responsiveness& player = (*match.statistics.responsiveness)[slot];
     check.players += player.steps > 0;
     check.steps += player.steps;
@@ -154,7 +154,8 @@ void print_table(const std::vector<CheckIn>& checks) {
   for (const CheckIn& check : checks) {
     std::string result = check.played ? "ok" : "FAILED";
     if (!check.problem.empty()) result += ": " + check.problem;
-    table.add_row({check.team, check.own_name, fmt::format("{}/{}", check.players, kPlayers),
+    table.add_row({check.team, check.own_name,
+                   fmt::format("{}/{}", check.players, soccer::kPlayersPerTeam),
                    share(check.silent, check.steps), fmt::format("{:.1f}", check.cpu_seconds),
                    check.fixed_ports ? "6000-6002" : "any", result});
   }

@@ -15,6 +15,7 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
+#include "cli/tournament/tournament_session.h"
 #include "orchestration/tournament/report/report_tables.h"
 #include "orchestration/tournament/store/decide.h"
 #include "orchestration/tournament/store/decisions_file.h"
@@ -145,10 +146,7 @@ int print_effect(const Arguments& arguments, const TournamentConfig& config,
 }
 
 int run(const Arguments& arguments) {
-  if (!holds_plan(arguments.folder)) {
-    return print_error(kNoInput, fmt::format("{}: no tournament; `cls tournament run` creates one",
-                                             arguments.folder));
-  }
+  if (const int code = check_tournament(arguments.folder, kRunCreatesOne); code != kOk) return code;
   if (arguments.match == 0) return print_decisions(arguments);
   MatchDecision decision;
   if (const int exit_code = decision_in(arguments, decision); exit_code != kOk) return exit_code;

@@ -23,6 +23,7 @@
 #include "cli/terminal/log_progress.h"
 #include "cli/terminal/terminal.h"
 #include "cli/tournament/tournament_options.h"
+#include "cli/tournament/tournament_session.h"
 #include "gamelog/rcl/rcl_reader.h"
 #include "orchestration/tournament/config/config_file.h"
 #include "orchestration/tournament/config/config_keys.h"
@@ -174,10 +175,7 @@ struct FolderArguments {
 
 // Reads the tournament in DIR. Returns an exit code.
 int read(const std::string& folder, TournamentState& state) {
-  if (!holds_plan(folder)) {
-    return print_error(kNoInput,
-                       fmt::format("{}: no tournament; `cls tournament run` creates one", folder));
-  }
+  if (const int code = check_tournament(folder, kRunCreatesOne); code != kOk) return code;
   auto read = read_tournament(folder);
   if (!read) return print_error(kBadData, read.error().message);
   state = *std::move(read);
@@ -345,9 +343,7 @@ void print_stop(const FolderArguments& arguments, bool was_running) {
 }
 
 int stop(const FolderArguments& arguments) {
-  if (!holds_plan(arguments.folder)) {
-    return print_error(kNoInput, fmt::format("{}: no tournament", arguments.folder));
-  }
+  if (const int code = check_tournament(arguments.folder); code != kOk) return code;
 
   if (!FolderLock::is_held(arguments.folder)) {
     print_stop(arguments, false);
@@ -381,9 +377,7 @@ int print_pause(const FolderArguments& arguments, bool paused, const base::Resul
 }
 
 int pause(const FolderArguments& arguments) {
-  if (!holds_plan(arguments.folder)) {
-    return print_error(kNoInput, fmt::format("{}: no tournament", arguments.folder));
-  }
+  if (const int code = check_tournament(arguments.folder); code != kOk) return code;
   if (arguments.reason.empty()) {
     return print_error(kUsage, "--reason WHY is required: the report shows it");
   }
@@ -391,9 +385,7 @@ int pause(const FolderArguments& arguments) {
 }
 
 int resume(const FolderArguments& arguments) {
-  if (!holds_plan(arguments.folder)) {
-    return print_error(kNoInput, fmt::format("{}: no tournament", arguments.folder));
-  }
+  if (const int code = check_tournament(arguments.folder); code != kOk) return code;
   return print_pause(arguments, false, end_pause(arguments.folder));
 }
 

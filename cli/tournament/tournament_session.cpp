@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -17,7 +15,7 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
-#include "orchestration/match/result/match_folder.h"
+#include "orchestration/match/result/match_files.h"
 #include "orchestration/process/command_plan.h"
 #include "orchestration/tournament/config/config_file.h"
 #include "orchestration/tournament/report/report_model.h"
@@ -116,21 +114,10 @@ std::string warning_counts(const std::vector<ScheduledMatch>& matches) {
   return base::counted(warnings, "warning") + " in " + base::counted(warned, "match", "matches");
 }
 
-// Each reader of the folder holds the lock for a moment, to see whether a run has it.
-base::Result<std::optional<FolderLock>> lock_patiently(const fs::path& folder) {
-  constexpr int kTries = 5;
-  constexpr std::chrono::milliseconds kPause{20};
-  for (int tries = 1;; ++tries) {
-    auto lock = FolderLock::try_lock(folder);
-    if (!lock || *lock || tries == kTries) return lock;
-    std::this_thread::sleep_for(kPause);
-  }
-}
-
 // Prints and returns the error if another process works in the folder.
 int check_idle(const fs::path& folder) {
   if (!holds_plan(folder)) return kOk;
-  const auto lock = lock_patiently(folder);
+  const auto lock = FolderLock::try_lock(folder);
   return lock && !*lock ? busy(folder) : kOk;
 }
 
@@ -144,7 +131,7 @@ OpenedFolder open_folder(const fs::path& folder, const TournamentConfig& config,
   if (const auto created = base::create_folders(folder); !created) {
     return failed(print_error(kCannotCreate, created.error().message));
   }
-  auto lock = lock_patiently(folder);
+  auto lock = FolderLock::try_lock(folder);
   if (!lock) return failed(print_error(kCannotCreate, lock.error().message));
   if (!*lock) return failed(busy(folder));
 
@@ -198,6 +185,11 @@ int run_preflight(const fs::path& folder, const TournamentConfig& config,
 
 }  // namespace
 
+int check_tournament(const fs::path& folder, std::string_view remedy) {
+  if (holds_plan(folder)) return kOk;
+  return print_error(kNoInput, fmt::format("{}: no tournament{}", folder.string(), remedy));
+}
+
 void add_session_options(Command& command, SessionOptions& options, const std::string& document) {
   command.flag("--force", options.force, "start over; an old tournament is renamed to .old");
   options.has_no_preflight = true;
@@ -233,9 +225,8 @@ std::string watch_line(const fs::path& folder, std::span<const ScheduledMatch> m
     if (!match.outcome || match.outcome->folder.empty()) continue;
     const fs::path played = folder / match.outcome->folder;
     // A match that was refused has a folder without a log.
-    const fs::path log = played / orchestration::match::kGameLogFile;
     std::error_code code;
-    if (!fs::exists(log, code) && !fs::exists(log.string() + ".gz", code)) continue;
+    if (!fs::exists(orchestration::match::game_log_in(played), code)) continue;
     line = fmt::format("  cls watch {}\n",
                        orchestration::process::shell_quoted(played.lexically_normal().string()));
   }

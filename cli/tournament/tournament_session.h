@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 #include "cli/command/command.h"
 
@@ -14,6 +15,13 @@
 #include "orchestration/tournament/store/folder.h"
 
 namespace cls::cli {
+
+/// Prints an error, with `remedy` at its end, if `folder` holds no tournament. Returns an exit
+/// code.
+int check_tournament(const std::filesystem::path& folder, std::string_view remedy = "");
+
+/// What a command says where a tournament could be begun.
+inline constexpr std::string_view kRunCreatesOne = "; `cls tournament run` creates one";
 
 struct SessionOptions {
   bool force = false;

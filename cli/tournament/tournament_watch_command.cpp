@@ -20,6 +20,7 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/tournament/tournament_session.h"
 #include "orchestration/tournament/spectators/spectator_site.h"
 #include "orchestration/tournament/store/folder.h"
 #include "viewer/live/http_server.h"
@@ -122,11 +123,8 @@ int watch(const Arguments& arguments) {
     return print_error(kUsage, fmt::format("--listen '{}': must be an IP address of this host",
                                            arguments.address.host));
   }
-  if (!tournament::holds_plan(arguments.folder)) {
-    return print_error(
-        kNoInput,
-        fmt::format("{0}: no tournament; 'cls tournament run {0}' begins one", arguments.folder));
-  }
+  const std::string remedy = fmt::format("; 'cls tournament run {}' begins one", arguments.folder);
+  if (const int code = check_tournament(arguments.folder, remedy); code != kOk) return code;
   // A running match needs the processor cores more than those who watch it.
   ::setpriority(PRIO_PROCESS, 0, kNice);
 

@@ -19,9 +19,7 @@ bool contains(const std::vector<std::string>& names, std::string_view wanted) {
 std::string unknown(std::string_view what, std::string_view name,
                     const std::vector<std::string>& known) {
   const std::vector<std::string_view> names(known.begin(), known.end());
-  const std::string_view near = base::nearest_name(name, names);
-  return fmt::format("unknown {} '{}'{}", what, name,
-                     near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
+  return fmt::format("unknown {} '{}'{}", what, name, base::did_you_mean(name, names));
 }
 
 class StageCheck {

@@ -16,12 +16,6 @@ std::string folder_name(const std::filesystem::path& folder) {
   return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
-// "2:1", or "1:2" when swapped.
-template <typename Number>
-std::string ratio(Number left, Number right, bool swapped) {
-  return swapped ? fmt::format("{}:{}", right, left) : fmt::format("{}:{}", left, right);
-}
-
 }  // namespace
 
 std::string tournament_name(const TournamentConfig& config, const std::filesystem::path& folder) {
@@ -141,14 +135,8 @@ std::string decision_text(const ScheduledMatch& match) {
 std::string score_text(const ScheduledMatch& match, bool swapped) {
   if (!match.outcome) return "-";
   const Outcome& outcome = *match.outcome;
-  if (outcome.annulled) return "annulled";
-  if (!outcome.counts()) return std::string(name(outcome.end_reason));
-  std::string text = ratio(outcome.left_score, outcome.right_score, swapped);
-  if (had_shoot_out(outcome)) {
-    text +=
-        fmt::format(" ({} pen)", ratio(*outcome.left_penalties, *outcome.right_penalties, swapped));
-  }
-  if (outcome.forfeit) text += match.decision ? " (decision)" : " (forfeit)";
+  std::string text = result_text(outcome, swapped);
+  if (outcome.counts() && outcome.forfeit) text += match.decision ? " (decision)" : " (forfeit)";
   return text;
 }
 

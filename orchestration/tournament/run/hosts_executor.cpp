@@ -106,7 +106,7 @@ class HostsExecutor : public MatchExecutor {
 
   int free_slots() const override {
     int free = 0;
-    for (const Host& host : hosts_) free += is_up(host) ? host.slots.slots - host.running : 0;
+    for (const Host& host : hosts_) free += free_of(host);
     return std::max(0, free - static_cast<int>(waiting_.size()));
   }
 
@@ -124,12 +124,9 @@ class HostsExecutor : public MatchExecutor {
       const std::string name = entry.path().filename().string();
       const auto job = parse_attempt_name(name);
       if (!job || job->rest != "host") continue;
-      const bool known = job->index >= 1 && job->index <= std::ssize(matches);
-      const ScheduledMatch* match =
-          known ? &matches[static_cast<std::size_t>(job->index) - 1] : nullptr;
+      const ScheduledMatch* match = awaited_match(matches, job->index, job->attempt);
       Host* host = find_host(base::read_file(entry.path()).value_or(""));
-      if (match == nullptr || match->outcome || job->attempt <= match->settled ||
-          job->attempt < match->attempts || host == nullptr) {
+      if (match == nullptr || host == nullptr) {
         std::error_code ignored;
         fs::remove(entry.path(), ignored);
         continue;
@@ -184,7 +181,9 @@ class HostsExecutor : public MatchExecutor {
     std::shared_ptr<process::Child> child;
   };
 
-  static bool is_up(const Host& host) { return Clock::now() >= host.pause_until; }
+  static int free_of(const Host& host) {
+    return Clock::now() >= host.pause_until ? host.slots.slots - host.running : 0;
+  }
 
   Host* find_host(const std::string& name) {
     const auto found = std::find_if(hosts_.begin(), hosts_.end(),
@@ -195,10 +194,8 @@ class HostsExecutor : public MatchExecutor {
   // The host with the most free slots; null: none.
   Host* free_host() {
     Host* best = nullptr;
-    const auto free = [](const Host& host) { return host.slots.slots - host.running; };
     for (Host& host : hosts_) {
-      if (!is_up(host) || free(host) <= 0) continue;
-      if (best == nullptr || free(host) > free(*best)) best = &host;
+      if (free_of(host) > (best == nullptr ? 0 : free_of(*best))) best = &host;
     }
     return best;
   }

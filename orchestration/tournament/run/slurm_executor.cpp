@@ -104,10 +104,9 @@ class SlurmExecutor : public MatchExecutor {
       std::size_t live = 0;
       for (std::size_t i = 0; i < batch.tasks.size(); ++i) {
         const auto [index, attempt] = batch.tasks[i];
-        if (index < 1 || index > static_cast<int>(matches.size())) continue;
-        const ScheduledMatch& match = matches[static_cast<std::size_t>(index) - 1];
-        if (match.outcome || attempt <= match.settled || attempt < match.attempts) continue;
-        tasks_.emplace(index, Task{{match.fixture, attempt}, batch.number, static_cast<int>(i)});
+        const ScheduledMatch* match = awaited_match(matches, index, attempt);
+        if (match == nullptr) continue;
+        tasks_.emplace(index, Task{{match->fixture, attempt}, batch.number, static_cast<int>(i)});
         taken.push_back(index);
         ++live;
       }

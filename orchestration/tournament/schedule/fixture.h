@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -97,10 +99,24 @@ inline ScheduledMatch planned(Fixture fixture) {
   return match;
 }
 
+/// The match of an attempt of an earlier run that may still bring its result; null: there is none
+/// of this number, or a result or a later attempt is known.
+inline const ScheduledMatch* awaited_match(std::span<const ScheduledMatch> matches, int index,
+                                           int attempt) {
+  if (index < 1 || index > std::ssize(matches)) return nullptr;
+  const ScheduledMatch& match = matches[static_cast<std::size_t>(index) - 1];
+  const bool late = match.outcome || attempt <= match.settled || attempt < match.attempts;
+  return late ? nullptr : &match;
+}
+
 /// True when a shoot-out was played.
 inline bool had_shoot_out(const Outcome& outcome) {
   return outcome.left_penalties.has_value() && outcome.right_penalties.has_value();
 }
+
+/// "2:1", "2:2 (4:3 pen)", "annulled" or the end reason of a match that does not count; swapped: as
+/// the right side sees it.
+std::string result_text(const Outcome& outcome, bool swapped = false);
 
 /// +1 when the left side won, -1 when the right side did, 0 for a draw. Penalties decide a match
 /// with equal scores. Only for outcomes that count.

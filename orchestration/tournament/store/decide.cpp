@@ -19,18 +19,6 @@ namespace fs = std::filesystem;
 using base::Error;
 using base::Result;
 
-std::string plain_score(const ScheduledMatch& match) {
-  if (!match.outcome) return {};
-  const Outcome& outcome = *match.outcome;
-  if (outcome.annulled) return "annulled";
-  if (!outcome.counts()) return std::string(name(outcome.end_reason));
-  std::string text = fmt::format("{}:{}", outcome.left_score, outcome.right_score);
-  if (had_shoot_out(outcome)) {
-    text += fmt::format(" ({}:{} pen)", *outcome.left_penalties, *outcome.right_penalties);
-  }
-  return text;
-}
-
 // A match that is drawn again has the number and the seed of an old one, but other teams.
 void remove_work_results(const fs::path& folder, int first) {
   std::error_code code;
@@ -88,7 +76,7 @@ Result<DecisionEffect> decide(const fs::path& folder, const TournamentConfig& co
     return Error{fmt::format("match {} counts as played already", decision.match)};
   }
   TRY(check_award(decision, before.fixture));
-  decision.before = plain_score(before);
+  if (before.outcome) decision.before = result_text(*before.outcome);
   if (decision.kind == DecisionKind::kReplay) decision.seed = seed_of_replay(before.fixture.seed);
   decisions.push_back(decision);
 

@@ -5,13 +5,12 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 
-#include "base/catch_as_error.h"
 #include "base/io/whole_file.h"
 #include "base/text/json_codec.h"
 #include "base/text/json_text.h"
+#include "orchestration/tournament/store/json_lines.h"
 
 namespace cls::orchestration::tournament {
 namespace {
@@ -46,21 +45,11 @@ nlohmann::ordered_json json_of(const MatchDecision& decision) {
 }
 
 base::Result<std::vector<MatchDecision>> read_decisions(const std::filesystem::path& folder) {
-  std::vector<MatchDecision> decisions;
-  const std::filesystem::path file = folder / kDecisionsFile;
-  TRY_INIT(const std::string text, read_if_there(file));
-  std::istringstream lines(text);
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    const std::string place = fmt::format("{}:{}", file.string(), number);
-    TRY_INIT(auto decision, base::catch_as_error<std::exception>(place, [&] {
-               MatchDecision value;
-               base::JsonDecoder::decode(nlohmann::ordered_json::parse(line), value);
-               return value;
-             }));
-    decisions.push_back(std::move(decision));
-  }
-  return decisions;
+  return read_json_lines(folder / kDecisionsFile, [](const std::string& line) {
+    MatchDecision decision;
+    base::JsonDecoder::decode(nlohmann::ordered_json::parse(line), decision);
+    return decision;
+  });
 }
 
 base::Result<void> write_decisions(const std::filesystem::path& folder,

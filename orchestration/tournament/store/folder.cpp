@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <chrono>
 
 #include <algorithm>
 #include <cerrno>
@@ -11,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 #include <span>
+#include <thread>
 
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
@@ -72,7 +74,12 @@ Result<std::optional<FolderLock>> FolderLock::try_lock(const fs::path& folder) {
   if (!file) {
     return Error{fmt::format("cannot create {}: {}", path.string(), std::strerror(errno))};
   }
-  if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) return std::optional<FolderLock>();
+  constexpr int kTries = 5;
+  constexpr std::chrono::milliseconds kPause{20};
+  for (int tries = 1; ::flock(file.get(), LOCK_EX | LOCK_NB) != 0; ++tries) {
+    if (tries == kTries) return std::optional<FolderLock>();
+    std::this_thread::sleep_for(kPause);
+  }
   return std::optional<FolderLock>(FolderLock(std::move(file)));
 }
 

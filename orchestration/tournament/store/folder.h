@@ -60,7 +60,8 @@ base::Result<std::string> read_if_there(const std::filesystem::path& file);
 /// exits.
 class FolderLock {
  public:
-  /// Nothing when another process holds the lock of `folder`.
+  /// Nothing when another process holds the lock of `folder`. Waits a tenth of a second for it:
+  /// is_held() takes a share of the lock for a moment.
   static base::Result<std::optional<FolderLock>> try_lock(const std::filesystem::path& folder);
   /// True when a process holds the lock. For readers: needs no right to write.
   static bool is_held(const std::filesystem::path& folder);

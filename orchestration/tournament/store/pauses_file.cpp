@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "base/catch_as_error.h"
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
 #include "base/text/json_text.h"
+#include "orchestration/tournament/store/folder.h"
+#include "orchestration/tournament/store/json_lines.h"
 
 namespace cls::orchestration::tournament {
 namespace {
@@ -33,23 +33,12 @@ Result<void> write_pauses(const fs::path& folder, const std::vector<Pause>& paus
 }  // namespace
 
 Result<std::vector<Pause>> read_pauses(const fs::path& folder) {
-  std::vector<Pause> pauses;
-  const fs::path file = folder / kPausesFile;
-  TRY_INIT(const std::string text, read_if_there(file));
-  std::istringstream lines(text);
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    TRY_INIT(auto pause,
-             base::catch_as_error<std::exception>(fmt::format("{}:{}", file.string(), number), [&] {
-               const auto json = nlohmann::json::parse(line);
-               const auto& end = json.at("end");
-               return Pause{json.at("begin").get<std::string>(),
-                            end.is_null() ? "" : end.get<std::string>(),
-                            json.at("reason").get<std::string>()};
-             }));
-    pauses.push_back(std::move(pause));
-  }
-  return pauses;
+  return read_json_lines(folder / kPausesFile, [](const std::string& line) {
+    const auto json = nlohmann::json::parse(line);
+    const auto& end = json.at("end");
+    return Pause{json.at("begin").get<std::string>(), end.is_null() ? "" : end.get<std::string>(),
+                 json.at("reason").get<std::string>()};
+  });
 }
 
 bool is_paused(const std::vector<Pause>& pauses) {

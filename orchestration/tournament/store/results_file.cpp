@@ -33,9 +33,7 @@ Result<int> team_of(const TournamentConfig& config, const std::string& name) {
   if (team >= 0) return team;
   std::vector<std::string_view> known;
   for (const TeamEntry& one : config.teams) known.push_back(one.name);
-  const std::string_view near = base::nearest_name(name, known);
-  return Error{fmt::format("unknown team '{}'{}", name,
-                           near.empty() ? "" : fmt::format("; did you mean '{}'?", near))};
+  return Error{fmt::format("unknown team '{}'{}", name, base::did_you_mean(name, known))};
 }
 
 void swap_sides(Outcome& outcome) {
