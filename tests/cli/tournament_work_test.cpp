@@ -135,6 +135,34 @@ TEST_F(TournamentWork, ReplacesTheFolderOfAnInterruptedAttempt) {
   expect_whole(1);
 }
 
+// A folder without a result may be that in which `run` plays the same attempt.
+TEST_F(TournamentWork, LeavesTheFolderOfAMatchThatIsBeingPlayed) {
+  ASSERT_EQ(cls::tests::run(work(1)).exit_code, 0);
+  const fs::path folder = cup() / result(1)["folder"].get<std::string>();
+  fs::remove(folder / "result.json");
+  fs::remove_all(cup() / "results");
+  ASSERT_EQ(cls::tests::run(work(1)).exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder / "match.rcg.gz")) << "its process may still write there";
+  const fs::path own = cup() / result(1)["folder"].get<std::string>();
+  EXPECT_NE(own, folder);
+  EXPECT_TRUE(fs::exists(own / "match.rcg.gz"));
+  ASSERT_EQ(cls::tests::run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(own / "match.rcg.gz")) << "it counts";
+  EXPECT_FALSE(fs::exists(folder)) << "it does not count";
+}
+
+TEST_F(TournamentWork, RunPlaysElsewhereThanAProcessThatHasCreatedTheFolder) {
+  ASSERT_EQ(cls::tests::run(work(1)).exit_code, 0);
+  fs::remove(cup() / result(1)["folder"].get<std::string>() / "result.json");
+  fs::remove_all(cup() / "results");
+  ASSERT_EQ(cls::tests::run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
+  const CommandResult report =
+      cls::tests::run({cls_binary(), "tournament", "report", cup(), "--format", "json"});
+  const std::string folder = json::parse(report.out)["matches"][0]["folder"];
+  EXPECT_TRUE(folder.starts_with("unfinished/")) << folder;
+  EXPECT_TRUE(fs::exists(cup() / folder / "match.rcg.gz"));
+}
+
 TEST_F(TournamentWork, ReplacesInvalidResult) {
   fs::create_directories(cup() / "results");
   std::ofstream(cup() / "results/000001.1.json") << "{ half";

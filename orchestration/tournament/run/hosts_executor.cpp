@@ -238,7 +238,7 @@ class HostsExecutor : public MatchExecutor {
                  token_,
                  with_host(shell, host.slots.name),
                  root,
-                 fmt::format("{}-{}", unfinished_host(), ::getpid())};
+                 unfinished_label()};
     for (const HostObject& object : needed(assignment)) plan.argv.push_back(object.hash);
     const fs::path events = folder_ / kMatchEvents;
     TRY_INIT(auto child, host_.start(plan, [events](std::string_view line) {

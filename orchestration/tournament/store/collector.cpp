@@ -2,7 +2,6 @@
 #include "orchestration/tournament/store/collector.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <map>
@@ -19,20 +18,28 @@ namespace fs = std::filesystem;
 using base::Error;
 using base::Result;
 
-// Distinct from every other process that plays the same match.
-std::string process_label() { return fmt::format("{}-{}", unfinished_host(), ::getpid()); }
+// Removes the folder of an interrupted match, whose process has ended, from below matches/. Of two
+// processes that do so, the second one moves what the first has published, and puts it back.
+void remove_interrupted(const fs::path& folder, const Fixture& fixture, const fs::path& aside) {
+  if (!was_interrupted(folder, fixture)) return;
+  std::error_code code;
+  fs::rename(folder, aside, code);
+  if (code) return;
+  if (was_interrupted(aside, fixture)) {
+    fs::remove_all(aside, code);
+  } else {
+    fs::rename(aside, folder, code);
+  }
+}
 
-// Renames the match folder to its final name. A folder that an aborted or interrupted process left
-// there is replaced, but not one of another process that has played the match. Returns the
-// resulting name.
+// Renames the match folder to its final name. A folder of that name stays, unless it is that of an
+// interrupted match: a process may be playing in it. Returns the resulting name.
 fs::path publish_folder(const fs::path& tournament, const Fixture& fixture,
                         const fs::path& unfinished, const fs::path& final_name) {
+  const fs::path aside = tournament / (unfinished.string() + ".aside");
+  remove_interrupted(tournament / final_name, fixture, aside);
+  if (!claim_folder(tournament / final_name)) return unfinished;
   std::error_code code;
-  fs::create_directories((tournament / final_name).parent_path(), code);
-  fs::rename(tournament / unfinished, tournament / final_name, code);
-  if (!code) return final_name;
-  if (was_played(tournament / final_name, fixture)) return unfinished;
-  fs::remove_all(tournament / final_name, code);
   fs::rename(tournament / unfinished, tournament / final_name, code);
   return code ? unfinished : final_name;
 }
@@ -42,8 +49,9 @@ Result<Outcome> publish_result(const fs::path& tournament, const Fixture& fixtur
                                Outcome outcome) {
   const fs::path file = tournament / result_file(fixture.index, attempt);
   // There clean_up_unfinished() finds it when this process is killed.
-  const fs::path own = tournament / unfinished_folder(fixture.index, attempt,
-                                                      process_label() + file.extension().string());
+  const fs::path own =
+      tournament /
+      unfinished_folder(fixture.index, attempt, unfinished_label() + file.extension().string());
   std::error_code code;
   fs::create_directories(file.parent_path(), code);
   fs::create_directories(own.parent_path(), code);
@@ -126,7 +134,7 @@ Result<std::optional<Outcome>> work(const fs::path& folder, const Fixture& fixtu
     return std::optional<Outcome>(*std::move(existing));
   }
   TRY_INIT(const auto config, read_plan(folder));
-  const fs::path unfinished = unfinished_folder(fixture.index, attempt, process_label());
+  const fs::path unfinished = unfinished_folder(fixture.index, attempt, unfinished_label());
   auto outcome = play(config, fixture, attempt, {folder, unfinished, program, {}}, stop_signal);
   std::error_code code;
   if (!outcome || !*outcome || !keeps_folder(config, **outcome)) {

@@ -3,10 +3,10 @@
 // Any scheduler (a Slurm job, another host, a shell loop) may play the schedule: it calls
 // `cls tournament work DIR --index K` for matches of schedule.jsonl. `work` plays match K unless
 // results/K.N.json (N: the attempt, `--attempt`, default 1) exists. It plays in a private folder
-// below unfinished/, renames that into matches/, and then creates the result file atomically. So a
-// task may be killed, requeued, or run twice concurrently: the first result counts. An interrupted
-// match writes no file. Only `cls tournament run` writes the store: it collects results/ at its
-// start and whenever its executor polls.
+// below unfinished/, renames that into matches/ unless there is one of this attempt, and then
+// creates the result file atomically. So a task may be killed, requeued, or run twice concurrently:
+// the first result counts. An interrupted match writes no file. Only `cls tournament run` writes
+// the store: it collects results/ at its start and whenever its executor polls.
 #pragma once
 
 #include <atomic>

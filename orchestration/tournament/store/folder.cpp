@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <unistd.h>
 #include <chrono>
 
 #include <algorithm>
@@ -48,11 +49,19 @@ fs::path result_file(int index, int attempt) {
   return fs::path(kResultsFolder) / fmt::format("{:06}.{}.json", index, attempt);
 }
 
+bool claim_folder(const fs::path& folder) {
+  std::error_code code;
+  fs::create_directories(folder.parent_path(), code);
+  return fs::create_directory(folder, code);
+}
+
 std::string unfinished_host() {
   std::string host = base::host_name();
   std::replace(host.begin(), host.end(), '/', '-');
   return host;
 }
+
+std::string unfinished_label() { return fmt::format("{}-{}", unfinished_host(), ::getpid()); }
 
 fs::path unfinished_folder(int index, int attempt, std::string_view label) {
   return fs::path(kUnfinishedFolder) / fmt::format("{:06}.{}.{}", index, attempt, label);

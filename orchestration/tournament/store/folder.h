@@ -35,12 +35,18 @@ std::filesystem::path match_folder(const TournamentConfig& config, const Fixture
 /// "results/000017.1.json".
 std::filesystem::path result_file(int index, int attempt);
 
-/// The host in the label of a `work` process, HOST-PID: the name of this one as part of a file
-/// name.
+/// Creates a folder below matches/ that match_folder() names. False if it exists: it belongs to the
+/// process that created it, which may be playing in it.
+bool claim_folder(const std::filesystem::path& folder);
+
+/// The host in unfinished_label(): the name of this one as part of a file name.
 std::string unfinished_host();
 
-/// "unfinished/000017.1.LABEL": match folder of one `work` process, which `label` identifies;
-/// with an extension of the label, the result that it is writing.
+/// HOST-PID: distinct from that of every other process that plays the same match.
+std::string unfinished_label();
+
+/// "unfinished/000017.1.LABEL": match folder of one process, which `label` identifies; with an
+/// extension of the label, the result that it is writing.
 std::filesystem::path unfinished_folder(int index, int attempt, std::string_view label);
 
 /// What the names in results/ and unfinished/ begin with.

@@ -70,7 +70,7 @@ bool is_external(const TeamEntry& team) {
   return endpoint && endpoint->kind == match::Endpoint::Kind::kTeam;
 }
 
-// True for the label of a `work` process that runs on this host (process_label in collector.cpp),
+// True for the label of a `work` process that runs on this host (unfinished_label),
 // also with an extension.
 bool is_running(std::string_view label) {
   const std::string host = unfinished_host();
@@ -94,6 +94,14 @@ std::string reason_in(const std::vector<std::string>& output,
 
 bool interrupted(const Outcome& outcome) {
   return outcome.end_reason == match::EndReason::kInterrupted;
+}
+
+// Where `run` plays an attempt: below matches/, unless a `work` process has created that folder.
+fs::path claimed_folder(const TournamentConfig& config, const Fixture& fixture, int attempt,
+                        const fs::path& tournament) {
+  fs::path folder = match_folder(config, fixture, attempt);
+  if (claim_folder(tournament / folder)) return folder;
+  return unfinished_folder(fixture.index, attempt, unfinished_label());
 }
 
 }  // namespace
@@ -138,15 +146,12 @@ Result<MatchAttempt> MatchAttempt::start(process::ProcessHost& host, const Tourn
   started.fixture_ = fixture;
   started.number_ = attempt;
   started.tournament_ = fs::absolute(options.tournament);
-  started.folder_ =
-      options.folder.empty() ? match_folder(config, fixture, attempt) : std::move(options.folder);
+  started.folder_ = options.folder.empty()
+                        ? claimed_folder(config, fixture, attempt, started.tournament_)
+                        : std::move(options.folder);
   started.begin_ = std::chrono::steady_clock::now();
   started.limit_s_ = match_options(config).time_limit_s;
   started.started_ = base::utc_now();
-  std::error_code code;
-  // What an interrupted run left of the same attempt.
-  fs::remove_all(started.tournament_ / started.folder_, code);
-  fs::create_directories((started.tournament_ / started.folder_).parent_path(), code);
   process::CommandPlan plan =
       match_plan(config, fixture, options.program, started.tournament_ / started.folder_);
   plan.cpus = std::move(options.cpus);
@@ -206,6 +211,11 @@ bool was_played(const fs::path& folder, const Fixture& fixture) {
   return outcome && !interrupted(*outcome);
 }
 
+bool was_interrupted(const fs::path& folder, const Fixture& fixture) {
+  const auto outcome = read_outcome(folder, fixture);
+  return outcome && interrupted(*outcome);
+}
+
 std::optional<Outcome> recover_result(const TournamentConfig& config, const Fixture& fixture,
                                       int attempt, const fs::path& tournament) {
   const fs::path folder = match_folder(config, fixture, attempt);
@@ -229,12 +239,12 @@ void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outc
               const fs::path& tournament) {
   std::error_code code;
   for (int attempt = 1; attempt <= outcome.attempts; ++attempt) {
-    const fs::path folder = tournament / match_folder(config, fixture, attempt);
-    bool keep = attempt == outcome.attempts && keeps_folder(config, outcome);
+    const fs::path folder = match_folder(config, fixture, attempt);
+    bool keep = folder == outcome.folder;
     if (attempt < outcome.attempts && config.keep_logs != KeepLogs::kNone) {
-      keep = was_played(folder, fixture);
+      keep = was_played(tournament / folder, fixture);
     }
-    if (!keep) fs::remove_all(folder, code);
+    if (!keep) fs::remove_all(tournament / folder, code);
   }
 }
 

@@ -24,7 +24,8 @@ process::CommandPlan match_plan(const TournamentConfig& config, const Fixture& f
 /// Where and how an attempt is played.
 struct AttemptOptions {
   std::filesystem::path tournament;  ///< the tournament's folder
-  std::filesystem::path folder;      ///< match folder below it; empty: match_folder()
+  std::filesystem::path folder;      ///< match folder below it; empty: match_folder(), or one below
+                                     ///< unfinished/ where another process has that
   std::filesystem::path program;     ///< `cls`
   std::vector<int> cpus;             ///< CPUs it may run on; empty: all
 };
@@ -71,13 +72,17 @@ class MatchAttempt {
 /// True when `folder` holds the result of this match, valid or not, but not an interrupted one.
 bool was_played(const std::filesystem::path& folder, const Fixture& fixture);
 
+/// True when `folder` holds what an interrupted match has written at its end.
+bool was_interrupted(const std::filesystem::path& folder, const Fixture& fixture);
+
 /// The outcome of an attempt that another process played, from the result.json of its match folder.
 /// Nothing when that is missing or the match is invalid.
 std::optional<Outcome> recover_result(const TournamentConfig& config, const Fixture& fixture,
                                       int attempt, const std::filesystem::path& tournament);
 
 /// Removes the folders of all attempts at a match that `keep_logs` does not keep, and of attempts
-/// without a result, below matches/. Call it when the outcome is committed.
+/// without a result, below matches/, and that of the last attempt if another one counts. Call it
+/// when the outcome is committed.
 void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outcome& outcome,
               const std::filesystem::path& tournament);
 
