@@ -5,12 +5,14 @@
 #include <string>
 
 #include "base/result.h"
+#include "base/system/unique_fd.h"
 
 namespace cls::base {
 
 /// Replaces a regular file, or creates one, so that readers see the old bytes or all new ones: what
 /// is written to place() gets the name of the file by finish(). A device, pipe, socket or link is
-/// written into instead: then place() is the file itself.
+/// written into instead: then place() is the file itself. What a killed process leaves,
+/// remove_abandoned() finds.
 class Replacement {
  public:
   /// Creates place(): beside `file`, with its extension, exclusively and under an unpredictable
@@ -27,11 +29,15 @@ class Replacement {
   Result<void> finish();
 
  private:
-  Replacement(std::filesystem::path file, std::filesystem::path place);
+  Replacement(std::filesystem::path file, std::filesystem::path place, UniqueFd lock);
 
   std::filesystem::path file_;
   std::filesystem::path place_;
+  UniqueFd lock_;         ///< of place(), as long as this process lives
   bool pending_ = false;  ///< place() is a temporary file
 };
+
+/// Removes the temporary files in `folder` whose processes have ended.
+void remove_abandoned(const std::filesystem::path& folder);
 
 }  // namespace cls::base

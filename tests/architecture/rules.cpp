@@ -46,7 +46,7 @@ Folders below_cli_and(const std::string& another) {
 /// All libraries, lowest first; docs/architecture.md documents this table.
 const std::map<std::string, Library>& libraries() {
   static const std::map<std::string, Library> table = {
-      {"base", {{}, {"", "text", "io", "system", "report"}}},
+      {"base", {{}, {"", "text", "system", "io", "report"}}},
       {"proto", {}},
       {"soccer", {{"base"}, {"", "parameters", "protocol", "commands", "messages"}}},
       {"gamelog", {{"base", "soccer"}, {"record", "rcl", "rcg", "files"}}},

@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -155,6 +156,26 @@ TEST(WriteFile, FollowsNoLinkThatIsPlantedBesideTheFile) {
   std::filesystem::create_symlink(victim, folder.path() / "rep.csv.tmp");
   ASSERT_TRUE(write_file(folder.path() / "rep.csv", "table"));
   EXPECT_EQ(read_file(victim), "precious");
+}
+
+TEST(RemoveAbandoned, RemovesWhatAKilledProcessLeftAndNothingElse) {
+  tests::TemporaryFolder folder;
+  ASSERT_TRUE(write_file(folder.path() / "result.json", "whole"));
+  auto alive = Replacement::start(folder.path() / "alive.json");
+  ASSERT_TRUE(alive);
+  const pid_t killed = ::fork();
+  ASSERT_GE(killed, 0);
+  if (killed == 0) {
+    const auto left = Replacement::start(folder.path() / "left.json");
+    ::kill(::getpid(), SIGKILL);
+  }
+  ASSERT_EQ(::waitpid(killed, nullptr, 0), killed);
+  EXPECT_EQ(names_in(folder.path()).size(), 3u);
+  remove_abandoned(folder.path());
+  EXPECT_THAT(names_in(folder.path()),
+              testing::UnorderedElementsAre("result.json", alive->place().filename().string()));
+  EXPECT_TRUE(alive->finish());
+  EXPECT_THAT(names_in(folder.path()), testing::UnorderedElementsAre("result.json", "alive.json"));
 }
 
 TEST(WriteFile, LetsParallelWritersReplaceAFile) {

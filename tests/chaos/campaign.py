@@ -171,7 +171,9 @@ class Campaign:
                 self.violate("the lock is held")
         names = [path for path in self.folder.rglob("*") if not path.is_dir()]
         for path in names:
-            left = path.name.endswith(".tmp") or path.name.startswith(".hook-")
+            # What is below unfinished/ belongs to check_unfinished().
+            partial = path.name.startswith(".partial-") and path.parent.name != "unfinished"
+            left = partial or path.name.startswith(".hook-")
             if left or path.name in ("tournament.db-wal", "tournament.db-shm", "stop"):
                 self.violate(f"a temporary file is left: {path.relative_to(self.folder)}")
         if rest := list(self.temporary.iterdir()):

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/io/replacement.h"
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
 #include "base/text/number_text.h"
@@ -258,6 +259,9 @@ void clean_up_unfinished(std::span<const ScheduledMatch> matches, const fs::path
     if (!outcome || work->attempt > outcome->attempts || is_running(work->rest)) continue;
     std::error_code ignored;
     if (name != fs::path(outcome->folder).filename()) fs::remove_all(entry.path(), ignored);
+  }
+  for (const char* part : {"", kUnfinishedFolder, kResultsFolder}) {
+    base::remove_abandoned(tournament / part);
   }
 }
 

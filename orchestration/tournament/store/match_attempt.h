@@ -86,7 +86,8 @@ std::optional<Outcome> recover_result(const TournamentConfig& config, const Fixt
 void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outcome& outcome,
               const std::filesystem::path& tournament);
 
-/// Removes what killed `work` processes have left below unfinished/ of `matches` with an outcome.
+/// Removes what killed `work` processes have left below unfinished/ of `matches` with an outcome,
+/// and the temporary files of all killed processes.
 void clean_up_unfinished(std::span<const ScheduledMatch> matches,
                          const std::filesystem::path& tournament);
 

@@ -185,7 +185,9 @@ TEST_F(TournamentRunTest, RemovesWhatKilledWorkProcessesLeft) {
     std::ofstream(path) << "{";
     return path;
   };
-  std::vector<fs::path> left = {leftover(".json"), leftover(".json.tmp")};
+  std::vector<fs::path> left = {leftover(".json"), folder_.path() / "unfinished/.partial-1.json",
+                                folder_.path() / ".partial-2.jsonl"};
+  for (std::size_t i = 1; i < left.size(); ++i) std::ofstream(left[i]) << "{";
   int played = 0;
   run(config, [&](const Assignment& one) {
     if (++played > 1) left.push_back(leftover(""));  // when match 1 has its outcome
