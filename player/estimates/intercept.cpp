@@ -109,6 +109,18 @@ class FullRuns {
   std::array<Row, kInterceptHorizon + 1> drift_;
 };
 
+/// Speed of the ball after cycle `i`; it does not get faster.
+double speed_at(const BallPath& path, std::size_t i) {
+  return i + 1 < path.size() ? soccer::distance(path[i], path[i + 1]) : 0.0;
+}
+
+/// Cycles in which a gap does not close that shrinks by at most `closing` in each; at least 1.
+int cycles_apart(double gap, double closing) {
+  constexpr double kRounding = 1e-6;
+  if (gap >= closing * kInterceptHorizon) return kInterceptHorizon + 1;
+  return std::max(1, static_cast<int>((gap - kRounding) / closing));
+}
+
 /// Cycles until another player can intercept the ball; kNever beyond the horizon. Assumes the best
 /// case for players not seen recently.
 int reach_steps(const WorldModel& world, const PlayerState& player, const BallPath& path,
@@ -122,18 +134,24 @@ int reach_steps(const WorldModel& world, const PlayerState& player, const BallPa
   constexpr int kMaxCredit = 10;
   const double credit = 0.5 * runs.top_speed(run) * std::min(player.pos_count, kMaxCredit);
   const Vec2 velocity = player.velocity_valid() ? player.velocity : Vec2{};
+  const double fastest = runs.top_speed(run) + velocity.length();
 
-  for (int n = 0; n <= kInterceptHorizon; ++n) {
+  for (int n = 0; n <= kInterceptHorizon;) {
     const auto i = static_cast<std::size_t>(n);
     const Vec2 offset = path[i] - (player.position + velocity * runs.drift(run, n));
     const double far = runs.distance(run, n) + control + credit;
-    if (offset.squared_length() > far * far) continue;
+    const double squared = offset.squared_length();
+    if (squared > far * far) {
+      n += cycles_apart(std::sqrt(squared) - far, fastest + speed_at(path, i));
+      continue;
+    }
 
     const int dashes = n - turns_needed(server, type, player, offset, control);
     const double distance = offset.length() - control - credit;
     if (distance <= 0.0 || (dashes >= 0 && distance <= runs.distance(run, dashes))) {
       return n;
     }
+    ++n;
   }
 
   return kNever;
