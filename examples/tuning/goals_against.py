@@ -15,6 +15,7 @@ from collections import defaultdict
 
 OWN_THIRD = -17.5  # x of its end; the team attacks +x
 CLOSE, FAR = 8.0, 18.0  # m, shots
+INCOMPLETE = 65  # exit code of cls: a log without its end, of a match that is being played
 RUN_UP = 60  # cycles before a goal in which its finish is looked for
 
 
@@ -23,7 +24,7 @@ def cls(*words):
     if shutil.which(program) is None:
         sys.exit(f"no program '{program}': put cls on PATH, or name it in the variable CLS")
     run = subprocess.run([program, *words], stdout=subprocess.PIPE)
-    if run.returncode != 0:
+    if run.returncode not in (0, INCOMPLETE):
         sys.exit(run.returncode)
     return json.loads(run.stdout)
 
@@ -71,7 +72,7 @@ def goals_against(team, folder):
                 sides[match["file"]] = side
     for match in cls("stats", folder, "--json", "--events")["matches"]:
         victim = sides.get(match["file"])
-        if victim is None:
+        if victim is None or not match["complete"]:
             continue
         scorer = "right" if victim == "left" else "left"
         goals = [goal for goal in match["goals"] if goal["side"] == scorer]

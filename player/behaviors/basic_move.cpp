@@ -71,8 +71,7 @@ bool basic_move(ActionContext& c) {
   const WorldModel& world = c.world;
   CommandSlots& slots = c.slots;
   NeckPlan& neck = c.neck;
-  constexpr double kTackleProbability = 0.8;
-  if (basic_tackle(world, slots, kTackleProbability)) {
+  if (basic_tackle(world, slots, world.planner->tackle_chance)) {
     neck.kind = NeckPlan::Kind::kBall;
     return true;
   }

@@ -6,6 +6,7 @@
 
 #include "player/movement/ball_race.h"
 #include "player/world/motion.h"
+#include "player/world/planner_parameters.h"
 #include "soccer/pitch.h"
 
 namespace cls::player {
@@ -92,7 +93,7 @@ bool in_own_area(const WorldModel& world) {
 }
 
 /// True if the tackle would hit the back of an opponent with the ball who faces away from our goal:
-/// the referee calls about half of these tackles as fouls. Opponents facing our goal are tackled
+/// the referee calls about half of these tackles as fouls. Opponents who face our goal are tackled
 /// nevertheless.
 bool hits_back(const WorldModel& world) {
   const Vec2 to_ball = world.ball.position - world.self.position;
@@ -111,7 +112,7 @@ bool hits_back(const WorldModel& world) {
     if (beside > type.player_size + world.self_type().player_size + kSightError) continue;
 
     const AngleDeg to_goal = AngleDeg::of(Vec2{-soccer::kHalfLength, 0.0} - opponent.position);
-    const bool harmless = (opponent.body - to_goal).abs() > 100.0;
+    const bool harmless = (opponent.body - to_goal).abs() > world.planner->area_back_angle;
     if (harmless && (opponent.body - AngleDeg::of(to_ball)).abs() < 90.0) return true;
   }
 
@@ -120,8 +121,8 @@ bool hits_back(const WorldModel& world) {
 
 /// True if an intentional foul pays: not near our goal, and not with a card.
 bool should_foul(const WorldModel& world) {
-  return world.self.card == soccer::Card::kNone && !in_own_area(world) &&
-         world.self.foul_probability > world.self.tackle_probability;
+  return world.planner->fouls != 0 && world.self.card == soccer::Card::kNone &&
+         !in_own_area(world) && world.self.foul_probability > world.self.tackle_probability;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -196,6 +197,28 @@ TEST(PlannerParameters, ChangeWhoIsMarked) {
   set(pitch, "mark_way", 11.0);
   set(pitch, "mark_ball_x", -40.0);
   EXPECT_FALSE(mark());
+}
+
+TEST(PlannerParameters, ChangeTackles) {
+  const auto tackle = [](Vec2 self, Vec2 opponent, double opponent_body, std::string_view name,
+                         double value) {
+    KnownPitch pitch;
+    pitch.place_self(self, opponent.x > 0.0 ? 0.0 : 180.0);
+    pitch.place_ball(self + Vec2{opponent.x > 0.0 ? 1.4 : -1.4, 0.0});
+    pitch.add_opponent(9, self + opponent, opponent_body);
+    set(pitch, name, value);
+    pitch.act(
+        [](protos::PlayerActions& reply) { reply.add_actions()->mutable_helios_basic_move(); });
+    const auto* sent = pitch.sent<soccer::Tackle>();
+    return sent == nullptr ? std::optional<bool>() : sent->foul;
+  };
+  const Vec2 midfield{0.0, 3.0};
+  EXPECT_EQ(tackle(midfield, {0.9, 0.1}, 10.0, "fouls", 1.0), true);
+  EXPECT_EQ(tackle(midfield, {0.9, 0.1}, 10.0, "fouls", 0.0), false);
+  EXPECT_EQ(tackle(midfield, {0.9, 0.1}, 10.0, "tackle_chance", 1.0), std::nullopt);
+  const Vec2 before_goal{-45.0, 3.0};
+  EXPECT_EQ(tackle(before_goal, {-0.9, 0.1}, 175.0, "area_back_angle", 100.0), false);
+  EXPECT_EQ(tackle(before_goal, {-0.9, 0.1}, 175.0, "area_back_angle", 0.0), std::nullopt);
 }
 
 /// The agent has this share of what an even pace needs.
