@@ -106,10 +106,10 @@ bool UdpServer::run_cycle(const std::atomic<bool>& stop) {
   match_->execute_coaches();
   report_connections();
 
-  if (missed) {
+  if (missed && started) {
     ++missed_cycles_;
-    if (started) ++missed_in_a_row_;
-    if (started) report(UdpServerEvent::Kind::kMissedCycle, kNoClient);
+    ++missed_in_a_row_;
+    report(UdpServerEvent::Kind::kMissedCycle, kNoClient);
   } else {
     missed_in_a_row_ = 0;
   }

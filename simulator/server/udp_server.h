@@ -111,7 +111,7 @@ class UdpServer {
   /// Lateness of the steps in real time. Call only when run() has returned.
   StepTimer::Lateness lateness() const { return lateness_; }
 
-  /// Cycles in which some client sent (done) too late or not at all.
+  /// Cycles after the start in which some client sent (done) too late or not at all.
   std::int64_t missed_cycles() const;
 
   /// For how long the server has waited in synchronous mode for the players and the coach of a
