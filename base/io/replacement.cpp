@@ -58,16 +58,16 @@ bool is_locked(const fs::path& place) {
 
 }  // namespace
 
-Replacement::Replacement(fs::path file, fs::path place, UniqueFd lock)
+Replacement::Replacement(fs::path file, fs::path place, UniqueFd descriptor)
     : file_(std::move(file)),
       place_(std::move(place)),
-      lock_(std::move(lock)),
+      file_descriptor_(std::move(descriptor)),
       pending_(place_ != file_) {}
 
 Replacement::Replacement(Replacement&& other) noexcept
     : file_(std::move(other.file_)),
       place_(std::move(other.place_)),
-      lock_(std::move(other.lock_)),
+      file_descriptor_(std::move(other.file_descriptor_)),
       pending_(std::exchange(other.pending_, false)) {}
 
 Replacement::~Replacement() {
@@ -98,7 +98,7 @@ Result<void> Replacement::finish() {
   fs::rename(place_, file_, code);
   if (code) return cannot_create(file_, code.message());
   pending_ = false;
-  lock_.reset();
+  file_descriptor_.reset();
   return {};
 }
 

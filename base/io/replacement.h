@@ -25,16 +25,18 @@ class Replacement {
   ~Replacement();
 
   const std::filesystem::path& place() const { return place_; }
+  /// Descriptor of place(), open for writing and empty; -1 when place() is the file itself.
+  int descriptor() const { return file_descriptor_.get(); }
   /// Renames place(), which must be closed.
   Result<void> finish();
 
  private:
-  Replacement(std::filesystem::path file, std::filesystem::path place, UniqueFd lock);
+  Replacement(std::filesystem::path file, std::filesystem::path place, UniqueFd descriptor);
 
   std::filesystem::path file_;
   std::filesystem::path place_;
-  UniqueFd lock_;         ///< of place(), as long as this process lives
-  bool pending_ = false;  ///< place() is a temporary file
+  UniqueFd file_descriptor_;  ///< locks place() as long as this process lives
+  bool pending_ = false;      ///< place() is a temporary file
 };
 
 /// Removes the temporary files in `folder` whose processes have ended.

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "base/io/replacement.h"
+#include "base/system/unique_fd.h"
 
 namespace cls::base {
 namespace {
@@ -37,6 +38,12 @@ void sync_folder(const std::filesystem::path& folder) {
 // Pipes and devices have nothing to sync.
 bool sync_file(int file) { return ::fsync(file) == 0 || errno == EINVAL; }
 
+// Network file systems report errors when a descriptor is closed.
+bool flush(int file) {
+  const int copy = ::dup(file);
+  return copy < 0 || ::close(copy) == 0;
+}
+
 bool write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
@@ -50,14 +57,17 @@ bool write_all(int file, std::string_view bytes) {
 Result<void> write_by_rename(const std::filesystem::path& path, std::string_view bytes,
                              bool durable) {
   TRY_INIT(auto replacement, Replacement::start(path));
-  const int file =
-      ::open(replacement.place().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) return cannot_create(path, std::strerror(errno));
+  UniqueFd target;
+  int file = replacement.descriptor();
+  if (file < 0) {
+    target = UniqueFd(
+        ::open(replacement.place().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (!target) return cannot_create(path, std::strerror(errno));
+    file = target.get();
+  }
 
-  const bool written = write_all(file, bytes) && (!durable || sync_file(file));
-  const int cause = errno;
-  if (::close(file) != 0 && written) return cannot_write(path, errno);
-  if (!written) return cannot_write(path, cause);
+  const bool written = write_all(file, bytes) && (!durable || sync_file(file)) && flush(file);
+  if (!written) return cannot_write(path, errno);
 
   if (auto finished = replacement.finish(); !finished) return finished;
   if (durable) sync_folder(path.parent_path());

@@ -201,7 +201,7 @@ TEST_P(Languages, FirstChangeOfTheTutorialWins) {
   };
   EXPECT_EQ(goals("first"), std::pair(0, 0));
   replace_kick(change, project / file);
-  EXPECT_EQ(goals("second"), std::pair(4, 0));
+  EXPECT_EQ(goals("second"), std::pair(2, 0));
   const CommandResult tested = run_in(project, {cls_binary(), "test", "tests/"}, environment());
   EXPECT_EQ(tested.exit_code, 0) << tested.out;
 }

@@ -97,12 +97,16 @@ bool interrupted(const Outcome& outcome) {
   return outcome.end_reason == match::EndReason::kInterrupted;
 }
 
-// Where `run` plays an attempt: below matches/, unless a `work` process has created that folder.
-fs::path claimed_folder(const TournamentConfig& config, const Fixture& fixture, int attempt,
-                        const fs::path& tournament) {
-  fs::path folder = match_folder(config, fixture, attempt);
-  if (claim_folder(tournament / folder)) return folder;
-  return unfinished_folder(fixture.index, attempt, unfinished_label());
+// Where this process alone plays an attempt: in `folder`, if it is not empty, else below matches/,
+// unless another process has created that folder.
+fs::path own_folder(const TournamentConfig& config, const Fixture& fixture, int attempt,
+                    const fs::path& tournament, fs::path folder) {
+  const fs::path published = match_folder(config, fixture, attempt);
+  if (folder.empty() && claim_folder(tournament / published)) return published;
+  if (folder.empty()) folder = unfinished_folder(fixture.index, attempt, unfinished_label());
+  std::error_code code;
+  fs::remove_all(tournament / folder, code);  // of a killed process that had the same number
+  return folder;
 }
 
 }  // namespace
@@ -147,9 +151,8 @@ Result<MatchAttempt> MatchAttempt::start(process::ProcessHost& host, const Tourn
   started.fixture_ = fixture;
   started.number_ = attempt;
   started.tournament_ = fs::absolute(options.tournament);
-  started.folder_ = options.folder.empty()
-                        ? claimed_folder(config, fixture, attempt, started.tournament_)
-                        : std::move(options.folder);
+  started.folder_ =
+      own_folder(config, fixture, attempt, started.tournament_, std::move(options.folder));
   started.begin_ = std::chrono::steady_clock::now();
   started.limit_s_ = match_options(config).time_limit_s;
   started.started_ = base::utc_now();
