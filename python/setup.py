@@ -7,7 +7,6 @@ Uses grpcio-tools if it is installed (a build by pip installs it), else protoc a
 grpc_python_plugin on PATH (Debian: protobuf-compiler, protobuf-compiler-grpc).
 """
 import importlib.metadata
-import importlib.util
 import os
 import pathlib
 import re
@@ -52,7 +51,12 @@ def engine():
 
 
 def has_grpc_tools():
-    return importlib.util.find_spec("grpc_tools") is not None
+    """Whether there are grpcio-tools that write types: from 1.49 on; Debian 12 has 1.14."""
+    try:
+        version = importlib.metadata.version("grpcio-tools")
+    except importlib.metadata.PackageNotFoundError:
+        return False
+    return [int(part) for part in re.findall(r"\d+", version)[:2]] >= [1, 49]
 
 
 def generator():
@@ -66,14 +70,20 @@ def generator():
              "protobuf-compiler and protobuf-compiler-grpc (Debian)")
 
 
+OLDEST = {"grpcio": "1.51", "numpy": "1.22", "protobuf": "4.21"}
+
+
+def at_least(name, needed):
+    """The oldest version of a package: ours, or a later one that `needed`, lines of pip, asks for."""
+    asked = re.search(rf"^{name}\b.*>=\s*(\d+(?:\.\d+)*)", needed, re.MULTILINE)
+    versions = [OLDEST[name], *([asked[1]] if asked else [])]
+    return f"{name}>=" + max(versions, key=lambda one: [int(part) for part in one.split(".")])
+
+
 def runtime():
     """The oldest packages that the generated modules and cls_gym run with."""
-    if not has_grpc_tools():
-        return ["grpcio>=1.51", "numpy>=1.22", "protobuf>=4.21"]
-    needed = "\n".join(importlib.metadata.requires("grpcio-tools"))
-    return ["numpy>=1.22", *(
-        f"{name}>=" + re.search(rf"^{name}\b.*>=\s*([\d.]+)", needed, re.MULTILINE)[1]
-        for name in ("grpcio", "protobuf"))]
+    tools = importlib.metadata.requires("grpcio-tools") if has_grpc_tools() else None
+    return [at_least(name, "\n".join(tools or [])) for name in OLDEST]
 
 
 def generate(folder):
