@@ -101,7 +101,7 @@ bool interrupted(const Outcome& outcome) {
 // unless another process has created that folder.
 fs::path own_folder(const TournamentConfig& config, const Fixture& fixture, int attempt,
                     const fs::path& tournament, fs::path folder) {
-  const fs::path published = match_folder(config, fixture, attempt);
+  fs::path published = match_folder(config, fixture, attempt);
   if (folder.empty() && claim_folder(tournament / published)) return published;
   if (folder.empty()) folder = unfinished_folder(fixture.index, attempt, unfinished_label());
   std::error_code code;
