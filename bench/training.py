@@ -24,7 +24,8 @@ def options():
     beside = os.environ.get("CLS_BENCH_BASE", "")
     base = str(pathlib.Path(beside).resolve().parent.parent / "lib" / LIBRARY) if beside else ""
     parser = argparse.ArgumentParser(description="Training steps of two builds, side by side.")
-    parser.add_argument("--library", default=str(ROOT / "build/lib" / LIBRARY),
+    parser.add_argument("--library", dest="engine", metavar="LIBRARY",
+                        default=str(ROOT / "build/lib" / LIBRARY),
                         help="library to measure")
     parser.add_argument("--base", default=base, help="library to compare with")
     parser.add_argument("--rounds", type=int, default=5, help="of each row (default: 5)")
@@ -55,7 +56,7 @@ def steps(library, arguments):
 
 def main():
     chosen = options()
-    libraries = [chosen.library] + ([chosen.base] if chosen.base else [])
+    libraries = [chosen.engine] + ([chosen.base] if chosen.base else [])
     for library in libraries:
         if not os.path.exists(library):
             sys.exit(f"bench/training.py: no {library}; build cls_training_shared first")

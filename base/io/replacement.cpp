@@ -85,8 +85,8 @@ Result<Replacement> Replacement::start(fs::path file) {
 
   while (true) {
     fs::path place = file.parent_path() / temporary_name(file);
-    if (UniqueFd lock = create_locked(place)) {
-      return Replacement(std::move(file), std::move(place), std::move(lock));
+    if (UniqueFd created = create_locked(place)) {
+      return Replacement(std::move(file), std::move(place), std::move(created));
     }
     if (errno != EEXIST) return cannot_create(file, std::strerror(errno));
   }

@@ -27,7 +27,7 @@ class Replacement {
   const std::filesystem::path& place() const { return place_; }
   /// Descriptor of place(), open for writing and empty; -1 when place() is the file itself.
   int descriptor() const { return file_descriptor_.get(); }
-  /// Renames place(), which must be closed.
+  /// Renames place(). What the caller has opened there must be closed.
   Result<void> finish();
 
  private:

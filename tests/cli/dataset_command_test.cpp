@@ -79,7 +79,7 @@ TEST_F(Dataset, HasTheSameBytesWithAnyNumberOfParallelMatches) {
   EXPECT_EQ(matches[3]["files"][0]["path"], "shards/000/000004.view.gz");
   EXPECT_EQ(matches[0]["seed"], matches[1]["seed"]);
   EXPECT_NE(matches[0]["seed"], matches[2]["seed"]);
-  EXPECT_TRUE(fs::is_empty(folder_.path() / "one/work/matches"));
+  EXPECT_TRUE(fs::is_empty(folder_.path() / "one" / "work" / "matches"));
 }
 
 TEST_F(Dataset, ResumesAfterKill) {

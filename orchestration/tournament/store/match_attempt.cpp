@@ -263,7 +263,7 @@ void clean_up_unfinished(std::span<const ScheduledMatch> matches, const fs::path
     std::error_code ignored;
     if (name != fs::path(outcome->folder).filename()) fs::remove_all(entry.path(), ignored);
   }
-  for (const char* part : {"", kUnfinishedFolder, kResultsFolder}) {
+  for (const char* part : {"", kUnfinishedFolder}) {
     base::remove_abandoned(tournament / part);
   }
 }

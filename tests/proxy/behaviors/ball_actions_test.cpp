@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 
 #include "player/ball_skills/kick.h"
 #include "player/movement/home_positions.h"
 #include "player/world/motion.h"
-#include "player/world/planner_parameters.h"
 #include "tests/proxy/support/known_pitch.h"
 #include "tests/proxy/support/wire_vector.h"
 
@@ -384,12 +382,6 @@ void basic_tackle(protos::PlayerActions& reply) {
   reply.add_actions()->mutable_helios_basic_tackle()->set_min_prob(0.7F);
 }
 
-void set_fouls(KnownPitch& pitch, int fouls) {
-  auto parameters = std::make_shared<player::PlannerParameters>(*pitch.world.planner);
-  parameters->fouls = fouls;
-  pitch.world.planner = std::move(parameters);
-}
-
 TEST(HeliosBasicTackle, TakesBallFromOpponent) {
   int taken = 0;
   for (int seed = 0; seed < 20; ++seed) {
@@ -416,7 +408,7 @@ TEST(HeliosBasicTackle, SendsBallToTeammate) {
     pitch.add_opponent(4, {2.1, 0.1 * side}, 180.0);
     pitch.add_teammate(8, {3.0, 9.0 * side});
     pitch.add_opponent(6, {4.0, -9.0 * side});
-    set_fouls(pitch, 1);  // the opponent with the ball cannot follow it
+    pitch.set_parameter("fouls", 1);  // the opponent with the ball cannot follow it
     pitch.act(basic_tackle);
     ASSERT_NE(pitch.sent<soccer::Tackle>(), nullptr);
     EXPECT_GT(pitch.sent<soccer::Tackle>()->angle_or_power * side, 0.0);
@@ -442,7 +434,7 @@ TEST(HeliosBasicTackle, AvoidsFoulsNearOurGoal) {
 TEST(HeliosBasicTackle, FoulsOnlyIfTheParametersSaySo) {
   for (const int fouls : {0, 1}) {
     KnownPitch pitch;
-    set_fouls(pitch, fouls);
+    pitch.set_parameter("fouls", fouls);
     pitch.place_ball({1.4, 0.0});
     pitch.add_opponent(4, {2.0, 0.2});
     pitch.act(basic_tackle);

@@ -24,13 +24,6 @@ namespace {
 using soccer::Vec2;
 using tests::KnownPitch;
 
-/// The agent plays with this value from now on.
-void set(KnownPitch& pitch, std::string_view name, double value) {
-  auto parameters = std::make_shared<player::PlannerParameters>(*pitch.world.planner);
-  ASSERT_TRUE(set_planner_parameter(*parameters, name, value)) << name;
-  pitch.world.planner = std::move(parameters);
-}
-
 TEST(PlannerParameters, HaveDistinctNamesAndDefaultsWithinTheirRange) {
   const player::PlannerParameters defaults;
   std::set<std::string_view> names;
@@ -84,7 +77,7 @@ TEST(PlannerParameters, ChangeTheValueOfStates) {
   const double usual = value();
   const auto change = [&](std::string_view name, double to) {
     const auto before = pitch.world.planner;
-    set(pitch, name, to);
+    pitch.set_parameter(name, to);
     const double changed = value() - usual;
     pitch.world.planner = before;
     return changed;
@@ -98,7 +91,7 @@ TEST(PlannerParameters, ChangeTheValueOfStates) {
   EXPECT_DOUBLE_EQ(change("hold_pressure_cost", 5.0), 0.0) << "a pass";
   plan.nodes[0].depth = 0;
   const double held = value();
-  set(pitch, "hold_pressure_cost", 5.0);
+  pitch.set_parameter("hold_pressure_cost", 5.0);
   EXPECT_NEAR(value() - held, -10.0, 1e-9);
 }
 
@@ -115,11 +108,11 @@ TEST(PlannerParameters, ChangeWhichPassesAreGenerated) {
     return actions.size();
   };
   const std::size_t usual = passes();
-  set(pitch, "pass_margin", 3.0);
+  pitch.set_parameter("pass_margin", 3.0);
   EXPECT_LT(passes(), usual);
-  set(pitch, "pass_margin", 0.0);
+  pitch.set_parameter("pass_margin", 0.0);
   EXPECT_GT(passes(), usual);
-  set(pitch, "pass_distance", 10.0);
+  pitch.set_parameter("pass_distance", 10.0);
   EXPECT_EQ(passes(), 0U);
 }
 
@@ -140,9 +133,9 @@ TEST(PlannerParameters, ChangeWhenTheBallIsLaidOff) {
     return slots.say_text().starts_with('p');  // a pass is announced
   };
   EXPECT_FALSE(lays_off());
-  set(pitch, "lay_off_pressure", 2.0);
+  pitch.set_parameter("lay_off_pressure", 2.0);
   EXPECT_TRUE(lays_off());
-  set(pitch, "lay_off_room", 5.0);
+  pitch.set_parameter("lay_off_room", 5.0);
   EXPECT_FALSE(lays_off());
 }
 
@@ -152,8 +145,8 @@ TEST(PlannerParameters, ChangeOutlets) {
   pitch.place_ball({-44.5, 0.0});
   pitch.add_teammate(6, {-30.0, 20.0}, 180.0);
   EXPECT_TRUE(best_outlet(player::PlannerField(pitch.world))->teammate_first);
-  set(pitch, "outlet_gain", 0.0);
-  set(pitch, "outlet_kick_in", 100.0);
+  pitch.set_parameter("outlet_gain", 0.0);
+  pitch.set_parameter("outlet_kick_in", 100.0);
   EXPECT_FALSE(best_outlet(player::PlannerField(pitch.world))->teammate_first);
 }
 
@@ -164,8 +157,8 @@ TEST(PlannerParameters, ShiftHomePositionsOfFieldPlayers) {
   pitch.add_opponent(2, {48.0, 0.0});
   ASSERT_EQ(formation_kind(pitch.world), player::FormationKind::kOffense);
   const player::TeamPoints usual = home_positions(pitch.world);
-  set(pitch, "shift_offense", 4.0);
-  set(pitch, "shift_defense", -20.0);
+  pitch.set_parameter("shift_offense", 4.0);
+  pitch.set_parameter("shift_defense", -20.0);
   const player::TeamPoints shifted = home_positions(pitch.world);
   EXPECT_EQ(shifted[0].x, usual[0].x) << "the goalie stays";
   for (std::size_t i = 1; i < usual.size(); ++i) {
@@ -187,15 +180,15 @@ TEST(PlannerParameters, ChangeWhoIsMarked) {
   };
   ASSERT_TRUE(mark());
   const double usual = mark()->point.x;
-  set(pitch, "mark_step", 4.0);
+  pitch.set_parameter("mark_step", 4.0);
   EXPECT_LT(mark()->point.x, usual - 2.0);
-  set(pitch, "mark_range", 10.0);
+  pitch.set_parameter("mark_range", 10.0);
   EXPECT_FALSE(mark());
-  set(pitch, "mark_range", 38.0);
-  set(pitch, "mark_way", 0.1);
+  pitch.set_parameter("mark_range", 38.0);
+  pitch.set_parameter("mark_way", 0.1);
   EXPECT_FALSE(mark());
-  set(pitch, "mark_way", 11.0);
-  set(pitch, "mark_ball_x", -40.0);
+  pitch.set_parameter("mark_way", 11.0);
+  pitch.set_parameter("mark_ball_x", -40.0);
   EXPECT_FALSE(mark());
 }
 
@@ -206,7 +199,7 @@ TEST(PlannerParameters, ChangeTackles) {
     pitch.place_self(self, opponent.x > 0.0 ? 0.0 : 180.0);
     pitch.place_ball(self + Vec2{opponent.x > 0.0 ? 1.4 : -1.4, 0.0});
     pitch.add_opponent(9, self + opponent, opponent_body);
-    set(pitch, name, value);
+    pitch.set_parameter(name, value);
     pitch.act(
         [](protos::PlayerActions& reply) { reply.add_actions()->mutable_helios_basic_move(); });
     const auto* sent = pitch.sent<soccer::Tackle>();
@@ -236,11 +229,11 @@ TEST(PlannerParameters, ChangePaceAndRestingOfRuns) {
   pitch.place_ball({-20.0, 0.0});
   bool recovering = false;
   const auto power = [&] { return normal_dash_power(pitch.world, recovering); };
-  set(pitch, "pace", 0.0);
+  pitch.set_parameter("pace", 0.0);
   set_stamina_share(pitch, 0.5);
   EXPECT_DOUBLE_EQ(running_pace(pitch.world), 1.0) << "the same at all times";
   const double usual = power();
-  set(pitch, "pace", 4.0);
+  pitch.set_parameter("pace", 4.0);
   set_stamina_share(pitch, 1.0);
   EXPECT_DOUBLE_EQ(power(), usual);
   set_stamina_share(pitch, 0.95);
@@ -249,18 +242,18 @@ TEST(PlannerParameters, ChangePaceAndRestingOfRuns) {
   EXPECT_DOUBLE_EQ(running_pace(pitch.world), 0.5);
   set_stamina_share(pitch, 2.0);
   EXPECT_DOUBLE_EQ(running_pace(pitch.world), 1.3);
-  set(pitch, "pace", 0.0);
+  pitch.set_parameter("pace", 0.0);
   EXPECT_DOUBLE_EQ(power(), usual);
-  set(pitch, "run_power", 0.85);
+  pitch.set_parameter("run_power", 0.85);
   EXPECT_NEAR(power(), 0.5 * usual, 1e-9);
   pitch.set_stamina(4500.0);
   power();
   EXPECT_FALSE(recovering);
-  set(pitch, "tired_below", 0.6);
+  pitch.set_parameter("tired_below", 0.6);
   power();
   EXPECT_TRUE(recovering);
-  set(pitch, "tired_below", 0.4);
-  set(pitch, "rested_above", 0.5);
+  pitch.set_parameter("tired_below", 0.4);
+  pitch.set_parameter("rested_above", 0.5);
   power();
   EXPECT_FALSE(recovering);
 }
@@ -268,7 +261,7 @@ TEST(PlannerParameters, ChangePaceAndRestingOfRuns) {
 TEST(Pace, DoesNotDependOnStaminaWithoutLimit) {
   KnownPitch pitch;
   pitch.set_time(2900);
-  set(pitch, "pace", 4.0);
+  pitch.set_parameter("pace", 4.0);
   pitch.world.self.capacity = -1.0;
   EXPECT_DOUBLE_EQ(running_pace(pitch.world), 1.0);
 }

@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "player/commands/command_slots.h"
 #include "player/perception/perception.h"
+#include "player/world/planner_parameters.h"
 #include "player/world/view_cone.h"
 #include "proxy/actions/executor.h"
 #include "simulator/actions/actions.h"
@@ -145,6 +147,14 @@ void KnownPitch::set_shoot_out(soccer::PlayMode mode) {
   penalty.our_taken = penalty.their_taken = 1;
   penalty.cycle = truth_.clock.time;
   set_mode(mode);
+}
+
+void KnownPitch::set_parameter(std::string_view name, double value) {
+  auto parameters = std::make_shared<player::PlannerParameters>(*world.planner);
+  if (const auto set = set_planner_parameter(*parameters, name, value); !set) {
+    throw std::invalid_argument(set.error().message);
+  }
+  world.planner = std::move(parameters);
 }
 
 void KnownPitch::set_time(int cycle, int stopped) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "player/planner/action_memory.h"
@@ -45,6 +46,8 @@ class KnownPitch {
   /// Sets a shoot-out mode at the right goal; the mode's side takes the kick.
   void set_shoot_out(soccer::PlayMode mode);
   void set_time(int cycle, int stopped = 0);
+  /// The agent plays with this value of a planner parameter from now on.
+  void set_parameter(std::string_view name, double value);
   void set_neck(double degrees);
   void set_stamina(double stamina);
   void set_focus(double distance, double degrees);

@@ -1,0 +1,105 @@
+// `cls compare` in a working folder of its own.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/support/command.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using testing::HasSubstr;
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using cls::tests::cls_binary;
+using cls::tests::Command;
+using cls::tests::CommandResult;
+using nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+class Compare : public testing::Test {
+ protected:
+  Arguments argv(Arguments more) const {
+    Arguments arguments = {cls_binary(), "compare", "mock", "mock:hold", "--cycles", "10"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  CommandResult compare(Arguments more) const {
+    return Command(argv(std::move(more)), {}, folder_.path()).finish();
+  }
+  std::size_t folders() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_.path() / "runs"), fs::directory_iterator()));
+  }
+
+  cls::tests::TemporaryFolder folder_;
+};
+
+TEST_F(Compare, ResumesBySameCommand) {
+  const CommandResult first = compare({"--max-pairs", "1", "--json"});
+  EXPECT_EQ(first.exit_code, 3) << first.err;
+  EXPECT_EQ(json::parse(first.out)["matches"].size(), 2u);
+  EXPECT_THAT(first.err, HasSubstr("/: pairs to play: 1\n")) << first.err;
+  EXPECT_THAT(first.err, HasSubstr("a larger --max-pairs continues\n")) << first.err;
+  const CommandResult second = compare({"--max-pairs", "3", "--json"});
+  EXPECT_EQ(second.exit_code, 3) << second.err;
+  const json document = json::parse(second.out);
+  ASSERT_EQ(document["matches"].size(), 6u);
+  EXPECT_EQ(document["matches"][0], json::parse(first.out)["matches"][0]) << "not played twice";
+  EXPECT_EQ(folders(), 1u);
+  EXPECT_EQ(compare({"--max-pairs", "1", "--seed", "2"}).exit_code, 3);
+  EXPECT_EQ(folders(), 2u) << "another plan";
+}
+
+TEST_F(Compare, RespectsMaxPairsOfThisCommand) {
+  ASSERT_EQ(compare({"--max-pairs", "2", "--dir", "c"}).exit_code, 3);
+  const CommandResult fewer = compare({"--max-pairs", "1", "--dir", "c", "--json"});
+  EXPECT_EQ(fewer.exit_code, 3) << fewer.err;
+  EXPECT_EQ(json::parse(fewer.out)["matches"].size(), 2u);
+  EXPECT_EQ(json::parse(fewer.out)["samples"], json({0, 0, 1, 0, 0}));
+  const CommandResult forced = compare({"--max-pairs", "1", "--dir", "c", "--force", "--json"});
+  EXPECT_EQ(forced.exit_code, 3) << forced.err;
+  EXPECT_TRUE(fs::exists(folder_.path() / "c.old" / "tournament.db"));
+  EXPECT_EQ(json::parse(forced.out)["matches"].size(), 2u);
+}
+
+TEST_F(Compare, ForceRenamesNothingBeforeTeamsAreChecked) {
+  ASSERT_EQ(compare({"--max-pairs", "1", "--dir", "c"}).exit_code, 3);
+  const CommandResult refused =
+      compare({"--max-pairs", "1", "--dir", "c", "--force", "--server", "cls_no_such_server"});
+  EXPECT_EQ(refused.exit_code, 66) << refused.err;
+  EXPECT_TRUE(fs::exists(folder_.path() / "c" / "tournament.db"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "c.old"));
+}
+
+TEST_F(Compare, PrintsStateOfTestAndResumeCommand) {
+  Command playing(argv({"--elo1", "5", "--concurrency", "1"}), {}, folder_.path());
+  const auto results = [&] {
+    return fs::exists(folder_.path() / "runs")
+               ? cls::tests::run(
+                     {"/bin/sh", "-c",
+                      "ls " + folder_.path().string() + "/runs/*/matches/*/result.json"})
+                     .out
+               : std::string();
+  };
+  while (std::ranges::count(results(), '\n') < 3) std::this_thread::sleep_for(50ms);
+  playing.send_signal(SIGINT);
+  const CommandResult ended = playing.finish(10s);
+  EXPECT_EQ(ended.exit_code, 130) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("pairs to play: 7 if NEW wins all, about ")) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("pairs 1  +0 Elo (")) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("  evidence 1.0/20 for, 1.0/20 against  ")) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr(" left\n")) << ended.err;
+  EXPECT_THAT(ended.err,
+              HasSubstr("cls: resume: " + cls_binary().string() +
+                        " compare mock mock:hold --cycles 10 --elo1 5 --concurrency 1\n"))
+      << ended.err;
+}
+
+}  // namespace
