@@ -2,8 +2,6 @@
 // planner. Each row is the mean over cycles in open play; a cycle's cost is its minimum over some
 // replays.
 #include <benchmark/benchmark.h>
-#include <google/protobuf/io/coded_stream.h>
-#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "player/movement/home_positions.h"
+#include "proto/state_writer.h"
 #include "proxy/agent/player_agent.h"
 #include "proxy/messages/state_message.h"
 #include "soccer/memory_channel.h"
@@ -82,14 +81,10 @@ class Parser {
   soccer::Hear hear_;
 };
 
-/// As the gRPC client does: map entries sorted by key, into existing memory.
-double serialize(const protos::State& state, std::string& bytes) {
+/// As the gRPC client does, into existing memory, sets their number.
+double serialize(const protos::State& state, proto::StateWriter& writer, std::size_t& bytes) {
   auto last = Clock::now();
-  bytes.resize(state.ByteSizeLong());
-  google::protobuf::io::ArrayOutputStream array(bytes.data(), static_cast<int>(bytes.size()));
-  google::protobuf::io::CodedOutputStream out(&array);
-  out.SetSerializationDeterministic(true);
-  state.SerializeWithCachedSizes(&out);
+  bytes = writer.write(state, proto::StateForm::kWhole).size();
   return lap(last);
 }
 
@@ -103,7 +98,8 @@ void replay(const std::vector<tests::Spoken>& transcript, Cycles& cycles) {
   const protos::PlayerActions actions = typical_actions();
   Parser parser;
   protos::State state;
-  std::string bytes;
+  proto::StateWriter writer;
+  std::size_t bytes = 0;
   double parsed = 0.0;
   double perceived = 0.0;
   for (const tests::Spoken& spoken : transcript) {
@@ -118,7 +114,7 @@ void replay(const std::vector<tests::Spoken>& transcript, Cycles& cycles) {
     const double completed = lap(last);
     proxy::fill_state(world, player::home_positions(world), false, state);
     const double built = lap(last);
-    const double serialized = serialize(state, bytes);
+    const double serialized = serialize(state, writer, bytes);
     last = Clock::now();
     agent.act(actions);
     const double acted = lap(last);
@@ -130,7 +126,7 @@ void replay(const std::vector<tests::Spoken>& transcript, Cycles& cycles) {
       costs[kSerialize] = serialized;
       costs[kSkills] = acted;
       costs[kCycle] = perceived + completed + built + serialized + acted;
-      cycles.bytes += static_cast<double>(bytes.size());
+      cycles.bytes += static_cast<double>(bytes);
     }
     parsed = perceived = 0.0;
   }

@@ -12,8 +12,8 @@
 #include <map>
 #include <utility>
 
-#include "proto/lean_state.h"
 #include "proto/sorted_maps.h"
+#include "proto/state_writer.h"
 #include "proto/team_playmaker.pb.h"
 #include "proxy/messages/parameter_messages.h"
 #include "proxy/playmaker/playmaker_errors.h"
@@ -169,11 +169,8 @@ class TeamCalls : public Playmaker {
 
  private:
   void write_state(const protos::State& state, std::string& bytes) {
-    if (encoding_ == wire::LEAN_STATES) {
-      proto::write_lean(state, whole_state_, bytes);
-    } else {
-      proto::write_with_sorted_maps(state, bytes);
-    }
+    const bool lean = encoding_ == wire::LEAN_STATES;
+    bytes = writer_.write(state, lean ? proto::StateForm::kLean : proto::StateForm::kWhole);
   }
 
   // The rest of the handshake of an agent: RegisterTeam carried it.
@@ -421,7 +418,7 @@ class TeamCalls : public Playmaker {
   bool in_flight_ = false;
   std::uint64_t sequence_ = 0;
   wire::Encoding encoding_ = wire::STATES;
-  std::string whole_state_;  // memory of write_lean()
+  proto::StateWriter writer_;
   std::deque<Reply> replies_;
   std::array<ReplyMemory, kAgentNumbers> memory_;
   std::bitset<kAgentNumbers> lost_;

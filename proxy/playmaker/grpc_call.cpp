@@ -5,11 +5,18 @@
 
 #include <cassert>
 #include <string>
+#include <string_view>
 
 #include "proto/sorted_maps.h"
 
 namespace cls::proxy {
 namespace {
+
+grpc::ByteBuffer serialize(const protos::State& state, proto::StateWriter& writer) {
+  const std::string_view bytes = writer.write(state, proto::StateForm::kWhole);
+  const grpc::Slice slice(bytes.data(), bytes.size());
+  return grpc::ByteBuffer(&slice, 1);
+}
 
 // Serializes into the slice that the transport sends: no copy, one allocation.
 grpc::ByteBuffer serialize(const google::protobuf::Message& message) {
@@ -39,7 +46,10 @@ void GrpcCall::start(grpc::GenericStub& stub, grpc::CompletionQueue& queue, int 
   started_ = std::chrono::steady_clock::now();
   if (timeout != kNoTimeout) context_->set_deadline(deadline_after(timeout));
   context_->set_wait_for_ready(wait_for_ready);
-  reader_ = stub.PrepareUnaryCall(&*context_, path(rpc), serialize(request), &queue);
+  const grpc::ByteBuffer bytes =
+      is_decision(rpc) ? serialize(static_cast<const protos::State&>(request), states_)
+                       : serialize(request);
+  reader_ = stub.PrepareUnaryCall(&*context_, path(rpc), bytes, &queue);
   reader_->StartCall();
   reader_->Finish(&response_, &grpc_status_, this);
 }

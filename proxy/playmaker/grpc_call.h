@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "proto/state_writer.h"
 #include "proxy/playmaker/playmaker.h"
 #include "proxy/playmaker/replies.h"
 
@@ -40,6 +41,7 @@ class GrpcCall {
   std::unique_ptr<grpc::GenericClientAsyncResponseReader> reader_;
   grpc::ByteBuffer response_;
   grpc::Status grpc_status_;
+  proto::StateWriter states_;
   ReplyMemory memory_;
   Reply reply_;
   std::chrono::steady_clock::time_point started_;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "proto/sorted_maps.h"
+#include "proto/state_writer.h"
 #include "tests/support/files.h"
 #include "tests/support/message_stream.h"
 
@@ -20,9 +21,8 @@ std::string whole(const protos::State& state) {
 }
 
 protos::State lean(const protos::State& state) {
-  std::string memory;
-  std::string bytes = "replaced";
-  write_lean(state, memory, bytes);
+  StateWriter writer;
+  const std::string bytes(writer.write(state, StateForm::kLean));
   protos::State parsed;
   EXPECT_TRUE(parsed.ParseFromString(bytes));
   EXPECT_EQ(whole(parsed), bytes) << "as if the State had been serialized without the entries";
