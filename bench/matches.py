@@ -63,18 +63,20 @@ def rows():
     no_grpc = None if has_grpc else "no Python with grpc"
     sample = os.environ.get("CLS_UPSTREAM_PYTHON")
     server = os.environ.get("CLS_RCSSSERVER") or shutil.which("rcssserver")
-    yield "mock mock", ["mock", "mock"], None
-    yield "mock mock, watched", ["mock", "mock", "--watch"], None
-    yield "mock mock, one call per team", ["mock", "mock", "--batch", "always"], None
-    yield "mock mock, a call per agent", ["mock", "mock", "--batch", "never"], None
+    simple = "mock:simple"  # plays the same in every build
+    yield f"{simple} both", [simple, simple], None
+    yield f"{simple} both, watched", [simple, simple, "--watch"], None
+    yield f"{simple} both, one call per team", [simple, simple, "--batch", "always"], None
+    yield f"{simple} both, a call per agent", [simple, simple, "--batch", "never"], None
     yield "mock:planner both", ["mock:planner", "mock:planner"], None
     yield ("mock:planner both, a call per agent",
            ["mock:planner", "mock:planner", "--batch", "never"], None)
-    yield "mock, Python example", ["mock", example], no_grpc
-    yield "mock, Python example, a call per agent", ["mock", example, "--batch", "never"], no_grpc
-    yield ("mock, upstream Python sample", ["mock", f"run:{sample}"],
+    yield f"{simple}, Python example", [simple, example], no_grpc
+    yield (f"{simple}, Python example, a call per agent", [simple, example, "--batch", "never"],
+           no_grpc)
+    yield (f"{simple}, upstream Python sample", [simple, f"run:{sample}"],
            None if sample else "CLS_UPSTREAM_PYTHON is not set")
-    yield ("mock mock on rcssserver", ["mock", "mock", "--server", server or ""],
+    yield (f"{simple} both on rcssserver", [simple, simple, "--server", server or ""],
            None if server else "no rcssserver")
 
 
