@@ -22,10 +22,14 @@ bool all_finite(const pb::Message& message) {
   const pb::Descriptor& type = *message.GetDescriptor();
   const pb::Reflection& reflection = *message.GetReflection();
   // An action is one of 60 fields: ask for the set one instead of each.
+  int in_oneofs = 0;
   for (int i = 0; i < type.real_oneof_decl_count(); ++i) {
+    in_oneofs += type.oneof_decl(i)->field_count();
     const auto* set = reflection.GetOneofFieldDescriptor(message, type.oneof_decl(i));
     if (set != nullptr && !finite_field(message, reflection, *set)) return false;
   }
+  if (in_oneofs == type.field_count()) return true;
+
   for (int i = 0; i < type.field_count(); ++i) {
     const pb::FieldDescriptor& field = *type.field(i);
     if (field.real_containing_oneof() == nullptr && !finite_field(message, reflection, field)) {
