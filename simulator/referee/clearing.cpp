@@ -149,10 +149,11 @@ void keep_players_in_own_half(World& world) {
 }
 
 void clear_players_from_ball(World& world, Side side, Events& events) {
+  Bodies bodies;
   for (int round = 0; round < kMaxRounds; ++round) {
     // Resolving collisions can move the ball and change the mode: compute the clearance each round.
     if (!clear_once(world, side, clearance(world))) return;
-    resolve_collisions(world, events);
+    resolve_collisions(world, bodies, events);
   }
 }
 

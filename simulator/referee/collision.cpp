@@ -2,6 +2,8 @@
 #include "simulator/referee/collision.h"
 
 #include <array>
+#include <bit>
+#include <cstdint>
 
 #include "simulator/referee/referee.h"
 
@@ -14,21 +16,35 @@ constexpr int kMaxRounds = 10;
 constexpr int kBallIndex = soccer::kPlayersOnPitch;
 constexpr double kVelocityFactor = -0.1;
 
-/// New position of an object in one round: the mean over its contacts.
+/// Where the contacts of a round push an object; the mean is its new position.
 struct Pushes {
   Vec2 sum;
-  int count = 0;
+  int count;
 };
 
+/// Objects by index: slots of players, and kBallIndex.
+using ObjectSet = std::uint32_t;
+
+template <typename Do>
+void for_each(ObjectSet objects, Do&& what) {
+  for (; objects != 0; objects &= objects - 1) {
+    what(static_cast<std::size_t>(std::countr_zero(objects)));
+  }
+}
+
 struct Resolution {
-  std::array<Pushes, soccer::kPlayersOnPitch + 1> pushes;
-  std::array<bool, soccer::kPlayersOnPitch + 1> collided = {};
+  std::array<Pushes, soccer::kPlayersOnPitch + 1> pushes;  ///< of those in `pushed`
+  ObjectSet pushed = 0;                                    ///< in this round
+  ObjectSet collided = 0;                                  ///< in any round
 
   void push(int index, Vec2 to) {
-    Pushes& own = pushes[static_cast<std::size_t>(index)];
-    own.sum += to;
-    ++own.count;
-    collided[static_cast<std::size_t>(index)] = true;
+    const ObjectSet own = ObjectSet{1} << index;
+    Pushes& pushes_of_own = pushes[static_cast<std::size_t>(index)];
+    if ((pushed & own) == 0) pushes_of_own = {{}, 0};
+    pushes_of_own.sum += to;
+    ++pushes_of_own.count;
+    pushed |= own;
+    collided |= own;
   }
 };
 
@@ -102,70 +118,68 @@ bool collide_with_ball(World& world, Resolution& resolution, Events& events) {
   return found;
 }
 
-/// The fields of a player that are needed here, packed for the loop over all pairs.
-struct Body {
-  Vec2 position;
-  double size;
-  Slot slot;
-};
-
-void collide(World& world, const Body& first, const Body& second, Resolution& resolution) {
-  for (const Slot slot : {first.slot, second.slot}) {
-    world.player(slot).state |= state::kPlayerCollide;
-    world.player(slot).contacts.player = true;
+void collide(World& world, const Bodies& bodies, std::size_t first, std::size_t second,
+             Resolution& resolution) {
+  for (const std::size_t i : {first, second}) {
+    Player& player = world.player(bodies.slots[i]);
+    player.state |= state::kPlayerCollide;
+    player.contacts.player = true;
   }
 
   const Separated apart =
-      separated(first.position, second.position, first.size + second.size, world.random.collision);
-  resolution.push(first.slot, apart.first);
-  resolution.push(second.slot, apart.second);
+      separated(bodies.position(first), bodies.position(second),
+                bodies.size[first] + bodies.size[second], world.random.collision);
+  resolution.push(bodies.slots[first], apart.first);
+  resolution.push(bodies.slots[second], apart.second);
 }
 
-bool collide_players(World& world, Resolution& resolution) {
-  std::array<Body, soccer::kPlayersOnPitch> bodies;
-  std::size_t count = 0;
-  for (const Player& player : world.players) {
-    if (!player.enabled) continue;
-    bodies[count++] = {player.position, world.type_of(player).player_size, player.slot()};
+bool collide_players(World& world, Bodies& bodies, Resolution& resolution) {
+  const Overlaps overlaps = find_overlaps(bodies);
+  if (bodies.suspects == 0) return false;
+  for (std::size_t first = 0; first < bodies.count; ++first) {
+    for_each(overlaps[first],
+             [&](std::size_t second) { collide(world, bodies, first, second, resolution); });
   }
-
-  bool found = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Body& first = bodies[i];
-    for (std::size_t j = i + 1; j < count; ++j) {
-      const Body& second = bodies[j];
-      if (!overlap(first.position, second.position, first.size + second.size)) continue;
-      found = true;
-      collide(world, first, second, resolution);
-    }
-  }
-  return found;
+  return true;
 }
 
-void settle(Pushes& pushes, Vec2& position) {
-  if (pushes.count > 0) position = pushes.sum / pushes.count;
-  pushes = {};
+Vec2& position_of(World& world, std::size_t object) {
+  return object == kBallIndex ? world.ball.position : world.players[object].position;
+}
+Vec2& velocity_of(World& world, std::size_t object) {
+  return object == kBallIndex ? world.ball.velocity : world.players[object].velocity;
+}
+
+void settle(World& world, Resolution& resolution) {
+  for_each(resolution.pushed, [&](std::size_t object) {
+    const Pushes& pushes = resolution.pushes[object];
+    position_of(world, object) = pushes.sum / pushes.count;
+  });
+  resolution.pushed = 0;
 }
 
 }  // namespace
 
-void resolve_collisions(World& world, Events& events) {
+void resolve_collisions(World& world, Bodies& bodies, Events& events) {
   Resolution resolution;
   for (int round = 0; round < kMaxRounds; ++round) {
-    const bool with_ball = collide_with_ball(world, resolution, events);
-    const bool among_players = collide_players(world, resolution);
+    refresh(bodies, world);
+    const bool with_ball =
+        overlapping(bodies, world.ball.position, world.params().ball_size) != 0 &&
+        collide_with_ball(world, resolution, events);
+    if (with_ball) refresh(bodies, world);  // rules may have moved players
+    const bool among_players = collide_players(world, bodies, resolution);
     if (!with_ball && !among_players) break;
-
-    settle(resolution.pushes[kBallIndex], world.ball.position);
-    for (std::size_t i = 0; i < world.players.size(); ++i) {
-      settle(resolution.pushes[i], world.players[i].position);
-    }
+    settle(world, resolution);
   }
 
-  if (resolution.collided[kBallIndex]) world.ball.velocity *= kVelocityFactor;
-  for (std::size_t i = 0; i < world.players.size(); ++i) {
-    if (resolution.collided[i]) world.players[i].velocity *= kVelocityFactor;
-  }
+  for_each(resolution.collided,
+           [&](std::size_t object) { velocity_of(world, object) *= kVelocityFactor; });
+}
+
+void resolve_collisions(World& world, Events& events) {
+  Bodies bodies;
+  resolve_collisions(world, bodies, events);
 }
 
 }  // namespace cls::simulator
