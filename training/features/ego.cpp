@@ -1,6 +1,8 @@
 // Feature set "ego": the pitch as an agent sees it from its own position, for every task.
 #include "training/features/feature_set.h"
 
+#include <cmath>
+
 #include "soccer/pitch.h"
 #include "training/features/feature_writer.h"
 
@@ -63,24 +65,47 @@ Columns columns(int teammates, int opponents) {
 }
 
 /// The agent's axes: `forward` is a unit vector along the body.
-struct Axes {
-  Vec2 origin;
-  Vec2 forward;
+class Axes {
+ public:
+  Axes(Vec2 origin, Vec2 forward)
+      : origin_(origin), x_(Pair::of(forward.x)), y_(forward.y, -forward.y) {}
+
+  Pair to(const Vec2& point) const { return Pair(point) - origin_; }
+  /// dot() and cross() of `forward` and a vector.
+  Pair along_and_across(Pair v) const { return x_ * v + y_ * v.swapped(); }
+
+ private:
+  Pair origin_;
+  Pair x_;
+  Pair y_;
 };
 
-void add_vector(FeatureWriter& out, const Axes& axes, Vec2 v, double scale) {
-  out.value(dot(axes.forward, v) / scale);
-  out.value(cross(axes.forward, v) / scale);
+void add_vector(FeatureWriter& out, const Axes& axes, const Vec2& v, double scale) {
+  out.values(axes.along_and_across(Pair(v)) / Pair::of(scale));
 }
 
-void add_point(FeatureWriter& out, const Axes& axes, Vec2 point) {
-  const Vec2 to = point - axes.origin;
-  const double length = to.length();
-  out.direction(to, length, axes.forward);
-  out.value(length / kFar, 0.0);
+/// A point as the agent sees it.
+struct Sight {
+  Pair direction;   ///< sine and cosine of its angle to `forward`; (0, 1) at the own place
+  double distance;  ///< meters
+};
+
+Sight sight_of(const Axes& axes, const Vec2& point) {
+  const Pair to = axes.to(point);
+  const Pair squares = to * to;
+  const double distance = std::sqrt(squares.first() + squares.second());
+  if (distance <= 0.0) return {Pair(0.0, 1.0), distance};
+  return {axes.along_and_across(to).swapped() / Pair::of(distance), distance};
+}
+
+void add_point(FeatureWriter& out, const Axes& axes, const Vec2& point) {
+  const Sight sight = sight_of(axes, point);
+  out.values(sight.direction);
+  out.value(sight.distance / kFar, 0.0);
 }
 
 void add_player(FeatureWriter& out, const Axes& axes, const Scene& scene, Seat seat) {
+  static constexpr Vec2 kUnknown;
   const ScenePlayer& player = scene.player(seat);
   if (!player.seen) {
     out.flag(false);
@@ -88,20 +113,31 @@ void add_player(FeatureWriter& out, const Axes& axes, const Scene& scene, Seat s
     return;
   }
 
+  const Sight sight = sight_of(axes, player.position);
+  const double ball_distance = scene.ball_seen ? player.ball_distance : kFar;
+  const Pair distances = Pair(sight.distance, ball_distance) / Pair::of(kFar);
+
   out.flag(true);
-  add_point(out, axes, player.position);
-  add_vector(out, axes, player.velocity_known ? player.velocity : Vec2{}, kPlayerSpeed);
-  add_vector(out, axes, player.facing, 1.0);
+  out.values(sight.direction);
+  out.value(distances.first(), 0.0);
+  add_vector(out, axes, player.velocity_known ? player.velocity : kUnknown, kPlayerSpeed);
+  out.values(axes.along_and_across(Pair(player.facing)));
   out.flag(player.goalie);
-  out.value(scene.ball_seen ? player.ball_distance / kFar : 1.0, 0.0);
+  out.value(distances.second(), 0.0);
+}
+
+void add_players(FeatureWriter& out, const Axes& axes, const Scene& scene, const Seats& seats) {
+  FeatureWriter writer = out;  // which stays in a register
+  for (const Seat seat : seats) add_player(writer, axes, scene, seat);
+  out = writer;
 }
 
 void add_self(FeatureWriter& out, const PointOfView& view, const Axes& axes) {
   const ScenePlayer& me = view.me();
   out.value(me.position.x / soccer::kHalfLength, -1.2, 1.2);
   out.value(me.position.y / soccer::kHalfWidth, -1.2, 1.2);
-  out.value(axes.forward.y);
-  out.value(axes.forward.x);
+  out.value(me.facing.y);
+  out.value(me.facing.x);
   add_vector(out, axes, me.velocity, kPlayerSpeed);
   out.value(me.stamina / view.scene.server->stamina_max, 0.0);
   out.flag(can_kick(view.scene, view.self));
@@ -121,7 +157,8 @@ void add_ball(FeatureWriter& out, const Scene& scene, const Axes& axes) {
 
 void fill(const PointOfView& view, float* numbers) {
   FeatureWriter out(numbers);
-  const Axes axes = {view.me().position, view.me().facing};
+  const ScenePlayer& me = view.me();
+  const Axes axes(me.position, me.facing);
   add_self(out, view, axes);
   add_ball(out, view.scene, axes);
 
@@ -131,8 +168,8 @@ void fill(const PointOfView& view, float* numbers) {
   add_point(out, axes, {soccer::kHalfLength, post});
   add_point(out, axes, {-soccer::kHalfLength, 0.0});
 
-  for (const Seat seat : teammates_of(view)) add_player(out, axes, view.scene, seat);
-  for (const Seat seat : opponents_of(view)) add_player(out, axes, view.scene, seat);
+  add_players(out, axes, view.scene, teammates_of(view));
+  add_players(out, axes, view.scene, opponents_of(view));
 }
 
 }  // namespace

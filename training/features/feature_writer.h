@@ -9,6 +9,7 @@
 
 #include "soccer/geometry.h"
 #include "soccer/math.h"
+#include "training/features/pair.h"
 
 namespace cls::training {
 
@@ -28,6 +29,10 @@ class FeatureWriter {
 
   void value(double value, double low = -1.0, double high = 1.0) {
     *out_++ = static_cast<float>(clamped(value, low, high));
+  }
+  void values(Pair both, double low = -1.0, double high = 1.0) {
+    both.clamped(low, high).store(out_);
+    out_ += 2;
   }
   /// 1 or -1.
   void flag(bool on) { *out_++ = on ? 1.0F : -1.0F; }

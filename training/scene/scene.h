@@ -61,7 +61,9 @@ struct Scene {
 
 /// Seat of a slot (soccer::slot_of) in the scenes of `side`, and the reverse.
 constexpr Seat seat_of(Side side, int slot) {
-  return side == Side::kRight ? (slot + soccer::kPlayersPerTeam) % kSeats : slot;
+  if (side != Side::kRight) return slot;
+  return slot < soccer::kPlayersPerTeam ? slot + soccer::kPlayersPerTeam
+                                        : slot - soccer::kPlayersPerTeam;
 }
 
 constexpr bool is_opponent(Seat seat) { return seat >= soccer::kPlayersPerTeam; }
