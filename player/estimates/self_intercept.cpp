@@ -44,6 +44,8 @@ class DashCourse {
     dashes_.clear();
   }
   bool started() const { return server_ != nullptr; }
+  /// Number of dashes computed so far.
+  int known() const { return static_cast<int>(dashes_.size()); }
 
   /// The n-th dash, from 0.
   const Dash& at(int n) {
@@ -81,6 +83,7 @@ struct Runner {
 
   explicit Runner(const WorldModel& world)
       : type(&world.self_type()), position(world.self.position), velocity(world.self.velocity) {}
+  Runner(const soccer::PlayerType& t, Vec2 p, Vec2 v) : type(&t), position(p), velocity(v) {}
 
   void coast() {
     position += velocity;
@@ -132,6 +135,13 @@ constexpr int kPlansPerTurn = 8;
 constexpr int kSideDashHorizon = 12;
 constexpr int kMaxTurns = 6;
 
+/// The agent after some cycles without a dash.
+struct Coasting {
+  Vec2 position;
+  Vec2 velocity;
+  double max_turn = 0.0;  ///< degrees, of a turn in the next cycle
+};
+
 struct Search {
   const WorldModel& world;
   const BallPath& path;
@@ -145,6 +155,9 @@ struct Search {
   std::array<double, kInterceptHorizon + 1> run{};
   std::array<double, kInterceptHorizon + 1> fading{};
   std::array<double, kInterceptHorizon + 1> drift{};
+  /// The ball, as seen from the coasting agent, by cycle.
+  std::array<Vec2, kInterceptHorizon + 1> offsets{};
+  std::array<Coasting, kMaxTurns + 1> coasting;   ///< by number of turns
   std::array<DashCourse, kMaxTurns + 1> courses;  ///< by number of preceding turns
 
   Search(const WorldModel& w, const BallPath& p, InterceptTable& t)
@@ -168,6 +181,18 @@ struct Search {
       fading[i] = fading[i - 1] * type.player_decay;
       drift[i] = drift[i - 1] + fading[i - 1];
       speed *= type.player_decay;
+      offsets[i] = path[i] - (world.self.position + world.self.velocity * drift[i]);
+    }
+    coast();
+  }
+
+  void coast() {
+    const soccer::PlayerType& type = world.self_type();
+    Runner runner(world);
+    for (Coasting& state : coasting) {
+      state = {runner.position, runner.velocity,
+               world.server().maxmoment / (1.0 + type.inertia_moment * runner.velocity.length())};
+      runner.coast();
     }
   }
 
@@ -195,6 +220,28 @@ struct Search {
     runner.dashes += dashes;
   }
 
+  /// A number of dashes, 1 to `cycles`, such that all smaller ones bring a run less than `missing`
+  /// ahead. `along` is its velocity; searches the dashes that are known.
+  int least_dashes(double missing, double along, double rate, int cycles,
+                   DashCourse& course) const {
+    // No rounding makes the distance shrink from one number of dashes to the next if the agent does
+    // not run back first.
+    const double helping = std::max(0.0, along);
+    int least = 1;
+    int most = std::clamp(course.known(), 1, cycles);
+    while (least < most) {
+      const int middle = (least + most) / 2;
+      const double ahead =
+          helping * drift[static_cast<std::size_t>(middle)] + rate * course.at(middle - 1).run;
+      if (ahead < missing) {
+        least = middle + 1;
+      } else {
+        most = middle;
+      }
+    }
+    return least;
+  }
+
   /// `cycles` of full dashes along `heading`, without those that would overrun `target`: waiting
   /// reaches it too.
   void dash_toward(Vec2 target, Runner& runner, Vec2 heading, double rate, int cycles,
@@ -212,7 +259,7 @@ struct Search {
     }
 
     const double along = soccer::dot(runner.velocity, heading);
-    int dashes = 1;
+    int dashes = least_dashes(missing, along, rate, cycles, course);
     while (dashes < cycles &&
            along * drift[static_cast<std::size_t>(dashes)] + rate * course.at(dashes - 1).run <
                missing) {
@@ -246,16 +293,33 @@ struct Search {
     table.plans.push_back(plan);
   }
 
+  /// Last step up to `horizon` at which dashes along `heading` may reach the ball: it is near the
+  /// line of the run and not behind the coasting agent. 0: none.
+  int last_chance(Vec2 heading, double rate, int horizon) const {
+    if (rate > unlimited_rate) return horizon;  // the speed limit also slows the drift to the side
+    constexpr double kRounding = 1e-6;
+    int step = horizon;
+    for (; step > 0; --step) {
+      const double reach = control_at(step) + kRounding;
+      const Vec2 offset = offsets[static_cast<std::size_t>(step)];
+      if (std::fabs(soccer::cross(offset, heading)) <= reach &&
+          soccer::dot(offset, heading) >= -reach) {
+        break;
+      }
+    }
+    return step;
+  }
+
   /// Dashes in one direction relative to the body, without turning.
-  void omni(double direction) {
+  void omni(double direction, Vec2 heading) {
+    const double rate = dash_rate(world.server(), direction);
+    const int last =
+        last_chance(heading, rate, direction == 0.0 ? kInterceptHorizon : kSideDashHorizon);
     Runner runner(world);
     DashCourse& course = course_after(0);
-    const Vec2 heading = polar(1.0, world.self.body + direction);
-    const double rate = dash_rate(world.server(), direction);
-    const int horizon = direction == 0.0 ? kInterceptHorizon : kSideDashHorizon;
     int found = 0;
 
-    for (int step = 1; step <= horizon && found < kPlansPerDirection; ++step) {
+    for (int step = 1; step <= last && found < kPlansPerDirection; ++step) {
       runner.dash(heading, rate, course);
       if (!reaches(runner.position, step)) continue;
       add(runner, Kind::kOmniDash, 0, step, 0.0, direction);
@@ -263,11 +327,24 @@ struct Search {
     }
   }
 
-  /// The ball at a step, as seen from the coasting position: the current velocity persists.
+  void dashing_without_turn() {
+    constexpr std::array<double, 8> kDirections{0.0,   45.0,  -45.0,  90.0,
+                                                -90.0, 135.0, -135.0, 180.0};
+    std::array<double, kDirections.size()> radians;
+    for (std::size_t i = 0; i < radians.size(); ++i) {
+      radians[i] = (world.self.body + kDirections[i]).radians();
+    }
+    std::array<Vec2, kDirections.size()> headings;
+    soccer::unit_vectors(radians.data(), radians.size(), headings.data());
+    for (std::size_t i = 0; i < headings.size(); ++i) omni(kDirections[i], headings[i]);
+  }
+
+  /// The ball at a step, as seen from the coasting agent.
   struct Aim {
     int step = 0;
-    Vec2 offset;
-    double degrees = 0.0;  ///< direction of the offset
+    double distance = 0.0;
+    double degrees = 0.0;  ///< direction
+    double slack = 0.0;    ///< a body within these degrees of the direction points at the ball
   };
   using AimList = base::FixedList<Aim, kInterceptHorizon>;
 
@@ -275,21 +352,30 @@ struct Search {
     return run[static_cast<std::size_t>(step - 1)] * rate + control_at(step);
   }
 
+  static double slack_of(double reach, double distance) {
+    constexpr double kMinSlack = 5.0;
+    constexpr double kMinRatio = 0.087;  // below the sine of kMinSlack
+    if (distance <= reach) return 180.0;
+    const double ratio = reach / distance;
+    if (ratio < kMinRatio) return kMinSlack;
+    return std::max(kMinSlack, math::to_degrees(math::asin(ratio)));
+  }
+
   /// Steps at which a run in a straight line may get to the ball.
   AimList aims() const {
     const double rate = std::max(forward_rate, backward_rate);
     AimList out;
-    base::FixedList<Vec2, AimList::capacity()> offsets;
+    base::FixedList<Vec2, AimList::capacity()> near;
     for (int step = 1; step <= kInterceptHorizon; ++step) {
-      const auto i = static_cast<std::size_t>(step);
-      const Vec2 offset = path[i] - (world.self.position + world.self.velocity * drift[i]);
+      const Vec2 offset = offsets[static_cast<std::size_t>(step)];
       const double far = farthest(step, rate);
       if (offset.squared_length() > far * far) continue;
-      out.push_back({step, offset, 0.0});
-      offsets.push_back(offset);
+      const double distance = offset.length();
+      out.push_back({step, distance, 0.0, slack_of(control_at(step), distance)});
+      near.push_back(offset);
     }
     std::array<double, AimList::capacity()> degrees;
-    soccer::directions(offsets.begin(), offsets.size(), degrees.data());
+    soccer::directions(near.begin(), near.size(), degrees.data());
     for (std::size_t i = 0; i < out.size(); ++i) out[i].degrees = degrees[i];
     return out;
   }
@@ -299,34 +385,27 @@ struct Search {
   bool turn_and_dash(const Aim& aim, bool backward) {
     const int step = aim.step;
     const Vec2 target = path[static_cast<std::size_t>(step)];
-    const double reach = control_at(step);
     const double rate = backward ? backward_rate : forward_rate;
-    const double distance = aim.offset.length();
-    if (distance > farthest(step, rate)) return false;
+    if (aim.distance > farthest(step, rate)) return false;
 
-    const AngleDeg heading = distance > 1e-3 ? AngleDeg(aim.degrees) : world.self.body;
+    const AngleDeg heading = aim.distance > 1e-3 ? AngleDeg(aim.degrees) : world.self.body;
     const double desired_turn =
         ((backward ? heading + 180.0 : heading) - world.self.body).degrees();
-    constexpr double kMinSlack = 5.0;
-    const double slack = distance > reach
-                             ? std::max(kMinSlack, math::to_degrees(math::asin(reach / distance)))
-                             : 180.0;
 
-    Runner runner(world);
     double missing = std::fabs(desired_turn);
     int turns = 0;
-    while (missing > slack && turns < std::min(step, kMaxTurns)) {
-      missing -=
-          world.server().maxmoment / (1.0 + runner.type->inertia_moment * runner.velocity.length());
-      runner.coast();
+    while (missing > aim.slack && turns < std::min(step, kMaxTurns)) {
+      missing -= coasting[static_cast<std::size_t>(turns)].max_turn;
       ++turns;
     }
 
-    if (missing > slack || turns == 0) return false;  // without a turn it is an omni dash
+    if (missing > aim.slack || turns == 0) return false;  // without a turn it is an omni dash
     missing = std::max(0.0, missing);
     const double turn = desired_turn < 0.0 ? desired_turn + missing : desired_turn - missing;
     const int dashes = step - turns;
 
+    const Coasting& turned = coasting[static_cast<std::size_t>(turns)];
+    Runner runner(world.self_type(), turned.position, turned.velocity);
     const Vec2 unit = polar(1.0, world.self.body + turn + (backward ? 180.0 : 0.0));
     if (dashes > 0) dash_toward(target, runner, unit, rate, dashes, course_after(turns));
 
@@ -341,7 +420,7 @@ struct Search {
     const Vec2 target = path[static_cast<std::size_t>(step)];
     const double reach = control_at(step);
     const double drifting = drift[static_cast<std::size_t>(step)];
-    const Vec2 offset = target - (world.self.position + world.self.velocity * drifting);
+    const Vec2 offset = offsets[static_cast<std::size_t>(step)];
     const double distance = offset.length();
     if (distance > run[static_cast<std::size_t>(step)] + reach || distance < reach) return false;
 
@@ -400,8 +479,7 @@ void plan_self_intercept(const WorldModel& world, const BallPath& path, Intercep
   }
 
   Search search(world, path, table);
-  constexpr double kDirections[] = {0.0, 45.0, -45.0, 90.0, -90.0, 135.0, -135.0, 180.0};
-  for (const double direction : kDirections) search.omni(direction);
+  search.dashing_without_turn();
   const Search::AimList aims = search.aims();
   search.turning(aims, false);
   search.turning(aims, true);

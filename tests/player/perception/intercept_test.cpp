@@ -110,6 +110,55 @@ TEST(SelfIntercept, PlansEndAtBall) {
   EXPECT_LT(hopeless, 10);
 }
 
+/// First cycle in which full dashes in a direction relative to the body end within `reach` of the
+/// ball; 0: none up to `horizon`.
+int first_reach(const WorldModel& world, double direction, double reach, int horizon) {
+  const Vec2 push = dash_acceleration(world, world.server().max_dash_power, direction);
+  Vec2 position = world.self.position;
+  Vec2 velocity = world.self.velocity;
+  for (int step = 1; step <= horizon; ++step) {
+    velocity = speed_limited(velocity + push, world.self_type().player_speed_max);
+    position += velocity;
+    velocity *= world.self_type().player_decay;
+    const Vec2 ball =
+        ball_after(world.ball.position, world.ball.velocity, step, world.server().ball_decay);
+    if (soccer::distance(position, ball) <= reach) return step;
+  }
+  return 0;
+}
+
+int first_plan(const InterceptTable& table, double direction) {
+  for (const InterceptPlan& plan : table.plans) {
+    if (plan.kind == InterceptPlan::Kind::kOmniDash && plan.dash_direction == direction) {
+      return plan.steps();
+    }
+  }
+  return 0;
+}
+
+TEST(SelfIntercept, FindsFirstReachOfEveryDirection) {
+  soccer::RandomStream random(5, "directions");
+  int found = 0;
+  for (int i = 0; i < 300; ++i) {
+    WorldModel world = known_world();
+    world.self.body = soccer::AngleDeg(random.uniform(-180.0, 180.0));
+    world.self.velocity =
+        soccer::polar_degrees(random.uniform(0.0, 0.6), random.uniform(-180.0, 180.0));
+    world.ball.position =
+        soccer::polar_degrees(random.uniform(1.5, 12.0), random.uniform(-180.0, 180.0));
+    world.ball.velocity =
+        soccer::polar_degrees(random.uniform(0.0, 2.0), random.uniform(-180.0, 180.0));
+    update_derived(world);
+    const double reach = world.self_type().kickable_area(world.server().ball_size) - 0.1;
+    for (const double direction : {0.0, 45.0, -45.0, 90.0, -90.0, 135.0, -135.0, 180.0}) {
+      const int first = first_reach(world, direction, reach, direction == 0.0 ? 50 : 12);
+      EXPECT_EQ(first_plan(world.intercept, direction), first) << i << ' ' << direction;
+      if (first != 0) ++found;
+    }
+  }
+  EXPECT_GT(found, 50);
+}
+
 TEST(SelfIntercept, IsZeroStepsWhenKickable) {
   WorldModel world = known_world();
   world.ball.position = {0.5, 0.0};
