@@ -13,7 +13,7 @@ Prints a table, medians over the rounds:
 Unless the row says how they are asked, mocks are called as functions, without gRPC. Matches with
 Python are a third as long. A build without `--batch` asks each agent in every row. Then cycles per
 second and CPU time of gRPC alone, with the smallest Playmaker (rpc_ceiling of cls_bench beside the
-binary). Environment, each optional:
+binary), and which share of it matches reach. Environment, each optional:
     CLS_BENCH_BASE      as --base
     CLS_BENCH_CYCLES    as --cycles
     CLS_UPSTREAM_PYTHON command of a Playmaker of the upstream project, with {port}:
@@ -34,7 +34,13 @@ import urllib.request
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 HEAD = f"{'cycles/s':>9} {'CPU s':>7} {'of cls':>7} {'peak MB':>8} {'reply us':>9}"
-NAME_WIDTH = 42
+NAME_WIDTH = 54
+SIMPLE = "mock:simple"  # plays the same in every build
+# The row of RPC alone that bounds a match: the same transport and calls.
+LIMITED_BY = {
+    "RPC alone, in process, a call per agent": f"{SIMPLE} both, a call per agent",
+    "RPC alone, in process, lean States": f"{SIMPLE} both, one call per team",
+}
 
 
 class Skipped(Exception):
@@ -63,20 +69,19 @@ def rows():
     no_grpc = None if has_grpc else "no Python with grpc"
     sample = os.environ.get("CLS_UPSTREAM_PYTHON")
     server = os.environ.get("CLS_RCSSSERVER") or shutil.which("rcssserver")
-    simple = "mock:simple"  # plays the same in every build
-    yield f"{simple} both", [simple, simple], None
-    yield f"{simple} both, watched", [simple, simple, "--watch"], None
-    yield f"{simple} both, one call per team", [simple, simple, "--batch", "always"], None
-    yield f"{simple} both, a call per agent", [simple, simple, "--batch", "never"], None
+    yield f"{SIMPLE} both", [SIMPLE, SIMPLE], None
+    yield f"{SIMPLE} both, watched", [SIMPLE, SIMPLE, "--watch"], None
+    yield f"{SIMPLE} both, one call per team", [SIMPLE, SIMPLE, "--batch", "always"], None
+    yield f"{SIMPLE} both, a call per agent", [SIMPLE, SIMPLE, "--batch", "never"], None
     yield "mock:planner both", ["mock:planner", "mock:planner"], None
     yield ("mock:planner both, a call per agent",
            ["mock:planner", "mock:planner", "--batch", "never"], None)
-    yield f"{simple}, Python example", [simple, example], no_grpc
-    yield (f"{simple}, Python example, a call per agent", [simple, example, "--batch", "never"],
+    yield f"{SIMPLE}, Python example", [SIMPLE, example], no_grpc
+    yield (f"{SIMPLE}, Python example, a call per agent", [SIMPLE, example, "--batch", "never"],
            no_grpc)
-    yield (f"{simple}, upstream Python sample", [simple, f"run:{sample}"],
+    yield (f"{SIMPLE}, upstream Python sample", [SIMPLE, f"run:{sample}"],
            None if sample else "CLS_UPSTREAM_PYTHON is not set")
-    yield (f"{simple} both on rcssserver", [simple, simple, "--server", server or ""],
+    yield (f"{SIMPLE} both on rcssserver", [SIMPLE, SIMPLE, "--server", server or ""],
            None if server else "no rcssserver")
 
 
@@ -181,7 +186,8 @@ def ceilings(binary):
             for run in json.loads(text)["benchmarks"]}
 
 
-def print_ceilings(binaries, args):
+def print_ceilings(binaries, args, played):
+    """`played`: the figures of the rows of matches, by name and binary."""
     found = {}  # figures by row and binary
     for _ in range(args.rounds):
         for binary in binaries:
@@ -194,8 +200,19 @@ def print_ceilings(binaries, args):
                         f" |{{:9.0f}} {{:7.1f}}{'':26}".format(*medians[binary])
                         for binary in binaries)
         print(f"{name:{NAME_WIDTH}}{cells}{ratio(medians, binaries)}", flush=True)
+        match_name = LIMITED_BY.get(name)
+        if match_name in played:
+            print_share(match_name, played[match_name], medians, binaries)
     if found:
         print("(CPU s of RPC alone: for 6000 cycles)")
+
+
+def print_share(name, played, ceiling, binaries):
+    """The cycles/s of a match as a share of what RPC alone reaches."""
+    cells = "".join(f" |{played[binary][0] / ceiling[binary][0]:9.0%}{'':{len(HEAD) - 9}}"
+                    if binary in played and binary in ceiling else f" |{'-':>{len(HEAD)}}"
+                    for binary in binaries)
+    print(f"{'  share of it: ' + name:{NAME_WIDTH}}{cells}", flush=True)
 
 
 def main():
@@ -205,6 +222,7 @@ def main():
           + (f"left {args.base}, right {args.cls}" if args.base else args.cls))
     print(f"{'match':{NAME_WIDTH}}" + f" |{HEAD}" * len(binaries))
     skipped = []
+    played = {}
     for name, arguments, reason in rows():
         if not re.search(args.only, name):
             continue
@@ -213,11 +231,12 @@ def main():
                 raise Skipped(reason)
             arguments_of = {binary: known_arguments(binary, arguments) for binary in binaries}
             usable = {binary: known for binary, known in arguments_of.items() if known is not None}
-            print_row(name, measure(usable, args), binaries)
+            played[name] = measure(usable, args)
+            print_row(name, played[name], binaries)
         except Skipped as problem:
             skipped.append(f"skipped: {name}: {problem}")
     if re.search(args.only, "RPC alone"):
-        print_ceilings(binaries, args)
+        print_ceilings(binaries, args, played)
     print("\n".join(skipped))
 
 

@@ -1,26 +1,21 @@
 // Cost of the wire: serializing States, and calls.
 #include <benchmark/benchmark.h>
-#include <google/protobuf/io/coded_stream.h>
-#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 
+#include <cstddef>
 #include <string>
 
 #include "bench/rpc_ceiling.h"
+#include "proto/state_writer.h"
 
 namespace cls::bench {
 namespace {
 
 void serialize_state(benchmark::State& bench) {
   const protos::State state = typical_state();
-  std::string bytes(state.ByteSizeLong(), ' ');
-  for (auto _ : bench) {  // as the gRPC client does: map entries sorted by key
-    benchmark::DoNotOptimize(state.ByteSizeLong());
-    google::protobuf::io::ArrayOutputStream array(bytes.data(), static_cast<int>(bytes.size()));
-    google::protobuf::io::CodedOutputStream out(&array);
-    out.SetSerializationDeterministic(true);
-    state.SerializeWithCachedSizes(&out);
-  }
-  bench.counters["bytes"] = static_cast<double>(bytes.size());
+  proto::StateWriter writer;
+  std::size_t bytes = 0;
+  for (auto _ : bench) bytes = writer.write(state, proto::StateForm::kWhole).size();
+  bench.counters["bytes"] = static_cast<double>(bytes);
 }
 BENCHMARK(serialize_state)->Unit(benchmark::kMicrosecond);
 
