@@ -150,10 +150,12 @@ Vec2& velocity_of(World& world, std::size_t object) {
   return object == kBallIndex ? world.ball.velocity : world.players[object].velocity;
 }
 
-void settle(World& world, Resolution& resolution) {
+void settle(World& world, Bodies& bodies, Resolution& resolution) {
   for_each(resolution.pushed, [&](std::size_t object) {
     const Pushes& pushes = resolution.pushes[object];
-    position_of(world, object) = pushes.sum / pushes.count;
+    const Vec2 position = pushes.sum / pushes.count;
+    position_of(world, object) = position;
+    if (object != kBallIndex) move_body(bodies, static_cast<Slot>(object), position);
   });
   resolution.pushed = 0;
 }
@@ -162,15 +164,15 @@ void settle(World& world, Resolution& resolution) {
 
 void resolve_collisions(World& world, Bodies& bodies, Events& events) {
   Resolution resolution;
+  refresh(bodies, world);
   for (int round = 0; round < kMaxRounds; ++round) {
-    refresh(bodies, world);
     const bool with_ball =
         overlapping(bodies, world.ball.position, world.params().ball_size) != 0 &&
         collide_with_ball(world, resolution, events);
     if (with_ball) refresh(bodies, world);  // rules may have moved players
     const bool among_players = collide_players(world, bodies, resolution);
     if (!with_ball && !among_players) break;
-    settle(world, resolution);
+    settle(world, bodies, resolution);
   }
 
   for_each(resolution.collided,

@@ -53,10 +53,19 @@ void refresh(Bodies& bodies, const World& world) {
     bodies.y[i] = player.position.y;
     bodies.size[i] = world.type_of(player).player_size;
     bodies.slots[i] = own;
+    bodies.by_slot[slot] = i;
     ++i;
   }
   bodies.count = i;
   if (before != i) bodies.suspects = all_below(i);
+}
+
+void move_body(Bodies& bodies, Slot slot, Vec2 position) {
+  const std::size_t i = bodies.by_slot[static_cast<std::size_t>(slot)];
+  if (i >= bodies.count || bodies.slots[i] != slot) return;  // was sent off
+  if (position != bodies.position(i)) bodies.suspects |= only(i);
+  bodies.x[i] = position.x;
+  bodies.y[i] = position.y;
 }
 
 BodySet overlapping(const Bodies& bodies, Vec2 center, double radius) {

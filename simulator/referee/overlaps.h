@@ -19,6 +19,7 @@ struct Bodies {
   alignas(16) std::array<double, soccer::kPlayersOnPitch> y{};
   alignas(16) std::array<double, soccer::kPlayersOnPitch> size{};  ///< radius, meters
   std::array<Slot, soccer::kPlayersOnPitch> slots{};
+  std::array<std::size_t, soccer::kPlayersOnPitch> by_slot{};  ///< index of a player on the pitch
   std::size_t count = 0;
   BodySet suspects = 0;  ///< each pair of the others is apart
 
@@ -27,6 +28,10 @@ struct Bodies {
 
 /// Copies the players on the pitch; those that have moved become suspects.
 void refresh(Bodies& bodies, const World& world);
+
+/// Moves the body of a player, as refresh() would after the player has moved. Does nothing for
+/// those who were not on the pitch.
+void move_body(Bodies& bodies, Slot slot, Vec2 position);
 
 /// Bodies that overlap a circle.
 BodySet overlapping(const Bodies& bodies, Vec2 center, double radius);

@@ -68,6 +68,28 @@ TEST(Overlaps, AreThoseOfAllPairsAfterPlayersLeave) {
   EXPECT_EQ(bodies.count, 19U);
 }
 
+TEST(Overlaps, AreThoseOfAllPairsAfterBodiesMove) {
+  soccer::RandomStream random(4, "crowd");
+  Stage stage;
+  add_crowd(stage, 15, random);
+  Bodies bodies;
+  refresh(bodies, stage.world);
+
+  for (int round = 0; round < 50; ++round) {
+    ASSERT_EQ(find_overlaps(bodies), plain_overlaps(bodies)) << round;
+    for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
+      const Vec2 place = crowded_place(random);
+      if (random.bernoulli(0.7)) continue;
+      move_body(bodies, slot, place);
+      stage.world.player(slot).position = place;
+    }
+    const Bodies moved = bodies;
+    refresh(bodies, stage.world);
+    ASSERT_EQ(bodies.x, moved.x) << round;
+    ASSERT_EQ(bodies.suspects, moved.suspects) << round;
+  }
+}
+
 TEST(Overlaps, OfCircleAreThoseOfEachPlayer) {
   soccer::RandomStream random(3, "crowd");
   Stage stage;
