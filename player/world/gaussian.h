@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "base/fixed_list.h"
 #include "player/world/truncated_normal.h"
@@ -44,10 +45,17 @@ struct AxisSlab {
   double noise_variance = 0.0;
 };
 
+/// Calls `f` with 0 to N - 1 without a loop, which would cost as much as the few operations in it.
+template <std::size_t N, typename F>
+[[gnu::always_inline]] inline void for_each_index(F f) {
+  [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) { (f(kIndex), ...); }
+  (std::make_index_sequence<N>{});
+}
+
 template <std::size_t N>
-double dot(const VecN<N>& a, const VecN<N>& b) {
+[[gnu::always_inline]] inline double dot(const VecN<N>& a, const VecN<N>& b) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < N; ++i) sum += a[i] * b[i];
+  for_each_index<N>([&](std::size_t i) { sum += a[i] * b[i]; });
   return sum;
 }
 
@@ -55,9 +63,9 @@ double dot(const VecN<N>& a, const VecN<N>& b) {
 template <std::size_t N>
 VecN<N> covariance_with(const Gaussian<N>& estimate, const VecN<N>& h) {
   VecN<N> out{};
-  for (std::size_t r = 0; r < N; ++r) {
-    for (std::size_t c = 0; c < N; ++c) out[r] += estimate.at(r, c) * h[c];
-  }
+  for_each_index<N>([&](std::size_t r) {
+    for_each_index<N>([&](std::size_t c) { out[r] += estimate.at(r, c) * h[c]; });
+  });
   return out;
 }
 
@@ -95,10 +103,11 @@ void rank_one_update(Gaussian<N>& estimate, const VecN<N>& gain, double variance
   const double step = shift * inverse;
   const double shrink = reduction * inverse * inverse;
 
-  for (std::size_t r = 0; r < N; ++r) {
+  for_each_index<N>([&](std::size_t r) {
     estimate.mean[r] += gain[r] * step;
-    for (std::size_t c = 0; c < N; ++c) estimate.at(r, c) -= gain[r] * gain[c] * shrink;
-  }
+    const double row = gain[r];
+    for_each_index<N>([&](std::size_t c) { estimate.at(r, c) -= row * gain[c] * shrink; });
+  });
 }
 
 /// Posterior mean and variance of the normal h . z given one slab.
