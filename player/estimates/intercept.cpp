@@ -2,10 +2,8 @@
 #include "player/estimates/intercept.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "base/fixed_list.h"
 #include "soccer/math.h"
 
 namespace cls::player {
@@ -46,69 +44,6 @@ bool table_is_empty(const WorldModel& world) {
          !world.self.position_valid() || !world.ball.position_valid();
 }
 
-/// How far players of the types on the pitch run with full dashes. The types advance together:
-/// each is a chain of operations that wait for one another.
-class FullRuns {
- public:
-  explicit FullRuns(const WorldModel& world) {
-    for (const PlayerList* list : {&world.teammates, &world.opponents}) {
-      for (const PlayerState& player : *list) {
-        const soccer::PlayerType* type = &world.type_of(player);
-        if (std::find(types_.begin(), types_.end(), type) == types_.end()) types_.push_back(type);
-      }
-    }
-    advance(world.server());
-  }
-
-  /// What the other functions take: a type of a player on the pitch.
-  std::size_t index_of(const soccer::PlayerType& type) const {
-    return static_cast<std::size_t>(std::find(types_.begin(), types_.end(), &type) -
-                                    types_.begin());
-  }
-  double top_speed(std::size_t type) const { return top_speed_[type]; }
-  /// From rest, by number of dashes.
-  double distance(std::size_t type, int dashes) const {
-    return distance_[static_cast<std::size_t>(dashes)][type];
-  }
-  /// Per unit of initial velocity, by cycle.
-  double drift(std::size_t type, int cycle) const {
-    return drift_[static_cast<std::size_t>(cycle)][type];
-  }
-
- private:
-  static constexpr std::size_t kMaxTypes = 2 * PlayerList::capacity();
-  using Row = std::array<double, kMaxTypes>;
-
-  void advance(const soccer::ServerParams& server) {
-    Row push;
-    Row speed;
-    Row fading;
-    for (std::size_t i = 0; i < types_.size(); ++i) {
-      const soccer::PlayerType& type = *types_[i];
-      push[i] = server.max_dash_power * type.dash_power_rate * type.effort_max;
-      top_speed_[i] = std::min(push[i] / (1.0 - type.player_decay), type.player_speed_max);
-      distance_[0][i] = drift_[0][i] = speed[i] = 0.0;
-      fading[i] = 1.0;
-    }
-    for (std::size_t n = 1; n <= kInterceptHorizon; ++n) {
-      for (std::size_t i = 0; i < types_.size(); ++i) {
-        const soccer::PlayerType& type = *types_[i];
-        speed[i] = std::min(speed[i] + push[i], type.player_speed_max);
-        distance_[n][i] = distance_[n - 1][i] + speed[i];
-        drift_[n][i] = drift_[n - 1][i] + fading[i];
-        speed[i] *= type.player_decay;
-        fading[i] *= type.player_decay;
-      }
-    }
-  }
-
-  base::FixedList<const soccer::PlayerType*, kMaxTypes> types_;
-  // Set for the types there are.
-  Row top_speed_;
-  std::array<Row, kInterceptHorizon + 1> distance_;
-  std::array<Row, kInterceptHorizon + 1> drift_;
-};
-
 /// Speed of the ball after cycle `i`; it does not get faster.
 double speed_at(const BallPath& path, std::size_t i) {
   return i + 1 < path.size() ? soccer::distance(path[i], path[i + 1]) : 0.0;
@@ -123,23 +58,22 @@ int cycles_apart(double gap, double closing) {
 
 /// Cycles until another player can intercept the ball; kNever beyond the horizon. Assumes the best
 /// case for players not seen recently.
-int reach_steps(const WorldModel& world, const PlayerState& player, const BallPath& path,
-                const FullRuns& runs) {
+int reach_steps(const WorldModel& world, const PlayerState& player, const BallPath& path) {
   const soccer::ServerParams& server = world.server();
   const soccer::PlayerType& type = world.type_of(player);
-  const std::size_t run = runs.index_of(type);
+  const FullRun& run = world.parameters->full_run(player.type_id);
   const double control = type.kickable_area(server.ball_size);
 
   // It may have run in any direction since it was seen.
   constexpr int kMaxCredit = 10;
-  const double credit = 0.5 * runs.top_speed(run) * std::min(player.pos_count, kMaxCredit);
+  const double credit = 0.5 * run.top_speed * std::min(player.pos_count, kMaxCredit);
   const Vec2 velocity = player.velocity_valid() ? player.velocity : Vec2{};
-  const double fastest = runs.top_speed(run) + velocity.length();
+  const double fastest = run.top_speed + velocity.length();
 
   for (int n = 0; n <= kInterceptHorizon;) {
     const auto i = static_cast<std::size_t>(n);
-    const Vec2 offset = path[i] - (player.position + velocity * runs.drift(run, n));
-    const double far = runs.distance(run, n) + control + credit;
+    const Vec2 offset = path[i] - (player.position + velocity * run.drift[i]);
+    const double far = run.distance[i] + control + credit;
     const double squared = offset.squared_length();
     if (squared > far * far) {
       n += cycles_apart(std::sqrt(squared) - far, fastest + speed_at(path, i));
@@ -148,7 +82,8 @@ int reach_steps(const WorldModel& world, const PlayerState& player, const BallPa
 
     const int dashes = n - turns_needed(server, type, player, offset, control);
     const double distance = offset.length() - control - credit;
-    if (distance <= 0.0 || (dashes >= 0 && distance <= runs.distance(run, dashes))) {
+    if (distance <= 0.0 ||
+        (dashes >= 0 && distance <= run.distance[static_cast<std::size_t>(dashes)])) {
       return n;
     }
     ++n;
@@ -177,12 +112,12 @@ struct Ranking {
 };
 
 Ranking rank(const WorldModel& world, PlayerList& players, int kicker_id, int oldest,
-             const BallPath& path, const FullRuns& runs) {
+             const BallPath& path) {
   Ranking ranking;
   for (PlayerState& player : players) {
     player.ball_reach_steps = kNever;
     if (player.pos_count >= oldest || player.ghost()) continue;
-    player.ball_reach_steps = player.id == kicker_id ? 0 : reach_steps(world, player, path, runs);
+    player.ball_reach_steps = player.id == kicker_id ? 0 : reach_steps(world, player, path);
     if (player.ball_reach_steps < kNever) ranking.add(player.ball_reach_steps, player.id);
   }
 
@@ -220,14 +155,12 @@ void update_intercept_table(WorldModel& world) {
     const BallPath path = ball_path(world);
     if (!world.sideline) plan_self_intercept(world, path, table);
 
-    const FullRuns runs(world);
-    opponents =
-        rank(world, world.opponents, world.kickable_opponent_id, kMaxOpponentAge, path, runs);
+    opponents = rank(world, world.opponents, world.kickable_opponent_id, kMaxOpponentAge, path);
 
     BallPath resting;
     resting.fill(world.ball.position);
     teammates = rank(world, world.teammates, world.kickable_teammate_id, kMaxTeammateAge,
-                     world.kickable_opponent() ? resting : path, runs);
+                     world.kickable_opponent() ? resting : path);
   }
 
   table.first_teammate_steps = teammates.first;

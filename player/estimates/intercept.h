@@ -8,7 +8,7 @@
 namespace cls::player {
 
 /// Prediction horizon in cycles.
-constexpr int kInterceptHorizon = 50;
+constexpr int kInterceptHorizon = FullRun::kCycles;
 
 /// Ball positions by cycle from now, without touches.
 using BallPath = std::array<soccer::Vec2, kInterceptHorizon + 1>;

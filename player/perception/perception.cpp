@@ -236,7 +236,10 @@ base::Result<void> on_parameter_message(WorldModel& world, std::string_view mess
 void on_server_param(WorldModel& world, const soccer::ServerParams& params) {
   MatchParameters& match = mutable_parameters(world);
   match.server = params;
-  match.types[0] = soccer::default_player_type(params);
+  match.set_type(0, soccer::default_player_type(params));
+  for (std::size_t id = 1; id < match.types.size(); ++id) {
+    match.full_runs[id] = FullRun(params, match.types[id]);
+  }
 
   match.leg_pushes = LegPushes(params);
   if (params.quantize_step_l != match.landmark_distances.step()) {
@@ -257,10 +260,7 @@ void on_player_param(WorldModel& world, const soccer::PlayerParams& params) {
 void on_player_type(WorldModel& world, const soccer::PlayerType& type) {
   constexpr int kMaxTypes = 1000;  // upper bound for any server
   if (type.id < 0 || type.id >= kMaxTypes) return;
-  MatchParameters& match = mutable_parameters(world);
-  const auto index = static_cast<std::size_t>(type.id);
-  while (match.types.size() <= index) match.types.push_back(match.types.front());
-  match.types[index] = type;
+  mutable_parameters(world).set_type(type.id, type);
 }
 
 void on_gaussian_see(WorldModel& world) { world.self.gaussian_see = true; }

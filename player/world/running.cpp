@@ -92,6 +92,21 @@ int ReachTable::cycles(double distance) const {
   return static_cast<int>(cycle);
 }
 
+FullRun::FullRun(const soccer::ServerParams& server, const soccer::PlayerType& type) {
+  const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
+  top_speed = std::min(push / (1.0 - type.player_decay), type.player_speed_max);
+
+  double speed = 0.0;
+  double fading = 1.0;
+  for (std::size_t n = 1; n <= kCycles; ++n) {
+    speed = std::min(speed + push, type.player_speed_max);
+    distance[n] = distance[n - 1] + speed;
+    drift[n] = drift[n - 1] + fading;
+    speed *= type.player_decay;
+    fading *= type.player_decay;
+  }
+}
+
 void Stamina::step(const soccer::ServerParams& server, const soccer::PlayerType& type,
                    double cost) {
   stamina = std::max(0.0, stamina - cost);

@@ -58,6 +58,17 @@ class ReachTable {
   double settled_speed_ = 1.0;
 };
 
+/// Full dashes with full effort, from rest, in a straight line.
+struct FullRun {
+  static constexpr int kCycles = 50;
+
+  double top_speed = 0.0;                      ///< meters per cycle
+  std::array<double, kCycles + 1> distance{};  ///< meters, by number of dashes
+  std::array<double, kCycles + 1> drift{};     ///< per unit of initial velocity, by cycle
+
+  FullRun(const soccer::ServerParams& server, const soccer::PlayerType& type);
+};
+
 /// Stamina model of a player (docs/spec/simulation-model.md 5).
 struct Stamina {
   double stamina = 0.0;

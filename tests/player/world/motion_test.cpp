@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "player/perception/perception.h"
 #include "tests/proxy/support/known_pitch.h"
 
 namespace cls::player {
@@ -61,6 +62,27 @@ TEST(Motion, CyclesToRunFollowModel) {
   EXPECT_EQ(cycles_to_run(server, type, 2.38), 4);
   // Constant 1 meter per cycle after losing 2/3 meter.
   EXPECT_EQ(cycles_to_run(server, type, 50.0), 51);
+}
+
+TEST(Motion, FullRunsFollowModelAndAnnouncedTypes) {
+  WorldModel world;
+  soccer::PlayerType quick;
+  quick.id = 2;
+  quick.player_decay = 0.5;
+  on_player_type(world, quick);
+  soccer::ServerParams weak;
+  weak.max_dash_power = 50.0;
+  on_server_param(world, weak);
+
+  // The default type by the numbers above with half the power, also for ids without a type.
+  for (const int id : {0, -1, 7}) {
+    const FullRun& run = world.parameters->full_run(id);
+    EXPECT_NEAR(run.distance[1], 0.3, 1e-12);
+    EXPECT_NEAR(run.distance[3], 1.188, 1e-12);
+    EXPECT_NEAR(run.top_speed, 0.5, 1e-12);
+    EXPECT_NEAR(run.drift[3], 1.56, 1e-12);  // 1 + 0.4 + 0.16
+  }
+  EXPECT_NEAR(world.parameters->full_run(2).distance[2], 0.3 + 0.45, 1e-12);
 }
 
 TEST(Motion, KickRateDecreasesWithDistanceAndAngle) {
