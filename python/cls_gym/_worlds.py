@@ -154,7 +154,8 @@ class Worlds:
         """float64[N]: the mean over the agents."""
         if self.agents == 1:
             return self._own_rewards.astype(np.float64)
-        return self.pool.rewards.mean(axis=1, dtype=np.float64)
+        # As mean() does, without what it does around it.
+        return np.add.reduce(self.pool.rewards, axis=1, dtype=np.float64) / self.agents
 
     def info(self, index: int, ended: bool = False) -> Info:
         """What Env.step() returns beside the observation, of one world."""

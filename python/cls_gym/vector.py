@@ -174,8 +174,8 @@ class VectorEnv(BaseVectorEnv):
         """final_obs and final_info of the worlds whose episodes have ended. `infos` has what they
         ended with, and becomes what the next episodes begin with."""
         ended = self._ended
-        final = np.full(self.num_envs, None, dtype=object)
-        for index in np.flatnonzero(ended):
+        final = np.empty(self.num_envs, dtype=object)
+        for index in ended.nonzero()[0]:
             final[index] = self._worlds.final_observations[index].copy()
         last = _only(infos, ended)
         last["seed"][ended] = self._seeds.current[ended]
@@ -203,9 +203,10 @@ class VectorEnv(BaseVectorEnv):
 def _only(infos: Info, which: np.ndarray) -> Info:
     """The infos of some worlds (bool[N]); zeros for the others."""
     chosen: Info = {}
+    rows = which.nonzero()[0]
     for key, value in infos.items():
         if not key.startswith("_"):
-            chosen[key] = np.zeros_like(value)
-            chosen[key][which] = value[which]
+            chosen[key] = some = np.zeros(value.shape, value.dtype)
+            some[rows] = value[rows]
             chosen["_" + key] = which
     return chosen
