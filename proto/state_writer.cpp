@@ -30,7 +30,7 @@ constexpr std::size_t kMaxVector = 24;
 constexpr std::size_t kMaxPlayer = 512;
 constexpr std::size_t kMaxPlan = 128;
 constexpr std::size_t kMaxEntryHead = 24;  // of a dictionary: what surrounds the value
-constexpr std::size_t kMaxOthers = 4096;   // of a world model and the State without texts
+constexpr std::size_t kMaxNumbers = 1024;  // of a world model, its intercept table and the State
 
 /// The place of the next byte. A value of this type stays in a register: pass copies.
 class Wire {
@@ -78,11 +78,11 @@ class Wire {
     *length = static_cast<std::uint8_t>(at_ - length - 1);
   }
 
-  /// By the generated code.
+  /// By the generated code, after value.ByteSizeLong().
   template <int field>
   void message(const MessageLite& value) {
     tag<field, WireFormat::WIRETYPE_LENGTH_DELIMITED>();
-    varint(value.ByteSizeLong());
+    varint(static_cast<std::size_t>(value.GetCachedSize()));
     at_ = value.SerializeWithCachedSizesToArray(at_);
   }
 
@@ -364,13 +364,15 @@ Wire write_world(const WorldModel& world, StateForm form, Wire out) {
   return write_lines_and_times(world, out);
 }
 
-/// At least the bytes of the message.
+/// At least the bytes of the message. Asks the generated code for the sizes of what it will write.
 std::size_t capacity_for(const WorldModel& world) {
   const auto players = static_cast<std::size_t>(world.teammates_size() + world.opponents_size() +
                                                 world.unknowns_size());
   const std::size_t entries = world.our_players_dict().size() + world.their_players_dict().size();
   const auto plans = static_cast<std::size_t>(world.intercept_table().self_intercept_info_size());
-  return kMaxOthers + world.our_team_name().size() + world.their_team_name().size() +
+  const std::size_t singles = world.self().ByteSizeLong() + world.ball().ByteSizeLong() +
+                              world.penalty_kick_state().ByteSizeLong();
+  return kMaxNumbers + singles + world.our_team_name().size() + world.their_team_name().size() +
          players * kMaxPlayer + entries * (kMaxPlayer + kMaxEntryHead) + plans * kMaxPlan +
          world.helios_home_positions().size() * (kMaxVector + kMaxEntryHead);
 }

@@ -20,7 +20,7 @@ enum class StateForm : std::uint8_t {
 class StateWriter {
  public:
   /// The bytes of `state`, as write_with_sorted_maps() writes them, valid until the next call.
-  /// Fields that playmaker.proto does not have are left out.
+  /// Fields that playmaker.proto does not have may be left out.
   std::string_view write(const protos::State& state, StateForm form);
 
  private:

@@ -4,6 +4,7 @@
 #include <google/protobuf/stubs/logging.h>
 #include <gtest/gtest.h>
 
+#include <initializer_list>
 #include <string>
 
 #include "proto/sorted_maps.h"
@@ -111,6 +112,28 @@ TEST(StateWriter, EmptyMessagesHaveTheSameBytes) {
   (*world.mutable_our_players_dict())[0];
   (*world.mutable_helios_home_positions())[0];
   EXPECT_EQ(written(state), generated(state));
+}
+
+TEST(StateWriter, WritesWhatIsKnownBesideFieldsOfLaterInterfaces) {
+  protos::State state;
+  widen(state);
+  const std::string known = generated(state);
+  const auto add_later_field = [](Message& message) {
+    message.GetReflection()->MutableUnknownFields(&message)->AddLengthDelimited(
+        1000, std::string(100'000, 'x'));
+  };
+  protos::WorldModel& world = *state.mutable_world_model();
+  for (Message* message : std::initializer_list<Message*>{
+           &state, &world, world.mutable_self(), world.mutable_ball(),
+           world.mutable_penalty_kick_state(), world.mutable_intercept_table(),
+           world.mutable_self()->mutable_position(), state.mutable_register_response()}) {
+    add_later_field(*message);
+  }
+
+  protos::State read;
+  ASSERT_TRUE(read.ParseFromString(written(state)));
+  read.DiscardUnknownFields();
+  EXPECT_EQ(generated(read), known);
 }
 
 TEST(StateWriter, LongAndShortMessagesFollowOneAnother) {
