@@ -119,11 +119,11 @@ format:
 format-check:
 	@files=$$($(CXX_FILES)) && clang-format --dry-run -Werror $$files
 
-# Each file as it is, so that missing includes are found.
+# Each file as it is, so that missing includes are found. Benchmarks are not configured here.
 lint:
 	@cmake --preset lint >/dev/null
 	@cmake --build --preset lint -j $(JOBS) --target cls_proto_generated
-	@files=$$(git diff --name-only --diff-filter=d $$(git merge-base HEAD $(LINT_BASE)) -- '*.cpp') && \
+	@files=$$(git diff --name-only --diff-filter=d $$(git merge-base HEAD $(LINT_BASE)) -- '*.cpp' ':!bench') && \
 	  if [ -n "$$files" ]; then printf '%s\n' $$files | \
 	    xargs -P $(JOBS) -n 1 clang-tidy -p build-lint --quiet; fi
 

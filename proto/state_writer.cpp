@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 #include <string>
+#include <type_traits>
 
 namespace cls::proto {
 namespace {
@@ -129,8 +131,8 @@ class Wire {
 
   template <int field, WireFormat::WireType type, typename Number>
   void fixed(Number value) {
-    static constexpr Number kZero = 0;
-    if (std::memcmp(&value, &kZero, sizeof value) == 0) return;  // -0 is written
+    using Bits = std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>;
+    if (std::bit_cast<Bits>(value) == 0) return;  // -0 is written
     tag<field, type>();
     std::memcpy(at_, &value, sizeof value);  // little-endian, as the wire
     at_ += sizeof value;
@@ -366,8 +368,9 @@ Wire write_world(const WorldModel& world, StateForm form, Wire out) {
 
 /// At least the bytes of the message. Asks the generated code for the sizes of what it will write.
 std::size_t capacity_for(const WorldModel& world) {
-  const auto players = static_cast<std::size_t>(world.teammates_size() + world.opponents_size() +
-                                                world.unknowns_size());
+  const auto players = static_cast<std::size_t>(world.teammates_size()) +
+                       static_cast<std::size_t>(world.opponents_size()) +
+                       static_cast<std::size_t>(world.unknowns_size());
   const std::size_t entries = world.our_players_dict().size() + world.their_players_dict().size();
   const auto plans = static_cast<std::size_t>(world.intercept_table().self_intercept_info_size());
   const std::size_t singles = world.self().ByteSizeLong() + world.ball().ByteSizeLong() +

@@ -279,8 +279,8 @@ struct Search {
     plan.turn_angle = turn;
     plan.dash_direction = direction;
     plan.self_position = runner.position;
-    plan.ball_distance =
-        soccer::distance(runner.position, path[static_cast<std::size_t>(turns + dashes)]);
+    plan.ball_distance = soccer::distance(
+        runner.position, path[static_cast<std::size_t>(turns) + static_cast<std::size_t>(dashes)]);
     plan.stamina = world.self.stamina;
 
     if (runner.dashes > 0) {
