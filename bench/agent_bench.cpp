@@ -81,7 +81,7 @@ class Parser {
   soccer::Hear hear_;
 };
 
-/// As the gRPC client does, into existing memory, sets their number.
+/// As the gRPC client does, into existing memory. Sets the number of bytes.
 double serialize(const protos::State& state, proto::StateWriter& writer, std::size_t& bytes) {
   auto last = Clock::now();
   bytes = writer.write(state, proto::StateForm::kWhole).size();

@@ -93,8 +93,8 @@ int ReachTable::cycles(double distance) const {
 }
 
 FullRun::FullRun(const soccer::ServerParams& server, const soccer::PlayerType& type) {
+  top_speed = player::top_speed(server, type);
   const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
-  top_speed = std::min(push / (1.0 - type.player_decay), type.player_speed_max);
 
   double speed = 0.0;
   double fading = 1.0;
