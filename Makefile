@@ -10,8 +10,8 @@ CXX_FILES = git ls-files --cached --others --exclude-standard -- '*.h' '*.cpp'
 
 # Libraries that parse untrusted input (logs, protocol, JSON and TOML files, replies) or start programs.
 INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tests \
-  cls_mock_server_tests cls_orchestration_process_tests
-INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server|orchestration/process)$$
+  cls_mock_server_tests cls_process_tests
+INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server|process)$$
 FUZZERS = protocol rcg rcl session view agent compression user_file training table
 
 .PHONY: help build test slow-test full languages web-test site pictures bench asan tsan asan-input fuzz chaos same-bytes install package format format-check lint clean

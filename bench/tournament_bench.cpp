@@ -8,18 +8,18 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "orchestration/tournament/run/match_executor.h"
-#include "orchestration/tournament/run/tournament_run.h"
-#include "orchestration/tournament/schedule/schedule.h"
-#include "orchestration/tournament/store/folder.h"
-#include "orchestration/tournament/store/store.h"
 #include "tests/support/command.h"
 #include "tests/support/temporary_folder.h"
+#include "tournament/run/match_executor.h"
+#include "tournament/run/tournament_run.h"
+#include "tournament/schedule/schedule.h"
+#include "tournament/store/folder.h"
+#include "tournament/store/store.h"
 
 namespace cls::bench {
 namespace {
 
-using namespace orchestration::tournament;
+using namespace tournament;
 using Clock = std::chrono::steady_clock;
 
 double peak_megabytes() {

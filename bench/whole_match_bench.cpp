@@ -9,8 +9,8 @@
 
 #include "base/io/byte_sink.h"
 #include "bench/rpc_ceiling.h"
-#include "orchestration/match/match_setup.h"
-#include "orchestration/match/sides/agent_side.h"
+#include "match/match_setup.h"
+#include "match/sides/agent_side.h"
 
 namespace cls::bench {
 namespace {
@@ -38,13 +38,13 @@ double agent_seconds(const proxy::TeamTimes& times) {
 // Both sides run in parallel on two cores, so their times add up to CPU time on an idle host. The
 // rest beside simulator, agents and mock is RPC: serializing, gRPC's client and server, its
 // threads.
-void report(benchmark::State& bench, const orchestration::match::Match& match, double cpu) {
-  const orchestration::match::MatchResult result = match.result();
+void report(benchmark::State& bench, const match::Match& match, double cpu) {
+  const match::MatchResult result = match.result();
   const auto steps = static_cast<double>(result.steps);
   double agents = 0.0;
   double mock = 0.0;
   for (const auto& each : match.sides()) {
-    const auto& side = dynamic_cast<const orchestration::match::AgentSide&>(*each);
+    const auto& side = dynamic_cast<const match::AgentSide&>(*each);
     agents += agent_seconds(side.team().times());
     mock += side.mock_cpu_seconds();
   }
@@ -71,16 +71,16 @@ void whole_match(benchmark::State& bench) {
           .cycles_per_second;
     };
     const double before = ceiling();
-    const orchestration::match::MatchOptions options;
+    const match::MatchOptions options;
     const std::atomic<int> no_signal{0};
-    const orchestration::match::TeamNames names{"mock_l", "mock_r"};
+    const match::TeamNames names{"mock_l", "mock_r"};
     base::StringSink game_log;
     base::StringSink text_log;
     base::StringSink event_lines;
-    orchestration::match::EventRecorder events(event_lines);
-    orchestration::match::MatchObserver observer;
-    auto match = orchestration::match::make_lockstep_match({options, names, 7, no_signal},
-                                                           {&game_log, &text_log, &events});
+    match::EventRecorder events(event_lines);
+    match::MatchObserver observer;
+    auto match =
+        match::make_lockstep_match({options, names, 7, no_signal}, {&game_log, &text_log, &events});
     const double cpu = process_cpu_seconds();
     (*match)->play(observer);
     report(bench, **match, process_cpu_seconds() - cpu);

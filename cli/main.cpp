@@ -37,9 +37,8 @@ int finish_output(int exit_code) {
 int run(int argc, char** argv) {
   try {
     const auto commands = command_tree();
-    const auto guard = may_start_programs(*commands, argc, argv)
-                           ? start_early_guard(argc, argv)
-                           : std::optional<orchestration::process::Guard>();
+    const auto guard = may_start_programs(*commands, argc, argv) ? start_early_guard(argc, argv)
+                                                                 : std::optional<process::Guard>();
     return run_application(*commands, argc, argv);
   } catch (const std::exception& error) {
     return print_exception(error);

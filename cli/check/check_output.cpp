@@ -12,9 +12,9 @@
 
 namespace cls::cli {
 
-using orchestration::checks::CheckReport;
-using orchestration::checks::CheckStep;
-using orchestration::checks::StepResult;
+using checks::CheckReport;
+using checks::CheckStep;
+using checks::StepResult;
 
 void add_check_output_options(Command& command, CheckOutput& output) {
   command.flag("--json", output.json, "print one JSON document instead of text");

@@ -4,8 +4,8 @@
 #include <functional>
 #include "cli/command/command.h"
 
+#include "checks/check_report.h"
 #include "cli/support/ci_reports.h"
-#include "orchestration/checks/check_report.h"
 
 namespace cls::cli {
 
@@ -20,12 +20,10 @@ struct CheckOutput {
 void add_check_output_options(Command& command, CheckOutput& output);
 
 /// Prints each finished step to stdout: none with --json, only failures with --quiet.
-std::function<void(const orchestration::checks::CheckStep&)> step_printer(
-    const CheckOutput& output);
+std::function<void(const checks::CheckStep&)> step_printer(const CheckOutput& output);
 
 /// Prints the report and writes the CI reports. Returns the exit code; `signal` is the signal that
 /// interrupted the check, or 0.
-int finish_check(const orchestration::checks::CheckReport& report, const CheckOutput& output,
-                 int signal);
+int finish_check(const checks::CheckReport& report, const CheckOutput& output, int signal);
 
 }  // namespace cls::cli

@@ -12,12 +12,12 @@
 
 #include "base/io/byte_source.h"
 #include "base/io/whole_file.h"
+#include "checks/perception_check.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "gamelog/rcg/rcg_reader.h"
-#include "orchestration/checks/perception_check.h"
-#include "orchestration/match/hooks/world_model_sample.h"
+#include "match/hooks/world_model_sample.h"
 #include "soccer/side.h"
 #include "viewer/decisions/decision_writer.h"
 #include "viewer/page/encoding.h"
@@ -48,8 +48,7 @@ struct Arguments {
   bool json = false;
 };
 
-void report_transcript_errors(const std::string& path,
-                              const orchestration::checks::PerceptionCheck& check) {
+void report_transcript_errors(const std::string& path, const checks::PerceptionCheck& check) {
   for (std::size_t i = 0; i < std::min(check.damage.size(), kMaxShownErrors); ++i) {
     print_error(0,
                 fmt::format("{}: line {}: {}", path, check.damage[i].line, check.damage[i].what));
@@ -62,7 +61,7 @@ void report_transcript_errors(const std::string& path,
 
 // The page of the match with what the player estimated.
 base::Result<void> write_page(const Arguments& arguments, const gamelog::MatchRecord& log,
-                              const orchestration::checks::PerceptionCheck& check,
+                              const checks::PerceptionCheck& check,
                               const std::vector<viewer::DecisionSample>& samples) {
   std::string stream;
 
@@ -96,10 +95,9 @@ int run_check_perception(const Arguments& arguments) {
   if (log->frames() == 0) return kBadData;
 
   std::vector<viewer::DecisionSample> samples;
-  const auto check = orchestration::checks::check_perception(
-      transcript, *log, [&samples](const player::WorldModel& world) {
-        samples.push_back(orchestration::match::sample_of(world));
-      });
+  const auto check = checks::check_perception(
+      transcript, *log,
+      [&samples](const player::WorldModel& world) { samples.push_back(match::sample_of(world)); });
 
   if (!check) {
     print_error(0, fmt::format("{}: {}", arguments.transcript, check.error().message));

@@ -8,18 +8,18 @@
 #include <optional>
 #include <string>
 
+#include "checks/playmaker/playmaker_check.h"
 #include "cli/check/check_output.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
 #include "cli/support/tls_options.h"
-#include "orchestration/checks/playmaker/playmaker_check.h"
 
 namespace cls::cli {
 namespace {
 
-using orchestration::match::Endpoint;
+using match::Endpoint;
 
 constexpr const char* kDescription =
     "check that a Playmaker can play matches\n"
@@ -35,7 +35,7 @@ constexpr const char* kDescription =
 
 struct Arguments {
   std::string endpoint;
-  orchestration::match::TlsFileNames tls;
+  match::TlsFileNames tls;
   std::optional<double> start_timeout_s;
   int deadline_ms = 3000;
   int calls = 10'000;
@@ -44,22 +44,21 @@ struct Arguments {
 };
 
 int run_check_playmaker(const Arguments& arguments) {
-  orchestration::checks::PlaymakerCheckOptions options;
+  checks::PlaymakerCheckOptions options;
   const int read = read_playmaker("", arguments.endpoint, arguments.tls, options.endpoint);
   if (read != kOk) return read;
 
   const std::optional<double> limit =
       arguments.start_timeout_s ? arguments.start_timeout_s : start_timeout_of_project();
   if (limit) {
-    options.start_timeout = orchestration::checks::Milliseconds(static_cast<int>(*limit * 1000.0));
+    options.start_timeout = checks::Milliseconds(static_cast<int>(*limit * 1000.0));
   }
-  options.deadline = orchestration::checks::Milliseconds(arguments.deadline_ms);
+  options.deadline = checks::Milliseconds(arguments.deadline_ms);
   options.calls = arguments.calls;
-  options.latency_limit = orchestration::checks::Milliseconds(arguments.latency_limit_ms);
+  options.latency_limit = checks::Milliseconds(arguments.latency_limit_ms);
 
   const std::atomic<int>& signal = watch_interrupts();
-  const auto report =
-      orchestration::checks::check_playmaker(options, step_printer(arguments.output), signal);
+  const auto report = checks::check_playmaker(options, step_printer(arguments.output), signal);
 
   if (!report) {
     return print_error(kUnavailable, report.error().message);

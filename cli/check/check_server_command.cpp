@@ -8,11 +8,11 @@
 #include <string>
 
 #include "base/system/own_program.h"
+#include "checks/server/server_check.h"
 #include "cli/check/check_output.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
-#include "orchestration/checks/server/server_check.h"
 
 namespace cls::cli {
 namespace {
@@ -36,12 +36,12 @@ struct Arguments {
 };
 
 int run_check_server(const Arguments& arguments) {
-  const auto server = orchestration::match::parse_server(arguments.server);
+  const auto server = match::parse_server(arguments.server);
   if (!server) {
     return print_error(kUsage, server.error().message);
   }
 
-  orchestration::checks::ServerCheckOptions options;
+  checks::ServerCheckOptions options;
   options.server = *server;
 
   const auto program = base::own_program();
@@ -51,8 +51,7 @@ int run_check_server(const Arguments& arguments) {
       std::chrono::milliseconds(static_cast<int>(arguments.start_timeout_s * 1000.0));
 
   const std::atomic<int>& signal = watch_interrupts();
-  const auto report =
-      orchestration::checks::check_server(options, step_printer(arguments.output), signal);
+  const auto report = checks::check_server(options, step_printer(arguments.output), signal);
   if (!report) {
     return print_error(kUnavailable, report.error().message);
   }

@@ -6,12 +6,12 @@
 #include <memory>
 #include <string>
 
+#include "checks/server_log_check.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "gamelog/rcl/rcl_reader.h"
-#include "orchestration/checks/server_log_check.h"
 
 namespace cls::cli {
 namespace {
@@ -53,11 +53,11 @@ int run_check_server_log(const Arguments& arguments) {
     return kBadData;
   }
 
-  const auto log_checks = orchestration::checks::log_checks(*agreement);
-  fmt::print("{}", arguments.json ? orchestration::checks::to_json(*agreement, log_checks)
-                                  : orchestration::checks::to_text(*agreement, log_checks));
+  const auto log_checks = checks::log_checks(*agreement);
+  fmt::print("{}", arguments.json ? checks::to_json(*agreement, log_checks)
+                                  : checks::to_text(*agreement, log_checks));
 
-  if (!orchestration::checks::passed(log_checks)) return kFailed;
+  if (!checks::passed(log_checks)) return kFailed;
   return game->errors.empty() && text->errors.empty() ? kOk : kBadData;
 }
 

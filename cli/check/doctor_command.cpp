@@ -10,21 +10,21 @@
 
 #include "base/system/own_program.h"
 #include "base/text/wrap_text.h"
+#include "checks/doctor/doctor.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
 #include "cli/support/tls_options.h"
 #include "cli/terminal/terminal.h"
-#include "orchestration/checks/doctor/doctor.h"
 
 namespace cls::cli {
 namespace {
 
-using orchestration::checks::DoctorCheck;
-using orchestration::checks::DoctorReport;
-using orchestration::checks::DoctorStatus;
-using orchestration::match::Endpoint;
+using checks::DoctorCheck;
+using checks::DoctorReport;
+using checks::DoctorStatus;
+using match::Endpoint;
 
 constexpr const char* kDescription =
     "check the host, its programs, and optionally a server or a Playmaker\n"
@@ -42,7 +42,7 @@ constexpr const char* kDescription =
 struct Arguments {
   std::string server;
   std::string playmaker;
-  orchestration::match::TlsFileNames tls;
+  match::TlsFileNames tls;
   double limit_s = 5.0;
   bool json = false;
 };
@@ -99,7 +99,7 @@ int exit_code_of(const DoctorReport& report, int signal) {
 }
 
 int run_doctor(const Arguments& arguments) {
-  orchestration::checks::DoctorOptions options;
+  checks::DoctorOptions options;
 
   const auto program = base::own_program();
   if (!program) return print_error(kUnavailable, program.error().message);
@@ -107,7 +107,7 @@ int run_doctor(const Arguments& arguments) {
   options.limit = std::chrono::milliseconds(static_cast<int>(arguments.limit_s * 1000.0));
 
   if (!arguments.server.empty()) {
-    auto server = orchestration::match::parse_server(arguments.server);
+    auto server = match::parse_server(arguments.server);
     if (!server) return print_error(kUsage, server.error().message);
     options.server = *std::move(server);
   }
@@ -125,9 +125,9 @@ int run_doctor(const Arguments& arguments) {
     if (!arguments.json && wanted) print_row(check, color);
   };
 
-  const DoctorReport report = orchestration::checks::examine(options, on_check, signal);
+  const DoctorReport report = checks::examine(options, on_check, signal);
   if (arguments.json) {
-    fmt::print("{}", orchestration::checks::to_json(report));
+    fmt::print("{}", checks::to_json(report));
   } else {
     print_summary(report);
   }

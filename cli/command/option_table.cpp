@@ -8,12 +8,12 @@
 #include <string_view>
 
 #include "cli/terminal/terminal.h"
-#include "orchestration/match/options/option_table.h"
+#include "match/terms/option_table.h"
 
 namespace cls::cli {
 namespace {
 
-using namespace orchestration::match;
+using namespace match;
 
 struct OptionRow {
   std::string_view name;

@@ -15,7 +15,7 @@
 #include "base/text/find_ignoring_case.h"
 #include "cli/explain/parameter_facts.h"
 #include "cli/explain/proto_text.h"
-#include "orchestration/match/result/end_reason.h"
+#include "match/result/end_reason.h"
 
 namespace cls::cli {
 namespace {
@@ -253,7 +253,7 @@ void add_end_reasons(std::vector<ReferenceEntry>& all) {
       current = nullptr;
 
       const std::string heading = line.substr(line.find_first_not_of("# "));
-      if (line.starts_with("### ") && orchestration::match::parse_end_reason(heading)) {
+      if (line.starts_with("### ") && match::parse_end_reason(heading)) {
         current = &all.emplace_back();
         current->kind = ReferenceKind::kEndReason;
         current->name = heading;

@@ -8,7 +8,7 @@
 #include "cli/support/print_error.h"
 #include "gamelog/rcg/rcg_writer.h"
 #include "gamelog/rcl/rcl_reader.h"
-#include "orchestration/match/result/recorded_end.h"
+#include "match/result/recorded_end.h"
 
 namespace cls::cli {
 
@@ -35,7 +35,7 @@ int read_match(const std::string& what, AnalyzedMatch& match) {
   match.summary = analysis::summarize(match.match.record, match.text_log());
   match.summary.file = std::filesystem::path(log).filename().string();
 
-  namespace recorded = orchestration::match;
+  namespace recorded = match;
   if (const auto end = recorded::recorded_end(log)) analysis::set_end(*end, match.summary);
 
   // Logs of cls have a constant date, so that equal matches have equal logs.

@@ -9,7 +9,7 @@
 
 #include "base/io/whole_file.h"
 #include "cli/logs/find_match_folder.h"
-#include "orchestration/process/command_plan.h"
+#include "process/command_plan.h"
 #include "viewer/page/page.h"
 
 namespace cls::cli {
@@ -38,7 +38,7 @@ Result<FoundLog> find_in_folder(const fs::path& folder) {
     if (!match) return match.error();
     return Error{
         fmt::format("{}: no game log (*.rcg, *.rcg.gz); cls logs {} says how the match ended",
-                    where.string(), orchestration::process::shell_quoted(where.string()))};
+                    where.string(), process::shell_quoted(where.string()))};
   }
   if (!match && found.matches.size() > 1) {
     std::error_code code;

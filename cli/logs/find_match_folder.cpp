@@ -8,16 +8,16 @@
 
 #include "base/io/whole_file.h"
 #include "gamelog/files/log_files.h"
-#include "orchestration/match/result/match_folder.h"
-#include "orchestration/match/result/match_result.h"
-#include "orchestration/tournament/store/folder.h"
+#include "match/result/match_folder.h"
+#include "match/result/match_result.h"
+#include "tournament/store/folder.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace match = orchestration::match;
-namespace tournament = orchestration::tournament;
+namespace match = match;
+namespace tournament = tournament;
 using base::Error;
 using base::Result;
 

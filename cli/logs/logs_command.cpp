@@ -22,16 +22,16 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
-#include "orchestration/match/hooks/error_recording.h"
-#include "orchestration/match/result/match_folder.h"
-#include "orchestration/match/result/match_result.h"
+#include "match/hooks/error_recording.h"
+#include "match/result/match_folder.h"
+#include "match/result/match_result.h"
 #include "viewer/decisions/decision_files.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace match = orchestration::match;
+namespace match = match;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kDescription =

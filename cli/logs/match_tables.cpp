@@ -28,7 +28,7 @@
 #include "gamelog/files/log_files.h"
 #include "gamelog/rcg/frame_stream.h"
 #include "gamelog/rcl/rcl_reader.h"
-#include "orchestration/tournament/dataset/dataset.h"
+#include "tournament/dataset/dataset.h"
 #include "viewer/decisions/decision_files.h"
 #include "viewer/decisions/decision_table.h"
 #include "viewer/page/encoding.h"
@@ -38,7 +38,7 @@ namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace tournament = orchestration::tournament;
+namespace tournament = tournament;
 using gamelog::MatchRecord;
 
 constexpr std::size_t kMaxWorldModels = std::size_t{1} << 30;

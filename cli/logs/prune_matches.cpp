@@ -8,14 +8,14 @@
 #include <utility>
 
 #include "base/io/whole_file.h"
-#include "orchestration/match/result/match_folder.h"
-#include "orchestration/tournament/store/folder.h"
+#include "match/result/match_folder.h"
+#include "tournament/store/folder.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace match = orchestration::match;
+namespace match = match;
 
 // A match without a result was killed, or is played now: then its files change.
 bool may_be_running(const fs::path& folder) {
@@ -49,7 +49,7 @@ base::Result<PrunedMatches> find_old_matches(const fs::path& folder, std::size_t
   if (const auto why = base::why_no_folder(folder)) {
     return base::Error{fmt::format("{}: {}", folder.string(), *why)};
   }
-  if (orchestration::tournament::holds_plan(folder)) {
+  if (tournament::holds_plan(folder)) {
     return base::Error{fmt::format(
         "{}: a tournament, whose report needs its matches; remove the whole folder, or let "
         "keep_logs of its cls.toml delete logs",

@@ -14,10 +14,10 @@
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
-#include "orchestration/match/result/match_folder.h"
-#include "orchestration/match/result/match_result.h"
-#include "orchestration/match/result/recorded_end.h"
-#include "orchestration/match/result/reply_summary.h"
+#include "match/result/match_folder.h"
+#include "match/result/match_result.h"
+#include "match/result/recorded_end.h"
+#include "match/result/reply_summary.h"
 #include "viewer/charts/drawing.h"
 #include "viewer/page/match_page.h"
 #include "viewer/page/page_decisions.h"
@@ -28,10 +28,10 @@ namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using orchestration::match::MatchResult;
-using orchestration::match::PlayerResult;
-using orchestration::match::RpcLatency;
-using orchestration::match::TeamResult;
+using match::MatchResult;
+using match::PlayerResult;
+using match::RpcLatency;
+using match::TeamResult;
 
 constexpr const char* kDescription =
     "write the report of a match\n"
@@ -54,7 +54,7 @@ struct Arguments {
 };
 
 void add_replies(const TeamResult& team, std::vector<viewer::PlaymakerReplies>& rows) {
-  const auto sums = orchestration::match::reply_summary(team);
+  const auto sums = match::reply_summary(team);
   if (sums.decisions == 0) return;
   rows.push_back({team.name, team.endpoint, sums.decisions, sums.late, sums.missed, sums.rpc_us.p50,
                   sums.rpc_us.p95, sums.rpc_us.p99, sums.rpc_us.max});
@@ -62,7 +62,7 @@ void add_replies(const TeamResult& team, std::vector<viewer::PlaymakerReplies>& 
 
 // What `cls match` wrote beside the log, if it is the log of that match.
 void add_result(const fs::path& log, viewer::MatchReport& report) {
-  namespace match = orchestration::match;
+  namespace match = match;
   if (!match::recorded_end(log.string())) return;
   const auto text = base::read_file(log.parent_path() / match::kResultFile);
   const auto result = match::parse_match_result(text.value_or(""));

@@ -18,7 +18,7 @@
 #include "cli/terminal/log_progress.h"
 #include "cli/terminal/terminal.h"
 #include "gamelog/files/log_files.h"
-#include "orchestration/match/result/recorded_end.h"
+#include "match/result/recorded_end.h"
 
 namespace cls::cli {
 namespace {
@@ -57,7 +57,7 @@ std::optional<ResultsFormat> format_of(const Arguments& arguments) {
 
 std::vector<ReadResult> read_all(const std::vector<gamelog::MatchLogs>& matches, std::size_t jobs) {
   LogProgress progress(matches.size());
-  return analysis::read_results(orchestration::match::with_recorded_ends(matches), jobs,
+  return analysis::read_results(match::with_recorded_ends(matches), jobs,
                                 [&](std::size_t count) { progress.update(count); });
 }
 

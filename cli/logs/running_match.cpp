@@ -10,14 +10,14 @@
 #include "base/system/socket_address.h"
 #include "base/text/number_text.h"
 #include "cli/logs/find_match_folder.h"
-#include "orchestration/match/result/match_files.h"
-#include "orchestration/match/result/match_folder.h"
+#include "match/result/match_files.h"
+#include "match/result/match_folder.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace match = orchestration::match;
+namespace match = match;
 
 // The log of a running match may rest this long, for example under a debugger.
 constexpr std::chrono::seconds kRunningLogAge{30};

@@ -16,7 +16,7 @@
 #include "cli/terminal/log_progress.h"
 #include "cli/terminal/terminal.h"
 #include "gamelog/files/log_files.h"
-#include "orchestration/match/result/recorded_end.h"
+#include "match/result/recorded_end.h"
 
 namespace cls::cli {
 namespace {
@@ -58,7 +58,7 @@ analysis::StatisticsOutput read_all(const std::vector<gamelog::MatchLogs>& match
                                     StatisticsFormat format, const Arguments& arguments) {
   LogProgress progress(matches.size());
   return read_statistics(
-      orchestration::match::with_recorded_ends(matches), format, arguments.events, arguments.jobs,
+      match::with_recorded_ends(matches), format, arguments.events, arguments.jobs,
       [&](std::size_t count) { progress.update(count); }, stdout_width());
 }
 

@@ -17,10 +17,10 @@
 #include "cli/support/print_error.h"
 #include "gamelog/files/log_files.h"
 #include "gamelog/rcl/rcl_reader.h"
-#include "orchestration/match/result/match_files.h"
-#include "orchestration/tournament/report/report_model.h"
-#include "orchestration/tournament/report/report_tables.h"
-#include "orchestration/tournament/store/folder.h"
+#include "match/result/match_files.h"
+#include "tournament/report/report_model.h"
+#include "tournament/report/report_tables.h"
+#include "tournament/store/folder.h"
 #include "viewer/live/live_site.h"
 #include "viewer/live/log_glance.h"
 #include "viewer/live/match_list.h"
@@ -32,9 +32,9 @@ namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace tournament = orchestration::tournament;
-using orchestration::match::game_log_in;
-using orchestration::match::has_result;
+namespace tournament = tournament;
+using match::game_log_in;
+using match::has_result;
 using tournament::ScheduledMatch;
 using viewer::HttpReply;
 

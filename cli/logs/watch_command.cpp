@@ -27,10 +27,10 @@
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "gamelog/rcl/rcl_reader.h"
-#include "orchestration/match/result/match_folder.h"
-#include "orchestration/match/result/match_result.h"
-#include "orchestration/tournament/store/folder.h"
+#include "match/result/match_folder.h"
+#include "match/result/match_result.h"
 #include "soccer/side.h"
+#include "tournament/store/folder.h"
 #include "viewer/page/match_page.h"
 #include "viewer/page/page_decisions.h"
 #include "viewer/page/page_drawings.h"
@@ -174,7 +174,7 @@ base::Result<std::vector<viewer::PageDecisions>> decisions_of(const Arguments& a
 
 // The sides of the match, for scenarios that begin with one of its moments; empty without a result.
 std::array<std::string, 2> sides_of(const fs::path& folder) {
-  namespace match = orchestration::match;
+  namespace match = match;
   const auto text = base::read_file(folder / match::kResultFile);
   const auto result = match::parse_match_result(text.value_or(""));
   if (!result) return {};
@@ -283,8 +283,7 @@ int run_watch_command(const Arguments& arguments) {
     return print_error(kUsage, choice.error().message);
   }
 
-  if (arguments.out.empty() && !arguments.in_terminal() &&
-      orchestration::tournament::holds_plan(arguments.what)) {
+  if (arguments.out.empty() && !arguments.in_terminal() && tournament::holds_plan(arguments.what)) {
     return serve_matches(arguments);
   }
 

@@ -23,18 +23,18 @@
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
 #include "cli/terminal/terminal.h"
-#include "orchestration/match/hooks/error_recording.h"
-#include "orchestration/process/command_plan.h"
-#include "orchestration/scenario/scenario_library.h"
-#include "orchestration/scenario/scenario_run.h"
+#include "match/hooks/error_recording.h"
+#include "process/command_plan.h"
+#include "scenario/scenario_library.h"
+#include "scenario/scenario_run.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using orchestration::match::Endpoint;
-using orchestration::scenario::RunRecord;
-using orchestration::scenario::Scenario;
+using match::Endpoint;
+using scenario::RunRecord;
+using scenario::Scenario;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kDescription =
@@ -64,17 +64,16 @@ struct LastRun {
 
 class DevSession {
  public:
-  DevSession(const Arguments& arguments, orchestration::process::ProcessHost& host,
-             const std::atomic<int>& signal)
+  DevSession(const Arguments& arguments, process::ProcessHost& host, const std::atomic<int>& signal)
       : arguments_(arguments), host_(host), signal_(signal) {}
 
   /// The scenarios of a file or folder, or the shipped one of this name.
   static base::Result<std::vector<Scenario>> read(const std::string& name) {
     if (!base::absence(name)) {
-      return orchestration::scenario::read_scenarios(name, endpoint_of_team);
+      return scenario::read_scenarios(name, endpoint_of_team);
     }
 
-    auto shipped = orchestration::scenario::shipped_scenarios();
+    auto shipped = scenario::shipped_scenarios();
     if (!shipped) return shipped;
 
     std::vector<std::string_view> names;
@@ -116,14 +115,14 @@ class DevSession {
 
   Json play(const Scenario& scenario) {
     constexpr double kTimeToBuild = 600.0;
-    orchestration::scenario::RunSettings settings;
+    scenario::RunSettings settings;
     settings.seed = scenario.seeds.front();
     settings.host = &host_;
     settings.folder = fs::absolute(fs::path(arguments_.folder) / scenario.name);
     settings.start_timeout_s = kTimeToBuild;
 
     if (!arguments_.against.empty()) {
-      auto side = orchestration::match::parse_endpoint(arguments_.against);
+      auto side = match::parse_endpoint(arguments_.against);
       if (!side) return problem(scenario, side.error().message);
       if (const auto loaded = load_files(*side); !loaded) {
         return problem(scenario, loaded.error().message);
@@ -145,11 +144,11 @@ class DevSession {
     return {{"name", scenario.name}, {"passed", false}, {"problem", text}};
   }
 
-  Json report(const Scenario& scenario, const orchestration::scenario::RunSettings& settings,
+  Json report(const Scenario& scenario, const scenario::RunSettings& settings,
               const RunRecord& record) {
     std::vector<std::string> failures = record.script_failures;
     for (const auto& check : scenario.checks) {
-      const std::string failure = orchestration::scenario::failure(check, record);
+      const std::string failure = scenario::failure(check, record);
       if (!failure.empty()) {
         failures.push_back(fmt::format("line {}: {}: {}", check.line, check.name, failure));
       }
@@ -238,11 +237,10 @@ class DevSession {
   }
 
   // The State that caused an error becomes a recording, which is a test of that one call.
-  void print_errors_of(const Scenario& scenario,
-                       const orchestration::scenario::RunSettings& settings,
+  void print_errors_of(const Scenario& scenario, const scenario::RunSettings& settings,
                        const RunRecord& record, Json& document) const {
-    using orchestration::match::kLeftErrorFile;
-    using orchestration::match::kRightErrorFile;
+    using match::kLeftErrorFile;
+    using match::kRightErrorFile;
     for (const soccer::Side side : {soccer::Side::kLeft, soccer::Side::kRight}) {
       const bool left = side == soccer::Side::kLeft;
       const auto& error = record.errors.at(left ? 0 : 1);
@@ -256,13 +254,12 @@ class DevSession {
       header.set_seed(settings.seed);
       header.set_left_name("left");
       header.set_right_name("right");
-      const auto written = orchestration::match::write_error_recording(file, header, side, *error);
+      const auto written = match::write_error_recording(file, header, side, *error);
       if (written) {
-        const Endpoint& endpoint = settings.against.value_or(
-            scenario.sides.at(orchestration::scenario::index_of(side)).playmaker);
+        const Endpoint& endpoint =
+            settings.against.value_or(scenario.sides.at(scenario::index_of(side)).playmaker);
         print("      its State again: cls test --replay {} {}\n",
-              orchestration::process::shell_quoted(file.string()),
-              orchestration::process::shell_quoted(endpoint.text));
+              process::shell_quoted(file.string()), process::shell_quoted(endpoint.text));
       }
 
       document["errors"].push_back({{"side", soccer::side_name(side)},
@@ -272,7 +269,7 @@ class DevSession {
   }
 
   const Arguments& arguments_;
-  orchestration::process::ProcessHost& host_;
+  process::ProcessHost& host_;
   const std::atomic<int>& signal_;
   std::map<std::string, LastRun> last_;
 };
@@ -324,7 +321,7 @@ int run(Arguments& arguments) {
     if (!side) return print_error(kUsage, "--against: " + side.error().message);
   }
 
-  auto host = orchestration::process::ProcessHost::create();
+  auto host = process::ProcessHost::create();
   if (!host) return print_error(kInternalError, host.error().message);
   const std::atomic<int>& signal = watch_interrupts();
   DevSession session(arguments, *host, signal);

@@ -17,14 +17,14 @@
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
 #include "cli/support/tls_options.h"
-#include "orchestration/match/options/match_settings.h"
-#include "orchestration/match/options/saved_match.h"
-#include "orchestration/tournament/config/config_file.h"
+#include "match/saved/saved_match.h"
+#include "match/terms/match_settings.h"
+#include "tournament/config/config_file.h"
 
 namespace cls::cli {
 namespace fs = std::filesystem;
-using namespace orchestration::match;
-using orchestration::tournament::ParsedConfig;
+using namespace match;
+using tournament::ParsedConfig;
 
 void add_match_options(Command& command, MatchArguments& arguments) {
   for (const MatchOption& row : match_options()) add_match_option(command, row);
@@ -67,7 +67,7 @@ namespace {
 std::vector<std::string> resolve(MatchArguments& arguments) {
   std::vector<std::string> errors;
   MatchOptions& options = arguments.options;
-  const auto read_side = [&](const std::string& text, orchestration::match::Endpoint& endpoint) {
+  const auto read_side = [&](const std::string& text, match::Endpoint& endpoint) {
     const auto parsed = parse_side(text, arguments.config_file);
     if (parsed) {
       endpoint = *parsed;
@@ -202,7 +202,7 @@ int read_config_file(MatchArguments& arguments, bool names_used) {
   std::error_code code;
   fs::path file = arguments.config_file;
   if (file.empty() && names_used) {
-    const auto found = orchestration::tournament::find_config(fs::current_path(code));
+    const auto found = tournament::find_config(fs::current_path(code));
     if (found) file = *found;
   }
   if (file.empty()) return kOk;
@@ -211,7 +211,7 @@ int read_config_file(MatchArguments& arguments, bool names_used) {
     return print_error(kNoInput, fmt::format("--config {}: {}", file.string(), *why));
   }
 
-  const ParsedConfig parsed = orchestration::tournament::read_config(file);
+  const ParsedConfig parsed = tournament::read_config(file);
   if (!parsed.errors.empty()) return print_errors(kBadConfig, parsed.errors);
   return take_config(parsed, file, arguments);
 }
@@ -231,11 +231,11 @@ int resume(MatchArguments& arguments) {
   if (const auto why = base::why_no_file(file)) {
     return print_error(kNoInput, fmt::format("--resume {}: {}", file, *why));
   }
-  const auto match = orchestration::match::read_saved_match(file);
+  const auto match = match::read_saved_match(file);
   if (!match) return print_error(kBadData, "--resume " + match.error().message);
 
   if (arguments.origins["seed"] != "option --seed") options.seed.reset();
-  const auto resumed = orchestration::match::resume_from(*match, options);
+  const auto resumed = match::resume_from(*match, options);
   if (!resumed) return print_error(kBadData, "--resume: " + resumed.error().message);
   const std::vector<std::string> errors = validate_options(options);
   return errors.empty() ? kOk : print_errors(kUsage, errors);
@@ -264,15 +264,14 @@ int resolve_match(const Command& command, MatchArguments& arguments) {
   const std::vector<std::string> errors = resolve(arguments);
   if (!errors.empty()) return print_errors(kUsage, errors);
   if (const int resumed = resume(arguments); resumed != kOk) return resumed;
-  if (const auto loaded = orchestration::match::load_book(arguments.options); !loaded) {
+  if (const auto loaded = match::load_book(arguments.options); !loaded) {
     return print_error(exit_code_of_book(arguments.options.book),
                        "--book: " + loaded.error().message);
   }
 
-  std::vector<orchestration::match::Endpoint*> sides = {&arguments.options.left,
-                                                        &arguments.options.right};
+  std::vector<match::Endpoint*> sides = {&arguments.options.left, &arguments.options.right};
   if (arguments.options.trainer) sides.push_back(&*arguments.options.trainer);
-  for (orchestration::match::Endpoint* side : sides) {
+  for (match::Endpoint* side : sides) {
     if (const int read = read_side_files(*side); read != kOk) return read;
     if (const int read = read_tls_files(*side, arguments.options.tls); read != kOk) return read;
   }

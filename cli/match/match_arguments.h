@@ -8,8 +8,8 @@
 #include <vector>
 #include "cli/command/command.h"
 
-#include "orchestration/match/options/option_table.h"
-#include "orchestration/process/hook_runner.h"
+#include "match/terms/option_table.h"
+#include "process/hook_runner.h"
 
 namespace cls::cli {
 
@@ -17,9 +17,9 @@ namespace cls::cli {
 struct MatchArguments {
   std::string left;
   std::string right;
-  orchestration::match::MatchOptions options;
-  orchestration::match::OptionTexts texts;  ///< of options and cls.toml
-  std::vector<std::string> settings;        ///< server::NAME=VALUE
+  match::MatchOptions options;
+  match::OptionTexts texts;           ///< of options and cls.toml
+  std::vector<std::string> settings;  ///< server::NAME=VALUE
   std::string config_file;
   bool dry_run = false;
   bool force = false;
@@ -32,7 +32,7 @@ struct MatchArguments {
   bool open = false;
   std::optional<double> linger_s;
   std::string on_event;
-  double hook_limit_s = orchestration::process::kHookLimit.count();
+  double hook_limit_s = process::kHookLimit.count();
 
   /// Where settings come from that have not their default value: "cls.toml:12", "option --seed".
   std::map<std::string, std::string> origins;

@@ -24,16 +24,16 @@
 #include "cli/support/print_error.h"
 #include "cli/terminal/progress_line.h"
 #include "cli/terminal/terminal.h"
-#include "orchestration/match/dry_run.h"
-#include "orchestration/match/hooks/match_events.h"
-#include "orchestration/match/result/match_folder.h"
-#include "orchestration/match/run_match.h"
+#include "match/dry_run.h"
+#include "match/hooks/match_events.h"
+#include "match/result/match_folder.h"
+#include "match/run_match.h"
 
 namespace cls::cli {
 namespace {
 
-using orchestration::match::EndReason;
-using orchestration::match::MatchResult;
+using match::EndReason;
+using match::MatchResult;
 
 constexpr const char* kDescription =
     "play one match and print its result\n"
@@ -71,10 +71,10 @@ class WatchedMatch : public ProgressLine {
     LiveViewOptions options;
     options.open_browser = arguments_.open;
     options.linger_s = arguments_.linger_s;
-    auto view = LiveView::start(
-        {viewer::follow_log(folder / game_log, [this] { return over_.load(); }),
-         folder / orchestration::match::kTextLogFile, folder.filename().string(), folder},
-        options);
+    auto view =
+        LiveView::start({viewer::follow_log(folder / game_log, [this] { return over_.load(); }),
+                         folder / match::kTextLogFile, folder.filename().string(), folder},
+                        options);
     if (!view) return on_warning(view.error().message);
     view_ = *std::move(view);
 
@@ -157,7 +157,7 @@ void print_last_output(const MatchResult& result) {
 }
 
 int print_dry_run(const MatchArguments& arguments) {
-  const auto text = orchestration::match::dry_run(arguments.options);
+  const auto text = match::dry_run(arguments.options);
   if (!text) return print_error(kUnavailable, text.error().message);
 
   if (arguments.json) {
@@ -183,13 +183,12 @@ void print_interrupted(const MatchResult& result) {
 
 // Plays the match; with --on-event events go to the command, too.
 base::Result<MatchResult> play(const MatchArguments& arguments, WatchedMatch& progress,
-                               const std::atomic<int>& signal,
-                               orchestration::match::MatchHooks* hooks) {
+                               const std::atomic<int>& signal, match::MatchHooks* hooks) {
   if (arguments.on_event.empty()) return run_match(arguments.options, progress, signal, hooks);
   const std::chrono::duration<double> limit(arguments.hook_limit_s);
-  orchestration::match::EventCommand events(
-      progress, arguments.on_event, std::chrono::duration_cast<std::chrono::milliseconds>(limit),
-      orchestration::match::team_names(arguments.options));
+  match::EventCommand events(progress, arguments.on_event,
+                             std::chrono::duration_cast<std::chrono::milliseconds>(limit),
+                             match::team_names(arguments.options));
   auto result = run_match(arguments.options, events, signal, hooks);
   if (result) events.finish(*result, signal);
   return result;
@@ -206,7 +205,7 @@ int run_match_command(const Command& command, MatchArguments& arguments) {
   if (arguments.dry_run) return print_dry_run(arguments);
   // A match without its programs leaves nothing in runs/.
   if (arguments.options.folder.empty()) {
-    const auto plan = orchestration::match::dry_run(arguments.options);
+    const auto plan = match::dry_run(arguments.options);
     if (!plan) return print_error(kUnavailable, plan.error().message);
   }
 

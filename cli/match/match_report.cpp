@@ -11,16 +11,16 @@
 #include "base/text/counted.h"
 #include "base/text/wrap_text.h"
 #include "cli/support/troubleshooting.h"
-#include "orchestration/match/result/late_warnings.h"
-#include "orchestration/process/command_plan.h"
+#include "match/result/late_warnings.h"
+#include "process/command_plan.h"
 #include "proxy/playmaker/playmaker_errors.h"
 
 namespace cls::cli {
 namespace {
 
-using orchestration::match::MatchResult;
-using orchestration::match::PlayerResult;
-using orchestration::match::TeamResult;
+using match::MatchResult;
+using match::PlayerResult;
+using match::TeamResult;
 
 constexpr std::size_t kLineWidth = 80;
 
@@ -39,9 +39,9 @@ std::int64_t commands(const TeamResult& team, const std::string& kind) {
 }
 
 // Two latency figures of a team: of the slowest player (`worst`) or the median player.
-std::string latency(const TeamResult& team, double orchestration::match::RpcLatency::*first,
-                    double orchestration::match::RpcLatency::*second, bool worst) {
-  const auto figure = [&](double orchestration::match::RpcLatency::*which) {
+std::string latency(const TeamResult& team, double match::RpcLatency::*first,
+                    double match::RpcLatency::*second, bool worst) {
+  const auto figure = [&](double match::RpcLatency::*which) {
     std::vector<double> values;
     for (const PlayerResult& player : team.players) values.push_back(player.rpc_us.*which);
     return worst ? *std::max_element(values.begin(), values.end()) : base::median(values);
@@ -174,7 +174,7 @@ std::string figures(const MatchResult& result) {
   rows.add("missed (late)", missed(result.left), missed(result.right));
   add_reconnects(rows, result);
 
-  using Latency = orchestration::match::RpcLatency;
+  using Latency = match::RpcLatency;
   rows.add("rpc p50 / p95", latency(result.left, &Latency::p50, &Latency::p95, false),
            latency(result.right, &Latency::p50, &Latency::p95, false));
   rows.add("rpc worst p99 / max", latency(result.left, &Latency::p99, &Latency::max, true),
@@ -218,8 +218,8 @@ std::string errors(const MatchResult& result, const TeamResult& team) {
 
   if (!first.recording.empty()) {
     fmt::format_to(std::back_inserter(text), "    try again: cls test --replay {} {}\n",
-                   orchestration::process::shell_quoted(result.folder + "/" + first.recording),
-                   orchestration::process::shell_quoted(team.endpoint));
+                   process::shell_quoted(result.folder + "/" + first.recording),
+                   process::shell_quoted(team.endpoint));
   }
   return text;
 }
@@ -242,7 +242,7 @@ std::string exceptions(const MatchResult& result) {
 std::string refusal(const MatchResult& result) {
   std::string hint = troubleshooting_hint(result.end_reason);
   for (const auto& process : result.processes) {
-    const std::string remedy = orchestration::match::remedy_of(process.exception);
+    const std::string remedy = match::remedy_of(process.exception);
     if (!remedy.empty()) hint = base::wrap_text("remedy: " + remedy, kLineWidth, 2);
   }
   return fmt::format("invalid match: {} before the first cycle\n  {}\n{}  {}/\n",
@@ -252,7 +252,7 @@ std::string refusal(const MatchResult& result) {
 // The command that shows the match; nothing for a match without a game log.
 std::string watch_line(const MatchResult& result) {
   if (result.rcg.empty()) return "";
-  return fmt::format("  cls watch {}\n", orchestration::process::shell_quoted(result.folder));
+  return fmt::format("  cls watch {}\n", process::shell_quoted(result.folder));
 }
 
 }  // namespace

@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "orchestration/match/result/match_result.h"
+#include "match/result/match_result.h"
 
 namespace cls::cli {
 
 /// The table that `cls match` prints: score, goals, figures of both sides, match folder.
 /// With `color`, the score line is bold.
-std::string match_report(const orchestration::match::MatchResult& result, bool color);
+std::string match_report(const match::MatchResult& result, bool color);
 
 }  // namespace cls::cli

@@ -53,7 +53,7 @@ void MatchStepper::execute(const std::string& line) {
   }
 }
 
-void MatchStepper::before_decisions(const orchestration::match::MatchView& view) {
+void MatchStepper::before_decisions(const match::MatchView& view) {
   if (continue_ || quit_ || view.progress.cycle < first_) return;
   if (skip_ > 0) {
     --skip_;
@@ -62,7 +62,7 @@ void MatchStepper::before_decisions(const orchestration::match::MatchView& view)
 
   waiting_ = true;
   while (waiting_) {
-    const orchestration::match::MatchProgress& progress = view.progress;
+    const match::MatchProgress& progress = view.progress;
     fmt::print(stderr, "cycle {}{} {}  {} : {}  {}> ", progress.cycle,
                view.stoppage > 0 ? fmt::format("+{}", view.stoppage) : "", name(progress.mode),
                progress.left_score, progress.right_score,
@@ -80,6 +80,6 @@ void MatchStepper::before_decisions(const orchestration::match::MatchView& view)
   }
 }
 
-bool MatchStepper::after_cycle(const orchestration::match::MatchView& /*view*/) { return !quit_; }
+bool MatchStepper::after_cycle(const match::MatchView& /*view*/) { return !quit_; }
 
 }  // namespace cls::cli

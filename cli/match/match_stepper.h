@@ -5,20 +5,20 @@
 #include <iosfwd>
 #include <string>
 
-#include "orchestration/match/hooks/match_hooks.h"
+#include "match/hooks/match_hooks.h"
 
 namespace cls::cli {
 
 /// From game time `first` on, waits before each cycle's decisions for an input line: empty for one
 /// cycle, N for N cycles, c to continue, q to quit. End of input means c.
-class MatchStepper : public orchestration::match::MatchHooks {
+class MatchStepper : public match::MatchHooks {
  public:
   /// Reads from file descriptor `input`; stops waiting when `signal` is set.
   MatchStepper(int first, int input, const std::atomic<int>& signal)
       : first_(first), input_(input), signal_(signal) {}
 
-  void before_decisions(const orchestration::match::MatchView& view) override;
-  bool after_cycle(const orchestration::match::MatchView& view) override;
+  void before_decisions(const match::MatchView& view) override;
+  bool after_cycle(const match::MatchView& view) override;
 
  private:
   /// False at end of input or after a signal.

@@ -29,7 +29,7 @@
 #include "mock-server/mock.h"
 #include "mock-server/script/named_behaviors.h"
 #include "mock-server/server.h"
-#include "orchestration/process/ports.h"
+#include "process/ports.h"
 #include "soccer/parameters/parameter.h"
 
 namespace cls::cli {
@@ -250,10 +250,10 @@ base::Result<Mock> make(const Arguments& arguments, Failure& failure) {
 
 // A host of others, or a port that is taken, with its owner.
 Failure why_not_listening(const Arguments& arguments, const std::string& error) {
-  using orchestration::process::Protocol;
-  const std::string host = orchestration::process::unusable_host(arguments.host);
+  using process::Protocol;
+  const std::string host = process::unusable_host(arguments.host);
   if (!host.empty()) return {fmt::format("--host '{}': {}", arguments.host, host), kUsage};
-  const std::string taken = orchestration::process::taken_port(Protocol::kTcp, {arguments.port});
+  const std::string taken = process::taken_port(Protocol::kTcp, {arguments.port});
   return {taken.empty() ? error : taken + "; --port 0 selects a free port", kTryAgain};
 }
 

@@ -28,19 +28,19 @@
 #include "cli/terminal/json_stdout.h"
 #include "cli/terminal/progress_line.h"
 #include "cli/terminal/terminal.h"
-#include "orchestration/match/options/endpoint.h"
-#include "orchestration/match/options/host_name.h"
-#include "orchestration/match/sides/playmaker_process.h"
-#include "orchestration/match/standalone_team.h"
+#include "match/sides/playmaker_process.h"
+#include "match/standalone_team.h"
+#include "match/terms/endpoint.h"
+#include "match/terms/host_name.h"
 #include "player/formation/formation_set.h"
 #include "soccer/side.h"
 
 namespace cls::cli {
 namespace {
 
-using orchestration::match::EndReason;
-using orchestration::match::StandaloneTeamOptions;
-using orchestration::match::StandaloneTeamResult;
+using match::EndReason;
+using match::StandaloneTeamOptions;
+using match::StandaloneTeamResult;
 
 constexpr const char* kDescription =
     "run a team of players and their coach on a running soccer server\n"
@@ -71,7 +71,7 @@ struct Arguments {
   std::string on_late = "hold";
   std::string batch = "auto";
   std::string playmaker;
-  orchestration::match::TlsFileNames tls;
+  match::TlsFileNames tls;
   std::string result_file;
   std::string rpc_type = kGrpc;
   bool quiet = false;
@@ -182,8 +182,8 @@ void add_options(Command& command, Arguments& arguments) {
 // Reads --playmaker; returns the exit code.
 int read_playmaker(Arguments& arguments) {
   if (arguments.playmaker.empty()) return kOk;
-  auto endpoint = orchestration::match::parse_endpoint(arguments.playmaker);
-  using Kind = orchestration::match::Endpoint::Kind;
+  auto endpoint = match::parse_endpoint(arguments.playmaker);
+  using Kind = match::Endpoint::Kind;
   if (!endpoint || (endpoint->kind != Kind::kAddress && endpoint->kind != Kind::kUnixSocket)) {
     return print_error(
         kUsage, fmt::format("--playmaker '{}': must be HOST:PORT, tls:HOST:PORT or unix:PATH; "
@@ -228,7 +228,7 @@ void resolve_coach_ports(Arguments& arguments, std::vector<std::string>& errors)
 }
 
 void check_hosts(StandaloneTeamOptions& options, std::vector<std::string>& errors) {
-  using orchestration::match::host_problem;
+  using match::host_problem;
   const std::string playmaker = options.playmaker.host;
   const std::string problem = playmaker.empty() ? "" : host_problem(playmaker);
   if (!problem.empty()) errors.push_back(fmt::format("--rpc-host '{}': {}", playmaker, problem));
@@ -243,8 +243,8 @@ void check_hosts(StandaloneTeamOptions& options, std::vector<std::string>& error
 // The options of logs that cls match has, too.
 void read_debug_options(const Arguments& arguments, proxy::DebugOptions& debug,
                         std::vector<std::string>& errors) {
-  orchestration::match::MatchOptions match;
-  orchestration::match::OptionTexts texts;
+  match::MatchOptions match;
+  match::OptionTexts texts;
   for (const auto& [key, text] : {std::pair("debug_server", arguments.debug_server),
                                   std::pair("debug_server_log", arguments.debug_server_log),
                                   std::pair("debug_log", arguments.debug_log)}) {
@@ -258,7 +258,7 @@ std::vector<std::string> resolve(Arguments& arguments, const Command& command) {
   std::vector<std::string> errors;
   read_debug_options(arguments, arguments.options.debug, errors);
   StandaloneTeamOptions& options = arguments.options;
-  const auto name = orchestration::match::check_team_name(arguments.team_name);
+  const auto name = match::check_team_name(arguments.team_name);
   if (name) {
     options.team.name = soccer::TeamName(*name);
   } else {
@@ -358,9 +358,9 @@ std::string json_line(const proxy::Team& team) {
 }
 
 // Maximum of each percentile over the players.
-orchestration::match::RpcLatency worst_latency(const StandaloneTeamResult& result) {
-  orchestration::match::RpcLatency worst;
-  for (const orchestration::match::PlayerResult& player : result.players) {
+match::RpcLatency worst_latency(const StandaloneTeamResult& result) {
+  match::RpcLatency worst;
+  for (const match::PlayerResult& player : result.players) {
     worst.p50 = std::max(worst.p50, player.rpc_us.p50);
     worst.p95 = std::max(worst.p95, player.rpc_us.p95);
     worst.p99 = std::max(worst.p99, player.rpc_us.p99);
@@ -370,7 +370,7 @@ orchestration::match::RpcLatency worst_latency(const StandaloneTeamResult& resul
 }
 
 void print_result(const Arguments& arguments, const StandaloneTeamResult& result) {
-  using orchestration::match::PlayerResult;
+  using match::PlayerResult;
   const auto total = [&](std::int64_t PlayerResult::*count) {
     std::int64_t sum = 0;
     for (const PlayerResult& player : result.players) sum += player.*count;
@@ -385,7 +385,7 @@ void print_result(const Arguments& arguments, const StandaloneTeamResult& result
       total(&PlayerResult::missed), total(&PlayerResult::undecided),
       total(&PlayerResult::lost_commands), total(&PlayerResult::late_wakeups));
 
-  const orchestration::match::RpcLatency worst = worst_latency(result);
+  const match::RpcLatency worst = worst_latency(result);
   fmt::print(
       "rpc latency of the slowest player: p50 {:.0f} p95 {:.0f} p99 {:.0f} max {:.0f} us; {} "
       "late, {} reconnects\n",

@@ -29,21 +29,21 @@
 #include "cli/support/print_error.h"
 #include "cli/terminal/json_stdout.h"
 #include "gamelog/rcg/rcg_writer.h"
-#include "orchestration/match/options/server_settings.h"
-#include "orchestration/match/server/client_binding.h"
-#include "orchestration/match/server/server_logs.h"
-#include "orchestration/match/server/server_output.h"
-#include "orchestration/match/server/server_report.h"
-#include "orchestration/match/server/server_teams.h"
-#include "orchestration/process/ports.h"
-#include "orchestration/process/socket_visibility.h"
+#include "match/server/client_binding.h"
+#include "match/server/server_logs.h"
+#include "match/server/server_output.h"
+#include "match/server/server_report.h"
+#include "match/server/server_teams.h"
+#include "match/terms/server_settings.h"
+#include "process/ports.h"
+#include "process/socket_visibility.h"
 #include "simulator/server/udp_server.h"
 #include "simulator/sessions/match_recorder.h"
 
 namespace cls::cli {
 namespace {
 
-using orchestration::match::ServerSettings;
+using match::ServerSettings;
 using simulator::UdpServer;
 using simulator::UdpServerExit;
 
@@ -74,7 +74,7 @@ base::Result<ServerSettings> read_settings(const Arguments& arguments,
                                            const std::vector<std::string>& texts, int& exit_code) {
   ServerSettings settings;
   exit_code = kBadConfig;
-  TRY_INIT(const auto files, apply_folder(settings, orchestration::match::configuration_folder()));
+  TRY_INIT(const auto files, apply_folder(settings, match::configuration_folder()));
   for (const auto& file : files) fmt::print("configuration: {}\n", file.string());
 
   exit_code = kUsage;
@@ -105,9 +105,9 @@ UdpServerExit serve(UdpServer& server, const std::atomic<int>& signal) {
   return end.get();
 }
 
-orchestration::match::ReportedTeam reported(const UdpServer& server, soccer::Side side) {
+match::ReportedTeam reported(const UdpServer& server, soccer::Side side) {
   const simulator::Team& team = server.world().team(side);
-  orchestration::match::ReportedTeam report;
+  match::ReportedTeam report;
   report.coach = server.coach_name(side);
   report.name = team.name.view();
   report.score = team.score;
@@ -116,8 +116,8 @@ orchestration::match::ReportedTeam reported(const UdpServer& server, soccer::Sid
   return report;
 }
 
-orchestration::match::ServerReport report_of(const UdpServer& server, std::time_t start) {
-  orchestration::match::ServerReport report;
+match::ServerReport report_of(const UdpServer& server, std::time_t start) {
+  match::ServerReport report;
   report.start = start;
   report.left = reported(server, soccer::Side::kLeft);
   report.right = reported(server, soccer::Side::kRight);
@@ -128,12 +128,11 @@ orchestration::match::ServerReport report_of(const UdpServer& server, std::time_
 }
 
 /// Appends a row to the CSV file of results.
-base::Result<void> save_csv(const std::string& file,
-                            const orchestration::match::ServerReport& report) {
+base::Result<void> save_csv(const std::string& file, const match::ServerReport& report) {
   std::error_code error;
   const bool is_new = !std::filesystem::exists(file, error);
   std::ofstream out(file, std::ios::app | std::ios::binary);
-  if (is_new) out << orchestration::match::csv_header();
+  if (is_new) out << match::csv_header();
   out << csv_line(report) << std::flush;
   if (!out) return base::Error{fmt::format("{}: cannot write", file)};
   return {};
@@ -157,14 +156,14 @@ void print_awaited(const UdpServer& server) {
   const auto seconds = [&server](soccer::Side side) {
     return std::chrono::duration<double>(server.awaited(side)).count();
   };
-  fmt::print("{}{:.3f} {:.3f}\n", orchestration::match::kAwaitedLine, seconds(soccer::Side::kLeft),
+  fmt::print("{}{:.3f} {:.3f}\n", match::kAwaitedLine, seconds(soccer::Side::kLeft),
              seconds(soccer::Side::kRight));
 }
 
 /// Prints the result and closes the logs. Returns the first error.
 base::Result<void> finish(const UdpServer& server, const ServerSettings& settings,
-                          orchestration::match::ServerLogs& logs, std::time_t start) {
-  const orchestration::match::ServerReport report = report_of(server, start);
+                          match::ServerLogs& logs, std::time_t start) {
+  const match::ServerReport report = report_of(server, start);
   base::Result<void> saved;
   if (settings.save_csv) saved = save_csv(settings.csv_file, report);
   fmt::print("{}", console_report(report, settings.save_csv && saved));
@@ -216,12 +215,12 @@ simulator::UdpConfig config_of(const Arguments& arguments, const ServerSettings&
   return config;
 }
 
-orchestration::match::ServerPorts ports_of(const UdpServer& server) {
+match::ServerPorts ports_of(const UdpServer& server) {
   return {server.port(), server.port(simulator::ListeningPort::kTrainers),
           server.port(simulator::ListeningPort::kOnlineCoaches)};
 }
 
-std::string json_line(const Arguments& arguments, const orchestration::match::ServerPorts& ports,
+std::string json_line(const Arguments& arguments, const match::ServerPorts& ports,
                       std::uint64_t seed) {
   const nlohmann::ordered_json line = {{"schema", "cls.server/1"},  {"host", arguments.host},
                                        {"port", ports.player},      {"trainer_port", ports.trainer},
@@ -254,23 +253,23 @@ std::string earlier_log(const std::filesystem::path& folder) {
 
 /// For the match that has started this server.
 void print_intrusion(const std::string& line) {
-  fmt::print("{}{}\n", orchestration::match::kIntrusionLine, line);
+  fmt::print("{}{}\n", match::kIntrusionLine, line);
   std::fflush(stdout);
 }
 
 /// Binds clients to the sides of the match that has started this server, and reports others. False
 /// if none has started it.
 bool bind_clients(UdpServer& server, const ServerSettings& settings,
-                  std::optional<orchestration::match::ClientBinding>& binding) {
+                  std::optional<match::ClientBinding>& binding) {
   if (!settings.bound) return true;
   const soccer::ServerParams& params = settings.server;
   const bool has_trainer = params.coach || params.coach_w_referee;
   if (!has_trainer || settings.bound->trainer) server.make_monitors_read_only();
-  if (const auto missing = orchestration::process::missing_socket_owners(); !missing.empty()) {
+  if (const auto missing = process::missing_socket_owners(); !missing.empty()) {
     print_intrusion(missing);
     return true;
   }
-  auto owners = orchestration::process::SocketOwners::of_programs_beside();
+  auto owners = process::SocketOwners::of_programs_beside();
   if (!owners) return false;
   binding.emplace(*settings.bound, *std::move(owners));
   server.bind_clients(
@@ -292,13 +291,12 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings,
 
   auto server = UdpServer::open(config);
   if (!server) {
-    const std::string taken =
-        orchestration::process::taken_port(orchestration::process::Protocol::kUdp,
-                                           {config.port, config.trainer_port, config.coach_port});
+    const std::string taken = process::taken_port(
+        process::Protocol::kUdp, {config.port, config.trainer_port, config.coach_port});
     return print_error(kTryAgain, taken.empty() ? server.error().message
                                                 : taken + "; --port 0 selects free ports");
   }
-  std::optional<orchestration::match::ClientBinding> binding;
+  std::optional<match::ClientBinding> binding;
   if (!bind_clients(**server, settings, binding)) {
     return print_error(kUsage, "match::sides: no match has started this server; omit it");
   }
@@ -306,14 +304,14 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings,
     return print_error(kCannotCreate, fmt::format("{}: exists; give --dir another folder", log));
   }
 
-  auto logs = orchestration::match::ServerLogs::open(settings.server, start);
+  auto logs = match::ServerLogs::open(settings.server, start);
   if (!logs) return print_error(kCannotCreate, logs.error().message);
   (*server)->record(logs->sinks());
   std::optional<simulator::KeepawayRecorder> keepaway;
   if (logs->keepaway() != nullptr) keepaway.emplace(*logs->keepaway());
 
-  const orchestration::match::ServerPorts ports = ports_of(**server);
-  auto teams = orchestration::match::ServerTeams::create(settings.server, ports);
+  const match::ServerPorts ports = ports_of(**server);
+  auto teams = match::ServerTeams::create(settings.server, ports);
   if (!teams) return print_error(kInternalError, teams.error().message);
 
   ServerLines lines(**server);

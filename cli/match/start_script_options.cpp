@@ -15,7 +15,7 @@
 namespace cls::cli {
 namespace {
 
-using orchestration::match::StandaloneTeamOptions;
+using match::StandaloneTeamOptions;
 
 constexpr const char* kLogGroup =
     "Logs for soccerwindow2, as the framework's start scripts name them";

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/command/command.h"
-#include "orchestration/match/standalone_team.h"
+#include "match/standalone_team.h"
 
 namespace cls::cli {
 
@@ -34,9 +34,9 @@ inline constexpr int kDebugPortOffset = 32;
 void add_start_script_options(Command& command, StartScriptValues& values);
 
 /// Applies the values; returns a line for each that is refused, each with what to do instead.
-std::vector<std::string> apply_start_script_options(
-    const Command& command, const StartScriptValues& values,
-    orchestration::match::StandaloneTeamOptions& options);
+std::vector<std::string> apply_start_script_options(const Command& command,
+                                                    const StartScriptValues& values,
+                                                    match::StandaloneTeamOptions& options);
 
 /// A line for each given option that only changes another one, which was not given.
 std::vector<std::string> start_script_warnings(const Command& command);

@@ -29,23 +29,23 @@
 #include "cli/support/side_arguments.h"
 #include "cli/support/tls_options.h"
 #include "cli/terminal/terminal.h"
-#include "orchestration/match/hooks/rpc_replay.h"
-#include "orchestration/match/options/team_sandbox.h"
-#include "orchestration/scenario/scenario_library.h"
-#include "orchestration/scenario/suite.h"
-#include "orchestration/scenario/suite_report.h"
-#include "orchestration/tournament/config/config_file.h"
+#include "match/programs/team_sandbox.h"
+#include "match/replay/rpc_replay.h"
 #include "proto/rpc.h"
+#include "scenario/scenario_library.h"
+#include "scenario/suite.h"
+#include "scenario/suite_report.h"
 #include "soccer/side.h"
+#include "tournament/config/config_file.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using orchestration::scenario::Scenario;
-using orchestration::scenario::SuiteOptions;
-using orchestration::scenario::SuiteVerdict;
-using orchestration::scenario::Verdict;
+using scenario::Scenario;
+using scenario::SuiteOptions;
+using scenario::SuiteVerdict;
+using scenario::Verdict;
 
 constexpr const char* kDescription =
     "play scenarios and check their expectations\n"
@@ -58,7 +58,7 @@ constexpr const char* kDescription =
     "  cls test --replay FILE --at 1234 --player 7 localhost:50051";
 
 struct Arguments {
-  orchestration::match::TlsFileNames tls;
+  match::TlsFileNames tls;
   std::vector<std::string> scenarios;
   std::string filter;
   std::string shard;
@@ -99,7 +99,7 @@ std::optional<Failure> add_file(const std::string& name, std::vector<Scenario>& 
     return Failure{kNoInput, fmt::format("{}: {}", name, *absence)};
   }
 
-  auto read = orchestration::scenario::read_scenarios(name, endpoint_of_team);
+  auto read = scenario::read_scenarios(name, endpoint_of_team);
   if (!read) return Failure{kBadData, read.error().message};
   chosen.insert(chosen.end(), read->begin(), read->end());
   return std::nullopt;
@@ -145,14 +145,14 @@ std::optional<Failure> select_shard(const std::string& shard, std::vector<Scenar
 
 // As dev plays them without arguments.
 bool in_project_with_scenarios() {
-  return !base::why_no_folder("tests") && !base::absence(orchestration::tournament::kConfigFile);
+  return !base::why_no_folder("tests") && !base::absence(tournament::kConfigFile);
 }
 
 std::optional<Failure> choose(const Arguments& arguments, std::vector<Scenario>& chosen) {
   std::vector<Scenario> shipped;
   if (!std::all_of(arguments.scenarios.begin(), arguments.scenarios.end(), is_path) ||
       arguments.scenarios.empty()) {
-    auto read = orchestration::scenario::shipped_scenarios();
+    auto read = scenario::shipped_scenarios();
     if (!read) return Failure{kInternalError, read.error().message};
     shipped = *std::move(read);
   }
@@ -201,7 +201,7 @@ std::optional<Failure> resolve(const Arguments& arguments, SuiteOptions& options
   options.against_text = arguments.against;
 
   // A user's Playmaker need not support parallel matches.
-  const bool shared = options.against->kind != orchestration::match::Endpoint::Kind::kMock;
+  const bool shared = options.against->kind != match::Endpoint::Kind::kMock;
   if (shared && arguments.jobs == 0) options.jobs = 1;
   return std::nullopt;
 }
@@ -227,7 +227,7 @@ int list(const std::vector<Scenario>& scenarios, bool json) {
 std::vector<fs::path> changed_files(const fs::path& folder) {
   std::vector<fs::path> changed;
   std::error_code code;
-  for (const auto& file : orchestration::scenario::shipped_files()) {
+  for (const auto& file : scenario::shipped_files()) {
     const fs::path path = folder / file.name;
     if (fs::exists(path, code) && base::read_file(path) != file.text) changed.push_back(path);
   }
@@ -256,14 +256,13 @@ int export_to(const fs::path& folder, bool force, bool json) {
     fmt::print(stderr, "cls: {} renamed to {}\n", file.string(), kept->filename().string());
   }
 
-  for (const orchestration::scenario::ShippedFile& file :
-       orchestration::scenario::shipped_files()) {
+  for (const scenario::ShippedFile& file : scenario::shipped_files()) {
     const auto written = base::write_file(folder / file.name, file.text);
     if (written) continue;
     return print_error(kCannotCreate, written.error().message);
   }
 
-  const std::size_t count = orchestration::scenario::shipped_files().size();
+  const std::size_t count = scenario::shipped_files().size();
   if (json) {
     const nlohmann::ordered_json document = {
         {"schema", "cls.export/1"}, {"dir", folder.string()}, {"files", count}};
@@ -281,8 +280,7 @@ bool only_golden_failed(const SuiteVerdict& suite) {
     for (std::size_t i = 0; i < verdict.checks.size(); ++i) {
       const auto& checks = verdict.scenario->checks;
       const bool golden =
-          i < checks.size() &&
-          std::holds_alternative<orchestration::scenario::GoldenCheck>(checks[i].what);
+          i < checks.size() && std::holds_alternative<scenario::GoldenCheck>(checks[i].what);
       if (!verdict.checks[i].passed && !golden) return false;
     }
   }
@@ -318,8 +316,7 @@ int report_failure(const Failure& failure) {
 }
 
 // Options of --replay FILE ENDPOINT.
-std::optional<Failure> resolve(const Arguments& arguments,
-                               orchestration::match::ReplayOptions& options) {
+std::optional<Failure> resolve(const Arguments& arguments, match::ReplayOptions& options) {
   if (arguments.scenarios.size() != 1)
     return Failure{kUsage, "--replay FILE requires one ENDPOINT"};
 
@@ -351,7 +348,7 @@ std::optional<Failure> resolve(const Arguments& arguments,
 
 int run_replay(const Arguments& arguments) {
   constexpr std::size_t kShownDifferences = 20;
-  orchestration::match::ReplayOptions options;
+  match::ReplayOptions options;
   if (const auto failure = resolve(arguments, options)) return report_failure(*failure);
 
   const std::atomic<int>& signal = watch_interrupts();
@@ -373,7 +370,7 @@ void warn_without_sandbox(const std::vector<Scenario>& scenarios, const SuiteOpt
       std::any_of(scenarios.begin(), scenarios.end(), [&](const Scenario& scenario) {
         return std::any_of(scenario.sides.begin(), scenario.sides.end(), is_external);
       });
-  const std::string missing = orchestration::match::missing_sandbox();
+  const std::string missing = match::missing_sandbox();
   if (!external || !options.sandbox || missing.empty()) return;
   print_error(kOk, "warning: " + missing);
 }
@@ -395,7 +392,7 @@ int run_test_command(const Arguments& arguments) {
   warn_without_sandbox(scenarios, options);
 
   const bool color = !arguments.json && stdout_supports_color();
-  const auto on_done = [&](const orchestration::scenario::ScenarioVerdict& verdict) {
+  const auto on_done = [&](const scenario::ScenarioVerdict& verdict) {
     // The summary counts those that an interrupt cut off.
     if (verdict.verdict == Verdict::kInterrupted) return;
     const bool wanted = verdict.verdict == Verdict::kFailed || !arguments.quiet;

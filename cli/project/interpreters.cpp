@@ -13,8 +13,8 @@
 #include "cli/project/elf_file.h"
 #include "cli/project/project_files.h"
 #include "cli/support/run_program.h"
-#include "orchestration/process/command_plan.h"
-#include "orchestration/process/scratch_folder.h"
+#include "process/command_plan.h"
+#include "process/scratch_folder.h"
 
 namespace cls::cli {
 namespace {
@@ -66,7 +66,7 @@ fs::path python_of(const InterpretedProject& project) {
     if (!fs::exists(project.folder / "run")) return candidates.front();
   }
   for (const char* name : {"python3", "/usr/bin/python3"}) {
-    if (auto found = orchestration::process::find_program(name)) candidates.push_back(*found);
+    if (auto found = process::find_program(name)) candidates.push_back(*found);
   }
   const auto chosen = std::find_if(candidates.begin(), candidates.end(), imports_grpc);
   if (chosen != candidates.end()) return *chosen;
@@ -103,7 +103,7 @@ Result<BroughtInterpreter> bring_python(const fs::path& program, const Interpret
     fs::create_symlink("python3", package / "env/bin" / name);
   }
 
-  const orchestration::process::ScratchFolder scratch;
+  const process::ScratchFolder scratch;
   const fs::path script = scratch.path() / "python_files.py";
   TRY(base::write_file(script, embedded_file("cli/project/league/python_files.py")));
   TRY_INIT(const auto lines,
@@ -131,7 +131,7 @@ std::vector<fs::path> interpreters_of(const InterpretedProject& project) {
     if (fs::path python = python_of(project); !python.empty()) programs.push_back(python);
   }
   if (is_for_node(project)) {
-    if (const auto node = orchestration::process::find_program("node")) programs.push_back(*node);
+    if (const auto node = process::find_program("node")) programs.push_back(*node);
   }
   return programs;
 }

@@ -14,8 +14,8 @@
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
-#include "orchestration/match/options/endpoint.h"
-#include "orchestration/process/command_plan.h"
+#include "match/terms/endpoint.h"
+#include "process/command_plan.h"
 
 namespace cls::cli {
 namespace {
@@ -69,11 +69,11 @@ void print(const Arguments& arguments, const std::string& dir,
       "  cd {}\n"
       "  ./run build\n"
       "  cls match {} mock --cycles 1000\n",
-      dir, files.size(), orchestration::process::shell_quoted(dir), arguments.name);
+      dir, files.size(), process::shell_quoted(dir), arguments.name);
 }
 
 int run(const Arguments& arguments) {
-  const auto name = orchestration::match::check_team_name(arguments.name);
+  const auto name = match::check_team_name(arguments.name);
   if (!name) return print_error(kUsage, name.error().message);
 
   const auto files = project_files(arguments.language, arguments.name, arguments.team_template);

@@ -18,9 +18,9 @@
 #include "base/text/table.h"
 #include "cli/project/project_files.h"
 #include "cli/support/run_program.h"
-#include "orchestration/process/command_plan.h"
-#include "orchestration/process/process_host.h"
-#include "orchestration/process/scratch_folder.h"
+#include "process/command_plan.h"
+#include "process/process_host.h"
+#include "process/scratch_folder.h"
 
 namespace cls::cli {
 namespace {
@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 using base::Error;
 using base::Result;
-using orchestration::process::CommandPlan;
+using process::CommandPlan;
 using Words = std::vector<std::string>;
 
 constexpr int kAgents = 12;
@@ -50,7 +50,7 @@ std::string last_line(const fs::path& file) {
 // How this user may make namespaces: as root, or as root of a namespace of users.
 Result<Words> namespace_command() {
   for (const char* program : {"ip", "unshare", "nsenter", "chroot", "taskset", "prlimit"}) {
-    TRY(orchestration::process::find_program(program));
+    TRY(process::find_program(program));
   }
   Words words = {"unshare"};
   if (geteuid() != 0) words.push_back("--map-root-user");
@@ -222,23 +222,23 @@ Result<PackageCheck> check_package(const PackageCheckOptions& options,
     return check;
   }
 
-  const orchestration::process::ScratchFolder scratch;
+  const process::ScratchFolder scratch;
   const fs::path& folder = scratch.path();
   fs::permissions(folder, fs::perms(0755));
   for (const char* script : {"competition", "machine"}) {
     TRY(base::write_file(folder / script,
                          embedded_file(fmt::format("cli/project/league/{}", script))));
   }
-  TRY_INIT(auto host, orchestration::process::ProcessHost::create());
+  TRY_INIT(auto host, process::ProcessHost::create());
   TRY_INIT(const auto child, host.start(competition_plan(options, folder, *std::move(words))));
   const auto limit = kStartLimit + std::chrono::milliseconds(options.cycles * 120);
-  const auto ended = orchestration::process::wait_until_ready(
+  const auto ended = process::wait_until_ready(
       *child, [] { return false; }, limit, stop);
   host.end_all(std::chrono::milliseconds(500));
   remove_groups();
 
   check.limits = limits_text(options, folder);
-  if (ended == orchestration::process::Readiness::kTimedOut) {
+  if (ended == process::Readiness::kTimedOut) {
     check.problem = fmt::format("not over after {} s: {}", limit / std::chrono::seconds(1),
                                 last_line(folder / "server.log"));
   } else if (const std::string code = first_line(folder / "server.exit"); code != "0") {

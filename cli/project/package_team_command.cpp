@@ -24,13 +24,13 @@
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
-#include "orchestration/tournament/config/config_file.h"
+#include "tournament/config/config_file.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace orchestration::tournament;
+using namespace tournament;
 
 constexpr const char* kDescription =
     "write a team of cls.toml as a folder for a competition\n"

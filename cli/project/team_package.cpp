@@ -17,10 +17,10 @@
 #include "cli/project/elf_file.h"
 #include "cli/project/project_files.h"
 #include "cli/support/run_program.h"
-#include "orchestration/match/options/run_command.h"
-#include "orchestration/match/result/match_folder.h"
-#include "orchestration/process/command_plan.h"
-#include "orchestration/tournament/store/folder.h"
+#include "match/result/match_folder.h"
+#include "match/terms/run_command.h"
+#include "process/command_plan.h"
+#include "tournament/store/folder.h"
 #include "viewer/page/page.h"
 
 namespace cls::cli {
@@ -162,9 +162,9 @@ class ProjectCopy {
     }
     if (!entry.is_directory()) return is_log(path) ? "log" : is_page(path) ? "page" : nullptr;
     if (name == "runs") return "matches";
-    if (orchestration::tournament::holds_plan(path)) return "tournament";
+    if (tournament::holds_plan(path)) return "tournament";
     if (is_package(path)) return "package";
-    return orchestration::match::is_match_folder(path) ? "match" : nullptr;
+    return match::is_match_folder(path) ? "match" : nullptr;
   }
 
   void note(const fs::directory_entry& entry, const char* why) {
@@ -182,7 +182,7 @@ class ProjectCopy {
 // Symbols are for debuggers: most of the size of a build that was not installed.
 Result<void> copy_stripped(const fs::path& program, const fs::path& to) {
   TRY(base::create_folders(to.parent_path()));
-  if (const auto strip = orchestration::process::find_program("strip")) {
+  if (const auto strip = process::find_program("strip")) {
     const auto stripped =
         run_program("strip", {strip->string(), "-o", to.string(), program.string()});
     if (stripped && fs::exists(to)) return {};
@@ -210,7 +210,7 @@ Result<void> bring_interpreters(const TeamPackage& package, const fs::path& fold
   const InterpretedProject project{package.command, package.project, package.environment};
   std::vector<fs::path> programs = interpreters_of(project);
   for (const std::string& name : package.with) {
-    TRY_INIT(fs::path found, orchestration::process::find_program(name));
+    TRY_INIT(fs::path found, process::find_program(name));
     programs.push_back(std::move(found));
   }
   for (const fs::path& program : programs) {
@@ -246,12 +246,12 @@ std::string start_script(const TeamPackage& package) {
   std::string command = package.command;
   base::replace_all(command, "{port}", "\"$port\"");
 
-  orchestration::match::RunValues values;
+  match::RunValues values;
   values.team_name = package.name;
 
   std::string script = std::string(embedded_file("cli/project/league/start"));
   base::replace_all(script, "@NAME@", package.name);
-  base::replace_all(script, "@COMMAND@", orchestration::match::fill_in(command, values));
+  base::replace_all(script, "@COMMAND@", match::fill_in(command, values));
   return script;
 }
 

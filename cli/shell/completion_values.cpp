@@ -15,10 +15,10 @@
 #include "cli/shell/help_topics.h"
 #include "cli/shell/shells.h"
 #include "mock-server/script/named_behaviors.h"
-#include "orchestration/scenario/scenario_library.h"
-#include "orchestration/tournament/config/config_file.h"
+#include "scenario/scenario_library.h"
 #include "soccer/parameters/player_params.h"
 #include "soccer/parameters/server_params.h"
+#include "tournament/config/config_file.h"
 
 namespace cls::cli {
 namespace {
@@ -52,9 +52,9 @@ bool is_plain_word(std::string_view text) {
 // Adds the teams of the cls.toml in or above the working directory, which may be a stranger's.
 void add_teams(Completion& completion) {
   std::error_code code;
-  const auto file = orchestration::tournament::find_config(fs::current_path(code));
+  const auto file = tournament::find_config(fs::current_path(code));
   if (!file) return;
-  for (const auto& team : orchestration::tournament::read_config(*file).config.teams) {
+  for (const auto& team : tournament::read_config(*file).config.teams) {
     if (is_plain_word(team.name)) completion.candidates.push_back({team.name, team.endpoint});
   }
 }
@@ -102,7 +102,7 @@ void add_settings(const ValueContext& context, Completion& completion) {
 }
 
 void add_scenarios(const ValueContext&, Completion& completion) {
-  if (const auto scenarios = orchestration::scenario::shipped_scenarios()) {
+  if (const auto scenarios = scenario::shipped_scenarios()) {
     for (const auto& scenario : *scenarios) {
       completion.candidates.push_back({scenario.name, scenario.about});
     }

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "orchestration/process/command_plan.h"
+#include "process/command_plan.h"
 
 namespace cls::cli {
 
@@ -20,7 +20,7 @@ std::string resume_command() {
   std::vector<std::string> words;
   for (const std::string& argument : command_line()) {
     if (argument == "--force") continue;
-    words.push_back(orchestration::process::shell_quoted(argument));
+    words.push_back(process::shell_quoted(argument));
   }
   return fmt::format("{}", fmt::join(words, " "));
 }

@@ -5,8 +5,8 @@
 
 namespace cls::cli {
 
-std::optional<orchestration::process::Guard> start_early_guard(int argc, char** argv) {
-  auto guard = orchestration::process::Guard::start(argc, argv);
+std::optional<process::Guard> start_early_guard(int argc, char** argv) {
+  auto guard = process::Guard::start(argc, argv);
   if (!guard) return std::nullopt;
   return *std::move(guard);
 }

@@ -3,13 +3,13 @@
 
 #include <optional>
 
-#include "orchestration/process/guard.h"
+#include "process/guard.h"
 
 namespace cls::cli {
 
-/// Call first in main, before any thread exists (see orchestration/process/guard.h). The guard
+/// Call first in main, before any thread exists (see process/guard.h). The guard
 /// lives as long as the returned object. Returns nothing when fork() fails; a command that needs
 /// the guard reports that later.
-std::optional<orchestration::process::Guard> start_early_guard(int argc, char** argv);
+std::optional<process::Guard> start_early_guard(int argc, char** argv);
 
 }  // namespace cls::cli

@@ -6,10 +6,10 @@
 namespace cls::cli {
 namespace {
 
-using orchestration::match::MatchOption;
+using match::MatchOption;
 
 std::string names_of(const MatchOption& row) {
-  std::string names = orchestration::match::option_name(row.key);
+  std::string names = match::option_name(row.key);
   if (row.has_opposite) names += ",!--no-" + names.substr(2);
   return names;
 }

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "orchestration/process/process_host.h"
+#include "process/process_host.h"
 
 namespace cls::cli {
 
@@ -16,13 +16,13 @@ using base::Result;
 
 Result<std::vector<std::string>> run_program(const std::string& name, std::vector<std::string> argv,
                                              std::chrono::seconds limit) {
-  orchestration::process::CommandPlan plan;
+  process::CommandPlan plan;
   plan.name = name;
   plan.argv = std::move(argv);
 
   std::mutex mutex;
   std::vector<std::string> lines;
-  TRY_INIT(auto host, orchestration::process::ProcessHost::create());
+  TRY_INIT(auto host, process::ProcessHost::create());
   TRY_INIT(const auto child, host.start(plan, [&](std::string_view line) {
     const std::lock_guard lock(mutex);
     lines.emplace_back(line);

@@ -13,15 +13,15 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/support/tls_options.h"
-#include "orchestration/match/options/endpoint.h"
-#include "orchestration/process/command_plan.h"
-#include "orchestration/tournament/config/config_file.h"
+#include "match/terms/endpoint.h"
+#include "process/command_plan.h"
+#include "tournament/config/config_file.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace orchestration::tournament;
+using namespace tournament;
 
 bool is_endpoint(const std::string& side) {
   return side == "mock" || side.find(':') != std::string::npos;
@@ -63,8 +63,7 @@ std::string folder_meant(const std::string& side) {
   if (const fs::path file = folder / "cls.toml"; !base::why_no_file(file)) {
     return fmt::format(
         "unknown side '{}': a folder with a cls.toml of its own; cd {} first, or --config {}", side,
-        orchestration::process::shell_quoted(side),
-        orchestration::process::shell_quoted(file.string()));
+        process::shell_quoted(side), process::shell_quoted(file.string()));
   }
   if (base::why_no_file(folder / "start") && base::why_no_file(folder / "start.sh")) return "";
   return fmt::format("unknown side '{0}'; did you mean 'team:{0}'?", side);
@@ -116,9 +115,8 @@ std::optional<double> start_timeout_of_project() {
   return match_options(parsed.config).start_timeout_s;
 }
 
-base::Result<orchestration::match::Endpoint> parse_side(const std::string& side,
-                                                        const std::string& config_file) {
-  auto endpoint = orchestration::match::parse_endpoint(side);
+base::Result<match::Endpoint> parse_side(const std::string& side, const std::string& config_file) {
+  auto endpoint = match::parse_endpoint(side);
   if (!endpoint && config_file.empty()) {
     if (std::string meant = folder_meant(side); !meant.empty())
       return base::Error{std::move(meant)};
@@ -134,8 +132,8 @@ base::Result<orchestration::match::Endpoint> parse_side(const std::string& side,
                      "; names of teams need a cls.toml here or above, or --config FILE"};
 }
 
-int read_side(const std::string& label, std::string text,
-              const orchestration::match::TlsFileNames& tls, orchestration::match::Endpoint& side) {
+int read_side(const std::string& label, std::string text, const match::TlsFileNames& tls,
+              match::Endpoint& side) {
   std::string team_name;
   if (const int code = resolve_team_name(text, team_name, ""); code != kOk) return code;
 
@@ -148,8 +146,7 @@ int read_side(const std::string& label, std::string text,
 }
 
 int read_playmaker(const std::string& label, const std::string& text,
-                   const orchestration::match::TlsFileNames& tls,
-                   orchestration::match::Endpoint& side) {
+                   const match::TlsFileNames& tls, match::Endpoint& side) {
   if (const int code = read_side(label, text, tls, side); code != kOk) return code;
   if (side.has_one_playmaker()) return kOk;
 
@@ -159,7 +156,7 @@ int read_playmaker(const std::string& label, const std::string& text,
                                     : "team:DIR has no Playmaker"));
 }
 
-int read_side_files(orchestration::match::Endpoint& side) {
+int read_side_files(match::Endpoint& side) {
   const auto loaded = load_files(side);
   if (loaded) return kOk;
   const bool exists = missing_file(side).empty();

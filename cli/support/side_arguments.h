@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "orchestration/match/options/endpoint.h"
-#include "orchestration/match/options/match_options.h"
+#include "match/terms/endpoint.h"
+#include "match/terms/match_options.h"
 
 namespace cls::cli {
 
@@ -27,8 +27,7 @@ std::optional<double> start_timeout_of_project();
 
 /// parse_endpoint() for a side without its team name. The error says where names of teams come from
 /// if there is no such file.
-base::Result<orchestration::match::Endpoint> parse_side(const std::string& side,
-                                                        const std::string& config_file);
+base::Result<match::Endpoint> parse_side(const std::string& side, const std::string& config_file);
 
 /// Of a book that cannot be read: whether it is there.
 int exit_code_of_book(const std::string& file);
@@ -36,16 +35,15 @@ int exit_code_of_book(const std::string& file);
 /// The side that a command plays with or checks: an endpoint, or the name of a team of cls.toml;
 /// with its files and certificates. Prints errors, which begin with `label` ("--against: ");
 /// returns kOk, kUsage, kNoInput, kBadConfig or kBadData.
-int read_side(const std::string& label, std::string text,
-              const orchestration::match::TlsFileNames& tls, orchestration::match::Endpoint& side);
+int read_side(const std::string& label, std::string text, const match::TlsFileNames& tls,
+              match::Endpoint& side);
 
 /// read_side() for a side that must have one Playmaker.
 int read_playmaker(const std::string& label, const std::string& text,
-                   const orchestration::match::TlsFileNames& tls,
-                   orchestration::match::Endpoint& side);
+                   const match::TlsFileNames& tls, match::Endpoint& side);
 
 /// Reads the script of a mock side and the parameters of the planner, if the side has them. Prints
 /// errors; returns kOk, kNoInput or kBadData.
-int read_side_files(orchestration::match::Endpoint& side);
+int read_side_files(match::Endpoint& side);
 
 }  // namespace cls::cli

@@ -16,7 +16,7 @@
 namespace cls::cli {
 namespace {
 
-using orchestration::match::TlsFileNames;
+using match::TlsFileNames;
 
 struct PemFile {
   const char* option;
@@ -52,7 +52,7 @@ void add_tls_options(Command& command, TlsFileNames& files) {
   add_match_option(command, "tls_name", files.server_name);
 }
 
-int read_tls_files(orchestration::match::Endpoint& endpoint, const TlsFileNames& options) {
+int read_tls_files(match::Endpoint& endpoint, const TlsFileNames& options) {
   for (auto& part : endpoint.parts) {
     if (const int code = read_tls_files(part, options); code != kOk) return code;
   }

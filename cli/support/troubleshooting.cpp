@@ -5,7 +5,7 @@
 
 namespace cls::cli {
 
-using orchestration::match::EndReason;
+using match::EndReason;
 
 std::string troubleshooting_hint(EndReason reason) {
   if (reason == EndReason::kFinished) return {};

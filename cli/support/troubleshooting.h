@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "orchestration/match/result/end_reason.h"
+#include "match/result/end_reason.h"
 
 namespace cls::cli {
 
 /// "see `cls explain stalled`"; empty for a match that finished.
-std::string troubleshooting_hint(orchestration::match::EndReason reason);
+std::string troubleshooting_hint(match::EndReason reason);
 
 }  // namespace cls::cli

@@ -8,7 +8,7 @@
 namespace cls::cli {
 namespace {
 
-using namespace orchestration::tournament;
+using namespace tournament;
 
 constexpr std::chrono::seconds kLineInterval{10};
 

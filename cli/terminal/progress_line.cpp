@@ -10,8 +10,7 @@ constexpr std::chrono::milliseconds kInterval{100};
 
 }  // namespace
 
-std::string progress_text(const orchestration::match::MatchProgress& progress,
-                          double cycles_per_second) {
+std::string progress_text(const match::MatchProgress& progress, double cycles_per_second) {
   const double share = progress.last_cycle > 0 ? static_cast<double>(progress.cycle) /
                                                      static_cast<double>(progress.last_cycle)
                                                : 0.0;
@@ -31,7 +30,7 @@ void ProgressLine::on_phase(std::string_view what) {
   if (shown_) line_.show(what);
 }
 
-void ProgressLine::on_cycle(const orchestration::match::MatchProgress& progress) {
+void ProgressLine::on_cycle(const match::MatchProgress& progress) {
   if (!shown_) return;
 
   const Clock::time_point now = Clock::now();

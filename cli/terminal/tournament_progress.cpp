@@ -7,12 +7,12 @@
 
 #include "base/text/counted.h"
 #include "base/text/printable.h"
-#include "orchestration/tournament/report/report_model.h"
-#include "orchestration/tournament/schedule/schedule.h"
+#include "tournament/report/report_model.h"
+#include "tournament/schedule/schedule.h"
 
 namespace cls::cli {
 
-using namespace orchestration::tournament;
+using namespace tournament;
 
 std::string progress_text(const RunProgress& progress) {
   std::string text = fmt::format(

@@ -8,6 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "analysis/situations/book_file.h"
+#include "analysis/situations/book_fit.h"
+#include "analysis/situations/make_book.h"
 #include "base/text/counted.h"
 #include "base/text/json_text.h"
 #include "cli/logs/output_file.h"
@@ -19,23 +22,20 @@
 #include "cli/terminal/log_progress.h"
 #include "gamelog/files/log_files.h"
 #include "gamelog/rcg/rcg_reader.h"
-#include "orchestration/match/book/book_file.h"
-#include "orchestration/match/book/book_fit.h"
-#include "orchestration/match/book/make_book.h"
 
 namespace cls::cli {
 namespace {
 
-using namespace orchestration::match;
+using namespace match;
 using Json = nlohmann::ordered_json;
 
 struct Arguments {
   std::vector<std::string> logs;
   std::string book;
   std::string out;
-  BookOptions options;
+  analysis::BookOptions options;
   int cycles = kFitCycles;
-  double ridge = BookFitter::kDefaultRidge;
+  double ridge = analysis::BookFitter::kDefaultRidge;
   bool force = false;
   bool json = false;
 
@@ -70,18 +70,18 @@ int for_each_log(const std::vector<std::string>& arguments, Add add) {
   return kOk;
 }
 
-Json counts_of(const Book& book) {
+Json counts_of(const analysis::Book& book) {
   Json counts = Json::object();
-  for (std::size_t i = 0; i < kSituationClasses; ++i) {
-    const auto kind = static_cast<SituationClass>(i);
+  for (std::size_t i = 0; i < analysis::kSituationClasses; ++i) {
+    const auto kind = static_cast<analysis::SituationClass>(i);
     counts[std::string(name(kind))] =
         std::count_if(book.situations.begin(), book.situations.end(),
-                      [kind](const Situation& one) { return one.kind == kind; });
+                      [kind](const analysis::Situation& one) { return one.kind == kind; });
   }
   return counts;
 }
 
-int print_book(const Book& book, const std::string& file, bool json) {
+int print_book(const analysis::Book& book, const std::string& file, bool json) {
   if (json) {
     const Json document = {{"schema", "cls.book-summary/1"},
                            {"file", file},
@@ -109,7 +109,7 @@ int run_make(const Arguments& arguments) {
       code != kOk) {
     return code;
   }
-  BookMaker maker(arguments.options);
+  analysis::BookMaker maker(arguments.options);
   const int read = for_each_log(arguments.logs, [&](const auto& record, const std::string& file) {
     const std::filesystem::path path(file);
     const auto folder = path.parent_path().filename();
@@ -117,20 +117,20 @@ int run_make(const Arguments& arguments) {
   });
   if (read != kOk) return read;
 
-  for (std::size_t i = 0; i < kSituationClasses; ++i) {
-    const auto kind = static_cast<SituationClass>(i);
+  for (std::size_t i = 0; i < analysis::kSituationClasses; ++i) {
+    const auto kind = static_cast<analysis::SituationClass>(i);
     if (maker.moments(kind) > 0) continue;
     return print_error(
         kBadData, fmt::format("the matches have no moment of the class {}; add logs", name(kind)));
   }
-  const Book book = maker.make();
+  const analysis::Book book = maker.make();
   const auto failure = write_output(arguments.out, [&](base::ByteSink& sink) {
-    write_book(book, sink);
+    analysis::write_book(book, sink);
     return true;
   });
   if (failure) return report_failure(failure);
-  const auto wanted =
-      static_cast<std::size_t>(arguments.options.count) / kSituationClasses * kSituationClasses;
+  const auto wanted = static_cast<std::size_t>(arguments.options.count) /
+                      analysis::kSituationClasses * analysis::kSituationClasses;
   if (book.situations.size() < wanted) {
     print_error(0, fmt::format("--count {}: the rarest class has fewer moments; the book has {}",
                                arguments.options.count,
@@ -140,22 +140,22 @@ int run_make(const Arguments& arguments) {
 }
 
 int run_show(const Arguments& arguments) {
-  const auto book = read_book(arguments.book);
+  const auto book = analysis::read_book(arguments.book);
   if (!book) return print_error(exit_code_of_book(arguments.book), book.error().message);
   return print_book(*book, arguments.book, arguments.json);
 }
 
 int run_fit(const Arguments& arguments) {
-  BookFitter fitter(arguments.cycles, arguments.ridge);
+  analysis::BookFitter fitter(arguments.cycles, arguments.ridge);
   const int read = for_each_log(
       arguments.logs, [&](const auto& record, const std::string&) { return fitter.add(record); });
   if (read != kOk) return read;
 
-  const BookFit fit = fitter.fit();
+  const analysis::BookFit fit = fitter.fit();
   Json weights = Json::object();
-  for (std::size_t i = 0; i < kFigures; ++i) {
-    weights[std::string(kFigureNames[i])] = {{"fitted", fit.weights[i]},
-                                             {"used", situation_weights()[i]}};
+  for (std::size_t i = 0; i < analysis::kFigures; ++i) {
+    weights[std::string(analysis::kFigureNames[i])] = {{"fitted", fit.weights[i]},
+                                                       {"used", analysis::situation_weights()[i]}};
   }
   if (arguments.json) {
     const Json document = {
@@ -200,10 +200,11 @@ void add_make(Command& book) {
   add_logs_argument(command, *arguments);
   command.option("--out", arguments->out, "the book; compressed if it ends in .gz").required();
   command.option("--count", arguments->options.count, "situations")
-      .range(static_cast<int>(kSituationClasses), static_cast<int>(kMaxSituations))
+      .range(static_cast<int>(analysis::kSituationClasses),
+             static_cast<int>(analysis::kMaxSituations))
       .shows_default();
   command.option("--warm-up", arguments->options.warm_up, "steps before each moment")
-      .range(3, kMaxWarmUp)
+      .range(3, analysis::kMaxWarmUp)
       .shows_default();
   command
       .option("--spacing", arguments->options.spacing,

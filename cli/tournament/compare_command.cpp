@@ -16,16 +16,16 @@
 #include "cli/tournament/comparison_run.h"
 #include "cli/tournament/tournament_options.h"
 #include "cli/tournament/tournament_session.h"
-#include "orchestration/match/options/endpoint.h"
-#include "orchestration/tournament/config/config_file.h"
-#include "orchestration/tournament/report/comparison.h"
+#include "match/terms/endpoint.h"
+#include "tournament/config/config_file.h"
+#include "tournament/report/comparison.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace orchestration::tournament;
-namespace match = orchestration::match;
+using namespace tournament;
+namespace match = match;
 
 constexpr const char* kDescription =
     "test whether NEW is better than BASE\n"

@@ -13,13 +13,13 @@
 #include "cli/support/print_error.h"
 #include "cli/terminal/compare_progress.h"
 #include "cli/terminal/terminal.h"
-#include "orchestration/tournament/run/tournament_run.h"
-#include "orchestration/tournament/store/match_attempt.h"
+#include "tournament/run/tournament_run.h"
+#include "tournament/store/match_attempt.h"
 
 namespace cls::cli {
 namespace {
 
-using namespace orchestration::tournament;
+using namespace tournament;
 
 int exit_code_of(const RunSummary& summary, const ComparisonVerdict& known) {
   if (known.decision == Decision::kH1) return kOk;

@@ -4,14 +4,13 @@
 #include <filesystem>
 
 #include "cli/tournament/tournament_session.h"
-#include "orchestration/tournament/report/comparison.h"
+#include "tournament/report/comparison.h"
 
 namespace cls::cli {
 
 /// Plays or resumes `comparison` in `folder`, and prints the result with `prints`. The exit code of
 /// `cls compare`: kOk better, kFailed not better, kUndecided.
-int run_comparison(const orchestration::tournament::Comparison& comparison,
-                   const std::filesystem::path& folder, const SessionOptions& session,
-                   bool prints = true);
+int run_comparison(const tournament::Comparison& comparison, const std::filesystem::path& folder,
+                   const SessionOptions& session, bool prints = true);
 
 }  // namespace cls::cli

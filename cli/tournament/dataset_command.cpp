@@ -27,17 +27,17 @@
 #include "cli/terminal/tournament_progress.h"
 #include "cli/tournament/tournament_options.h"
 #include "cli/tournament/tournament_session.h"
-#include "orchestration/tournament/dataset/dataset.h"
-#include "orchestration/tournament/dataset/dataset_check.h"
-#include "orchestration/tournament/schedule/schedule.h"
-#include "orchestration/tournament/schedule/schedule_check.h"
-#include "orchestration/tournament/store/match_attempt.h"
+#include "tournament/dataset/dataset.h"
+#include "tournament/dataset/dataset_check.h"
+#include "tournament/schedule/schedule.h"
+#include "tournament/schedule/schedule_check.h"
+#include "tournament/store/match_attempt.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace orchestration::tournament;
+using namespace tournament;
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 

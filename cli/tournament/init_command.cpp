@@ -15,9 +15,9 @@
 #include "base/text/json_text.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
-#include "orchestration/match/options/planner_file.h"
-#include "orchestration/tournament/config/config_file.h"
-#include "orchestration/tournament/config/preset.h"
+#include "match/terms/planner_file.h"
+#include "tournament/config/config_file.h"
+#include "tournament/config/preset.h"
 
 namespace cls::cli {
 namespace {
@@ -51,21 +51,19 @@ base::Result<std::string> file_text(const Arguments& arguments) {
   }
   if (arguments.preset.empty()) {
     if (!arguments.teams.empty()) return base::Error{"--teams requires --preset"};
-    return arguments.planner ? orchestration::match::commented_planner_file()
-                             : orchestration::tournament::commented_config();
+    return arguments.planner ? match::commented_planner_file() : tournament::commented_config();
   }
   std::vector<std::string> teams;
   std::istringstream stream(arguments.teams);
   for (std::string team; std::getline(stream, team, ',');) teams.push_back(team);
-  return orchestration::tournament::preset_config(arguments.preset, teams);
+  return tournament::preset_config(arguments.preset, teams);
 }
 
 int run(const Arguments& arguments) {
   const auto text = file_text(arguments);
   if (!text) return print_error(kUsage, text.error().message);
   const fs::path folder = arguments.folder;
-  const fs::path file =
-      folder / (arguments.planner ? kPlannerFile : orchestration::tournament::kConfigFile);
+  const fs::path file = folder / (arguments.planner ? kPlannerFile : tournament::kConfigFile);
   std::error_code code;
   if (fs::exists(file, code) && !arguments.force) {
     return print_error(kCannotCreate, fmt::format("{}: exists; --force renames it to {}.old",
@@ -103,7 +101,7 @@ void add_init_command(Command& app) {
   command
       .option("--preset", arguments->preset,
               fmt::format("a cls.toml with the format of a competition: {}",
-                          fmt::join(orchestration::tournament::preset_names(), ", ")))
+                          fmt::join(tournament::preset_names(), ", ")))
       .placeholder("NAME");
   command
       .option("--teams", arguments->teams,

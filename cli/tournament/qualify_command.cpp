@@ -19,17 +19,17 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/tournament/tournament_run.h"
-#include "orchestration/match/options/endpoint.h"
-#include "orchestration/tournament/config/config_file.h"
-#include "orchestration/tournament/config/config_keys.h"
-#include "orchestration/tournament/config/start_times.h"
-#include "orchestration/tournament/store/folder.h"
+#include "match/terms/endpoint.h"
+#include "tournament/config/config_file.h"
+#include "tournament/config/config_keys.h"
+#include "tournament/config/start_times.h"
+#include "tournament/store/folder.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace orchestration::tournament;
+using namespace tournament;
 
 constexpr const char* kDescription =
     "play the matches of a qualification and pack their logs for the league\n"
@@ -61,12 +61,12 @@ std::vector<TeamEntry> team_entries(const Arguments& arguments, std::string& err
   std::vector<TeamEntry> teams;
   std::set<std::string> names;
   for (const std::string& side : sides) {
-    const auto endpoint = orchestration::match::parse_endpoint(side);
+    const auto endpoint = match::parse_endpoint(side);
     if (!endpoint) {
       error = endpoint.error().message;
       return {};
     }
-    const std::string stem = orchestration::match::default_team_name(*endpoint);
+    const std::string stem = match::default_team_name(*endpoint);
     std::string name = stem;
     for (int number = 2; !names.insert(name).second; ++number) {
       name = fmt::format("{}{}", stem.substr(0, 12), number);

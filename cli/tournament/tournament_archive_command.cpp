@@ -18,15 +18,15 @@
 #include "cli/terminal/log_progress.h"
 #include "cli/tournament/tournament_session.h"
 #include "gamelog/files/log_files.h"
-#include "orchestration/tournament/config/start_times.h"
-#include "orchestration/tournament/report/report_model.h"
-#include "orchestration/tournament/store/folder.h"
+#include "tournament/config/start_times.h"
+#include "tournament/report/report_model.h"
+#include "tournament/store/folder.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace orchestration::tournament;
+using namespace tournament;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kDescription =

@@ -25,18 +25,18 @@
 #include "cli/terminal/terminal.h"
 #include "cli/tournament/tournament_options.h"
 #include "gamelog/files/log_files.h"
-#include "orchestration/match/result/match_folder.h"
-#include "orchestration/match/result/match_result.h"
-#include "orchestration/tournament/schedule/concurrency.h"
-#include "orchestration/tournament/store/folder.h"
-#include "orchestration/tournament/store/match_attempt.h"
+#include "match/result/match_folder.h"
+#include "match/result/match_result.h"
 #include "soccer/side.h"
+#include "tournament/schedule/concurrency.h"
+#include "tournament/store/folder.h"
+#include "tournament/store/match_attempt.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace orchestration::tournament;
+using namespace tournament;
 
 constexpr const char* kDescription =
     "start every team of a tournament once, under its conditions and limits\n"
@@ -82,9 +82,9 @@ TournamentConfig config_of(const TournamentConfig& config, const TeamEntry& team
 
 // Adds what result and logs say.
 void read_logs(CheckIn& check) {
-  const auto text = base::read_file(check.logs / orchestration::match::kResultFile);
+  const auto text = base::read_file(check.logs / match::kResultFile);
   if (!text) return;
-  const auto result = orchestration::match::parse_match_result(*text);
+  const auto result = match::parse_match_result(*text);
   if (!result) return;
   check.own_name = result->left.name;
   check.cpu_seconds = result->left.cpu_seconds;
@@ -103,7 +103,7 @@ void read_logs(CheckIn& check) {
 }
 
 // Nothing when a signal interrupted it.
-base::Result<std::optional<CheckIn>> check_in(orchestration::process::ProcessHost& host,
+base::Result<std::optional<CheckIn>> check_in(process::ProcessHost& host,
                                               const TournamentConfig& config,
                                               const fs::path& folder, const fs::path& program,
                                               const std::atomic<int>& signal) {
@@ -215,7 +215,7 @@ int run(const Arguments& arguments) {
   }
   const auto program = base::own_program();
   if (!program) return print_error(kUnavailable, program.error().message);
-  auto host = orchestration::process::ProcessHost::create();
+  auto host = process::ProcessHost::create();
   if (!host) return print_error(kUnavailable, host.error().message);
 
   const std::atomic<int>& signal = watch_interrupts();

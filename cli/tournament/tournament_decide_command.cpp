@@ -16,17 +16,17 @@
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
 #include "cli/tournament/tournament_session.h"
-#include "orchestration/tournament/report/report_tables.h"
-#include "orchestration/tournament/store/decide.h"
-#include "orchestration/tournament/store/decisions_file.h"
-#include "orchestration/tournament/store/folder.h"
-#include "orchestration/tournament/store/match_document.h"
-#include "orchestration/tournament/store/results_file.h"
+#include "tournament/report/report_tables.h"
+#include "tournament/store/decide.h"
+#include "tournament/store/decisions_file.h"
+#include "tournament/store/folder.h"
+#include "tournament/store/match_document.h"
+#include "tournament/store/results_file.h"
 
 namespace cls::cli {
 namespace {
 
-using namespace orchestration::tournament;
+using namespace tournament;
 
 constexpr const char* kDescription =
     "annul, award or repeat a match, with a reason that the report shows\n"

@@ -9,17 +9,17 @@
 #include "base/io/whole_file.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
-#include "orchestration/match/options/endpoint.h"
-#include "orchestration/tournament/config/config_file.h"
-#include "orchestration/tournament/config/config_keys.h"
-#include "orchestration/tournament/store/folder.h"
+#include "match/terms/endpoint.h"
+#include "tournament/config/config_file.h"
+#include "tournament/config/config_keys.h"
+#include "tournament/store/folder.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace orchestration::tournament;
-namespace match = orchestration::match;
+using namespace tournament;
+namespace match = match;
 
 std::string option_of(std::string_view key) {
   std::string option = "--" + std::string(key);

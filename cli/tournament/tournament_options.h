@@ -7,7 +7,7 @@
 #include <vector>
 #include "cli/command/command.h"
 
-#include "orchestration/tournament/config/config.h"
+#include "tournament/config/config.h"
 
 namespace cls::cli {
 
@@ -36,7 +36,7 @@ void add_condition_options(Command& command, TournamentOptions& options);
 /// A configuration, or an exit code whose error is already printed.
 struct ChosenConfig {
   int exit_code = 0;
-  orchestration::tournament::TournamentConfig config;
+  tournament::TournamentConfig config;
 };
 
 /// Reads --config, else cls.toml in DIR, else cls.toml in or above the working directory, else the

@@ -25,17 +25,17 @@
 #include "cli/tournament/tournament_options.h"
 #include "cli/tournament/tournament_session.h"
 #include "gamelog/rcl/rcl_reader.h"
-#include "orchestration/tournament/config/config_file.h"
-#include "orchestration/tournament/config/config_keys.h"
-#include "orchestration/tournament/config/start_times.h"
-#include "orchestration/tournament/report/report_document.h"
-#include "orchestration/tournament/report/report_html.h"
-#include "orchestration/tournament/report/report_text.h"
-#include "orchestration/tournament/schedule/schedule.h"
-#include "orchestration/tournament/schedule/timetable.h"
-#include "orchestration/tournament/store/folder.h"
-#include "orchestration/tournament/store/match_document.h"
-#include "orchestration/tournament/store/pauses_file.h"
+#include "tournament/config/config_file.h"
+#include "tournament/config/config_keys.h"
+#include "tournament/config/start_times.h"
+#include "tournament/report/report_document.h"
+#include "tournament/report/report_html.h"
+#include "tournament/report/report_text.h"
+#include "tournament/schedule/schedule.h"
+#include "tournament/schedule/timetable.h"
+#include "tournament/store/folder.h"
+#include "tournament/store/match_document.h"
+#include "tournament/store/pauses_file.h"
 #include "viewer/page/match_page.h"
 #include "viewer/page/page_decisions.h"
 #include "viewer/page/page_drawings.h"
@@ -44,7 +44,7 @@ namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace orchestration::tournament;
+using namespace tournament;
 
 constexpr const char* kPlanDescription =
     "list the fixtures of a tournament\n"

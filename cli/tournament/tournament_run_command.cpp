@@ -15,19 +15,19 @@
 #include "cli/tournament/tournament_options.h"
 #include "cli/tournament/tournament_run.h"
 #include "cli/tournament/tournament_session.h"
-#include "orchestration/tournament/report/report_document.h"
-#include "orchestration/tournament/report/report_text.h"
-#include "orchestration/tournament/run/tournament_run.h"
-#include "orchestration/tournament/schedule/schedule.h"
-#include "orchestration/tournament/schedule/schedule_check.h"
-#include "orchestration/tournament/store/folder.h"
-#include "orchestration/tournament/store/match_attempt.h"
+#include "tournament/report/report_document.h"
+#include "tournament/report/report_text.h"
+#include "tournament/run/tournament_run.h"
+#include "tournament/schedule/schedule.h"
+#include "tournament/schedule/schedule_check.h"
+#include "tournament/store/folder.h"
+#include "tournament/store/match_attempt.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace orchestration::tournament;
+using namespace tournament;
 
 constexpr const char* kDescription =
     "play the remaining matches of a tournament\n"

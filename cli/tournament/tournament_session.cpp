@@ -15,17 +15,17 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
-#include "orchestration/match/result/match_files.h"
-#include "orchestration/process/command_plan.h"
-#include "orchestration/tournament/config/config_file.h"
-#include "orchestration/tournament/report/report_model.h"
-#include "orchestration/tournament/run/preflight.h"
+#include "match/result/match_files.h"
+#include "process/command_plan.h"
+#include "tournament/config/config_file.h"
+#include "tournament/report/report_model.h"
+#include "tournament/run/preflight.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace orchestration::tournament;
+using namespace tournament;
 
 int busy(const fs::path& folder) {
   return print_error(kTryAgain,
@@ -46,8 +46,8 @@ int start_over(const fs::path& folder) {
   return kOk;
 }
 
-int exit_code_of(orchestration::match::EndpointProblem::Kind kind) {
-  using Kind = orchestration::match::EndpointProblem::Kind;
+int exit_code_of(match::EndpointProblem::Kind kind) {
+  using Kind = match::EndpointProblem::Kind;
   switch (kind) {
     case Kind::kUnreachable:
       return kUnavailable;
@@ -226,9 +226,9 @@ std::string watch_line(const fs::path& folder, std::span<const ScheduledMatch> m
     const fs::path played = folder / match.outcome->folder;
     // A match that was refused has a folder without a log.
     std::error_code code;
-    if (!fs::exists(orchestration::match::game_log_in(played), code)) continue;
-    line = fmt::format("  cls watch {}\n",
-                       orchestration::process::shell_quoted(played.lexically_normal().string()));
+    if (!fs::exists(match::game_log_in(played), code)) continue;
+    line =
+        fmt::format("  cls watch {}\n", process::shell_quoted(played.lexically_normal().string()));
   }
   return line;
 }

@@ -10,9 +10,9 @@
 #include <vector>
 #include "cli/command/command.h"
 
-#include "orchestration/tournament/config/config.h"
-#include "orchestration/tournament/run/tournament_run.h"
-#include "orchestration/tournament/store/folder.h"
+#include "tournament/config/config.h"
+#include "tournament/run/tournament_run.h"
+#include "tournament/store/folder.h"
 
 namespace cls::cli {
 
@@ -39,8 +39,8 @@ void add_session_options(Command& command, SessionOptions& options, const std::s
 /// The folder of a run, locked while this exists; or an exit code whose error is already printed.
 struct OpenedFolder {
   int exit_code = 0;
-  std::optional<orchestration::tournament::FolderLock> lock;
-  std::vector<orchestration::tournament::ScheduledMatch> matches;  ///< scheduled so far
+  std::optional<tournament::FolderLock> lock;
+  std::vector<tournament::ScheduledMatch> matches;  ///< scheduled so far
 };
 
 /// What is left to play.
@@ -48,27 +48,25 @@ struct Outlook {
   double to_play = 0.0;  ///< expected number of matches
   std::string text;
 };
-using OutlookOf =
-    std::function<Outlook(const std::vector<orchestration::tournament::ScheduledMatch>&)>;
+using OutlookOf = std::function<Outlook(const std::vector<tournament::ScheduledMatch>&)>;
 
 /// Creates or continues the tournament of the valid `config` in `folder`. Checks teams and host
 /// unless nothing is left to play, and prints warnings and the outlook for the matches scheduled so
 /// far with the expected time. --force renames an old tournament, but leaves its cls.toml in place;
 /// a failed check renames nothing.
 OpenedFolder begin_session(const std::filesystem::path& folder,
-                           const orchestration::tournament::TournamentConfig& config,
+                           const tournament::TournamentConfig& config,
                            const SessionOptions& options, const OutlookOf& outlook_of);
 
 /// The line that shows the last match whose logs are kept, "  cls watch cup/matches/...\n"; empty
 /// if there is none.
 std::string watch_line(const std::filesystem::path& folder,
-                       std::span<const orchestration::tournament::ScheduledMatch> matches);
+                       std::span<const tournament::ScheduledMatch> matches);
 
 /// Prints the warnings of the matches, unless `listed` already, their number and, after an
 /// incomplete run, the command that resumes it. Returns `exit_code`; with --strict kFailed if there
 /// are warnings and it was kOk or kUndecided.
-int end_session(const orchestration::tournament::RunSummary& summary,
-                const orchestration::tournament::TournamentConfig& config,
+int end_session(const tournament::RunSummary& summary, const tournament::TournamentConfig& config,
                 const SessionOptions& options, int exit_code, bool listed);
 
 }  // namespace cls::cli

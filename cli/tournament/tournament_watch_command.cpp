@@ -21,15 +21,15 @@
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/tournament/tournament_session.h"
-#include "orchestration/tournament/spectators/spectator_site.h"
-#include "orchestration/tournament/store/folder.h"
+#include "tournament/spectators/spectator_site.h"
+#include "tournament/store/folder.h"
 #include "viewer/live/http_server.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace tournament = orchestration::tournament;
+namespace tournament = tournament;
 using std::chrono::milliseconds;
 
 constexpr const char* kDescription =

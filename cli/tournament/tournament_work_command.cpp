@@ -10,19 +10,19 @@
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/tournament/tournament_options.h"
-#include "orchestration/tournament/report/report_text.h"
-#include "orchestration/tournament/schedule/schedule.h"
-#include "orchestration/tournament/schedule/schedule_check.h"
-#include "orchestration/tournament/store/collector.h"
-#include "orchestration/tournament/store/folder.h"
-#include "orchestration/tournament/store/match_attempt.h"
-#include "orchestration/tournament/store/match_document.h"
+#include "tournament/report/report_text.h"
+#include "tournament/schedule/schedule.h"
+#include "tournament/schedule/schedule_check.h"
+#include "tournament/store/collector.h"
+#include "tournament/store/folder.h"
+#include "tournament/store/match_attempt.h"
+#include "tournament/store/match_document.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace orchestration::tournament;
+using namespace tournament;
 
 constexpr const char* kDescription =
     "play one match of a tournament and write its result to DIR/results\n"

@@ -13,7 +13,7 @@
 #include "base/text/json_text.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
-#include "orchestration/tournament/tuning/tune_config.h"
+#include "tournament/tuning/tune_config.h"
 
 namespace cls::cli {
 namespace {
@@ -69,7 +69,7 @@ int write_new(const fs::path& file, const std::string& text, bool force) {
 }
 
 int init(const std::string& folder, bool force, bool json) {
-  using namespace orchestration::tournament;
+  using namespace tournament;
   if (const auto created = base::create_folders(folder); !created) {
     return print_error(kCannotCreate, created.error().message);
   }

@@ -17,7 +17,7 @@
 namespace cls::cli {
 namespace {
 
-using namespace orchestration::tournament;
+using namespace tournament;
 
 constexpr const char* kDescription =
     "print the values found so far, also while a search runs\n"

@@ -20,17 +20,17 @@
 #include "cli/tournament/tournament_options.h"
 #include "cli/tournament/tournament_session.h"
 #include "cli/tournament/tune_session.h"
-#include "orchestration/tournament/config/config.h"
-#include "orchestration/tournament/run/tournament_run.h"
-#include "orchestration/tournament/store/folder.h"
-#include "orchestration/tournament/store/match_attempt.h"
-#include "orchestration/tournament/tuning/candidate.h"
+#include "tournament/config/config.h"
+#include "tournament/run/tournament_run.h"
+#include "tournament/store/folder.h"
+#include "tournament/store/match_attempt.h"
+#include "tournament/tuning/candidate.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace orchestration::tournament;
+using namespace tournament;
 
 constexpr const char* kDescription =
     "search, generation by generation, then compare the best values with the start\n"

@@ -11,18 +11,18 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
-#include "orchestration/match/options/endpoint.h"
-#include "orchestration/tournament/config/config_file.h"
-#include "orchestration/tournament/schedule/schedule.h"
-#include "orchestration/tournament/store/folder.h"
-#include "orchestration/tournament/tuning/candidate.h"
+#include "match/terms/endpoint.h"
+#include "tournament/config/config_file.h"
+#include "tournament/schedule/schedule.h"
+#include "tournament/store/folder.h"
+#include "tournament/tuning/candidate.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace match = orchestration::match;
-using namespace orchestration::tournament;
+namespace match = match;
+using namespace tournament;
 
 // A side, or the endpoint of a team of cls.toml.
 int add_opponent(TuneSetup& setup, const std::string& side) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/overloaded.h"
+#include "base/text/enum_names.h"
 #include "player/behaviors/automatic_play.h"
 #include "player/movement/home_positions.h"
 #include "player/world/planner_parameters.h"
@@ -68,43 +69,13 @@ bool is_counted(const soccer::PlayerCommand& command, soccer::PlayMode mode) {
 
 }  // namespace
 
-std::string_view name(OnLate on_late) {
-  switch (on_late) {
-    case OnLate::kLast:
-      return "last";
-    case OnLate::kDefault:
-      return "default";
-    case OnLate::kHold:
-      break;
-  }
-  return "hold";
-}
+constexpr auto kFullStateUses =
+    base::enum_names<FullStateUse>("ignore", "reference", "override");
 
-std::optional<OnLate> parse_on_late(std::string_view text) {
-  for (const OnLate one : {OnLate::kHold, OnLate::kLast, OnLate::kDefault}) {
-    if (name(one) == text) return one;
-  }
-  return std::nullopt;
-}
-
-std::string_view name(FullStateUse use) {
-  switch (use) {
-    case FullStateUse::kIgnore:
-      return "ignore";
-    case FullStateUse::kOverride:
-      return "override";
-    case FullStateUse::kReference:
-      break;
-  }
-  return "reference";
-}
+std::string_view name(FullStateUse use) { return kFullStateUses.name(use); }
 
 std::optional<FullStateUse> parse_full_state_use(std::string_view text) {
-  for (const FullStateUse one :
-       {FullStateUse::kIgnore, FullStateUse::kReference, FullStateUse::kOverride}) {
-    if (name(one) == text) return one;
-  }
-  return std::nullopt;
+  return kFullStateUses.parse(text);
 }
 
 PlayerAgent::PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions options)

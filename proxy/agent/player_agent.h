@@ -15,6 +15,7 @@
 #include "player/planner/action_memory.h"
 #include "player/world/world_model.h"
 #include "proto/playmaker.pb.h"
+#include "proxy/agent/on_late.h"
 #include "proxy/connection/agent_statistics.h"
 #include "proxy/connection/decision_timer.h"
 #include "proxy/connection/server_connection.h"
@@ -28,17 +29,6 @@
 #include "soccer/protocol/team_name.h"
 
 namespace cls::proxy {
-
-/// Behavior of a player in a cycle with a missed decision.
-enum class OnLate : std::uint8_t {
-  kHold,     ///< stands still and looks at the ball
-  kLast,     ///< repeats the actions of the last reply
-  kDefault,  ///< automatic play: see fallback.h
-};
-
-/// "hold", "last" and "default".
-std::string_view name(OnLate on_late);
-std::optional<OnLate> parse_on_late(std::string_view text);
 
 /// What a player does with the (fullstate ...) messages of a server that sends them.
 enum class FullStateUse : std::uint8_t {

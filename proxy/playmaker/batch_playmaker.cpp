@@ -517,25 +517,6 @@ class BatchPlaymaker : public Playmaker {
 
 }  // namespace
 
-std::string_view name(BatchMode mode) {
-  switch (mode) {
-    case BatchMode::kOff:
-      return "never";
-    case BatchMode::kRequired:
-      return "always";
-    case BatchMode::kAuto:
-      break;
-  }
-  return "auto";
-}
-
-std::optional<BatchMode> parse_batch_mode(std::string_view text) {
-  for (const BatchMode one : {BatchMode::kAuto, BatchMode::kOff, BatchMode::kRequired}) {
-    if (name(one) == text) return one;
-  }
-  return std::nullopt;
-}
-
 std::unique_ptr<Playmaker> make_batch_playmaker(std::unique_ptr<Playmaker> inner, BatchMode mode) {
   if (mode == BatchMode::kOff) return inner;
   return std::make_unique<BatchPlaymaker>(std::move(inner), mode);

@@ -29,7 +29,7 @@ std::set<std::string> all_matches(const std::string& text, const std::string& pa
   return found;
 }
 
-/// The library of a library: "orchestration/match" for cls_orchestration_match.
+/// The library of a library: "match" for cls_match.
 std::string library_of_target(const std::string& name) {
   if (name == "proto_generated") return "proto";
   for (std::string library : known_libraries()) {

@@ -77,7 +77,7 @@ constexpr BannedTerm kBannedTerms[] = {
     {"were told", "received, were reported"},
     {"last words", "last output lines"},
     {"goes on", "continues, resumes"},
-    {"go on", "continue, resume", {"tests/orchestration/process/output_log_test.cpp"}},
+    {"go on", "continue, resume", {"tests/process/output_log_test.cpp"}},
     {"going on", "continuing"},
     {"carry out", "execute"},
     {"carries out", "executes"},

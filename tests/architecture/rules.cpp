@@ -19,22 +19,9 @@ struct Library {
 
 /// Everything that the command line may use.
 Folders below_cli() {
-  return {"base",
-          "soccer",
-          "proto",
-          "gamelog",
-          "player",
-          "proxy",
-          "mock-server",
-          "analysis",
-          "simulator",
-          "viewer",
-          "training",
-          "orchestration/process",
-          "orchestration/match",
-          "orchestration/tournament",
-          "orchestration/scenario",
-          "orchestration/checks"};
+  return {"base",        "soccer",     "proto",     "gamelog", "player",   "proxy",
+          "mock-server", "analysis",   "simulator", "viewer",  "training", "process",
+          "match",       "tournament", "scenario",  "checks"};
 }
 
 Folders below_cli_and(const std::string& another) {
@@ -60,7 +47,8 @@ const std::map<std::string, Library>& libraries() {
       {"mock-server",
        {{"base", "soccer", "proto", "player"}, {"behavior", "script", "service", ""}}},
       {"analysis",
-       {{"base", "soccer", "gamelog"}, {"play", "measures", "results", "statistics", "tables"}}},
+       {{"base", "soccer", "gamelog"},
+        {"play", "measures", "situations", "results", "statistics", "tables"}}},
       {"simulator",
        {{"base", "soccer", "gamelog"},
         {"world", "referee", "rules", "motion", "actions", "", "senses", "replay", "sessions",
@@ -72,22 +60,21 @@ const std::map<std::string, Library>& libraries() {
        {{"base", "soccer", "gamelog", "player", "simulator"},
         {"scene", "senses", "features", "skills", "actions", "npc", "tasks", "episode", "pool",
          "c_api"}}},
-      {"orchestration/process", {{"base"}, {}}},
-      {"orchestration/match",
+      {"process", {{"base"}, {}}},
+      {"match",
        {{"base", "soccer", "proto", "gamelog", "player", "proxy", "mock-server", "analysis",
-         "simulator", "viewer", "training", "orchestration/process"},
-        {"book", "options", "result", "server", "sides", "hooks", ""}}},
-      {"orchestration/tournament",
-       {{"base", "soccer", "viewer", "orchestration/process", "orchestration/match"},
+         "simulator", "viewer", "training", "process"},
+        {"terms", "programs", "saved", "result", "server", "sides", "hooks", "replay", ""}}},
+      {"tournament",
+       {{"base", "soccer", "viewer", "process", "match"},
         {"rating", "config", "schedule", "store", "report", "spectators", "run", "dataset",
          "tuning"}}},
-      {"orchestration/scenario",
+      {"scenario",
        {{"base", "soccer", "proto", "player", "proxy", "mock-server", "simulator", "viewer",
-         "orchestration/process", "orchestration/match"},
+         "process", "match"},
         {}}},
-      {"orchestration/checks",
-       {{"base", "soccer", "proto", "gamelog", "player", "proxy", "simulator",
-         "orchestration/process", "orchestration/match"},
+      {"checks",
+       {{"base", "soccer", "proto", "gamelog", "player", "proxy", "simulator", "process", "match"},
         {"", "playmaker", "server", "doctor"}}},
       {"cli",
        {below_cli(),
@@ -137,11 +124,11 @@ struct ForbiddenHeader {
 const std::vector<ForbiddenHeader>& forbidden_headers() {
   static const std::vector<ForbiddenHeader> table = {
       {{"base", "soccer", "gamelog", "player", "analysis", "simulator", "training", "viewer",
-        "orchestration/process"},
+        "process"},
        "",
        {"grpc/", "grpcpp/", "grpc++/", "google/protobuf/"},
        "gRPC and protobuf do not belong in this folder"},
-      {{"viewer", "cli", "orchestration/match", "orchestration/tournament"},
+      {{"viewer", "cli", "match", "tournament"},
        "viewer/live/http_server",
        {"boost/asio/", "boost/asio.hpp", "boost/beast/", "boost/beast.hpp"},
        "HTTP belongs in viewer/live/http_server.cpp"},
@@ -351,9 +338,8 @@ std::vector<Violation> check_process_wrapper(const std::vector<SourceFile>& file
   for (const SourceFile& file : files) {
     for (const Include& include : includes_of(file.text)) {
       if (!starts_with(include.path, "boost/process")) continue;
-      if (library_of(file.path) != "orchestration/process") {
-        violations.push_back(
-            {file.path, include.line, "Boost.Process belongs in orchestration/process"});
+      if (library_of(file.path) != "process") {
+        violations.push_back({file.path, include.line, "Boost.Process belongs in process"});
       } else if (wrapper.empty()) {
         wrapper = file.path;
       } else if (wrapper != file.path) {

@@ -19,7 +19,7 @@ struct Violation {
 /// One "path:line: message" per line.
 std::string to_text(const std::vector<Violation>& violations);
 
-/// Folders with C++ code, one library each: "soccer", "orchestration/match". New folders must be
+/// Folders with C++ code, one library each: "soccer", "match". New folders must be
 /// added to the table in rules.cpp.
 const std::set<std::string>& known_libraries();
 
@@ -43,7 +43,7 @@ std::vector<Violation> check_determinism(const SourceFile& file);
 /// main.cpp less than 60; no to-do comments.
 std::vector<Violation> check_shape(const SourceFile& file);
 
-/// Only one file, in orchestration/process, includes Boost.Process.
+/// Only one file, in process, includes Boost.Process.
 std::vector<Violation> check_process_wrapper(const std::vector<SourceFile>& files);
 
 }  // namespace cls::tests

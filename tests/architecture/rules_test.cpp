@@ -17,8 +17,8 @@ TEST(Includes, RejectHigherAndUnrelatedFolders) {
            {"proxy/deep/a.cpp", "simulator/deep/b.h"},
            {"proxy/a.cpp", "mock-server/b.h"},
            {"mock-server/a.cpp", "gamelog/b.h"},
-           {"orchestration/match/a.cpp", "orchestration/scenario/b.h"},
-           {"orchestration/match/a.cpp", "cli/b.h"},
+           {"match/a.cpp", "scenario/b.h"},
+           {"match/a.cpp", "cli/b.h"},
            {"simulator/world/a.h", "simulator/referee/b.h"},
            {"player/world/a.h", "proxy/agent/b.h"},
            {"player/unknown/a.h", "player/world/b.h"},
@@ -37,9 +37,7 @@ TEST(Includes, AcceptLowerFolders) {
                                     "#include \"gamelog/rcg/rcg.h\"\n"
                                     "#include <vector>\n"})),
             "");
-  EXPECT_EQ(
-      to_text(check_includes({"cli/match/a.cpp", "#include \"orchestration/match/match.h\"\n"})),
-      "");
+  EXPECT_EQ(to_text(check_includes({"cli/match/a.cpp", "#include \"match/match.h\"\n"})), "");
 }
 
 TEST(Includes, RejectRelativePaths) {
@@ -111,7 +109,7 @@ TEST(Determinism, AcceptsReproducibleFunctions) {
                  "logger.log(x); p->exp(x); design(x); std::logic_error(e); v.cos;\n"})),
             "");
   EXPECT_EQ(to_text(check_determinism({"soccer/math.cpp", "double sin(double x);\n"})), "");
-  EXPECT_EQ(to_text(check_determinism({"orchestration/match/a.cpp", "std::log(x);\n"})), "");
+  EXPECT_EQ(to_text(check_determinism({"match/a.cpp", "std::log(x);\n"})), "");
 }
 
 TEST(Determinism, RejectsRandomnessOfLibraries) {
@@ -160,9 +158,9 @@ TEST(Shape, RejectsFilesWithoutPurposeOrWithToDos) {
 
 TEST(ProcessWrapper, AllowsBoostProcessInOneFileOnly) {
   const std::string text = "#include <boost/process.hpp>\n#include <boost/process/extend.hpp>\n";
-  const SourceFile wrapper{"orchestration/process/child.cpp", text};
+  const SourceFile wrapper{"process/child.cpp", text};
   EXPECT_EQ(check_process_wrapper({wrapper}).size(), 0u);
-  EXPECT_EQ(check_process_wrapper({wrapper, {"orchestration/process/b.cpp", text}}).size(), 2u);
+  EXPECT_EQ(check_process_wrapper({wrapper, {"process/b.cpp", text}}).size(), 2u);
   EXPECT_EQ(check_process_wrapper({{"cli/a.cpp", text}}).size(), 2u);
 }
 

@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "orchestration/process/ports.h"
+#include "process/ports.h"
 #include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/marked_processes.h"
@@ -417,7 +417,7 @@ TEST_F(DoctorPlaymaker, ReportsFailedCallOfHandshake) {
 }
 
 TEST_F(DoctorPlaymaker, ReportsUnreachableAddress) {
-  const auto ports = cls::orchestration::process::ReservedPort::choose(1);
+  const auto ports = cls::process::ReservedPort::choose(1);
   const std::string address = "127.0.0.1:" + std::to_string((*ports)[0].number());
   expect(item(examine(69, {"--playmaker", address}), "playmaker"), "unreachable",
          address + ": connection refused", "start it first");
@@ -428,7 +428,7 @@ TEST_F(DoctorPlaymaker, ReportsUnreachableAddress) {
 }
 
 TEST_F(DoctorPlaymaker, TimesOutWithoutReply) {
-  const auto ports = cls::orchestration::process::ReservedPort::choose(1);
+  const auto ports = cls::process::ReservedPort::choose(1);
   const std::string port = std::to_string((*ports)[0].number());
   Command silent({built("cls_fake_process"), "listen-tcp", port, "print", "bound", "hang"});
   ASSERT_TRUE(silent.wait_for_output("bound"));

@@ -1,5 +1,5 @@
 // A throw-away option of matches: one row, and it is everywhere.
-#include "orchestration/match/options/option_table.h"
+#include "match/terms/option_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,20 +12,20 @@
 #include <vector>
 
 #include "cli/application.h"
-#include "orchestration/match/result/match_folder.h"
-#include "orchestration/scenario/scenario_file.h"
-#include "orchestration/tournament/config/config_file.h"
-#include "orchestration/tournament/store/match_attempt.h"
+#include "match/result/match_folder.h"
+#include "scenario/scenario_file.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
+#include "tournament/config/config_file.h"
+#include "tournament/store/match_attempt.h"
 
 namespace cls {
 namespace {
 
+using match::AddedMatchOption;
+using match::MatchOption;
+using match::MatchOptions;
 using nlohmann::json;
-using orchestration::match::AddedMatchOption;
-using orchestration::match::MatchOption;
-using orchestration::match::MatchOptions;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
@@ -46,8 +46,8 @@ MatchOption throw_away_option() {
   option.shown = [](const MatchOptions& options) {
     return options.branch_seed ? std::to_string(*options.branch_seed) : std::string();
   };
-  option.group = orchestration::match::OptionGroup::kLimits;
-  option.use = orchestration::match::OptionUse::kConditions;
+  option.group = match::OptionGroup::kLimits;
+  option.use = match::OptionUse::kConditions;
   option.example = "90";
   option.scenario_key = "fan_noise";
   return option;
@@ -111,7 +111,7 @@ TEST_F(MatchOptionTable, RowIsInNewConfigurationsAndInTheMatchesOfTournaments) {
   run({"init", path("cup").c_str()});
   EXPECT_THAT(tests::read_file(path("cup/cls.toml")), HasSubstr("fan_noise = 90"));
 
-  using namespace orchestration::tournament;
+  using namespace tournament;
   TournamentConfig config = parse_config(
                                 "[tournament]\nfan_noise = 90\n[teams.A]\nendpoint = \"mock\"\n"
                                 "[teams.B]\nendpoint = \"mock\"\n",
@@ -129,7 +129,7 @@ TEST_F(MatchOptionTable, RowIsInScenarios) {
   const auto text = base::JsonDocument::parse(
       "noisy.json", R"({"fan_noise": 70, "expect": [{"end": "finished"}]})");
   ASSERT_TRUE(text);
-  const auto scenario = orchestration::scenario::parse_scenario(*text, {});
+  const auto scenario = scenario::parse_scenario(*text, {});
   ASSERT_TRUE(scenario) << scenario.error().message;
   EXPECT_EQ(scenario->options.at("fan_noise"), "70");
 }
@@ -137,8 +137,7 @@ TEST_F(MatchOptionTable, RowIsInScenarios) {
 TEST_F(MatchOptionTable, RowIsInTheManifest) {
   MatchOptions options;
   options.branch_seed = 60;
-  const json manifest =
-      json::parse(orchestration::match::manifest_json(options, {"a", "b"}, 1, {}));
+  const json manifest = json::parse(match::manifest_json(options, {"a", "b"}, 1, {}));
   EXPECT_EQ(manifest["options"]["fan_noise"], "60");
 }
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "orchestration/process/confinement.h"
-#include "orchestration/process/landlock.h"
+#include "process/confinement.h"
+#include "process/landlock.h"
 #include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
@@ -28,7 +28,7 @@ using testing::Not;
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-bool has_landlock() { return orchestration::process::landlock_version() > 0; }
+bool has_landlock() { return process::landlock_version() > 0; }
 
 /// Two external teams. The left one has a secret; the right one runs `probes` before it plays, with
 /// output in its folder.
@@ -101,7 +101,7 @@ TEST_F(Sandbox, ClosesResultsAndTheOtherTeam) {
 
 // A limit of CPU time would end the opponent, or cls; a low priority would make them slow.
 TEST_F(Sandbox, ClosesOtherProcesses) {
-  if (!orchestration::process::can_confine()) GTEST_SKIP() << "this kernel has no seccomp";
+  if (!process::can_confine()) GTEST_SKIP() << "this kernel has no seccomp";
   Command victim({"/bin/sleep", "600"});
   const std::string pid = std::to_string(victim.pid());
   add_team("guests",

@@ -20,7 +20,7 @@ namespace {
 using testing::HasSubstr;
 
 namespace fs = std::filesystem;
-using orchestration::match::EndReason;
+using match::EndReason;
 
 fs::path page_path() { return source_folder() / "docs/troubleshooting.md"; }
 
@@ -98,7 +98,8 @@ std::vector<std::string> warnings_of(std::string source) {
 TEST(Troubleshooting, ExplainsEveryWarning) {
   const std::string page = words(read_file(page_path()));
   int count = 0;
-  for (const char* folder : {"orchestration", "cli", "proxy", "mock-server"}) {
+  for (const char* folder :
+       {"match", "tournament", "scenario", "checks", "cli", "proxy", "mock-server"}) {
     for (const auto& entry : fs::recursive_directory_iterator(source_folder() / folder)) {
       if (entry.path().extension() != ".cpp") continue;
       for (const std::string& warning : warnings_of(read_file(entry.path()))) {

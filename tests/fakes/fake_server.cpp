@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/io/byte_sink.h"
-#include "orchestration/match/options/match_options.h"
+#include "match/terms/match_options.h"
 #include "simulator/server/udp_server.h"
 #include "soccer/side.h"
 #include "tests/fakes/flags.h"
@@ -17,8 +17,8 @@ using namespace cls;
 
 std::atomic<bool> stop{false};
 
-orchestration::match::MatchOptions options_of(const fakes::Flags& flags) {
-  orchestration::match::MatchOptions options;
+match::MatchOptions options_of(const fakes::Flags& flags) {
+  match::MatchOptions options;
   options.server = soccer::ServerParams();
   for (const std::string& word : flags.rest()) {
     const auto applied = apply_setting(options, word);
@@ -30,7 +30,7 @@ orchestration::match::MatchOptions options_of(const fakes::Flags& flags) {
 }
 
 std::unique_ptr<simulator::UdpServer> open(const fakes::Flags& flags) {
-  const orchestration::match::MatchOptions options = options_of(flags);
+  const match::MatchOptions options = options_of(flags);
   simulator::UdpConfig config;
   config.match.server = options.server;
   config.match.player = options.player;

@@ -7,15 +7,15 @@
 #include <thread>
 #include <vector>
 
-#include "orchestration/process/guard.h"
-#include "orchestration/process/process_host.h"
-#include "orchestration/process/scratch_folder.h"
+#include "process/guard.h"
+#include "process/process_host.h"
+#include "process/scratch_folder.h"
 
 // Starts each argument as a shell command, prints the guard's pid and "ready", and waits forever.
 // With the argument "return" it exits cleanly after starting the others; with "scratch" it also has
 // a temporary folder, whose path it prints.
 int main(int argc, char** argv) {
-  using namespace cls::orchestration::process;
+  using namespace cls::process;
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   auto guard = Guard::start(argc, argv);
   if (!guard) {

@@ -14,29 +14,29 @@
 #include <string>
 #include <utility>
 
+#include "analysis/situations/book_file.h"
 #include "base/io/byte_sink.h"
 #include "base/io/gzip_sink.h"
 #include "base/system/unique_fd.h"
 #include "base/text/json_document.h"
+#include "match/result/match_result.h"
+#include "match/saved/saved_match.h"
+#include "match/terms/planner_file.h"
 #include "mock-server/script/named_behaviors.h"
 #include "mock-server/script/script.h"
-#include "orchestration/match/book/book_file.h"
-#include "orchestration/match/options/planner_file.h"
-#include "orchestration/match/options/saved_match.h"
-#include "orchestration/match/result/match_result.h"
-#include "orchestration/scenario/scenario_file.h"
-#include "orchestration/tournament/config/config.h"
-#include "orchestration/tournament/config/config_file.h"
-#include "orchestration/tournament/schedule/schedule.h"
-#include "orchestration/tournament/schedule/schedule_check.h"
-#include "orchestration/tournament/store/match_document.h"
-#include "orchestration/tournament/tuning/tune_config.h"
 #include "player/formation/formation_file.h"
 #include "player/formation/librcsc_formation.h"
 #include "player/world/planner_parameters.h"
 #include "proto/playmaker.pb.h"
 #include "proto/recording_file.h"
 #include "proto/saved_match.pb.h"
+#include "scenario/scenario_file.h"
+#include "tournament/config/config.h"
+#include "tournament/config/config_file.h"
+#include "tournament/schedule/schedule.h"
+#include "tournament/schedule/schedule_check.h"
+#include "tournament/store/match_document.h"
+#include "tournament/tuning/tune_config.h"
 
 namespace cls::tests {
 namespace {
@@ -48,7 +48,7 @@ void require(bool condition) {
 void check_scenario(const std::string& text) {
   const auto document = base::JsonDocument::parse("scenario.json", text);
   if (!document) return;
-  const auto scenario = orchestration::scenario::parse_scenario(*document, base::Json());
+  const auto scenario = scenario::parse_scenario(*document, base::Json());
   require(scenario.ok() || !scenario.error().message.empty());
 }
 
@@ -80,7 +80,7 @@ void check_formation(const std::string& text) {
 }
 
 void check_config(const std::string& text) {
-  using namespace orchestration::tournament;
+  using namespace tournament;
   const ParsedConfig parsed = parse_config(text, "cls.toml");
   if (!parsed.errors.empty() || !validate(parsed.config).empty()) return;
   const ParsedConfig again = parse_config(format_config(parsed.config), "cls.toml");
@@ -95,7 +95,7 @@ void check_config(const std::string& text) {
 }
 
 void check_tune_config(const std::string& text) {
-  using namespace orchestration::tournament;
+  using namespace tournament;
   const ParsedTuneConfig parsed = parse_tune_config(text, kTuneFile);
   if (!parsed.errors.empty()) return;
   require(!parsed.config.parameters.empty());
@@ -103,7 +103,7 @@ void check_tune_config(const std::string& text) {
 }
 
 void check_planner_file(const std::string& text) {
-  const auto parameters = orchestration::match::parse_planner_file(text, "planner.toml");
+  const auto parameters = match::parse_planner_file(text, "planner.toml");
   if (!parameters) return require(!parameters.error().message.empty());
   for (const player::PlannerParameter& row : player::planner_parameter_table()) {
     const double value = value_of(**parameters, row);
@@ -172,14 +172,14 @@ void check_recording(const std::string& bytes) {
 
 void check_saved_match(const std::string& bytes) {
   const MemoryFile file(bytes);
-  const auto match = orchestration::match::read_saved_match(file.path());
+  const auto match = match::read_saved_match(file.path());
   if (!match) return require(!match.error().message.empty());
-  orchestration::match::MatchOptions options;
-  const auto resumed = orchestration::match::resume_from(*match, options);
+  match::MatchOptions options;
+  const auto resumed = match::resume_from(*match, options);
   require(resumed.ok() || !resumed.error().message.empty());
   require(options.on_late <= proxy::OnLate::kDefault);
   for (const soccer::Side side : {soccer::Side::kLeft, soccer::Side::kRight}) {
-    orchestration::match::replies_of(**match, side);
+    match::replies_of(**match, side);
   }
 }
 
@@ -192,24 +192,24 @@ std::string saved_match_of(const std::string& text) {
 }
 
 void check_book(const std::string& text) {
-  using namespace orchestration::match;
-  const auto book = parse_book(text);
+  using namespace match;
+  const auto book = analysis::parse_book(text);
   if (!book) return require(!book.error().message.empty());
-  const auto bytes = [](const Book& one) {
+  const auto bytes = [](const analysis::Book& one) {
     base::StringSink out;
-    write_book(one, out);
+    analysis::write_book(one, out);
     return out.bytes();
   };
   const std::string written = bytes(*book);
-  const auto again = parse_book(written);
+  const auto again = analysis::parse_book(written);
   require(again.ok() && bytes(*again) == written);
   constexpr int kMany = 100;
-  require(!situations_of(*book, 1, kMany).empty());
+  require(!analysis::situations_of(*book, 1, kMany).empty());
 }
 
 // Lines of schedules, rows of the store, results of matches.
 void check_record(const std::string& text) {
-  using namespace orchestration::tournament;
+  using namespace tournament;
   if (const auto fixture = parse_fixture(text)) {
     const std::string written = format_fixture(*fixture);
     const auto again = parse_fixture(written);
@@ -223,7 +223,7 @@ void check_record(const std::string& text) {
   if (const auto work = parse_work_result(text)) {
     static_cast<void>(parse_outcome(format_outcome(work->outcome)));
   }
-  if (const auto result = orchestration::match::parse_match_result(text)) {
+  if (const auto result = match::parse_match_result(text)) {
     static_cast<void>(parse_outcome(format_outcome(outcome_of(*result))));
   }
 }

@@ -9,13 +9,13 @@
 #include <iterator>
 #include <string>
 
-#include "orchestration/match/run_match.h"
-#include "orchestration/process/guard.h"
+#include "match/run_match.h"
+#include "process/guard.h"
 
 namespace {
 
 namespace fs = std::filesystem;
-using namespace cls::orchestration::match;
+using namespace cls::match;
 
 /// Allocated memory of all arenas; resident memory would include fragmentation.
 long kilobytes_in_use() {
@@ -59,7 +59,7 @@ MatchOptions options_of(int index, char** words) {
 
 // FOLDER RUN-SIDE TEAM-SIDE SERVER COUNT
 int main(int argc, char** argv) {
-  const auto guard = cls::orchestration::process::Guard::start(argc, argv);
+  const auto guard = cls::process::Guard::start(argc, argv);
   if (!guard || argc != 6) return 2;
   const std::atomic<int> no_signal{0};
   const int count = std::atoi(argv[5]);

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "orchestration/process/ports.h"
+#include "process/ports.h"
 #include "tests/matches/full_tests.h"
 #include "tests/support/built.h"
 #include "tests/support/command.h"
@@ -101,9 +101,7 @@ TEST_F(MatchSequence, LeavesNoResources) {
     const std::vector<int> ports = numbers_behind(name, usual, words);
     EXPECT_EQ(ports.size(), static_cast<std::size_t>(count / 2));
     for (const int port : ports) {
-      EXPECT_TRUE(cls::orchestration::process::port_is_free(
-          cls::orchestration::process::Protocol::kUdp, port))
-          << port;
+      EXPECT_TRUE(cls::process::port_is_free(cls::process::Protocol::kUdp, port)) << port;
     }
   }
 

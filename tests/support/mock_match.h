@@ -1,4 +1,4 @@
-// A match between two mock teams without orchestration/, for measurements.
+// A match between two mock teams without match/, for measurements.
 #pragma once
 
 #include <array>

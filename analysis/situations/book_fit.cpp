@@ -1,0 +1,146 @@
+// Least squares over windows of whole matches.
+#include "analysis/situations/book_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/play/flow.h"
+
+namespace cls::analysis {
+namespace {
+
+constexpr double kMatchCycles = 6000.0;
+constexpr double kMaxDifference = 5.0;
+constexpr std::size_t kMinWindows = 5;
+
+using Row = std::array<double, kFigures>;
+using Matrix = std::array<Row, kFigures>;
+
+// Solves a symmetric positive definite system by elimination; unused figures get 0.
+Row solve(Matrix a, Row b, double ridge) {
+  for (std::size_t i = 0; i < kFigures; ++i) {
+    // Figures that depend on each other share their weight.
+    a[i][i] = a[i][i] * (1.0 + ridge) + 1e-9;
+  }
+  for (std::size_t i = 0; i < kFigures; ++i) {
+    for (std::size_t row = i + 1; row < kFigures; ++row) {
+      const double factor = a[row][i] / a[i][i];
+      for (std::size_t column = i; column < kFigures; ++column) {
+        a[row][column] -= factor * a[i][column];
+      }
+      b[row] -= factor * b[i];
+    }
+  }
+  Row x{};
+  for (std::size_t i = kFigures; i-- > 0;) {
+    double rest = b[i];
+    for (std::size_t column = i + 1; column < kFigures; ++column) rest -= a[i][column] * x[column];
+    x[i] = rest / a[i][i];
+  }
+  return x;
+}
+
+double dot(const Row& a, const Row& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < kFigures; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+struct Moments2 {
+  double xx = 0.0;
+  double yy = 0.0;
+  double xy = 0.0;
+
+  void add(double x, double y) {
+    xx += x * x;
+    yy += y * y;
+    xy += x * y;
+  }
+  double correlation() const { return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : 0.0; }
+};
+
+}  // namespace
+
+std::string BookFitter::add(const gamelog::MatchRecord& record) {
+  if (record.frames() < 2) return "the log has no frames";
+  const Flow flow = build_flow(record);
+  Match match;
+  std::size_t begin = 0;
+  while (begin + 1 < record.frames()) {
+    // A window has as many cycles of game time; stopped ones count as those before a kick-off do.
+    std::size_t end = begin + 1;
+    while (end < record.frames() && record.time[end] < record.time[begin] + cycles_) ++end;
+    if (record.time[end - 1] - record.time[begin] < cycles_ / 2) break;
+    if (record.mode[begin] == soccer::PlayMode::kPlayOn) {
+      match.windows.push_back(figures_of(flow, begin, std::min(end + 1, record.frames())).values());
+    }
+    begin = end;
+  }
+  if (match.windows.size() < kMinWindows) return "the match is too short";
+  const int length = record.time[record.frames() - 1] - record.time[0];
+  const auto& teams = record.final_teams();
+  const double difference = (teams[0].score - teams[1].score) * kMatchCycles / std::max(length, 1);
+  match.difference = std::clamp(difference, -kMaxDifference, kMaxDifference);
+  matches_.push_back(std::move(match));
+  return {};
+}
+
+BookFit BookFitter::fit() const {
+  BookFit fit;
+  fit.matches = static_cast<int>(matches_.size());
+  Matrix products{};
+  Row targets{};
+  for (const Match& match : matches_) {
+    for (const Row& window : match.windows) {
+      ++fit.windows;
+      // The goals of the window itself are left out: they would explain themselves.
+      const double rest = match.difference - window[0];
+      for (std::size_t i = 0; i < kFigures; ++i) {
+        targets[i] += window[i] * rest;
+        for (std::size_t j = 0; j < kFigures; ++j) products[i][j] += window[i] * window[j];
+      }
+    }
+  }
+  if (fit.windows == 0) return fit;
+  fit.weights = solve(products, targets, ridge_);
+
+  // Scale: the regression of the difference of a match on the mean value of its windows.
+  Moments2 scale;
+  Moments2 windows;
+  Moments2 goals;
+  for (const Match& match : matches_) {
+    double mean = 0.0;
+    for (const Row& window : match.windows) {
+      const double value = dot(fit.weights, window);
+      mean += value / static_cast<double>(match.windows.size());
+      windows.add(value, match.difference);
+      goals.add(window[0], match.difference);
+    }
+    scale.add(mean, match.difference);
+  }
+  const double factor = scale.xx > 0 ? scale.xy / scale.xx : 0.0;
+  for (double& weight : fit.weights) weight *= factor;
+  fit.correlation = windows.correlation();
+  fit.correlation_of_goals = goals.correlation();
+  const double share = cycles_ / kMatchCycles;
+  double within = 0.0;
+  double within_goals = 0.0;
+  for (const Match& match : matches_) {
+    double mean = 0.0;
+    double mean_goals = 0.0;
+    const auto count = static_cast<double>(match.windows.size());
+    for (const Row& window : match.windows) {
+      mean += dot(fit.weights, window) / count;
+      mean_goals += window[0] / share / count;
+    }
+    for (const Row& window : match.windows) {
+      within += std::pow(dot(fit.weights, window) - mean, 2);
+      within_goals += std::pow(window[0] / share - mean_goals, 2);
+    }
+  }
+  fit.variance = within / fit.windows;
+  fit.variance_of_goals = within_goals / fit.windows;
+  return fit;
+}
+
+}  // namespace cls::analysis

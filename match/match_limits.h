@@ -1,0 +1,54 @@
+// The limits that end a match from outside: signals, time limit, start limit, stall limit.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "match/result/end_reason.h"
+#include "match/result/match_observer.h"
+#include "match/terms/match_options.h"
+
+namespace cls::match {
+
+/// Polled by the match's thread.
+class MatchLimits {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// The start limit and the time limit count from here. Both must outlive the object.
+  MatchLimits(const MatchOptions& options, const std::atomic<int>& stop_signal)
+      : options_(options), stop_signal_(stop_signal) {}
+
+  /// A new cycle has begun: the stall limit counts from here, and replaces the start limit.
+  void begin_cycle() { last_cycle_ = Clock::now(); }
+
+  /// Where the match is: the stall limit is exceeded as well while steps are made, but the game
+  /// clock is stopped for longer than any wait of the referee.
+  void follow(const SourceProgress& progress);
+  /// True when that is the stall.
+  bool clock_stands() const;
+
+  /// Why the match has to end now; nothing while it may continue.
+  std::optional<EndReason> exceeded() const;
+  /// The message for that reason.
+  std::string describe(EndReason reason) const;
+
+  /// True when a signal has been received or is received within `time`, which this waits for.
+  bool interrupted_within(std::chrono::milliseconds time) const;
+
+  const std::atomic<int>& signal() const { return stop_signal_; }
+
+ private:
+  const MatchOptions& options_;
+  const std::atomic<int>& stop_signal_;
+  Clock::time_point start_ = Clock::now();
+  std::optional<Clock::time_point> last_cycle_;
+  SourceProgress moved_;  ///< when cycle, mode or score changed last
+  std::int64_t steps_ = 0;
+  Clock::time_point moved_at_ = start_;
+};
+
+}  // namespace cls::match

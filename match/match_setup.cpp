@@ -1,0 +1,170 @@
+// One constructor of sides for each kind of server.
+#include "match/match_setup.h"
+
+#include <utility>
+
+#include "match/saved/saved_match.h"
+#include "match/sides/external_side.h"
+#include "match/sides/lockstep_agents.h"
+#include "match/sides/network_agents.h"
+
+namespace cls::match {
+namespace {
+
+using base::Result;
+using soccer::Side;
+using TeamPlans = soccer::PerSide<std::optional<TeamPlan>>;
+
+std::vector<Side> sides_of(const MatchOptions& options) {
+  std::vector<Side> sides = {Side::kLeft, Side::kRight};
+  if (options.trainer) sides.push_back(Side::kNeutral);
+  return sides;
+}
+
+// A Playmaker that leaves RegisterTeam unanswered is asked for each agent in the rest of the start
+// limit. A program in its first seconds, on a busy host, needs more than a fixed short time.
+proxy::RpcTimeout team_reply_timeout(const MatchOptions& options) {
+  constexpr double kShare = 0.5;
+  if (options.batch != proxy::BatchMode::kAuto) return proxy::kNoTimeout;
+  return proxy::RpcTimeout(static_cast<int>(kShare * options.start_timeout_s * 1000.0));
+}
+
+SideSetup side_setup(const MatchSetup& setup, Side side) {
+  SideSetup result;
+  result.side = side;
+  result.name = side == Side::kRight ? setup.names.right : setup.names.left;
+  result.seed = setup.seed;
+  result.folder = setup.folder;
+  result.host = setup.host;
+  result.batch = setup.options.batch;
+  result.team_reply = team_reply_timeout(setup.options);
+  result.limits = setup.options.limits;
+  if (side == Side::kLeft) result.cpus = setup.options.left_cpus;
+  if (side == Side::kRight) result.cpus = setup.options.right_cpus;
+  return result;
+}
+
+SideIdentity identity_of(const MatchSetup& setup, Side side) {
+  return {side, side == Side::kNeutral ? "trainer" : side_setup(setup, side).name,
+          endpoint_of(setup.options, side).text};
+}
+
+// Plans of the external teams, with the port that the server has opened for them.
+Result<TeamPlans> plan_external_teams(const MatchSetup& setup, EmbeddedServer& server) {
+  constexpr const char* kHost = "127.0.0.1";
+  TeamPlans plans;
+  bool takes_ports = true;
+  ServerPorts ports;
+  // The first round shows whether the start scripts take ports, the second one uses them.
+  for (const bool opened : {false, true}) {
+    for (const Side side : soccer::kBothSides) {
+      const Endpoint& endpoint = endpoint_of(setup.options, side);
+      if (endpoint.kind != Endpoint::Kind::kTeam) continue;
+      TeamValues values = team_values(setup.options, setup.names, side, kHost, ports, setup.folder);
+      values.coach = false;
+      TRY_INIT(auto plan, team_plan(endpoint, values));
+      takes_ports = takes_ports && plan.takes_ports;
+      plans[side] = std::move(plan);
+      server.expect_external_team(side, endpoint.parts.empty() ? "" : values.team_name);
+    }
+    if (opened || (!plans.left && !plans.right)) break;
+    TRY_INIT(const auto chosen, server.open_player_port(takes_ports));
+    ports = chosen;
+  }
+  return plans;
+}
+
+ExternalSide::OnOtherName on_other_name(const MatchOptions& options, Side side) {
+  const std::string& wanted = side == Side::kLeft ? options.left_name : options.right_name;
+  return wanted.empty() || options.own_names ? ExternalSide::OnOtherName::kWarn
+                                             : ExternalSide::OnOtherName::kRefuse;
+}
+
+NetworkSettings network_settings(const MatchSetup& setup, const MatchPlan& plan, Side side) {
+  const MatchOptions& options = setup.options;
+  NetworkSettings settings;
+  settings.server_host = plan.server_host;
+  settings.server_port = plan.ports.player;
+  if (side == Side::kNeutral) {
+    settings.trainer_port = plan.ports.trainer;
+    return settings;
+  }
+  if (options.coach) settings.coach_port = plan.ports.coach;
+  // The embedded server has a cycle limit of its own.
+  if (options.server_choice.kind != ServerChoice::Kind::kEmbedded) {
+    settings.cycle_limit = options.cycles;
+  }
+  settings.hold_turns = options.step;
+  settings.speed = options.speed;
+  return settings;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Match>> make_lockstep_match(const MatchSetup& setup,
+                                                   const LockstepLogs& logs) {
+  const MatchOptions& options = setup.options;
+  TRY_INIT(auto server, EmbeddedServer::create(options, setup.seed));
+  EmbeddedServer& embedded = *server;
+  embedded.record(logs.game_log, logs.text_log, logs.events);
+  if (options.resumed != nullptr && options.branch_seed) {
+    embedded.branch(options.resumed->steps(), *options.branch_seed);
+  }
+  TRY_INIT(auto teams, plan_external_teams(setup, embedded));
+  Sides sides;
+  bool match_thread_taken = false;
+  for (const Side side : sides_of(options)) {
+    if (side != Side::kNeutral && (teams)[side]) {
+      sides.push_back(std::make_unique<ExternalSide>(
+          identity_of(setup, side), *std::move((teams)[side]), ExternalSide::OnOtherName::kAccept,
+          embedded, *setup.host));
+      continue;
+    }
+    const SideSetup values = side_setup(setup, side);
+    const Endpoint& endpoint = endpoint_of(options, side);
+    auto playmaker = connect_playmaker(endpoint, values);
+    if (!playmaker) return playmaker.error();
+    if (options.resumed != nullptr) {
+      playmaker->playmaker =
+          proxy::resume_with(std::move(playmaker->playmaker), replies_of(*options.resumed, side));
+    }
+    const bool on_match_thread =
+        playmaker->direct && values.cpus.empty() && !std::exchange(match_thread_taken, true);
+    auto agents = std::make_unique<LockstepAgents>(identity_of(setup, side), *std::move(playmaker),
+                                                   team_options(values, endpoint, options), options,
+                                                   values.cpus, embedded);
+    if (on_match_thread) agents->take_turns_on_match_thread();
+    sides.push_back(std::move(agents));
+  }
+  return std::make_unique<Match>(options, std::move(server), std::move(sides), setup.seed,
+                                 setup.stop_signal);
+}
+
+Result<std::unique_ptr<Match>> make_external_match(const MatchSetup& setup, MatchPlan plan) {
+  const MatchOptions& options = setup.options;
+  auto teams = std::exchange(plan.teams, {});
+  std::map<Side, NetworkSettings> network;
+  for (const Side side : sides_of(options)) network[side] = network_settings(setup, plan, side);
+  auto server =
+      std::make_unique<ExternalServer>(options, std::move(plan), setup.host, setup.folder);
+  Sides sides;
+  for (const Side side : sides_of(options)) {
+    if (side != Side::kNeutral && teams[side]) {
+      sides.push_back(
+          std::make_unique<ExternalSide>(identity_of(setup, side), *std::move(teams[side]),
+                                         on_other_name(options, side), *server, *setup.host));
+      continue;
+    }
+    const SideSetup values = side_setup(setup, side);
+    const Endpoint& endpoint = endpoint_of(options, side);
+    TRY_INIT(auto playmaker, connect_playmaker(endpoint, values));
+    TRY_INIT(auto agents, NetworkAgents::create(identity_of(setup, side), std::move(playmaker),
+                                                team_options(values, endpoint, options), options,
+                                                values.cpus, network[side]));
+    sides.push_back(std::move(agents));
+  }
+  return std::make_unique<Match>(options, std::move(server), std::move(sides), setup.seed,
+                                 setup.stop_signal);
+}
+
+}  // namespace cls::match

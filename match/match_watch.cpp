@@ -1,0 +1,202 @@
+// Limits and failures compared with what the match waits for.
+#include "match/match_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "match/match_fault.h"
+
+namespace cls::match {
+namespace {
+
+// A signal to a group of processes reaches all of them within this time.
+constexpr std::chrono::milliseconds kSignalSpread{100};
+// The match reports a reply that it has waited for this long.
+constexpr std::chrono::seconds kSlowReply{3};
+
+// Ends that another side can have caused by the soccer server.
+bool can_be_intrusion(EndReason reason) {
+  return reason == EndReason::kCrashed || reason == EndReason::kStalled ||
+         reason == EndReason::kLate || reason == EndReason::kRefused ||
+         reason == EndReason::kServerFailed;
+}
+
+}  // namespace
+
+// ---- ends
+
+void MatchWatch::end(MatchEnd end) {
+  if (ended()) return;
+  if (can_be_intrusion(end.reason)) {
+    if (const auto intruder = server_.intruder()) {
+      end.fault = intruder->side;
+      end.message += "; " + intruder->evidence;
+    }
+  }
+  end_ = std::move(end);
+}
+
+void MatchWatch::attribute(const MatchSide& side, MatchEnd& end) {
+  const bool victim = end.fault_unknown || end.reason == EndReason::kServerFailed;
+  if (!is_trainer(side) && !victim) end.fault = side.identity().side;
+}
+
+void MatchWatch::end_by_side(const MatchSide& side, MatchEnd end) {
+  attribute(side, end);
+  end_unless_interrupted(std::move(end));
+}
+
+void MatchWatch::end_unless_interrupted(MatchEnd end) {
+  if (limits_.interrupted_within(kSignalSpread)) return;
+  this->end(std::move(end));
+  loop_->on_failure();
+}
+
+// The server may continue without a side whose Playmaker hangs: that is a stall, too.
+std::optional<EndReason> MatchWatch::exceeded_limit() const {
+  if (const auto limit = limits_.exceeded()) return limit;
+  if (!playing_ || options_.no_deadline) return std::nullopt;
+
+  const std::chrono::duration<double> stall_limit(options_.stall_after_s);
+  if (sides_awaited_for(sides_, stall_limit).empty()) return std::nullopt;
+  return EndReason::kStalled;
+}
+
+void MatchWatch::end_by_stall() {
+  // Those that kept the match waiting for most of the limit. In lockstep the match knows which side
+  // it waits for; over UDP each side plays on its own.
+  auto awaited =
+      sides_awaited_for(sides_, std::chrono::duration<double>(options_.stall_after_s / 2));
+  if (awaited.empty() && awaited_.side != nullptr) awaited.push_back(awaited_.side);
+
+  MatchEnd end{.reason = EndReason::kStalled, .message = limits_.describe(EndReason::kStalled)};
+  if (limits_.clock_stands()) return this->end(std::move(end));
+  if (!awaited.empty()) {
+    end.message = stall_message(awaited, moment().cycle, end.message);
+  } else {
+    const bool external = std::any_of(sides_.begin(), sides_.end(),
+                                      [](const auto& side) { return side->is_external(); });
+    end.message += fmt::format("; no Playmaker is awaited: the soccer server{} has stopped",
+                               external ? " or an external team" : "");
+  }
+
+  if (awaited.size() == 1) blame(*awaited.front(), moment(), end);
+  this->end(std::move(end));
+}
+
+void MatchWatch::end_by_limit(EndReason limit) {
+  if (limit == EndReason::kStalled) return end_by_stall();
+
+  MatchEnd end{.reason = limit, .message = limits_.describe(limit)};
+  if (limit == EndReason::kRefused && awaited_.what) {
+    const std::string hint = awaited_.side == nullptr ? "" : awaited_.side->timeout_hint();
+    end.message = fmt::format("{} within the start limit of {} s (--start-timeout){}",
+                              awaited_.what(), options_.start_timeout_s, hint);
+    if (awaited_.side != nullptr && loop_->blames(*awaited_.side)) {
+      blame(*awaited_.side, moment(), end);
+    }
+    if (!end.failure && awaited_.child != nullptr) end.failure = failure_of(*awaited_.child);
+  }
+  this->end(std::move(end));
+}
+
+// ---- checks
+
+void MatchWatch::check_sides() {
+  for (const auto& side : sides_) {
+    if (ended() || !loop_->needs_sides()) return;
+    auto failure = side->failure(moment());
+    if (failure) end_by_side(*side, *std::move(failure));
+  }
+}
+
+void MatchWatch::check() {
+  if (ended()) return;
+
+  if (auto failure = server_.failure(playing_)) {
+    if (failure->reason == EndReason::kLate) {
+      blame_unresponsive(sides_, server_.status().awaited_s, *failure);
+    }
+    end_unless_interrupted(*std::move(failure));
+  }
+  check_sides();
+  if (ended()) return;
+
+  if (playing_) warn_of_slow_reply();
+  if (const auto limit = exceeded_limit()) end_by_limit(*limit);
+}
+
+void MatchWatch::start_server() {
+  if (ended()) return;
+  awaited_ = {.what = [this] { return server_.waiting_for(); }};
+  auto failure = server_.start([this] {
+    awaited_.child = server_.child();
+    check();
+    return !ended();
+  });
+  awaited_ = {};
+  if (failure) end(*std::move(failure));
+}
+
+bool MatchWatch::wait_for(const MatchSide& side, const std::function<bool()>& reached) {
+  awaited_ = {.what = [&side] { return side.waiting_for(); },
+              .side = &side,
+              .child = side.awaited_process()};
+  while (!ended() && !reached()) {
+    if (!playing_) server_.wait_for_clients();
+    awaited_.child = side.awaited_process();
+    check();
+  }
+  awaited_ = {};
+  return !ended();
+}
+
+SourceProgress MatchWatch::progress() const {
+  SourceProgress latest = server_.progress();
+  for (const auto& side : sides_) {
+    const auto seen = side->seen();
+    if (!seen) continue;
+    latest.steps = std::max(latest.steps, seen->progress.steps);
+    if (seen->progress.match.cycle >= latest.match.cycle) latest.match = seen->progress.match;
+  }
+
+  const int whole = options_.server.normal_time_cycles();
+  latest.match.last_cycle = whole;
+  if (options_.cycles) {
+    latest.match.last_cycle = whole > 0 ? std::min(whole, *options_.cycles) : *options_.cycles;
+  }
+  return latest;
+}
+
+// ---- warnings
+
+// Says who is awaited before the stall limit ends the match.
+void MatchWatch::warn_of_slow_reply() {
+  if (options_.no_deadline) return;
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const auto call = sides_[i]->awaited_reply();
+    if (!call || call->waited < kSlowReply || std::exchange(warned_of_slow_reply_[i], true)) {
+      continue;
+    }
+    warn(fmt::format("{}: no reply to {} for {} s at cycle {}", sides_[i]->identity().name,
+                     describe(*call), kSlowReply.count(), moment().cycle));
+  }
+}
+
+void MatchWatch::warn(std::string line) {
+  observer_->on_warning(line);
+  warnings_.push_back(std::move(line));
+}
+
+void MatchWatch::report_warnings() {
+  for (std::string& line : server_.take_warnings()) warn(std::move(line));
+  for (const auto& side : sides_) {
+    for (const std::string& line : side->take_warnings()) {
+      warn(fmt::format("{}: {}", side->identity().name, line));
+    }
+  }
+}
+
+}  // namespace cls::match

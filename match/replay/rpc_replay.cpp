@@ -1,0 +1,290 @@
+// Asking again and comparing.
+#include "match/replay/rpc_replay.h"
+
+#include <fmt/format.h>
+#include <google/protobuf/util/message_differencer.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "base/text/json_text.h"
+#include "match/sides/agent_side.h"
+#include "match/terms/match_options.h"
+#include "proto/rpc.h"
+#include "proxy/playmaker/playmaker.h"
+#include "proxy/playmaker/playmaker_errors.h"
+#include "soccer/side.h"
+
+namespace cls::match {
+namespace {
+
+using base::Error;
+using base::Result;
+using google::protobuf::Message;
+using proto::Rpc;
+using recording::RecordedCall;
+using soccer::Side;
+
+int number_of(Side side) { return side == Side::kRight ? 2 : 1; }
+
+// The side of all calls; nothing when both sides have some.
+std::optional<Side> only_side(const std::string& file) {
+  std::string error;
+  const auto reader = proto::RecordingReader::open(file, error);
+  std::optional<Side> side;
+  RecordedCall call;
+  while (reader != nullptr && reader->next(call)) {
+    const Side caller = call.side() == number_of(Side::kRight) ? Side::kRight : Side::kLeft;
+    if (side && *side != caller) return std::nullopt;
+    side = caller;
+  }
+  return side;
+}
+
+Side side_to_ask(const ReplayOptions& options, const recording::RecordingHeader& header) {
+  if (options.side) return *options.side;
+  if (const auto side = only_side(options.file)) return *side;
+  const bool left_is_mock = header.left_endpoint().rfind("mock", 0) == 0;
+  const bool right_is_mock = header.right_endpoint().rfind("mock", 0) == 0;
+  return left_is_mock && !right_is_mock ? Side::kRight : Side::kLeft;
+}
+
+// "modified: actions[0].dash.power: 100 -> 80" without its first word.
+std::vector<std::string> differing_fields(const Message& recorded, const Message& now) {
+  google::protobuf::util::MessageDifferencer differencer;
+  std::string report;
+  differencer.ReportDifferencesToString(&report);
+  if (differencer.Compare(recorded, now)) return {};
+  std::vector<std::string> fields;
+  for (std::size_t at = 0; at < report.size();) {
+    const std::size_t end = std::min(report.find('\n', at), report.size());
+    std::string line = report.substr(at, end - at);
+    if (line.rfind("modified: ", 0) == 0) line = line.substr(10);
+    if (!line.empty()) fields.push_back(std::move(line));
+    at = end + 1;
+  }
+  return fields;
+}
+
+int cycle_of(Rpc rpc, const RecordedCall& call) {
+  protos::State state;
+  if (!is_decision(rpc) || !state.ParseFromString(call.request())) return 0;
+  return state.world_model().cycle();
+}
+
+// The handshake of an agent belongs to each of its decisions.
+bool is_wanted(const ReplayOptions& options, const RecordedCall& call) {
+  if (options.agent && call.agent() != *options.agent) return false;
+  const auto rpc = proto::rpc_from_name(call.rpc());
+  return !options.cycle || !rpc || !is_decision(*rpc) || cycle_of(*rpc, call) == *options.cycle;
+}
+
+// What the options select, if that is not everything: "player 7 in cycle 1234".
+std::string selection(const ReplayOptions& options) {
+  const std::string who = options.agent ? proxy::agent_name(*options.agent) : "the side";
+  return options.cycle ? fmt::format("{} in cycle {}", who, *options.cycle) : who;
+}
+
+class Replay {
+ public:
+  Replay(const ReplayOptions& options, proxy::Playmaker& playmaker, ReplayResult& result)
+      : options_(options), playmaker_(playmaker), result_(result) {}
+
+  // One call of the side; the error ends the replay.
+  Result<void> take(const RecordedCall& call) {
+    const auto rpc = proto::rpc_from_name(call.rpc());
+    if (!rpc) return {};
+    ++result_.calls;
+    if (call.step() != step_) finish_step();
+    step_ = call.step();
+    std::unique_ptr<Message> request(proto::request_prototype(*rpc).New());
+    if (!request->ParseFromString(call.request())) {
+      return Error{fmt::format("{}: call {} is damaged", options_.file, result_.calls)};
+    }
+    set_identity(*rpc, identities_.at(static_cast<std::size_t>(call.agent())), *request);
+    if (is_decision(*rpc)) {
+      asked_.at(static_cast<std::size_t>(call.agent())) = call;
+      playmaker_.begin(call.agent(), *rpc, *request, proxy::RpcTimeout(options_.rpc_deadline_ms));
+      return {};
+    }
+    finish_step();
+    return ask(*rpc, call, *request);
+  }
+
+  void finish_step() {
+    while (const auto reply = playmaker_.next_reply()) {
+      const RecordedCall& call = asked_.at(static_cast<std::size_t>(reply->agent));
+      compare(call, reply->message, reply->status);
+    }
+    std::sort(fresh_.begin(), fresh_.end(),
+              [](const auto& a, const auto& b) { return a.agent < b.agent; });
+    for (ReplyDifference& each : fresh_) result_.differences.push_back(std::move(each));
+    fresh_.clear();
+    std::sort(failing_.begin(), failing_.end(),
+              [](const auto& a, const auto& b) { return a.agent < b.agent; });
+    for (ReplyDifference& each : failing_) result_.failing.push_back(std::move(each));
+    failing_.clear();
+  }
+
+ private:
+  Result<void> ask(Rpc rpc, const RecordedCall& call, const Message& request) {
+    const proxy::RpcTimeout limit(static_cast<int>(options_.start_timeout_s * 1000));
+    const proxy::Reply reply = playmaker_.call(call.agent(), rpc, request, limit);
+    if (rpc == Rpc::kRegister) {
+      if (!reply.status.ok() && reply.status.outcome != proxy::RpcOutcome::kUnimplemented) {
+        return Error{reply.status.message};
+      }
+      const auto* identity = reply.as<protos::RegisterResponse>();
+      identities_.at(static_cast<std::size_t>(call.agent())) =
+          identity == nullptr ? protos::RegisterResponse() : *identity;
+    }
+    compare(call, reply.message, reply.status);
+    finish_step();
+    return {};
+  }
+
+  void compare(const RecordedCall& call, const Message* now, const proxy::RpcStatus& status) {
+    const Rpc rpc = *proto::rpc_from_name(call.rpc());
+    if (call.status() != 0) return compare_failed(rpc, call, status);
+    std::unique_ptr<Message> recorded(proto::reply_prototype(rpc).New());
+    recorded->ParseFromString(call.reply());
+    // Which number an agent gets is the Playmaker's affair.
+    if (rpc == Rpc::kRegister && now != nullptr) {
+      static_cast<protos::RegisterResponse&>(*recorded).set_client_id(
+          static_cast<const protos::RegisterResponse&>(*now).client_id());
+    }
+    std::vector<std::string> fields = now == nullptr
+                                          ? std::vector<std::string>{"no reply: " + status.message}
+                                          : differing_fields(*recorded, *now);
+    if (fields.empty()) {
+      ++result_.same;
+      return;
+    }
+    fresh_.push_back({call.step(), cycle_of(rpc, call), call.agent(), call.rpc(), fields});
+  }
+
+  // An RPC that the Playmaker does not implement is as recorded if it still does not.
+  void compare_failed(Rpc rpc, const RecordedCall& call, const proxy::RpcStatus& status) {
+    if (status.outcome == proxy::RpcOutcome::kUnimplemented && call.status() == status.code) {
+      ++result_.same;
+      return;
+    }
+    ++result_.skipped;
+    if (status.ok()) {
+      ++result_.answered;
+      return;
+    }
+    failing_.push_back({call.step(),
+                        cycle_of(rpc, call),
+                        call.agent(),
+                        call.rpc(),
+                        {"fails as when recorded: " + status.message}});
+  }
+
+  const ReplayOptions& options_;
+  proxy::Playmaker& playmaker_;
+  ReplayResult& result_;
+  int step_ = 0;
+  std::array<protos::RegisterResponse, proxy::kAgentNumbers> identities_;
+  std::array<RecordedCall, proxy::kAgentNumbers> asked_;
+  std::vector<ReplyDifference> fresh_;
+  std::vector<ReplyDifference> failing_;
+};
+
+}  // namespace
+
+Result<ReplayResult> replay_recording(const ReplayOptions& options,
+                                      const std::atomic<int>& stop_signal) {
+  std::string error;
+  const auto reader = proto::RecordingReader::open(options.file, error);
+  if (reader == nullptr) return Error{error};
+  ReplayResult result;
+  result.header = reader->header();
+  result.side = side_to_ask(options, result.header);
+  std::optional<process::ProcessHost> host;
+  if (options.endpoint.starts_programs()) {
+    TRY_INIT(auto created, process::ProcessHost::create());
+    host.emplace(std::move(created));
+  }
+  const std::string team =
+      result.side == Side::kLeft ? result.header.left_name() : result.header.right_name();
+  TRY_INIT(
+      const auto connection,
+      connect_playmaker(
+          options.endpoint,
+          {result.side, team, result.header.seed(), options.folder, host ? &*host : nullptr, {}}));
+  Replay replay(options, *connection.playmaker, result);
+  RecordedCall call;
+  bool any_decision = false;
+  while (reader->next(call)) {
+    result.interrupted = stop_signal.load() != 0;
+    if (result.interrupted) break;
+    if (call.side() != number_of(result.side) || !is_wanted(options, call)) continue;
+    const auto rpc = proto::rpc_from_name(call.rpc());
+    any_decision = any_decision || (rpc && is_decision(*rpc));
+    TRY(replay.take(call));
+  }
+  replay.finish_step();
+  if (!reader->parse_error().empty()) return Error{reader->parse_error()};
+  if (!any_decision && !result.interrupted && (options.cycle || options.agent)) {
+    return Error{fmt::format("{}: no decision of {} of the {} side", options.file,
+                             selection(options), side_name(result.side))};
+  }
+  return result;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const std::vector<ReplyDifference>& calls) {
+  Json list = Json::array();
+  for (const ReplyDifference& each : calls) {
+    list.push_back({{"step", each.step},
+                    {"cycle", each.cycle},
+                    {"agent", each.agent},
+                    {"rpc", each.rpc},
+                    {"fields", each.fields}});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string to_json(const ReplayResult& result) {
+  Json json = {{"schema", "cls.replay/1"},  {"side", side_name(result.side)},
+               {"calls", result.calls},     {"same", result.same},
+               {"skipped", result.skipped}, {"different", result.differences.size()}};
+  json["answered"] = result.answered;
+  json["differences"] = json_of(result.differences);
+  json["failing"] = json_of(result.failing);
+  return base::json_document(json);
+}
+
+std::string to_text(const ReplayResult& result, std::size_t most) {
+  std::string text;
+  const auto list = [&](const std::vector<ReplyDifference>& calls) {
+    for (std::size_t i = 0; i < std::min(most, calls.size()); ++i) {
+      const ReplyDifference& each = calls[i];
+      text += fmt::format("cycle {} (step {}), {}, {}:\n", each.cycle, each.step,
+                          proxy::agent_name(each.agent), each.rpc);
+      for (const std::string& field : each.fields) text += fmt::format("    {}\n", field);
+    }
+    if (calls.size() > most) {
+      text += fmt::format("... and {} more (--json has all)\n", calls.size() - most);
+    }
+  };
+  list(result.differences);
+  list(result.failing);
+  text += fmt::format("{} calls of the {} side: {} replies as recorded, {} different", result.calls,
+                      side_name(result.side), result.same, result.differences.size());
+  if (result.skipped > 0) {
+    text += fmt::format(
+        ", {} skipped\n(no reply to compare with was recorded; now {} with a reply, {} without)",
+        result.skipped, result.answered, result.failing.size());
+  }
+  return text + "\n";
+}
+
+}  // namespace cls::match

@@ -1,0 +1,81 @@
+// Messages and failures of processes and Playmakers.
+#include "match/result/match_end.h"
+
+#include <fmt/format.h>
+
+#include "match/terms/run_command.h"
+#include "proxy/playmaker/playmaker_errors.h"
+
+namespace cls::match {
+namespace {
+
+using proxy::RpcOutcome;
+
+EndReason reason_of(RpcOutcome outcome) {
+  switch (outcome) {
+    case RpcOutcome::kUnavailable:
+      return EndReason::kCrashed;
+    case RpcOutcome::kProtocolError:
+    case RpcOutcome::kError:
+    case RpcOutcome::kUnimplemented:
+      return EndReason::kProtocolError;
+    default:
+      return EndReason::kLate;
+  }
+}
+
+std::string format_exit(const process::Child::Status& status) {
+  if (!status.exit) return "running";
+  return status.asked_to_end ? fmt::format("ended by cls ({})", to_text(*status.exit))
+                             : to_text(*status.exit);
+}
+
+}  // namespace
+
+ProcessFailure failure_of(const process::Child& child) {
+  ProcessFailure failure;
+  failure.process = child.plan().name;
+  failure.exit = format_exit(child.status());
+  failure.log = child.plan().log.filename().string();
+  failure.output = child.last_lines();
+  return failure;
+}
+
+ProcessFailure playmaker_failure(soccer::Side side) {
+  ProcessFailure failure;
+  failure.process = playmaker_name(side);
+  return failure;
+}
+
+std::string describe(const proxy::AwaitedCall& call) {
+  std::string text = fmt::format("{} of {}", name(call.rpc), proxy::agent_name(call.agent));
+  if (call.others == 1) text += " and 1 other agent";
+  if (call.others > 1) text += fmt::format(" and {} other agents", call.others);
+  if (call.others > 0) text += " (one call; --batch never names the player)";
+  return text;
+}
+
+ProcessResult result_of(const process::Child& child) {
+  ProcessResult result;
+  result.name = child.plan().name;
+  result.command = process::to_shell(child.plan());
+  result.log = child.plan().log.filename().string();
+  result.exit = format_exit(child.status());
+  result.cpu_seconds = child.cpu_seconds();
+  result.log_error = child.log_error();
+  return result;
+}
+
+std::optional<MatchEnd> end_by_missed_decisions(const proxy::MissedDecisions& missed,
+                                                const std::string& who, int cycle,
+                                                const MatchOptions& options) {
+  if (missed.consecutive <= options.max_missed) return std::nullopt;
+  MatchEnd end;
+  end.reason = reason_of(missed.last.outcome);
+  end.message =
+      fmt::format("{}: {} had no usable reply to {} calls in a row, at cycle {}: {}", who,
+                  proxy::agent_name(missed.unum), missed.consecutive, cycle, missed.last.message);
+  return end;
+}
+
+}  // namespace cls::match

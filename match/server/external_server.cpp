@@ -1,0 +1,336 @@
+// Life of an external server, and its result from the game log.
+#include "match/server/external_server.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "analysis/results/match_summary.h"
+#include "base/system/version.h"
+#include "base/text/printable.h"
+#include "gamelog/rcg/rcg_reader.h"
+#include "match/result/match_folder.h"
+#include "match/server/client_binding.h"
+#include "match/terms/server_settings.h"
+#include "proxy/agent/team_driver.h"
+
+namespace cls::match {
+namespace {
+
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+constexpr milliseconds kLogPollInterval{10};
+constexpr milliseconds kPortCheckInterval{30};
+constexpr milliseconds kServerGrace{1500};
+constexpr milliseconds kExitTimeout{10'000};
+// A server in synchronous mode gives up after this many cycles without a (done).
+constexpr int kMaxMissed = 20;
+constexpr int kServerWriteError = 74;  // exit code of `cls server` (sysexits.h: EX_IOERR)
+
+// The log of a half that has ended lacks its last frame, not its clock.
+int last_cycle(const gamelog::MatchRecord& record, int cycles) {
+  return record.notes.empty() ? cycles : std::max(cycles, record.notes.back().time);
+}
+
+}  // namespace
+
+ExternalServer::ExternalServer(const MatchOptions& options, MatchPlan plan,
+                               process::ProcessHost* host, const std::filesystem::path& folder)
+    : options_(options),
+      plan_(std::move(plan)),
+      host_(host),
+      folder_(folder),
+      log_(plan_.server ? folder / kGameLogFile : std::filesystem::path()) {}
+
+MatchEnd ExternalServer::refused(std::string message) const {
+  MatchEnd end{.reason = EndReason::kRefused, .message = std::move(message)};
+  if (child_ != nullptr) end.failure = failure_of(*child_);
+  return end;
+}
+
+bool ExternalServer::has_open_port() const {
+  const std::vector<int> ports = process::ports_of(process::Protocol::kUdp, child_->status().pid);
+  return std::find(ports.begin(), ports.end(), plan_.ports.player) != ports.end();
+}
+
+std::optional<MatchEnd> ExternalServer::start(const std::function<bool()>& keep_waiting) {
+  if (!plan_.server) {
+    const auto clients = soccer::UdpClients::create(plan_.server_host, plan_.ports.player);
+    if (!clients) return refused(clients.error().message);
+    proxy::wait_for_server(**clients, keep_waiting);
+    return std::nullopt;
+  }
+  auto child =
+      host_->start(*plan_.server, [this](std::string_view line) { output_.read_line(line); });
+  if (!child) return refused(child.error().message);
+  child_ = std::move(*child);
+  while (!has_open_port()) {
+    const auto next = Clock::now() + kPortCheckInterval;
+    while (Clock::now() < next) {
+      if (!keep_waiting()) return std::nullopt;
+      std::this_thread::sleep_for(kLogPollInterval);
+    }
+  }
+  return std::nullopt;
+}
+
+std::string ExternalServer::waiting_for() const {
+  if (!plan_.server) {
+    return fmt::format("no soccer server answers at {}:{}", plan_.server_host, plan_.ports.player);
+  }
+  const std::vector<int> ports =
+      child_ == nullptr ? std::vector<int>()
+                        : process::ports_of(process::Protocol::kUdp, child_->status().pid);
+  const std::string hint =
+      ports.empty() ? "" : fmt::format(" (but port {})", fmt::join(ports, ", "));
+  return fmt::format("the soccer server did not open UDP port {}{}", plan_.ports.player, hint);
+}
+
+std::string ExternalServer::monitor_address() const {
+  if (!options_.monitor_port) return {};
+  return fmt::format("{}:{}", plan_.server_host, plan_.ports.player);
+}
+
+void ExternalServer::wait_for_clients() { std::this_thread::sleep_for(kLogPollInterval); }
+
+void ExternalServer::poll() {
+  std::this_thread::sleep_for(kLogPollInterval);
+  log_.poll();
+}
+
+bool ExternalServer::binds_clients() const {
+  return plan_.server && options_.server_choice.kind == ServerChoice::Kind::kEmbedded;
+}
+
+// 0: it cannot be seen.
+int ExternalServer::server_process() const {
+  if (child_ != nullptr) return child_->status().pid;
+  if (plan_.server_host != "127.0.0.1" && plan_.server_host != process::loopback_host()) return 0;
+  const auto owners = process::owners_of(process::Protocol::kUdp, plan_.ports.player);
+  return owners.empty() ? 0 : owners.front().pid;
+}
+
+// A program of a side may be a player or the coach of that side, and agents of cls are not programs
+// of their own. More connections are monitors, or they are in the place of another side.
+void ExternalServer::look_for_intruder() {
+  constexpr int kClientsOfTeam = soccer::kPlayersPerTeam + 1;
+  const int server = server_process();
+  if (binds_clients() || intruder_ || server == 0) return;
+  soccer::PerSide<int> connections;
+  for (const process::SocketOwner& owner : owners_.peers_of(server)) {
+    const soccer::Side side = side_of(owner);
+    if (side != soccer::Side::kNeutral) ++connections[side];
+  }
+  for (const soccer::Side side : soccer::kBothSides) {
+    const bool external = endpoint_of(options_, side).kind == Endpoint::Kind::kTeam;
+    const int own = external ? kClientsOfTeam : 0;
+    if (connections[side] <= own || intruder_) continue;
+    intruder_ = Intruder{side, fmt::format("programs of the {} side hold {} connections to the "
+                                           "soccer server; {} can be its own",
+                                           side_name(side), connections[side], own)};
+    warnings_.push_back("an intrusion: " + intruder_->evidence);
+  }
+}
+
+std::optional<Intruder> ExternalServer::intruder() {
+  look_for_intruder();
+  return intruder_;
+}
+
+// Programs look at the connections when there are new ones only: that costs nothing in play.
+std::vector<std::string> ExternalServer::take_warnings() {
+  const ServerStatus status = output_.status();
+  if (std::exchange(seen_connections_, status.connections) != status.connections) {
+    look_for_intruder();
+  }
+  std::vector<std::string> lines = std::exchange(warnings_, {});
+  const auto first = status.intrusions.begin() + static_cast<std::ptrdiff_t>(reported_intrusions_);
+  reported_intrusions_ = status.intrusions.size();
+  lines.insert(lines.end(), first, status.intrusions.end());
+  return lines;
+}
+
+SourceProgress ExternalServer::progress() const { return log_.progress(); }
+
+// Agents see every cycle. Logs leave out the cycles before a kick-off, while the clock is stopped.
+milliseconds ExternalServer::quiet_time() const {
+  if (options_.left.has_playmaker() || options_.right.has_playmaker()) return kLogPollInterval;
+  const soccer::ServerParams& server = options_.server;
+  milliseconds cycle(server.simulator_step * server.slow_down_factor);
+  // Before the match programs load and warm up, and the server may wait for them in each cycle.
+  const bool waits = mode_of(options_) != MatchMode::kRealtime && log_.progress().match.cycle == 0;
+  if (waits) cycle = std::max(cycle, kServerWait);
+  return cycle * (server.kick_off_wait + 1);
+}
+
+bool ExternalServer::finished() const {
+  const MatchProgress& logged = log_.progress().match;
+  return output_.status().game_over || logged.mode == soccer::PlayMode::kTimeOver ||
+         (options_.cycles && logged.cycle >= *options_.cycles);
+}
+
+std::optional<MatchEnd> ExternalServer::failure(bool playing) {
+  if (child_ == nullptr || !process::has_ended(child_->status())) return std::nullopt;
+  log_.poll();
+  if (finished()) return std::nullopt;
+  const std::string exit = to_text(child_->status().exit.value_or(process::ProcessExit{}));
+  const ServerStatus status = output_.status();
+  const int cycle = log_.progress().match.cycle;
+  if (status.gave_up) {
+    return MatchEnd{
+        .reason = EndReason::kLate,
+        .message = fmt::format(
+            "the soccer server gave up at cycle {}{}: clients stopped responding", cycle,
+            cycle > kMaxMissed + 1 ? ""
+                                   : " (a team without synchronous mode needs --mode realtime)"),
+        .failure = failure_of(*child_)};
+  }
+  if (playing) {
+    return MatchEnd{.reason = EndReason::kServerFailed,
+                    .message = fmt::format("the soccer server ended at cycle {}: {}", cycle, exit),
+                    .failure = failure_of(*child_)};
+  }
+  const std::string why =
+      status.first_error.empty() ? "" : fmt::format(" ({})", status.first_error);
+  return refused(fmt::format("the soccer server ended before the match: {}{}", exit, why));
+}
+
+void ExternalServer::finish(FinalState state, const std::atomic<int>& signal) {
+  if (child_ == nullptr) return;
+  const auto until = Clock::now() + kExitTimeout;
+  while (state == FinalState::kOver && !child_->wait_exit(kLogPollInterval) &&
+         Clock::now() < until) {
+    if (signal.load() != 0) break;
+  }
+  child_->end(kServerGrace);
+  // No client may leave before the server: it would continue without them.
+  if (state == FinalState::kHeld) child_->wait_gone(kServerGrace + kKillMargin);
+}
+
+std::vector<ProcessResult> ExternalServer::wait_gone() {
+  if (child_ == nullptr) return {};
+  child_->wait_gone(kServerGrace + kKillMargin);
+  return {result_of(*child_)};
+}
+
+// Without a log, only the agents know the score.
+void ExternalServer::report_missing_log(MatchResult& result, bool has_agents,
+                                        const std::string& why) const {
+  if (!plan_.server || !result.valid()) return;
+  if (has_agents) {
+    result.warnings.push_back(
+        fmt::format("score and cycles are those that the cls agents heard: {}", why));
+    return;
+  }
+  result.end_reason = EndReason::kServerFailed;
+  result.message = fmt::format("the result is unknown: {}", why);
+}
+
+// An exit code of `cls server`; rcssserver does not report it.
+void ExternalServer::report_write_error(MatchResult& result) const {
+  const auto exit = child_ == nullptr ? std::nullopt : child_->status().exit;
+  if (!exit || exit->by_signal || exit->number != kServerWriteError) return;
+  constexpr std::string_view kMessage = "cls: ";
+  std::string why = to_text(*exit);
+  for (const std::string& line : child_->last_lines()) {
+    if (line.starts_with(kMessage)) why = line.substr(kMessage.size());
+  }
+  result.write_error = "the soccer server could not write its logs: " + why;
+}
+
+// Whether the log ends before the match: the disk was full, or the file too large. The players are
+// a cycle ahead of the log when a match ends at its cycle limit.
+bool ExternalServer::is_cut(int cycles, bool over, const std::vector<AgentProgress>& agents) const {
+  const bool at_limit = options_.cycles && cycles >= *options_.cycles;
+  if (agents.empty()) return output_.status().game_over && !over && !at_limit;
+  return std::any_of(agents.begin(), agents.end(), [cycles](const AgentProgress& seen) {
+    return seen.progress.match.cycle > cycles + 1;
+  });
+}
+
+// `result` has what the agents heard. They do not hear the score of a shoot-out.
+void ExternalServer::report_cut_log(MatchResult& result, int cycles, bool has_agents) const {
+  const bool shoot_out =
+      result.left.score == result.right.score && options_.server.penalty_shoot_outs;
+  std::string line =
+      has_agents
+          ? fmt::format("{} ends at cycle {} of {}", kGameLogFile, cycles, result.cycles)
+          : fmt::format("{} ends at cycle {}, before the end of the match", kGameLogFile, cycles);
+  if (!result.write_error.empty()) line += fmt::format(" ({})", result.write_error);
+  if (!has_agents || shoot_out) {
+    result.end_reason = EndReason::kServerFailed;
+    result.message = "the result is unknown: " + line;
+    return;
+  }
+  result.write_error = line + "; score and cycles are those that the cls agents heard";
+}
+
+void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgress>& agents) const {
+  const auto record = gamelog::read_rcg_file((folder_ / kGameLogFile).string());
+  if (!record) return report_missing_log(result, !agents.empty(), record.error().message);
+  if (record->frames() == 0) {
+    return report_missing_log(result, !agents.empty(), "the game log contains no cycle");
+  }
+  const analysis::MatchSummary summary = analysis::summarize(*record, nullptr);
+  for (const analysis::GoalSummary& goal : summary.goals) {
+    result.goals.push_back({goal.cycle, goal.side, goal.own_goal ? 0 : goal.unum});
+  }
+  result.rcg = kGameLogFile;
+  std::error_code code;
+  if (std::filesystem::exists(folder_ / kTextLogFile, code)) result.rcl = kTextLogFile;
+  report_write_error(result);
+  const bool over = !record->mode.empty() && record->mode.back() == soccer::PlayMode::kTimeOver;
+  if (result.valid() && is_cut(last_cycle(*record, summary.cycles), over, agents)) {
+    return report_cut_log(result, summary.cycles, !agents.empty());
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    TeamResult& team = i == 0 ? result.left : result.right;
+    if (!summary.teams[i].name.empty()) team.name = base::printable(summary.teams[i].name);
+    team.score = summary.teams[i].score;
+    team.penalty_score.reset();
+    if (summary.penalties) team.penalty_score = summary.teams[i].penalty_score;
+  }
+  result.cycles = last_cycle(*record, summary.cycles);
+  result.steps = summary.frames;
+  for (const AgentProgress& seen : agents) {
+    const MatchProgress& heard = seen.progress.match;
+    const bool same =
+        heard.left_score == result.left.score && heard.right_score == result.right.score;
+    if (same || seen.progress.steps == 0 || !result.valid()) continue;
+    result.warnings.push_back(fmt::format(
+        "the log says {} : {}, but the players of {} counted {} : {}", result.left.score,
+        result.right.score, seen.team, heard.left_score, heard.right_score));
+  }
+}
+
+void ExternalServer::add_result(MatchResult& result,
+                                const std::vector<AgentProgress>& agents) const {
+  const ServerStatus status = output_.status();
+  const bool embedded = options_.server_choice.kind == ServerChoice::Kind::kEmbedded;
+  result.deterministic = false;
+  result.server_version = embedded ? std::string(base::kVersion) : status.version;
+  result.server_seed = status.seed;
+  result.server_missed_cycles = status.missed_cycles;
+  if (child_ != nullptr) result.server_cpu_seconds = child_->cpu_seconds();
+  for (const AgentProgress& seen : agents) {
+    const MatchProgress& heard = seen.progress.match;
+    if (heard.cycle < result.cycles) continue;
+    result.cycles = heard.cycle;
+    result.steps = seen.progress.steps;
+    result.left.score = heard.left_score;
+    result.right.score = heard.right_score;
+  }
+  if (plan_.server) read_log(result, agents);
+}
+
+void write_events(EventRecorder& events, const std::filesystem::path& folder,
+                  const MatchResult& result) {
+  events.start({result.left.name, result.right.name}, result.seed);
+  const auto record = gamelog::read_rcg_file((folder / kGameLogFile).string());
+  events.read_log(record ? *record : gamelog::MatchRecord(), result);
+  events.end(result);
+}
+
+}  // namespace cls::match

@@ -1,0 +1,336 @@
+// Parses SIDE arguments and derives team names from them.
+#include "match/terms/endpoint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <utility>
+
+#include "base/io/home_path.h"
+#include "base/io/whole_file.h"
+#include "base/text/number_text.h"
+#include "base/text/suggestion.h"
+#include "match/terms/host_name.h"
+#include "match/terms/mixed_side.h"
+#include "match/terms/planner_file.h"
+#include "match/terms/run_command.h"
+#include "mock-server/mock.h"
+#include "proto/rpc.h"
+
+namespace cls::match {
+namespace {
+
+using base::Error;
+using base::Result;
+
+constexpr std::size_t kMaxTeamName = 15;
+constexpr int kMaxPort = 65535;
+constexpr std::string_view kPlannerForm = "planner:";
+constexpr std::string_view kEachForm = "each:";
+constexpr int kMaxPortStep = 13;
+
+bool is_team_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+         c == '_' || c == '+';
+}
+
+// "python3 team.py" for "team.py"; empty for what is not a script.
+std::string command_of_script(std::string_view text) {
+  constexpr std::pair<std::string_view, std::string_view> kPrograms[] = {
+      {".py", "python3 "}, {".js", "node "}, {".mjs", "node "}, {".sh", "sh "}};
+  for (const auto& [ending, program] : kPrograms) {
+    if (text.ends_with(ending)) return fmt::format("{}{}", program, text);
+  }
+  return text.starts_with("./") ? std::string(text) : "";
+}
+
+Error unknown_form(std::string_view text) {
+  std::string message = fmt::format("unknown side '{}'", text);
+  const std::string_view near = base::nearest_name(text, {"mock", "mock:hold"});
+  if (text.ends_with(".json")) {
+    message += fmt::format("; did you mean 'mock:{}'?", text);
+  } else if (text.find("{port}") != std::string_view::npos) {
+    message += fmt::format("; did you mean 'run:{}'?", text);
+  } else if (const std::string command = command_of_script(text); !command.empty()) {
+    message += fmt::format("; did you mean 'run:{} --port {{port}}'?", command);
+  } else if (!near.empty()) {
+    message += fmt::format("; did you mean '{}'?", near);
+  } else if (text == "localhost" || base::parse_int(text)) {  // half of HOST:PORT
+    message += fmt::format("; did you mean 'localhost:{}'?", text == "localhost" ? "50051" : text);
+  }
+  message +=
+      " (a side is mock, mock:BEHAVIOR, mock:FILE.json, HOST:PORT, HOST:PORT+step, "
+      "tls:HOST:PORT, unix:PATH, run:COMMAND, team:DIR, mix:AGENTS=SIDE;..., each:run:COMMAND or "
+      "planner:FILE=SIDE)";
+  return Error{std::move(message)};
+}
+
+// "HOST:PORT" of a side that is written as `side`.
+Result<Endpoint> parse_address(std::string_view text, std::string_view side) {
+  if (text.find("://") != std::string_view::npos) {
+    return Error{fmt::format("side '{}': {}{}", side, host_problem(text),
+                             text.starts_with("https") ? ", or tls:HOST:PORT" : "")};
+  }
+  const std::size_t colon = text.rfind(':');
+  Endpoint endpoint;
+  endpoint.kind = Endpoint::Kind::kAddress;
+  endpoint.text = text;
+  endpoint.host = text.substr(0, colon);
+  std::string_view port = text.substr(colon + 1);
+  if (const std::size_t plus = port.find('+'); plus != std::string_view::npos) {
+    if (port.substr(plus) != "+step") return unknown_form(text);
+    endpoint.port_step = true;
+    port = port.substr(0, plus);
+  }
+  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), endpoint.port);
+  if (port.empty() || error == std::errc::invalid_argument || end != port.data() + port.size()) {
+    return unknown_form(text);
+  }
+  const int highest = endpoint.port + (endpoint.port_step ? kMaxPortStep : 0);
+  if (error != std::errc{} || endpoint.port < 1 || highest > kMaxPort) {
+    return Error{fmt::format("side '{}': port {} is not within 1 to 65535", side, port)};
+  }
+  if (const std::string problem = host_problem(endpoint.host); !problem.empty()) {
+    return Error{fmt::format("side '{}': {}", side, problem)};
+  }
+  return endpoint;
+}
+
+Result<Endpoint> parse_mixed(std::string_view text) {
+  const auto wrong = [text](std::string_view what) {
+    return Error{fmt::format("side '{}': {}", text, what)};
+  };
+  const auto parts = parse_mixed_side(text.substr(4));
+  if (!parts) return wrong(parts.error().message);
+  Endpoint endpoint;
+  endpoint.kind = Endpoint::Kind::kMixed;
+  endpoint.text = text;
+  for (const MixedPart& part : *parts) {
+    auto parsed = parse_endpoint(part.side);
+    if (!parsed) return wrong(parsed.error().message);
+    if (!parsed->planner_file.empty()) {
+      return wrong("planner:FILE= applies to the whole team; write it before mix:");
+    }
+    if (!parsed->parts.empty()) return wrong(fmt::format("'{}' cannot be a part", part.side));
+    parsed->label = part.label;
+    parsed->agents = part.agents;
+    endpoint.parts.push_back(*std::move(parsed));
+  }
+  const auto teams = std::count_if(endpoint.parts.begin(), endpoint.parts.end(),
+                                   [](const Endpoint& part) { return !part.has_playmaker(); });
+  if (teams == 0) return endpoint;
+  if (teams != std::ssize(endpoint.parts)) {
+    return wrong("external teams and Playmakers do not play in one team");
+  }
+  endpoint.kind = Endpoint::Kind::kTeam;
+  return endpoint;
+}
+
+// "each:run:COMMAND": a part for each agent.
+Result<Endpoint> parse_each(std::string_view text) {
+  auto agent = parse_endpoint(text.substr(kEachForm.size()));
+  if (!agent) return Error{fmt::format("side '{}': {}", text, agent.error().message)};
+  if (agent->kind != Endpoint::Kind::kRun) {
+    return Error{fmt::format("side '{}': must be each:run:COMMAND", text)};
+  }
+  Endpoint endpoint;
+  endpoint.kind = Endpoint::Kind::kMixed;
+  endpoint.text = text;
+  for (int number = 1; number <= proto::kCoachNumber; ++number) {
+    agent->label = number == proto::kCoachNumber ? "coach" : fmt::format("{}", number);
+    agent->agents = {number};
+    endpoint.parts.push_back(*agent);
+  }
+  return endpoint;
+}
+
+// "teams/helios/" is "helios", "." the name of the working directory.
+std::string folder_name(const std::string& path) {
+  std::error_code code;
+  const std::filesystem::path whole = std::filesystem::absolute(path, code).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+// "ada" of "cd ada && ./run --port {port}", "playmaker" of "python3 playmaker.py".
+std::string name_of_command(const std::string& command) {
+  const std::string program = program_in(command);
+  return program.empty() ? folder_name(folder_in(command)) : program;
+}
+
+// The name of the command of all parts of an `each:` side; empty: another side.
+std::string name_of_all(const Endpoint& endpoint) {
+  const std::vector<Endpoint>& parts = endpoint.parts;
+  const bool same = !parts.empty() && std::all_of(parts.begin(), parts.end(), [&](const auto& one) {
+    return !one.command.empty() && one.command == parts.front().command;
+  });
+  return same ? name_of_command(parts.front().command) : std::string();
+}
+
+// "RED+BLUE", shortened where needed.
+std::string name_of_teams(const Endpoint& endpoint) {
+  std::vector<std::string> names;
+  for (const Endpoint& part : endpoint.parts) {
+    const std::string name = folder_name(part.path);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  const std::size_t share = (kMaxTeamName + 1) / names.size() - 1;
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : "+") + name.substr(0, std::max<std::size_t>(share, 1));
+  }
+  return text.substr(0, kMaxTeamName);
+}
+
+Result<Endpoint> parse_with_planner(std::string_view text) {
+  const auto wrong = [text](std::string_view what) {
+    return Error{fmt::format("side '{}': {}", text, what)};
+  };
+  const std::size_t equals = text.find('=');
+  auto endpoint = parse_endpoint(text.substr(equals + 1));
+  if (!endpoint) return wrong(endpoint.error().message);
+  if (!endpoint->has_playmaker()) return wrong("an external team does not use the planner of cls");
+  if (!endpoint->planner_file.empty()) return wrong("planner:FILE= may be given once");
+  endpoint->planner_file =
+      base::expand_home(text.substr(kPlannerForm.size(), equals - kPlannerForm.size()));
+  if (endpoint->planner_file.empty()) return wrong("no file after 'planner:'");
+  endpoint->text = text;
+  return endpoint;
+}
+
+bool has_script(const Endpoint& endpoint) {
+  return endpoint.kind == Endpoint::Kind::kMock && endpoint.script == nullptr &&
+         mock_server::is_script_name(endpoint.behavior);
+}
+
+}  // namespace
+
+Result<Endpoint> parse_endpoint(std::string_view text) {
+  Endpoint endpoint;
+  endpoint.text = text;
+  if (text == "mock") return endpoint;
+  if (text.starts_with("mock:")) {
+    endpoint.behavior = base::expand_home(text.substr(5));
+    if (endpoint.behavior.empty()) return Error{"side 'mock:': no behavior after the colon"};
+    return endpoint;
+  }
+  if (text.starts_with("unix:")) {
+    endpoint.kind = Endpoint::Kind::kUnixSocket;
+    endpoint.path = base::expand_home(text.substr(5));
+    if (endpoint.path.empty()) return Error{"side 'unix:': no path after the colon"};
+    return endpoint;
+  }
+  if (text.starts_with("tls:")) {
+    if (text.find(':', 4) == std::string_view::npos) {
+      return Error{fmt::format("side '{}': must be tls:HOST:PORT", text)};
+    }
+    auto secure = parse_address(text.substr(4), text);
+    if (!secure) return secure;
+    secure->text = text;
+    secure->tls = std::make_shared<proxy::TlsFiles>();
+    return secure;
+  }
+  if (text.starts_with("run:")) {
+    endpoint.kind = Endpoint::Kind::kRun;
+    endpoint.command = text.substr(4);
+    if (const auto good = check_run_command(endpoint.command); !good) {
+      return Error{fmt::format("side '{}': {}", text, good.error().message)};
+    }
+    return endpoint;
+  }
+  if (text.starts_with("team:")) {
+    endpoint.kind = Endpoint::Kind::kTeam;
+    endpoint.path = base::expand_home(text.substr(5));
+    if (endpoint.path.empty()) return Error{"side 'team:': no folder after the colon"};
+    return endpoint;
+  }
+  if (text.starts_with("mix:")) return parse_mixed(text);
+  if (text.starts_with(kEachForm)) return parse_each(text);
+  // Without "=" it is the port of a host of this name.
+  if (text.starts_with(kPlannerForm) && text.find('=') != std::string_view::npos) {
+    return parse_with_planner(text);
+  }
+  if (text.find(':') == std::string_view::npos) return unknown_form(text);
+  return parse_address(text, text);
+}
+
+bool Endpoint::starts_programs() const {
+  return kind == Kind::kRun || kind == Kind::kTeam ||
+         std::any_of(parts.begin(), parts.end(),
+                     [](const Endpoint& part) { return part.starts_programs(); });
+}
+
+Result<void> load_files(Endpoint& endpoint) {
+  for (Endpoint& part : endpoint.parts) {
+    if (auto loaded = load_files(part); !loaded) return loaded;
+  }
+  if (!endpoint.planner_file.empty() && endpoint.planner == nullptr) {
+    TRY_INIT(auto parameters, read_planner_file(endpoint.planner_file));
+    endpoint.planner = std::move(parameters);
+  }
+  if (!has_script(endpoint)) return {};
+  TRY_INIT(auto script, mock_server::read_script(endpoint.behavior));
+  endpoint.script = std::move(script);
+  return {};
+}
+
+std::string missing_file(const Endpoint& endpoint) {
+  for (const Endpoint& part : endpoint.parts) {
+    if (std::string missing = missing_file(part); !missing.empty()) return missing;
+  }
+  const std::string& planner = endpoint.planner_file;
+  if (!planner.empty() && base::absence(planner)) return planner;
+  return has_script(endpoint) && base::absence(endpoint.behavior) ? endpoint.behavior : "";
+}
+
+std::string default_team_name(const Endpoint& endpoint) {
+  std::string source;
+  switch (endpoint.kind) {
+    case Endpoint::Kind::kMock:
+      source = endpoint.behavior.empty() ? "mock"
+                                         : std::filesystem::path(endpoint.behavior).stem().string();
+      break;
+    case Endpoint::Kind::kAddress:
+      source = fmt::format("{}_{}", endpoint.host, endpoint.port);
+      break;
+    case Endpoint::Kind::kUnixSocket:
+      source = std::filesystem::path(endpoint.path).stem().string();
+      break;
+    case Endpoint::Kind::kRun:
+      source = name_of_command(endpoint.command);
+      break;
+    case Endpoint::Kind::kTeam:
+      source = endpoint.parts.empty() ? folder_name(endpoint.path) : name_of_teams(endpoint);
+      break;
+    case Endpoint::Kind::kMixed:
+      source = name_of_all(endpoint);
+      if (source.empty()) source = "mix";
+      break;
+  }
+  std::string name;
+  for (const char c : source) name += is_team_character(c) ? c : '_';
+  if (name.size() > kMaxTeamName) name = name.substr(name.size() - kMaxTeamName);
+  return name.empty() ? "team" : name;
+}
+
+Result<std::string> check_team_name(std::string_view name) {
+  if (name.empty()) return Error{"a team name must not be empty"};
+  if (name.size() > kMaxTeamName) {
+    return Error{fmt::format("team name '{}' is longer than {} characters", name, kMaxTeamName)};
+  }
+  for (const char c : name) {
+    if (!is_team_character(c)) {
+      return Error{fmt::format("team name '{}': only letters, digits, '-', '+' and '_'", name)};
+    }
+  }
+  return std::string(name);
+}
+
+TeamNames distinct_names(std::string left, std::string right) {
+  if (left != right) return {std::move(left), std::move(right)};
+  const std::string stem = left.substr(0, kMaxTeamName - 2);
+  return {stem + "_l", stem + "_r"};
+}
+
+}  // namespace cls::match

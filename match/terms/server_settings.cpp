@@ -1,0 +1,207 @@
+// Settings from arguments and files.
+#include "match/terms/server_settings.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "base/io/home_path.h"
+#include "base/io/whole_file.h"
+#include "base/text/split.h"
+#include "match/terms/endpoint.h"
+#include "soccer/parameters/configuration.h"
+#include "soccer/parameters/parameter.h"
+#include "soccer/parameters/server_setting.h"
+
+namespace cls::match {
+namespace {
+
+using base::Error;
+using base::Result;
+using soccer::ConfigurationItem;
+
+constexpr int kMaxIncludeDepth = 16;
+
+// Parameters without a table in rcssserver, in the same form.
+struct OtherSettings {
+  bool save = false;
+  std::string filename;
+  int max_wait_ms = 0;
+  int max_missed = 0;
+};
+
+using OtherTable = soccer::ParameterTable<OtherSettings>;
+
+const OtherTable& csv_table() {
+  static const OtherTable table = {
+      {"save", &OtherSettings::save, 0, "", "append a result line at the end"},
+      {"filename", &OtherSettings::filename, 0, "", "to this file"}};
+  return table;
+}
+
+const OtherTable& sync_table() {
+  static const OtherTable table = {
+      {"max_wait_ms", &OtherSettings::max_wait_ms, 0, "ms", "longest wait for (done)"},
+      {"max_missed", &OtherSettings::max_missed, 0, "cyc",
+       "cycles in a row with an answer missing"}};
+  return table;
+}
+
+Result<void> set_other(ServerSettings& settings, const OtherTable& table,
+                       const ConfigurationItem& item) {
+  OtherSettings other{settings.save_csv, settings.csv_file, settings.max_wait_ms,
+                      settings.max_missed};
+  TRY(set_parameter(other, table, item.name, item.value));
+  if (other.max_wait_ms <= 0 || other.max_missed < 0) {
+    return Error{fmt::format("parameter '{}': {} is too small", item.name, item.value)};
+  }
+  settings.save_csv = other.save;
+  settings.csv_file = base::expand_home(other.filename);
+  settings.max_wait_ms = other.max_wait_ms;
+  settings.max_missed = other.max_missed;
+  return {};
+}
+
+constexpr std::string_view kTeam = "team";
+constexpr std::string_view kNamedTeam = "team:";
+constexpr std::string_view kAgents = "cls";
+constexpr std::string_view kTrainer = "trainer";
+
+// "team,cls" or "team:A+B,cls,trainer": left side, right side.
+Result<void> set_match(ServerSettings& settings, const ConfigurationItem& item) {
+  const auto error = [&item] {
+    return Error{
+        fmt::format("match::{}: only a match sets this, as match::sides=team,cls", item.name)};
+  };
+  const std::vector<std::string_view> words = base::split(item.value, ',');
+  const auto is_team = [](std::string_view word) {
+    return word == kTeam ||
+           (word.starts_with(kNamedTeam) && check_team_name(word.substr(kNamedTeam.size())));
+  };
+  const auto is_side = [&](std::string_view word) { return is_team(word) || word == kAgents; };
+  const auto name_in = [](std::string_view word) {
+    return word.starts_with(kNamedTeam) ? std::string(word.substr(kNamedTeam.size())) : "";
+  };
+  const bool trainer = words.size() == 3 && words[2] == kTrainer;
+  if (item.name != "sides" || (words.size() != 2 && !trainer)) return error();
+  if (!is_side(words[0]) || !is_side(words[1])) return error();
+  settings.bound = BoundSides{
+      {is_team(words[0]), is_team(words[1])}, trainer, {name_in(words[0]), name_in(words[1])}};
+  return {};
+}
+
+Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& file, int depth);
+
+// "sync.max_missed" is the same as "sync::max_missed".
+ConfigurationItem with_module(ConfigurationItem item) {
+  constexpr std::string_view kSync = "sync.";
+  if (item.module.empty() && item.name.starts_with(kSync)) {
+    item.module = "sync";
+    item.name.erase(0, kSync.size());
+  }
+  return item;
+}
+
+Result<void> apply_item(ServerSettings& settings, const ConfigurationItem& written,
+                        const std::filesystem::path& folder, int depth) {
+  const ConfigurationItem item = with_module(written);
+  if (item.name == "help") {
+    settings.help = true;
+    return {};
+  }
+  if (item.module.empty() && item.name == "include") {
+    return apply_file(settings, folder / base::expand_home(item.value), depth + 1);
+  }
+  if (item.name == "version") {
+    if (item.value == kConfigurationVersion) return {};
+    return Error{fmt::format(
+        "a configuration of version {0}, not {1}; compare its values with docs/server.md and set "
+        "the version to '{1}', or delete the file for the defaults",
+        item.value, kConfigurationVersion)};
+  }
+  if (item.module == "server") {
+    return soccer::set_server_parameter(settings.server, item.name, item.value);
+  }
+  if (item.module == "player") {
+    return set_parameter(settings.player, soccer::player_param_table(), item.name, item.value);
+  }
+  if (item.module == "CSVSaver") return set_other(settings, csv_table(), item);
+  if (item.module == "sync") return set_other(settings, sync_table(), item);
+  if (item.module == "match") return set_match(settings, item);
+  return Error{fmt::format("'{}': must begin with server, player, CSVSaver or sync, not '{}'",
+                           item.name, item.module)};
+}
+
+Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& file, int depth) {
+  if (depth > kMaxIncludeDepth) {
+    return Error{fmt::format("{}: circular include", file.string())};
+  }
+  // A pipe would be waited for, and some devices have no end.
+  std::error_code code;
+  if (std::filesystem::exists(file, code) && !std::filesystem::is_regular_file(file, code)) {
+    return Error{
+        fmt::format("cannot read {}: {}", file.string(), base::why_no_file(file).value_or(""))};
+  }
+  const auto text = base::read_file(file);
+  if (!text) return Error{fmt::format("cannot read {}", file.string())};
+  const auto items = soccer::parse_configuration(*text);
+  if (!items) return Error{fmt::format("{}: {}", file.string(), items.error().message)};
+  for (const ConfigurationItem& item : *items) {
+    const auto done = apply_item(settings, item, file.parent_path(), depth);
+    if (!done) {
+      return Error{fmt::format("{}:{}: {}", file.string(), item.line, done.error().message)};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string bound_sides_argument(const BoundSides& sides) {
+  const auto side = [](bool external, const std::string& name) {
+    if (!external) return std::string(kAgents);
+    return name.empty() ? std::string(kTeam) : std::string(kNamedTeam) + name;
+  };
+  return fmt::format("match::sides='{},{}{}'", side(sides.external.left, sides.names.left),
+                     side(sides.external.right, sides.names.right),
+                     sides.trainer ? ",trainer" : "");
+}
+
+Result<void> apply_arguments(ServerSettings& settings, const std::vector<std::string>& arguments) {
+  const auto items = soccer::parse_configuration(soccer::join_arguments(arguments));
+  if (!items) {
+    // A command line has no line numbers.
+    const std::string& message = items.error().message;
+    return Error{message.substr(message.find(": ") + 2)};
+  }
+  for (const ConfigurationItem& item : *items) {
+    TRY(apply_item(settings, item, {}, 0));
+  }
+  return {};
+}
+
+Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& file) {
+  return apply_file(settings, file, 0);
+}
+
+Result<std::vector<std::filesystem::path>> apply_folder(ServerSettings& settings,
+                                                        const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> found;
+  if (folder.empty()) return found;
+  for (const char* name : {"server.conf", "player.conf", "CSVSaver.conf"}) {
+    const std::filesystem::path file = folder / name;
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) continue;
+    TRY(apply_file(settings, file));
+    found.push_back(file);
+  }
+  return found;
+}
+
+std::filesystem::path configuration_folder() {
+  if (const char* named = std::getenv("RCSS_CONF_DIR")) return base::expand_home(named);
+  const char* home = std::getenv("HOME");
+  return home == nullptr ? std::filesystem::path() : std::filesystem::path(home) / ".rcssserver";
+}
+
+}  // namespace cls::match

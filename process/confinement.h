@@ -1,0 +1,16 @@
+// What a confined program may not do to other processes of its user, and the privileges it loses.
+#pragma once
+
+namespace cls::process {
+
+/// True if the kernel can confine programs: it was built with seccomp filters, and a container does
+/// not forbid them.
+bool can_confine();
+
+/// For good, for this process and all its descendants: no capabilities, also as root, none by
+/// set-user-ID programs; and limits (prlimit), priorities, scheduling, processor cores and memory
+/// nodes may be changed of the caller itself only (pid 0), not of a process or thread by its
+/// number. Async-signal-safe, for use between fork and exec. False with errno set on failure.
+bool confine();
+
+}  // namespace cls::process

@@ -1,0 +1,421 @@
+// Parses the checks of a scenario: one function per kind of check.
+#include "scenario/check_file.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/text/number_text.h"
+#include "base/text/suggestion.h"
+#include "proto/playmaker.pb.h"
+#include "scenario/referee_messages.h"
+#include "scenario/scenario.h"
+#include "soccer/areas.h"
+#include "soccer/side.h"
+
+namespace cls::scenario {
+namespace {
+
+using base::Error;
+using base::JsonDocument;
+using base::JsonValue;
+using base::Result;
+using mock_server::Comparison;
+using soccer::PlayMode;
+using soccer::Side;
+using Words = std::vector<std::string_view>;
+
+constexpr int kLastStep = 1'000'000;
+
+Result<Comparison> parse_count(const JsonValue& json) {
+  if (json.has("count")) return Comparison::parse_number(json["count"]);
+  const auto any = JsonDocument::parse("", R"({">=": 1})");
+  return Comparison::parse_number(JsonValue(*any));
+}
+
+// "left 9".
+Result<int> parse_player(const JsonValue& json) {
+  TRY_INIT(const auto text, json.string());
+  const std::size_t space = text.find(' ');
+  const auto side = soccer::parse_side(text.substr(0, space));
+  const std::size_t number = space == std::string::npos ? text.size() : space + 1;
+  const int unum = base::parse_int(text.substr(number)).value_or(0);
+  if (!side || unum < 1 || unum > soccer::kPlayersPerTeam) {
+    return json.error(fmt::format("'{}' is not a player; use the form \"left 9\"", text));
+  }
+  return soccer::slot_of(*side, unum);
+}
+
+// "left 9", or "left" for its whole team.
+Result<std::vector<int>> parse_players(const JsonValue& json) {
+  if (json.is_string()) {
+    if (const auto side = soccer::parse_side(*json.string())) {
+      std::vector<int> slots;
+      for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
+        slots.push_back(soccer::slot_of(*side, unum));
+      }
+      return slots;
+    }
+  }
+  TRY_INIT(const auto slot, parse_player(json));
+  return std::vector<int>{slot};
+}
+
+Result<void> parse_near(const JsonValue& json, ObjectTest& test) {
+  ObjectTest::Nearness near;
+  if (json["near"].is_array()) {
+    TRY_INIT(const auto point, parse_point(json["near"]));
+    near.point = point;
+  } else if (json["near"].is_string() && *json["near"].string() == "ball") {
+    near.object = kBallObject;
+  } else {
+    TRY_INIT(const auto slot, parse_player(json["near"]));
+    near.object = slot;
+  }
+  if (!json.has("within")) return json.error("\"near\" requires \"within\", in meters");
+  TRY_INIT(const auto within, json["within"].number(0, 200));
+  near.within = within;
+  test.near = near;
+  return {};
+}
+
+// The object behind "is": {"x": ..., "in": ..., "near": ...}.
+Result<void> parse_is(const JsonValue& json, ObjectTest& test) {
+  static const Words quantities = {"x", "y", "speed", "body", "stamina", "cards", "on_pitch"};
+  Words known = quantities;
+  known.insert(known.end(), {"in", "near", "within"});
+  if (const auto keys = json.expect_keys(known); !keys) return keys;
+  if (json.size() == 0) return json.error("contains no condition");
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    if (!json.has(quantities[i])) continue;
+    using What = ObjectTest::Quantity::What;
+    const auto what = static_cast<What>(i);
+    mock_server::ValueKind kind;
+    if (what == What::kOnPitch) kind.kind = mock_server::ValueKind::Kind::kBool;
+    TRY_INIT(const auto expected, Comparison::parse(json[quantities[i]], kind));
+    test.quantities.push_back({what, expected});
+  }
+  if (json.has("in")) {
+    const JsonValue areas = json["in"];
+    for (std::size_t i = 0; i < (areas.is_array() ? areas.size() : 1); ++i) {
+      TRY_INIT(const auto area, (areas.is_array() ? areas[i] : areas).one_of(soccer::area_names()));
+      test.areas.push_back(area);
+    }
+  }
+  return json.has("near") ? parse_near(json, test) : Result<void>();
+}
+
+Result<std::vector<PlayMode>> parse_modes(const JsonValue& json) {
+  std::vector<PlayMode> modes;
+  for (std::size_t i = 0; i < (json.is_array() ? json.size() : 1); ++i) {
+    TRY_INIT(const auto mode, parse_mode(json.is_array() ? json[i] : json));
+    modes.push_back(mode);
+  }
+  return modes;
+}
+
+// The condition of a step check, without its timing.
+Result<StepTest> parse_test(const JsonValue& json) {
+  StepTest test;
+  if (json.has("mode")) {
+    TRY_INIT(const auto modes, parse_modes(json["mode"]));
+    test.modes = modes;
+  } else if (json.has("goals")) {
+    TRY_INIT(const auto goals, json["goals"].integer(1, kLastStep));
+    test.goals = goals;
+  } else if (json.has("touch_by")) {
+    TRY_INIT(const auto slots, parse_players(json["touch_by"]));
+    test.touch_by = slots;
+  } else {
+    ObjectTest object;
+    if (json.has("player")) {
+      TRY_INIT(const auto slot, parse_player(json["player"]));
+      object.object = slot;
+      if (!json.has("is")) return json.error("requires \"is\"");
+    }
+    TRY(parse_is(json[json.has("player") ? "is" : "ball"], object));
+    test.object = std::move(object);
+  }
+  return test;
+}
+
+Result<CheckTiming> parse_timing(const JsonValue& json, int steps, bool is_mode) {
+  CheckTiming timing{is_mode ? CheckTiming::How::kSometime : CheckTiming::How::kEnd, 0, kLastStep};
+  if (json.has("at") && !(json["at"].is_string() && *json["at"].string() == "end")) {
+    TRY_INIT(const auto at, json["at"].integer(0, steps));
+    return CheckTiming{CheckTiming::How::kAt, at, at};
+  }
+  if (json.has("at")) return CheckTiming{CheckTiming::How::kEnd, 0, kLastStep};
+  for (const auto& [key, how] : {std::pair{"sometime", CheckTiming::How::kSometime},
+                                 std::pair{"always", CheckTiming::How::kAlways},
+                                 std::pair{"never", CheckTiming::How::kNever}}) {
+    if (!json.has(key)) continue;
+    const JsonValue range = json[key];
+    timing.how = how;
+    if (range.is_array()) {
+      if (range.size() != 2) return range.error("a range of steps is [from, to]");
+      TRY_INIT(const auto from, range[0].integer(0, steps));
+      TRY_INIT(const auto to, range[1].integer(from, steps));
+      timing.from = from;
+      timing.to = to;
+    } else if (const auto flag = range.boolean(); !flag || !*flag) {
+      return range.error("must be true or a range of steps");
+    }
+  }
+  return timing;
+}
+
+const Words kCommon = {"name", "runs"};
+
+Result<void> only(const JsonValue& json, Words keys) {
+  keys.insert(keys.end(), kCommon.begin(), kCommon.end());
+  return json.expect_keys(keys);
+}
+
+using Parsed = Result<decltype(Check::what)>;
+
+Parsed parse_step_check(const JsonValue& json, int steps, Words keys) {
+  keys.insert(keys.end(), {"at", "sometime", "always", "never"});
+  TRY(only(json, keys));
+  StepCheck check;
+  TRY_INIT(const auto test, parse_test(json));
+  check.test = test;
+  TRY_INIT(const auto timing, parse_timing(json, steps, !test.modes.empty()));
+  check.timing = timing;
+  return {check};
+}
+
+Parsed parse_score(const JsonValue& json) {
+  TRY(only(json, {"score"}));
+  const JsonValue score = json["score"];
+  ScoreCheck check;
+  if (score.is_array() && score.size() != 2) return score.error("a score is [left, right]");
+  if (!score.is_array()) {
+    TRY(score.expect_keys({"left", "right"}));
+  }
+  for (std::size_t side = 0; side < 2; ++side) {
+    const char* key = side == 0 ? "left" : "right";
+    if (!score.is_array() && !score.has(key)) continue;
+    TRY_INIT(const auto goals,
+             Comparison::parse_number(score.is_array() ? score[side] : score[key]));
+    check.goals[side] = goals;
+  }
+  return {check};
+}
+
+Parsed parse_referee(const JsonValue& json) {
+  TRY(only(json, {"referee", "count"}));
+  TRY_INIT(const auto message, json["referee"].string());
+  if (!is_referee_message(message)) {
+    return json["referee"].error(fmt::format("unknown referee message '{}'{}", message,
+                                             base::did_you_mean(message, referee_messages())));
+  }
+  TRY_INIT(const auto count, parse_count(json));
+  return {RefereeCheck{message, count}};
+}
+
+Parsed parse_touch(const JsonValue& json) {
+  TouchCheck check;
+  const char* key = "touches";
+  for (const auto& [name, which] : {std::pair{"touches", TouchCheck::Which::kCount},
+                                    std::pair{"first_touch", TouchCheck::Which::kFirst},
+                                    std::pair{"last_touch", TouchCheck::Which::kLast}}) {
+    if (!json.has(name)) continue;
+    check.which = which;
+    key = name;
+  }
+  Words keys = {key};
+  if (check.which == TouchCheck::Which::kCount) keys.push_back("count");
+  TRY(only(json, keys));
+  TRY_INIT(const auto slots, parse_players(json[key]));
+  check.slots = slots;
+  check.who = *json[key].string();
+  TRY_INIT(const auto count, parse_count(json));
+  check.count = count;
+  return {check};
+}
+
+Result<void> parse_who(const JsonValue& json, Side& side, std::vector<int>& unums) {
+  if (!json.has("side")) return json.error("requires \"side\"");
+  TRY_INIT(const auto which, parse_side(json["side"]));
+  side = which;
+  if (!json.has("unum")) return {};
+  TRY_INIT(const auto numbers, mock_server::parse_unums(json["unum"]));
+  unums = numbers;
+  return {};
+}
+
+Parsed parse_actions(const JsonValue& json, int steps) {
+  TRY(only(json, {"actions", "side", "unum", "steps", "position", "where", "count"}));
+  ActionCheck check;
+  TRY(parse_who(json, check.side, check.unums));
+  const auto* fields = protos::PlayerAction::descriptor();
+  Words kinds = {"*"};
+  for (int i = 0; i < fields->field_count(); ++i) kinds.push_back(fields->field(i)->name());
+  TRY_INIT(const auto kind, json["actions"].one_of(kinds));
+  check.kind = kind;
+  check.to = steps;
+  if (json.has("steps")) {
+    TRY_INIT(const auto range, mock_server::parse_cycles(json["steps"]));
+    check.from = range.first;
+    check.to = range.last;
+  }
+  if (json.has("position")) {
+    TRY(json["position"].one_of({"first"}));
+    check.first_only = true;
+  }
+  if (json.has("where")) {
+    TRY_INIT(auto where, mock_server::parse_conditions(*fields, json["where"]));
+    check.where = std::move(where);
+  }
+  TRY_INIT(const auto count, parse_count(json));
+  check.count = count;
+  return {std::move(check)};
+}
+
+Parsed parse_commands(const JsonValue& json) {
+  TRY(only(json, {"commands", "side", "unum", "count"}));
+  CommandCheck check;
+  TRY(parse_who(json, check.side, check.unums));
+  TRY_INIT(const auto kind, json["commands"].one_of({"dash", "turn", "kick", "tackle", "catch",
+                                                     "move", "turn_neck", "change_view", "say",
+                                                     "pointto", "attentionto", "change_focus"}));
+  check.kind = kind;
+  TRY_INIT(const auto count, parse_count(json));
+  check.count = count;
+  return {std::move(check)};
+}
+
+Parsed parse_rpc(const JsonValue& json) {
+  TRY(only(json, {"rpc", "order", "side", "when", "count", "count_per_agent", "always"}));
+  RpcCheck check;
+  std::vector<int> none;
+  TRY(parse_who(json, check.side, none));
+  TRY_INIT(auto expectation, mock_server::parse_expectation(json, {"side", "runs"}));
+  check.expectation = std::move(expectation);
+  return {std::move(check)};
+}
+
+Parsed parse_latency(const JsonValue& json) {
+  TRY(only(json, {"latency_ms", "side"}));
+  LatencyCheck check;
+  std::vector<int> none;
+  TRY(parse_who(json, check.side, none));
+  const JsonValue parts = json["latency_ms"];
+  TRY(parts.expect_keys({"p50", "p95", "p99", "max"}));
+  for (const std::string& key : parts.keys()) {
+    TRY_INIT(const auto expected, Comparison::parse_number(parts[key]));
+    check.percentiles_ms.emplace(key, expected);
+  }
+  return {std::move(check)};
+}
+
+Parsed parse_missed(const JsonValue& json) {
+  TRY(only(json, {"missed", "side"}));
+  MissedCheck check;
+  std::vector<int> none;
+  TRY(parse_who(json, check.side, none));
+  TRY_INIT(const auto count, Comparison::parse_number(json["missed"]));
+  check.count = count;
+  return {check};
+}
+
+Parsed parse_end(const JsonValue& json) {
+  TRY(only(json, {"end"}));
+  using match::EndReason;
+  std::vector<std::string_view> names;
+  for (const EndReason reason :
+       {EndReason::kFinished, EndReason::kCrashed, EndReason::kStalled, EndReason::kLate,
+        EndReason::kRefused, EndReason::kProtocolError, EndReason::kTimedOut}) {
+    names.push_back(name(reason));
+  }
+  TRY_INIT(const auto reason, json["end"].one_of(names));
+  return {EndCheck{*match::parse_end_reason(reason)}};
+}
+
+Parsed parse_golden(const JsonValue& json, const base::Json& golden) {
+  TRY(only(json, {"golden"}));
+  TRY_INIT(const auto what, json["golden"].one_of({"game_log", "score", "touches"}));
+  return {GoldenCheck{what, golden.is_object() ? golden.value(what, "") : ""}};
+}
+
+Parsed parse_what(const JsonValue& json, int steps, const base::Json& golden) {
+  if (!json.is_object()) return json.error("must be an object");
+  if (json.has("ball")) return parse_step_check(json, steps, {"ball"});
+  if (json.has("player")) return parse_step_check(json, steps, {"player", "is"});
+  if (json.has("mode")) return parse_step_check(json, steps, {"mode"});
+  if (json.has("score")) return parse_score(json);
+  if (json.has("referee")) return parse_referee(json);
+  if (json.has("touches") || json.has("first_touch") || json.has("last_touch")) {
+    return parse_touch(json);
+  }
+  if (json.has("actions")) return parse_actions(json, steps);
+  if (json.has("commands")) return parse_commands(json);
+  if (json.has("rpc") || json.has("order")) return parse_rpc(json);
+  if (json.has("latency_ms")) return parse_latency(json);
+  if (json.has("missed")) return parse_missed(json);
+  if (json.has("end")) return parse_end(json);
+  if (json.has("golden")) return parse_golden(json, golden);
+  const Words kinds = {"ball",        "player",     "mode",    "score",    "referee", "touches",
+                       "first_touch", "last_touch", "actions", "commands", "rpc",     "order",
+                       "latency_ms",  "missed",     "end",     "golden"};
+  for (const std::string& key : json.keys()) {
+    const std::string hint = base::did_you_mean(key, kinds);
+    if (!hint.empty()) return json.error(fmt::format("unknown kind of check '{}'{}", key, hint));
+  }
+  return json.error(fmt::format("missing kind of check (known: {})", fmt::join(kinds, ", ")));
+}
+
+}  // namespace
+
+Result<soccer::Vec2> parse_point(const JsonValue& json) {
+  if (!json.is_array() || json.size() != 2) return json.error("must be [x, y]");
+  soccer::Vec2 point;
+  for (const auto& [index, member] : {std::pair{0, &point.x}, std::pair{1, &point.y}}) {
+    TRY_INIT(const auto value, json[static_cast<std::size_t>(index)].number(-100, 100));
+    *member = value;
+  }
+  return point;
+}
+
+Result<Side> parse_side(const JsonValue& json) {
+  TRY_INIT(const auto name, json.one_of({"left", "right"}));
+  return *soccer::parse_side(name);
+}
+
+Result<PlayMode> parse_mode(const JsonValue& json) {
+  Words names;
+  for (int i = 1; i < soccer::kPlayModeCount; ++i) names.push_back(name(static_cast<PlayMode>(i)));
+  TRY_INIT(const auto name, json.one_of(names));
+  return *soccer::parse_play_mode(name);
+}
+
+Result<StepTest> parse_step_test(const JsonValue& json) {
+  if (!json.is_object()) return json.error("must be an object");
+  const Words kinds = {"mode", "goals", "touch_by", "ball", "player"};
+  for (const std::string_view kind : kinds) {
+    if (!json.has(kind)) continue;
+    TRY(json.expect_keys(kind == "player" ? Words{"player", "is"} : Words{kind}));
+    return parse_test(json);
+  }
+  return json.error(fmt::format("missing condition (known: {})", fmt::join(kinds, ", ")));
+}
+
+Result<Check> parse_check(const JsonValue& json, int steps, const base::Json& golden) {
+  TRY_INIT(auto what, parse_what(json, steps, golden));
+  Check check;
+  check.what = std::move(what);
+  check.line = json.line();
+  check.name = json.json().dump();
+  if (json.has("name")) {
+    TRY_INIT(const auto text, json["name"].string());
+    check.name = text;
+  }
+  if (json.has("runs")) {
+    TRY_INIT(const auto runs, Comparison::parse_number(json["runs"]));
+    check.runs = runs;
+  }
+  return check;
+}
+
+}  // namespace cls::scenario

@@ -1,0 +1,105 @@
+// What confined programs may do to themselves and not to others, by the programs that do it.
+#include "process/confinement.h"
+
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "process/process_host.h"
+#include "tests/process/test_guard.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::process {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Confinement : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!can_confine()) GTEST_SKIP() << "this kernel has no seccomp";
+  }
+
+  int exit_code_of(const std::string& command, bool confined = true) {
+    CommandPlan plan = shell_command("the shell", command);
+    plan.confined = confined;
+    plan.log = folder_.path() / "log";
+    const auto child = processes_.start(plan);
+    EXPECT_TRUE(child->wait_gone(20s));
+    const auto exit = child->status().exit;
+    return !exit || exit->by_signal ? -1 : exit->number;
+  }
+  std::string output() const { return tests::read_file(folder_.path() / "log"); }
+
+  tests::TemporaryFolder folder_;
+  MarkedHost processes_;
+};
+
+/// Changes of process P. Each is possible for a program of the same user that is not confined.
+const std::vector<std::string>& changes() {
+  static const std::vector<std::string> all = {"prlimit --pid P --core=0:0",
+                                               "renice -n 19 -p P",
+                                               "taskset -cp 0 P",
+                                               "chrt -b -p 0 P",
+                                               "chrt -i -p 0 P",
+                                               "ionice -c 3 -p P"};
+  return all;
+}
+
+std::string with_process(std::string command, const std::string& process) {
+  return command.replace(command.find(" P") + 1, 1, process);
+}
+
+TEST_F(Confinement, ForbidsChangesOfOtherProcesses) {
+  for (const std::string& change : changes()) {
+    const std::string other = "sleep 60 & other=$!; " + with_process(change, "$other") +
+                              "; code=$?; kill $other; exit $code";
+    EXPECT_EQ(exit_code_of(other, false), 0) << change << ": " << output();
+    EXPECT_NE(exit_code_of(other), 0) << change;
+    EXPECT_NE(output().find("not permitted"), std::string::npos) << output();
+  }
+}
+
+TEST_F(Confinement, ForbidsThemAlsoForDescendantsAndByGroupOrUser) {
+  EXPECT_NE(exit_code_of("sh -c 'setsid prlimit --pid $PPID --core=0:0'"), 0);
+  EXPECT_NE(exit_code_of("renice -n 19 -g $$"), 0);
+  EXPECT_NE(exit_code_of("renice -n 19 -u $(id -u)"), 0);
+  EXPECT_NE(exit_code_of("ionice -c 3 -P $$"), 0);
+}
+
+TEST_F(Confinement, AllowsChangesOfItself) {
+  for (const char* command :
+       {"ulimit -t 100 && ulimit -S -n 64", "nice -n 1 true", "taskset -c 0 true", "chrt -b 0 true",
+        "ionice -c 3 true", "prlimit --core=0 true", "prlimit --pid $PPID --core"}) {
+    EXPECT_EQ(exit_code_of(command), 0) << command << ": " << output();
+  }
+}
+
+TEST_F(Confinement, DropsCapabilitiesAlsoAsRoot) {
+  EXPECT_EQ(exit_code_of("grep -E 'Cap(Inh|Prm|Eff|Amb)' /proc/self/status; grep -q "
+                         "'CapPrm:.0000000000000000' /proc/self/status && grep -q "
+                         "'CapEff:.0000000000000000' /proc/self/status && grep -q "
+                         "'NoNewPrivs:.1' /proc/self/status"),
+            0)
+      << output();
+}
+
+// As root a program could read them by CAP_PERFMON.
+TEST_F(Confinement, HidesTheMemoryOfProcessesWithPrivileges) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root has privileges to lose";
+  const std::string pid = std::to_string(::getpid());
+  for (const char* file : {"environ", "maps", "mem"}) {
+    const std::string read = "head -c 1 /proc/" + pid + "/" + file + " > /dev/null";
+    EXPECT_NE(exit_code_of(read), 0) << file;
+  }
+}
+
+}  // namespace
+}  // namespace cls::process

@@ -1,0 +1,26 @@
+// The table of all keys of [[stages]]: name, help, parser and formatter.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "tournament/config/config_keys.h"
+#include "tournament/config/stage.h"
+
+namespace cls::tournament {
+
+struct StageKey {
+  std::string_view name;
+  /// Stores the value. The error names the accepted values.
+  std::function<base::Result<void>(Stage&, const ConfigValue&)> parse;
+  /// The value as TOML; empty when it is the default.
+  std::function<std::string(const Stage&)> format;
+};
+
+/// In the order of the written file.
+const std::vector<StageKey>& stage_keys();
+
+}  // namespace cls::tournament

@@ -1,0 +1,109 @@
+// The order of the writes: what a kill leaves between two of them, the next run completes.
+#include "tournament/store/decide.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "base/text/counted.h"
+#include "tournament/schedule/schedule_check.h"
+#include "tournament/store/collector.h"
+#include "tournament/store/decisions_file.h"
+#include "tournament/store/folder.h"
+
+namespace cls::tournament {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Error;
+using base::Result;
+
+// A match that is drawn again has the number and the seed of an old one, but other teams.
+void remove_work_results(const fs::path& folder, int first) {
+  std::error_code code;
+  for (const WorkResultName& name : list_work_results(folder)) {
+    if (name.index >= first) fs::remove(folder / result_file(name.index, name.attempt), code);
+  }
+}
+
+Result<void> check_award(const MatchDecision& decision, const Fixture& fixture) {
+  if (decision.kind != DecisionKind::kAward || !fixture.decides) return {};
+  Outcome outcome;
+  outcome.left_score = decision.left_score;
+  outcome.right_score = decision.right_score;
+  outcome.left_penalties = decision.left_penalties;
+  outcome.right_penalties = decision.right_penalties;
+  if (winner_sign(outcome) != 0) return {};
+  return Error{
+      fmt::format("match {} must have a winner: award goals, or penalties too", fixture.index)};
+}
+
+}  // namespace
+
+Result<std::vector<ScheduledMatch>> decided_matches(const fs::path& folder, Store& store) {
+  TRY_INIT(auto matches, store.matches());
+  TRY_INIT(const auto decisions, read_decisions(folder));
+  if (decisions.empty()) return matches;
+  std::vector<std::uint64_t> seeds;
+  for (const ScheduledMatch& match : matches) seeds.push_back(match.fixture.seed);
+  apply_decisions(matches, decisions);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const Fixture& fixture = matches[i].fixture;
+    if (fixture.seed == seeds[i]) continue;
+    TRY(store.plan_again(fixture.index, fixture.seed));
+  }
+  TRY(write_schedule(folder, matches));
+  return matches;
+}
+
+Result<DecisionEffect> decide(const fs::path& folder, const TournamentConfig& config,
+                              MatchDecision decision, bool redraw) {
+  TRY_INIT(auto store, Store::open(folder / kStoreFile));
+  TRY_INIT(auto matches, decided_matches(folder, store));
+  TRY_INIT(auto decisions, read_decisions(folder));
+  if (decision.match < 1 || decision.match > static_cast<int>(matches.size())) {
+    return Error{
+        fmt::format("no match {}: {} so far", decision.match,
+                    base::counted(matches.size(), "match is", "matches are") + " scheduled")};
+  }
+  const auto at = static_cast<std::size_t>(decision.match) - 1;
+  const ScheduledMatch before = matches[at];
+  if (decision.kind == DecisionKind::kReplay && !before.outcome) {
+    return Error{fmt::format("match {} was not played yet", decision.match)};
+  }
+  if (decision.kind == DecisionKind::kAsPlayed && !before.decision) {
+    return Error{fmt::format("match {} counts as played already", decision.match)};
+  }
+  TRY(check_award(decision, before.fixture));
+  if (before.outcome) decision.before = result_text(*before.outcome);
+  if (decision.kind == DecisionKind::kReplay) decision.seed = seed_of_replay(before.fixture.seed);
+  decisions.push_back(decision);
+
+  // From the results as played: a decision may take back an earlier one.
+  TRY_INIT(auto after, store.matches());
+  apply_decisions(after, decisions);
+  DecisionEffect effect;
+  effect.match = after[at];
+  if (const auto contradiction = find_contradiction(config, after)) {
+    const auto removed =
+        std::span(after).subspan(static_cast<std::size_t>(contradiction->first) - 1);
+    effect.drawn_again = contradiction->first;
+    effect.removed = static_cast<int>(removed.size());
+    effect.removed_played =
+        static_cast<int>(std::count_if(removed.begin(), removed.end(), [](const auto& match) {
+          return match.outcome.has_value();
+        }));
+    effect.refused = effect.removed_played > 0 && !redraw;
+    if (effect.refused) return effect;
+    TRY(store.remove_from(contradiction->first));
+    remove_work_results(folder, contradiction->first);
+    std::erase_if(decisions,
+                  [&](const MatchDecision& one) { return one.match >= contradiction->first; });
+  }
+  TRY(write_decisions(folder, decisions));
+  TRY(decided_matches(folder, store));
+  return effect;
+}
+
+}  // namespace cls::tournament

@@ -1,0 +1,40 @@
+// Makes decisions on matches of a tournament that is not running.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "tournament/config/config.h"
+#include "tournament/schedule/decision.h"
+#include "tournament/schedule/fixture.h"
+#include "tournament/store/store.h"
+
+namespace cls::tournament {
+
+/// The matches of the store with the decisions of the folder. Matches to be played again that still
+/// have their old seed are planned in the store, and schedule.jsonl follows: a `decide` that was
+/// killed has left both as they were.
+base::Result<std::vector<ScheduledMatch>> decided_matches(const std::filesystem::path& folder,
+                                                          Store& store);
+
+/// What a decision changes beyond its match.
+struct DecisionEffect {
+  ScheduledMatch match;            ///< the match of the decision, as it counts now
+  std::optional<int> drawn_again;  ///< the matches from this number on are drawn again
+  int removed = 0;                 ///< number of these matches
+  int removed_played = 0;          ///< of these, played already
+  bool refused = false;            ///< nothing was changed, because of played matches
+};
+
+/// Makes a decision on a match with this number; sets its seed and the result until then. Later
+/// rounds that it changes are removed, and drawn again by the next run; if some of their matches
+/// were played, only with `redraw`. The caller holds the lock of the folder. An error when there is
+/// no such match, or when there is nothing to decide.
+base::Result<DecisionEffect> decide(const std::filesystem::path& folder,
+                                    const TournamentConfig& config, MatchDecision decision,
+                                    bool redraw);
+
+}  // namespace cls::tournament

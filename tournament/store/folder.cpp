@@ -1,0 +1,276 @@
+// Files of a tournament's folder.
+#include "tournament/store/folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+#include <chrono>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <thread>
+
+#include "base/io/whole_file.h"
+#include "base/system/host.h"
+#include "base/text/number_text.h"
+#include "base/text/stored_formats.h"
+#include "tournament/config/config_file.h"
+#include "tournament/schedule/schedule_check.h"
+#include "tournament/store/collector.h"
+#include "tournament/store/decisions_file.h"
+#include "tournament/store/match_document.h"
+#include "tournament/store/pauses_file.h"
+#include "tournament/store/store.h"
+
+namespace cls::tournament {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Error;
+using base::Result;
+
+}  // namespace
+
+fs::path match_folder(const TournamentConfig& config, const Fixture& fixture, int attempt) {
+  const auto team = [&config](int index) {
+    return config.teams[static_cast<std::size_t>(index)].name;
+  };
+  const std::string stem =
+      fmt::format("{:06}-{}-vs-{}", fixture.index, team(fixture.left), team(fixture.right));
+  return fs::path(kMatchesFolder) / (attempt == 1 ? stem : fmt::format("{}.{}", stem, attempt));
+}
+
+fs::path result_file(int index, int attempt) {
+  return fs::path(kResultsFolder) / fmt::format("{:06}.{}.json", index, attempt);
+}
+
+bool claim_folder(const fs::path& folder) {
+  std::error_code code;
+  fs::create_directories(folder.parent_path(), code);
+  return fs::create_directory(folder, code);
+}
+
+std::string unfinished_host() {
+  std::string host = base::host_name();
+  std::replace(host.begin(), host.end(), '/', '-');
+  return host;
+}
+
+std::string unfinished_label() { return fmt::format("{}-{}", unfinished_host(), ::getpid()); }
+
+fs::path unfinished_folder(int index, int attempt, std::string_view label) {
+  return fs::path(kUnfinishedFolder) / fmt::format("{:06}.{}.{}", index, attempt, label);
+}
+
+std::optional<AttemptName> parse_attempt_name(std::string_view name) {
+  const std::size_t first = name.find('.');
+  const std::size_t second = first == name.npos ? first : name.find('.', first + 1);
+  if (second == name.npos) return std::nullopt;
+  const auto index = base::parse_int(name.substr(0, first));
+  const auto attempt = base::parse_int(name.substr(first + 1, second - first - 1));
+  if (!index || !attempt) return std::nullopt;
+  return AttemptName{*index, *attempt, name.substr(second + 1)};
+}
+
+Result<std::optional<FolderLock>> FolderLock::try_lock(const fs::path& folder) {
+  const fs::path path = folder / kLockFile;
+  base::UniqueFd file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  if (!file) {
+    return Error{fmt::format("cannot create {}: {}", path.string(), std::strerror(errno))};
+  }
+  constexpr int kTries = 5;
+  constexpr std::chrono::milliseconds kPause{20};
+  for (int tries = 1; ::flock(file.get(), LOCK_EX | LOCK_NB) != 0; ++tries) {
+    if (tries == kTries) return std::optional<FolderLock>();
+    std::this_thread::sleep_for(kPause);
+  }
+  return std::optional<FolderLock>(FolderLock(std::move(file)));
+}
+
+Result<std::string> read_if_there(const fs::path& file) {
+  if (auto text = base::read_file(file)) return *std::move(text);
+  std::error_code code;
+  if (!fs::exists(file, code) && !code) return std::string();
+  return Error{fmt::format("{}: cannot be read", file.string())};
+}
+
+bool FolderLock::is_held(const fs::path& folder) {
+  const base::UniqueFd file(::open((folder / kLockFile).c_str(), O_RDONLY | O_CLOEXEC));
+  return file && ::flock(file.get(), LOCK_SH | LOCK_NB) != 0;
+}
+
+bool holds_plan(const fs::path& folder) {
+  std::error_code code;
+  return fs::exists(folder / kPlanFile, code);
+}
+
+Result<TournamentConfig> read_plan(const fs::path& folder) {
+  if (!holds_plan(folder)) {
+    return Error{fmt::format("{} holds no tournament (no {})", folder.string(), kPlanFile)};
+  }
+  ParsedConfig parsed = read_config(folder / kPlanFile);
+  if (!parsed.errors.empty()) return Error{parsed.errors.front()};
+  // The plan was valid when cls wrote it.
+  if (const auto errors = validate(parsed.config); !errors.empty()) {
+    return Error{fmt::format("{}: not the plan of a tournament: {}", (folder / kPlanFile).string(),
+                             errors.front())};
+  }
+  return std::move(parsed.config);
+}
+
+Result<void> check_plan(const fs::path& folder, const TournamentConfig& config) {
+  if (!holds_plan(folder)) return {};
+  std::error_code code;
+  const bool begun =
+      fs::exists(folder / kStoreFile, code) || fs::exists(folder / kResultsFolder, code);
+  const auto before = read_plan(folder);
+  if (!before && begun) return before.error();
+  const std::string difference = before ? first_difference(config, *before) : "unreadable";
+  if (difference.empty()) return {};
+  if (!begun) {
+    fs::remove(folder / kScheduleFile, code);
+    return {};
+  }
+  return Error{
+      fmt::format("{} holds another plan: {}; the options of its first run continue it, --force "
+                  "renames the folder and starts again",
+                  folder.string(), difference)};
+}
+
+Result<void> write_plan(const fs::path& folder, const TournamentConfig& config) {
+  if (auto created = base::create_folders(folder); !created) return created;
+  return base::write_file_durably(
+      folder / kPlanFile,
+      fmt::format("schema = {}\n\n{}", base::kConfigSchema, format_config(config)));
+}
+
+Result<void> prepare_folder(const fs::path& folder, const TournamentConfig& config) {
+  if (auto checked = check_plan(folder, config); !checked) return checked;
+  return write_plan(folder, config);
+}
+
+Result<void> write_schedule(const fs::path& folder, const std::vector<ScheduledMatch>& matches) {
+  std::string text;
+  for (const ScheduledMatch& match : matches) text += format_fixture(match.fixture);
+  return base::write_file_durably(folder / kScheduleFile, text);
+}
+
+namespace {
+
+// Calls `visit` with each line's fixture until it returns false.
+template <typename Visit>
+Result<void> read_schedule(const fs::path& path, Visit visit) {
+  std::ifstream stream(path);
+  if (!stream) return Error{fmt::format("{}: no such file", path.string())};
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    auto fixture = parse_fixture(line);
+    if (!fixture) {
+      return Error{fmt::format("{}:{}: {}", path.string(), number, fixture.error().message)};
+    }
+    if (!visit(*std::move(fixture))) break;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Fixture> read_fixture(const fs::path& schedule, int index) {
+  std::optional<Fixture> found;
+  const auto read = read_schedule(schedule, [&](Fixture fixture) {
+    if (fixture.index == index) found = std::move(fixture);
+    return !found;
+  });
+  if (!read) return read.error();
+  if (!found) return Error{fmt::format("{} has no match {} yet", schedule.string(), index)};
+  return *std::move(found);
+}
+
+namespace {
+
+Error corrupt(const fs::path& file, const Error& error) {
+  return Error{
+      fmt::format("{}: {}: the file is corrupt or was changed", file.string(), error.message)};
+}
+
+std::vector<ScheduledMatch> schedule_in(const fs::path& folder) {
+  std::vector<ScheduledMatch> matches;
+  const auto read = read_schedule(folder / kScheduleFile, [&](Fixture fixture) {
+    matches.push_back(planned(std::move(fixture)));
+    return true;
+  });
+  if (!read) matches.clear();
+  return matches;
+}
+
+bool is_replay(const Fixture& fixture, std::span<const MatchDecision> decisions) {
+  return std::any_of(decisions.begin(), decisions.end(), [&fixture](const MatchDecision& decision) {
+    return decision.kind == DecisionKind::kReplay && decision.match == fixture.index &&
+           decision.seed == fixture.seed;
+  });
+}
+
+// schedule.jsonl is written before the store. Matches that the store lacks were not played; those
+// that a decision has replayed have another seed.
+Result<void> add_scheduled(const fs::path& folder, std::span<const MatchDecision> decisions,
+                           std::vector<ScheduledMatch>& matches) {
+  std::vector<ScheduledMatch> scheduled = schedule_in(folder);
+  for (std::size_t i = 0; i < std::min(matches.size(), scheduled.size()); ++i) {
+    const Fixture& stored = matches[i].fixture;
+    if (is_replay(stored, decisions)) scheduled[i].fixture.seed = stored.seed;
+    if (matches[i].fixture == scheduled[i].fixture) continue;
+    return corrupt(folder / kStoreFile,
+                   {fmt::format("match {} is not that of {}", i + 1, kScheduleFile)});
+  }
+  for (std::size_t i = matches.size(); i < scheduled.size(); ++i) {
+    matches.push_back(std::move(scheduled[i]));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<TournamentState> read_tournament(const fs::path& folder) {
+  TournamentState state;
+  TRY_INIT(auto config, read_plan(folder));
+  state.config = std::move(config);
+  TRY_INIT(const auto decisions, read_decisions(folder));
+  TRY_INIT(const auto pauses, read_pauses(folder));
+  state.paused = is_paused(pauses);
+  std::error_code code;
+  if (fs::exists(folder / kStoreFile, code)) {
+    TRY_INIT(const auto store, Store::open_to_read(folder / kStoreFile));
+    TRY_INIT(auto matches, store.matches());
+    state.matches = std::move(matches);
+    state.stored = state.matches.size();
+    if (const auto rows = check_rows(state.config, state.matches); !rows) {
+      return corrupt(folder / kStoreFile, rows.error());
+    }
+    TRY(add_scheduled(folder, decisions, state.matches));
+    if (FolderLock::is_held(folder)) {
+      TRY_INIT(auto running, store.running());
+      state.running = std::move(running);
+    }
+  } else if (fs::exists(folder / kScheduleFile, code)) {
+    const auto read = read_schedule(folder / kScheduleFile, [&](Fixture fixture) {
+      state.matches.push_back(planned(std::move(fixture)));
+      return true;
+    });
+    if (!read) return read.error();
+  }
+  if (const auto rows = check_rows(state.config, state.matches); !rows) {
+    return corrupt(folder / kScheduleFile, rows.error());
+  }
+  for (WorkResult& result : collect_work_results(folder, state.matches)) {
+    state.matches[static_cast<std::size_t>(result.index) - 1].outcome = std::move(result.outcome);
+  }
+  apply_decisions(state.matches, decisions);
+  return state;
+}
+
+}  // namespace cls::tournament
