@@ -10,8 +10,8 @@ namespace cls::simulator {
 /// referee, which may change the mode and move the ball.
 void resolve_collisions(World& world, Events& events);
 
-/// The same; `bodies` is what the previous call left, or empty. Only players that have moved since
-/// then are compared with the others.
+/// The same; `bodies` is what the previous call left, or empty. Only players that have moved or
+/// changed their size since then are compared with the others.
 void resolve_collisions(World& world, Bodies& bodies, Events& events);
 
 }  // namespace cls::simulator

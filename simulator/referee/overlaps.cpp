@@ -47,11 +47,13 @@ void refresh(Bodies& bodies, const World& world) {
     const Player& player = world.players[slot];
     if (!player.enabled) continue;
     const auto own = static_cast<Slot>(slot);
-    const bool moved = player.position != bodies.position(i) || bodies.slots[i] != own;
-    bodies.suspects |= BodySet{moved} << i;
+    const double size = world.type_of(player).player_size;
+    const bool changed =
+        player.position != bodies.position(i) || size != bodies.size[i] || bodies.slots[i] != own;
+    bodies.suspects |= BodySet{changed} << i;
     bodies.x[i] = player.position.x;
     bodies.y[i] = player.position.y;
-    bodies.size[i] = world.type_of(player).player_size;
+    bodies.size[i] = size;
     bodies.slots[i] = own;
     bodies.by_slot[slot] = i;
     ++i;

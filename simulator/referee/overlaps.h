@@ -26,7 +26,7 @@ struct Bodies {
   Vec2 position(std::size_t i) const { return {x[i], y[i]}; }
 };
 
-/// Copies the players on the pitch; those that have moved become suspects.
+/// Copies the players on the pitch; those that have moved or changed their size become suspects.
 void refresh(Bodies& bodies, const World& world);
 
 /// Moves the body of a player, as refresh() would after the player has moved. Does nothing for

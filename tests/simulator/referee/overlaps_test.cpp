@@ -68,6 +68,24 @@ TEST(Overlaps, AreThoseOfAllPairsAfterPlayersLeave) {
   EXPECT_EQ(bodies.count, 19U);
 }
 
+// Player types of one match may differ in size.
+TEST(Overlaps, IsFoundWhenAPlayerGrowsInPlace) {
+  Stage stage;
+  simulator::Rules rules = *stage.world.rules;
+  rules.types[1].player_size = 0.5;
+  stage.world.rules = std::make_shared<const simulator::Rules>(std::move(rules));
+  simulator::Player& player = stage.add(Side::kLeft, {0, 0});
+  stage.add(Side::kRight, {0.7, 0});
+
+  Bodies bodies;
+  refresh(bodies, stage.world);
+  EXPECT_EQ(find_overlaps(bodies)[0], 0U);
+
+  player.type = 1;
+  refresh(bodies, stage.world);
+  EXPECT_EQ(find_overlaps(bodies)[0], 0b10U);
+}
+
 TEST(Overlaps, AreThoseOfAllPairsAfterBodiesMove) {
   soccer::RandomStream random(4, "crowd");
   Stage stage;
