@@ -40,12 +40,22 @@ class _Buffer(ctypes.Structure):
     _fields_ = [("data", ctypes.c_void_p), ("count", ctypes.c_uint64)]
 
 
+# The arrays of a pool in the order of cls_training_buffers: element type, and a shape of N worlds,
+# A agents (I: where the action set has ids), F features, K ids, V values, S state features,
+# R reward terms, 2 teams. training/pool/arrays.inc is the table of the engine.
+_ARRAYS: Dict[str, Tuple[type, str]] = {
+    "action_ids": (np.int32, "NI"), "action_values": (np.float32, "NAV"),
+    "next_seeds": (np.uint64, "N"), "observations": (np.float32, "NAF"),
+    "rewards": (np.float32, "NA"), "terminated": (np.bool_, "N"), "truncated": (np.bool_, "N"),
+    "status": (np.int32, "N"), "alive": (np.bool_, "NA"), "action_masks": (np.int8, "NAK"),
+    "state": (np.float32, "NS"), "reward_terms": (np.float32, "NR"),
+    "final_observations": (np.float32, "NAF"), "final_state": (np.float32, "NS"),
+    "was_reset": (np.bool_, "N"), "cycles": (np.int32, "N"), "score": (np.int32, "N2"),
+    "illegal": (np.int32, "NA"), "seeds": (np.uint64, "N"), "opponent": (np.int32, "N")}
+
+
 class _Buffers(ctypes.Structure):
-    _fields_ = [("struct_size", ctypes.c_uint64)] + [(name, _Buffer) for name in (
-        "action_ids", "action_values", "next_seeds", "observations", "rewards", "terminated",
-        "truncated", "status", "alive", "action_masks", "state", "reward_terms",
-        "final_observations", "final_state", "was_reset", "cycles", "score", "illegal", "seeds",
-        "opponent")]
+    _fields_ = [("struct_size", ctypes.c_uint64)] + [(name, _Buffer) for name in _ARRAYS]
 
 
 class _Player(ctypes.Structure):
@@ -160,8 +170,7 @@ class Snapshot:
 
 
 class Pool:
-    """N worlds and their arrays. Shapes: N worlds, A agents, F features, K ids, V values, S state
-    features, R reward terms."""
+    """N worlds and their arrays, attributes with the names of _ARRAYS."""
 
     def __init__(self, config: Dict[str, Any]) -> None:
         self.config = config
@@ -181,33 +190,21 @@ class Pool:
 
     def _allocate(self, n: int) -> None:
         spec, a = self.spec, len(self.spec.agents)
-        k, v = len(spec.actions.names), len(spec.actions.values)
-        self.action_ids = np.zeros((n, a if k else 0), np.int32)
-        self.action_values = np.zeros((n, a, v), np.float32)
-        self.observations = np.zeros((n, a, len(spec.features)), np.float32)
-        self.rewards = np.zeros((n, a), np.float32)
-        self.terminated = np.zeros(n, np.bool_)
-        self.truncated = np.zeros(n, np.bool_)
-        self.status = np.zeros(n, np.int32)
-        self.alive = np.zeros((n, a), np.bool_)
-        self.action_masks = np.zeros((n, a, k), np.int8)
-        self.state = np.zeros((n, len(spec.state_features)), np.float32)
-        self.reward_terms = np.zeros((n, len(spec.reward_terms)), np.float32)
-        self.cycles = np.zeros(n, np.int32)
-        self.score = np.zeros((n, 2), np.int32)
-        self.illegal = np.zeros((n, a), np.int32)
-        self.seeds = np.zeros(n, np.uint64)
-        self.opponent = np.zeros(n, np.int32)
-        self.next_seeds = np.zeros(n, np.uint64)
-        self.was_reset = np.zeros(n, np.bool_)
-        same_step = self.config.get("autoreset") == "same_step"
-        self.final_observations = np.zeros_like(self.observations) if same_step else None
+        k = len(spec.actions.names)
+        sizes = {"N": n, "A": a, "I": a if k else 0, "F": len(spec.features), "K": k,
+                 "V": len(spec.actions.values), "S": len(spec.state_features),
+                 "R": len(spec.reward_terms), "2": 2}
+        for name, (kind, shape) in _ARRAYS.items():
+            setattr(self, name, np.zeros([sizes[one] for one in shape], kind))
+        if self.config.get("autoreset") != "same_step":
+            self.final_observations = None
+        self.final_state = None
         self._bind()
 
     def _bind(self) -> None:
         buffers = _Buffers(struct_size=ctypes.sizeof(_Buffers))
-        for name, _ in _Buffers._fields_[1:]:
-            array = getattr(self, name, None)
+        for name in _ARRAYS:
+            array = getattr(self, name)
             if array is not None and array.size:
                 setattr(buffers, name, _Buffer(array.ctypes.data, array.size))
         _check(self.call("bind", ctypes.byref(buffers)))

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/files.h"
 #include "tests/training/stage.h"
 
 namespace cls::tests {
@@ -95,6 +96,15 @@ TEST(TrainingCApi, ChecksBuffers) {
   buffers = pool.buffers;
   buffers.state.data = nullptr;
   EXPECT_EQ(cls_training_bind(pool.handle, &buffers), CLS_TRAINING_OK);
+}
+
+TEST(TrainingCApi, PythonHasTheSameArrays) {
+  const std::string module = read_file(source_folder() / "python" / "cls_gym" / "_engine.py");
+  std::size_t last = module.find("_ARRAYS");
+#define CLS_TRAINING_ARRAY(type, name, count, needed) \
+  last = module.find("\"" #name "\": (np.", last);    \
+  ASSERT_NE(last, std::string::npos) << #name;
+#include "training/pool/arrays.inc"
 }
 
 TEST(TrainingCApi, ChecksOrderAndIndices) {

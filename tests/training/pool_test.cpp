@@ -17,7 +17,7 @@ std::string play(BoundPool& pool, std::uint64_t seed, int steps) {
   std::string bytes;
   soccer::RandomStream random(seed, "actions");
   // Written only where an episode ends, so that rows of an earlier play would remain.
-  std::fill(pool.final_observations.begin(), pool.final_observations.end(), 0.0F);
+  for (auto* array : {&pool.final_observations, &pool.final_state}) std::ranges::fill(*array, 0.0F);
   EXPECT_EQ(pool.reset(seed), CLS_TRAINING_OK) << cls_training_error();
   for (int i = 0; i < steps; ++i) {
     pool.draw_actions(random);

@@ -35,31 +35,18 @@ BoundPool::BoundPool(const std::string& config) {
   ids = setup.id_count();
   states = setup.state_columns.size();
   value_columns = setup.value_columns;
+
   if (cls_training_create(config.c_str(), &handle) != CLS_TRAINING_OK) {
     throw std::runtime_error(cls_training_error());
   }
+
   const std::size_t rows = worlds * agents;
+  const std::size_t values = value_columns.size();
+  constexpr std::size_t terms = training::kRewardTerms;
   buffers.struct_size = sizeof buffers;
-  buffers.action_ids = sized(action_ids, ids > 0 ? rows : 0);
-  buffers.action_values = sized(action_values, rows * value_columns.size());
-  buffers.next_seeds = sized(next_seeds, worlds);
-  buffers.observations = sized(observations, rows * features);
-  buffers.rewards = sized(rewards, rows);
-  buffers.terminated = sized(terminated, worlds);
-  buffers.truncated = sized(truncated, worlds);
-  buffers.status = sized(status, worlds);
-  buffers.alive = sized(alive, rows);
-  buffers.action_masks = sized(action_masks, rows * ids);
-  buffers.state = sized(state, worlds * states);
-  buffers.reward_terms = sized(reward_terms, worlds * training::kRewardTerms);
-  buffers.final_observations = sized(final_observations, rows * features);
-  buffers.final_state = sized(final_state, worlds * states);
-  buffers.was_reset = sized(was_reset, worlds);
-  buffers.cycles = sized(cycles, worlds);
-  buffers.score = sized(score, 2 * worlds);
-  buffers.illegal = sized(illegal, rows);
-  buffers.seeds = sized(seeds, worlds);
-  buffers.opponent = sized(opponent, worlds);
+#define CLS_TRAINING_ARRAY(type, name, count, needed) buffers.name = sized(name, count);
+#include "training/pool/arrays.inc"
+
   if (cls_training_bind(handle, &buffers) != CLS_TRAINING_OK) {
     throw std::runtime_error(cls_training_error());
   }
@@ -85,22 +72,9 @@ void BoundPool::draw_actions(soccer::RandomStream& random) {
 
 std::string BoundPool::outputs() const {
   std::string out;
-  append(out, observations);
-  append(out, rewards);
-  append(out, terminated);
-  append(out, truncated);
-  append(out, status);
-  append(out, alive);
-  append(out, action_masks);
-  append(out, state);
-  append(out, reward_terms);
-  append(out, final_observations);
-  append(out, was_reset);
-  append(out, cycles);
-  append(out, score);
-  append(out, illegal);
-  append(out, seeds);
-  append(out, opponent);
+#define CLS_TRAINING_ARRAY(type, name, count, needed) \
+  if (!std::is_const_v<type>) append(out, name);
+#include "training/pool/arrays.inc"
   return out;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "training/c_api/cls_training.h"
@@ -38,11 +39,8 @@ class BoundPool {
   std::size_t states = 0;
   training::Columns value_columns;
 
-  std::vector<std::int32_t> action_ids, status, cycles, score, illegal, opponent;
-  std::vector<float> action_values, observations, rewards, state, reward_terms, final_observations,
-      final_state;
-  std::vector<std::uint64_t> next_seeds, seeds;
-  std::vector<std::uint8_t> terminated, truncated, alive, action_masks, was_reset;
+#define CLS_TRAINING_ARRAY(type, name, count, needed) std::vector<std::remove_const_t<type>> name;
+#include "training/pool/arrays.inc"
   cls_training_buffers buffers = {};
 };
 

@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstring>
 #include <exception>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 #include "base/system/version.h"
+#include "base/text/json.h"
 #include "training/c_api/registry.h"
 #include "training/pool/specification.h"
 
@@ -132,39 +133,37 @@ class Binder {
   Outcome outcome;
 };
 
+// The struct of the header has the arrays of the table.
+constexpr std::size_t kArrayOffsets[] = {
+#define CLS_TRAINING_ARRAY(type, name, count, needed) offsetof(cls_training_buffers, name),
+#include "training/pool/arrays.inc"
+    sizeof(cls_training_buffers)};
+
+constexpr bool has_arrays_in_order() {
+  std::size_t next = sizeof(cls_training_buffers::struct_size);
+  for (const std::size_t offset : kArrayOffsets) {
+    if (std::exchange(next, next + sizeof(cls_training_buffer)) != offset) return false;
+  }
+  return true;
+}
+static_assert(has_arrays_in_order());
+
 Outcome bind(Pool& pool, const cls_training_buffers& in) {
   const Setup& setup = pool.setup();
-  const std::uint64_t n = pool.size();
-  const std::uint64_t rows = n * setup.agent_count();
-  const std::uint64_t features = rows * setup.feature_count();
-  const std::uint64_t states = n * setup.state_columns.size();
+  const std::uint64_t worlds = pool.size();
+  const std::uint64_t rows = worlds * setup.agent_count();
+  const std::uint64_t features = setup.feature_count();
+  const std::uint64_t ids = setup.id_count();
+  const std::uint64_t values = setup.value_count();
+  const std::uint64_t states = setup.state_columns.size();
+  constexpr std::uint64_t terms = kRewardTerms;
   const bool resets = pool.config().autoreset != Autoreset::kDisabled;
-  const bool any_ids = setup.id_count() > 0;
 
   Buffers out;
   Binder binder;
-
-  binder.take("action_ids", in.action_ids, any_ids ? rows : 0, true, out.action_ids);
-  binder.take("action_values", in.action_values, rows * setup.value_count(), true,
-              out.action_values);
-  binder.take("next_seeds", in.next_seeds, n, resets, out.next_seeds);
-  binder.take("observations", in.observations, features, true, out.observations);
-  binder.take("rewards", in.rewards, rows, true, out.rewards);
-  binder.take("terminated", in.terminated, n, true, out.terminated);
-  binder.take("truncated", in.truncated, n, true, out.truncated);
-  binder.take("status", in.status, n, true, out.status);
-  binder.take("alive", in.alive, rows, false, out.alive);
-  binder.take("action_masks", in.action_masks, rows * setup.id_count(), false, out.action_masks);
-  binder.take("state", in.state, states, false, out.state);
-  binder.take("reward_terms", in.reward_terms, n * kRewardTerms, false, out.reward_terms);
-  binder.take("final_observations", in.final_observations, features, false, out.final_observations);
-  binder.take("final_state", in.final_state, states, false, out.final_state);
-  binder.take("was_reset", in.was_reset, n, false, out.was_reset);
-  binder.take("cycles", in.cycles, n, false, out.cycles);
-  binder.take("score", in.score, 2 * n, false, out.score);
-  binder.take("illegal", in.illegal, rows, false, out.illegal);
-  binder.take("seeds", in.seeds, n, false, out.seeds);
-  binder.take("opponent", in.opponent, n, false, out.opponent);
+#define CLS_TRAINING_ARRAY(type, name, count, needed) \
+  binder.take(#name, in.name, count, needed, out.name);
+#include "training/pool/arrays.inc"
 
   if (binder.outcome.ok()) pool.bind(out);
   return binder.outcome;
