@@ -11,19 +11,17 @@
 
 #include "base/io/home_path.h"
 #include "cli/command/help.h"
-#include "cli/command/option_table.h"
 #include "cli/command/parse.h"
 #include "cli/command/usage_errors.h"
-#include "cli/shell/completion_command.h"
+#include "cli/shell/completion.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
 
 namespace cls::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kRootDescription =
     "play, evaluate and test RoboCup 2D soccer matches of gRPC Playmakers\n"
     "\n"
     "  cls match mock mock                    the bundled team against itself\n"
@@ -90,41 +88,21 @@ Words with_home(Words words) {
   return words;
 }
 
-void add_commands(Command& root) {
-  add_match_command(root);
-  add_tournament_command(root);
-
-  add_tune_command(root);
-  add_compare_command(root);
-  add_test_command(root);
-  add_dev_command(root);
-  add_results_command(root);
-  add_stats_command(root);
-  add_logs_command(root);
-  add_convert_command(root);
-  add_book_command(root);
-  add_challenge_command(root);
-  add_dataset_command(root);
-  add_watch_command(root);
-  add_report_command(root);
-  add_check_command(root);
-  add_doctor_command(root);
-  add_mock_command(root);
-  add_proxy_command(root);
-  add_server_command(root);
-  add_explain_command(root);
-  add_config_command(root);
-  add_init_command(root);
-  add_new_command(root);
-  add_package_team_command(root);
-  add_qualify_command(root);
-  add_completion_command(root);
-  add_train_command(root);
-  add_version_command(root);
-  add_help_command(root);
-}
+void add_commands(Command& parent) { CLS_COMMANDS(CLS_ADD_COMMAND) }
 
 // canonical() replaces these; they are here for help and suggestions.
+// Most commands declare --quiet themselves, to describe what it leaves out.
+void add_shared_flags(Command& command) {
+  for (Command& below : command.commands) add_shared_flags(below);
+  if (!command.commands.empty()) return;
+
+  if (find_option(command, "--quiet") == nullptr) {
+    command.flag("--quiet", output_options().quiet, "print no progress and no notes")
+        .of_group(kOutputGroup);
+  }
+  command.flag("--no-color", output_options().no_color, "disable color").of_group(kOutputGroup);
+}
+
 void add_root_options(Command& root) {
   root.flag("-V,--version", "print the version, as cls version");
   root.flag("--json", "of every command: print one JSON document on stdout");
@@ -135,9 +113,9 @@ void add_root_options(Command& root) {
 }  // namespace
 
 std::unique_ptr<Command> command_tree() {
-  auto root = std::make_unique<Command>("cls", kDescription, nullptr);
+  auto root = std::make_unique<Command>("cls", kRootDescription, nullptr);
   add_commands(*root);
-  complete_commands(*root);
+  add_shared_flags(*root);
   add_root_options(*root);
   return root;
 }
@@ -157,11 +135,11 @@ int run_application(Command& root, int argc, const char* const* argv) {
     return print_completion(root, Words(argv + 2, argv + argc));
   }
 
-  Words words = canonical(root, with_home(Words(argv + 1, argv + argc)));
+  const Words words = canonical(root, with_home(Words(argv + 1, argv + argc)));
   const std::string unknown = unknown_command(root, words);
   if (!unknown.empty()) return print_error(kUsage, unknown);
 
-  const Parsed parsed = parse(root, std::move(words));
+  const Parsed parsed = parse(root, words);
   if (parsed.asks_for_help) {
     fmt::print("{}", help_text(*parsed.command));
     return kOk;

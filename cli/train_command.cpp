@@ -1,16 +1,14 @@
 // `cls train spec`: what can be trained.
 #include <fmt/format.h>
 
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "base/text/suggestion.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/terminal/terminal.h"
 #include "training/pool/spec_tables.h"
 #include "training/pool/specification.h"
@@ -18,7 +16,7 @@
 namespace cls::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kTrainDescription =
     "describe what cls_gym trains\n"
     "\n"
     "  cls train spec     tasks, observations, actions and rewards\n"
@@ -36,7 +34,7 @@ constexpr const char* kSpecDescription =
     "\n"
     "NAME is a task, a feature set or an action set. In Python: cls_gym.catalog().";
 
-struct Arguments {
+struct TrainArguments {
   std::string name;
   std::string format = "text";
   bool json = false;
@@ -46,7 +44,7 @@ struct Arguments {
 
 struct Description {
   std::vector<training::SpecTable> tables;
-  nlohmann::ordered_json document;
+  base::Json document;
 };
 
 // A task by its id, with or without "cls/" and "-v0".
@@ -57,7 +55,7 @@ const training::Task* find_task(const std::string& name) {
   return nullptr;
 }
 
-base::Result<Description> describe(const Arguments& arguments) {
+base::Result<Description> describe(const TrainArguments& arguments) {
   const std::string& name = arguments.name;
   if (name.empty()) return Description{training::overview_tables(), training::catalog()};
 
@@ -78,7 +76,7 @@ base::Result<Description> describe(const Arguments& arguments) {
                                  base::did_you_mean(name, training::spec_names()))};
 }
 
-int run_train_spec(const Arguments& arguments) {
+int run_train_spec(const TrainArguments& arguments) {
   const std::string format = arguments.json ? "json" : arguments.format;
   if (format != "text" && format != "json" && format != "markdown") {
     return print_error(
@@ -89,9 +87,9 @@ int run_train_spec(const Arguments& arguments) {
   if (!description) return print_error(kUsage, description.error().message);
 
   if (format == "json") {
-    nlohmann::ordered_json document = {{"schema", training::kCatalogSchema}};
+    base::Json document = {{"schema", training::kCatalogSchema}};
     document.update(description->document);
-    fmt::print("{}", base::json_document(document));
+    print_json(document);
   } else if (format == "markdown") {
     fmt::print("{}", training::format_markdown(description->tables));
   } else {
@@ -104,25 +102,25 @@ int run_train_spec(const Arguments& arguments) {
 }  // namespace
 
 void add_train_command(Command& app) {
-  Command& train = app.command("train", kDescription);
+  Command& train = app.command("train", kTrainDescription);
 
   train.group = kPlayCommands;
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = train.command("spec", kSpecDescription);
+  auto [command, arguments] = train.command("spec", kSpecDescription, run_train_spec);
 
-  command.option("NAME", arguments->name, "task, feature set or action set (default: all)");
+  command.option("NAME", arguments.name, "task, feature set or action set (default: all)");
   command
-      .option("--offense", arguments->offense,
+      .option("--offense", arguments.offense,
               "players of the own team in a feature set, with the agent")
       .range(1, 11)
       .shows_default();
-  command.option("--defense", arguments->defense, "players of the other team")
+  command.option("--defense", arguments.defense, "players of the other team")
       .range(0, 11)
       .shows_default();
 
-  command.option("--format", arguments->format, "text, json or markdown").shows_default();
-  command.flag("--json", arguments->json, "the same as --format json");
-  command.run = [arguments] { return run_train_spec(*arguments); };
+  command.option("--format FORMAT", arguments.format, "text, json or markdown")
+      .of_group(kOutputGroup)
+      .shows_default();
+  command.flag("--json", arguments.json, "the same as --format json").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

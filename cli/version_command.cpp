@@ -1,4 +1,5 @@
 // `cls version`.
+#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -12,14 +13,12 @@
 #include <CLI/Version.hpp>
 
 #include <boost/version.hpp>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/system/version.h"
-#include "base/text/json_text.h"
 #include "base/text/stored_formats.h"
 #include "cli/support/exit_code.h"
+#include "cli/terminal/json_stdout.h"
 #include "proto/recording_file.h"
 #include "proto/saved_match_file.h"
 #include "soccer/protocol/protocol_version.h"
@@ -29,11 +28,15 @@
 namespace cls::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kVersionDescription =
     "print the version\n"
     "\n"
     "  cls version           of cls, its wire, its files and its libraries\n"
     "  cls version --json    for bug reports and scripts";
+
+struct VersionArguments {
+  bool json = false;
+};
 
 // "1.74.0" from 107400.
 std::string dotted(int number, int step) {
@@ -45,8 +48,8 @@ std::string boost_version() {
                      BOOST_VERSION % 100);
 }
 
-nlohmann::ordered_json document() {
-  nlohmann::ordered_json versions = {
+base::Json document() {
+  base::Json versions = {
       {"schema", "cls.version/1"},
       {"cls", base::kVersion},
       {"wire", base::kWireVersion},
@@ -70,8 +73,7 @@ nlohmann::ordered_json document() {
         {"cli11", CLI11_VERSION},
         {"fmt", dotted(FMT_VERSION, 100)},
         {"grpc", GRPC_CPP_VERSION_STRING},
-        {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,
-                                      NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+        {"nlohmann-json", base::Json::library_version()},
         {"openssl", OPENSSL_VERSION_STR},
         {"protobuf", dotted(GOOGLE_PROTOBUF_VERSION, 1000)},
         {"sleef", fmt::format("{}.{}.{}", SLEEF_VERSION_MAJOR, SLEEF_VERSION_MINOR,
@@ -83,15 +85,14 @@ nlohmann::ordered_json document() {
   return versions;
 }
 
-int print_version(bool json) {
-  const nlohmann::ordered_json versions = document();
-  if (json) {
-    fmt::print("{}", base::json_document(versions));
-    return kOk;
+int print_version(const VersionArguments& arguments) {
+  const base::Json versions = document();
+  if (arguments.json) {
+    return print_json(versions);
   }
 
   fmt::print("cls {}\n", base::kVersion);
-  const auto row = [](const std::string& name, const nlohmann::ordered_json& version) {
+  const auto row = [](const std::string& name, const base::Json& version) {
     fmt::print("  {:<14} {}\n", name, version.get<std::string>());
   };
   row("wire", versions["wire"]);
@@ -108,10 +109,8 @@ int print_version(bool json) {
 }  // namespace
 
 void add_version_command(Command& app) {
-  const auto json = std::make_shared<bool>(false);
-  Command& command = app.command("version", kDescription);
-  command.flag("--json", *json, "print one JSON document");
-  command.run = [json] { return print_version(*json); };
+  auto [command, arguments] = app.command("version", kVersionDescription, print_version);
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 
@@ -17,10 +16,13 @@ using checks::CheckStep;
 using checks::StepResult;
 
 void add_check_output_options(Command& command, CheckOutput& output) {
-  command.flag("--json", output.json, "print one JSON document instead of text");
+  command.flag("--json", output.json, "print one JSON document instead of text")
+      .of_group(kOutputGroup);
   add_ci_options(command, output.reports);
-  command.flag("--strict", output.strict, "fail (exit 1) on any skipped step");
-  command.flag("--quiet", output.quiet, "print only failures and the summary");
+  command.flag("--strict", output.strict, "fail (exit 1) on any skipped step")
+      .of_group(kOutputGroup);
+  command.flag("--quiet", output.quiet, "print only failures and the summary")
+      .of_group(kOutputGroup);
 }
 
 std::function<void(const CheckStep&)> step_printer(const CheckOutput& output) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +12,6 @@
 #include "base/io/byte_source.h"
 #include "base/io/whole_file.h"
 #include "checks/perception_check.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "gamelog/rcg/rcg_reader.h"
@@ -28,7 +26,7 @@ namespace {
 
 constexpr std::size_t kMaxShownErrors = 5;
 
-constexpr const char* kDescription =
+constexpr const char* kCheckPerceptionDescription =
     "measure the accuracy of the world model on a recorded player\n"
     "\n"
     "  cls check perception player_7.txt.gz --truth game.rcg.gz\n"
@@ -41,7 +39,7 @@ constexpr const char* kDescription =
     "position and body angle, the ball and its velocity when just seen, other\n"
     "players when just seen with their uniform number.";
 
-struct Arguments {
+struct CheckPerceptionArguments {
   std::string transcript;
   std::string truth;
   std::string page;
@@ -60,8 +58,8 @@ void report_transcript_errors(const std::string& path, const checks::PerceptionC
 }
 
 // The page of the match with what the player estimated.
-base::Result<void> write_page(const Arguments& arguments, const gamelog::MatchRecord& log,
-                              const checks::PerceptionCheck& check,
+base::Result<void> write_page(const CheckPerceptionArguments& arguments,
+                              const gamelog::MatchRecord& log, const checks::PerceptionCheck& check,
                               const std::vector<viewer::DecisionSample>& samples) {
   std::string stream;
 
@@ -77,26 +75,20 @@ base::Result<void> write_page(const Arguments& arguments, const gamelog::MatchRe
                                          {{check.side, viewer::gzip(stream)}}));
 }
 
-int run_check_perception(const Arguments& arguments) {
-  const auto source = base::open_source(arguments.transcript);
-  if (!source) {
-    return print_error(kNoInput, source.error().message);
-  }
+int run_check_perception(const CheckPerceptionArguments& arguments) {
+  TRY_INIT_OR(kNoInput, const auto source, base::open_source(arguments.transcript));
 
-  const auto log = gamelog::read_rcg_file(arguments.truth);
-  if (!log) {
-    return print_error(kNoInput, log.error().message);
-  }
+  TRY_INIT_OR(kNoInput, const auto log, gamelog::read_rcg_file(arguments.truth));
 
-  const std::string transcript = base::read_all(**source);
-  const std::string& problem = (*source)->error();
+  const std::string transcript = base::read_all(*source);
+  const std::string& problem = source->error();
   if (!problem.empty()) print_error(0, fmt::format("{}: {}", arguments.transcript, problem));
-  report_errors(arguments.truth, log->errors);
-  if (log->frames() == 0) return kBadData;
+  report_errors(arguments.truth, log.errors);
+  if (log.frames() == 0) return kBadData;
 
   std::vector<viewer::DecisionSample> samples;
   const auto check = checks::check_perception(
-      transcript, *log,
+      transcript, log,
       [&samples](const player::WorldModel& world) { samples.push_back(match::sample_of(world)); });
 
   if (!check) {
@@ -106,28 +98,28 @@ int run_check_perception(const Arguments& arguments) {
 
   report_transcript_errors(arguments.transcript, *check);
   if (!arguments.page.empty()) {
-    if (const auto written = write_page(arguments, *log, *check, samples); !written) {
-      return print_error(kCannotCreate, written.error().message);
-    }
+    TRY_OR(kCannotCreate, write_page(arguments, log, *check, samples));
   }
 
   fmt::print("{}", arguments.json ? to_json(*check) : to_text(*check));
-  return problem.empty() && check->damage.empty() && log->errors.empty() ? kOk : kBadData;
+  return problem.empty() && check->damage.empty() && log.errors.empty() ? kOk : kBadData;
 }
 
 }  // namespace
 
 void add_check_perception_command(Command& check) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = check.command("perception", kDescription);
+  auto [command, arguments] =
+      check.command("perception", kCheckPerceptionDescription, run_check_perception);
 
-  command.option("TRANSCRIPT", arguments->transcript, "datagrams of one player").required();
-  command.option("--truth", arguments->truth, "game log (rcg) of the match").required();
-  command.option("--page", arguments->page,
-                 "also write a page of the match with the decision debugger of the player");
+  command.option("TRANSCRIPT", arguments.transcript, "datagrams of one player").required();
+  command.option("--truth FILE", arguments.truth, "game log (rcg) of the match").required();
+  command
+      .option("--page FILE", arguments.page,
+              "also write a page of the match with the decision debugger of the player")
+      .of_group(kOutputGroup);
 
-  command.flag("--json", arguments->json, "print one JSON document instead of the table");
-  command.run = [arguments] { return run_check_perception(*arguments); };
+  command.flag("--json", arguments.json, "print one JSON document instead of the table")
+      .of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

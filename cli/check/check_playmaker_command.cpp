@@ -1,27 +1,24 @@
 // `cls check playmaker ENDPOINT`.
 #include "cli/support/commands.h"
 
-#include <fmt/format.h>
-
 #include <atomic>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "checks/playmaker/playmaker_check.h"
 #include "cli/check/check_output.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
 #include "cli/support/tls_options.h"
+#include "process/scratch_folder.h"
 
 namespace cls::cli {
 namespace {
 
 using match::Endpoint;
 
-constexpr const char* kDescription =
+constexpr const char* kCheckPlaymakerDescription =
     "check that a Playmaker can play matches\n"
     "\n"
     "  cls check playmaker localhost:50051\n"
@@ -33,7 +30,7 @@ constexpr const char* kDescription =
     "it measured; a failed one, why it matters. ENDPOINT is HOST:PORT,\n"
     "tls:HOST:PORT, unix:PATH, run:COMMAND (with {port}), a team of cls.toml or mock.";
 
-struct Arguments {
+struct CheckPlaymakerArguments {
   std::string endpoint;
   match::TlsFileNames tls;
   std::optional<double> start_timeout_s;
@@ -43,10 +40,9 @@ struct Arguments {
   CheckOutput output;
 };
 
-int run_check_playmaker(const Arguments& arguments) {
+int run_check_playmaker(const CheckPlaymakerArguments& arguments) {
   checks::PlaymakerCheckOptions options;
-  const int read = read_playmaker("", arguments.endpoint, arguments.tls, options.endpoint);
-  if (read != kOk) return read;
+  TRY_STEP(read_playmaker("", arguments.endpoint, arguments.tls, options.endpoint));
 
   const std::optional<double> limit =
       arguments.start_timeout_s ? arguments.start_timeout_s : start_timeout_of_project();
@@ -57,43 +53,47 @@ int run_check_playmaker(const Arguments& arguments) {
   options.calls = arguments.calls;
   options.latency_limit = checks::Milliseconds(arguments.latency_limit_ms);
 
-  const std::atomic<int>& signal = watch_interrupts();
-  const auto report = checks::check_playmaker(options, step_printer(arguments.output), signal);
-
-  if (!report) {
-    return print_error(kUnavailable, report.error().message);
+  std::optional<process::ScratchFolder> scratch;
+  if (options.endpoint.kind == match::Endpoint::Kind::kRun) {
+    TRY_INIT_OR(kCannotCreate, auto created, process::ScratchFolder::create());
+    options.folder = scratch.emplace(std::move(created)).path();
   }
 
-  return finish_check(*report, arguments.output, signal);
+  const std::atomic<int>& signal = watch_interrupts();
+  TRY_INIT_OR(kUnavailable, const auto report,
+              checks::check_playmaker(options, step_printer(arguments.output), signal));
+
+  return finish_check(report, arguments.output, signal);
 }
 
 }  // namespace
 
 void add_check_playmaker_command(Command& check) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = check.command("playmaker", kDescription);
-  command.option("ENDPOINT", arguments->endpoint, "the Playmaker").required();
-  add_tls_options(command, arguments->tls);
-  add_check_output_options(command, arguments->output);
+  auto [command, arguments] =
+      check.command("playmaker", kCheckPlaymakerDescription, run_check_playmaker);
+  command.option("ENDPOINT", arguments.endpoint, "the Playmaker").required();
+  add_tls_options(command, arguments.tls);
+  add_check_output_options(command, arguments.output);
 
   command
-      .option("--start-timeout", arguments->start_timeout_s,
+      .option("--start-timeout", arguments.start_timeout_s,
               "seconds until the first response (default: that of cls.toml, else 20)")
+      .of_group(kLimitsGroup)
       .above(0);
-  command.option("--rpc-deadline", arguments->deadline_ms, "deadline of an RPC in ms")
+  command.option("--rpc-deadline", arguments.deadline_ms, "deadline of an RPC in ms")
+      .of_group(kPlaymakersGroup)
       .above(0)
       .shows_default();
-  command.option("--calls", arguments->calls, "number of calls in the memory step")
+  command.option("--calls", arguments.calls, "number of calls in the memory step")
       .above(0)
       .shows_default();
 
   command
-      .option("--latency-limit", arguments->latency_limit_ms,
+      .option("--latency-limit", arguments.latency_limit_ms,
               "maximum p99 latency of decisions in ms, with 22 players calling")
+      .of_group(kLimitsGroup)
       .above(0)
       .shows_default();
-
-  command.run = [arguments] { return run_check_playmaker(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -3,11 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <memory>
 #include <string>
 
 #include "checks/server_log_check.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "gamelog/rcg/rcg_reader.h"
@@ -16,7 +14,7 @@
 namespace cls::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kCheckServerLogDescription =
     "predict a recorded match step by step with the embedded server\n"
     "\n"
     "  cls check server-log game.rcg.gz game.rcl.gz\n"
@@ -28,26 +26,20 @@ constexpr const char* kDescription =
     "bounds; the distribution of the noise is checked. Reads game logs of versions 4\n"
     "to 6 and JSON, plain or gzip.";
 
-struct Arguments {
+struct CheckServerLogArguments {
   std::string game;
   std::string text;
   bool json = false;
 };
 
-int run_check_server_log(const Arguments& arguments) {
-  const auto game = gamelog::read_rcg_file(arguments.game);
-  if (!game) {
-    return print_error(kNoInput, game.error().message);
-  }
-  const auto text = gamelog::read_rcl_file(arguments.text);
-  if (!text) {
-    return print_error(kNoInput, text.error().message);
-  }
+int run_check_server_log(const CheckServerLogArguments& arguments) {
+  TRY_INIT_OR(kNoInput, const auto game, gamelog::read_rcg_file(arguments.game));
+  TRY_INIT_OR(kNoInput, const auto text, gamelog::read_rcl_file(arguments.text));
 
-  report_errors(arguments.game, game->errors);
-  report_errors(arguments.text, text->errors);
+  report_errors(arguments.game, game.errors);
+  report_errors(arguments.text, text.errors);
 
-  const auto agreement = simulator::replay_log(*game, *text);
+  const auto agreement = simulator::replay_log(game, text);
   if (!agreement) {
     print_error(0, fmt::format("{}: {}", arguments.game, agreement.error().message));
     return kBadData;
@@ -58,19 +50,19 @@ int run_check_server_log(const Arguments& arguments) {
                                   : checks::to_text(*agreement, log_checks));
 
   if (!checks::passed(log_checks)) return kFailed;
-  return game->errors.empty() && text->errors.empty() ? kOk : kBadData;
+  return game.errors.empty() && text.errors.empty() ? kOk : kBadData;
 }
 
 }  // namespace
 
 void add_check_server_log_command(Command& check) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = check.command("server-log", kDescription);
+  auto [command, arguments] =
+      check.command("server-log", kCheckServerLogDescription, run_check_server_log);
 
-  command.option("GAME.rcg", arguments->game, "game log of the match").required();
-  command.option("GAME.rcl", arguments->text, "its text log").required();
-  command.flag("--json", arguments->json, "print one JSON document instead of the report");
-  command.run = [arguments] { return run_check_server_log(*arguments); };
+  command.option("GAME.rcg", arguments.game, "game log of the match").required();
+  command.option("GAME.rcl", arguments.text, "its text log").required();
+  command.flag("--json", arguments.json, "print one JSON document instead of the report")
+      .of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -5,13 +5,11 @@
 
 #include <atomic>
 #include <cstdio>
-#include <memory>
 #include <string>
 
 #include "base/system/own_program.h"
 #include "base/text/wrap_text.h"
 #include "checks/doctor/doctor.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
@@ -26,7 +24,7 @@ using checks::DoctorReport;
 using checks::DoctorStatus;
 using match::Endpoint;
 
-constexpr const char* kDescription =
+constexpr const char* kDoctorDescription =
     "check the host, its programs, and optionally a server or a Playmaker\n"
     "\n"
     "  cls doctor                              host and programs\n"
@@ -39,7 +37,7 @@ constexpr const char* kDescription =
     "Exit code: 1 if something required is missing, 69 if the server or Playmaker is\n"
     "unreachable.";
 
-struct Arguments {
+struct DoctorArguments {
   std::string server;
   std::string playmaker;
   match::TlsFileNames tls;
@@ -98,24 +96,21 @@ int exit_code_of(const DoctorReport& report, int signal) {
   return report.healthy() ? kOk : kFailed;
 }
 
-int run_doctor(const Arguments& arguments) {
+int run_doctor(const DoctorArguments& arguments) {
   checks::DoctorOptions options;
 
-  const auto program = base::own_program();
-  if (!program) return print_error(kUnavailable, program.error().message);
-  options.own_program = *program;
+  TRY_INIT_OR(kUnavailable, const auto program, base::own_program());
+  options.own_program = program;
   options.limit = std::chrono::milliseconds(static_cast<int>(arguments.limit_s * 1000.0));
 
   if (!arguments.server.empty()) {
-    auto server = match::parse_server(arguments.server);
-    if (!server) return print_error(kUsage, server.error().message);
-    options.server = *std::move(server);
+    TRY_INIT_OR(kUsage, auto server, match::parse_server(arguments.server));
+    options.server = std::move(server);
   }
 
   if (!arguments.playmaker.empty()) {
-    const int read = read_playmaker("--playmaker: ", arguments.playmaker, arguments.tls,
-                                    options.playmaker.emplace());
-    if (read != kOk) return read;
+    TRY_STEP(read_playmaker("--playmaker: ", arguments.playmaker, arguments.tls,
+                            options.playmaker.emplace()));
   }
 
   const std::atomic<int>& signal = watch_interrupts();
@@ -138,26 +133,28 @@ int run_doctor(const Arguments& arguments) {
 }  // namespace
 
 void add_doctor_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("doctor", kDescription);
+  auto [command, arguments] = app.command("doctor", kDoctorDescription, run_doctor);
   command.group = kCheckCommands;
   command.starts_programs = true;
 
-  command.option("--server", arguments->server,
+  command.option("--server SERVER", arguments.server,
                  "check a server: rcssserver, PATH, embedded or HOST:PORT");
-  command.option("--playmaker", arguments->playmaker,
-                 "check a Playmaker: HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
-                 "run:COMMAND");
-
-  add_tls_options(command, arguments->tls);
   command
-      .option("--start-timeout", arguments->limit_s,
+      .option("--playmaker SIDE", arguments.playmaker,
+              "check a Playmaker: HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
+              "run:COMMAND")
+      .of_group(kPlaymakersGroup);
+
+  add_tls_options(command, arguments.tls);
+  command
+      .option("--start-timeout", arguments.limit_s,
               "timeout of each program and each probe in seconds")
+      .of_group(kLimitsGroup)
       .above(0)
       .shows_default();
 
-  command.flag("--json", arguments->json, "print one JSON document instead of the table");
-  command.run = [arguments] { return run_doctor(*arguments); };
+  command.flag("--json", arguments.json, "print one JSON document instead of the table")
+      .of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -54,6 +54,15 @@ void describe(Option& option) {
       option.target);
 }
 
+// The form of texts with this placeholder, none of which is empty; other placeholders: "".
+const char* form_of_placeholder(std::string_view placeholder) {
+  constexpr std::pair<std::string_view, const char*> kForms[] = {
+      {"DIR", "a folder"}, {"FILE", "a file"}, {"HOST", "a host"}, {"NAME", "a name"}};
+  const auto* found =
+      std::ranges::find(kForms, placeholder, &std::pair<std::string_view, const char*>::first);
+  return found == std::end(kForms) ? "" : found->second;
+}
+
 // Lists have no default value.
 template <class T>
 std::string default_of(const T& value) {
@@ -161,7 +170,11 @@ Command& Command::command(std::string command_name, std::string text) {
 
 Option& Command::add(std::string names, Target target, std::string help) {
   Option& added = options.emplace_back();
-  added.names = std::move(names);
+  const std::size_t space = names.find(' ');
+  if (space != std::string::npos) added.value = names.substr(space + 1);
+  added.names = names.substr(0, space);
+  added.form.phrase = form_of_placeholder(added.value);
+
   added.target = target;
   added.help = std::move(help);
   describe(added);

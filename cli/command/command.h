@@ -6,9 +6,12 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -37,7 +40,9 @@ inline constexpr const char* kHidden = "";  ///< not listed anywhere
 
 /// An option, a flag or an argument.
 struct Option {
-  std::string names;  ///< "--seed", "-p,--port", "--coach,!--no-coach"; an argument: "LEFT"
+  /// "--seed", "-p,--port", "--coach,!--no-coach"; an argument: "LEFT". Commands declare them with
+  /// the placeholder of the value: "--out FILE"; a FILE, DIR, HOST or NAME is then not empty.
+  std::string names;
   Target target;
   std::string help;
   base::ValueForm form;
@@ -61,13 +66,17 @@ struct Option {
   Option& from(double min);
   Option& above(double min);
   Option& one_of(std::vector<std::string> words);
-  Option& placeholder(std::string text);
+  Option& placeholder(std::string text);  ///< of a value that may be empty
   Option& of_group(std::string title);
   Option& from_variable(std::string variable);
   Option& repeatable();            ///< each time with one value
   Option& takes(int count);        ///< exactly so many values
   Option& split_at(char between);  ///< see `separator`
 };
+
+/// A command, and the targets of its options, which live as long as it.
+template <class Arguments>
+struct AddedCommand;
 
 struct Command {
   std::string name;
@@ -88,6 +97,23 @@ struct Command {
   /// Adds a command below this one.
   Command& command(std::string name, std::string description);
 
+  /// Adds a command that calls `run` with its arguments; those of the second form with itself, too.
+  template <class Arguments>
+  auto command(std::string below, std::string text, int (*run_command)(Arguments&)) {
+    auto added = with_arguments<Arguments>(std::move(below), std::move(text));
+    added.command.run = [run_command, added] { return run_command(added.arguments); };
+    return added;
+  }
+  template <class Arguments>
+  auto command(std::string below, std::string text,
+               int (*run_command)(const Command&, Arguments&)) {
+    auto added = with_arguments<Arguments>(std::move(below), std::move(text));
+    added.command.run = [run_command, added] {
+      return run_command(added.command, added.arguments);
+    };
+    return added;
+  }
+
   /// Adds an option whose value goes to `target`, or an argument.
   template <class T>
   Option& option(std::string names, T& target, std::string help) {
@@ -104,7 +130,23 @@ struct Command {
   Option& flag(std::string names, std::string help);
 
  private:
+  template <class Arguments>
+  auto with_arguments(std::string below, std::string text) {
+    using Stored = std::remove_const_t<Arguments>;
+    const auto stored = std::make_shared<Stored>();
+    Command& added = command(std::move(below), std::move(text));
+    added.arguments_ = stored;
+    return AddedCommand<Stored>{added, *stored};
+  }
   Option& add(std::string names, Target target, std::string help);
+
+  std::shared_ptr<void> arguments_;
+};
+
+template <class Arguments>
+struct AddedCommand {
+  Command& command;
+  Arguments& arguments;
 };
 
 /// Groups of commands in the help of `cls`.

@@ -5,14 +5,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include "base/text/wrap_text.h"
 
 namespace cls::cli {
 namespace {
 
-constexpr std::size_t kWidth = 80;
+constexpr std::size_t kHelpWidth = 80;
 constexpr std::size_t kOptionColumn = 30;
 constexpr std::size_t kCommandColumn = 16;
 
@@ -26,7 +25,7 @@ std::string entry(const std::string& name, const std::string& text, std::size_t 
   const std::string margin = "\n" + std::string(column, ' ');
   if (name.size() + 2 >= column && !text.empty()) lines += margin;
 
-  for (const char c : base::wrap_text(text, kWidth - column)) {
+  for (const char c : base::wrap_text(text, kHelpWidth - column)) {
     if (c == '\n') {
       lines += margin;
     } else {
@@ -67,8 +66,7 @@ std::string command_sections(const Command& command) {
     text += fmt::format("\n{}:\n", group);
     for (const Command& below : command.commands) {
       if (below.group != group) continue;
-      const std::string purpose = below.description.substr(0, below.description.find('\n'));
-      text += entry(below.name, purpose, kCommandColumn);
+      text += entry(below.name, first_line(below.description), kCommandColumn);
     }
   }
   return text;
@@ -89,6 +87,10 @@ std::string help_text(const Command& command) {
 
   text += command_sections(command);
   return without_spaces_at_line_ends(std::move(text));
+}
+
+std::string first_line(std::string_view text) {
+  return std::string(text.substr(0, text.find('\n')));
 }
 
 std::string usage_of(const Command& command) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/command/command.h"
@@ -10,6 +11,9 @@ namespace cls::cli {
 
 /// Description, usage, arguments, options by group, commands.
 std::string help_text(const Command& command);
+
+/// A text up to its first line feed.
+std::string first_line(std::string_view text);
 
 /// What follows the name: "[OPTIONS] LEFT RIGHT".
 std::string usage_of(const Command& command);

@@ -2,6 +2,8 @@
 // names the option, its value and what it must be.
 #include "cli/command/parse.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
@@ -20,18 +22,15 @@ using Words = std::vector<std::string>;
 using Declared = std::map<const CLI::Option*, Option*>;
 
 CLI::Option* declare(CLI::App& app, const Option& option) {
-  if (is_flag(option)) return app.add_flag(option.names);
-
-  CLI::Option* declared = app.add_option(option.names);
-  if (option.max_values == kAnyNumber) {
-    declared->expected(option.min_values, CLI::detail::expected_max_vector_size);
-    declared->allow_extra_args();
-  } else {
-    declared->expected(option.min_values, option.max_values);
-  }
-
+  CLI::Option* declared =
+      is_flag(option) ? app.add_flag(option.names) : app.add_option(option.names);
   declared->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  return declared;
+  if (is_flag(option)) return declared;
+
+  const bool takes_many = option.max_values == kAnyNumber;
+  declared->expected(option.min_values,
+                     takes_many ? CLI::detail::expected_max_vector_size : option.max_values);
+  return takes_many ? declared->allow_extra_args() : declared;
 }
 
 void declare(CLI::App& app, Command& command, Declared& declared) {
@@ -143,37 +142,69 @@ std::string store_values(Command& command) {
   return missing_options(command);
 }
 
-// CLI11 names the option of an error in its text only.
-std::string translated(const Command& command, const CLI::App& app, const CLI::ParseError& error) {
-  if (const Words unknown = app.remaining(true); !unknown.empty()) {
-    return unknown_word(command, unknown.front());
+/// The mistakes that CLI11 reports.
+enum class Mistake { kNone, kMissingValues, kOther };
+
+Mistake assign(CLI::App& app, const Words& words) {
+  try {
+    app.parse(Words(words.rbegin(), words.rend()));  // CLI11 takes the last word first
+    return Mistake::kNone;
+  } catch (const CLI::ArgumentMismatch&) {
+    return Mistake::kMissingValues;
+  } catch (const CLI::ParseError&) {
+    return Mistake::kOther;
   }
-  if (const Option* option = option_in(command, error.what())) {
-    return wrong_count(command, *option);
-  }
-  return wrong_arguments(command);
+}
+
+// The option without all of its values. It is the last of the words: others take what follows.
+const Option* unfinished_option(const Command& command, const std::string& last_word) {
+  const auto is_begun = [](const Option& option) {
+    return !option.given.empty() && !option.from_environment &&
+           std::ssize(option.given) < option.min_values;
+  };
+  const auto begun = std::ranges::find_if(command.options, is_begun);
+  if (begun != command.options.end()) return &*begun;
+
+  const bool is_long = last_word.starts_with("--");
+  return find_option(command, is_long ? last_word.substr(0, last_word.find('='))
+                                      : fmt::format("-{}", last_word.back()));
+}
+
+std::string text_of(Mistake mistake, const Command& command, const Words& unknown,
+                    const Words& words) {
+  if (mistake == Mistake::kNone) return "";
+  if (!unknown.empty()) return unknown_word(command, unknown.front());
+
+  const Option* option =
+      mistake == Mistake::kMissingValues ? unfinished_option(command, words.back()) : nullptr;
+  return option == nullptr ? wrong_arguments(command) : wrong_count(command, *option);
+}
+
+// A flag has one value at most, which CLI11 does not check.
+std::string repeated_flag(const Command& command) {
+  const auto is_repeated = [](const Option& option) {
+    return is_flag(option) && option.given.size() > 1;
+  };
+  const auto found = std::ranges::find_if(command.options, is_repeated);
+  return found == command.options.end() ? "" : wrong_count(command, *found);
 }
 
 }  // namespace
 
-Parsed parse(Command& root, Words words) {
+Parsed parse(Command& root, const Words& words) {
   CLI::App app;
   app.name(root.name);
   Declared declared;
   declare(app, root, declared);
-
-  std::string error;
-  try {
-    std::reverse(words.begin(), words.end());  // as CLI11 wants them
-    app.parse(std::move(words));
-  } catch (const CLI::ParseError& problem) {
-    error = translated(*innermost(root, app).first, app, problem);
-  }
+  const Mistake mistake = assign(app, words);
   take_values(declared);
 
   const auto [command, place] = innermost(root, app);
   command->words = place->remaining();
   if (asks_for_help(*command)) return {command, true, ""};
+
+  std::string error = text_of(mistake, *command, app.remaining(true), words);
+  if (error.empty()) error = repeated_flag(*command);
   if (error.empty()) error = store_values(*command);
   if (error.empty() && !command->run) error = missing_command(*command);
   return {command, false, std::move(error)};

@@ -15,6 +15,6 @@ struct Parsed {
 };
 
 /// Stores the values of the words, which lack the program's name, in the targets of the options.
-Parsed parse(Command& root, std::vector<std::string> words);
+Parsed parse(Command& root, const std::vector<std::string>& words);
 
 }  // namespace cls::cli

@@ -110,25 +110,6 @@ std::string wrong_arguments(const Command& command) {
   return fmt::format("wrong arguments{}", see_help(command));
 }
 
-const Option* option_in(const Command& command, std::string_view text) {
-  const Option* best = nullptr;
-  std::size_t first = std::string_view::npos;
-  const auto is_end = [](char c) { return c == ' ' || c == ':' || c == ','; };
-
-  for (const Option& option : command.options) {
-    const std::string name = name_of(option);
-    const std::size_t at = text.find(name);
-    if (at >= first || (at > 0 && text[at - 1] != ' ')) continue;
-    const std::size_t end = at + name.size();
-    if (end < text.size() && !is_end(text[end])) continue;
-
-    // The first name in the text; a value behind it may look like another.
-    best = &option;
-    first = at;
-  }
-  return best;
-}
-
 std::string unknown_option(const Command& command, const std::string& option) {
   const std::string name = option.substr(0, option.find('='));
   return fmt::format("unknown option '{}'{}", name, suggestion(name, long_names(command), command));

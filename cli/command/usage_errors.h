@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cli/command/command.h"
@@ -36,8 +35,5 @@ std::string unknown_command(const Command& root, const std::vector<std::string>&
 
 /// The last resort.
 std::string wrong_arguments(const Command& command);
-
-/// The first option that a text names; nullptr if there is none.
-const Option* option_in(const Command& command, std::string_view text);
 
 }  // namespace cls::cli

@@ -2,15 +2,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
 #include <string>
 #include <vector>
 
 #include "base/io/whole_file.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "base/text/number_text.h"
 #include "base/text/suggestion.h"
 #include "base/text/table.h"
@@ -18,17 +16,17 @@
 #include "cli/explain/formation_picture.h"
 #include "cli/explain/reference.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/terminal/terminal.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using base::Json;
 
-constexpr const char* kDescription =
+constexpr const char* kExplainDescription =
     "explain a field, an action, a play mode or an end reason\n"
     "\n"
     "  cls explain body_smart_kick     what it does, ends in, and when it fails\n"
@@ -41,7 +39,7 @@ constexpr const char* kDescription =
     "  cls explain --search offside    names whose explanation has the text\n"
     "  cls explain --list              all names";
 
-struct Arguments {
+struct ExplainArguments {
   std::vector<std::string> names;
   std::string folder;
   std::string search;
@@ -132,8 +130,7 @@ int list(bool json) {
   for (const ReferenceEntry& entry : reference()) all.push_back(&entry);
 
   if (json) {
-    fmt::print("{}", base::json_document(document(all)));
-    return kOk;
+    return print_json(document(all));
   }
 
   for (const ReferenceEntry* entry : all) fmt::print("{:<11} {}\n", name(entry->kind), entry->name);
@@ -144,8 +141,7 @@ int search(const std::string& text, bool json) {
   const auto found = entries_with(text);
 
   if (json) {
-    fmt::print("{}", base::json_document(document(found)));
-    return kOk;
+    return print_json(document(found));
   }
 
   if (found.empty()) return print_error(kUsage, fmt::format("nothing explains '{}'", text));
@@ -161,22 +157,18 @@ int search(const std::string& text, bool json) {
 }
 
 int export_pages(const std::string& folder, bool json) {
-  if (const auto created = base::create_folders(folder); !created) {
-    return print_error(kCannotCreate, created.error().message);
-  }
+  TRY_OR(kCannotCreate, base::create_folders(folder));
 
   Json files = Json::array();
   for (const auto& [file, text] : reference_pages()) {
     const std::string path = (fs::path(folder) / file).string();
-    if (const auto written = base::write_file(path, text); !written) {
-      return print_error(kWriteFailed, written.error().message);
-    }
+    TRY_OR(kWriteFailed, base::write_file(path, text));
     if (!json) fmt::print("{}\n", path);
     files.push_back(path);
   }
 
   if (json) {
-    fmt::print("{}", base::json_document(Json{{"schema", "cls.explain/1"}, {"files", files}}));
+    print_json({{"schema", "cls.explain/1"}, {"files", files}});
   }
 
   return kOk;
@@ -205,7 +197,7 @@ std::optional<soccer::Vec2> parse_place(std::string_view text) {
   return soccer::Vec2{*x, *y};
 }
 
-int explain_formation(const Arguments& arguments) {
+int explain_formation(const ExplainArguments& arguments) {
   const auto ball = parse_place(arguments.ball);
   if (!ball) {
     return print_error(kUsage, fmt::format("--ball '{}': must be X,Y in meters, such as "
@@ -213,32 +205,29 @@ int explain_formation(const Arguments& arguments) {
                                            arguments.ball));
   }
   const std::string name = arguments.names.size() > 1 ? arguments.names[1] : "normal-formation";
-  const auto picture = find_formation(name, *ball);
-  if (!picture) return print_error(kUsage, picture.error().message);
+  TRY_INIT_OR(kUsage, const auto picture, find_formation(name, *ball));
 
   if (!arguments.svg.empty()) {
-    if (const auto written = base::write_file(arguments.svg, formation_svg(*picture)); !written) {
-      return print_error(kCannotCreate, written.error().message);
-    }
+    TRY_OR(kCannotCreate, base::write_file(arguments.svg, formation_svg(picture)));
   }
   if (arguments.json) {
     Json places = Json::array();
-    for (const soccer::Vec2 at : picture->players) places.push_back({at.x, at.y});
-    fmt::print("{}", base::json_document(Json{{"schema", "cls.formation/1"},
-                                              {"name", picture->name},
-                                              {"ball", {picture->ball.x, picture->ball.y}},
-                                              {"players", std::move(places)}}));
+    for (const soccer::Vec2 at : picture.players) places.push_back({at.x, at.y});
+    print_json({{"schema", "cls.formation/1"},
+                {"name", picture.name},
+                {"ball", {picture.ball.x, picture.ball.y}},
+                {"players", std::move(places)}});
   } else if (!arguments.svg.empty()) {
     fmt::print("{}\n", arguments.svg);
   } else {
     fmt::print(
-        "{}\nothers: {}\n", formation_text(*picture, stdout_width()),
+        "{}\nothers: {}\n", formation_text(picture, stdout_width()),
         base::wrap_text(fmt::format("{}", fmt::join(formation_names(), ", ")), stdout_width(), 8));
   }
   return kOk;
 }
 
-int run(const Arguments& arguments) {
+int run_explain(const ExplainArguments& arguments) {
   if (!arguments.folder.empty()) return export_pages(arguments.folder, arguments.json);
   if (arguments.list) return list(arguments.json);
   if (!arguments.search.empty()) return search(arguments.search, arguments.json);
@@ -256,8 +245,7 @@ int run(const Arguments& arguments) {
   }
 
   if (arguments.json) {
-    fmt::print("{}", base::json_document(document(entries)));
-    return kOk;
+    return print_json(document(entries));
   }
 
   const bool color = stdout_supports_color();
@@ -271,23 +259,19 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_explain_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("explain", kDescription);
+  auto [command, arguments] = app.command("explain", kExplainDescription, run_explain);
 
-  command.option("NAME", arguments->names,
+  command.option("NAME", arguments.names,
                  "a name of the interface, or its last part; formation, and which one");
-  command.flag("--list", arguments->list, "print all names");
-  command.option("--ball", arguments->ball, "where the ball is, of a formation")
+  command.flag("--list", arguments.list, "print all names");
+  command.option("--ball", arguments.ball, "where the ball is, of a formation")
       .placeholder("X,Y")
       .shows_default();
-  command.option("--svg", arguments->svg, "write the picture of a formation to this file");
-  command.option("--search", arguments->search, "list the entries with a text")
-      .placeholder("WORDS");
-  command.option("--export", arguments->folder, "write the pages of docs/reference to a folder")
-      .placeholder("DIR");
+  command.option("--svg", arguments.svg, "write the picture of a formation to this file");
+  command.option("--search", arguments.search, "list the entries with a text").placeholder("WORDS");
+  command.option("--export DIR", arguments.folder, "write the pages of docs/reference to a folder");
 
-  command.flag("--json", arguments->json, "print one JSON document");
-  command.run = [arguments] { return run(*arguments); };
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,11 +12,11 @@
 #include "analysis/tables/stp_challenge.h"
 #include "base/io/byte_source.h"
 #include "base/io/whole_file.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "cli/logs/output_file.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 
 namespace cls::cli {
 namespace {
@@ -32,7 +30,7 @@ using base::Result;
 
 constexpr const char* kTracking = ".tracking.csv";
 
-struct Arguments {
+struct ChallengeArguments {
   std::string in;
   std::string tests;
   std::string submission;
@@ -82,10 +80,10 @@ int fail(const Error& error, int exit_code = kBadData) {
   return print_error(exit_code, error.message);
 }
 
-void print_document(const char* what, nlohmann::ordered_json document) {
-  nlohmann::ordered_json all = {{"schema", "cls.challenge/1"}, {"command", what}};
+void print_document(const char* what, base::Json document) {
+  base::Json all = {{"schema", "cls.challenge/1"}, {"command", what}};
   all.update(document);
-  fmt::print("{}", base::json_document(all));
+  print_json(all);
 }
 
 // Files of a match beside its tracking table; a test has those that are there.
@@ -104,7 +102,7 @@ int write_test(const std::string& match, const std::string& test, int last_cycle
     const std::string to = test + one.ending;
     if (!fs::exists(from)) continue;
 
-    if (const int code = report_failure(why_not_replaced(to, force)); code != kOk) return code;
+    TRY_STEP(report_failure(why_not_replaced(to, force)));
 
     std::optional<Error> error;
     const auto failure = write_output(to, [&](base::ByteSink& sink) {
@@ -126,7 +124,7 @@ std::string flat(std::string name) {
   return name;
 }
 
-int run_make(const Arguments& arguments) {
+int run_challenge_make(const ChallengeArguments& arguments) {
   const auto names = tables_of(arguments.in);
   if (!names) return fail(names.error(), kNoInput);
   if (const auto created = base::create_folders(arguments.out); !created) {
@@ -138,9 +136,8 @@ int run_make(const Arguments& arguments) {
     if (!cycle) return fail(cycle.error());
     if (!*cycle) continue;
     const std::string name = table.substr(0, table.size() - std::string_view(kTracking).size());
-    const int code = write_test(path_of(arguments.in, name), path_of(arguments.out, flat(name)),
-                                **cycle, arguments.force);
-    if (code != kOk) return code;
+    TRY_STEP(write_test(path_of(arguments.in, name), path_of(arguments.out, flat(name)), **cycle,
+                        arguments.force));
     ++tests;
     if (!arguments.json) fmt::print("{}  cycle {}\n", flat(name), **cycle);
   }
@@ -166,7 +163,7 @@ Result<analysis::StpPrediction> read_prediction(const std::string& path, StpColu
 }
 
 // What is wrong with the predictions; empty: nothing.
-std::vector<std::string> problems_of(const Arguments& arguments,
+std::vector<std::string> problems_of(const ChallengeArguments& arguments,
                                      const std::vector<std::string>& tests,
                                      const std::vector<std::string>& predictions) {
   std::vector<std::string> problems;
@@ -192,7 +189,7 @@ std::vector<std::string> problems_of(const Arguments& arguments,
   return problems;
 }
 
-int run_validate(const Arguments& arguments) {
+int run_challenge_validate(const ChallengeArguments& arguments) {
   const auto tests = tables_of(arguments.tests);
   if (!tests) return fail(tests.error(), kNoInput);
   const auto predictions = tables_of(arguments.submission);
@@ -207,7 +204,7 @@ int run_validate(const Arguments& arguments) {
   return problems.empty() ? kOk : kFailed;
 }
 
-Result<analysis::StpScore> score_of(const Arguments& arguments, const std::string& name) {
+Result<analysis::StpScore> score_of(const ChallengeArguments& arguments, const std::string& name) {
   TRY_INIT(const std::int64_t last, last_row(path_of(arguments.tests, name)));
   const std::string path = path_of(arguments.submission, name);
   TRY_INIT(const auto prediction, read_prediction(path, StpColumns::kAllPlaces));
@@ -218,15 +215,13 @@ Result<analysis::StpScore> score_of(const Arguments& arguments, const std::strin
   return score;
 }
 
-nlohmann::ordered_json number(double value) {
-  return std::isnan(value) ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
-}
+base::Json number(double value) { return std::isnan(value) ? base::Json() : base::Json(value); }
 
-int run_score(const Arguments& arguments) {
+int run_challenge_score(const ChallengeArguments& arguments) {
   const auto predictions = tables_of(arguments.submission);
   if (!predictions) return fail(predictions.error(), kNoInput);
   analysis::StpScore sum;
-  auto matches = nlohmann::ordered_json::array();
+  auto matches = base::Json::array();
   for (const std::string& name : *predictions) {
     if (!fs::exists(path_of(arguments.truth, name))) continue;
     const auto score = score_of(arguments, name);
@@ -253,7 +248,7 @@ int run_score(const Arguments& arguments) {
   return kOk;
 }
 
-int run_predict(const Arguments& arguments) {
+int run_challenge_predict(const ChallengeArguments& arguments) {
   if (arguments.model != "velocity" && arguments.model != "goal") {
     return print_error(kUsage,
                        fmt::format("--model '{}': must be velocity or goal", arguments.model));
@@ -270,9 +265,7 @@ int run_predict(const Arguments& arguments) {
     if (const auto created = base::create_folders(out.parent_path()); !created) {
       return fail(created.error(), kCannotCreate);
     }
-    if (const int code = report_failure(why_not_replaced(out, arguments.force)); code != kOk) {
-      return code;
-    }
+    TRY_STEP(report_failure(why_not_replaced(out, arguments.force)));
 
     const auto failure = write_output(out, [&](base::ByteSink& sink) {
       sink.write(analysis::format_stp_prediction(analysis::predict_stp(model, *last)));
@@ -288,62 +281,66 @@ int run_predict(const Arguments& arguments) {
   return kOk;
 }
 
-void add_make_command(Command& stp, const std::shared_ptr<Arguments>& arguments) {
-  Command& command = stp.command(
+void add_make_command(Command& stp) {
+  auto [command, arguments] = stp.command(
       "make",
       "make tests: matches up to 30 cycles before a goal of the left team\n"
       "IN is a folder of tables. A match with a goal that 50 frames of play_on precede\n"
       "is a test; its logs, if IN has them, are shortened, too.\n"
       "\n"
       "  cls convert cup --tables csv\n"
-      "  cls challenge stp make csv tests");
-  command.option("IN", arguments->in, "folder with the tables of whole matches").required();
-  command.option("OUT", arguments->out, "folder for the tests").required();
-  command.flag("--force", arguments->force, "replace existing files");
-  command.flag("--json", arguments->json, "print the numbers as one JSON document");
-  command.run = [arguments] { return run_make(*arguments); };
+      "  cls challenge stp make csv tests",
+      run_challenge_make);
+  command.option("IN", arguments.in, "folder with the tables of whole matches").required();
+  command.option("OUT", arguments.out, "folder for the tests").required();
+  command.flag("--force", arguments.force, "replace existing files");
+  command.flag("--json", arguments.json, "print the numbers as one JSON document")
+      .of_group(kOutputGroup);
 }
 
-void add_predict_command(Command& stp, const std::shared_ptr<Arguments>& arguments) {
-  Command& command = stp.command("predict",
-                                 "write the predictions of a baseline\n"
-                                 "\n"
-                                 "  cls challenge stp predict tests mine\n"
-                                 "  cls challenge stp predict tests mine --model velocity");
-  command.option("TESTS", arguments->tests, "folder with tests").required();
-  command.option("OUT", arguments->out, "folder for the predictions").required();
+void add_predict_command(Command& stp) {
+  auto [command, arguments] = stp.command("predict",
+                                          "write the predictions of a baseline\n"
+                                          "\n"
+                                          "  cls challenge stp predict tests mine\n"
+                                          "  cls challenge stp predict tests mine --model velocity",
+                                          run_challenge_predict);
+  command.option("TESTS", arguments.tests, "folder with tests").required();
+  command.option("OUT", arguments.out, "folder for the predictions").required();
   command
-      .option("--model", arguments->model,
+      .option("--model", arguments.model,
               "velocity (all keep theirs) or goal (the ball runs into it)")
       .shows_default();
-  command.flag("--force", arguments->force, "replace existing files");
-  command.flag("--json", arguments->json, "print the numbers as one JSON document");
-  command.run = [arguments] { return run_predict(*arguments); };
+  command.flag("--force", arguments.force, "replace existing files");
+  command.flag("--json", arguments.json, "print the numbers as one JSON document")
+      .of_group(kOutputGroup);
 }
 
-void add_validate_command(Command& stp, const std::shared_ptr<Arguments>& arguments) {
-  Command& command = stp.command("validate",
-                                 "check that predictions are complete\n"
-                                 "\n"
-                                 "  cls challenge stp validate tests mine\n"
-                                 "\n"
-                                 "Exit code: 0 if they are, 1 if not.");
-  command.option("TESTS", arguments->tests, "folder with tests").required();
-  command.option("SUBMISSION", arguments->submission, "folder with predictions").required();
-  command.flag("--json", arguments->json, "print the problems as one JSON document");
-  command.run = [arguments] { return run_validate(*arguments); };
+void add_validate_command(Command& stp) {
+  auto [command, arguments] = stp.command("validate",
+                                          "check that predictions are complete\n"
+                                          "\n"
+                                          "  cls challenge stp validate tests mine\n"
+                                          "\n"
+                                          "Exit code: 0 if they are, 1 if not.",
+                                          run_challenge_validate);
+  command.option("TESTS", arguments.tests, "folder with tests").required();
+  command.option("SUBMISSION", arguments.submission, "folder with predictions").required();
+  command.flag("--json", arguments.json, "print the problems as one JSON document")
+      .of_group(kOutputGroup);
 }
 
-void add_score_command(Command& stp, const std::shared_ptr<Arguments>& arguments) {
-  Command& command = stp.command("score",
-                                 "measure predictions by the whole matches\n"
-                                 "\n"
-                                 "  cls challenge stp score csv tests mine");
-  command.option("TRUTH", arguments->truth, "folder with the tables of whole matches").required();
-  command.option("TESTS", arguments->tests, "folder with tests").required();
-  command.option("SUBMISSION", arguments->submission, "folder with predictions").required();
-  command.flag("--json", arguments->json, "print the errors as one JSON document");
-  command.run = [arguments] { return run_score(*arguments); };
+void add_score_command(Command& stp) {
+  auto [command, arguments] = stp.command("score",
+                                          "measure predictions by the whole matches\n"
+                                          "\n"
+                                          "  cls challenge stp score csv tests mine",
+                                          run_challenge_score);
+  command.option("TRUTH", arguments.truth, "folder with the tables of whole matches").required();
+  command.option("TESTS", arguments.tests, "folder with tests").required();
+  command.option("SUBMISSION", arguments.submission, "folder with predictions").required();
+  command.flag("--json", arguments.json, "print the errors as one JSON document")
+      .of_group(kOutputGroup);
 }
 
 }  // namespace
@@ -367,11 +364,10 @@ void add_challenge_command(Command& app) {
                       "  cls challenge stp predict tests mine\n"
                       "  cls challenge stp validate tests mine\n"
                       "  cls challenge stp score csv tests mine");
-  const auto arguments = std::make_shared<Arguments>();
-  add_make_command(stp, arguments);
-  add_predict_command(stp, arguments);
-  add_validate_command(stp, arguments);
-  add_score_command(stp, arguments);
+  add_make_command(stp);
+  add_predict_command(stp);
+  add_validate_command(stp);
+  add_score_command(stp);
 }
 
 }  // namespace cls::cli

@@ -1,4 +1,5 @@
 // `cls convert IN OUT`.
+#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -6,19 +7,16 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "base/system/parallel.h"
-#include "base/text/json_text.h"
 #include "cli/logs/match_tables.h"
 #include "cli/logs/output_file.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "gamelog/rcg/record_writer.h"
 #include "viewer/page/page.h"
 
@@ -29,7 +27,7 @@ namespace fs = std::filesystem;
 
 using gamelog::RcgVersion;
 
-constexpr const char* kDescription =
+constexpr const char* kConvertDescription =
     "convert a game log to another version or into tables\n"
     "Reads rcg versions 1 to 7 and JSON, plain or gzip, and pages of 'cls watch'.\n"
     "\n"
@@ -44,7 +42,7 @@ constexpr const char* kDescription =
     "Tables are OUT.tracking.csv, OUT.player_types.csv and OUT.event.csv. '-' is\n"
     "standard input or output. Of a corrupt log, the readable frames are converted.";
 
-struct Arguments {
+struct ConvertArguments {
   std::string in;
   std::string out;
   std::string to;
@@ -60,7 +58,7 @@ struct Arguments {
 };
 
 // The table that OUT is; nothing for a log.
-std::optional<MatchTable> table_of(const Arguments& arguments) {
+std::optional<MatchTable> table_of(const ConvertArguments& arguments) {
   return arguments.to.empty() ? table_of_file(arguments.out) : parse_match_table(arguments.to);
 }
 
@@ -93,19 +91,18 @@ bool names_format(const std::string& out) {
                      [&out](std::string_view ending) { return out.ends_with(ending); });
 }
 
-void print_document(const Arguments& arguments, RcgVersion version,
+void print_document(const ConvertArguments& arguments, RcgVersion version,
                     const gamelog::MatchRecord& record) {
-  nlohmann::ordered_json document = {
-      {"schema", "cls.convert/1"}, {"in", arguments.in},
-      {"out", arguments.out},      {"version", static_cast<int>(version)},
-      {"frames", record.frames()}, {"errors", record.errors.count}};
+  base::Json document = {{"schema", "cls.convert/1"}, {"in", arguments.in},
+                         {"out", arguments.out},      {"version", static_cast<int>(version)},
+                         {"frames", record.frames()}, {"errors", record.errors.count}};
 
   if (version == RcgVersion::kJson) document["version"] = "json";
-  fmt::print("{}", base::json_document(document));
+  print_json(document);
 }
 
-void print_document(const Arguments& arguments, const TableCounts& counts) {
-  nlohmann::ordered_json document = {{"schema", "cls.convert/1"}, {"in", arguments.in}};
+void print_document(const ConvertArguments& arguments, const TableCounts& counts) {
+  base::Json document = {{"schema", "cls.convert/1"}, {"in", arguments.in}};
   if (!arguments.tables.empty()) {
     document["tables"] = arguments.tables;
   } else if (!arguments.cdf.empty()) {
@@ -118,15 +115,15 @@ void print_document(const Arguments& arguments, const TableCounts& counts) {
   document["matches"] = counts.matches;
   document["frames"] = counts.frames;
   document["errors"] = counts.errors;
-  fmt::print("{}", base::json_document(document));
+  print_json(document);
 }
 
-MatchFiles files_of(const Arguments& arguments) {
+MatchFiles files_of(const ConvertArguments& arguments) {
   if (!arguments.cdf.empty()) return MatchFiles::kCdf;
   return arguments.format == "arrow" ? MatchFiles::kArrow : MatchFiles::kTables;
 }
 
-int run_tables(const Arguments& arguments) {
+int run_tables(const ConvertArguments& arguments) {
   TableRequest request{.in = arguments.in, .out = arguments.out};
   if (arguments.published) request.columns = analysis::TrackingColumns::kPublished;
   request.force = arguments.force;
@@ -150,7 +147,7 @@ int run_tables(const Arguments& arguments) {
 }
 
 // Why the arguments do not fit together; empty: they do.
-std::string why_wrong(const Arguments& arguments) {
+std::string why_wrong(const ConvertArguments& arguments) {
   const int outputs = !arguments.out.empty() + !arguments.tables.empty() + !arguments.cdf.empty();
   if (outputs == 0) return "convert: name OUT, or a folder with --tables DIR or --cdf DIR";
   if (outputs > 1) return "convert: only one of OUT, --tables DIR and --cdf DIR";
@@ -185,7 +182,8 @@ std::string why_wrong(const Arguments& arguments) {
   return "";
 }
 
-int write_log(const Arguments& arguments, const viewer::StreamMatch& match, RcgVersion version) {
+int write_log(const ConvertArguments& arguments, const viewer::StreamMatch& match,
+              RcgVersion version) {
   const auto failure = write_output(arguments.out, [&](base::ByteSink& sink) {
     gamelog::write_rcg(match.record, version, sink);
     return true;
@@ -194,30 +192,30 @@ int write_log(const Arguments& arguments, const viewer::StreamMatch& match, RcgV
   return report_failure(failure);
 }
 
-int run_convert_command(const Arguments& arguments) {
+int run_convert_command(const ConvertArguments& arguments) {
   if (const std::string why = why_wrong(arguments); !why.empty()) return print_error(kUsage, why);
   if (arguments.has_folder() || table_of(arguments)) return run_tables(arguments);
   if (const auto failure = why_not_replaced(arguments.out, arguments.force)) {
     return print_error(failure->exit_code, failure->message);
   }
 
-  const auto match = viewer::read_log_or_page(arguments.in);
-  if (!match) return print_error(unreadable_code(arguments.in), match.error().message);
-  if (match->form.compact) {
+  TRY_INIT_OR(unreadable_code(arguments.in), const auto match,
+              viewer::read_log_or_page(arguments.in));
+  if (match.form.compact) {
     return print_error(kBadData, fmt::format("{}: a compact page, which is not a log; write it "
                                              "without --compact",
                                              arguments.in));
   }
 
-  const gamelog::MatchRecord& record = match->record;
+  const gamelog::MatchRecord& record = match.record;
   std::optional<RcgVersion> target;
   parse_target(arguments.to, target);
-  const RcgVersion version = target ? *target : default_target(arguments.out, *match);
+  const RcgVersion version = target ? *target : default_target(arguments.out, match);
 
   report_errors(arguments.in, record.errors);
   if (record.frames() == 0 && !record.errors.empty()) return kBadData;
 
-  if (const int code = write_log(arguments, *match, version); code != kOk) return code;
+  TRY_STEP(write_log(arguments, match, version));
   if (arguments.json) print_document(arguments, version, record);
   return record.errors.empty() ? kOk : kBadData;
 }
@@ -225,34 +223,36 @@ int run_convert_command(const Arguments& arguments) {
 }  // namespace
 
 void add_convert_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("convert", kDescription);
+  auto [command, arguments] = app.command("convert", kConvertDescription, run_convert_command);
   command.group = kResultCommands;
 
-  command.option("IN", arguments->in, "input game log; for tables also a folder or data set")
+  command.option("IN", arguments.in, "input game log; for tables also a folder or data set")
       .required();
-  command.option("OUT", arguments->out, "output file, compressed if it ends in .gz");
-  command.option("--to", arguments->to,
+  command.option("OUT", arguments.out, "output file, compressed if it ends in .gz");
+  command.option("--to VERSION", arguments.to,
                  "version: 4, 5, 6, 7 or json (default: 6, json for OUT.json, that of\n"
                  "the log for a page); or a table: tracking, player_types or event");
 
-  command.option("--tables", arguments->tables, "write all tables of each match into this folder");
-  command.option("--format", arguments->format, "of these tables; arrow has world models, too")
+  command.option("--tables DIR", arguments.tables,
+                 "write all tables of each match into this folder");
+  command
+      .option("--format FORMAT", arguments.format, "of these tables; arrow has world models, too")
+      .of_group(kOutputGroup)
       .one_of({"csv", "arrow"})
       .shows_default();
-  command.option("--cdf", arguments->cdf,
+  command.option("--cdf DIR", arguments.cdf,
                  "write each match in the Common Data Format into this folder");
-  command.flag("--published", arguments->published,
+  command.flag("--published", arguments.published,
                "tracking tables of 168 columns, as published for 2021 and 2024");
-  command.flag("--force", arguments->force, "replace existing files");
+  command.flag("--force", arguments.force, "replace existing files");
   command
-      .option("--jobs", arguments->jobs,
+      .option("--jobs", arguments.jobs,
               "with --tables and --cdf: logs read in parallel (default: one per\n"
               "core)")
       .above(0);
 
-  command.flag("--json", arguments->json, "print frames and errors as one JSON document");
-  command.run = [arguments] { return run_convert_command(*arguments); };
+  command.flag("--json", arguments.json, "print frames and errors as one JSON document")
+      .of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -39,6 +39,7 @@ void add_linger_option(Command& command, std::optional<double>& linger_s) {
       .option("--linger", linger_s,
               "seconds that the page of a running match stays after the match "
               "(default: until Ctrl-C in a terminal, else 0)")
+      .of_group(kOutputGroup)
       .from(0);
 }
 

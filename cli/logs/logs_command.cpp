@@ -1,26 +1,24 @@
 // `cls logs DIR`: the files of a match and the last output of the process that failed.
+#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/io/whole_file.h"
 #include "base/text/counted.h"
-#include "base/text/json_text.h"
 #include "base/text/printable.h"
 #include "base/text/suggestion.h"
 #include "base/text/table.h"
 #include "cli/logs/find_match_folder.h"
 #include "cli/logs/prune_matches.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/terminal/terminal.h"
 #include "match/hooks/error_recording.h"
 #include "match/result/match_folder.h"
@@ -32,9 +30,9 @@ namespace {
 
 namespace fs = std::filesystem;
 namespace match = match;
-using Json = nlohmann::ordered_json;
+using base::Json;
 
-constexpr const char* kDescription =
+constexpr const char* kLogsDescription =
     "list the files of a match and print the last output of the process that failed\n"
     "\n"
     "  cls logs                        of the latest match in runs/ that failed\n"
@@ -44,7 +42,7 @@ constexpr const char* kDescription =
     "\n"
     "DIR is a match folder, the folder of a tournament, or a folder of match folders.";
 
-struct Arguments {
+struct LogsArguments {
   std::string folder = "runs";
   std::optional<int> match;
   std::string process;
@@ -192,7 +190,7 @@ void print_json(const FoundMatch& found, const match::MatchResult& result,
         {"file", tail->file.name}, {"process", text(tail->file.process)}, {"lines", tail->lines}};
   }
 
-  fmt::print("{}", base::json_document(document));
+  print_json(document);
 }
 
 // A match without a result was killed, or is running. The error: a result that cannot be read.
@@ -210,84 +208,75 @@ base::Result<match::MatchResult> result_of(const fs::path& folder) {
   return unknown;
 }
 
-int prune(const Arguments& arguments) {
-  const auto old = find_old_matches(arguments.folder, *arguments.prune);
-  if (!old) return print_error(kNoInput, old.error().message);
+int prune(const LogsArguments& arguments) {
+  TRY_INIT_OR(kNoInput, const auto old, find_old_matches(arguments.folder, *arguments.prune));
   if (!arguments.dry_run) {
-    if (const auto deleted = delete_matches(*old); !deleted) {
-      return print_error(kWriteFailed, deleted.error().message);
-    }
+    TRY_OR(kWriteFailed, delete_matches(old));
   }
 
   if (arguments.json) {
     Json folders = Json::array();
-    for (const fs::path& folder : old->folders) folders.push_back(folder.string());
-    fmt::print("{}", base::json_document(Json{{"schema", "cls.prune/1"},
-                                              {"deleted", !arguments.dry_run},
-                                              {"folders", std::move(folders)},
-                                              {"bytes", old->bytes},
-                                              {"left", old->left}}));
-    return kOk;
+    for (const fs::path& folder : old.folders) folders.push_back(folder.string());
+    return print_json({{"schema", "cls.prune/1"},
+                       {"deleted", !arguments.dry_run},
+                       {"folders", std::move(folders)},
+                       {"bytes", old.bytes},
+                       {"left", old.left}});
   }
   if (arguments.dry_run) {
-    for (const fs::path& folder : old->folders) {
+    for (const fs::path& folder : old.folders) {
       fmt::print("{}\n", base::printable(folder.string()));
     }
   }
   fmt::print("{} {}, {}; {} left\n", arguments.dry_run ? "would delete" : "deleted",
-             base::counted(old->folders.size(), "match", "matches"), size_text(old->bytes),
-             old->left);
+             base::counted(old.folders.size(), "match", "matches"), size_text(old.bytes), old.left);
   return kOk;
 }
 
-int run_logs_command(const Arguments& arguments) {
+int run_logs_command(const LogsArguments& arguments) {
   if (arguments.prune) return prune(arguments);
   if (arguments.dry_run) return print_error(kUsage, "--dry-run needs --prune N");
 
-  const auto found = find_match_folder(arguments.folder, arguments.match);
-  if (!found) return print_error(kNoInput, found.error().message);
+  TRY_INIT_OR(kNoInput, const auto found, find_match_folder(arguments.folder, arguments.match));
 
-  const auto result = result_of(found->folder);
-  if (!result) return print_error(kBadData, result.error().message);
+  TRY_INIT_OR(kBadData, const auto result, result_of(found.folder));
 
-  const std::vector<LogFile> files = files_in(found->folder, *result);
-  const auto log = select_log(files, *result, arguments.process);
-  if (!log) return print_error(kUsage, log.error().message);
+  const std::vector<LogFile> files = files_in(found.folder, result);
+  TRY_INIT_OR(kUsage, const auto log, select_log(files, result, arguments.process));
 
   std::optional<Tail> tail;
-  if (*log) {
-    const auto text = base::read_file(found->folder / (*log)->name);
-    tail = Tail{**log, last_lines(text.value_or(""), arguments.tail)};
+  if (log) {
+    const auto text = base::read_file(found.folder / log->name);
+    tail = Tail{*log, last_lines(text.value_or(""), arguments.tail)};
   }
 
-  (arguments.json ? print_json : print_text)(*found, *result, files, tail);
+  (arguments.json ? print_json : print_text)(found, result, files, tail);
   return kOk;
 }
 
 }  // namespace
 
 void add_logs_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("logs", kDescription);
+  auto [command, arguments] = app.command("logs", kLogsDescription, run_logs_command);
   command.group = kResultCommands;
 
-  command.option("DIR", arguments->folder, "folder of a match, a tournament or matches")
+  command.option("DIR", arguments.folder, "folder of a match, a tournament or matches")
       .shows_default();
-  command.option("--match", arguments->match, "number of a match in the tournament")
+  command.option("--match", arguments.match, "number of a match in the tournament")
       .placeholder("K");
   command
-      .option("--process", arguments->process,
+      .option("--process", arguments.process,
               "print the output of this process or log file (default: the one that failed)")
       .placeholder("NAME");
 
-  command.option("--tail", arguments->tail, "lines to print").shows_default();
+  command.option("--tail", arguments.tail, "lines to print").shows_default();
   command
-      .option("--prune", arguments->prune,
+      .option("--prune", arguments.prune,
               "delete the matches of DIR but the newest N; not tournaments, not what is played now")
       .placeholder("N");
-  command.flag("--dry-run", arguments->dry_run, "with --prune: only list them");
-  command.flag("--json", arguments->json, "print a JSON document");
-  command.run = [arguments] { return run_logs_command(*arguments); };
+  command.flag("--dry-run", arguments.dry_run, "with --prune: only list them")
+      .of_group(kDebuggingGroup);
+  command.flag("--json", arguments.json, "print a JSON document").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

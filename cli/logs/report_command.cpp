@@ -2,18 +2,16 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "base/io/whole_file.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "base/text/percent_encoding.h"
 #include "cli/logs/analyzed_match.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "match/result/match_folder.h"
 #include "match/result/match_result.h"
 #include "match/result/recorded_end.h"
@@ -22,7 +20,7 @@
 #include "viewer/page/match_page.h"
 #include "viewer/page/page_decisions.h"
 #include "viewer/page/page_drawings.h"
-#include "viewer/report/match_report.h"
+#include "viewer/report/report_documents.h"
 
 namespace cls::cli {
 namespace {
@@ -33,7 +31,7 @@ using match::PlayerResult;
 using match::RpcLatency;
 using match::TeamResult;
 
-constexpr const char* kDescription =
+constexpr const char* kReportDescription =
     "write the report of a match\n"
     "Charts (expected goals, shots, possession, passes, positions, goals), statistics\n"
     "of teams and players, latencies of the Playmakers, and the match to watch.\n"
@@ -45,7 +43,7 @@ constexpr const char* kDescription =
     "\n"
     "WHAT is as for 'cls watch': a game log, a page, a match folder, ...";
 
-struct Arguments {
+struct ReportArguments {
   std::string what;
   std::string format = "html";
   std::string out;
@@ -73,12 +71,12 @@ void add_result(const fs::path& log, viewer::MatchReport& report) {
   report.warnings = result->warnings;
   if (!result->message.empty()) report.warnings.insert(report.warnings.begin(), result->message);
 
-  const auto manifest = nlohmann::json::parse(
-      base::read_file(log.parent_path() / match::kManifestFile).value_or(""), nullptr, false);
+  const auto manifest = base::Json::parse_or_discarded(
+      base::read_file(log.parent_path() / match::kManifestFile).value_or(""));
   if (!manifest.is_object()) return;
 
   const auto command = manifest.find("command");
-  if (command != manifest.end() && command->is_string()) {
+  if (command != nullptr && command->is_string()) {
     report.command = command->get<std::string>();
   }
 }
@@ -96,7 +94,7 @@ std::vector<File> chart_files(const fs::path& folder, const std::vector<viewer::
   return files;
 }
 
-std::string html_text(const Arguments& arguments, const AnalyzedMatch& match,
+std::string html_text(const ReportArguments& arguments, const AnalyzedMatch& match,
                       const viewer::MatchReport& report, const std::vector<viewer::Chart>& charts) {
   std::string replay;
   if (!arguments.without_replay) {
@@ -109,14 +107,14 @@ std::string html_text(const Arguments& arguments, const AnalyzedMatch& match,
 }
 
 // The file that --out names, or its default.
-fs::path target_of(const Arguments& arguments, const FoundLog& found) {
+fs::path target_of(const ReportArguments& arguments, const FoundLog& found) {
   if (!arguments.out.empty()) return arguments.out;
   const std::string prefix = found.name == "match" ? "" : found.name + "-";
   if (arguments.format == "svg") return found.folder / (prefix + "charts");
   return found.folder / (prefix + "report." + arguments.format);
 }
 
-std::vector<File> files_of(const Arguments& arguments, const AnalyzedMatch& match,
+std::vector<File> files_of(const ReportArguments& arguments, const AnalyzedMatch& match,
                            const fs::path& target) {
   const std::vector<viewer::Chart> charts = viewer::match_charts(match.summary, match.statistics);
   if (arguments.format == "svg") return chart_files(target, charts);
@@ -138,34 +136,30 @@ int write_files(const std::vector<File>& files, const std::string& out_option) {
   for (const File& file : files) {
     const fs::path folder = file.path.parent_path();
     if (!folder.empty()) {
-      if (const auto created = base::create_folders(folder); !created) {
-        return print_error(kCannotCreate, created.error().message);
-      }
+      TRY_OR(kCannotCreate, base::create_folders(folder));
     }
 
-    if (const auto written = write_beside(file.path, file.text, out_option); !written) {
-      return print_error(kCannotCreate, written.error().message);
-    }
+    TRY_OR(kCannotCreate, write_beside(file.path, file.text, out_option));
   }
   return kOk;
 }
 
 void print_document(const std::vector<File>& files, const AnalyzedMatch& match) {
-  nlohmann::ordered_json document = {{"schema", "cls.report/1"},
-                                     {"files", nlohmann::ordered_json::array()},
-                                     {"errors", match.match.record.errors.count}};
+  base::Json document = {{"schema", "cls.report/1"},
+                         {"files", base::Json::array()},
+                         {"errors", match.match.record.errors.count}};
   for (const File& file : files) document["files"].push_back(file.path.string());
-  fmt::print("{}", base::json_document(document));
+  print_json(document);
 }
 
-int run_report_command(const Arguments& arguments) {
+int run_report_command(const ReportArguments& arguments) {
   if (arguments.format != "html" && arguments.format != "md" && arguments.format != "svg") {
     return print_error(kUsage,
                        fmt::format("--format '{}': must be html, md or svg", arguments.format));
   }
 
   AnalyzedMatch match;
-  if (const int exit_code = read_match(arguments.what, match); exit_code != kOk) return exit_code;
+  TRY_STEP(read_match(arguments.what, match));
   const fs::path target = target_of(arguments, match.found);
 
   if (arguments.format == "html") {
@@ -173,7 +167,7 @@ int run_report_command(const Arguments& arguments) {
   }
 
   const std::vector<File> files = files_of(arguments, match, target);
-  if (const int exit_code = write_files(files, arguments.out); exit_code != kOk) return exit_code;
+  TRY_STEP(write_files(files, arguments.out));
 
   if (arguments.json) {
     print_document(files, match);
@@ -187,22 +181,24 @@ int run_report_command(const Arguments& arguments) {
 }  // namespace
 
 void add_report_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("report", kDescription);
+  auto [command, arguments] = app.command("report", kReportDescription, run_report_command);
   command.group = kResultCommands;
-  command.option("WHAT", arguments->what, "game log, page or match folder").required();
+  command.option("WHAT", arguments.what, "game log, page or match folder").required();
   command
-      .option("--format", arguments->format,
+      .option("--format FORMAT", arguments.format,
               "html, md (Markdown and a folder of charts) or svg (the folder alone)")
+      .of_group(kOutputGroup)
       .shows_default();
 
-  command.option("--out", arguments->out,
-                 "file to write, for svg the folder (default: beside the log)");
-  command.flag("--no-replay", arguments->without_replay,
+  command
+      .option("--out FILE", arguments.out,
+              "file to write, for svg the folder (default: beside the log)")
+      .of_group(kOutputGroup);
+  command.flag("--no-replay", arguments.without_replay,
                "HTML: without the match to watch, about 1.5 MB less");
 
-  command.flag("--json", arguments->json, "print the written files as one JSON document");
-  command.run = [arguments] { return run_report_command(*arguments); };
+  command.flag("--json", arguments.json, "print the written files as one JSON document")
+      .of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,7 +11,6 @@
 #include "analysis/results/read_results.h"
 #include "analysis/results/results_text.h"
 #include "base/system/parallel.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/log_progress.h"
@@ -26,7 +24,7 @@ namespace {
 using analysis::ReadResult;
 using analysis::ResultsFormat;
 
-constexpr const char* kDescription =
+constexpr const char* kResultsDescription =
     "print the results of matches from their logs\n"
     "Score, goals with cycle and scorer, cards, substitutions and disconnected\n"
     "players; for several logs the standings too.\n"
@@ -40,14 +38,14 @@ constexpr const char* kDescription =
     "match beside the log takes precedence: a match ended by --cycles is finished.\n"
     "Format of goals: \"cycle side unum\", as in 169 l 11.";
 
-struct Arguments {
+struct ResultsArguments {
   std::vector<std::string> logs;
   std::string format = "table";
   bool json = false;
   std::size_t jobs = base::default_jobs();
 };
 
-std::optional<ResultsFormat> format_of(const Arguments& arguments) {
+std::optional<ResultsFormat> format_of(const ResultsArguments& arguments) {
   if (arguments.json || arguments.format == "json") return ResultsFormat::kJson;
   if (arguments.format == "table") return ResultsFormat::kTable;
   if (arguments.format == "csv") return ResultsFormat::kCsv;
@@ -61,7 +59,7 @@ std::vector<ReadResult> read_all(const std::vector<gamelog::MatchLogs>& matches,
                                 [&](std::size_t count) { progress.update(count); });
 }
 
-int run_results_command(const Arguments& arguments) {
+int run_results_command(const ResultsArguments& arguments) {
   const auto format = format_of(arguments);
   if (!format) {
     print_error(
@@ -89,18 +87,17 @@ int run_results_command(const Arguments& arguments) {
 }  // namespace
 
 void add_results_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("results", kDescription);
+  auto [command, arguments] = app.command("results", kResultsDescription, run_results_command);
   command.group = kResultCommands;
 
-  command.option("LOG", arguments->logs, "logs, folders or patterns").required();
-  command.option("--format", arguments->format, "table, json, csv or markdown").shows_default();
-  command.flag("--json", arguments->json, "the same as --format json");
+  command.option("LOG", arguments.logs, "logs, folders or patterns").required();
+  command.option("--format FORMAT", arguments.format, "table, json, csv or markdown")
+      .of_group(kOutputGroup)
+      .shows_default();
+  command.flag("--json", arguments.json, "the same as --format json").of_group(kOutputGroup);
   command
-      .option("--jobs", arguments->jobs, "logs read in parallel (default: one per processor core)")
+      .option("--jobs", arguments.jobs, "logs read in parallel (default: one per processor core)")
       .above(0);
-
-  command.run = [arguments] { return run_results_command(*arguments); };
 }
 
 }  // namespace cls::cli

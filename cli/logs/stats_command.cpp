@@ -3,14 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/statistics/read_statistics.h"
 #include "base/system/parallel.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/log_progress.h"
@@ -23,7 +21,7 @@ namespace {
 
 using analysis::StatisticsFormat;
 
-constexpr const char* kDescription =
+constexpr const char* kStatsDescription =
     "print statistics of matches from their logs\n"
     "Possession, passes and who passes to whom, shots, tackles, territory, set\n"
     "plays, positions, distance and stamina; with the text log (rcl) beside the game\n"
@@ -36,7 +34,7 @@ constexpr const char* kDescription =
     "\n"
     "LOG is a game log (rcg), a folder, a pattern, or - for standard input.";
 
-struct Arguments {
+struct StatsArguments {
   std::vector<std::string> logs;
   std::string format = "text";
   bool json = false;
@@ -44,7 +42,7 @@ struct Arguments {
   std::size_t jobs = base::default_jobs();
 };
 
-std::optional<StatisticsFormat> format_of(const Arguments& arguments) {
+std::optional<StatisticsFormat> format_of(const StatsArguments& arguments) {
   if (arguments.json || arguments.format == "json") return StatisticsFormat::kJson;
   if (arguments.format == "text") return StatisticsFormat::kText;
   if (arguments.format == "csv") return StatisticsFormat::kCsv;
@@ -55,14 +53,14 @@ std::optional<StatisticsFormat> format_of(const Arguments& arguments) {
 }
 
 analysis::StatisticsOutput read_all(const std::vector<gamelog::MatchLogs>& matches,
-                                    StatisticsFormat format, const Arguments& arguments) {
+                                    StatisticsFormat format, const StatsArguments& arguments) {
   LogProgress progress(matches.size());
   return read_statistics(
       match::with_recorded_ends(matches), format, arguments.events, arguments.jobs,
       [&](std::size_t count) { progress.update(count); }, stdout_width());
 }
 
-int run_stats_command(const Arguments& arguments) {
+int run_stats_command(const StatsArguments& arguments) {
   const auto format = format_of(arguments);
   if (!format) {
     print_error(
@@ -85,22 +83,21 @@ int run_stats_command(const Arguments& arguments) {
 }  // namespace
 
 void add_stats_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("stats", kDescription);
+  auto [command, arguments] = app.command("stats", kStatsDescription, run_stats_command);
   command.group = kResultCommands;
-  command.option("LOG", arguments->logs, "game logs, folders or patterns").required();
+  command.option("LOG", arguments.logs, "game logs, folders or patterns").required();
   command
-      .option("--format", arguments->format,
+      .option("--format FORMAT", arguments.format,
               "text, json, csv (teams), csv-players, csv-events or spadl")
+      .of_group(kOutputGroup)
       .shows_default();
 
-  command.flag("--json", arguments->json, "the same as --format json");
-  command.flag("--events", arguments->events,
+  command.flag("--json", arguments.json, "the same as --format json").of_group(kOutputGroup);
+  command.flag("--events", arguments.events,
                "with JSON: list each pass, shot, tackle and foul (spadl always does)");
   command
-      .option("--jobs", arguments->jobs, "logs read in parallel (default: one per processor core)")
+      .option("--jobs", arguments.jobs, "logs read in parallel (default: one per processor core)")
       .above(0);
-  command.run = [arguments] { return run_stats_command(*arguments); };
 }
 
 }  // namespace cls::cli

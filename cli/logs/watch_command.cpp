@@ -5,14 +5,12 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/io/whole_file.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "base/text/number_text.h"
 #include "cli/logs/compare_matches.h"
 #include "cli/logs/find_log.h"
@@ -22,10 +20,10 @@
 #include "cli/logs/tournament_view.h"
 #include "cli/support/browser.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "gamelog/rcl/rcl_reader.h"
 #include "match/result/match_folder.h"
 #include "match/result/match_result.h"
@@ -40,7 +38,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDescription =
+constexpr const char* kWatchDescription =
     "watch a match in a browser\n"
     "Writes one HTML file that needs no network and no server: field, timeline,\n"
     "events, statistics, and the log itself ('cls convert' gives it back).\n"
@@ -58,7 +56,7 @@ constexpr const char* kDescription =
     "its matches with a page of each; with --out its latest match that failed, else\n"
     "the latest), HOST:PORT of a soccer server, or - for standard input.";
 
-struct Arguments {
+struct WatchArguments {
   std::string what;
   std::string other;
   std::string out;
@@ -92,7 +90,7 @@ std::optional<std::string> player_error(std::string_view option,
   return std::nullopt;
 }
 
-void show(const Arguments& arguments, const fs::path& page) {
+void show(const WatchArguments& arguments, const fs::path& page) {
   const std::string url = file_url(page);
   const bool opened = !arguments.no_open && arguments.out.empty() && open_in_browser(url);
 
@@ -103,13 +101,12 @@ void show(const Arguments& arguments, const fs::path& page) {
 
 void print_document(const viewer::StreamMatch& match, const fs::path& page, bool compact) {
   std::error_code code;
-  const nlohmann::ordered_json document = {{"schema", "cls.watch/1"},
-                                           {"page", page.string()},
-                                           {"bytes", fs::file_size(page, code)},
-                                           {"frames", match.record.frames()},
-                                           {"compact", compact},
-                                           {"errors", match.record.errors.count}};
-  fmt::print("{}", base::json_document(document));
+  print_json({{"schema", "cls.watch/1"},
+              {"page", page.string()},
+              {"bytes", fs::file_size(page, code)},
+              {"frames", match.record.frames()},
+              {"compact", compact},
+              {"errors", match.record.errors.count}});
 }
 
 // "1234" or "1200-1400".
@@ -147,7 +144,7 @@ base::Result<std::optional<viewer::DecisionChoice>> decision_choice(
   return std::optional(std::move(choice));
 }
 
-base::Result<std::vector<viewer::PageDecisions>> decisions_of(const Arguments& arguments,
+base::Result<std::vector<viewer::PageDecisions>> decisions_of(const WatchArguments& arguments,
                                                               const FoundLog& found) {
   constexpr double kWorthALine = 2e6;
   constexpr double kBase64 = 4.0 / 3.0;
@@ -181,15 +178,13 @@ std::array<std::string, 2> sides_of(const fs::path& folder) {
   return {result->left.endpoint, result->right.endpoint};
 }
 
-int write_match_page(const Arguments& arguments, const FoundLog& found, const fs::path& page) {
-  const auto match = viewer::read_log_or_page(found.logs.game);
-  if (!match) {
-    return print_error(unreadable_code(found.logs.game), match.error().message);
-  }
+int write_match_page(const WatchArguments& arguments, const FoundLog& found, const fs::path& page) {
+  TRY_INIT_OR(unreadable_code(found.logs.game), const auto match,
+              viewer::read_log_or_page(found.logs.game));
 
-  report_errors(found.logs.game, match->record.errors);
-  if (match->record.frames() == 0) {
-    if (match->record.errors.empty()) {
+  report_errors(found.logs.game, match.record.errors);
+  if (match.record.frames() == 0) {
+    if (match.record.errors.empty()) {
       print_error(kBadData, fmt::format("{}: no frame to show", found.logs.game));
     }
     return kBadData;
@@ -200,31 +195,27 @@ int write_match_page(const Arguments& arguments, const FoundLog& found, const fs
     if (auto read = gamelog::read_rcl_file(found.logs.text)) text = *std::move(read);
   }
 
-  const auto decisions = decisions_of(arguments, found);
-  if (!decisions) return print_error(kBadData, decisions.error().message);
+  TRY_INIT_OR(kBadData, const auto decisions, decisions_of(arguments, found));
 
-  const bool compact = arguments.compact || match->form.compact;
+  const bool compact = arguments.compact || match.form.compact;
   const std::string html = viewer::match_page(
-      match->record, text ? &*text : nullptr, fs::path(found.logs.game).filename().string(),
-      compact,
+      match.record, text ? &*text : nullptr, fs::path(found.logs.game).filename().string(), compact,
       {arguments.at, arguments.players, viewer::read_missed_decisions(found.folder),
        viewer::read_page_drawings(found.folder), false,
-       decisions->empty() ? std::array<std::string, 2>() : sides_of(found.folder)},
-      *decisions);
+       decisions.empty() ? std::array<std::string, 2>() : sides_of(found.folder)},
+      decisions);
 
-  if (const auto written = write_beside(page, html, arguments.out); !written) {
-    return print_error(kCannotCreate, written.error().message);
-  }
+  TRY_OR(kCannotCreate, write_beside(page, html, arguments.out));
 
-  if (arguments.json) print_document(*match, page, compact);
+  if (arguments.json) print_document(match, page, compact);
   show(arguments, page);
-  return match->record.errors.empty() ? kOk : kBadData;
+  return match.record.errors.empty() ? kOk : kBadData;
 }
 
 void print_live(const std::string& url, bool json) {
   if (json) {
-    const nlohmann::ordered_json document = {{"schema", "cls.watch/1"}, {"url", url}};
-    fmt::print("{}", base::json_document(document));
+    const base::Json document = {{"schema", "cls.watch/1"}, {"url", url}};
+    print_json(document);
   } else {
     fmt::print("{}\n", url);
   }
@@ -235,42 +226,41 @@ void print_live(const std::string& url, bool json) {
   }
 }
 
-int serve(const Arguments& arguments, FollowedMatch match) {
+int serve(const WatchArguments& arguments, FollowedMatch match) {
   LiveViewOptions options = arguments.view;
   options.settings = {arguments.at, arguments.players, {}};
   options.open_browser = !arguments.no_open;
 
   const std::atomic<int>& signal = watch_interrupts();
-  const auto view = LiveView::start(std::move(match), options);
-  if (!view) return print_error(kTryAgain, view.error().message);
+  TRY_INIT_OR(kTryAgain, const auto view, LiveView::start(std::move(match), options));
 
-  print_live((*view)->url(), arguments.json);
-  (*view)->serve(signal);
+  print_live(view->url(), arguments.json);
+  view->serve(signal);
   return kOk;
 }
 
-int serve_matches(const Arguments& arguments) {
+int serve_matches(const WatchArguments& arguments) {
   LiveViewOptions options = arguments.view;
   options.open_browser = !arguments.no_open;
   return serve_tournament(arguments.what, options,
                           [&](const std::string& url) { print_live(url, arguments.json); });
 }
 
-int show_running(const Arguments& arguments, FollowedMatch match) {
+int show_running(const WatchArguments& arguments, FollowedMatch match) {
   if (!arguments.in_terminal()) return serve(arguments, std::move(match));
   return show_in_terminal(std::move(match.input), {match.title, arguments.at, arguments.cast});
 }
 
-int show_log_in_terminal(const Arguments& arguments, const FoundLog& found) {
-  const auto match = viewer::read_log_or_page(found.logs.game);
-  if (!match) return print_error(unreadable_code(found.logs.game), match.error().message);
-  report_errors(found.logs.game, match->record.errors);
-  if (match->record.frames() == 0) return kBadData;
+int show_log_in_terminal(const WatchArguments& arguments, const FoundLog& found) {
+  TRY_INIT_OR(unreadable_code(found.logs.game), const auto match,
+              viewer::read_log_or_page(found.logs.game));
+  report_errors(found.logs.game, match.record.errors);
+  if (match.record.frames() == 0) return kBadData;
 
-  return show_in_terminal(match->record, {found.name, arguments.at, arguments.cast});
+  return show_in_terminal(match.record, {found.name, arguments.at, arguments.cast});
 }
 
-int run_watch_command(const Arguments& arguments) {
+int run_watch_command(const WatchArguments& arguments) {
   if (!arguments.other.empty()) {
     return compare_matches(
         {arguments.what, arguments.other, arguments.out, arguments.no_open, arguments.json});
@@ -279,77 +269,78 @@ int run_watch_command(const Arguments& arguments) {
   if (const auto error = player_error("--players", arguments.players)) {
     return print_error(kUsage, *error);
   }
-  if (const auto choice = decision_choice(arguments.world_models); !choice) {
-    return print_error(kUsage, choice.error().message);
-  }
+  TRY_OR(kUsage, decision_choice(arguments.world_models));
 
   if (arguments.out.empty() && !arguments.in_terminal() && tournament::holds_plan(arguments.what)) {
     return serve_matches(arguments);
   }
 
   if (arguments.out.empty()) {
-    auto running = find_running_match(arguments.what, arguments.live);
-    if (!running) return print_error(kNoInput, running.error().message);
-    if (*running) return show_running(arguments, **std::move(running));
+    TRY_INIT_OR(kNoInput, auto running, find_running_match(arguments.what, arguments.live));
+    if (running) return show_running(arguments, *std::move(running));
   }
 
-  const auto found = find_log(arguments.what);
-  if (!found) return print_error(kNoInput, found.error().message);
-  if (arguments.in_terminal()) return show_log_in_terminal(arguments, *found);
+  TRY_INIT_OR(kNoInput, const auto found, find_log(arguments.what));
+  if (arguments.in_terminal()) return show_log_in_terminal(arguments, found);
 
   const fs::path page =
-      arguments.out.empty() ? found->folder / (found->name + ".html") : fs::path(arguments.out);
+      arguments.out.empty() ? found.folder / (found.name + ".html") : fs::path(arguments.out);
   if (const auto why = why_no_page(page)) return print_error(kCannotCreate, *why);
 
-  return write_match_page(arguments, *found, page);
+  return write_match_page(arguments, found, page);
 }
 
 }  // namespace
 
 void add_watch_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("watch", kDescription);
+  auto [command, arguments] = app.command("watch", kWatchDescription, run_watch_command);
   command.group = kResultCommands;
 
-  command.option("WHAT", arguments->what, "game log, page or match folder").required();
-  command.option("OTHER", arguments->other, "a second match, beside the first one");
-  command.option("--out", arguments->out,
-                 "write the page to this file and do not open it (default: beside\n"
-                 "the log)");
-
-  command.option("--at", arguments->at, "cycle to show first");
-  command.option("--players", arguments->players, "players to select, such as l7,r1").split_at(',');
+  command.option("WHAT", arguments.what, "game log, page or match folder").required();
+  command.option("OTHER", arguments.other, "a second match, beside the first one");
   command
-      .option("--world-models", arguments->world_models,
+      .option("--out FILE", arguments.out,
+              "write the page to this file and do not open it (default: beside\n"
+              "the log)")
+      .of_group(kOutputGroup);
+
+  command.option("--at", arguments.at, "cycle to show first").of_group(kDebuggingGroup);
+  command.option("--players L7,R1,...", arguments.players, "players to select, such as l7,r1")
+      .split_at(',');
+  command
+      .option("--world-models WHICH", arguments.world_models,
               "which decisions to include, of those that cls match --record-world-models\n"
               "recorded: all, none, players such as l7,r1, cycles such as 1200-1400, or\n"
               "both (default: all)")
+      .of_group(kDebuggingGroup)
       .split_at(',');
 
-  command.flag("--compact", arguments->compact,
+  command.flag("--compact", arguments.compact,
                "half the size: centimeters, degrees, no velocities; the page is then\n"
                "no log");
-  command.flag("--no-open", arguments->no_open, "do not open the browser");
+  command.flag("--no-open", arguments.no_open, "do not open the browser");
 
   command
-      .option("--view", arguments->viewer,
+      .option("--view WHERE", arguments.viewer,
               "browser, or terminal: the match in characters, with keys (default: browser)")
       .one_of({"browser", "terminal"});
-  command.option("--cast", arguments->cast,
-                 "record what a terminal shows, for asciinema; of a log: all of it, without "
-                 "waiting");
+  command
+      .option("--cast FILE", arguments.cast,
+              "record what a terminal shows, for asciinema; of a log: all of it, without "
+              "waiting")
+      .of_group(kOutputGroup);
 
-  command.flag("--live", arguments->live,
+  command.flag("--live", arguments.live,
                "WHAT is a log that a server writes now (found out for match folders)");
-  command.option("--listen", arguments->view.address.host,
+  command.option("--listen ADDRESS", arguments.view.address.host,
                  "IP address of the page of a running match (default: 127.0.0.1; 0.0.0.0: "
                  "all hosts that know the page's address may watch)");
-  command.option("--port", arguments->view.address.port, "its port (default: a free one)")
+  command.option("--port", arguments.view.address.port, "its port (default: a free one)")
       .range(0, 65535);
-  add_linger_option(command, arguments->view.linger_s);
+  add_linger_option(command, arguments.view.linger_s);
 
-  command.flag("--json", arguments->json, "print page, size and frames as one JSON document");
-  command.run = [arguments] { return run_watch_command(*arguments); };
+  command.flag("--json", arguments.json, "print page, size and frames as one JSON document")
+      .of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -5,20 +5,17 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
-#include <memory>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "base/io/whole_file.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/text/suggestion.h"
 #include "cli/match/command_difference.h"
 #include "cli/match/file_watch.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
@@ -32,12 +29,12 @@ namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using base::Json;
 using match::Endpoint;
 using scenario::RunRecord;
 using scenario::Scenario;
-using Json = nlohmann::ordered_json;
 
-constexpr const char* kDescription =
+constexpr const char* kDevDescription =
     "play scenarios again whenever files change\n"
     "\n"
     "  cls dev                          tests/, in the folder of a team\n"
@@ -48,7 +45,7 @@ constexpr const char* kDescription =
     "of the Playmaker. A `run:` Playmaker is started again for each scenario. Ends\n"
     "with Ctrl-C.";
 
-struct Arguments {
+struct DevArguments {
   std::vector<std::string> scenarios;
   std::string against;
   std::string watched = ".";
@@ -64,7 +61,8 @@ struct LastRun {
 
 class DevSession {
  public:
-  DevSession(const Arguments& arguments, process::ProcessHost& host, const std::atomic<int>& signal)
+  DevSession(const DevArguments& arguments, process::ProcessHost& host,
+             const std::atomic<int>& signal)
       : arguments_(arguments), host_(host), signal_(signal) {}
 
   /// The scenarios of a file or folder, or the shipped one of this name.
@@ -268,7 +266,7 @@ class DevSession {
     }
   }
 
-  const Arguments& arguments_;
+  const DevArguments& arguments_;
   process::ProcessHost& host_;
   const std::atomic<int>& signal_;
   std::map<std::string, LastRun> last_;
@@ -292,7 +290,7 @@ std::vector<std::string> wait_for_change(const fs::path& folder, FileVersions& v
   return {};
 }
 
-int run(Arguments& arguments) {
+int run_dev(DevArguments& arguments) {
   if (const auto why = base::why_no_folder(arguments.watched)) {
     return print_error(kNoInput, fmt::format("--watch: {}: {}", arguments.watched, *why));
   }
@@ -309,22 +307,19 @@ int run(Arguments& arguments) {
   // An error inside of a file is for the next change; no change makes a mistyped name right.
   for (const std::string& name : arguments.scenarios) {
     if (!base::absence(name)) continue;
-    if (const auto shipped = DevSession::read(name); !shipped) {
-      return print_error(kNoInput, shipped.error().message);
-    }
+    TRY_OR(kNoInput, DevSession::read(name));
   }
 
   if (!arguments.against.empty()) {
     std::string name;
-    if (const int code = resolve_team_name(arguments.against, name, ""); code != kOk) return code;
+    TRY_STEP(resolve_team_name(arguments.against, name, ""));
     const auto side = parse_side(arguments.against, "");
     if (!side) return print_error(kUsage, "--against: " + side.error().message);
   }
 
-  auto host = process::ProcessHost::create();
-  if (!host) return print_error(kInternalError, host.error().message);
+  TRY_INIT_OR(kInternalError, auto host, process::ProcessHost::create());
   const std::atomic<int>& signal = watch_interrupts();
-  DevSession session(arguments, *host, signal);
+  DevSession session(arguments, host, signal);
 
   std::vector<std::string> changed;
   while (signal.load() == 0) {
@@ -344,19 +339,18 @@ int run(Arguments& arguments) {
 }  // namespace
 
 void add_dev_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("dev", kDescription);
+  auto [command, arguments] = app.command("dev", kDevDescription, run_dev);
   command.group = kPlayCommands;
   command.starts_programs = true;
 
-  command.option("SCENARIO", arguments->scenarios, "names, files or folders (default: tests/)");
-  command.option("--against", arguments->against,
+  command.option("SCENARIO", arguments.scenarios, "names, files or folders (default: tests/)");
+  command.option("--against SIDE", arguments.against,
                  "SIDE that plays the side under test (default: as the scenario says)");
-  command.option("--watch", arguments->watched, "folder whose files count (default: .)")
+  command.option("--watch", arguments.watched, "folder whose files count (default: .)")
+      .of_group(kOutputGroup)
       .placeholder("DIR");
-  command.option("--dir", arguments->folder, "folder of logs and recordings").shows_default();
-  command.flag("--json", arguments->json, "print one line of JSON per round");
-  command.run = [arguments] { return run(*arguments); };
+  command.option("--dir DIR", arguments.folder, "folder of logs and recordings").shows_default();
+  command.flag("--json", arguments.json, "print one line of JSON per round").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -12,7 +12,6 @@
 #include "base/io/whole_file.h"
 #include "cli/logs/live_view.h"
 #include "cli/support/command_line.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/match_option.h"
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
@@ -31,34 +30,45 @@ void add_match_options(Command& command, MatchArguments& arguments) {
 
   command.flag("--force", arguments.force,
                "rename an existing --dir, --record-rpc or --save-at file to NAME.old");
-  command.option("--config", arguments.config_file,
+  command.option("--config FILE", arguments.config_file,
                  "cls.toml with teams and settings (default: for the name of a team, the one in "
                  "or above the working directory)");
 
-  command.option("--set", arguments.settings, "server::NAME=VALUE, repeatable").repeatable();
-  command.flag("--dry-run", arguments.dry_run, "print the commands without starting anything");
-  command.flag("--step", arguments.step,
-               "wait for a line on stdin before each cycle (see docs/testing.md)");
+  command.option("--set NAME=VALUE", arguments.settings, "server::NAME=VALUE, repeatable")
+      .repeatable();
+  command.flag("--dry-run", arguments.dry_run, "print the commands without starting anything")
+      .of_group(kDebuggingGroup);
+  command
+      .flag("--step", arguments.step,
+            "wait for a line on stdin before each cycle (see docs/testing.md)")
+      .of_group(kDebuggingGroup);
 
-  command.option("--at", arguments.at, "--step, starting at this game time").from(0);
-  command.flag("--watch", arguments.watch,
-               "serve a page that shows the match while it is played, and print its "
-               "address (docs/watching.md)");
-  command.flag("--open", arguments.open, "--watch, and open the page in the browser");
+  command.option("--at", arguments.at, "--step, starting at this game time")
+      .of_group(kDebuggingGroup)
+      .from(0);
+  command
+      .flag("--watch", arguments.watch,
+            "serve a page that shows the match while it is played, and print its "
+            "address (docs/watching.md)")
+      .of_group(kOutputGroup);
+  command.flag("--open", arguments.open, "--watch, and open the page in the browser")
+      .of_group(kOutputGroup);
   add_linger_option(command, arguments.linger_s);
   command
-      .option("--on-event", arguments.on_event,
+      .option("--on-event COMMAND", arguments.on_event,
               "command at start, goal, half time, end and failure; gets the event as JSON on "
               "stdin and as variables CLS_EVENT, CLS_TEXT, ... (docs/tournaments.md)")
-      .placeholder("COMMAND");
+      .of_group(kOutputGroup);
   command
       .option("--hook-limit", arguments.hook_limit_s,
               "seconds for a command of --on-event, and for all at the end")
+      .of_group(kOutputGroup)
       .above(0)
       .shows_default();
-  command.flag("--json", arguments.json, "print only the result document");
-  command.flag("--strict", arguments.strict, "fail (exit 1) on any warning");
-  command.flag("--quiet", arguments.quiet, "print no progress and no warnings");
+  command.flag("--json", arguments.json, "print only the result document").of_group(kOutputGroup);
+  command.flag("--strict", arguments.strict, "fail (exit 1) on any warning").of_group(kOutputGroup);
+  command.flag("--quiet", arguments.quiet, "print no progress and no warnings")
+      .of_group(kOutputGroup);
 }
 
 namespace {
@@ -182,19 +192,20 @@ int take_config(const ParsedConfig& parsed, const fs::path& file, MatchArguments
            arguments.origins.emplace(setting, fmt::format("{}:{}", shown, line->second)).second;
   };
 
-  for (const auto& setting : parsed.config.settings) {
+  for (const auto& setting : parsed.config.conditions.settings) {
     if (!claim(setting.name, setting.name)) continue;
-    const auto applied = apply_match_setting(arguments.options, setting.name + "=" + setting.value);
-    if (!applied) return print_error(kBadConfig, applied.error().message);
+    TRY_OR(kBadConfig, apply_match_setting(arguments.options, setting.name + "=" + setting.value));
   }
   for (const MatchOption& row : match_options()) {
-    const auto text = parsed.config.options.find(row.key);
-    if (text == parsed.config.options.end() || !claim(row.key, shown_row(row))) continue;
+    const auto text = parsed.config.conditions.options.find(row.key);
+    if (text == parsed.config.conditions.options.end() || !claim(row.key, shown_row(row))) continue;
     arguments.texts[std::string(row.key)] =
-        row.key == "server" ? server_from(parsed.config.folder, text->second) : text->second;
+        row.key == "server" ? server_from(parsed.config.execution.folder, text->second)
+                            : text->second;
   }
 
-  if (claim("seed", "seed")) arguments.texts["seed"] = fmt::to_string(parsed.config.seed);
+  if (claim("seed", "seed"))
+    arguments.texts["seed"] = fmt::to_string(parsed.config.competition.seed);
   return kOk;
 }
 
@@ -260,10 +271,10 @@ int resolve_match(const Command& command, MatchArguments& arguments) {
   note_options(command, arguments);
   const ResolvedNames names = resolve_names(arguments);
   if (names.exit_code != kOk) return names.exit_code;
-  if (const int read = read_config_file(arguments, names.any); read != kOk) return read;
+  TRY_STEP(read_config_file(arguments, names.any));
   const std::vector<std::string> errors = resolve(arguments);
   if (!errors.empty()) return print_errors(kUsage, errors);
-  if (const int resumed = resume(arguments); resumed != kOk) return resumed;
+  TRY_STEP(resume(arguments));
   if (const auto loaded = match::load_book(arguments.options); !loaded) {
     return print_error(exit_code_of_book(arguments.options.book),
                        "--book: " + loaded.error().message);
@@ -272,8 +283,8 @@ int resolve_match(const Command& command, MatchArguments& arguments) {
   std::vector<match::Endpoint*> sides = {&arguments.options.left, &arguments.options.right};
   if (arguments.options.trainer) sides.push_back(&*arguments.options.trainer);
   for (match::Endpoint* side : sides) {
-    if (const int read = read_side_files(*side); read != kOk) return read;
-    if (const int read = read_tls_files(*side, arguments.options.tls); read != kOk) return read;
+    TRY_STEP(read_side_files(*side));
+    TRY_STEP(read_tls_files(*side, arguments.options.tls));
   }
   return kOk;
 }

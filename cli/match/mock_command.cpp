@@ -1,4 +1,5 @@
 // `cls mock`: runs the mock Playmaker until a signal.
+#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -12,7 +13,6 @@
 #include <cstdio>
 #include <memory>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <thread>
@@ -22,7 +22,6 @@
 #include "base/io/whole_file.h"
 #include "base/text/json_text.h"
 #include "base/text/suggestion.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/json_stdout.h"
@@ -30,7 +29,6 @@
 #include "mock-server/script/named_behaviors.h"
 #include "mock-server/server.h"
 #include "process/ports.h"
-#include "soccer/parameters/parameter.h"
 
 namespace cls::cli {
 namespace {
@@ -42,7 +40,7 @@ using std::chrono::milliseconds;
 
 constexpr int kMaxUnum = 13;  // 12: coach, 13: trainer
 
-constexpr const char* kDescription =
+constexpr const char* kMockDescription =
     "run the mock Playmaker as a gRPC server\n"
     "\n"
     "  cls mock                             on a free port, which is printed\n"
@@ -51,7 +49,7 @@ constexpr const char* kDescription =
     "  cls mock --delay 40 --jitter 60      slow replies\n"
     "  cls mock --crash-at-cycle 200        crash during the match";
 
-struct Arguments {
+struct MockArguments {
   std::string behavior{mock_server::kDefaultBehavior};
   std::string host = "127.0.0.1";
   int port = 0;
@@ -63,7 +61,7 @@ struct Arguments {
   bool json = false;
 };
 
-void add_fault_options(Command& command, Arguments& arguments) {
+void add_fault_options(Command& command, MockArguments& arguments) {
   Faults& faults = arguments.faults;
   const auto add = [&command](const std::string& name, auto& member,
                               const std::string& help) -> Option& {
@@ -74,7 +72,7 @@ void add_fault_options(Command& command, Arguments& arguments) {
   add("--jitter", faults.jitter_ms, "maximum random extra delay in ms").from(0);
   add("--drop", faults.drop, "fraction of decisions without a reply").range(0, 1);
   add("--error", faults.error, "fraction of replies that are a gRPC error").range(0, 1);
-  add("--status", faults.status, "gRPC status of --error (default: UNKNOWN)");
+  add("--status STATUS", faults.status, "gRPC status of --error (default: UNKNOWN)");
   add("--message", faults.message, "message of --error (default: injected error)");
   add("--garbage", faults.garbage, "fraction of replies with invalid bytes").range(0, 1);
   add("--oversize", faults.oversize, "fraction of replies of 5 MiB").range(0, 1);
@@ -90,21 +88,23 @@ void add_fault_options(Command& command, Arguments& arguments) {
 
   command.flag("--wrong-client-id", faults.wrong_client_id, "give all clients the same client id")
       .of_group("Faults");
-  add("--unimplemented", arguments.unimplemented, "comma-separated RPCs that are not implemented")
+  add("--unimplemented RPC,RPC,...", arguments.unimplemented,
+      "comma-separated RPCs that are not implemented")
       .split_at(',');
   command.flag("--full-states", faults.full_states, "no LEAN_STATES in one call per team")
       .of_group("Faults");
 
   add("--slow-start", arguments.slow_start_s, "seconds before listening").from(0);
-  add("--fault-cycles", arguments.only_cycles, "FROM TO: delays and fractions only in these cycles")
+  add("--fault-cycles FROM TO", arguments.only_cycles,
+      "FROM TO: delays and fractions only in these cycles")
       .takes(2);
-  add("--fault-unum", faults.unums, "delays and fractions only for these uniform numbers")
+  add("--fault-unum N,N,...", faults.unums, "delays and fractions only for these uniform numbers")
       .split_at(',');
   add("--fault-seed", faults.seed, "random seed of the faults").shows_default();
 }
 
 // Merges flags into the faults of a script; flags take precedence. Returns an error.
-std::optional<std::string> resolve_faults(const Arguments& arguments, Faults& faults) {
+std::optional<std::string> resolve_faults(const MockArguments& arguments, Faults& faults) {
   const Faults stock;
   const Faults& flags = arguments.faults;
   const auto merge = [&](auto member) {
@@ -167,7 +167,7 @@ void wait(milliseconds time, const std::atomic<int>& signal) {
 // The faults that affect the whole process: a crash kills it, a restart closes the port.
 class ServingProcess {
  public:
-  explicit ServingProcess(const Arguments& arguments) : arguments_(arguments) {}
+  explicit ServingProcess(const MockArguments& arguments) : arguments_(arguments) {}
 
   base::Result<void> start(Mock mock) {
     const bool restarts = mock.faults.restart_at_cycle.has_value();
@@ -214,7 +214,7 @@ class ServingProcess {
   const Server& server() const { return *server_; }
 
  private:
-  const Arguments& arguments_;
+  const MockArguments& arguments_;
   std::unique_ptr<Server> server_;
   std::mutex mutex_;
   std::condition_variable due_;
@@ -228,7 +228,7 @@ struct Failure {
 };
 
 // Builds the mock from the arguments.
-base::Result<Mock> make(const Arguments& arguments, Failure& failure) {
+base::Result<Mock> make(const MockArguments& arguments, Failure& failure) {
   const auto absence = base::absence(arguments.behavior);
   if (absence && mock_server::is_script_name(arguments.behavior)) {
     failure.code = kNoInput;
@@ -249,7 +249,7 @@ base::Result<Mock> make(const Arguments& arguments, Failure& failure) {
 }
 
 // A host of others, or a port that is taken, with its owner.
-Failure why_not_listening(const Arguments& arguments, const std::string& error) {
+Failure why_not_listening(const MockArguments& arguments, const std::string& error) {
   using process::Protocol;
   const std::string host = process::unusable_host(arguments.host);
   if (!host.empty()) return {fmt::format("--host '{}': {}", arguments.host, host), kUsage};
@@ -266,10 +266,9 @@ void raise_descriptor_limit() {
   ::setrlimit(RLIMIT_NOFILE, &limit);
 }
 
-int run_mock(const Arguments& arguments) {
+int run_mock(const MockArguments& arguments) {
   Failure failure;
-  auto mock = make(arguments, failure);
-  if (!mock) return print_error(failure.code, mock.error().message);
+  TRY_INIT_OR(failure.code, auto mock, make(arguments, failure));
 
   const std::atomic<int>& signal = watch_interrupts();
   failure.code = kTryAgain;
@@ -277,16 +276,16 @@ int run_mock(const Arguments& arguments) {
   raise_descriptor_limit();
   const JsonStdout json(arguments.json);
   ServingProcess process(arguments);
-  if (const auto started = process.start(*std::move(mock)); !started) {
+  if (const auto started = process.start(std::move(mock)); !started) {
     failure = why_not_listening(arguments, started.error().message);
     return print_error(failure.code, failure.message);
   }
 
   if (json.active()) {
-    const nlohmann::ordered_json line = {{"schema", "cls.mock/1"},
-                                         {"host", arguments.host},
-                                         {"port", process.port()},
-                                         {"behavior", arguments.behavior}};
+    const base::Json line = {{"schema", "cls.mock/1"},
+                             {"host", arguments.host},
+                             {"port", process.port()},
+                             {"behavior", arguments.behavior}};
     json.print_line(base::json_line(line));
   }
 
@@ -295,9 +294,8 @@ int run_mock(const Arguments& arguments) {
 
   while (signal.load() == 0) {
     if (!process.wait_restart_due(milliseconds(50))) continue;
-    auto again = make(arguments, failure);
-    if (!again) return print_error(failure.code, again.error().message);
-    if (const auto back = process.restart(*std::move(again), signal); !back) {
+    TRY_INIT_OR(failure.code, auto again, make(arguments, failure));
+    if (const auto back = process.restart(std::move(again), signal); !back) {
       return print_error(failure.code, back.error().message);
     }
   }
@@ -310,23 +308,23 @@ int run_mock(const Arguments& arguments) {
 }  // namespace
 
 void add_mock_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("mock", kDescription);
+  auto [command, arguments] = app.command("mock", kMockDescription, run_mock);
   command.group = kPartCommands;
 
   command
-      .option("BEHAVIOR", arguments->behavior,
+      .option("BEHAVIOR", arguments.behavior,
               "simple, example, planner, hold, random, random:SEED, replay:FILE or FILE.json")
       .shows_default();
-  command.option("--port", arguments->port, "port; 0 selects a free port and prints it")
+  command.option("--port", arguments.port, "port; 0 selects a free port and prints it")
       .shows_default()
       .range(0, 65535);
-  command.option("--host", arguments->host, "address to listen on").shows_default();
+  command.option("--host HOST", arguments.host, "address to listen on").shows_default();
 
-  command.flag("--json", arguments->json,
-               "print host and port as one line of JSON; all else goes to stderr");
-  add_fault_options(command, *arguments);
-  command.run = [arguments] { return run_mock(*arguments); };
+  command
+      .flag("--json", arguments.json,
+            "print host and port as one line of JSON; all else goes to stderr")
+      .of_group(kOutputGroup);
+  add_fault_options(command, arguments);
 }
 
 }  // namespace cls::cli

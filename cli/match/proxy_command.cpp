@@ -1,4 +1,5 @@
 // `cls proxy`: one team for a running soccer server; accepts the options of upstream's start.sh.
+#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -6,9 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,7 +16,6 @@
 #include "base/system/socket_address.h"
 #include "base/text/json_text.h"
 #include "cli/match/start_script_options.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/match_option.h"
 #include "cli/support/print_error.h"
@@ -42,7 +39,7 @@ using match::EndReason;
 using match::StandaloneTeamOptions;
 using match::StandaloneTeamResult;
 
-constexpr const char* kDescription =
+constexpr const char* kProxyDescription =
     "run a team of players and their coach on a running soccer server\n"
     "\n"
     "  cls proxy --teamname Blue --rpc-port 50051              11 players and coach\n"
@@ -61,7 +58,7 @@ constexpr int kMaxPort = 65535;
 constexpr int kMaxPortStep = 13;
 constexpr int kRightPortOffset = 20;
 
-struct Arguments {
+struct ProxyArguments {
   StandaloneTeamOptions options;
   std::string team_name = "SSP";
   int number = soccer::kPlayersPerTeam;
@@ -88,58 +85,74 @@ struct Arguments {
   StartScriptValues start_script;
 };
 
-void add_playmaker_options(Command& command, Arguments& arguments) {
+void add_playmaker_options(Command& command, ProxyArguments& arguments) {
   StandaloneTeamOptions& options = arguments.options;
-  command.option("--playmaker", arguments.playmaker,
-                 "HOST:PORT, HOST:PORT+step, tls:HOST:PORT or unix:PATH; replaces the next "
-                 "three options");
+  command
+      .option("--playmaker SIDE", arguments.playmaker,
+              "HOST:PORT, HOST:PORT+step, tls:HOST:PORT or unix:PATH; replaces the next "
+              "three options")
+      .of_group(kPlaymakersGroup);
 
-  command.option("--rpc-host", options.playmaker.host, "host of the Playmaker").shows_default();
+  command.option("--rpc-host HOST", options.playmaker.host, "host of the Playmaker")
+      .of_group(kPlaymakersGroup)
+      .shows_default();
   command.option("--rpc-port", options.playmaker.port, "port of the Playmaker")
+      .of_group(kPlaymakersGroup)
       .range(1, kMaxPort)
       .shows_default();
-  command.flag("--rpc-port-step", options.playmaker.port_step, "player n connects to port + n");
-  command.flag("--rpc-add-20-to-port-for-right", options.add_20_for_right,
-               "add 20 to the port for a team on the right");
+  command.flag("--rpc-port-step", options.playmaker.port_step, "player n connects to port + n")
+      .of_group(kPlaymakersGroup);
+  command
+      .flag("--rpc-add-20-to-port-for-right", options.add_20_for_right,
+            "add 20 to the port for a team on the right")
+      .of_group(kPlaymakersGroup);
   command
       .option("--rpc-timeout", arguments.timeout_s,
               "deadline of an RPC in seconds; in real time at most one cycle")
+      .of_group(kPlaymakersGroup)
       .shows_default()
       .range(1, 3600);
   command.option("--rpc-deadline", arguments.deadline_ms, "deadline of an RPC in ms, if shorter")
+      .of_group(kPlaymakersGroup)
       .above(0);
 
   add_match_option(command, "on_late", arguments.on_late);
   add_match_option(command, "batch", arguments.batch);
   add_tls_options(command, arguments.tls);
-  command.option("--result", arguments.result_file, "write the result as JSON, per player, to FILE")
-      .placeholder("FILE");
-  command.option("--rpc-type", arguments.rpc_type, "RPC framework of the Playmaker")
+  command
+      .option("--result FILE", arguments.result_file,
+              "write the result as JSON, per player, to FILE")
+      .of_group(kOutputGroup);
+  command.option("--rpc-type TYPE", arguments.rpc_type, "RPC framework of the Playmaker")
+      .of_group(kPlaymakersGroup)
       .one_of({kGrpc, kThrift})
       .shows_default();
 }
 
-void add_options(Command& command, Arguments& arguments) {
+void add_options(Command& command, ProxyArguments& arguments) {
   StandaloneTeamOptions& options = arguments.options;
   command.options.front().names = "--help";  // -h is the host
   options.playmaker.host = "localhost";
   options.playmaker.port = 50051;
 
-  command.option("-h,--host", options.server_host,
+  command.option("-h,--host HOST", options.server_host,
                  "host of the soccer server (default: localhost)");
   command.option("-p,--port", options.server_port, "player port of the soccer server")
       .range(1, kMaxPort)
       .shows_default();
 
-  command.option("-t,--teamname,--team_name", arguments.team_name, "name of the team")
+  command.option("-t,--teamname,--team_name NAME", arguments.team_name, "name of the team")
+      .of_group(kTeamsGroup)
       .shows_default();
   command.option("-n,--number", arguments.number, "number of players, goalie first")
+      .of_group(kTeamsGroup)
       .shows_default()
       .range(1, soccer::kPlayersPerTeam);
 
   command
       .option("-u,--unum", arguments.unum,
               "only this uniform number; 1 is the goalie, 12 the coach")
+      .of_group(kTeamsGroup)
       .range(1, kCoach);
   command
       .option("-v,--version", options.team.protocol,
@@ -153,34 +166,42 @@ void add_options(Command& command, Arguments& arguments) {
   command
       .option("--start-timeout", options.start_timeout_s,
               "seconds until the first response of server and Playmaker")
+      .of_group(kLimitsGroup)
       .shows_default()
       .above(0);
 
-  command.flag("--quiet", arguments.quiet, "print no progress and no warnings");
-  command.flag("--json", arguments.json,
-               "print side and players as one line of JSON; all else goes to stderr");
+  command.flag("--quiet", arguments.quiet, "print no progress and no warnings")
+      .of_group(kOutputGroup);
+  command
+      .flag("--json", arguments.json,
+            "print side and players as one line of JSON; all else goes to stderr")
+      .of_group(kOutputGroup);
   command
       .option("-P,--coach-port", arguments.coach_port,
               "coach port of the soccer server (default: --port + 2)")
       .range(1, kMaxPort);
 
-  command.flag("-C,--without-coach", arguments.without_coach, "connect only the players");
-  command.flag("--coach", arguments.coach_only, "connect only the coach");
-  command.flag("--trainer", arguments.trainer, "connect a trainer instead of the coach");
+  command.flag("-C,--without-coach", arguments.without_coach, "connect only the players")
+      .of_group(kTeamsGroup);
+  command.flag("--coach", arguments.coach_only, "connect only the coach").of_group(kTeamsGroup);
+  command.flag("--trainer", arguments.trainer, "connect a trainer instead of the coach")
+      .of_group(kTeamsGroup);
   command
       .option("--trainer-port", arguments.trainer_port,
               "trainer port of the soccer server (default: --port + 1)")
       .range(1, kMaxPort);
 
-  command.option("-f,--formation", arguments.formation,
-                 "folder with formations, see docs/formations.md (default: built-in)");
+  command
+      .option("-f,--formation DIR", arguments.formation,
+              "folder with formations, see docs/formations.md (default: built-in)")
+      .of_group(kTeamsGroup);
   add_match_option(command, "debug_server", arguments.debug_server);
   add_match_option(command, "debug_server_log", arguments.debug_server_log);
   add_match_option(command, "debug_log", arguments.debug_log);
 }
 
 // Reads --playmaker; returns the exit code.
-int read_playmaker(Arguments& arguments) {
+int read_playmaker(ProxyArguments& arguments) {
   if (arguments.playmaker.empty()) return kOk;
   auto endpoint = match::parse_endpoint(arguments.playmaker);
   using Kind = match::Endpoint::Kind;
@@ -191,8 +212,8 @@ int read_playmaker(Arguments& arguments) {
                             arguments.playmaker));
   }
 
-  if (const int code = read_tls_files(*endpoint, arguments.tls); code != kOk) return code;
-  if (const int code = read_side_files(*endpoint); code != kOk) return code;
+  TRY_STEP(read_tls_files(*endpoint, arguments.tls));
+  TRY_STEP(read_side_files(*endpoint));
 
   arguments.options.playmaker = target_of(*endpoint);
   arguments.options.team.planner = endpoint->planner;
@@ -200,7 +221,7 @@ int read_playmaker(Arguments& arguments) {
 }
 
 // Ports of coach and trainer.
-void resolve_coach_ports(Arguments& arguments, std::vector<std::string>& errors) {
+void resolve_coach_ports(ProxyArguments& arguments, std::vector<std::string>& errors) {
   StandaloneTeamOptions& options = arguments.options;
   if (arguments.unum == kCoach) {
     arguments.coach_only = true;
@@ -241,7 +262,7 @@ void check_hosts(StandaloneTeamOptions& options, std::vector<std::string>& error
 }
 
 // The options of logs that cls match has, too.
-void read_debug_options(const Arguments& arguments, proxy::DebugOptions& debug,
+void read_debug_options(const ProxyArguments& arguments, proxy::DebugOptions& debug,
                         std::vector<std::string>& errors) {
   match::MatchOptions match;
   match::OptionTexts texts;
@@ -254,7 +275,7 @@ void read_debug_options(const Arguments& arguments, proxy::DebugOptions& debug,
   debug = match.debug;
 }
 
-std::vector<std::string> resolve(Arguments& arguments, const Command& command) {
+std::vector<std::string> resolve(ProxyArguments& arguments, const Command& command) {
   std::vector<std::string> errors;
   read_debug_options(arguments, arguments.options.debug, errors);
   StandaloneTeamOptions& options = arguments.options;
@@ -348,12 +369,12 @@ std::string json_line(const proxy::Team& team) {
   std::vector<int> unums;
   for (const auto& player : team.players()) unums.push_back(player->unum());
 
-  const nlohmann::ordered_json line = {{"schema", "cls.proxy-ready/1"},
-                                       {"team", std::string(team.name())},
-                                       {"side", side_name(team.side())},
-                                       {"synchronous", team.synchronous()},
-                                       {"players", unums},
-                                       {"coach", team.coach() != nullptr}};
+  const base::Json line = {{"schema", "cls.proxy-ready/1"},
+                           {"team", std::string(team.name())},
+                           {"side", side_name(team.side())},
+                           {"synchronous", team.synchronous()},
+                           {"players", unums},
+                           {"coach", team.coach() != nullptr}};
   return base::json_line(line);
 }
 
@@ -369,7 +390,7 @@ match::RpcLatency worst_latency(const StandaloneTeamResult& result) {
   return worst;
 }
 
-void print_result(const Arguments& arguments, const StandaloneTeamResult& result) {
+void print_result(const ProxyArguments& arguments, const StandaloneTeamResult& result) {
   using match::PlayerResult;
   const auto total = [&](std::int64_t PlayerResult::*count) {
     std::int64_t sum = 0;
@@ -393,8 +414,12 @@ void print_result(const Arguments& arguments, const StandaloneTeamResult& result
       total(&PlayerResult::reconnects));
 }
 
-int run_proxy(Arguments& arguments, const Command& command) {
-  if (const int code = read_playmaker(arguments); code != kOk) return code;
+int run_proxy(const Command& command, ProxyArguments& arguments) {
+  for (const std::string& line : start_script_warnings(command)) {
+    if (!arguments.quiet) fmt::print(stderr, "cls: warning: {}\n", line);
+  }
+
+  TRY_STEP(read_playmaker(arguments));
   const std::vector<std::string> errors = resolve(arguments, command);
   if (!errors.empty()) return print_errors(kUsage, errors);
 
@@ -416,9 +441,8 @@ int run_proxy(Arguments& arguments, const Command& command) {
   print_result(arguments, result);
   if (!result.write_error.empty()) print_error(0, result.write_error);
   if (!arguments.result_file.empty()) {
-    const auto written =
-        base::write_file(arguments.result_file, to_json(arguments.options, result));
-    if (!written) return print_error(kCannotCreate, written.error().message);
+    TRY_OR(kCannotCreate,
+           base::write_file(arguments.result_file, to_json(arguments.options, result)));
   }
   const int code = exit_code_of(result);
   return code == kOk && !result.write_error.empty() ? kCannotCreate : code;
@@ -427,18 +451,10 @@ int run_proxy(Arguments& arguments, const Command& command) {
 }  // namespace
 
 void add_proxy_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("proxy", kDescription);
+  auto [command, arguments] = app.command("proxy", kProxyDescription, run_proxy);
   command.group = kPartCommands;
-  add_options(command, *arguments);
-  add_start_script_options(command, arguments->start_script);
-
-  command.run = [arguments, &command] {
-    for (const std::string& line : start_script_warnings(command)) {
-      if (!arguments->quiet) fmt::print(stderr, "cls: warning: {}\n", line);
-    }
-    return run_proxy(*arguments, command);
-  };
+  add_options(command, arguments);
+  add_start_script_options(command, arguments.start_script);
 }
 
 }  // namespace cls::cli

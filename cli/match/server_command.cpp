@@ -1,4 +1,5 @@
 // `cls server`: serves one match over UDP, until time over or a signal.
+#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -11,8 +12,6 @@
 #include <filesystem>
 #include <fstream>
 #include <future>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
 #include <string>
@@ -24,7 +23,6 @@
 #include "cli/command/help.h"
 #include "cli/command/usage_errors.h"
 #include "cli/match/server_lines.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/json_stdout.h"
@@ -47,7 +45,7 @@ using match::ServerSettings;
 using simulator::UdpServer;
 using simulator::UdpServerExit;
 
-constexpr const char* kDescription =
+constexpr const char* kServerDescription =
     "run the embedded soccer server for UDP clients\n"
     "\n"
     "  cls server                     at port 6000, with rcssserver's defaults: real\n"
@@ -60,7 +58,7 @@ constexpr const char* kDescription =
     "sync::max_wait_ms, sync::max_missed. server.conf, player.conf and CSVSaver.conf\n"
     "are read first, from RCSS_CONF_DIR or ~/.rcssserver.";
 
-struct Arguments {
+struct ServerArguments {
   std::string host = "127.0.0.1";
   std::optional<int> port;
   std::optional<std::uint64_t> seed;
@@ -70,7 +68,7 @@ struct Arguments {
 };
 
 /// Reads configuration files, then arguments; later settings override earlier ones.
-base::Result<ServerSettings> read_settings(const Arguments& arguments,
+base::Result<ServerSettings> read_settings(const ServerArguments& arguments,
                                            const std::vector<std::string>& texts, int& exit_code) {
   ServerSettings settings;
   exit_code = kBadConfig;
@@ -191,7 +189,7 @@ int exit_code_of(UdpServerExit end, int signal) {
   return signal_exit_code(signal);
 }
 
-simulator::UdpConfig config_of(const Arguments& arguments, const ServerSettings& settings) {
+simulator::UdpConfig config_of(const ServerArguments& arguments, const ServerSettings& settings) {
   simulator::UdpConfig config;
   config.match.server = settings.server;
   config.match.player = settings.player;
@@ -220,11 +218,11 @@ match::ServerPorts ports_of(const UdpServer& server) {
           server.port(simulator::ListeningPort::kOnlineCoaches)};
 }
 
-std::string json_line(const Arguments& arguments, const match::ServerPorts& ports,
+std::string json_line(const ServerArguments& arguments, const match::ServerPorts& ports,
                       std::uint64_t seed) {
-  const nlohmann::ordered_json line = {{"schema", "cls.server/1"},  {"host", arguments.host},
-                                       {"port", ports.player},      {"trainer_port", ports.trainer},
-                                       {"coach_port", ports.coach}, {"seed", seed}};
+  const base::Json line = {{"schema", "cls.server/1"},  {"host", arguments.host},
+                           {"port", ports.player},      {"trainer_port", ports.trainer},
+                           {"coach_port", ports.coach}, {"seed", seed}};
   return base::json_line(line);
 }
 
@@ -282,7 +280,7 @@ bool bind_clients(UdpServer& server, const ServerSettings& settings,
 }
 
 /// Opens sockets and logs, serves the match, closes the logs.
-int serve_match(const Arguments& arguments, const ServerSettings& settings,
+int serve_match(const ServerArguments& arguments, const ServerSettings& settings,
                 const JsonStdout& json) {
   const simulator::UdpConfig config = config_of(arguments, settings);
   const std::atomic<int>& signal = watch_interrupts();
@@ -304,22 +302,20 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings,
     return print_error(kCannotCreate, fmt::format("{}: exists; give --dir another folder", log));
   }
 
-  auto logs = match::ServerLogs::open(settings.server, start);
-  if (!logs) return print_error(kCannotCreate, logs.error().message);
-  (*server)->record(logs->sinks());
+  TRY_INIT_OR(kCannotCreate, auto logs, match::ServerLogs::open(settings.server, start));
+  (*server)->record(logs.sinks());
   std::optional<simulator::KeepawayRecorder> keepaway;
-  if (logs->keepaway() != nullptr) keepaway.emplace(*logs->keepaway());
+  if (logs.keepaway() != nullptr) keepaway.emplace(*logs.keepaway());
 
   const match::ServerPorts ports = ports_of(**server);
-  auto teams = match::ServerTeams::create(settings.server, ports);
-  if (!teams) return print_error(kInternalError, teams.error().message);
+  TRY_INIT_OR(kInternalError, auto teams, match::ServerTeams::create(settings.server, ports));
 
   ServerLines lines(**server);
   (*server)->on_step([&](const simulator::World& world) {
     lines.step(world);
     if (keepaway) keepaway->step(world);
-    teams->poll(world.mode == soccer::PlayMode::kPlayOn,
-                !world.team(soccer::Side::kLeft).name.empty());
+    teams.poll(world.mode == soccer::PlayMode::kPlayOn,
+               !world.team(soccer::Side::kLeft).name.empty());
   });
   (*server)->on_event([&lines](const simulator::UdpServerEvent& event) { lines.event(event); });
 
@@ -330,15 +326,14 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings,
   std::fflush(stdout);
 
   const UdpServerExit end = serve(**server, signal);
-  teams->terminate();
+  teams.terminate();
   if (end == UdpServerExit::kFinished) {
     (*server)->announce_end();
     fmt::print("\nGame Over. Exiting...\n");
   }
   if (end == UdpServerExit::kStopped) fmt::print("\nServer Killed. Exiting...\n");
 
-  const auto finished = finish(**server, settings, *logs, start);
-  if (!finished) return print_error(kWriteFailed, finished.error().message);
+  TRY_OR(kWriteFailed, finish(**server, settings, logs, start));
   return exit_code_of(end, signal.load());
 }
 
@@ -357,57 +352,55 @@ std::optional<std::string> mistyped_option(const std::vector<std::string>& texts
   return std::nullopt;
 }
 
-int run_server(const Arguments& arguments, const Command& command) {
+int run_server(const Command& command, const ServerArguments& arguments) {
   int problem = kUsage;
   if (const auto option = mistyped_option(command.words)) {
     return print_error(kUsage, unknown_option(command, *option));
   }
 
   const JsonStdout json(arguments.json);
-  const auto settings = read_settings(arguments, command.words, problem);
-  if (!settings) return print_error(problem, settings.error().message);
-  if (settings->help) {
+  TRY_INIT_OR(problem, const auto settings, read_settings(arguments, command.words, problem));
+  if (settings.help) {
     fmt::print("{}", help_text(command));
     return kOk;
   }
 
-  const soccer::ServerParams& server = settings->server;
+  const soccer::ServerParams& server = settings.server;
   if (server.game_logging && !gamelog::rcg_version(server.game_log_version)) {
     return print_error(kUsage,
                        fmt::format("server::game_log_version={}: must be 1 to 6, or -1 (JSON)",
                                    server.game_log_version));
   }
 
-  const auto made = simulator::MatchServer::create(config_of(arguments, *settings).match);
-  if (!made) return print_error(kUsage, made.error().message);
-  return serve_match(arguments, *settings, json);
+  TRY_OR(kUsage, simulator::MatchServer::create(config_of(arguments, settings).match));
+  return serve_match(arguments, settings, json);
 }
 
 }  // namespace
 
 void add_server_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("server", kDescription);
+  auto [command, arguments] = app.command("server", kServerDescription, run_server);
   command.group = kPartCommands;
   command.starts_programs = true;
   command.takes_any_words = true;  // the settings, in order
 
-  command.option("--host", arguments->host, "address to listen on").shows_default();
+  command.option("--host HOST", arguments.host, "address to listen on").shows_default();
   command
       .option(
-          "--port", arguments->port,
+          "--port", arguments.port,
           "player port; trainer and coach ports are the next two; 0 selects free ports (default: "
           "server::port, 6000)")
       .range(0, 65533);
 
-  command.option("--seed", arguments->seed, "random seed of the match (default: random, printed)");
-  command.option("--cycles", arguments->cycles, "end the match at this game time").above(0);
+  command.option("--seed", arguments.seed, "random seed of the match (default: random, printed)");
+  command.option("--cycles", arguments.cycles, "end the match at this game time").above(0);
   command.option(
-      "--dir", arguments->folder,
+      "--dir DIR", arguments.folder,
       "folder for match.rcg, match.rcl and match.kwy (default: rcssserver's folders and names)");
-  command.flag("--json", arguments->json,
-               "print host and ports as one line of JSON; all else goes to stderr");
-  command.run = [arguments, &command] { return run_server(*arguments, command); };
+  command
+      .flag("--json", arguments.json,
+            "print host and ports as one line of JSON; all else goes to stderr")
+      .of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -2,18 +2,16 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "cli/project/project_files.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "match/terms/endpoint.h"
 #include "process/command_plan.h"
 
@@ -22,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDescription =
+constexpr const char* kNewDescription =
     "write a project for a team of your own\n"
     "A folder NAME with a Playmaker, cls.toml, tests, and files for editor and CI.\n"
     "\n"
@@ -31,7 +29,7 @@ constexpr const char* kDescription =
     "  cls new go ada --template high-level   on behaviors and planner of the proxy\n"
     "  cls new java ada --template rl         a policy with weights to train";
 
-struct Arguments {
+struct NewArguments {
   std::string language;
   std::string name;
   std::string team_template = "team";
@@ -54,13 +52,13 @@ base::Result<void> write_project(const fs::path& folder, const std::vector<Proje
   return {};
 }
 
-void print(const Arguments& arguments, const std::string& dir,
+void print(const NewArguments& arguments, const std::string& dir,
            const std::vector<ProjectFile>& files) {
   if (arguments.json) {
-    nlohmann::ordered_json document = {{"schema", "cls.new/1"}, {"dir", dir}};
-    document["files"] = nlohmann::ordered_json::array();
+    base::Json document = {{"schema", "cls.new/1"}, {"dir", dir}};
+    document["files"] = base::Json::array();
     for (const ProjectFile& file : files) document["files"].push_back(file.path);
-    fmt::print("{}", base::json_document(document));
+    print_json(document);
     return;
   }
 
@@ -72,12 +70,11 @@ void print(const Arguments& arguments, const std::string& dir,
       dir, files.size(), process::shell_quoted(dir), arguments.name);
 }
 
-int run(const Arguments& arguments) {
-  const auto name = match::check_team_name(arguments.name);
-  if (!name) return print_error(kUsage, name.error().message);
+int run_new(const NewArguments& arguments) {
+  TRY_INIT_OR(kUsage, const auto name, match::check_team_name(arguments.name));
 
-  const auto files = project_files(arguments.language, arguments.name, arguments.team_template);
-  if (!files) return print_error(kUsage, files.error().message);
+  TRY_INIT_OR(kUsage, const auto files,
+              project_files(arguments.language, arguments.name, arguments.team_template));
 
   const std::string dir = arguments.dir.empty() ? arguments.name : arguments.dir;
   if (const std::string contents = base::contents_of(dir); !contents.empty()) {
@@ -87,33 +84,31 @@ int run(const Arguments& arguments) {
                     contents));
   }
 
-  if (const auto written = write_project(dir, *files); !written) {
+  if (const auto written = write_project(dir, files); !written) {
     return print_error(
         kCannotCreate,
         written.error().message + (arguments.dir.empty() ? "; --dir selects another folder" : ""));
   }
 
-  print(arguments, dir, *files);
+  print(arguments, dir, files);
   return kOk;
 }
 
 }  // namespace
 
 void add_new_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("new", kDescription);
+  auto [command, arguments] = app.command("new", kNewDescription, run_new);
   command
-      .option("LANGUAGE", arguments->language,
+      .option("LANGUAGE", arguments.language,
               "python, javascript, typescript, go, java, rust or csharp")
       .required();
 
-  command.option("NAME", arguments->name, "name of the team").required();
-  command.option("--template", arguments->team_template,
+  command.option("NAME", arguments.name, "name of the team").required();
+  command.option("--template", arguments.team_template,
                  "team, minimal, high-level or rl (default: team)");
-  command.option("--dir", arguments->dir, "folder of the project (default: NAME)");
+  command.option("--dir DIR", arguments.dir, "folder of the project (default: NAME)");
 
-  command.flag("--json", arguments->json, "print one JSON document");
-  command.run = [arguments] { return run(*arguments); };
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -3,8 +3,6 @@
 
 #include <atomic>
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,16 +12,17 @@
 #include "base/io/whole_file.h"
 #include "base/system/own_program.h"
 #include "base/text/byte_size.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "base/text/suggestion.h"
 #include "cli/project/elf_file.h"
 #include "cli/project/package_check.h"
 #include "cli/project/team_package.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/terminal/terminal.h"
+#include "process/scratch_folder.h"
 #include "tournament/config/config_file.h"
 
 namespace cls::cli {
@@ -32,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace tournament;
 
-constexpr const char* kDescription =
+constexpr const char* kPackageTeamDescription =
     "write a team of cls.toml as a folder for a competition\n"
     "\n"
     "  cls package-team ada                       writes ada-team/\n"
@@ -48,7 +47,7 @@ constexpr const char* kDescription =
 
 constexpr std::string_view kRunForm = "run:";
 
-struct Arguments {
+struct PackageTeamArguments {
   std::string name;
   std::string dir;
   std::string config;
@@ -62,10 +61,10 @@ struct Arguments {
   bool json = false;
 };
 
-int report_unknown_team(const Arguments& arguments, const fs::path& file,
+int report_unknown_team(const PackageTeamArguments& arguments, const fs::path& file,
                         const TournamentConfig& config) {
   std::vector<std::string_view> teams;
-  for (const TeamEntry& team : config.teams) teams.push_back(team.name);
+  for (const TeamEntry& team : config.competition.teams) teams.push_back(team.name);
 
   return print_error(kUsage, fmt::format("{} has no team '{}'{}", file.string(), arguments.name,
                                          base::did_you_mean(arguments.name, teams)));
@@ -98,28 +97,27 @@ void print_text(const std::string& dir, const WrittenPackage& written) {
 }
 
 void print_json(const std::string& dir, const TeamPackage& package, const WrittenPackage& written) {
-  nlohmann::ordered_json interpreters = nlohmann::ordered_json::array();
+  base::Json interpreters = base::Json::array();
   for (const BroughtInterpreter& one : written.interpreters) {
     interpreters.push_back(
         {{"name", one.name}, {"program", one.program.string()}, {"packages", one.packages}});
   }
-  const nlohmann::ordered_json document = {{"schema", "cls.package-team/1"},
-                                           {"dir", dir},
-                                           {"command", package.command},
-                                           {"bytes", written.bytes()},
-                                           {"compressed_bytes", written.packed_bytes},
-                                           {"environment", package.environment.string()},
-                                           {"interpreters", interpreters},
-                                           {"missing", written.missing},
-                                           {"left_out", written.left_out}};
-  fmt::print("{}", base::json_document(document));
+  print_json({{"schema", "cls.package-team/1"},
+              {"dir", dir},
+              {"command", package.command},
+              {"bytes", written.bytes()},
+              {"compressed_bytes", written.packed_bytes},
+              {"environment", package.environment.string()},
+              {"interpreters", interpreters},
+              {"missing", written.missing},
+              {"left_out", written.left_out}});
 }
 
-std::string folder_of(const Arguments& arguments) {
+std::string folder_of(const PackageTeamArguments& arguments) {
   return arguments.dir.empty() ? arguments.name + "-team" : arguments.dir;
 }
 
-int write(const Arguments& arguments, const TeamPackage& package) {
+int write(const PackageTeamArguments& arguments, const TeamPackage& package) {
   const std::string dir = folder_of(arguments);
   if (const std::string contents = base::contents_of(dir); !contents.empty()) {
     if (!arguments.force) {
@@ -129,9 +127,8 @@ int write(const Arguments& arguments, const TeamPackage& package) {
                       "folder",
                       dir, contents, dir));
     }
-    const auto aside = base::set_aside(dir);
-    if (!aside) return print_error(kCannotCreate, aside.error().message);
-    fmt::print(stderr, "cls: old package moved to {}\n", aside->string());
+    TRY_INIT_OR(kCannotCreate, const auto aside, base::set_aside(dir));
+    fmt::print(stderr, "cls: old package moved to {}\n", aside.string());
   }
   const auto written = write_package(package, dir, [](std::string_view step) {
     if (stderr_is_terminal()) fmt::print(stderr, "cls: {}\n", step);
@@ -149,7 +146,7 @@ int write(const Arguments& arguments, const TeamPackage& package) {
   return kOk;
 }
 
-int check(const Arguments& arguments) {
+int check(const PackageTeamArguments& arguments) {
   PackageCheckOptions options;
   options.package = folder_of(arguments);
   options.root = arguments.root;
@@ -161,20 +158,21 @@ int check(const Arguments& arguments) {
         kUsage, fmt::format("--memory '{}': must be a size such as 512M or 2G", arguments.memory));
   }
   options.memory = *memory;
-  const auto program = base::own_program();
-  if (!program) return print_error(kUnavailable, program.error().message);
-  options.program = *program;
+  TRY_INIT_OR(kUnavailable, const auto program, base::own_program());
+  options.program = program;
+
+  TRY_INIT_OR(kCannotCreate, const auto scratch, process::ScratchFolder::create());
+  options.folder = scratch.path();
 
   const std::atomic<int>& signal = watch_interrupts();
-  const auto found = check_package(options, signal);
-  if (!found) return print_error(kNoInput, found.error().message);
-  fmt::print("{}", arguments.json ? to_json(options, *found) : to_text(options, *found));
+  TRY_INIT_OR(kNoInput, const auto found, check_package(options, signal));
+  fmt::print("{}", arguments.json ? to_json(options, found) : to_text(options, found));
   if (signal != 0) return signal_exit_code(signal);
-  if (!found->skipped.empty()) return kUnavailable;
-  return found->passed() ? kOk : kFailed;
+  if (!found.skipped.empty()) return kUnavailable;
+  return found.passed() ? kOk : kFailed;
 }
 
-int run(const Arguments& arguments) {
+int run_package_team(const PackageTeamArguments& arguments) {
   if (arguments.check) return check(arguments);
   std::error_code code;
   const auto found = find_config(fs::current_path(code));
@@ -191,10 +189,11 @@ int run(const Arguments& arguments) {
 
   const ParsedConfig parsed = read_config(*file);
   if (!parsed.errors.empty()) return print_errors(kBadConfig, parsed.errors);
-  const int team = team_index(parsed.config, arguments.name);
+  const int team = team_index(parsed.config.competition, arguments.name);
   if (team < 0) return report_unknown_team(arguments, *file, parsed.config);
 
-  const std::string& endpoint = parsed.config.teams[static_cast<std::size_t>(team)].endpoint;
+  const std::string& endpoint =
+      parsed.config.competition.teams[static_cast<std::size_t>(team)].endpoint;
   if (!endpoint.starts_with(kRunForm)) {
     return print_error(kUsage,
                        fmt::format("team '{}' is '{}'; a package needs run:COMMAND, which starts "
@@ -202,52 +201,51 @@ int run(const Arguments& arguments) {
                                    arguments.name, endpoint));
   }
 
-  const auto program = base::own_program();
-  if (!program) return print_error(kUnavailable, program.error().message);
-  if (!read_elf_file(*program)) {
+  TRY_INIT_OR(kUnavailable, const auto program, base::own_program());
+  if (!read_elf_file(program)) {
     return print_error(
-        kUsage, fmt::format("{}: the cls of a package cannot make another one", program->string()));
+        kUsage, fmt::format("{}: the cls of a package cannot make another one", program.string()));
   }
-  return write(arguments, {arguments.name, endpoint.substr(kRunForm.size()), parsed.config.folder,
-                           *program, environment_of(parsed.config.folder), arguments.with});
+  return write(arguments,
+               {arguments.name, endpoint.substr(kRunForm.size()), parsed.config.execution.folder,
+                program, environment_of(parsed.config.execution.folder), arguments.with});
 }
 
 }  // namespace
 
 void add_package_team_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("package-team", kDescription);
+  auto [command, arguments] =
+      app.command("package-team", kPackageTeamDescription, run_package_team);
   command.starts_programs = true;
-  command.option("NAME", arguments->name, "a team of cls.toml").required();
+  command.option("NAME", arguments.name, "a team of cls.toml").required();
 
-  command.option("--dir", arguments->dir, "folder of the package (default: NAME-team)");
-  command.option("--config", arguments->config,
+  command.option("--dir DIR", arguments.dir, "folder of the package (default: NAME-team)");
+  command.option("--config FILE", arguments.config,
                  "cls.toml with the team (default: in or above the working directory)");
 
   command
-      .option("--with", arguments->with,
+      .option("--with", arguments.with,
               "also bring PROGRAM of PATH and its libraries (may be repeated)")
       .placeholder("PROGRAM")
       .repeatable();
-  command.flag("--check", arguments->check,
+  command.flag("--check", arguments.check,
                "play the package that is there: each agent on a machine of its own, 10 Hz");
   command
-      .option("--root", arguments->root,
+      .option("--root", arguments.root,
               "--check: folder with the files of the machines, such as those of an older Linux")
       .placeholder("DIR")
       .shows_default();
-  command.option("--cycles", arguments->cycles, "--check: length of the match")
+  command.option("--cycles", arguments.cycles, "--check: length of the match")
       .range(1, 100000)
       .shows_default();
-  command.option("--memory", arguments->memory, "--check: memory of each agent with its Playmaker")
+  command.option("--memory", arguments.memory, "--check: memory of each agent with its Playmaker")
       .placeholder("SIZE")
       .shows_default();
-  command.option("--cpus", arguments->cpus, "--check: processors of each of them")
+  command.option("--cpus", arguments.cpus, "--check: processors of each of them")
       .range(1, 64)
       .shows_default();
-  command.flag("--force", arguments->force, "rename an older package to NAME.old first");
-  command.flag("--json", arguments->json, "print one JSON document");
-  command.run = [arguments] { return run(*arguments); };
+  command.flag("--force", arguments.force, "rename an older package to NAME.old first");
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -1,25 +1,20 @@
 // `cls completion`, and what its scripts call.
-#include "cli/shell/completion_command.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <memory>
-#include <nlohmann/json.hpp>
-
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "base/text/printable.h"
 #include "base/text/suggestion.h"
 #include "cli/shell/completion.h"
 #include "cli/shell/shells.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 
 namespace cls::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kCompletionDescription =
     "print the completion script of a shell\n"
     "Packages of cls install the scripts.\n"
     "\n"
@@ -27,12 +22,12 @@ constexpr const char* kDescription =
     "  cls completion zsh > ~/.zfunc/_cls      with fpath+=~/.zfunc before compinit\n"
     "  cls completion fish > ~/.config/fish/completions/cls.fish";
 
-struct Arguments {
+struct CompletionArguments {
   std::string shell;
   bool json = false;
 };
 
-int run(const Arguments& arguments) {
+int run_completion(const CompletionArguments& arguments) {
   const ShellScript* script = find_shell(arguments.shell);
   if (script == nullptr) {
     return print_error(kUsage, fmt::format("unknown shell '{}': {}{}", arguments.shell,
@@ -41,9 +36,8 @@ int run(const Arguments& arguments) {
   }
 
   if (arguments.json) {
-    const nlohmann::ordered_json document = {
-        {"schema", "cls.completion/1"}, {"shell", arguments.shell}, {"script", script->text}};
-    fmt::print("{}", base::json_document(document));
+    print_json(
+        {{"schema", "cls.completion/1"}, {"shell", arguments.shell}, {"script", script->text}});
   } else {
     fmt::print("{}", script->text);
   }
@@ -68,13 +62,11 @@ int print_completion(const Command& root, std::vector<std::string> words) {
 }
 
 void add_completion_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("completion", kDescription);
+  auto [command, arguments] = app.command("completion", kCompletionDescription, run_completion);
 
-  command.option("SHELL", arguments->shell, fmt::format("{}", fmt::join(shell_names(), ", ")))
+  command.option("SHELL", arguments.shell, fmt::format("{}", fmt::join(shell_names(), ", ")))
       .required();
-  command.flag("--json", arguments->json, "print one JSON document");
-  command.run = [arguments] { return run(*arguments); };
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -3,22 +3,20 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/io/whole_file.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "base/text/suggestion.h"
 #include "base/text/table.h"
 #include "cli/shell/help_search.h"
 #include "cli/shell/help_topics.h"
 #include "cli/shell/man_page.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/terminal/terminal.h"
 
 namespace cls::cli {
@@ -26,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDescription =
+constexpr const char* kHelpDescription =
     "print help of a command or a topic, or search it\n"
     "\n"
     "  cls help tournament run    a command, as cls tournament run --help\n"
@@ -37,20 +35,19 @@ constexpr const char* kDescription =
 
 constexpr std::string_view kListOfTopics = "topics";
 
-struct Arguments {
+struct HelpArguments {
   std::vector<std::string> words;
   std::string man_folder;
   bool json = false;
 };
 
 int list_topics(bool json) {
-  nlohmann::ordered_json document = {{"schema", "cls.topics/1"}};
+  base::Json document = {{"schema", "cls.topics/1"}};
   for (const HelpTopic& topic : help_topics()) {
     if (!json) fmt::print("{:<20} {}\n", topic.name, topic.title);
     document["topics"].push_back({{"name", topic.name}, {"title", topic.title}});
   }
-  if (json) fmt::print("{}", base::json_document(document));
-  return kOk;
+  if (json) return print_json(document);
 }
 
 int print_topic(const HelpTopic& topic, bool json) {
@@ -58,12 +55,10 @@ int print_topic(const HelpTopic& topic, bool json) {
     fmt::print("{}", page_text(topic));
     return kOk;
   }
-  const nlohmann::ordered_json document = {{"schema", "cls.topic/1"},
-                                           {"name", topic.name},
-                                           {"title", topic.title},
-                                           {"text", topic.text}};
-  fmt::print("{}", base::json_document(document));
-  return kOk;
+  return print_json({{"schema", "cls.topic/1"},
+                     {"name", topic.name},
+                     {"title", topic.title},
+                     {"text", topic.text}});
 }
 
 int report_unknown_topic(const Command& root, const std::string& name) {
@@ -77,7 +72,7 @@ int report_unknown_topic(const Command& root, const std::string& name) {
 }
 
 int print_matches(const std::vector<HelpMatch>& found, bool json) {
-  nlohmann::ordered_json document = {{"schema", "cls.help_search/1"}};
+  base::Json document = {{"schema", "cls.help_search/1"}};
   base::Table table;
   table.add_columns({"kind", "name", "text"});
   for (const HelpMatch& one : found) {
@@ -87,8 +82,7 @@ int print_matches(const std::vector<HelpMatch>& found, bool json) {
   }
 
   if (json) {
-    fmt::print("{}", base::json_document(document));
-    return kOk;
+    return print_json(document);
   }
 
   table.allow_folds(2);
@@ -98,18 +92,16 @@ int print_matches(const std::vector<HelpMatch>& found, bool json) {
 }
 
 int write_man_pages(const Command& root, const fs::path& folder) {
-  if (const auto created = base::create_folders(folder); !created) {
-    return print_error(kCannotCreate, created.error().message);
-  }
+  TRY_OR(kCannotCreate, base::create_folders(folder));
 
   for (const ManPage& page : man_pages(root)) {
-    const auto written = base::write_file(folder / page.file, page.text);
-    if (!written) return print_error(kWriteFailed, written.error().message);
+    TRY_OR(kWriteFailed, base::write_file(folder / page.file, page.text));
   }
   return kOk;
 }
 
-int run(const Command& root, const Arguments& arguments) {
+int run_help(const Command& command, const HelpArguments& arguments) {
+  const Command& root = *command.parent;
   if (!arguments.man_folder.empty()) return write_man_pages(root, arguments.man_folder);
 
   const std::string first = arguments.words.empty() ? "" : arguments.words.front();
@@ -130,15 +122,13 @@ int run(const Command& root, const Arguments& arguments) {
 }  // namespace
 
 void add_help_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("help", kDescription);
+  auto [command, arguments] = app.command("help", kHelpDescription, run_help);
 
-  command.option("WORDS", arguments->words,
+  command.option("WORDS", arguments.words,
                  "a command, a page of the manual, topics, or what to search for");
-  command.option("--man", arguments->man_folder, "write the manual pages of all commands")
+  command.option("--man", arguments.man_folder, "write the manual pages of all commands")
       .placeholder("DIR");
-  command.flag("--json", arguments->json, "print one JSON document");
-  command.run = [&app, arguments] { return run(app, *arguments); };
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -32,9 +32,12 @@ void add_to_job_summary(const std::string& markdown) {
 }  // namespace
 
 void add_ci_options(Command& command, CiReports& reports) {
-  command.option("--junit", reports.junit, "write a JUnit report to FILE").placeholder("FILE");
-  command.flag("--github", reports.github,
-               "print annotations on stderr (default in GitHub Actions: on)");
+  command.option("--junit FILE", reports.junit, "write a JUnit report to FILE")
+      .of_group(kOutputGroup);
+  command
+      .flag("--github", reports.github,
+            "print annotations on stderr (default in GitHub Actions: on)")
+      .of_group(kOutputGroup);
 }
 
 ExitCode write_ci_reports(const CiReports& reports, const CiTexts& texts) {

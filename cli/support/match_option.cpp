@@ -8,6 +8,22 @@ namespace {
 
 using match::MatchOption;
 
+const char* title(match::OptionGroup group) {
+  switch (group) {
+    case match::OptionGroup::kMatch:
+      break;
+    case match::OptionGroup::kTeams:
+      return kTeamsGroup;
+    case match::OptionGroup::kPlaymakers:
+      return kPlaymakersGroup;
+    case match::OptionGroup::kLimits:
+      return kLimitsGroup;
+    case match::OptionGroup::kDebugging:
+      return kDebuggingGroup;
+  }
+  return kOptionsGroup;
+}
+
 std::string names_of(const MatchOption& row) {
   std::string names = match::option_name(row.key);
   if (row.has_opposite) names += ",!--no-" + names.substr(2);
@@ -24,6 +40,8 @@ Option& add_match_option(Command& command, const MatchOption& row) {
   option.form.min.reset();
   option.form.max.reset();
 
+  option.value = row.placeholder;
+  option.group = title(row.group);
   option.environment = row.environment;
   option.min_values = option.max_values = row.values;
   return option;

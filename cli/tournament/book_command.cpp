@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -12,13 +10,13 @@
 #include "analysis/situations/book_fit.h"
 #include "analysis/situations/make_book.h"
 #include "base/text/counted.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "cli/logs/output_file.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/terminal/log_progress.h"
 #include "gamelog/files/log_files.h"
 #include "gamelog/rcg/rcg_reader.h"
@@ -27,9 +25,9 @@ namespace cls::cli {
 namespace {
 
 using namespace match;
-using Json = nlohmann::ordered_json;
+using base::Json;
 
-struct Arguments {
+struct BookArguments {
   std::vector<std::string> logs;
   std::string book;
   std::string out;
@@ -58,9 +56,8 @@ int for_each_log(const std::vector<std::string>& arguments, Add add) {
     if (watch_interrupts() != 0) return signal_exit_code(watch_interrupts());
     progress.update(done++);
     if (match.game.empty()) continue;
-    const auto record = gamelog::read_rcg_file(match.game);
-    if (!record) return print_error(kNoInput, record.error().message);
-    if (const std::string why = add(*record, match.game); !why.empty()) {
+    TRY_INIT_OR(kNoInput, const auto record, gamelog::read_rcg_file(match.game));
+    if (const std::string why = add(record, match.game); !why.empty()) {
       print_error(0, fmt::format("{}: left out: {}", match.game, why));
       continue;
     }
@@ -83,15 +80,13 @@ Json counts_of(const analysis::Book& book) {
 
 int print_book(const analysis::Book& book, const std::string& file, bool json) {
   if (json) {
-    const Json document = {{"schema", "cls.book-summary/1"},
-                           {"file", file},
-                           {"seed", book.seed},
-                           {"warm_up", book.warm_up},
-                           {"logs", book.logs.size()},
-                           {"situations", book.situations.size()},
-                           {"classes", counts_of(book)}};
-    fmt::print("{}", base::json_document(document));
-    return kOk;
+    return print_json({{"schema", "cls.book-summary/1"},
+                       {"file", file},
+                       {"seed", book.seed},
+                       {"warm_up", book.warm_up},
+                       {"logs", book.logs.size()},
+                       {"situations", book.situations.size()},
+                       {"classes", counts_of(book)}});
   }
   std::string classes;
   const Json counts = counts_of(book);
@@ -104,11 +99,8 @@ int print_book(const analysis::Book& book, const std::string& file, bool json) {
   return kOk;
 }
 
-int run_make(const Arguments& arguments) {
-  if (const int code = report_failure(why_not_replaced(arguments.out, arguments.force));
-      code != kOk) {
-    return code;
-  }
+int run_book_make(const BookArguments& arguments) {
+  TRY_STEP(report_failure(why_not_replaced(arguments.out, arguments.force)));
   analysis::BookMaker maker(arguments.options);
   const int read = for_each_log(arguments.logs, [&](const auto& record, const std::string& file) {
     const std::filesystem::path path(file);
@@ -139,13 +131,13 @@ int run_make(const Arguments& arguments) {
   return print_book(book, arguments.out, arguments.json);
 }
 
-int run_show(const Arguments& arguments) {
-  const auto book = analysis::read_book(arguments.book);
-  if (!book) return print_error(exit_code_of_book(arguments.book), book.error().message);
-  return print_book(*book, arguments.book, arguments.json);
+int run_book_show(const BookArguments& arguments) {
+  TRY_INIT_OR(exit_code_of_book(arguments.book), const auto book,
+              analysis::read_book(arguments.book));
+  return print_book(book, arguments.book, arguments.json);
 }
 
-int run_fit(const Arguments& arguments) {
+int run_book_fit(const BookArguments& arguments) {
   analysis::BookFitter fitter(arguments.cycles, arguments.ridge);
   const int read = for_each_log(
       arguments.logs, [&](const auto& record, const std::string&) { return fitter.add(record); });
@@ -164,8 +156,7 @@ int run_fit(const Arguments& arguments) {
         {"windows", fit.windows},         {"weights", weights},
         {"correlation", fit.correlation}, {"correlation_of_goals", fit.correlation_of_goals},
         {"variance", fit.variance},       {"variance_of_goals", fit.variance_of_goals}};
-    fmt::print("{}", base::json_document(document));
-    return kOk;
+    return print_json(document);
   }
   fmt::print("{} windows of {} cycles in {}\n", fit.windows, arguments.cycles,
              base::counted(static_cast<std::size_t>(fit.matches), "match", "matches"));
@@ -181,13 +172,12 @@ int run_fit(const Arguments& arguments) {
   return kOk;
 }
 
-void add_logs_argument(Command& command, Arguments& arguments) {
+void add_logs_argument(Command& command, BookArguments& arguments) {
   command.option("LOGS", arguments.logs, "game logs, or folders with game logs").required();
 }
 
-void add_make(Command& book) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = book.command(
+void add_book_make(Command& book) {
+  auto [command, arguments] = book.command(
       "make",
       "choose situations from recorded matches\n"
       "\n"
@@ -196,57 +186,57 @@ void add_make(Command& book) {
       "\n"
       "A situation is the exact world of a moment and the steps before it. The classes\n"
       "are attack, defense, set_play and turnover, as many of each. The same logs in\n"
-      "the same order, options and seed give the same file (docs/formats/book.md).");
-  add_logs_argument(command, *arguments);
-  command.option("--out", arguments->out, "the book; compressed if it ends in .gz").required();
-  command.option("--count", arguments->options.count, "situations")
+      "the same order, options and seed give the same file (docs/formats/book.md).",
+      run_book_make);
+  add_logs_argument(command, arguments);
+  command.option("--out FILE", arguments.out, "the book; compressed if it ends in .gz")
+      .of_group(kOutputGroup)
+      .required();
+  command.option("--count", arguments.options.count, "situations")
       .range(static_cast<int>(analysis::kSituationClasses),
              static_cast<int>(analysis::kMaxSituations))
       .shows_default();
-  command.option("--warm-up", arguments->options.warm_up, "steps before each moment")
+  command.option("--warm-up", arguments.options.warm_up, "steps before each moment")
       .range(3, analysis::kMaxWarmUp)
       .shows_default();
   command
-      .option("--spacing", arguments->options.spacing,
+      .option("--spacing", arguments.options.spacing,
               "minimum cycles between two moments of one class and match")
       .above(0)
       .shows_default();
-  command.option("--seed", arguments->options.seed, "seed of the choice").shows_default();
-  command.flag("--force", arguments->force, "replace the file");
-  command.flag("--json", arguments->json, "print the summary as JSON");
-  command.run = [arguments] { return run_make(*arguments); };
+  command.option("--seed", arguments.options.seed, "seed of the choice").shows_default();
+  command.flag("--force", arguments.force, "replace the file");
+  command.flag("--json", arguments.json, "print the summary as JSON").of_group(kOutputGroup);
 }
 
-void add_show(Command& book) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = book.command("show",
-                                  "check a book and print its size\n"
-                                  "\n"
-                                  "  cls book show moments.book.gz --json");
-  command.option("BOOK", arguments->book, "a file of `cls book make`").required();
-  command.flag("--json", arguments->json, "print the summary as JSON");
-  command.run = [arguments] { return run_show(*arguments); };
+void add_book_show(Command& book) {
+  auto [command, arguments] = book.command("show",
+                                           "check a book and print its size\n"
+                                           "\n"
+                                           "  cls book show moments.book.gz --json",
+                                           run_book_show);
+  command.option("BOOK", arguments.book, "a file of `cls book make`").required();
+  command.flag("--json", arguments.json, "print the summary as JSON").of_group(kOutputGroup);
 }
 
-void add_fit(Command& book) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command =
+void add_book_fit(Command& book) {
+  auto [command, arguments] =
       book.command("fit",
                    "compute the weights of the value of situations from whole matches\n"
                    "\n"
                    "  cls book fit cup/matches\n"
                    "\n"
                    "Prints the weights that these matches give beside those in use\n"
-                   "(docs/tournaments.md). It changes nothing.");
-  add_logs_argument(command, *arguments);
-  command.option("--cycles", arguments->cycles, "length of a window").above(0).shows_default();
+                   "(docs/tournaments.md). It changes nothing.",
+                   run_book_fit);
+  add_logs_argument(command, arguments);
+  command.option("--cycles", arguments.cycles, "length of a window").above(0).shows_default();
   command
-      .option("--ridge", arguments->ridge,
+      .option("--ridge", arguments.ridge,
               "shrink weights towards those of each figure alone, 0: not at all")
       .from(0)
       .shows_default();
-  command.flag("--json", arguments->json, "print the fit as JSON");
-  command.run = [arguments] { return run_fit(*arguments); };
+  command.flag("--json", arguments.json, "print the fit as JSON").of_group(kOutputGroup);
 }
 
 }  // namespace
@@ -258,9 +248,9 @@ void add_book_command(Command& app) {
                                  "  cls book make cup/matches --out moments.book.gz\n"
                                  "  cls compare NEW OLD --book moments.book.gz");
   command.group = kPlayCommands;
-  add_make(command);
-  add_show(command);
-  add_fit(command);
+  add_book_make(command);
+  add_book_show(command);
+  add_book_fit(command);
 }
 
 }  // namespace cls::cli

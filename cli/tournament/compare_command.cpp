@@ -3,14 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/io/whole_file.h"
 #include "base/text/fnv1a.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
 #include "cli/tournament/comparison_run.h"
@@ -27,7 +25,7 @@ namespace fs = std::filesystem;
 using namespace tournament;
 namespace match = match;
 
-constexpr const char* kDescription =
+constexpr const char* kCompareDescription =
     "test whether NEW is better than BASE\n"
     "Plays pairs of matches with one seed and swapped sides until a sequential\n"
     "test decides; a larger difference is decided sooner.\n"
@@ -45,7 +43,7 @@ constexpr const char* kDescription =
     "command resumes, also with another test or --max-pairs; other sides, seed or\n"
     "match settings have another folder.";
 
-struct Arguments {
+struct CompareArguments {
   std::string candidate;
   std::string base;
   std::vector<std::string> opponents;
@@ -62,27 +60,24 @@ struct Arguments {
 int add_team(TournamentConfig& config, std::string side, const std::string& suffix,
              const std::string& config_file) {
   std::string name;
-  if (const int exit_code = resolve_team_name(side, name, config_file); exit_code != kOk) {
-    return exit_code;
-  }
-  const auto endpoint = parse_side(side, config_file);
-  if (!endpoint) return print_error(kUsage, endpoint.error().message);
+  TRY_STEP(resolve_team_name(side, name, config_file));
+  TRY_INIT_OR(kUsage, const auto endpoint, parse_side(side, config_file));
 
   constexpr std::size_t kMaxStem = 10;
   if (name.empty()) {
-    name = match::default_team_name(*endpoint);
-    if (team_index(config, name) >= 0) name = name.substr(0, kMaxStem) + suffix;
+    name = match::default_team_name(endpoint);
+    if (team_index(config.competition, name) >= 0) name = name.substr(0, kMaxStem) + suffix;
   }
 
-  if (team_index(config, name) >= 0) {
+  if (team_index(config.competition, name) >= 0) {
     return print_error(kUsage, fmt::format("'{}' is named twice", side));
   }
-  config.teams.push_back({name, side});
+  config.competition.teams.push_back({name, side});
   return kOk;
 }
 
 // Situations have values, whole matches points and goals.
-int choose_measure(const Arguments& arguments, Comparison& comparison) {
+int choose_measure(const CompareArguments& arguments, Comparison& comparison) {
   match::MatchOptions options = match_options(comparison.config);
   if (const auto loaded = match::load_book(options); !loaded) {
     return print_error(exit_code_of_book(options.book), "--book: " + loaded.error().message);
@@ -103,31 +98,32 @@ int choose_measure(const Arguments& arguments, Comparison& comparison) {
   return kOk;
 }
 
-int make_comparison(const Arguments& arguments, Comparison& comparison) {
+int make_comparison(const CompareArguments& arguments, Comparison& comparison) {
   ChosenConfig chosen = choose_conditions(arguments.options);
   if (chosen.exit_code != kOk) return chosen.exit_code;
 
   TournamentConfig& config = comparison.config;
   config = std::move(chosen.config);
-  config.format = Format::kList;
-  config.rounds.reset();
-  config.swap_sides = true;
-  config.gauntlet.clear();
-  config.teams.clear();
+  config.competition.format = Format::kList;
+  config.competition.rounds.reset();
+  config.competition.swap_sides = true;
+  config.competition.gauntlet.clear();
+  config.competition.teams.clear();
   // Sides are resolved for the working directory already.
-  config.folder = fs::current_path();
+  config.execution.folder = fs::current_path();
 
   const std::string& file = arguments.options.config_file;
-  if (const int code = add_team(config, arguments.candidate, "", file); code != kOk) return code;
-  if (const int code = add_team(config, arguments.base, "_base", file); code != kOk) return code;
+  TRY_STEP(add_team(config, arguments.candidate, "", file));
+  TRY_STEP(add_team(config, arguments.base, "_base", file));
   for (const std::string& opponent : arguments.opponents) {
-    if (const int code = add_team(config, opponent, "_opp", file); code != kOk) return code;
+    TRY_STEP(add_team(config, opponent, "_opp", file));
   }
 
-  config.matches = {{config.teams[0].name, config.teams[1].name}};
+  config.competition.matches = {
+      {config.competition.teams[0].name, config.competition.teams[1].name}};
   comparison.test = arguments.test;
   comparison.test.kind = arguments.test_name == "sprt" ? TestKind::kSprt : TestKind::kBetting;
-  if (const int code = choose_measure(arguments, comparison); code != kOk) return code;
+  TRY_STEP(choose_measure(arguments, comparison));
   comparison.max_samples = arguments.max_pairs;
 
   const auto errors = validate(config);
@@ -138,18 +134,18 @@ int make_comparison(const Arguments& arguments, Comparison& comparison) {
 }
 
 // Derived from the plan, so that the same command finds it again.
-fs::path folder_of(const Arguments& arguments, const Comparison& comparison) {
+fs::path folder_of(const CompareArguments& arguments, const Comparison& comparison) {
   if (!arguments.options.folder.empty()) return arguments.options.folder;
 
   const TournamentConfig& config = comparison.config;
   const auto plan = static_cast<std::uint32_t>(base::fnv1a(format_config(config, true)));
-  return fs::path("runs") /
-         fmt::format("compare-{}-{}-{:08x}", config.teams[0].name, config.teams[1].name, plan);
+  return fs::path("runs") / fmt::format("compare-{}-{}-{:08x}", config.competition.teams[0].name,
+                                        config.competition.teams[1].name, plan);
 }
 
-int run(const Arguments& arguments) {
+int run_compare(const CompareArguments& arguments) {
   Comparison comparison;
-  if (const int code = make_comparison(arguments, comparison); code != kOk) return code;
+  TRY_STEP(make_comparison(arguments, comparison));
 
   const fs::path folder = folder_of(arguments, comparison);
   if (arguments.options.folder.empty()) {
@@ -160,7 +156,7 @@ int run(const Arguments& arguments) {
   return run_comparison(comparison, folder, arguments.session);
 }
 
-void add_test_options(Command& command, Arguments& arguments) {
+void add_test_options(Command& command, CompareArguments& arguments) {
   TestSettings& test = arguments.test;
   command
       .option("--test", arguments.test_name,
@@ -200,30 +196,29 @@ void add_test_options(Command& command, Arguments& arguments) {
 }  // namespace
 
 void add_compare_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("compare", kDescription);
+  auto [command, arguments] = app.command("compare", kCompareDescription, run_compare);
   command.group = kPlayCommands;
   command.starts_programs = true;
 
-  command.option("NEW", arguments->candidate, "the team under test").required();
-  command.option("BASE", arguments->base, "the reference team").required();
+  command.option("NEW", arguments.candidate, "the team under test").required();
+  command.option("BASE", arguments.base, "the reference team").required();
   command
-      .option("--opponents", arguments->opponents,
+      .option("--opponents A,B,...", arguments.opponents,
               "opponents of both teams: A,B,... (default: each other)")
+      .of_group(kTeamsGroup)
       .split_at(',')
       .takes(1);
 
-  add_test_options(command, *arguments);
+  add_test_options(command, arguments);
   command
-      .option("--max-pairs", arguments->max_pairs,
+      .option("--max-pairs", arguments.max_pairs,
               "maximum pairs; with --opponents: per team (default: no limit)")
       .above(0);
 
-  command.option("--dir", arguments->options.folder,
+  command.option("--dir DIR", arguments.options.folder,
                  "folder (default: ./runs/compare-<NEW>-<BASE>-<hash of the plan>)");
-  add_condition_options(command, arguments->options);
-  add_session_options(command, arguments->session, "verdict");
-  command.run = [arguments] { return run(*arguments); };
+  add_condition_options(command, arguments.options);
+  add_session_options(command, arguments.session, "verdict");
 }
 
 }  // namespace cls::cli

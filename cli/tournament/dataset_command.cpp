@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <future>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <utility>
@@ -18,19 +17,19 @@
 #include "base/system/own_program.h"
 #include "base/system/parallel.h"
 #include "base/text/counted.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/terminal/terminal.h"
 #include "cli/terminal/tournament_progress.h"
 #include "cli/tournament/tournament_options.h"
 #include "cli/tournament/tournament_session.h"
+#include "league/schedule/schedule.h"
+#include "league/schedule/schedule_check.h"
 #include "tournament/dataset/dataset.h"
 #include "tournament/dataset/dataset_check.h"
-#include "tournament/schedule/schedule.h"
-#include "tournament/schedule/schedule_check.h"
 #include "tournament/store/match_attempt.h"
 
 namespace cls::cli {
@@ -38,10 +37,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace tournament;
-using Json = nlohmann::ordered_json;
+using base::Json;
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kMakeDescription =
+constexpr const char* kDatasetMakeDescription =
     "play the matches of SPEC and store what happened and what each player knew\n"
     "\n"
     "  cls init cup && cls dataset make cup/cls.toml data\n"
@@ -177,14 +176,14 @@ void print_result(const MakeArguments& arguments, const std::vector<DatasetMatch
                   const Figures& figures) {
   const DatasetSize size = size_of(matches);
   if (arguments.session.json) {
-    fmt::print("{}", base::json_document(Json{{"schema", "cls.dataset/1"},
-                                              {"folder", arguments.folder},
-                                              {"matches", matches.size()},
-                                              {"valid", size.valid},
-                                              {"bytes", size.bytes},
-                                              {"played", figures.played},
-                                              {"seconds", figures.seconds},
-                                              {"own_share", figures.own_share}}));
+    print_json({{"schema", "cls.dataset/1"},
+                {"folder", arguments.folder},
+                {"matches", matches.size()},
+                {"valid", size.valid},
+                {"bytes", size.bytes},
+                {"played", figures.played},
+                {"seconds", figures.seconds},
+                {"own_share", figures.own_share}});
     return;
   }
   fmt::print("{}/: {}, {:.1f} MB ({:.2f} MB a match)\n", arguments.folder,
@@ -204,23 +203,23 @@ int make_dataset(const MakeArguments& arguments) {
   if (const auto errors = validate(config); !errors.empty()) {
     return print_errors(kBadConfig, errors);
   }
-  if (config.executor != ExecutorKind::kLocal) {
+  if (config.execution.executor != ExecutorKind::kLocal) {
     return print_error(kBadConfig, "executor: a data set is made on this host (\"local\")");
   }
 
   RunOptions options;
   options.folder = fs::path(arguments.folder) / kDatasetWork;
   options.config = config;
-  options.config.keep_logs = KeepLogs::kAll;  // until they are packed
+  options.config.execution.keep_logs = KeepLogs::kAll;  // until they are packed
   const auto outlook_of = [&config](const std::vector<ScheduledMatch>& matches) {
-    std::size_t left = next_fixtures(config, matches).size();
+    std::size_t left = next_fixtures(config.competition, matches).size();
     for (const ScheduledMatch& match : matches) left += match.outcome ? 0 : 1;
     return Outlook{static_cast<double>(left), fmt::format("{} matches to play", left)};
   };
   const OpenedFolder opened =
       begin_session(options.folder, options.config, arguments.session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
-  if (const auto checked = check_schedule(config, opened.matches); !checked) {
+  if (const auto checked = check_schedule(config.competition, opened.matches); !checked) {
     return print_error(kBadData, fmt::format("{}: {}", arguments.folder, checked.error().message));
   }
 
@@ -244,11 +243,9 @@ int make_dataset(const MakeArguments& arguments) {
 
   int exit_code = summary->progress.invalid == 0 ? kOk : kFailed;
   if (summary->end == RunEnd::kComplete) {
-    const auto matches = packer.packed(summary->matches);
-    if (!matches) return print_error(kBadData, matches.error().message);
-    const auto written = write_dataset(config, *matches, arguments.folder);
-    if (!written) return print_error(kWriteFailed, written.error().message);
-    print_result(arguments, *matches, figures_of(*summary, begin));
+    TRY_INIT_OR(kBadData, const auto matches, packer.packed(summary->matches));
+    TRY_OR(kWriteFailed, write_dataset(config, matches, arguments.folder));
+    print_result(arguments, matches, figures_of(*summary, begin));
   } else if (summary->end == RunEnd::kInterrupted) {
     exit_code = signal_exit_code(summary->signal);
   } else {
@@ -266,11 +263,11 @@ struct VerifyArguments {
 int report_problems(const VerifyArguments& arguments, std::size_t matches, std::size_t again,
                     const std::vector<std::string>& problems, int exit_code) {
   if (arguments.json) {
-    fmt::print("{}", base::json_document(Json{{"schema", "cls.dataset/1"},
-                                              {"folder", arguments.folder},
-                                              {"matches", matches},
-                                              {"played_again", again},
-                                              {"problems", problems}}));
+    print_json({{"schema", "cls.dataset/1"},
+                {"folder", arguments.folder},
+                {"matches", matches},
+                {"played_again", again},
+                {"problems", problems}});
   } else if (problems.empty()) {
     fmt::print("{}/: {} as they were made, {} played again with the same bytes\n", arguments.folder,
                base::counted(matches, "match", "matches"), again);
@@ -287,20 +284,17 @@ int verify_dataset(const VerifyArguments& arguments) {
                                              "make` makes one, or resumes it",
                                              arguments.folder, kDatasetMatches));
   }
-  const auto matches = read_dataset_matches(folder);
-  if (!matches) return print_error(kBadData, matches.error().message);
-  const std::vector<std::string> corrupt = check_dataset_files(folder, *matches);
-  if (!corrupt.empty()) return report_problems(arguments, matches->size(), 0, corrupt, kBadData);
+  TRY_INIT_OR(kBadData, const auto matches, read_dataset_matches(folder));
+  const std::vector<std::string> corrupt = check_dataset_files(folder, matches);
+  if (!corrupt.empty()) return report_problems(arguments, matches.size(), 0, corrupt, kBadData);
 
-  const auto config = read_dataset_plan(folder);
-  if (!config) return print_error(kBadData, config.error().message);
-  const auto program = base::own_program();
-  if (!program) return print_error(kUnavailable, program.error().message);
+  TRY_INIT_OR(kBadData, const auto config, read_dataset_plan(folder));
+  TRY_INIT_OR(kUnavailable, const auto program, base::own_program());
   const std::atomic<int>& signal = watch_interrupts();
-  const std::vector<DatasetMatch> sample = sample_of(*matches, arguments.sample);
+  const std::vector<DatasetMatch> sample = sample_of(matches, arguments.sample);
   std::vector<std::string> different;
   for (const DatasetMatch& match : sample) {
-    const auto found = replay_dataset_match(*config, match, *program, signal);
+    const auto found = replay_dataset_match(config, match, program, signal);
     if (signal != 0) return signal_exit_code(signal);
     if (!found) {
       return print_error(kFailed,
@@ -308,22 +302,19 @@ int verify_dataset(const VerifyArguments& arguments) {
     }
     different.insert(different.end(), found->begin(), found->end());
   }
-  return report_problems(arguments, matches->size(), sample.size(), different, kFailed);
+  return report_problems(arguments, matches.size(), sample.size(), different, kFailed);
 }
 
-void add_make(Command& dataset) {
-  const auto arguments = std::make_shared<MakeArguments>();
-  Command& command = dataset.command("make", kMakeDescription);
-  command.option("SPEC", arguments->tournament.config_file, "a cls.toml").required();
-  command.option("DIR", arguments->folder, "folder of the data set").required();
-  add_override_options(command, arguments->tournament);
-  add_session_options(command, arguments->session, "figures");
-  command.run = [arguments] { return make_dataset(*arguments); };
+void add_dataset_make(Command& dataset) {
+  auto [command, arguments] = dataset.command("make", kDatasetMakeDescription, make_dataset);
+  command.option("SPEC", arguments.tournament.config_file, "a cls.toml").required();
+  command.option("DIR", arguments.folder, "folder of the data set").required();
+  add_override_options(command, arguments.tournament);
+  add_session_options(command, arguments.session, "figures");
 }
 
-void add_verify(Command& dataset) {
-  const auto arguments = std::make_shared<VerifyArguments>();
-  Command& command = dataset.command(
+void add_dataset_verify(Command& dataset) {
+  auto [command, arguments] = dataset.command(
       "verify",
       "check the hashes of all files, and play some matches again\n"
       "\n"
@@ -331,11 +322,12 @@ void add_verify(Command& dataset) {
       "  cls dataset verify data --sample 0     hashes only\n"
       "\n"
       "Exit code: 0 if all is as it was, 65 if files are missing or corrupt, 1 if a\n"
-      "match played again has other bytes: another version of cls or of a side.");
-  command.option("DIR", arguments->folder, "folder of the data set").required();
-  command.option("--sample", arguments->sample, "matches to play again").shows_default();
-  command.flag("--json", arguments->json, "print the problems as one JSON document");
-  command.run = [arguments] { return verify_dataset(*arguments); };
+      "match played again has other bytes: another version of cls or of a side.",
+      verify_dataset);
+  command.option("DIR", arguments.folder, "folder of the data set").required();
+  command.option("--sample", arguments.sample, "matches to play again").shows_default();
+  command.flag("--json", arguments.json, "print the problems as one JSON document")
+      .of_group(kOutputGroup);
 }
 
 }  // namespace
@@ -352,8 +344,8 @@ void add_dataset_command(Command& app) {
                   "docs/data.md describes files and columns.");
   command.group = kPlayCommands;
   command.starts_programs = true;
-  add_make(command);
-  add_verify(command);
+  add_dataset_make(command);
+  add_dataset_verify(command);
 }
 
 }  // namespace cls::cli

@@ -1,20 +1,18 @@
 // `cls init`: writes cls.toml or planner.toml, never over an existing one.
+#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
-#include "base/text/json_text.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "match/terms/planner_file.h"
 #include "tournament/config/config_file.h"
 #include "tournament/config/preset.h"
@@ -24,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDescription =
+constexpr const char* kInitDescription =
     "write a commented cls.toml with teams and tournament\n"
     "\n"
     "  cls init            into the working directory\n"
@@ -35,7 +33,7 @@ constexpr const char* kDescription =
 
 constexpr const char* kPlannerFile = "planner.toml";
 
-struct Arguments {
+struct InitArguments {
   std::string folder = ".";
   bool planner = false;
   std::string preset;
@@ -45,7 +43,7 @@ struct Arguments {
 };
 
 // The text of the file, or an error of usage.
-base::Result<std::string> file_text(const Arguments& arguments) {
+base::Result<std::string> file_text(const InitArguments& arguments) {
   if (arguments.planner && !arguments.preset.empty()) {
     return base::Error{"--preset is for cls.toml, --planner for planner.toml; give one of them"};
   }
@@ -59,9 +57,8 @@ base::Result<std::string> file_text(const Arguments& arguments) {
   return tournament::preset_config(arguments.preset, teams);
 }
 
-int run(const Arguments& arguments) {
-  const auto text = file_text(arguments);
-  if (!text) return print_error(kUsage, text.error().message);
+int run_init(const InitArguments& arguments) {
+  TRY_INIT_OR(kUsage, const auto text, file_text(arguments));
   const fs::path folder = arguments.folder;
   const fs::path file = folder / (arguments.planner ? kPlannerFile : tournament::kConfigFile);
   std::error_code code;
@@ -70,20 +67,15 @@ int run(const Arguments& arguments) {
                                                   file.string(), file.filename().string()));
   }
   if (fs::exists(file, code)) {
-    const auto old = base::set_aside(file);
-    if (!old) return print_error(kCannotCreate, old.error().message);
+    TRY_OR(kCannotCreate, base::set_aside(file));
   }
 
-  if (const auto created = base::create_folders(folder); !created) {
-    return print_error(kCannotCreate, created.error().message);
-  }
+  TRY_OR(kCannotCreate, base::create_folders(folder));
 
-  const auto written = base::write_file(file, *text);
-  if (!written) return print_error(kCannotCreate, written.error().message);
+  TRY_OR(kCannotCreate, base::write_file(file, text));
 
   if (arguments.json) {
-    const nlohmann::ordered_json document = {{"schema", "cls.init/1"}, {"file", file.string()}};
-    fmt::print("{}", base::json_document(document));
+    print_json({{"schema", "cls.init/1"}, {"file", file.string()}});
   } else {
     fmt::print("{}\n", file.string());
   }
@@ -93,23 +85,21 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_init_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("init", kDescription);
-  command.option("DIR", arguments->folder, "folder of the file (default: working directory)");
-  command.flag("--planner", arguments->planner,
+  auto [command, arguments] = app.command("init", kInitDescription, run_init);
+  command.option("DIR", arguments.folder, "folder of the file (default: working directory)");
+  command.flag("--planner", arguments.planner,
                "write planner.toml, parameters of the planner, instead of cls.toml");
   command
-      .option("--preset", arguments->preset,
+      .option("--preset", arguments.preset,
               fmt::format("a cls.toml with the format of a competition: {}",
                           fmt::join(tournament::preset_names(), ", ")))
       .placeholder("NAME");
   command
-      .option("--teams", arguments->teams,
+      .option("--teams", arguments.teams,
               "of the preset: names of team folders in DIR (default: eight mocks)")
       .placeholder("A,B,...");
-  command.flag("--force", arguments->force, "rename an existing file to NAME.old");
-  command.flag("--json", arguments->json, "print one JSON document");
-  command.run = [arguments] { return run(*arguments); };
+  command.flag("--force", arguments.force, "rename an existing file to NAME.old");
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <utility>
@@ -12,13 +10,13 @@
 #include "base/io/tar.h"
 #include "base/io/whole_file.h"
 #include "base/text/counted.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "cli/logs/league_logs.h"
 #include "cli/logs/output_file.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
-#include "cli/tournament/tournament_run.h"
+#include "cli/terminal/json_stdout.h"
+#include "cli/tournament/tournament_session.h"
 #include "match/terms/endpoint.h"
 #include "tournament/config/config_file.h"
 #include "tournament/config/config_keys.h"
@@ -31,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace tournament;
 
-constexpr const char* kDescription =
+constexpr const char* kQualifyDescription =
     "play the matches of a qualification and pack their logs for the league\n"
     "\n"
     "  cls qualify team:mine team:opponents/helios team:opponents/cyrus\n"
@@ -44,7 +42,7 @@ constexpr const char* kDescription =
 constexpr int kFullTime = 6000;  // cycles of a match of the league
 constexpr std::string_view kArchiveEnding = ".tar.gz";
 
-struct Arguments {
+struct QualifyArguments {
   std::string team;
   std::vector<std::string> opponents;
   std::string folder = "qualification";
@@ -55,7 +53,7 @@ struct Arguments {
 };
 
 // Equal names of folders get a number.
-std::vector<TeamEntry> team_entries(const Arguments& arguments, std::string& error) {
+std::vector<TeamEntry> team_entries(const QualifyArguments& arguments, std::string& error) {
   std::vector<std::string> sides = arguments.opponents;
   sides.insert(sides.begin(), arguments.team);
   std::vector<TeamEntry> teams;
@@ -76,7 +74,7 @@ std::vector<TeamEntry> team_entries(const Arguments& arguments, std::string& err
   return teams;
 }
 
-std::string config_text(const Arguments& arguments, const std::vector<TeamEntry>& teams) {
+std::string config_text(const QualifyArguments& arguments, const std::vector<TeamEntry>& teams) {
   std::error_code code;
   std::string text = fmt::format(
       "# Matches of a qualification, written by `cls qualify`.\n"
@@ -103,9 +101,7 @@ int write_config(const fs::path& folder, const std::string& text) {
         kCannotCreate,
         fmt::format("{}: other teams or settings; --dir names another folder", file.string()));
   }
-  if (const auto created = base::create_folders(folder); !created) {
-    return print_error(kCannotCreate, created.error().message);
-  }
+  TRY_OR(kCannotCreate, base::create_folders(folder));
   const auto written = base::write_file(file, text);
   return written ? kOk : print_error(kCannotCreate, written.error().message);
 }
@@ -117,23 +113,21 @@ struct Packed {
 
 // Prints the error and returns an exit code.
 int read_matches(const fs::path& folder, int cycles, std::vector<Packed>& packed) {
-  const auto state = read_tournament(folder);
-  if (!state) return print_error(kBadData, state.error().message);
-  for (const ScheduledMatch& match : state->matches) {
+  TRY_INIT_OR(kBadData, const auto state, read_tournament(folder));
+  for (const ScheduledMatch& match : state.matches) {
     if (!match.outcome || !match.outcome->played()) {
       return print_error(kFailed, fmt::format("match {} was not played", match.fixture.index));
     }
     const std::time_t start = parse_utc_time(match.outcome->started);
-    auto logs = read_league_logs(folder / match.outcome->folder, start);
-    if (!logs) return print_error(kBadData, logs.error().message);
-    if (logs->rcl.empty()) {
+    TRY_INIT_OR(kBadData, auto logs, read_league_logs(folder / match.outcome->folder, start));
+    if (logs.rcl.empty()) {
       return print_error(kBadData, fmt::format("match {} has no text log", match.fixture.index));
     }
-    if (logs->last_cycle < cycles) {
+    if (logs.last_cycle < cycles) {
       return print_error(kBadData, fmt::format("match {} ends at cycle {} of {}",
-                                               match.fixture.index, logs->last_cycle, cycles));
+                                               match.fixture.index, logs.last_cycle, cycles));
     }
-    packed.push_back({*std::move(logs), start});
+    packed.push_back({std::move(logs), start});
   }
   return kOk;
 }
@@ -165,7 +159,7 @@ std::string stem_of(const fs::path& out) {
   return stem;
 }
 
-int run(const Arguments& arguments) {
+int run_qualify(const QualifyArguments& arguments) {
   std::string error;
   const std::vector<TeamEntry> teams = team_entries(arguments, error);
   if (!error.empty()) return print_error(kUsage, error);
@@ -175,15 +169,13 @@ int run(const Arguments& arguments) {
     return print_error(kUsage,
                        fmt::format("--out '{}': must end in {}", out.string(), kArchiveEnding));
   }
-  if (const int code = write_config(arguments.folder, config_text(arguments, teams)); code != kOk) {
-    return code;
-  }
-  if (const int code = play_tournament(arguments.folder, arguments.json); code != kOk) return code;
+  TRY_STEP(write_config(arguments.folder, config_text(arguments, teams)));
+  TRY_STEP(play_tournament(arguments.folder, arguments.json));
 
   std::vector<Packed> packed;
   const int cycles = arguments.half_time * 20;
-  if (const int code = read_matches(arguments.folder, cycles, packed); code != kOk) return code;
-  if (const int code = write_archive(out, stem_of(out), packed); code != kOk) return code;
+  TRY_STEP(read_matches(arguments.folder, cycles, packed));
+  TRY_STEP(write_archive(out, stem_of(out), packed));
 
   std::vector<std::string> files;
   for (const Packed& one : packed) files.push_back(one.logs.name);
@@ -193,12 +185,10 @@ int run(const Arguments& arguments) {
         0, fmt::format("warning: {} cycles a match; the league asks for whole matches", cycles));
   }
   if (arguments.json) {
-    const nlohmann::ordered_json document = {{"schema", "cls.qualify/1"},
-                                             {"archive", out.string()},
-                                             {"whole_matches", whole},
-                                             {"matches", files}};
-    fmt::print("{}", base::json_document(document));
-    return kOk;
+    return print_json({{"schema", "cls.qualify/1"},
+                       {"archive", out.string()},
+                       {"whole_matches", whole},
+                       {"matches", files}});
   }
   fmt::print("{}: {}\n", out.string(), base::counted(files.size(), "match", "matches"));
   for (const std::string& file : files) fmt::print("  {}.rcg, .rcl\n", file);
@@ -208,20 +198,19 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_qualify_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("qualify", kDescription);
+  auto [command, arguments] = app.command("qualify", kQualifyDescription, run_qualify);
   command.group = kPlayCommands;
   command.starts_programs = true;
-  command.option("TEAM", arguments->team, "the SIDE that qualifies").required();
-  command.option("OPPONENT", arguments->opponents, "SIDEs to play against").required();
-  command.option("--out", arguments->out, "the archive (default: TEAM_logs.tar.gz)");
-  command.option("--dir", arguments->folder, "folder of the matches").shows_default();
-  command.option("--mode", arguments->mode, "realtime, synch or lockstep")
+  command.option("TEAM", arguments.team, "the SIDE that qualifies").required();
+  command.option("OPPONENT", arguments.opponents, "SIDEs to play against").required();
+  command.option("--out FILE", arguments.out, "the archive (default: TEAM_logs.tar.gz)")
+      .of_group(kOutputGroup);
+  command.option("--dir DIR", arguments.folder, "folder of the matches").shows_default();
+  command.option("--mode MODE", arguments.mode, "realtime, synch or lockstep")
       .shows_default()
       .one_of({"realtime", "synch", "lockstep"});
-  command.option("--half-time", arguments->half_time, "seconds of a half").above(0).shows_default();
-  command.flag("--json", arguments->json, "print one JSON document");
-  command.run = [arguments] { return run(*arguments); };
+  command.option("--half-time", arguments.half_time, "seconds of a half").above(0).shows_default();
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -2,19 +2,17 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/io/whole_file.h"
 #include "base/text/counted.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "cli/logs/league_logs.h"
 #include "cli/logs/output_file.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/terminal/log_progress.h"
 #include "cli/tournament/tournament_session.h"
 #include "gamelog/files/log_files.h"
@@ -27,9 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace tournament;
-using Json = nlohmann::ordered_json;
+using base::Json;
 
-constexpr const char* kDescription =
+constexpr const char* kArchiveDescription =
     "write the logs of all matches as the league archives them\n"
     "\n"
     "  cls tournament archive cup               into cup/archive\n"
@@ -39,7 +37,7 @@ constexpr const char* kDescription =
     "and .rcl.gz. Files that are there already are left as they are, so the command\n"
     "may run again and again during the tournament.";
 
-struct Arguments {
+struct ArchiveArguments {
   std::string folder;
   std::string out;
   bool json = false;
@@ -104,26 +102,23 @@ bool add_match(const fs::path& folder, const ScheduledMatch& match, const fs::pa
   return true;
 }
 
-int run(const Arguments& arguments) {
-  if (const int code = check_tournament(arguments.folder); code != kOk) return code;
-  const auto state = read_tournament(arguments.folder);
-  if (!state) return print_error(kBadData, state.error().message);
+int run_archive(const ArchiveArguments& arguments) {
+  TRY_STEP(check_tournament(arguments.folder));
+  TRY_INIT_OR(kBadData, const auto state, read_tournament(arguments.folder));
   const bool inside = arguments.out.empty();
   const fs::path out = inside ? fs::path(arguments.folder) / "archive" : fs::path(arguments.out);
-  if (const auto made = inside ? gamelog::set_apart(out) : base::create_folders(out); !made) {
-    return print_error(kCannotCreate, made.error().message);
-  }
+  TRY_OR(kCannotCreate, inside ? gamelog::set_apart(out) : base::create_folders(out));
 
   const std::atomic<int>& signal = watch_interrupts();
   Archive archive;
-  LogProgress progress(state->matches.size());
+  LogProgress progress(state.matches.size());
   std::size_t done = 0;
   bool whole = true;
-  for (const ScheduledMatch& match : state->matches) {
+  for (const ScheduledMatch& match : state.matches) {
     progress.update(++done);
     if (signal != 0) return signal_exit_code(signal);
     if (!match.outcome || !match.outcome->finished()) continue;
-    if (match.outcome->folder.empty() && state->config.keep_logs == KeepLogs::kAll) {
+    if (match.outcome->folder.empty() && state.config.execution.keep_logs == KeepLogs::kAll) {
       continue;  // its result comes from a file
     }
     if (match.outcome->folder.empty()) {
@@ -140,10 +135,12 @@ int run(const Arguments& arguments) {
     if (!problem.empty()) print_error(0, problem);
   }
   if (arguments.json) {
-    const Json document = {{"schema", "cls.archive/1"},  {"dir", out.string()},
-                           {"written", archive.written}, {"present", archive.present},
-                           {"matches", archive.files},   {"problems", archive.problems}};
-    fmt::print("{}", base::json_document(document));
+    print_json({{"schema", "cls.archive/1"},
+                {"dir", out.string()},
+                {"written", archive.written},
+                {"present", archive.present},
+                {"matches", archive.files},
+                {"problems", archive.problems}});
   } else {
     fmt::print("{}: {} written, {} there already\n", out.string(),
                base::counted(archive.written, "match", "matches"), archive.present);
@@ -156,12 +153,10 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_tournament_archive_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("archive", kDescription);
-  command.option("DIR", arguments->folder, "folder of the tournament").required();
-  command.option("OUT", arguments->out, "folder of the archive (default: DIR/archive)");
-  command.flag("--json", arguments->json, "print one JSON document");
-  command.run = [arguments] { return run(*arguments); };
+  auto [command, arguments] = app.command("archive", kArchiveDescription, run_archive);
+  command.option("DIR", arguments.folder, "folder of the tournament").required();
+  command.option("OUT", arguments.out, "folder of the archive (default: DIR/archive)");
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,21 +12,21 @@
 #include "base/io/whole_file.h"
 #include "base/system/own_program.h"
 #include "base/text/counted.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "base/text/suggestion.h"
 #include "base/text/table.h"
 #include "cli/logs/analyzed_match.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/terminal/terminal.h"
 #include "cli/tournament/tournament_options.h"
 #include "gamelog/files/log_files.h"
 #include "match/result/match_folder.h"
 #include "match/result/match_result.h"
 #include "soccer/side.h"
-#include "tournament/schedule/concurrency.h"
+#include "tournament/slots/concurrency.h"
 #include "tournament/store/folder.h"
 #include "tournament/store/match_attempt.h"
 
@@ -38,7 +36,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace tournament;
 
-constexpr const char* kDescription =
+constexpr const char* kCheckInDescription =
     "start every team of a tournament once, under its conditions and limits\n"
     "\n"
     "  cls tournament check-in cup         a table of what each team did\n"
@@ -51,7 +49,7 @@ constexpr const char* kDescription =
 
 constexpr const char* kCheckInFolder = "check-in";
 
-struct Arguments {
+struct CheckInArguments {
   TournamentOptions tournament;
   std::vector<std::string> teams;  // empty: all
   int cycles = 100;
@@ -108,7 +106,7 @@ base::Result<std::optional<CheckIn>> check_in(process::ProcessHost& host,
                                               const fs::path& folder, const fs::path& program,
                                               const std::atomic<int>& signal) {
   constexpr std::chrono::milliseconds kPollInterval{5};
-  const TeamEntry& team = config.teams.front();
+  const TeamEntry& team = config.competition.teams.front();
   Fixture fixture;
   fixture.index = 1;
   fixture.right = 1;
@@ -163,7 +161,7 @@ void print_table(const std::vector<CheckIn>& checks) {
 }
 
 void print_json(const TournamentConfig& config, const std::vector<CheckIn>& checks) {
-  using Json = nlohmann::ordered_json;
+  using base::Json;
   Json teams = Json::array();
   for (const CheckIn& check : checks) {
     teams.push_back({{"team", check.team},
@@ -178,13 +176,12 @@ void print_json(const TournamentConfig& config, const std::vector<CheckIn>& chec
                      {"logs", check.logs.string()}});
   }
   const auto limit = [&config](const char* key) {
-    const auto found = config.options.find(key);
-    return found == config.options.end() ? Json(nullptr) : Json(found->second);
+    const auto found = config.conditions.options.find(key);
+    return found == config.conditions.options.end() ? Json(nullptr) : Json(found->second);
   };
-  const Json document = {{"schema", "cls.check-in/1"},
-                         {"limits", {{"memory", limit("max_memory")}, {"cpu", limit("max_cpu")}}},
-                         {"teams", std::move(teams)}};
-  fmt::print("{}", base::json_document(document));
+  print_json({{"schema", "cls.check-in/1"},
+              {"limits", {{"memory", limit("max_memory")}, {"cpu", limit("max_cpu")}}},
+              {"teams", std::move(teams)}});
 }
 
 // Keeps the teams that are asked for. Returns an error if one of them does not exist.
@@ -204,30 +201,25 @@ std::optional<std::string> select_teams(const std::vector<std::string>& wanted,
   return std::nullopt;
 }
 
-int run(const Arguments& arguments) {
+int run_check_in(const CheckInArguments& arguments) {
   const ChosenConfig chosen = choose_config(arguments.tournament);
   if (chosen.exit_code != kOk) return chosen.exit_code;
-  std::vector<TeamEntry> teams = chosen.config.teams;
+  std::vector<TeamEntry> teams = chosen.config.competition.teams;
   if (const auto error = select_teams(arguments.teams, teams)) return print_error(kUsage, *error);
   const fs::path folder = arguments.tournament.folder;
-  if (const auto created = gamelog::set_apart(folder / kCheckInFolder); !created) {
-    return print_error(kCannotCreate, created.error().message);
-  }
-  const auto program = base::own_program();
-  if (!program) return print_error(kUnavailable, program.error().message);
-  auto host = process::ProcessHost::create();
-  if (!host) return print_error(kUnavailable, host.error().message);
+  TRY_OR(kCannotCreate, gamelog::set_apart(folder / kCheckInFolder));
+  TRY_INIT_OR(kUnavailable, const auto program, base::own_program());
+  TRY_INIT_OR(kUnavailable, auto host, process::ProcessHost::create());
 
   const std::atomic<int>& signal = watch_interrupts();
   std::vector<CheckIn> checks;
   for (const TeamEntry& team : teams) {
     const TournamentConfig one = config_of(chosen.config, team, arguments.cycles);
-    const auto check = check_in(*host, one, folder, *program, signal);
-    if (!check) return print_error(kUnavailable, check.error().message);
-    if (!*check) return signal_exit_code(signal);
-    checks.push_back(**check);
+    TRY_INIT_OR(kUnavailable, const auto check, check_in(host, one, folder, program, signal));
+    if (!check) return signal_exit_code(signal);
+    checks.push_back(*check);
     if (!arguments.json) {
-      fmt::print(stderr, "cls: {}: {}\n", team.name, (*check)->played ? "ok" : "FAILED");
+      fmt::print(stderr, "cls: {}: {}\n", team.name, check->played ? "ok" : "FAILED");
     }
   }
   if (arguments.json) {
@@ -246,12 +238,10 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_tournament_check_in_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("check-in", kDescription);
-  add_tournament_options(command, arguments->tournament);
-  command.option("TEAM", arguments->teams, "names of teams (default: all)");
-  command.flag("--json", arguments->json, "print one JSON document");
-  command.run = [arguments] { return run(*arguments); };
+  auto [command, arguments] = app.command("check-in", kCheckInDescription, run_check_in);
+  add_tournament_options(command, arguments.tournament);
+  command.option("TEAM", arguments.teams, "names of teams (default: all)");
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -1,19 +1,16 @@
 // `cls tournament decide DIR`: decisions of the organizers on matches.
 #include <fmt/format.h>
 
-#include <memory>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "base/system/host.h"
 #include "base/text/counted.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/terminal/terminal.h"
 #include "cli/tournament/tournament_session.h"
 #include "tournament/report/report_tables.h"
@@ -28,7 +25,7 @@ namespace {
 
 using namespace tournament;
 
-constexpr const char* kDescription =
+constexpr const char* kDecideDescription =
     "annul, award or repeat a match, with a reason that the report shows\n"
     "\n"
     "  cls tournament decide cup --match 12 --award 3:0 --reason 'RED did not start'\n"
@@ -41,7 +38,7 @@ constexpr const char* kDescription =
     "rounds that a decision changes are drawn again, with --redraw also if they were\n"
     "played.";
 
-struct Arguments {
+struct DecideArguments {
   std::string folder;
   int match = 0;
   bool annul = false;
@@ -55,7 +52,7 @@ struct Arguments {
 };
 
 // The decision that the options describe, or an exit code whose error is printed.
-int decision_in(const Arguments& arguments, MatchDecision& decision) {
+int decision_in(const DecideArguments& arguments, MatchDecision& decision) {
   const int kinds =
       arguments.annul + arguments.replay + arguments.as_played + !arguments.award.empty();
   if (kinds != 1) {
@@ -91,26 +88,23 @@ int decision_in(const Arguments& arguments, MatchDecision& decision) {
   return kOk;
 }
 
-int print_decisions(const Arguments& arguments) {
-  const auto state = read_tournament(arguments.folder);
-  if (!state) return print_error(kBadData, state.error().message);
+int print_decisions(const DecideArguments& arguments) {
+  TRY_INIT_OR(kBadData, const auto state, read_tournament(arguments.folder));
   if (arguments.json) {
-    nlohmann::ordered_json document = {{"schema", "cls.decisions/1"}};
-    document["decisions"] = nlohmann::ordered_json::array();
-    const auto decisions = read_decisions(arguments.folder);
-    if (!decisions) return print_error(kBadData, decisions.error().message);
-    for (const MatchDecision& one : *decisions) document["decisions"].push_back(json_of(one));
-    fmt::print("{}", base::json_document(document));
-    return kOk;
+    base::Json document = {{"schema", "cls.decisions/1"}};
+    document["decisions"] = base::Json::array();
+    TRY_INIT_OR(kBadData, const auto decisions, read_decisions(arguments.folder));
+    for (const MatchDecision& one : decisions) document["decisions"].push_back(json_of(one));
+    return print_json(document);
   }
-  const Report report = make_report(state->config, state->matches, arguments.folder);
+  const Report report = make_report(state.config, state.matches, arguments.folder);
   const ReportTable table = decisions_table(report);
   fmt::print("{}", table.empty() ? "no decisions\n"
                                  : table.table.format_text({0, stdout_width(), table.key_columns}));
   return kOk;
 }
 
-int print_effect(const Arguments& arguments, const TournamentConfig& config,
+int print_effect(const DecideArguments& arguments, const TournamentConfig& config,
                  const DecisionEffect& effect) {
   if (effect.refused) {
     return print_error(
@@ -123,17 +117,15 @@ int print_effect(const Arguments& arguments, const TournamentConfig& config,
                     effect.removed_played == 1 ? "it" : "them"));
   }
   if (arguments.json) {
-    nlohmann::ordered_json document = {{"schema", "cls.decide/1"}};
+    base::Json document = {{"schema", "cls.decide/1"}};
     document["match"] = json_of(config, effect.match);
-    document["drawn_again_from"] =
-        effect.drawn_again ? nlohmann::ordered_json(*effect.drawn_again) : nullptr;
+    document["drawn_again_from"] = effect.drawn_again ? base::Json(*effect.drawn_again) : nullptr;
     document["removed"] = effect.removed;
-    fmt::print("{}", base::json_document(document));
-    return kOk;
+    return print_json(document);
   }
   const Fixture& fixture = effect.match.fixture;
   const auto team = [&config](int index) {
-    return config.teams[static_cast<std::size_t>(index)].name;
+    return config.competition.teams[static_cast<std::size_t>(index)].name;
   };
   const std::string what = decision_text(effect.match);
   fmt::print("match {}, {}: {} - {}: {}\n", fixture.index, stage_text(fixture), team(fixture.left),
@@ -145,53 +137,50 @@ int print_effect(const Arguments& arguments, const TournamentConfig& config,
   return kOk;
 }
 
-int run(const Arguments& arguments) {
-  if (const int code = check_tournament(arguments.folder, kRunCreatesOne); code != kOk) return code;
+int run_decide(const DecideArguments& arguments) {
+  TRY_STEP(check_tournament(arguments.folder, kRunCreatesOne));
   if (arguments.match == 0) return print_decisions(arguments);
   MatchDecision decision;
-  if (const int exit_code = decision_in(arguments, decision); exit_code != kOk) return exit_code;
+  TRY_STEP(decision_in(arguments, decision));
 
-  const auto lock = FolderLock::try_lock(arguments.folder);
-  if (!lock) return print_error(kCannotCreate, lock.error().message);
-  if (!*lock) {
+  TRY_INIT_OR(kCannotCreate, const auto lock, FolderLock::try_lock(arguments.folder));
+  if (!lock) {
     return print_error(kTryAgain, fmt::format("{0}: a run is in progress; `cls tournament stop "
                                               "{0}` ends it after its current matches",
                                               arguments.folder));
   }
   // Result files of `work` are matches too; this checks the folder as well.
-  const auto state = read_tournament(arguments.folder);
-  if (!state) return print_error(kBadData, state.error().message);
-  const auto effect = decide(arguments.folder, state->config, decision, arguments.redraw);
+  TRY_INIT_OR(kBadData, const auto state, read_tournament(arguments.folder));
+  const auto effect = decide(arguments.folder, state.config, decision, arguments.redraw);
   if (!effect) {
     return print_error(kUsage, fmt::format("{}: {}", arguments.folder, effect.error().message));
   }
-  return print_effect(arguments, state->config, *effect);
+  return print_effect(arguments, state.config, *effect);
 }
 
 }  // namespace
 
 void add_tournament_decide_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("decide", kDescription);
-  command.option("DIR", arguments->folder, "folder of the tournament").required();
-  command.option("--match", arguments->match, "number of the match (default: list the decisions)")
+  auto [command, arguments] = app.command("decide", kDecideDescription, run_decide);
+  command.option("DIR", arguments.folder, "folder of the tournament").required();
+  command.option("--match", arguments.match, "number of the match (default: list the decisions)")
       .above(0);
   command
-      .option("--award", arguments->award,
+      .option("--award", arguments.award,
               "LEFT:RIGHT, the result that counts, of the left and the right team")
       .placeholder("SCORE");
   command
-      .option("--penalties", arguments->penalties,
+      .option("--penalties", arguments.penalties,
               "LEFT:RIGHT, the shoot-out of an awarded level match")
       .placeholder("SCORE");
-  command.flag("--annul", arguments->annul, "the match counts for nothing");
-  command.flag("--replay", arguments->replay, "the match is played again, on a new seed");
-  command.flag("--as-played", arguments->as_played, "take back what was decided before");
-  command.option("--reason", arguments->reason, "why, for the report").placeholder("WHY");
-  command.flag("--redraw", arguments->redraw,
+  command.flag("--annul", arguments.annul, "the match counts for nothing");
+  command.flag("--replay", arguments.replay, "the match is played again, on a new seed")
+      .of_group(kDebuggingGroup);
+  command.flag("--as-played", arguments.as_played, "take back what was decided before");
+  command.option("--reason", arguments.reason, "why, for the report").placeholder("WHY");
+  command.flag("--redraw", arguments.redraw,
                "discard later matches whose teams change, even if they were played");
-  command.flag("--json", arguments->json, "print one JSON document");
-  command.run = [arguments] { return run(*arguments); };
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

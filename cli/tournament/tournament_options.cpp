@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "base/io/whole_file.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "match/terms/endpoint.h"
 #include "tournament/config/config_file.h"
@@ -74,11 +73,11 @@ std::vector<std::string> apply_teams(TournamentConfig& config, const TournamentO
     const auto endpoint = match::parse_endpoint(team.substr(equals + 1));
     if (!endpoint) errors.push_back("--team: " + endpoint.error().message);
 
-    const int known = team_index(config, name);
+    const int known = team_index(config.competition, name);
     if (known < 0) {
-      config.teams.push_back({name, team.substr(equals + 1)});
+      config.competition.teams.push_back({name, team.substr(equals + 1)});
     } else {
-      config.teams[static_cast<std::size_t>(known)].endpoint = team.substr(equals + 1);
+      config.competition.teams[static_cast<std::size_t>(known)].endpoint = team.substr(equals + 1);
     }
   }
   return errors;
@@ -98,15 +97,17 @@ std::vector<std::string> apply_overrides(TournamentConfig& config,
   for (const std::string& setting : options.settings) {
     const std::size_t equals = setting.find('=');
     const std::string name = setting.substr(0, equals);
-    std::erase_if(config.settings, [&](const ServerSetting& one) { return one.name == name; });
-    config.settings.push_back(
+    std::erase_if(config.conditions.settings,
+                  [&](const ServerSetting& one) { return one.name == name; });
+    config.conditions.settings.push_back(
         {name, equals == std::string::npos ? "" : setting.substr(equals + 1)});
   }
   return errors;
 }
 
 void add_key_options(Command& command, TournamentOptions& options, bool schedule) {
-  command.option("--set", options.settings, "server::NAME=VALUE, repeatable").repeatable();
+  command.option("--set NAME=VALUE", options.settings, "server::NAME=VALUE, repeatable")
+      .repeatable();
   for (const ConfigKey& key : tournament_keys()) {
     const bool of_tournament =
         key.group == KeyGroup::kReport || (key.group == KeyGroup::kSchedule && key.name != "seed");
@@ -120,7 +121,7 @@ void add_key_options(Command& command, TournamentOptions& options, bool schedule
 
 void add_shared_options(Command& command, TournamentOptions& options, bool schedule) {
   command.option(
-      "--config", options.config_file,
+      "--config FILE", options.config_file,
       schedule ? "configuration file (default: DIR/cls.toml, or cls.toml in or above the working "
                  "directory)"
                : "configuration file (default: cls.toml in or above the working directory)");
@@ -129,16 +130,17 @@ void add_shared_options(Command& command, TournamentOptions& options, bool sched
 
 void add_team_option(Command& command, TournamentOptions& options) {
   command
-      .option("--team", options.teams,
+      .option("--team NAME=SIDE", options.teams,
               "a team: NAME=ENDPOINT, repeatable; added to those of DIR/cls.toml")
+      .of_group(kTeamsGroup)
       .repeatable();
 }
 
 // The book of an option is looked for in the working directory, that of a file beside the file.
 void resolve_book(TournamentConfig& config, bool option) {
-  const auto book = config.options.find("book");
-  if (book == config.options.end()) return;
-  const fs::path folder = option ? fs::current_path() : fs::absolute(config.folder);
+  const auto book = config.conditions.options.find("book");
+  if (book == config.conditions.options.end()) return;
+  const fs::path folder = option ? fs::current_path() : fs::absolute(config.execution.folder);
   book->second = (folder / book->second).lexically_normal().string();
 }
 
@@ -154,9 +156,9 @@ ChosenConfig read_and_override(TournamentOptions options, const FoundConfig& fou
     if (!reading.errors.empty()) return {print_errors(kBadConfig, reading.errors), {}};
   }
 
-  if (reading.config.folder.empty()) reading.config.folder = fs::current_path();
+  if (reading.config.execution.folder.empty()) reading.config.execution.folder = fs::current_path();
   // The teams of a project are not those of a tournament that names its own.
-  if (!found.own && !options.teams.empty()) reading.config.teams.clear();
+  if (!found.own && !options.teams.empty()) reading.config.competition.teams.clear();
   const auto usage = apply_overrides(reading.config, options);
   if (!usage.empty()) return {print_errors(kUsage, usage), {}};
   resolve_book(reading.config, is_given(options, "book"));

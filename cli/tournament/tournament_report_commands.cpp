@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -13,26 +11,27 @@
 
 #include "base/io/whole_file.h"
 #include "base/text/counted.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/text/printable.h"
 #include "base/text/suggestion.h"
 #include "cli/logs/find_log.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/terminal/log_progress.h"
 #include "cli/terminal/terminal.h"
 #include "cli/tournament/tournament_options.h"
 #include "cli/tournament/tournament_session.h"
 #include "gamelog/rcl/rcl_reader.h"
+#include "league/schedule/schedule.h"
 #include "tournament/config/config_file.h"
 #include "tournament/config/config_keys.h"
 #include "tournament/config/start_times.h"
 #include "tournament/report/report_document.h"
 #include "tournament/report/report_html.h"
 #include "tournament/report/report_text.h"
-#include "tournament/schedule/schedule.h"
-#include "tournament/schedule/timetable.h"
+#include "tournament/slots/timetable.h"
 #include "tournament/store/folder.h"
 #include "tournament/store/match_document.h"
 #include "tournament/store/pauses_file.h"
@@ -52,13 +51,13 @@ constexpr const char* kPlanDescription =
     "  cls tournament plan cup                        of cup/cls.toml\n"
     "  cls tournament plan cup --rounds 10 --json     as run would play them";
 
-constexpr const char* kStatusDescription =
+constexpr const char* kTournamentStatusDescription =
     "show progress and standings of a tournament\n"
     "\n"
     "  cls tournament status cup           also while it runs\n"
     "  cls tournament status cup --json    the counts";
 
-constexpr const char* kReportDescription =
+constexpr const char* kTournamentReportDescription =
     "print tables, statistics and failures of a tournament\n"
     "\n"
     "  cls tournament report cup                                   on the terminal\n"
@@ -126,35 +125,37 @@ base::Result<std::vector<ScheduledMatch>> planned_matches(const TournamentOption
   const bool open = std::any_of(matches.begin(), matches.end(),
                                 [](const ScheduledMatch& match) { return !match.outcome; });
   if (open) return matches;
-  for (Fixture& fixture : next_fixtures(config, matches)) {
+  for (Fixture& fixture : next_fixtures(config.competition, matches)) {
     matches.push_back(planned(std::move(fixture)));
   }
   return matches;
 }
 
-int plan(const PlanArguments& arguments) {
+int run_plan(const PlanArguments& arguments) {
   const ChosenConfig chosen = choose_config(arguments.tournament);
   if (chosen.exit_code != kOk) return chosen.exit_code;
   const TournamentConfig& config = chosen.config;
 
-  const auto matches = planned_matches(arguments.tournament, config);
-  if (!matches) return print_error(kBadData, matches.error().message);
-  const Timetable times = timetable(config, *matches, std::time(nullptr));
+  TRY_INIT_OR(kBadData, const auto matches, planned_matches(arguments.tournament, config));
+  const Timetable times = timetable(config, matches, std::time(nullptr));
   if (arguments.json) {
-    print_json(config, *matches, times);
+    print_json(config, matches, times);
     return kOk;
   }
 
-  for (const ScheduledMatch& match : *matches) {
+  for (const ScheduledMatch& match : matches) {
     const PlannedStart* start = find_start(times, match.fixture.index);
     fmt::print("{}{}\n", times.starts.empty() ? "" : when_text(config, match, start),
                schedule_text(config, match.fixture));
   }
-  const bool later = config.format == Format::kGroups || config.format == Format::kKnockout ||
-                     config.format == Format::kDoubleElimination ||
-                     config.format == Format::kSwiss || config.format == Format::kStages;
-  fmt::print("{}, {} teams, seed {}: {} matches{}\n", name(config.format), config.teams.size(),
-             config.seed, matches->size(), later ? ", more follow from results" : "");
+  const bool later = config.competition.format == Format::kGroups ||
+                     config.competition.format == Format::kKnockout ||
+                     config.competition.format == Format::kDoubleElimination ||
+                     config.competition.format == Format::kSwiss ||
+                     config.competition.format == Format::kStages;
+  fmt::print("{}, {} teams, seed {}: {} matches{}\n", name(config.competition.format),
+             config.competition.teams.size(), config.competition.seed, matches.size(),
+             later ? ", more follow from results" : "");
   if (!times.starts.empty()) {
     fmt::print("{}, a match every {} minutes on each\n", base::counted(times.servers, "server"),
                times.slot_minutes);
@@ -175,10 +176,9 @@ struct FolderArguments {
 
 // Reads the tournament in DIR. Returns an exit code.
 int read(const std::string& folder, TournamentState& state) {
-  if (const int code = check_tournament(folder, kRunCreatesOne); code != kOk) return code;
-  auto read = read_tournament(folder);
-  if (!read) return print_error(kBadData, read.error().message);
-  state = *std::move(read);
+  TRY_STEP(check_tournament(folder, kRunCreatesOne));
+  TRY_INIT_OR(kBadData, auto read, read_tournament(folder));
+  state = std::move(read);
   return kOk;
 }
 
@@ -188,10 +188,10 @@ int choose_presentation(const FolderArguments& arguments, TournamentConfig& conf
   const fs::path file = fs::path(arguments.folder) / kConfigFile;
   if (fs::is_regular_file(file, code)) {
     if (ParsedConfig now = read_config(file); now.errors.empty()) {
-      config.name = std::move(now.config.name);
-      config.columns = std::move(now.config.columns);
-      config.start_times = std::move(now.config.start_times);
-      config.slot_minutes = now.config.slot_minutes;
+      config.report.name = std::move(now.config.report.name);
+      config.report.columns = std::move(now.config.report.columns);
+      config.report.start_times = std::move(now.config.report.start_times);
+      config.report.slot_minutes = now.config.report.slot_minutes;
     }
   }
 
@@ -203,7 +203,7 @@ int choose_presentation(const FolderArguments& arguments, TournamentConfig& conf
 
 // Reads the tournament in DIR with the presentation that the user wants. Returns an exit code.
 int read_to_report(const FolderArguments& arguments, TournamentState& state) {
-  if (const int exit_code = read(arguments.folder, state); exit_code != kOk) return exit_code;
+  TRY_STEP(read(arguments.folder, state));
   return choose_presentation(arguments, state.config);
 }
 
@@ -211,21 +211,23 @@ TextOptions text_options(const FolderArguments& arguments) {
   return {stdout_width(), arguments.all_matches};
 }
 
-int status(const FolderArguments& arguments) {
+int run_status(const FolderArguments& arguments) {
   TournamentState state;
-  if (const int exit_code = read_to_report(arguments, state); exit_code != kOk) return exit_code;
+  TRY_STEP(read_to_report(arguments, state));
   const Report report = make_report(state.config, state.matches, arguments.folder);
   const MatchCounts& counts = report.counts;
 
   if (arguments.json) {
-    const nlohmann::ordered_json document = {
-        {"schema", "cls.status/1"},      {"complete", report.complete},
-        {"scheduled", counts.scheduled}, {"finished", counts.finished},
-        {"forfeits", counts.forfeits},   {"invalid", counts.invalid},
-        {"annulled", counts.annulled},   {"open", counts.open},
-        {"running", state.running},      {"paused", state.paused}};
-    fmt::print("{}", base::json_document(document));
-    return kOk;
+    return print_json({{"schema", "cls.status/1"},
+                       {"complete", report.complete},
+                       {"scheduled", counts.scheduled},
+                       {"finished", counts.finished},
+                       {"forfeits", counts.forfeits},
+                       {"invalid", counts.invalid},
+                       {"annulled", counts.annulled},
+                       {"open", counts.open},
+                       {"running", state.running},
+                       {"paused", state.paused}});
   }
 
   fmt::print("{}; {}\n", counts_text(counts),
@@ -308,14 +310,14 @@ int unknown_format(const std::string& format) {
                   : fmt::format("--format '{}': did you mean '{}'?", format, near));
 }
 
-int report(const FolderArguments& arguments) {
+int run_report(const FolderArguments& arguments) {
   const std::string format = arguments.json ? "json" : arguments.format;
   const auto chosen =
       std::find_if(kFormats.begin(), kFormats.end(),
                    [&format](const ReportFormat& known) { return known.name == format; });
   if (chosen == kFormats.end()) return unknown_format(format);
   TournamentState state;
-  if (const int exit_code = read_to_report(arguments, state); exit_code != kOk) return exit_code;
+  TRY_STEP(read_to_report(arguments, state));
 
   Report report = make_report(state.config, state.matches, arguments.folder);
   report.link_base = link_base(arguments);
@@ -333,17 +335,17 @@ int report(const FolderArguments& arguments) {
 // `was_running`: a run was in progress and stops now.
 void print_stop(const FolderArguments& arguments, bool was_running) {
   if (arguments.json) {
-    const nlohmann::ordered_json document = {
+    const base::Json document = {
         {"schema", "cls.stop/1"}, {"dir", arguments.folder}, {"was_running", was_running}};
-    fmt::print("{}", base::json_document(document));
+    print_json(document);
     return;
   }
   fmt::print("{}: {}\n", arguments.folder,
              was_running ? "stopping after the current matches" : "no run in progress");
 }
 
-int stop(const FolderArguments& arguments) {
-  if (const int code = check_tournament(arguments.folder); code != kOk) return code;
+int run_stop(const FolderArguments& arguments) {
+  TRY_STEP(check_tournament(arguments.folder));
 
   if (!FolderLock::is_held(arguments.folder)) {
     print_stop(arguments, false);
@@ -363,12 +365,11 @@ int stop(const FolderArguments& arguments) {
 int print_pause(const FolderArguments& arguments, bool paused, const base::Result<bool>& changed) {
   if (!changed) return print_error(kWriteFailed, changed.error().message);
   if (arguments.json) {
-    const nlohmann::ordered_json document = {{"schema", "cls.pause/1"},
-                                             {"dir", arguments.folder},
-                                             {"paused", paused},
-                                             {"changed", *changed}};
-    fmt::print("{}", base::json_document(document));
-    return kOk;
+    const base::Json document = {{"schema", "cls.pause/1"},
+                                 {"dir", arguments.folder},
+                                 {"paused", paused},
+                                 {"changed", *changed}};
+    return print_json(document);
   }
   const char* after = paused ? "paused; running matches are played to the end" : "resumed";
   const char* before = paused ? "is paused already" : "is not paused";
@@ -376,89 +377,83 @@ int print_pause(const FolderArguments& arguments, bool paused, const base::Resul
   return kOk;
 }
 
-int pause(const FolderArguments& arguments) {
-  if (const int code = check_tournament(arguments.folder); code != kOk) return code;
+int run_pause(const FolderArguments& arguments) {
+  TRY_STEP(check_tournament(arguments.folder));
   if (arguments.reason.empty()) {
     return print_error(kUsage, "--reason WHY is required: the report shows it");
   }
   return print_pause(arguments, true, begin_pause(arguments.folder, arguments.reason));
 }
 
-int resume(const FolderArguments& arguments) {
-  if (const int code = check_tournament(arguments.folder); code != kOk) return code;
+int run_resume(const FolderArguments& arguments) {
+  TRY_STEP(check_tournament(arguments.folder));
   return print_pause(arguments, false, end_pause(arguments.folder));
 }
 
-Command& add_folder_command(Command& app, const char* name, const char* description,
-                            const std::shared_ptr<FolderArguments>& arguments,
-                            int (*run)(const FolderArguments&)) {
-  Command& command = app.command(name, description);
-  command.option("DIR", arguments->folder, "folder of the tournament").required();
-  command.run = [arguments, run] { return run(*arguments); };
-  return command;
+AddedCommand<FolderArguments> add_folder_command(Command& app, const char* name,
+                                                 const char* description,
+                                                 int (*run)(const FolderArguments&)) {
+  auto added = app.command(name, description, run);
+  added.command.option("DIR", added.arguments.folder, "folder of the tournament").required();
+  return added;
 }
 
 void add_columns_option(Command& command, FolderArguments& arguments) {
   command
-      .option("--columns", arguments.columns,
+      .option("--columns A,B,...", arguments.columns,
               fmt::format("columns of the standings, A,B,...: {} (default: columns in "
                           "cls.toml, else as the format needs)",
                           fmt::join(kStandingsColumns, ", ")))
-      .placeholder("LIST");
+      .of_group(kOutputGroup);
 }
 
 }  // namespace
 
 void add_tournament_plan_command(Command& app) {
-  const auto arguments = std::make_shared<PlanArguments>();
-  Command& command = app.command("plan", kPlanDescription);
-  add_tournament_options(command, arguments->tournament);
-  command.flag("--json", arguments->json, "print the list as JSON");
-  command.run = [arguments] { return plan(*arguments); };
+  auto [command, arguments] = app.command("plan", kPlanDescription, run_plan);
+  add_tournament_options(command, arguments.tournament);
+  command.flag("--json", arguments.json, "print the list as JSON").of_group(kOutputGroup);
 }
 
 void add_tournament_status_command(Command& app) {
-  const auto arguments = std::make_shared<FolderArguments>();
-  Command& command = add_folder_command(app, "status", kStatusDescription, arguments, status);
-  command.flag("--json", arguments->json, "print the counts as JSON");
-  add_columns_option(command, *arguments);
+  auto [command, arguments] =
+      add_folder_command(app, "status", kTournamentStatusDescription, run_status);
+  command.flag("--json", arguments.json, "print the counts as JSON").of_group(kOutputGroup);
+  add_columns_option(command, arguments);
 }
 
 void add_tournament_report_command(Command& app) {
-  const auto arguments = std::make_shared<FolderArguments>();
-  Command& command = add_folder_command(app, "report", kReportDescription, arguments, report);
-  command.option("--format", arguments->format, "text, md, csv, json, junit or html")
+  auto [command, arguments] =
+      add_folder_command(app, "report", kTournamentReportDescription, run_report);
+  command.option("--format FORMAT", arguments.format, "text, md, csv, json, junit or html")
+      .of_group(kOutputGroup)
       .shows_default();
-  command.option("--out", arguments->file, "write to FILE (default: stdout)").placeholder("FILE");
-  command.flag("--json", arguments->json, "the same as --format json");
+  command.option("--out FILE", arguments.file, "write to FILE (default: stdout)")
+      .of_group(kOutputGroup);
+  command.flag("--json", arguments.json, "the same as --format json").of_group(kOutputGroup);
 
-  command.flag("--matches", arguments->all_matches,
+  command.flag("--matches", arguments.all_matches,
                "text: list all matches with their logs and commands");
-  command.flag("--replays", arguments->replays,
+  command.flag("--replays", arguments.replays,
                "write a replay page into each match folder (1.5 MB each), to which the\n"
                "lists of matches in Markdown and HTML link");
-  add_columns_option(command, *arguments);
+  add_columns_option(command, arguments);
 }
 
 void add_tournament_stop_command(Command& app) {
-  const auto arguments = std::make_shared<FolderArguments>();
-  Command& command = add_folder_command(app, "stop", kStopDescription, arguments, stop);
-  command.flag("--json", arguments->json, "print one JSON document");
+  auto [command, arguments] = add_folder_command(app, "stop", kStopDescription, run_stop);
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 void add_tournament_pause_command(Command& app) {
-  const auto arguments = std::make_shared<FolderArguments>();
-  Command& command = add_folder_command(app, "pause", kPauseDescription, arguments, pause);
-  command.option("--reason", arguments->reason, "why, for the report")
-      .placeholder("WHY")
-      .required();
-  command.flag("--json", arguments->json, "print one JSON document");
+  auto [command, arguments] = add_folder_command(app, "pause", kPauseDescription, run_pause);
+  command.option("--reason", arguments.reason, "why, for the report").placeholder("WHY").required();
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 void add_tournament_resume_command(Command& app) {
-  const auto arguments = std::make_shared<FolderArguments>();
-  Command& command = add_folder_command(app, "resume", kResumeDescription, arguments, resume);
-  command.flag("--json", arguments->json, "print one JSON document");
+  auto [command, arguments] = add_folder_command(app, "resume", kResumeDescription, run_resume);
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

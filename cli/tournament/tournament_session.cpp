@@ -12,7 +12,6 @@
 #include "base/io/whole_file.h"
 #include "base/text/counted.h"
 #include "cli/support/command_line.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
 #include "match/result/match_files.h"
@@ -34,14 +33,13 @@ int busy(const fs::path& folder) {
 }
 
 int start_over(const fs::path& folder) {
-  const auto aside = base::set_aside(folder);
-  if (!aside) return print_error(kCannotCreate, aside.error().message);
-  fmt::print(stderr, "cls: old tournament moved to {}\n", aside->string());
+  TRY_INIT_OR(kCannotCreate, const auto aside, base::set_aside(folder));
+  fmt::print(stderr, "cls: old tournament moved to {}\n", aside.string());
 
   std::error_code code;
   fs::create_directories(folder, code);
-  if (fs::exists(*aside / kConfigFile, code)) {
-    fs::copy_file(*aside / kConfigFile, folder / kConfigFile, code);
+  if (fs::exists(aside / kConfigFile, code)) {
+    fs::copy_file(aside / kConfigFile, folder / kConfigFile, code);
   }
   return kOk;
 }
@@ -84,9 +82,10 @@ std::vector<Warning> warnings_of(const std::vector<ScheduledMatch>& matches) {
 
 std::string warning_line(const TournamentConfig& config, const Warning& warning) {
   const Fixture& first = warning.matches.front()->fixture;
-  std::string where = fmt::format("match {} ({} - {})", first.index,
-                                  config.teams[static_cast<std::size_t>(first.left)].name,
-                                  config.teams[static_cast<std::size_t>(first.right)].name);
+  std::string where =
+      fmt::format("match {} ({} - {})", first.index,
+                  config.competition.teams[static_cast<std::size_t>(first.left)].name,
+                  config.competition.teams[static_cast<std::size_t>(first.right)].name);
   if (const std::size_t more = warning.matches.size() - 1; more > 0) {
     where += fmt::format(" and {} more", more);
   }
@@ -195,9 +194,10 @@ void add_session_options(Command& command, SessionOptions& options, const std::s
   options.has_no_preflight = true;
   command.flag("--no-preflight", options.no_preflight,
                "start without checking teams and host first");
-  command.flag("--strict", options.strict, "fail (exit 1) on any warning");
-  command.flag("--json", options.json, fmt::format("print only the {} as JSON", document));
-  command.flag("--quiet", options.quiet, "print no progress and no notes");
+  command.flag("--strict", options.strict, "fail (exit 1) on any warning").of_group(kOutputGroup);
+  command.flag("--json", options.json, fmt::format("print only the {} as JSON", document))
+      .of_group(kOutputGroup);
+  command.flag("--quiet", options.quiet, "print no progress and no notes").of_group(kOutputGroup);
 }
 
 OpenedFolder begin_session(const fs::path& folder, const TournamentConfig& config,

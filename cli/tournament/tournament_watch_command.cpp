@@ -8,18 +8,16 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "base/system/socket_address.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/tournament/tournament_session.h"
 #include "tournament/spectators/spectator_site.h"
 #include "tournament/store/folder.h"
@@ -32,7 +30,7 @@ namespace fs = std::filesystem;
 namespace tournament = tournament;
 using std::chrono::milliseconds;
 
-constexpr const char* kDescription =
+constexpr const char* kTournamentWatchDescription =
     "serve a page for spectators of a tournament: schedule, live, tables, replays\n"
     "\n"
     "  cls tournament watch cup                        http://127.0.0.1:8080/, for a\n"
@@ -58,7 +56,7 @@ constexpr int kSendBuffer = 64 << 10;
 constexpr milliseconds kWriteTimeout{20'000};
 constexpr milliseconds kFeedInterval{50};
 
-struct Arguments {
+struct TournamentWatchArguments {
   std::string folder;
   viewer::HttpAddress address{"127.0.0.1", kDefaultPort};
   std::string path = "/";
@@ -91,7 +89,7 @@ int allowed_connections(int wanted) {
   return most < wanted ? std::max(1, static_cast<int>(most)) : wanted;
 }
 
-viewer::HttpAccess access_of(const Arguments& arguments) {
+viewer::HttpAccess access_of(const TournamentWatchArguments& arguments) {
   viewer::HttpAccess access;
   access.open = true;
   access.prefix = with_slashes(arguments.path);
@@ -106,15 +104,14 @@ viewer::HttpAccess access_of(const Arguments& arguments) {
 
 void print_address(const std::string& url, bool json) {
   if (json) {
-    const nlohmann::ordered_json document = {{"schema", "cls.watch/1"}, {"url", url}};
-    fmt::print("{}", base::json_document(document));
+    print_json({{"schema", "cls.watch/1"}, {"url", url}});
   } else {
     fmt::print("{}\n", url);
   }
   std::fflush(stdout);
 }
 
-int watch(const Arguments& arguments) {
+int run_tournament_watch(const TournamentWatchArguments& arguments) {
   if (!is_plain_path(arguments.path)) {
     return print_error(
         kUsage, fmt::format("--path '{}': letters, digits and / - _ . only", arguments.path));
@@ -124,7 +121,7 @@ int watch(const Arguments& arguments) {
                                            arguments.address.host));
   }
   const std::string remedy = fmt::format("; 'cls tournament run {}' begins one", arguments.folder);
-  if (const int code = check_tournament(arguments.folder, remedy); code != kOk) return code;
+  TRY_STEP(check_tournament(arguments.folder, remedy));
   // A running match needs the processor cores more than those who watch it.
   ::setpriority(PRIO_PROCESS, 0, kNice);
 
@@ -133,13 +130,12 @@ int watch(const Arguments& arguments) {
   if (code) folder = arguments.folder;
   tournament::SpectatorOptions options;
   options.delay = milliseconds(static_cast<int>(arguments.delay_s * 1000.0));
-  const auto site = tournament::SpectatorSite::open(folder, options);
-  if (!site) return print_error(kBadData, site.error().message);
+  TRY_INIT_OR(kBadData, const auto site, tournament::SpectatorSite::open(folder, options));
 
   const std::atomic<int>& signal = watch_interrupts();
   const auto server = viewer::HttpServer::start(
       arguments.address,
-      [site = site->get()](std::string_view path, std::string_view query) {
+      [site = site.get()](std::string_view path, std::string_view query) {
         return site->reply(path, query);
       },
       access_of(arguments));
@@ -155,36 +151,36 @@ int watch(const Arguments& arguments) {
 }  // namespace
 
 void add_tournament_watch_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("watch", kDescription);
-  command.option("DIR", arguments->folder, "folder of the tournament").required();
-  command.option("--listen", arguments->address.host,
+  auto [command, arguments] =
+      app.command("watch", kTournamentWatchDescription, run_tournament_watch);
+  command.option("DIR", arguments.folder, "folder of the tournament").required();
+  command.option("--listen ADDRESS", arguments.address.host,
                  "IP address of the page (default: 127.0.0.1; 0.0.0.0: all of this host)");
-  command.option("--port", arguments->address.port, "its port; 0 selects a free one")
+  command.option("--port", arguments.address.port, "its port; 0 selects a free one")
       .shows_default()
       .range(0, 65535);
   command
-      .option("--path", arguments->path,
+      .option("--path", arguments.path,
               "first part of all addresses, for a proxy that does not remove it")
       .shows_default();
   command
-      .option("--host-name", arguments->host_names,
+      .option("--host-name", arguments.host_names,
               "names, A,B,..., under which browsers reach the page, besides addresses\n"
               "and the name of this host")
       .placeholder("NAME")
       .split_at(',');
   command
-      .option("--delay", arguments->delay_s,
+      .option("--delay", arguments.delay_s,
               "seconds by which the page is behind the matches: no program on the\n"
               "pitch profits from it (default: 0)")
       .range(0, kMaxDelaySeconds);
   command
-      .option("--max-connections", arguments->max_connections,
+      .option("--max-connections", arguments.max_connections,
               "how many there may be; a browser needs one or two")
       .shows_default()
       .range(1, 100000);
-  command.flag("--json", arguments->json, "print the address as one JSON document");
-  command.run = [arguments] { return watch(*arguments); };
+  command.flag("--json", arguments.json, "print the address as one JSON document")
+      .of_group(kOutputGroup);
 }
 
 }  // namespace cls::cli

@@ -1,18 +1,16 @@
 // `cls tune`: the list of its sub-commands, and `cls tune init`.
+#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
-#include "base/text/json_text.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "tournament/tuning/tune_config.h"
 
 namespace cls::cli {
@@ -20,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDescription =
+constexpr const char* kTuneDescription =
     "search for better parameters of a Playmaker by playing\n"
     "\n"
     "  cls tune init DIR          write a commented tune.toml: team, parameters\n"
@@ -30,7 +28,7 @@ constexpr const char* kDescription =
     "\n"
     "docs/tuning.md is a tutorial.";
 
-constexpr const char* kInitDescription =
+constexpr const char* kTuneInitDescription =
     "write a commented tune.toml with a small search\n"
     "\n"
     "  cls tune init          into the working directory\n"
@@ -52,6 +50,12 @@ constexpr const char* kTemplate =
 }
 )";
 
+struct TuneInitArguments {
+  std::string folder = ".";
+  bool force = false;
+  bool json = false;
+};
+
 int write_new(const fs::path& file, const std::string& text, bool force) {
   std::error_code code;
   if (fs::exists(file, code)) {
@@ -59,58 +63,47 @@ int write_new(const fs::path& file, const std::string& text, bool force) {
       return print_error(kCannotCreate, fmt::format("{}: exists; --force renames it to {}.old",
                                                     file.string(), file.filename().string()));
     }
-    if (const auto old = base::set_aside(file); !old) {
-      return print_error(kCannotCreate, old.error().message);
-    }
+    TRY_OR(kCannotCreate, base::set_aside(file));
   }
 
   const auto written = base::write_file(file, text);
   return written ? kOk : print_error(kCannotCreate, written.error().message);
 }
 
-int init(const std::string& folder, bool force, bool json) {
+int run_tune_init(const TuneInitArguments& arguments) {
   using namespace tournament;
-  if (const auto created = base::create_folders(folder); !created) {
-    return print_error(kCannotCreate, created.error().message);
+  const fs::path folder = arguments.folder;
+  TRY_OR(kCannotCreate, base::create_folders(folder));
+
+  const fs::path file = folder / kTuneFile;
+  const fs::path script = folder / kTemplateName;
+  for (const auto& [path, text] :
+       {std::pair(file, commented_tune_config()), std::pair(script, std::string(kTemplate))}) {
+    TRY_STEP(write_new(path, text, arguments.force));
   }
 
-  const fs::path file = fs::path(folder) / kTuneFile;
-  if (const int code = write_new(file, commented_tune_config(), force); code != kOk) return code;
-  const fs::path script = fs::path(folder) / kTemplateName;
-  if (const int code = write_new(script, kTemplate, force); code != kOk) return code;
-
-  if (json) {
-    const nlohmann::ordered_json document = {
-        {"schema", "cls.init/1"}, {"file", file.string()}, {"template", script.string()}};
-    fmt::print("{}", base::json_document(document));
+  if (arguments.json) {
+    print_json({{"schema", "cls.init/1"}, {"file", file.string()}, {"template", script.string()}});
   } else {
     fmt::print("{}\n{}\n", file.string(), script.string());
   }
   return kOk;
 }
 
-void add_init(Command& app) {
-  const auto folder = std::make_shared<std::string>(".");
-  const auto force = std::make_shared<bool>(false);
-  const auto json = std::make_shared<bool>(false);
-
-  Command& command = app.command("init", kInitDescription);
-  command.option("DIR", *folder, "folder of the files (default: working directory)");
-  command.flag("--force", *force, "rename existing files to NAME.old");
-  command.flag("--json", *json, "print one JSON document");
-  command.run = [folder, force, json] { return init(*folder, *force, *json); };
-}
-
 }  // namespace
 
+void add_tune_init_command(Command& tune) {
+  auto [command, arguments] = tune.command("init", kTuneInitDescription, run_tune_init);
+  command.option("DIR", arguments.folder, "folder of the files (default: working directory)");
+  command.flag("--force", arguments.force, "rename existing files to NAME.old");
+  command.flag("--json", arguments.json, "print one JSON document");
+}
+
 void add_tune_command(Command& app) {
-  Command& command = app.command("tune", kDescription);
-  command.group = kPlayCommands;
-  command.starts_programs = true;
-  add_init(command);
-  add_tune_run_command(command);
-  add_tune_status_command(command);
-  add_tune_report_command(command);
+  Command& parent = app.command("tune", kTuneDescription);
+  parent.group = kPlayCommands;
+  parent.starts_programs = true;
+  CLS_TUNE_COMMANDS(CLS_ADD_COMMAND)
 }
 
 }  // namespace cls::cli
