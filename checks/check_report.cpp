@@ -5,26 +5,19 @@
 
 #include <algorithm>
 #include <chrono>
-#include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 #include "base/report/github.h"
 #include "base/report/junit.h"
+#include "base/text/enum_names.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 
 namespace cls::checks {
 namespace {
 
-const char* name(StepResult result) {
-  switch (result) {
-    case StepResult::kPass:
-      return "pass";
-    case StepResult::kFail:
-      return "fail";
-    default:
-      return "skip";
-  }
-}
+constexpr auto kResultNames = base::enum_names<StepResult>("pass", "fail", "skip");
 
 }  // namespace
 
@@ -32,21 +25,25 @@ Finding pass(std::string evidence) { return {StepResult::kPass, std::move(eviden
 Finding fail(std::string evidence) { return {StepResult::kFail, std::move(evidence)}; }
 Finding skip(std::string evidence) { return {StepResult::kSkip, std::move(evidence)}; }
 
-void run_timed(CheckStep& step, const std::function<Finding()>& run) {
+CheckStep& run_step(CheckReport& report, std::string name, std::string why,
+                    const std::function<Finding()>& run) {
+  CheckStep& step = report.steps.emplace_back(CheckStep{std::move(name), std::move(why)});
   const auto start = std::chrono::steady_clock::now();
   Finding found = run();
   step.result = found.result;
   step.evidence = std::move(found.evidence);
   step.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return step;
 }
 
 int CheckReport::count(StepResult result) const {
-  return static_cast<int>(std::count_if(
-      steps.begin(), steps.end(), [result](const auto& step) { return step.result == result; }));
+  return static_cast<int>(
+      std::ranges::count_if(steps, [result](const auto& step) { return step.result == result; }));
 }
 
 std::string to_text(const CheckStep& step) {
-  const char* result = step.result == StepResult::kFail ? "FAIL" : name(step.result);
+  const std::string_view result =
+      step.result == StepResult::kFail ? "FAIL" : kResultNames.name(step.result);
   std::string text = fmt::format("{} {:26} {}\n", result, step.name, step.evidence);
   if (step.result == StepResult::kFail) text += fmt::format("     why: {}\n", step.why);
   return text;
@@ -59,16 +56,16 @@ std::string summary(const CheckReport& report) {
 }
 
 std::string to_json(const CheckReport& report) {
-  nlohmann::ordered_json document = {{"schema", report.schema},
-                                     {"subject", report.subject},
-                                     {"passed", report.passed()},
-                                     {"steps_passed", report.count(StepResult::kPass)},
-                                     {"steps_failed", report.count(StepResult::kFail)},
-                                     {"steps_skipped", report.count(StepResult::kSkip)}};
-  nlohmann::ordered_json& steps = document["steps"] = nlohmann::ordered_json::array();
+  base::Json document = {{"schema", report.schema},
+                         {"subject", report.subject},
+                         {"passed", report.passed()},
+                         {"steps_passed", report.count(StepResult::kPass)},
+                         {"steps_failed", report.count(StepResult::kFail)},
+                         {"steps_skipped", report.count(StepResult::kSkip)}};
+  base::Json& steps = document["steps"] = base::Json::array();
   for (const CheckStep& step : report.steps) {
     steps.push_back({{"name", step.name},
-                     {"result", name(step.result)},
+                     {"result", kResultNames.name(step.result)},
                      {"evidence", step.evidence},
                      {"why", step.why}});
   }

@@ -22,12 +22,9 @@ struct CheckStep {
   std::string name;  ///< "register_identity"
   std::string why;   ///< one sentence: why it matters
   StepResult result = StepResult::kSkip;
-  std::string evidence;  ///< what was observed
-  double seconds = 0.0;  ///< wall time
+  std::string evidence = {};  ///< what was observed
+  double seconds = 0.0;       ///< wall time
 };
-
-/// Runs a step; stores its result and wall time.
-void run_timed(CheckStep& step, const std::function<Finding()>& run);
 
 struct CheckReport {
   std::string schema;   ///< of the JSON document
@@ -38,6 +35,10 @@ struct CheckReport {
   int count(StepResult result) const;
   bool passed() const { return count(StepResult::kFail) == 0; }
 };
+
+/// Adds a step to the report; runs it, and stores its result and wall time.
+CheckStep& run_step(CheckReport& report, std::string name, std::string why,
+                    const std::function<Finding()>& run);
 
 /// One line per step; a failed step has a second line: why it matters.
 std::string to_text(const CheckStep& step);

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "soccer/side.h"
 
@@ -146,14 +146,14 @@ std::string to_text(const PerceptionCheck& check) {
 }
 
 std::string to_json(const PerceptionCheck& check) {
-  nlohmann::ordered_json document = {{"schema", "cls.perception/1"},
-                                     {"team", check.team},
-                                     {"side", side_name(check.side)},
-                                     {"player", check.unum},
-                                     {"cycles", check.errors.cycles()}};
+  base::Json document = {{"schema", "cls.perception/1"},
+                         {"team", check.team},
+                         {"side", side_name(check.side)},
+                         {"player", check.unum},
+                         {"cycles", check.errors.cycles()}};
 
   for (const Row& row : rows(check.errors)) {
-    nlohmann::ordered_json& error = document[row.key];
+    base::Json& error = document[row.key];
     error = {{"mean", nullptr}, {"p95", nullptr}, {"n", row.error.n}};
 
     if (row.error.n == 0) continue;

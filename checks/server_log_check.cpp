@@ -5,14 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 
 namespace cls::checks {
 namespace {
 
-using nlohmann::ordered_json;
+using base::Json;
 using simulator::ClassTally;
 using simulator::Excuse;
 using simulator::KickNoise;
@@ -77,19 +77,17 @@ std::string object_name(const Miss& miss) {
                      soccer::unum_of_slot(miss.slot));
 }
 
-ordered_json to_json(const Tally& tally) {
-  return {{"steps", tally.steps}, {"agreed", tally.agreed}};
-}
+Json to_json(const Tally& tally) { return {{"steps", tally.steps}, {"agreed", tally.agreed}}; }
 
-ordered_json to_json(const NoiseSample& sample) {
+Json to_json(const NoiseSample& sample) {
   return {{"n", sample.shares.size()},
           {"mean", sample.mean()},
           {"largest", sample.largest()},
           {"distance_to_uniform", sample.distance_to_uniform()}};
 }
 
-ordered_json misses_json(const LogAgreement& agreement) {
-  ordered_json misses = ordered_json::array();
+Json misses_json(const LogAgreement& agreement) {
+  Json misses = Json::array();
   for (const Miss& miss : agreement.misses) {
     misses.push_back({{"cycle", miss.clock.time},
                       {"stopped", miss.clock.stoppage},
@@ -169,8 +167,7 @@ std::vector<LogCheck> log_checks(const LogAgreement& agreement) {
 }
 
 bool passed(const std::vector<LogCheck>& log_checks) {
-  return std::all_of(log_checks.begin(), log_checks.end(),
-                     [](const LogCheck& d) { return d.passed; });
+  return std::ranges::all_of(log_checks, [](const LogCheck& d) { return d.passed; });
 }
 
 std::string to_text(const LogAgreement& agreement, const std::vector<LogCheck>& log_checks) {
@@ -207,30 +204,30 @@ std::string to_text(const LogAgreement& agreement, const std::vector<LogCheck>& 
 }
 
 std::string to_json(const LogAgreement& agreement, const std::vector<LogCheck>& log_checks) {
-  ordered_json document = {{"schema", "cls.server-log/1"},
-                           {"passed", passed(log_checks)},
-                           {"agreement", agreement.agreement()},
-                           {"steps", agreement.steps()},
-                           {"agreed", agreement.agreed()},
-                           {"excused", agreement.excused},
-                           {"excused_share", agreement.excused_share()},
-                           {"uncounted", agreement.uncounted},
-                           {"has_noise", agreement.has_noise},
-                           {"frames", agreement.frames},
-                           {"skipped", agreement.skipped},
-                           {"ball", to_json(agreement.ball)},
-                           {"players", to_json(agreement.players)}};
+  Json document = {{"schema", "cls.server-log/1"},
+                   {"passed", passed(log_checks)},
+                   {"agreement", agreement.agreement()},
+                   {"steps", agreement.steps()},
+                   {"agreed", agreement.agreed()},
+                   {"excused", agreement.excused},
+                   {"excused_share", agreement.excused_share()},
+                   {"uncounted", agreement.uncounted},
+                   {"has_noise", agreement.has_noise},
+                   {"frames", agreement.frames},
+                   {"skipped", agreement.skipped},
+                   {"ball", to_json(agreement.ball)},
+                   {"players", to_json(agreement.players)}};
 
-  ordered_json& classes = document["by_class"] = ordered_json::object();
+  Json& classes = document["by_class"] = Json::object();
   for (std::size_t i = 0; i < simulator::kStepClassCount; ++i) {
     const ClassTally& tally = agreement.by_class[i];
     if (tally.steps == 0) continue;
-    ordered_json& entry = classes[std::string(simulator::name(static_cast<StepClass>(i)))];
+    Json& entry = classes[std::string(simulator::name(static_cast<StepClass>(i)))];
     entry = to_json(static_cast<const Tally&>(tally));
     entry["worst"] = tally.worst;
   }
 
-  ordered_json& causes = document["by_cause"] = ordered_json::object();
+  Json& causes = document["by_cause"] = Json::object();
   for (std::size_t i = 0; i < simulator::kExcuseCount; ++i) {
     if (agreement.by_cause[i] == 0) continue;
     causes[std::string(simulator::name(static_cast<Excuse>(i)))] = agreement.by_cause[i];
@@ -249,7 +246,7 @@ std::string to_json(const LogAgreement& agreement, const std::vector<LogCheck>& 
   document["missing_words"] = agreement.missing_calls;
   document["added_words"] = agreement.extra_calls;
 
-  ordered_json& list = document["demands"] = ordered_json::array();
+  Json& list = document["demands"] = Json::array();
   for (const LogCheck& demand : log_checks) {
     list.push_back({{"what", demand.what},
                     {"reached", demand.reached},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/index.h"
 #include "base/text/fnv1a.h"
 #include "proxy/playmaker/playmaker_errors.h"
 #include "scenario/scenario.h"
@@ -18,7 +19,7 @@ using mock_server::Value;
 using soccer::Side;
 
 const ObjectFrame& object_in(const StepFrame& frame, int object) {
-  return object == kBallObject ? frame.ball : frame.players[static_cast<std::size_t>(object)];
+  return object == kBallObject ? frame.ball : frame.players[base::index(object)];
 }
 
 std::string object_name(int object) {
@@ -45,6 +46,7 @@ Value value_of(const ObjectFrame& object, ObjectTest::Quantity::What what) {
     case What::kOnPitch:
       break;
   }
+
   return object.on_pitch;
 }
 
@@ -65,11 +67,9 @@ std::string describe(const StepTest& test, const StepFrame& frame) {
 std::string describe_expected(const StepTest& test) {
   std::vector<std::string> parts;
   if (test.object) {
-    static constexpr std::array<std::string_view, 7> names = {"x",       "y",     "speed",   "body",
-                                                              "stamina", "cards", "on_pitch"};
-    for (const auto& quantity : test.object->quantities) {
-      parts.push_back(fmt::format("{} {}", names[static_cast<std::size_t>(quantity.what)],
-                                  quantity.expected.text()));
+    for (const auto& [what, expected] : test.object->quantities) {
+      parts.push_back(
+          fmt::format("{} {}", ObjectTest::Quantity::kNames.name(what), expected.text()));
     }
     if (!test.object->areas.empty()) {
       parts.push_back(fmt::format("in {}", fmt::join(test.object->areas, " or ")));
@@ -83,9 +83,11 @@ std::string describe_expected(const StepTest& test) {
     }
     return fmt::format("{}", fmt::join(parts, ", "));
   }
+
   for (const soccer::PlayMode mode : test.modes) parts.emplace_back(name(mode));
   if (test.goals) parts.push_back(fmt::format("{} goals", *test.goals));
   if (test.touch_by) parts.emplace_back("a touch");
+
   return fmt::format("{}", fmt::join(parts, " or "));
 }
 
@@ -98,9 +100,11 @@ std::string failure(const StepCheck& check, const RunRecord& record) {
     return fmt::format("at the end, {}: {}, not {}", when(last), describe(check.test, last),
                        describe_expected(check.test));
   }
+
   if (timing.how == How::kAt && last.step < timing.from) {
     return fmt::format("step {} not reached: the run ended at {}", timing.from, when(last));
   }
+
   const StepFrame* seen = nullptr;
   for (const StepFrame& frame : record.frames) {
     if (!is_at(timing, frame)) continue;
@@ -115,10 +119,12 @@ std::string failure(const StepCheck& check, const RunRecord& record) {
                          describe_expected(check.test));
     }
   }
+
   if (seen == nullptr) {
     return fmt::format("no step at or after {}: the run ended at {}", timing.from, when(last));
   }
   if (timing.how != How::kSometime) return {};
+
   return fmt::format("never {}; at {}: {}", describe_expected(check.test), when(*seen),
                      describe(check.test, *seen));
 }
@@ -147,25 +153,27 @@ std::string failure(const RefereeCheck& check, const RunRecord& record) {
 
 std::string failure(const TouchCheck& check, const RunRecord& record) {
   const auto one_of = [&](int slot) {
-    return std::find(check.slots.begin(), check.slots.end(), slot) != check.slots.end();
+    return std::ranges::find(check.slots, slot) != check.slots.end();
   };
   if (check.which == TouchCheck::Which::kCount) {
-    const auto count = std::count_if(record.touches.begin(), record.touches.end(),
-                                     [&](const Touch& touch) { return one_of(touch.slot); });
+    const auto count = std::ranges::count_if(
+        record.touches, [&](const Touch& touch) { return one_of(touch.slot); });
     if (check.count.holds(static_cast<double>(count))) return {};
     return fmt::format("{} touched the ball {} times, not {}", check.who, count,
                        check.count.text());
   }
   if (record.touches.empty()) return "no player touched the ball";
+
   const bool first = check.which == TouchCheck::Which::kFirst;
   const Touch& touch = first ? record.touches.front() : record.touches.back();
   if (one_of(touch.slot)) return {};
+
   return fmt::format("the {} touch was by {} at step {}, not by {}", first ? "first" : "last",
                      object_name(touch.slot), touch.step, check.who);
 }
 
 bool concerns(const std::vector<int>& unums, int unum) {
-  return unums.empty() || std::find(unums.begin(), unums.end(), unum) != unums.end();
+  return unums.empty() || std::ranges::find(unums, unum) != unums.end();
 }
 
 std::string failure(const ActionCheck& check, const RunRecord& record) {
@@ -177,14 +185,16 @@ std::string failure(const ActionCheck& check, const RunRecord& record) {
     for (const protos::PlayerAction& action : reply.actions.actions()) {
       const auto* field = fields->FindFieldByNumber(action.action_case());
       const bool kind = check.kind == "*" || (field != nullptr && field->name() == check.kind);
-      if (kind && std::all_of(check.where.begin(), check.where.end(),
-                              [&](const auto& each) { return each.holds(action); })) {
+      if (kind &&
+          std::ranges::all_of(check.where, [&](const auto& each) { return each.holds(action); })) {
         ++count;
       }
       if (check.first_only) break;
     }
   }
+
   if (check.count.holds(count)) return {};
+
   return fmt::format("{} actions {} of the {} Playmaker, not {}", count, check.kind,
                      side_name(check.side), check.count.text());
 }
@@ -209,23 +219,23 @@ std::string failure(const RpcCheck& check, const RunRecord& record) {
   return fmt::format("{}", fmt::join(record.rpc_failures.at(check.index), "; "));
 }
 
+double percentile(const match::RpcLatency& us, std::string_view which) {
+  return which == "p50" ? us.p50 : which == "p95" ? us.p95 : which == "p99" ? us.p99 : us.max;
+}
+
 std::string failure(const LatencyCheck& check, const RunRecord& record) {
   constexpr double kMicrosecond = 1e-3;  // in ms
   for (const auto& [which, expected] : check.percentiles_ms) {
     double worst = 0.0;
     for (const match::PlayerResult& player : team_of(record, check.side).players) {
-      const match::RpcLatency& us = player.rpc_us;
-      const double value = which == "p50"   ? us.p50
-                           : which == "p95" ? us.p95
-                           : which == "p99" ? us.p99
-                                            : us.max;
-      worst = std::max(worst, value * kMicrosecond);
+      worst = std::max(worst, percentile(player.rpc_us, which) * kMicrosecond);
     }
     if (!expected.holds(worst)) {
       return fmt::format("the {} latency of the slowest {} player is {:.2f} ms, not {}", which,
                          side_name(check.side), worst, expected.text());
     }
   }
+
   return {};
 }
 
@@ -235,6 +245,7 @@ std::string failure(const MissedCheck& check, const RunRecord& record) {
     missed += static_cast<double>(player.missed);
   }
   if (check.count.holds(missed)) return {};
+
   const auto& error = team_of(record, check.side).errors.first;
   return fmt::format("{} missed decisions of the {} side, not {}{}", missed, side_name(check.side),
                      check.count.text(),
@@ -270,7 +281,8 @@ bool ObjectTest::holds(const StepFrame& frame) const {
   for (const Quantity& quantity : quantities) {
     if (!quantity.expected.holds(value_of(it, quantity.what))) return false;
   }
-  if (!areas.empty() && std::none_of(areas.begin(), areas.end(), [&](const std::string& area) {
+
+  if (!areas.empty() && std::ranges::none_of(areas, [&](const std::string& area) {
         return soccer::is_in_area(area, it.position);
       })) {
     return false;
@@ -284,28 +296,25 @@ std::string ObjectTest::describe(const StepFrame& frame) const {
   const ObjectFrame& it = object_in(frame, object);
   std::string text =
       fmt::format("{} is at ({:.2f}, {:.2f})", object_name(object), it.position.x, it.position.y);
-  for (const Quantity& quantity : quantities) {
-    using What = Quantity::What;
-    const std::string value = mock_server::to_text(value_of(it, quantity.what));
-    if (quantity.what == What::kSpeed) text += fmt::format(", speed {}", value);
-    if (quantity.what == What::kBody) text += fmt::format(", body {}", value);
-    if (quantity.what == What::kStamina) text += fmt::format(", stamina {}", value);
-    if (quantity.what == What::kCards) text += fmt::format(", cards {}", value);
-    if (quantity.what == What::kOnPitch) text += fmt::format(", on_pitch {}", value);
+  for (const auto& [what, expected] : quantities) {
+    if (what == Quantity::What::kX || what == Quantity::What::kY) continue;
+    text += fmt::format(", {} {}", Quantity::kNames.name(what),
+                        mock_server::to_text(value_of(it, what)));
   }
   if (near && near->object) {
     text += fmt::format(", {:.2f} m from {}",
                         distance(it.position, object_in(frame, *near->object).position),
                         object_name(*near->object));
   }
+
   return text;
 }
 
 bool StepTest::holds(const StepFrame& frame, const RunRecord& record) const {
   if (object) return object->holds(frame);
-  if (!modes.empty()) return std::find(modes.begin(), modes.end(), frame.mode) != modes.end();
+  if (!modes.empty()) return std::ranges::find(modes, frame.mode) != modes.end();
   if (goals) return frame.score[0] + frame.score[1] >= *goals;
-  return std::any_of(record.touches.begin(), record.touches.end(), [&](const Touch& touch) {
+  return std::ranges::any_of(record.touches, [&](const Touch& touch) {
     return touch.step == frame.step &&
            std::find(touch_by->begin(), touch_by->end(), touch.slot) != touch_by->end();
   });
@@ -319,8 +328,7 @@ std::optional<Side> playmaker_of(const Check& check) {
   return std::visit(
       [](const auto& what) -> std::optional<Side> {
         using What = std::decay_t<decltype(what)>;
-        if constexpr (std::is_same_v<What, ActionCheck> || std::is_same_v<What, CommandCheck> ||
-                      std::is_same_v<What, RpcCheck> || std::is_same_v<What, LatencyCheck>) {
+        if constexpr (requires { what.side; } && !std::is_same_v<What, MissedCheck>) {
           return what.side;
         } else {
           return std::nullopt;

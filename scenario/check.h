@@ -1,13 +1,13 @@
 // Checks of a scenario: one value per element of "expect".
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "base/text/enum_names.h"
 #include "mock-server/script/comparison.h"
 #include "mock-server/script/expectations.h"
 #include "mock-server/script/field_path.h"
@@ -23,6 +23,9 @@ constexpr int kBallObject = -1;
 struct ObjectTest {
   struct Quantity {
     enum class What { kX, kY, kSpeed, kBody, kStamina, kCards, kOnPitch };
+    static constexpr auto kNames =
+        base::enum_names<What>("x", "y", "speed", "body", "stamina", "cards", "on_pitch");
+
     What what = What::kX;
     mock_server::Comparison expected;
   };

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "base/text/number_text.h"
 #include "base/text/suggestion.h"
 #include "proto/playmaker.pb.h"
@@ -64,36 +63,35 @@ Result<std::vector<int>> parse_players(const JsonValue& json) {
 Result<void> parse_near(const JsonValue& json, ObjectTest& test) {
   ObjectTest::Nearness near;
   if (json["near"].is_array()) {
-    TRY_INIT(const auto point, parse_point(json["near"]));
-    near.point = point;
+    TRY_INIT(near.point, parse_point(json["near"]));
   } else if (json["near"].is_string() && *json["near"].string() == "ball") {
     near.object = kBallObject;
   } else {
-    TRY_INIT(const auto slot, parse_player(json["near"]));
-    near.object = slot;
+    TRY_INIT(near.object, parse_player(json["near"]));
   }
   if (!json.has("within")) return json.error("\"near\" requires \"within\", in meters");
-  TRY_INIT(const auto within, json["within"].number(0, 200));
-  near.within = within;
+
+  TRY_INIT(near.within, json["within"].number(0, 200));
   test.near = near;
   return {};
 }
 
 // The object behind "is": {"x": ..., "in": ..., "near": ...}.
 Result<void> parse_is(const JsonValue& json, ObjectTest& test) {
-  static const Words quantities = {"x", "y", "speed", "body", "stamina", "cards", "on_pitch"};
-  Words known = quantities;
+  using Quantity = ObjectTest::Quantity;
+  constexpr const auto& kQuantities = Quantity::kNames.texts;
+  Words known(kQuantities.begin(), kQuantities.end());
   known.insert(known.end(), {"in", "near", "within"});
-  if (const auto keys = json.expect_keys(known); !keys) return keys;
+  TRY(json.expect_keys(known));
   if (json.size() == 0) return json.error("contains no condition");
-  for (std::size_t i = 0; i < quantities.size(); ++i) {
-    if (!json.has(quantities[i])) continue;
-    using What = ObjectTest::Quantity::What;
-    const auto what = static_cast<What>(i);
+
+  for (const std::string_view name : kQuantities) {
+    if (!json.has(name)) continue;
+    const auto what = *Quantity::kNames.parse(name);
     mock_server::ValueKind kind;
-    if (what == What::kOnPitch) kind.kind = mock_server::ValueKind::Kind::kBool;
-    TRY_INIT(const auto expected, Comparison::parse(json[quantities[i]], kind));
-    test.quantities.push_back({what, expected});
+    if (what == Quantity::What::kOnPitch) kind.kind = mock_server::ValueKind::Kind::kBool;
+    TRY_INIT(auto expected, Comparison::parse(json[name], kind));
+    test.quantities.push_back({what, std::move(expected)});
   }
   if (json.has("in")) {
     const JsonValue areas = json["in"];
@@ -102,6 +100,7 @@ Result<void> parse_is(const JsonValue& json, ObjectTest& test) {
       test.areas.push_back(area);
     }
   }
+
   return json.has("near") ? parse_near(json, test) : Result<void>();
 }
 
@@ -118,24 +117,21 @@ Result<std::vector<PlayMode>> parse_modes(const JsonValue& json) {
 Result<StepTest> parse_test(const JsonValue& json) {
   StepTest test;
   if (json.has("mode")) {
-    TRY_INIT(const auto modes, parse_modes(json["mode"]));
-    test.modes = modes;
+    TRY_INIT(test.modes, parse_modes(json["mode"]));
   } else if (json.has("goals")) {
-    TRY_INIT(const auto goals, json["goals"].integer(1, kLastStep));
-    test.goals = goals;
+    TRY_INIT(test.goals, json["goals"].integer(1, kLastStep));
   } else if (json.has("touch_by")) {
-    TRY_INIT(const auto slots, parse_players(json["touch_by"]));
-    test.touch_by = slots;
+    TRY_INIT(test.touch_by, parse_players(json["touch_by"]));
   } else {
     ObjectTest object;
     if (json.has("player")) {
-      TRY_INIT(const auto slot, parse_player(json["player"]));
-      object.object = slot;
+      TRY_INIT(object.object, parse_player(json["player"]));
       if (!json.has("is")) return json.error("requires \"is\"");
     }
     TRY(parse_is(json[json.has("player") ? "is" : "ball"], object));
     test.object = std::move(object);
   }
+
   return test;
 }
 
@@ -146,6 +142,7 @@ Result<CheckTiming> parse_timing(const JsonValue& json, int steps, bool is_mode)
     return CheckTiming{CheckTiming::How::kAt, at, at};
   }
   if (json.has("at")) return CheckTiming{CheckTiming::How::kEnd, 0, kLastStep};
+
   for (const auto& [key, how] : {std::pair{"sometime", CheckTiming::How::kSometime},
                                  std::pair{"always", CheckTiming::How::kAlways},
                                  std::pair{"never", CheckTiming::How::kNever}}) {
@@ -162,6 +159,7 @@ Result<CheckTiming> parse_timing(const JsonValue& json, int steps, bool is_mode)
       return range.error("must be true or a range of steps");
     }
   }
+
   return timing;
 }
 
@@ -174,18 +172,26 @@ Result<void> only(const JsonValue& json, Words keys) {
 
 using Parsed = Result<decltype(Check::what)>;
 
-Parsed parse_step_check(const JsonValue& json, int steps, Words keys) {
+/// What a check may depend on.
+struct Context {
+  int steps = 0;  ///< of the run
+  const base::Json& golden;
+};
+
+Parsed parse_step_check(const JsonValue& json, const Context& context) {
+  Words keys = {"mode"};
+  if (json.has("player")) keys = {"player", "is"};
+  if (json.has("ball")) keys = {"ball"};
   keys.insert(keys.end(), {"at", "sometime", "always", "never"});
   TRY(only(json, keys));
   StepCheck check;
   TRY_INIT(const auto test, parse_test(json));
   check.test = test;
-  TRY_INIT(const auto timing, parse_timing(json, steps, !test.modes.empty()));
-  check.timing = timing;
+  TRY_INIT(check.timing, parse_timing(json, context.steps, !test.modes.empty()));
   return {check};
 }
 
-Parsed parse_score(const JsonValue& json) {
+Parsed parse_score(const JsonValue& json, const Context& /*context*/) {
   TRY(only(json, {"score"}));
   const JsonValue score = json["score"];
   ScoreCheck check;
@@ -193,17 +199,18 @@ Parsed parse_score(const JsonValue& json) {
   if (!score.is_array()) {
     TRY(score.expect_keys({"left", "right"}));
   }
+
   for (std::size_t side = 0; side < 2; ++side) {
     const char* key = side == 0 ? "left" : "right";
     if (!score.is_array() && !score.has(key)) continue;
-    TRY_INIT(const auto goals,
+    TRY_INIT(check.goals[side],
              Comparison::parse_number(score.is_array() ? score[side] : score[key]));
-    check.goals[side] = goals;
   }
+
   return {check};
 }
 
-Parsed parse_referee(const JsonValue& json) {
+Parsed parse_referee(const JsonValue& json, const Context& /*context*/) {
   TRY(only(json, {"referee", "count"}));
   TRY_INIT(const auto message, json["referee"].string());
   if (!is_referee_message(message)) {
@@ -214,7 +221,7 @@ Parsed parse_referee(const JsonValue& json) {
   return {RefereeCheck{message, count}};
 }
 
-Parsed parse_touch(const JsonValue& json) {
+Parsed parse_touch(const JsonValue& json, const Context& /*context*/) {
   TouchCheck check;
   const char* key = "touches";
   for (const auto& [name, which] : {std::pair{"touches", TouchCheck::Which::kCount},
@@ -224,79 +231,74 @@ Parsed parse_touch(const JsonValue& json) {
     check.which = which;
     key = name;
   }
+
   Words keys = {key};
   if (check.which == TouchCheck::Which::kCount) keys.push_back("count");
   TRY(only(json, keys));
-  TRY_INIT(const auto slots, parse_players(json[key]));
-  check.slots = slots;
+  TRY_INIT(check.slots, parse_players(json[key]));
   check.who = *json[key].string();
-  TRY_INIT(const auto count, parse_count(json));
-  check.count = count;
+  TRY_INIT(check.count, parse_count(json));
+
   return {check};
 }
 
 Result<void> parse_who(const JsonValue& json, Side& side, std::vector<int>& unums) {
   if (!json.has("side")) return json.error("requires \"side\"");
-  TRY_INIT(const auto which, parse_side(json["side"]));
-  side = which;
+  TRY_INIT(side, parse_side(json["side"]));
   if (!json.has("unum")) return {};
-  TRY_INIT(const auto numbers, mock_server::parse_unums(json["unum"]));
-  unums = numbers;
+  TRY_INIT(unums, mock_server::parse_unums(json["unum"]));
   return {};
 }
 
-Parsed parse_actions(const JsonValue& json, int steps) {
+Parsed parse_actions(const JsonValue& json, const Context& context) {
   TRY(only(json, {"actions", "side", "unum", "steps", "position", "where", "count"}));
   ActionCheck check;
   TRY(parse_who(json, check.side, check.unums));
   const auto* fields = protos::PlayerAction::descriptor();
   Words kinds = {"*"};
   for (int i = 0; i < fields->field_count(); ++i) kinds.push_back(fields->field(i)->name());
-  TRY_INIT(const auto kind, json["actions"].one_of(kinds));
-  check.kind = kind;
-  check.to = steps;
+  TRY_INIT(check.kind, json["actions"].one_of(kinds));
+  check.to = context.steps;
   if (json.has("steps")) {
     TRY_INIT(const auto range, mock_server::parse_cycles(json["steps"]));
     check.from = range.first;
     check.to = range.last;
   }
+
   if (json.has("position")) {
     TRY(json["position"].one_of({"first"}));
     check.first_only = true;
   }
+
   if (json.has("where")) {
-    TRY_INIT(auto where, mock_server::parse_conditions(*fields, json["where"]));
-    check.where = std::move(where);
+    TRY_INIT(check.where, mock_server::parse_conditions(*fields, json["where"]));
   }
-  TRY_INIT(const auto count, parse_count(json));
-  check.count = count;
+
+  TRY_INIT(check.count, parse_count(json));
   return {std::move(check)};
 }
 
-Parsed parse_commands(const JsonValue& json) {
+Parsed parse_commands(const JsonValue& json, const Context& /*context*/) {
   TRY(only(json, {"commands", "side", "unum", "count"}));
   CommandCheck check;
   TRY(parse_who(json, check.side, check.unums));
-  TRY_INIT(const auto kind, json["commands"].one_of({"dash", "turn", "kick", "tackle", "catch",
-                                                     "move", "turn_neck", "change_view", "say",
-                                                     "pointto", "attentionto", "change_focus"}));
-  check.kind = kind;
-  TRY_INIT(const auto count, parse_count(json));
-  check.count = count;
+  TRY_INIT(check.kind, json["commands"].one_of({"dash", "turn", "kick", "tackle", "catch", "move",
+                                                "turn_neck", "change_view", "say", "pointto",
+                                                "attentionto", "change_focus"}));
+  TRY_INIT(check.count, parse_count(json));
   return {std::move(check)};
 }
 
-Parsed parse_rpc(const JsonValue& json) {
+Parsed parse_rpc(const JsonValue& json, const Context& /*context*/) {
   TRY(only(json, {"rpc", "order", "side", "when", "count", "count_per_agent", "always"}));
   RpcCheck check;
   std::vector<int> none;
   TRY(parse_who(json, check.side, none));
-  TRY_INIT(auto expectation, mock_server::parse_expectation(json, {"side", "runs"}));
-  check.expectation = std::move(expectation);
+  TRY_INIT(check.expectation, mock_server::parse_expectation(json, {"side", "runs"}));
   return {std::move(check)};
 }
 
-Parsed parse_latency(const JsonValue& json) {
+Parsed parse_latency(const JsonValue& json, const Context& /*context*/) {
   TRY(only(json, {"latency_ms", "side"}));
   LatencyCheck check;
   std::vector<int> none;
@@ -310,60 +312,58 @@ Parsed parse_latency(const JsonValue& json) {
   return {std::move(check)};
 }
 
-Parsed parse_missed(const JsonValue& json) {
+Parsed parse_missed(const JsonValue& json, const Context& /*context*/) {
   TRY(only(json, {"missed", "side"}));
   MissedCheck check;
   std::vector<int> none;
   TRY(parse_who(json, check.side, none));
-  TRY_INIT(const auto count, Comparison::parse_number(json["missed"]));
-  check.count = count;
+  TRY_INIT(check.count, Comparison::parse_number(json["missed"]));
   return {check};
 }
 
-Parsed parse_end(const JsonValue& json) {
+Parsed parse_end(const JsonValue& json, const Context& /*context*/) {
   TRY(only(json, {"end"}));
-  using match::EndReason;
   std::vector<std::string_view> names;
-  for (const EndReason reason :
-       {EndReason::kFinished, EndReason::kCrashed, EndReason::kStalled, EndReason::kLate,
-        EndReason::kRefused, EndReason::kProtocolError, EndReason::kTimedOut}) {
-    names.push_back(name(reason));
+  for (const soccer::EndReasonRow& row : soccer::end_reasons()) {
+    if (row.traits.expectable) names.push_back(row.name);
   }
   TRY_INIT(const auto reason, json["end"].one_of(names));
-  return {EndCheck{*match::parse_end_reason(reason)}};
+  return {EndCheck{*soccer::parse_end_reason(reason)}};
 }
 
-Parsed parse_golden(const JsonValue& json, const base::Json& golden) {
+Parsed parse_golden(const JsonValue& json, const Context& context) {
   TRY(only(json, {"golden"}));
   TRY_INIT(const auto what, json["golden"].one_of({"game_log", "score", "touches"}));
-  return {GoldenCheck{what, golden.is_object() ? golden.value(what, "") : ""}};
+  return {GoldenCheck{what, context.golden.is_object() ? context.golden.value(what, "") : ""}};
 }
 
-Parsed parse_what(const JsonValue& json, int steps, const base::Json& golden) {
+struct CheckKind {
+  std::string_view key;
+  Parsed (*parse)(const JsonValue& json, const Context& context);
+};
+
+constexpr CheckKind kKinds[] = {
+    {"ball", parse_step_check},    {"player", parse_step_check}, {"mode", parse_step_check},
+    {"score", parse_score},        {"referee", parse_referee},   {"touches", parse_touch},
+    {"first_touch", parse_touch},  {"last_touch", parse_touch},  {"actions", parse_actions},
+    {"commands", parse_commands},  {"rpc", parse_rpc},           {"order", parse_rpc},
+    {"latency_ms", parse_latency}, {"missed", parse_missed},     {"end", parse_end},
+    {"golden", parse_golden},
+};
+
+Parsed parse_what(const JsonValue& json, const Context& context) {
   if (!json.is_object()) return json.error("must be an object");
-  if (json.has("ball")) return parse_step_check(json, steps, {"ball"});
-  if (json.has("player")) return parse_step_check(json, steps, {"player", "is"});
-  if (json.has("mode")) return parse_step_check(json, steps, {"mode"});
-  if (json.has("score")) return parse_score(json);
-  if (json.has("referee")) return parse_referee(json);
-  if (json.has("touches") || json.has("first_touch") || json.has("last_touch")) {
-    return parse_touch(json);
+  Words keys;
+  for (const CheckKind& kind : kKinds) {
+    if (json.has(kind.key)) return kind.parse(json, context);
+    keys.push_back(kind.key);
   }
-  if (json.has("actions")) return parse_actions(json, steps);
-  if (json.has("commands")) return parse_commands(json);
-  if (json.has("rpc") || json.has("order")) return parse_rpc(json);
-  if (json.has("latency_ms")) return parse_latency(json);
-  if (json.has("missed")) return parse_missed(json);
-  if (json.has("end")) return parse_end(json);
-  if (json.has("golden")) return parse_golden(json, golden);
-  const Words kinds = {"ball",        "player",     "mode",    "score",    "referee", "touches",
-                       "first_touch", "last_touch", "actions", "commands", "rpc",     "order",
-                       "latency_ms",  "missed",     "end",     "golden"};
+
   for (const std::string& key : json.keys()) {
-    const std::string hint = base::did_you_mean(key, kinds);
+    const std::string hint = base::did_you_mean(key, keys);
     if (!hint.empty()) return json.error(fmt::format("unknown kind of check '{}'{}", key, hint));
   }
-  return json.error(fmt::format("missing kind of check (known: {})", fmt::join(kinds, ", ")));
+  return json.error(fmt::format("missing kind of check (known: {})", fmt::join(keys, ", ")));
 }
 
 }  // namespace
@@ -371,9 +371,9 @@ Parsed parse_what(const JsonValue& json, int steps, const base::Json& golden) {
 Result<soccer::Vec2> parse_point(const JsonValue& json) {
   if (!json.is_array() || json.size() != 2) return json.error("must be [x, y]");
   soccer::Vec2 point;
-  for (const auto& [index, member] : {std::pair{0, &point.x}, std::pair{1, &point.y}}) {
-    TRY_INIT(const auto value, json[static_cast<std::size_t>(index)].number(-100, 100));
-    *member = value;
+  for (const auto& [index, member] :
+       {std::pair{std::size_t{0}, &point.x}, std::pair{std::size_t{1}, &point.y}}) {
+    TRY_INIT(*member, json[index].number(-100, 100));
   }
   return point;
 }
@@ -402,19 +402,17 @@ Result<StepTest> parse_step_test(const JsonValue& json) {
 }
 
 Result<Check> parse_check(const JsonValue& json, int steps, const base::Json& golden) {
-  TRY_INIT(auto what, parse_what(json, steps, golden));
   Check check;
-  check.what = std::move(what);
+  TRY_INIT(check.what, parse_what(json, {steps, golden}));
   check.line = json.line();
   check.name = json.json().dump();
   if (json.has("name")) {
-    TRY_INIT(const auto text, json["name"].string());
-    check.name = text;
+    TRY_INIT(check.name, json["name"].string());
   }
   if (json.has("runs")) {
-    TRY_INIT(const auto runs, Comparison::parse_number(json["runs"]));
-    check.runs = runs;
+    TRY_INIT(check.runs, Comparison::parse_number(json["runs"]));
   }
+
   return check;
 }
 

@@ -34,8 +34,8 @@ constexpr std::array<Numbered, 6> kNumbered = {{{"goal_l_", kMaxGoals},
 
 bool is_referee_message(std::string_view message) {
   const auto& plain = referee_messages();
-  if (std::find(plain.begin(), plain.end(), message) != plain.end()) return true;
-  return std::any_of(kNumbered.begin(), kNumbered.end(), [message](const Numbered& kind) {
+  if (std::ranges::find(plain, message) != plain.end()) return true;
+  return std::ranges::any_of(kNumbered, [message](const Numbered& kind) {
     if (!message.starts_with(kind.begin)) return false;
     const auto number = base::parse_int(message.substr(kind.begin.size()));
     return number && *number >= 1 && *number <= kind.max;

@@ -1,11 +1,11 @@
 // Parses scenario files.
-#include "match/terms/option_table.h"
 #include "scenario/scenario_file.h"
+#include "base/text/json.h"
+#include "match/terms/option_table.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "base/text/number_text.h"
 #include "base/text/schema.h"
@@ -61,10 +61,12 @@ Result<void> parse_server(const JsonValue& json, Scenario& scenario) {
       options.server.player_rand = options.server.ball_rand = options.server.kick_rand = 0.0;
     }
   }
+
   for (const char* module : {"server", "player"}) {
     if (!json.has(module)) continue;
-    if (const auto set = parse_settings(json[module], module, options); !set) return set;
+    TRY(parse_settings(json[module], module, options));
   }
+
   scenario.server = options.server;
   scenario.player = options.player;
   return {};
@@ -78,6 +80,7 @@ Result<void> parse_seeds(const JsonValue& json, Scenario& scenario) {
     TRY_INIT(const auto seed, json["seed"].integer(0, 1'000'000'000));
     scenario.seeds = {static_cast<std::uint64_t>(seed)};
   }
+
   if (json.has("seeds")) {
     TRY_INIT(const auto count, json["seeds"].integer(1, kMaxSeeds));
     scenario.seeds.clear();
@@ -85,6 +88,7 @@ Result<void> parse_seeds(const JsonValue& json, Scenario& scenario) {
       scenario.seeds.push_back(static_cast<std::uint64_t>(seed));
     }
   }
+
   return {};
 }
 
@@ -95,19 +99,18 @@ Result<StartingPlace> parse_place(const JsonValue& json) {
   for (const auto& [key, member] :
        {std::pair{"at", &place.position}, std::pair{"velocity", &place.velocity}}) {
     if (!json.has(key)) continue;
-    TRY_INIT(const auto point, parse_point(json[key]));
-    *member = point;
+    TRY_INIT(*member, parse_point(json[key]));
   }
+
   for (const auto& [key, member, high] :
        {std::tuple{"body", &place.body, 180.0}, std::tuple{"stamina", &place.stamina, 100'000.0}}) {
     if (!json.has(key)) continue;
-    TRY_INIT(const auto value, json[key].number(-high, high));
-    *member = value;
+    TRY_INIT(*member, json[key].number(-high, high));
   }
   if (json.has("cards")) {
-    TRY_INIT(const auto cards, json["cards"].integer(0, 1));
-    place.cards = cards;
+    TRY_INIT(place.cards, json["cards"].integer(0, 1));
   }
+
   return place;
 }
 
@@ -121,10 +124,11 @@ Result<void> read_files(const JsonValue& json, const std::filesystem::path& fold
   if (mock && mock_server::is_script_name(endpoint.behavior)) {
     endpoint.behavior = (folder / endpoint.behavior).string();
   }
-  if (const auto loaded = match::load_files(endpoint); !loaded) return loaded;
+  TRY(match::load_files(endpoint));
   if (!mock || endpoint.script != nullptr) return {};
   const auto known = mock_server::make_behavior(endpoint.behavior);
   if (!known) return json.error(known.error().message);
+
   return {};
 }
 
@@ -152,57 +156,57 @@ Result<void> parse_playmaker(const JsonValue& json, const ResolveSide& resolve,
     for (match::Endpoint& part : endpoint.parts) part.path = (folder / part.path).string();
   }
   for (match::Endpoint& part : endpoint.parts) {
-    if (auto read = read_files(json, folder, part); !read) return read;
+    TRY(read_files(json, folder, part));
   }
   return read_files(json, folder, endpoint);
 }
 
 Result<void> parse_team(const JsonValue& json, const ResolveSide& resolve, ScenarioSide& side) {
-  if (const auto keys = json.expect_keys({"playmaker", "players"}); !keys) return keys;
+  TRY(json.expect_keys({"playmaker", "players"}));
   if (json.has("playmaker")) {
     TRY(parse_playmaker(json["playmaker"], resolve, side.playmaker));
   }
   if (!json.has("players")) return {};
   const JsonValue players = json["players"];
   if (!players.is_object()) return players.error("must be an object by uniform number");
+
   for (const std::string& key : players.keys()) {
     const int unum = base::parse_int(key).value_or(0);
     if (unum < 1 || unum > soccer::kPlayersPerTeam) {
       return players[key].error(fmt::format("'{}' is not a uniform number", key));
     }
-    TRY_INIT(const auto place, parse_place(players[key]));
-    side.players[unum] = place;
+    TRY_INIT(side.players[unum], parse_place(players[key]));
   }
+
   return {};
 }
 
 Result<void> parse_situation(const JsonValue& json, Scenario& scenario) {
   if (json.has("mode")) {
-    TRY_INIT(const auto mode, parse_mode(json["mode"]));
-    scenario.mode = mode;
+    TRY_INIT(scenario.mode, parse_mode(json["mode"]));
   }
+
   if (json.has("cycle")) {
-    TRY_INIT(const auto cycle, json["cycle"].integer(0, kMaxSteps));
-    scenario.cycle = cycle;
+    TRY_INIT(scenario.cycle, json["cycle"].integer(0, kMaxSteps));
   }
+
   if (json.has("score")) {
     if (!json["score"].is_array() || json["score"].size() != 2) {
       return json["score"].error("a score is [left, right]");
     }
     for (std::size_t i = 0; i < 2; ++i) {
-      TRY_INIT(const auto goals, json["score"][i].integer(0, 100));
-      scenario.score[i] = goals;
+      TRY_INIT(scenario.score[i], json["score"][i].integer(0, 100));
     }
   }
   if (!json.has("ball")) return {};
   const JsonValue ball = json["ball"];
-  if (const auto keys = ball.expect_keys({"at", "velocity"}); !keys) return keys;
+  TRY(ball.expect_keys({"at", "velocity"}));
   for (const auto& [key, member] :
        {std::pair{"at", &scenario.ball}, std::pair{"velocity", &scenario.ball_velocity}}) {
     if (!ball.has(key)) continue;
-    TRY_INIT(const auto point, parse_point(ball[key]));
-    *member = point;
+    TRY_INIT(*member, parse_point(ball[key]));
   }
+
   return {};
 }
 
@@ -228,8 +232,7 @@ Result<void> parse_options(const JsonValue& json, Scenario& scenario) {
 
 Result<void> parse_run(const JsonValue& json, Scenario& scenario) {
   if (json.has("steps")) {
-    TRY_INIT(const auto steps, json["steps"].integer(1, kMaxSteps));
-    scenario.steps = steps;
+    TRY_INIT(scenario.steps, json["steps"].integer(1, kMaxSteps));
   }
   if (!json.has("until")) return {};
   const JsonValue until = json["until"];
@@ -250,6 +253,7 @@ void add_implied_checks(Scenario& scenario, const JsonValue& json) {
       says_missed[index_of(missed->side)] = true;
     }
   }
+
   const auto add = [&](auto what, std::string name) {
     Check check;
     check.what = std::move(what);
@@ -258,6 +262,7 @@ void add_implied_checks(Scenario& scenario, const JsonValue& json) {
     scenario.checks.push_back(std::move(check));
   };
   if (says_end) return;
+
   add(EndCheck{match::EndReason::kFinished}, "the run finishes");
   const auto zero = JsonDocument::parse("", "0");
   for (const Side side : {Side::kLeft, Side::kRight}) {
@@ -271,6 +276,7 @@ Result<void> parse_checks(const JsonValue& json, const Json& golden, Scenario& s
   if (!json.has("expect")) return json.error("requires \"expect\": a list of checks");
   const JsonValue expect = json["expect"];
   if (!expect.is_array() || expect.size() == 0) return expect.error("must be a list of checks");
+
   std::size_t rpcs = 0;
   for (std::size_t i = 0; i < expect.size(); ++i) {
     TRY_INIT(auto check, parse_check(expect[i], scenario.steps, golden));
@@ -281,6 +287,7 @@ Result<void> parse_checks(const JsonValue& json, const Json& golden, Scenario& s
     }
     scenario.checks.push_back(std::move(check));
   }
+
   add_implied_checks(scenario, expect);
   return {};
 }
@@ -307,23 +314,24 @@ Result<Scenario> parse_scenario(const JsonDocument& text, const Json& golden,
   scenario.name = std::filesystem::path(text.name()).stem().string();
   scenario.sides[0].playmaker.text = scenario.sides[1].playmaker.text = "mock";
   if (json.has("about")) {
-    TRY_INIT(const auto about, json["about"].string());
-    scenario.about = about;
+    TRY_INIT(scenario.about, json["about"].string());
   }
+
   for (const auto& parse : {parse_seeds, parse_server, parse_situation, parse_options, parse_run}) {
     TRY(parse(json, scenario));
   }
+
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const char* key = side_name(side);
     if (!json.has(key)) continue;
     TRY(parse_team(json[key], resolve, scenario.sides[index_of(side)]));
   }
+
   if (json.has("trainer")) {
     TRY(parse_playmaker(json["trainer"], resolve, scenario.trainer.emplace()));
   }
   if (json.has("under_test")) {
-    TRY_INIT(const auto side, parse_side(json["under_test"]));
-    scenario.under_test = side;
+    TRY_INIT(scenario.under_test, parse_side(json["under_test"]));
   }
   TRY(parse_checks(json, golden, scenario));
   return scenario;

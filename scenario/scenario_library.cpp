@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "base/io/whole_file.h"
+#include "base/text/json.h"
 #include "base/text/json_document.h"
 #include "base/text/json_text.h"
 
@@ -56,6 +56,7 @@ std::map<fs::path, std::map<std::string, Json>> found_values(const SuiteVerdict&
     if (values.empty() || !has_file) continue;
     files[fs::path(scenario.file).parent_path() / kGoldenFile][scenario.name] = values;
   }
+
   return files;
 }
 
@@ -66,6 +67,7 @@ Result<std::vector<Scenario>> shipped_scenarios() {
   for (const ShippedFile& file : shipped_files()) {
     if (file.name == kGoldenFile) golden = Json::parse(file.text);
   }
+
   std::vector<Scenario> scenarios;
   for (const ShippedFile& file : shipped_files()) {
     if (file.name == kGoldenFile) continue;
@@ -80,6 +82,7 @@ Result<std::vector<Scenario>> shipped_scenarios() {
     scenario.built_in = !fs::exists(scenario.file, code);
     scenarios.push_back(std::move(scenario));
   }
+
   return scenarios;
 }
 
@@ -92,14 +95,16 @@ Result<std::vector<Scenario>> read_scenarios(const fs::path& path, const Resolve
       const fs::path& file = entry.path();
       if (file.extension() == ".json" && file.filename() != kGoldenFile) files.push_back(file);
     }
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     if (files.empty()) return Error{fmt::format("{}: no scenarios (*.json)", path.string())};
   }
+
   std::vector<Scenario> scenarios;
   for (const fs::path& file : files) {
     TRY_INIT(auto scenario, read_one(file, resolve));
     scenarios.push_back(std::move(scenario));
   }
+
   return scenarios;
 }
 
@@ -111,11 +116,13 @@ Result<int> accept_golden_values(const SuiteVerdict& suite) {
       for (const auto& [what, value] : values.items()) {
         if (golden_of(golden, name).value(what, "") != value) ++changed;
       }
-      (golden)[name] = values;
+      golden[name] = values;
     }
-    const std::map<std::string, Json> sorted = golden.get<std::map<std::string, Json>>();
+    std::map<std::string, Json> sorted;
+    for (const auto& [name, values] : golden.items()) sorted[name] = values;
     TRY(base::write_file(file, base::json_document(Json(sorted))));
   }
+
   return changed;
 }
 

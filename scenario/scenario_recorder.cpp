@@ -83,7 +83,7 @@ void ReplyRecorder::on_call(const proxy::RpcCall& call) {
 }
 
 void ReplyRecorder::move_to(RunRecord& record) {
-  std::sort(replies_.begin(), replies_.end(), [](const auto& a, const auto& b) {
+  std::ranges::sort(replies_, [](const auto& a, const auto& b) {
     return std::tie(a.step, a.unum) < std::tie(b.step, b.unum);
   });
   record.replies[index_of(side_)] = std::move(replies_);
@@ -109,6 +109,7 @@ match::SideListener* ScenarioRecorder::listener(Side side) {
 void ScenarioRecorder::place_side(World& world, Events& events, Side side) const {
   const auto& placed = scenario_.sides[index_of(side)].players;
   const bool at_bench = placed.empty() && scenario_.mode == soccer::PlayMode::kBeforeKickOff;
+
   for (int unum = 1; unum <= soccer::kPlayersPerTeam && !at_bench; ++unum) {
     const int slot = soccer::slot_of(side, unum);
     const auto found = placed.find(unum);
@@ -133,12 +134,14 @@ void ScenarioRecorder::arrange(World& world, Events& events) {
     world.team(side).score = scenario_.score[index_of(side)];
     place_side(world, events, side);
   }
+
   announce_score(world, events);
   if (scenario_.mode != soccer::PlayMode::kBeforeKickOff) {
     simulator::change_mode(world, scenario_.mode, events);
   }
-  setup_messages_ = static_cast<int>(
-      std::count_if(events.begin(), events.end(), [](const simulator::Event& event) {
+
+  setup_messages_ =
+      static_cast<int>(std::ranges::count_if(events, [](const simulator::Event& event) {
         return std::holds_alternative<simulator::RefereeMessage>(event.what);
       }));
   record_frame(world);
@@ -163,12 +166,14 @@ void ScenarioRecorder::record_touches(const World& world) {
     if (std::exchange(kicks_[slot], kicks) == kicks) continue;
     record_.touches.push_back({step_, static_cast<int>(slot)});
   }
+
   // Tackles and collisions are known only to the referee, which stores one per cycle.
   const simulator::TouchState& memory = world.referee.touch;
   const bool fresh = memory.touch_time != touch_time_ || memory.toucher != toucher_;
   touch_time_ = memory.touch_time;
   toucher_ = memory.toucher;
   if (fresh) record_touch(memory.toucher);
+
   // A catch changes the play mode and resets the touch state of the referee.
   if (std::exchange(catcher_, world.ball_catcher) != world.ball_catcher) record_touch(catcher_);
 }
@@ -202,7 +207,7 @@ void ScenarioRecorder::before_decisions(const match::MatchView& view) {
 
 bool ScenarioRecorder::after_cycle(const match::MatchView& /*view*/) {
   if (step_ >= scenario_.steps) return false;
-  return std::none_of(scenario_.until.begin(), scenario_.until.end(), [this](const StepTest& test) {
+  return std::ranges::none_of(scenario_.until, [this](const StepTest& test) {
     return test.holds(record_.frames.back(), record_);
   });
 }

@@ -1,9 +1,8 @@
 // Plays one run of a scenario.
-#include "match/terms/option_table.h"
 #include "scenario/scenario_run.h"
+#include "match/terms/option_table.h"
 
 #include <chrono>
-#include <utility>
 
 #include "base/io/byte_sink.h"
 #include "match/match_setup.h"
@@ -21,12 +20,14 @@ match::MatchOptions match_options(const Scenario& scenario, const RunSettings& s
     (*scenario.under_test == soccer::Side::kLeft ? options.left : options.right) =
         *settings.against;
   }
+
   static_cast<void>(match::set_options(options, scenario.options));  // checked when read
   options.trainer = scenario.trainer;
   options.seed = settings.seed;
   options.server = scenario.server;
   options.player = scenario.player;
   options.sandbox = settings.sandbox;
+
   // A team starts 11 programs in sequence, possibly on a busy host.
   constexpr double kTimeToJoin = 60.0;
   const bool external = !options.left.has_playmaker() || !options.right.has_playmaker();
@@ -51,6 +52,7 @@ base::Result<RunRecord> run_scenario(const Scenario& scenario, const RunSettings
   TRY_INIT(auto match, match::make_lockstep_match({options, names, settings.seed, stop_signal,
                                                    settings.host, settings.folder},
                                                   {&game_log, &text_log}));
+
   (match)->add_hooks(director);
   (match)->play(observer);
   director.finish();
@@ -64,9 +66,11 @@ base::Result<RunRecord> run_scenario(const Scenario& scenario, const RunSettings
       record.script_failures.push_back(side->identity().name + ": " + line);
     }
   }
+
   record.game_log = game_log.bytes();
   record.text_log = text_log.bytes();
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
   return record;
 }
 

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <mutex>
-#include <thread>
 
+#include "base/index.h"
 #include "base/io/whole_file.h"
+#include "base/system/parallel.h"
+#include "match/result/match_folder.h"
 #include "scenario/scenario_run.h"
 #include "viewer/page/match_page.h"
 
@@ -40,8 +42,6 @@ bool speaks_against(const Check& check, bool held) {
   return held ? may_fail_in_all && !check.runs->holds(1.0) : !may_fail_in_all;
 }
 
-constexpr const char* kGameLog = "match.rcg";
-constexpr const char* kTextLog = "match.rcl";
 constexpr const char* kFailures = "failures.txt";
 constexpr const char* kPage = "match.html";
 
@@ -58,7 +58,7 @@ std::vector<fs::path> run_folders(const fs::path& folder, const Scenario& scenar
   for (const auto& entry : fs::directory_iterator(folder, code)) {
     const std::string name = entry.path().filename().string();
     const std::string prefix = folder_prefix(scenario);
-    const bool is_run = name.rfind(prefix, 0) == 0 && name.size() > prefix.size() &&
+    const bool is_run = name.starts_with(prefix) && name.size() > prefix.size() &&
                         name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
     if (is_run) found.push_back(entry.path());
   }
@@ -71,8 +71,8 @@ void remove_run(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder, code)) {
     const std::string name = entry.path().filename().string();
-    const bool written = name == kGameLog || name == kTextLog || name == kFailures ||
-                         name == kPage || entry.path().extension() == ".log";
+    const bool written = name == match::kGameLogFile || name == match::kTextLogFile ||
+                         name == kFailures || name == kPage || entry.path().extension() == ".log";
     if (written && entry.is_regular_file(code)) files.push_back(entry.path());
   }
   for (const fs::path& file : files) fs::remove(file, code);
@@ -106,10 +106,8 @@ class SuiteRun {
   }
 
   SuiteVerdict play() {
-    std::vector<std::thread> threads;
-    for (int i = 1; i < options_.jobs; ++i) threads.emplace_back([this] { work(); });
-    work();
-    for (std::thread& thread : threads) thread.join();
+    base::parallel_for(tasks_.size(), base::index(options_.jobs),
+                       [this](std::size_t task) { work(tasks_[task]); });
     return std::move(verdicts_);
   }
 
@@ -129,12 +127,14 @@ class SuiteRun {
       on_done_(verdict);
       return;
     }
+
     if (const Check* check = first_check_of_playmaker(scenario)) {
       verdict.verdict = Verdict::kSkipped;
       verdict.reason = fmt::format("line {}: {}", check->line, kExternalTeamHasNoPlaymaker);
       on_done_(verdict);
       return;
     }
+
     verdict.seeds = options_.seed ? std::vector<std::uint64_t>{*options_.seed} : scenario.seeds;
     outcomes_[index].resize(verdict.seeds.size());
     open_[index] = verdict.seeds.size();
@@ -158,20 +158,18 @@ class SuiteRun {
            !scenario.sides[1].playmaker.has_playmaker();
   }
 
-  void work() {
-    for (std::size_t next = next_++; next < tasks_.size(); next = next_++) {
-      const Task& task = tasks_[next];
-      RunOutcome outcome;
-      outcome.seed = task.seed;
-      if (stop_signal_.load() == 0) {
-        play(task, outcome);
-      } else {
-        outcome.interrupted = true;
-      }
-      const std::lock_guard lock(mutex_);
-      outcomes_[task.scenario][task.run] = std::move(outcome);
-      if (--open_[task.scenario] == 0) conclude(task.scenario);
+  void work(const Task& task) {
+    RunOutcome outcome;
+    outcome.seed = task.seed;
+    if (stop_signal_.load() == 0) {
+      play(task, outcome);
+    } else {
+      outcome.interrupted = true;
     }
+
+    const std::lock_guard lock(mutex_);
+    outcomes_[task.scenario][task.run] = std::move(outcome);
+    if (--open_[task.scenario] == 0) conclude(task.scenario);
   }
 
   void play(const Task& task, RunOutcome& outcome) {
@@ -180,6 +178,7 @@ class SuiteRun {
       outcome.problem = host_problem_;
       return;
     }
+
     RunSettings settings;
     settings.seed = task.seed;
     settings.against = options_.against;
@@ -193,6 +192,7 @@ class SuiteRun {
         return;
       }
     }
+
     // External teams use fixed ports and cannot play two matches in parallel.
     const auto alone = has_external_team(scenario) ? std::unique_lock(external_teams_)
                                                    : std::unique_lock<std::mutex>();
@@ -201,11 +201,13 @@ class SuiteRun {
       outcome.problem = record.error().message;
       return;
     }
+
     outcome.seconds = record->seconds;
     if (stop_signal_.load() != 0 && !record->result.valid()) {
       outcome.interrupted = true;
       return;
     }
+
     outcome.script_failures = record->script_failures;
     for (const Check& check : scenario.checks) {
       outcome.failures.push_back(failure(check, *record));
@@ -214,6 +216,7 @@ class SuiteRun {
         outcome.fingerprints.push_back(fingerprint(*golden, *record));
       }
     }
+
     if (!outcome.good()) {
       keep(options_.folder / settings.folder.filename(), *record, outcome);
     }
@@ -226,12 +229,14 @@ class SuiteRun {
     for (const std::string& line : outcome.failures) {
       if (!line.empty()) report += line + "\n";
     }
+
     for (const std::string& line : outcome.script_failures) report += line + "\n";
-    const bool kept = base::write_file(folder / kGameLog, record.game_log) &&
-                      base::write_file(folder / kTextLog, record.text_log) &&
+    const bool kept = base::write_file(folder / match::kGameLogFile, record.game_log) &&
+                      base::write_file(folder / match::kTextLogFile, record.text_log) &&
                       base::write_file(folder / kFailures, report);
     if (kept) outcome.folder = folder;
-    const std::string page = viewer::page_of_logs(record.game_log, record.text_log, kGameLog);
+    const std::string page =
+        viewer::page_of_logs(record.game_log, record.text_log, match::kGameLogFile);
     if (!page.empty() && base::write_file(folder / kPage, page)) outcome.page = folder / kPage;
   }
 
@@ -251,6 +256,7 @@ class SuiteRun {
           conclude_check(scenario.checks[i], i, runs, options_.seed.has_value()));
       good = good && verdict.checks.back().passed;
     }
+
     good = conclude_scripts(verdict, runs) && good;
     for (const RunOutcome& run : runs) {
       verdict.seconds += run.seconds;
@@ -259,22 +265,23 @@ class SuiteRun {
         verdict.reason = run.problem;
       }
     }
+
     verdict.fingerprints = runs.front().fingerprints;
     const auto is_interrupted = [](const RunOutcome& run) { return run.interrupted; };
-    if (std::any_of(runs.begin(), runs.end(), is_interrupted)) {
+    if (std::ranges::any_of(runs, is_interrupted)) {
       verdict.verdict = Verdict::kInterrupted;
       verdict.reason = "interrupted";
       verdict.checks.clear();
     } else if (!good) {
       verdict.verdict = Verdict::kFailed;
       // Possibly no single run failed, only their count.
-      auto bad =
-          std::find_if(runs.begin(), runs.end(), [](const RunOutcome& run) { return !run.good(); });
+      auto bad = std::ranges::find_if(runs, [](const RunOutcome& run) { return !run.good(); });
       if (bad == runs.end()) bad = runs.begin();
       verdict.replay = bad->folder.string();
       verdict.page = bad->page.string();
       verdict.rerun = repeat_command(scenario, bad->seed);
     }
+
     clear_folders(verdict, runs);
     on_done_(verdict);
   }
@@ -291,8 +298,9 @@ class SuiteRun {
       if (!keeps && !run.interrupted) remove_run(folder);
     }
     if (verdict.verdict == Verdict::kInterrupted || options_.seed) return;
+
     for (const fs::path& folder : run_folders(options_.folder, scenario)) {
-      if (std::find(kept.begin(), kept.end(), folder) == kept.end()) remove_run(folder);
+      if (std::ranges::find(kept, folder) == kept.end()) remove_run(folder);
     }
   }
 
@@ -303,6 +311,7 @@ class SuiteRun {
     CheckVerdict verdict;
     verdict.name = check.name;
     verdict.line = check.line;
+
     for (const RunOutcome& run : runs) {
       if (!run.problem.empty() || run.interrupted) continue;
       ++verdict.runs;
@@ -313,6 +322,7 @@ class SuiteRun {
         verdict.detail = run.failures[index];
       }
     }
+
     verdict.passed = counts              ? check.runs->holds(static_cast<double>(verdict.held))
                      : verdict.runs == 0 ? true
                                          : !speaks_against(check, verdict.held == verdict.runs);
@@ -322,6 +332,7 @@ class SuiteRun {
           fmt::format("held in {} of {} runs, not {}{}{}", verdict.held, verdict.runs,
                       check.runs->text(), verdict.seed ? "; first failure: " : "", verdict.detail);
     }
+
     return verdict;
   }
 
@@ -350,7 +361,6 @@ class SuiteRun {
   std::string host_problem_;  ///< why programs cannot be started
 
   std::vector<Task> tasks_;
-  std::atomic<std::size_t> next_{0};
   std::mutex external_teams_;  ///< serializes runs with external teams
   std::mutex mutex_;
   std::vector<std::vector<RunOutcome>> outcomes_;
@@ -361,9 +371,8 @@ class SuiteRun {
 }  // namespace
 
 int SuiteVerdict::count(Verdict verdict) const {
-  return static_cast<int>(
-      std::count_if(scenarios.begin(), scenarios.end(),
-                    [verdict](const auto& each) { return each.verdict == verdict; }));
+  return static_cast<int>(std::ranges::count_if(
+      scenarios, [verdict](const auto& each) { return each.verdict == verdict; }));
 }
 
 SuiteVerdict run_suite(const std::vector<Scenario>& scenarios, const SuiteOptions& options,
@@ -372,7 +381,7 @@ SuiteVerdict run_suite(const std::vector<Scenario>& scenarios, const SuiteOption
   std::optional<process::ProcessHost> host;
   std::string problem;
   const auto starts = [&](const Scenario& scenario) { return starts_programs(scenario, options); };
-  if (std::any_of(scenarios.begin(), scenarios.end(), starts)) {
+  if (std::ranges::any_of(scenarios, starts)) {
     auto created = process::ProcessHost::create();
     if (created) host.emplace(*std::move(created));
     if (!created) problem = created.error().message;

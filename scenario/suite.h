@@ -9,8 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
-#include "scenario/run_record.h"
 #include "scenario/scenario.h"
 
 namespace cls::scenario {

@@ -3,32 +3,21 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "base/report/github.h"
 #include "base/report/junit.h"
 #include "base/system/version.h"
+#include "base/text/enum_names.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/text/table.h"
 
 namespace cls::scenario {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
-const char* name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kPassed:
-      return "passed";
-    case Verdict::kFailed:
-      return "failed";
-    case Verdict::kInterrupted:
-      return "interrupted";
-    case Verdict::kSkipped:
-      break;
-  }
-  return "skipped";
-}
+constexpr auto kVerdictNames =
+    base::enum_names<Verdict>("passed", "failed", "skipped", "interrupted");
 
 constexpr std::string_view kDim = "2";
 constexpr std::string_view kGreen = "32";
@@ -81,16 +70,18 @@ Json json_of(const ScenarioVerdict& verdict) {
   const Scenario& scenario = *verdict.scenario;
   Json json = {{"name", scenario.name},
                {"file", scenario.file},
-               {"verdict", name(verdict.verdict)},
+               {"verdict", kVerdictNames.name(verdict.verdict)},
                {"seeds", verdict.seeds}};
   if (!verdict.reason.empty()) json["reason"] = verdict.reason;
   json["checks"] = Json::array();
   for (const CheckVerdict& check : verdict.checks) json["checks"].push_back(json_of(check));
+
   if (!verdict.rerun.empty()) {
     json["repeat"] = verdict.rerun;
     json["replay"] = verdict.replay;
     json["page"] = verdict.page.empty() ? Json(nullptr) : Json(verdict.page);
   }
+
   json["seconds"] = verdict.seconds;
   return json;
 }
@@ -111,11 +102,13 @@ std::string to_text(const ScenarioVerdict& verdict, bool color) {
     return fmt::format("{}    {}{}\n", colored("ok", kGreen, color), scenario.name,
                        colored(runs, kDim, color && !runs.empty()));
   }
+
   std::string text = fmt::format("{}{}\n", colored("FAIL  " + scenario.name, kRed, color), runs);
   if (!scenario.about.empty()) text += fmt::format("      {}\n", scenario.about);
   for (const CheckVerdict& check : verdict.checks) {
     if (!check.passed) text += fmt::format("      {}: {}\n", place(scenario), describe(check));
   }
+
   if (!verdict.reason.empty()) text += fmt::format("      {}\n", verdict.reason);
   if (!verdict.replay.empty()) text += fmt::format("      logs: {}\n", verdict.replay);
   if (!verdict.page.empty()) text += fmt::format("      watch: {}\n", verdict.page);
@@ -123,6 +116,7 @@ std::string to_text(const ScenarioVerdict& verdict, bool color) {
   if (scenario.built_in) {
     text += fmt::format("      file: cls test --export DIR writes DIR/{}.json\n", scenario.name);
   }
+
   return text;
 }
 
@@ -174,6 +168,7 @@ std::string to_junit(const SuiteVerdict& suite) {
       one.attachment = verdict.page;
     }
   }
+
   return base::format_junit("cls test", cases);
 }
 
@@ -192,6 +187,7 @@ std::string to_annotations(const SuiteVerdict& suite) {
     }
     if (!verdict.reason.empty()) add(1, verdict.reason);
   }
+
   return text;
 }
 
@@ -207,6 +203,7 @@ std::string to_markdown(const SuiteVerdict& suite) {
     table.add_row({verdict.scenario->name, lines.substr(0, lines.find('\n')),
                    verdict.page.empty() ? "-" : verdict.page, verdict.rerun});
   }
+
   return suite.passed() ? text : text + "\n" + table.format_markdown();
 }
 

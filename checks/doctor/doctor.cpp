@@ -32,16 +32,16 @@ std::vector<DoctorCheck> ask_all(const DoctorOptions& options, const std::atomic
   starting.purpose = "servers, run: and team: sides";
   starting.needed = true;
 
-  const process::ScratchFolder scratch;
+  const auto scratch = process::ScratchFolder::create();
   auto host = process::ProcessHost::create();
-  if (!host || scratch.path().empty()) {
+  if (!host || !scratch) {
     starting.status = DoctorStatus::kWrong;
-    starting.found = host ? "cannot create a temporary folder" : host.error().message;
+    starting.found = host ? scratch.error().message : host.error().message;
     starting.hint = host ? "free space in TMPDIR" : "raise the limit: ulimit -u";
     return {starting};
   }
 
-  const std::vector<ProgramCheck> examinations = {soccer_server_program(scratch.path()), python(),
+  const std::vector<ProgramCheck> examinations = {soccer_server_program(scratch->path()), python(),
                                                   node(), protobuf_compiler(), slurm()};
   std::vector<ProgramRun> questions = {{"/bin/sh", {"-c", "exit 0"}, {}, {}}};
   for (const ProgramCheck& each : examinations) questions.push_back(each.question);

@@ -5,16 +5,17 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "base/system/host.h"
 #include "base/system/version.h"
+#include "base/text/enum_names.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 
 namespace cls::checks {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
@@ -32,29 +33,19 @@ Json to_json(const DoctorCheck& check) {
 }  // namespace
 
 std::string_view name(DoctorStatus status) {
-  switch (status) {
-    case DoctorStatus::kMissing:
-      return "missing";
-    case DoctorStatus::kTaken:
-      return "taken";
-    case DoctorStatus::kWrong:
-      return "wrong";
-    case DoctorStatus::kUnreachable:
-      return "unreachable";
-    case DoctorStatus::kOk:
-      break;
-  }
-  return "ok";
+  constexpr auto kNames =
+      base::enum_names<DoctorStatus>("ok", "missing", "taken", "wrong", "unreachable");
+  return kNames.name(status);
 }
 
 bool DoctorReport::healthy() const {
-  return std::none_of(checks.begin(), checks.end(), [](const DoctorCheck& check) {
+  return std::ranges::none_of(checks, [](const DoctorCheck& check) {
     return check.needed && check.status != DoctorStatus::kOk;
   });
 }
 
 bool DoctorReport::unreachable() const {
-  return std::any_of(checks.begin(), checks.end(), [](const DoctorCheck& check) {
+  return std::ranges::any_of(checks, [](const DoctorCheck& check) {
     return check.needed && check.status == DoctorStatus::kUnreachable;
   });
 }

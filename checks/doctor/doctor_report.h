@@ -21,12 +21,12 @@ std::string_view name(DoctorStatus status);
 struct DoctorCheck {
   std::string name;  ///< "rcssserver", "UDP port 6000"
   DoctorStatus status = DoctorStatus::kOk;
-  std::string found;    ///< what was observed, one line
-  std::string version;  ///< empty: none
-  std::string path;     ///< empty: not a file
-  std::string purpose;  ///< what it is needed for
-  std::string hint;     ///< what to do about it; empty if ok
-  bool needed = false;  ///< required for playing, or requested by the user
+  std::string found = {};    ///< what was observed, one line
+  std::string version = {};  ///< empty: none
+  std::string path = {};     ///< empty: not a file
+  std::string purpose = {};  ///< what it is needed for
+  std::string hint = {};     ///< what to do about it; empty if ok
+  bool needed = false;       ///< required for playing, or requested by the user
 };
 
 struct DoctorReport {

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdint>
 #include <fstream>
 #include <map>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "base/system/host.h"
 #include "base/system/own_program.h"
@@ -40,92 +42,73 @@ std::map<std::string, double> memory_lines(const fs::path& path) {
 }  // namespace
 
 DoctorCheck program_file() {
-  DoctorCheck check;
-  check.name = "cls";
-  check.purpose = "this program";
-  check.version = base::kVersion;
-  if (const auto program = base::own_program()) check.path = program->string();
-  check.found = fmt::format("{}, wire {}, {}", base::kVersion, base::kWireVersion, check.path);
-  return check;
+  const auto program = base::own_program();
+  const std::string path = program ? program->string() : "";
+  return {.name = "cls",
+          .found = fmt::format("{}, wire {}, {}", base::kVersion, base::kWireVersion, path),
+          .version = std::string(base::kVersion),
+          .path = path,
+          .purpose = "this program"};
 }
 
 DoctorCheck processors() {
-  DoctorCheck check;
-  check.name = "processors";
-  check.purpose = "parallel matches; --pin requires two";
-  check.found = fmt::format("{} usable of {}; {} physical cores; load {:.1f}",
-                            base::allowed_processors().size(), ::sysconf(_SC_NPROCESSORS_ONLN),
-                            base::usable_cores(), base::load_average());
-  return check;
+  return {.name = "processors",
+          .found = fmt::format("{} usable of {}; {} physical cores; load {:.1f}",
+                               base::allowed_processors().size(), ::sysconf(_SC_NPROCESSORS_ONLN),
+                               base::usable_cores(), base::load_average()),
+          .purpose = "parallel matches; --pin requires two"};
 }
 
 DoctorCheck memory(const fs::path& meminfo) {
-  DoctorCheck check;
-  check.name = "memory";
-  check.purpose = "a match of two mocks takes about 0.1 GB";
-
   const auto lines = memory_lines(meminfo);
   const auto total = lines.find("MemTotal:");
   const auto available = lines.find("MemAvailable:");
-  if (total == lines.end() || available == lines.end()) {
-    check.found = fmt::format("unknown: not in {}", meminfo.string());
-    return check;
-  }
+  const bool known = total != lines.end() && available != lines.end();
 
-  check.found =
-      fmt::format("{} of {} free", gigabytes(available->second), gigabytes(total->second));
-  return check;
+  return {.name = "memory",
+          .found = known ? fmt::format("{} of {} free", gigabytes(available->second),
+                                       gigabytes(total->second))
+                         : fmt::format("unknown: not in {}", meminfo.string()),
+          .purpose = "a match of two mocks takes about 0.1 GB"};
 }
 
 DoctorCheck working_folder(const fs::path& folder) {
-  DoctorCheck check;
-  check.name = "folder";
-  check.purpose = "match folders in ./runs";
-  check.needed = true;
-  check.path = folder.string();
-
-  if (folder.empty()) {
+  DoctorCheck check = {.name = "folder",
+                       .path = folder.string(),
+                       .purpose = "match folders in ./runs",
+                       .needed = true};
+  const auto wrong = [&check](std::string found, std::string hint) {
     check.status = DoctorStatus::kWrong;
-    check.found = "it does not exist any more";
-    check.hint = "change to a folder that exists";
+    check.found = std::move(found);
+    check.hint = std::move(hint);
     return check;
-  }
+  };
+  if (folder.empty()) return wrong("it does not exist any more", "change to a folder that exists");
 
   std::error_code code;
   const fs::path runs = folder / "runs";
   const fs::path written = fs::exists(runs, code) ? runs : folder;
   if (::access(written.c_str(), W_OK | X_OK) != 0) {
-    check.status = DoctorStatus::kWrong;
-    check.found = fmt::format("{}: {}", written.string(),
-                              std::error_code(errno, std::generic_category()).message());
-    check.hint = "change to a writable folder, or use --dir DIR";
-    return check;
+    const std::error_code denied(errno, std::generic_category());
+    return wrong(fmt::format("{}: {}", written.string(), denied.message()),
+                 "change to a writable folder, or use --dir DIR");
   }
 
   const fs::space_info space = fs::space(written, code);
   const double available = code ? 0.0 : static_cast<double>(space.available);
   check.found = fmt::format("{}, {} free", written.string(), gigabytes(available));
-  if (!code && space.available < kRoomForMatches) {
-    check.status = DoctorStatus::kWrong;
-    check.hint = "free disk space, or use --dir DIR";
-  }
-
-  return check;
+  const bool full = !code && space.available < kRoomForMatches;
+  return full ? wrong(check.found, "free disk space, or use --dir DIR") : check;
 }
 
 DoctorCheck udp_port(int port, const std::string& role) {
-  DoctorCheck check;
-  check.name = fmt::format("UDP port {}", port);
-  check.purpose =
-      fmt::format("{} of a server at its default ports, which some team:DIR require", role);
-  check.found = "free";
-
-  if (process::port_is_free(process::Protocol::kUdp, port)) return check;
-
-  check.status = DoctorStatus::kTaken;
-  check.found = process::port_taken_text(process::Protocol::kUdp, port);
-  check.hint = "stop that process; other sides and servers use free ports";
-  return check;
+  const bool free = process::port_is_free(process::Protocol::kUdp, port);
+  return {.name = fmt::format("UDP port {}", port),
+          .status = free ? DoctorStatus::kOk : DoctorStatus::kTaken,
+          .found = free ? "free" : process::port_taken_text(process::Protocol::kUdp, port),
+          .purpose =
+              fmt::format("{} of a server at its default ports, which some team:DIR require", role),
+          .hint = free ? "" : "stop that process; other sides and servers use free ports"};
 }
 
 }  // namespace cls::checks

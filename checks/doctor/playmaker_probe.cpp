@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "checks/playmaker/playmaker_check.h"
 #include "process/ports.h"
+#include "process/scratch_folder.h"
 
 namespace cls::checks {
 namespace {
@@ -54,6 +56,13 @@ DoctorCheck probe_playmaker(const match::Endpoint& endpoint, std::chrono::millis
   }
 
   PlaymakerCheckOptions options;
+  std::optional<process::ScratchFolder> scratch;
+  if (endpoint.kind == match::Endpoint::Kind::kRun) {
+    auto created = process::ScratchFolder::create();
+    if (!created) return unreachable(std::move(check), created.error().message);
+    options.folder = scratch.emplace(*std::move(created)).path();
+  }
+
   options.endpoint = endpoint;
   options.start_timeout = limit;
   options.deadline = limit;

@@ -3,13 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "match/programs/server_command.h"
+#include "match/programs/server_plan.h"
 
 namespace cls::checks {
 namespace {
@@ -60,7 +59,7 @@ bool is_version(std::string_view text) {
   return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) != 0;
 }
 
-std::string describe_exit(const ProgramOutput& answer) {
+std::string wrong_answer(const ProgramOutput& answer) {
   if (!answer.exit) return "timeout";
   const std::string last_line =
       answer.lines.empty() ? "prints nothing" : fmt::format("prints '{}'", answer.lines.front());
@@ -74,6 +73,7 @@ DoctorCheck evaluate_version(const ProgramOutput& answer, std::string name, std:
   DoctorCheck check;
   check.name = std::move(name);
   check.purpose = std::move(purpose);
+
   check.path = answer.path.string();
 
   if (answer.path.empty()) {
@@ -84,7 +84,7 @@ DoctorCheck evaluate_version(const ProgramOutput& answer, std::string name, std:
     check.found = answer.absence;
   } else if (!is_version(version)) {
     check.status = DoctorStatus::kWrong;
-    check.found = fmt::format("{}: {}", check.path, describe_exit(answer));
+    check.found = fmt::format("{}: {}", check.path, wrong_answer(answer));
   } else {
     check.version = std::move(version);
     check.found = fmt::format("{}, {}", check.version, check.path);
@@ -159,6 +159,7 @@ DoctorCheck judge_python(const ProgramOutput& answer) {
         "; cls_playmaker missing: ./bootstrap python in the checkout of cls makes an environment "
         "with it";
   }
+
   return check;
 }
 

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <vector>
 
 #include "checks/doctor/doctor_report.h"
 #include "checks/doctor/program_run.h"

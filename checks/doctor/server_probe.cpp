@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "base/system/version.h"
 #include "base/text/printable.h"
 #include "checks/server/started_server.h"
+#include "process/scratch_folder.h"
 #include "soccer/messages/parameter_message.h"
 #include "soccer/play_mode.h"
 #include "soccer/udp_channel.h"
@@ -182,7 +182,7 @@ std::string describe_no_reply(const StartedServer& started, milliseconds limit) 
 
   const std::vector<int> open = process::ports_of(process::Protocol::kUdp, status.pid);
   const int port = started.ports().player;
-  if (std::find(open.begin(), open.end(), port) != open.end()) {
+  if (std::ranges::find(open, port) != open.end()) {
     return fmt::format("no reply at its port within {} s{}", seconds(limit), last_line);
   }
 
@@ -196,8 +196,11 @@ DoctorCheck probe_program(DoctorCheck check, const match::ServerChoice& server,
                           const std::atomic<int>& stop) {
   constexpr const char* kManualHint = "start it by hand and read its output";
 
+  const auto scratch = process::ScratchFolder::create();
+  if (!scratch) return unreachable(std::move(check), scratch.error().message, "");
+
   soccer::ServerParams params;
-  auto started = StartedServer::start(server, own_program, params);
+  auto started = StartedServer::start(server, own_program, params, scratch->path());
   if (!started) return unreachable(std::move(check), started.error().message, "give its PATH");
   check.path = started->child().plan().argv.front();
 

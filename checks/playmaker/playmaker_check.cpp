@@ -9,17 +9,15 @@
 
 #include "checks/checked_program.h"
 #include "match/sides/playmaker_process.h"
-#include "process/scratch_folder.h"
 #include "proxy/playmaker/grpc_playmaker.h"
 
 namespace cls::checks {
 namespace {
 
-constexpr std::chrono::milliseconds kPollInterval{20};
+constexpr std::chrono::milliseconds kExitPollInterval{20};
 
 /// Resources of the subject; outlives it.
 struct Environment {
-  process::ScratchFolder folder;
   std::unique_ptr<mock_server::Server> mock;
   std::optional<process::ProcessHost> host;
   std::unique_ptr<match::PlaymakerProcess> program;
@@ -27,25 +25,21 @@ struct Environment {
 
 base::Result<void> connect_mock(const match::Endpoint& endpoint, Environment& environment,
                                 PlaymakerSubject& subject) {
-  TRY_INIT(auto server, match::start_mock(endpoint));
-  environment.mock = std::move(server);
+  TRY_INIT(environment.mock, match::start_mock(endpoint));
   subject.connect = [&environment, name = endpoint.text] {
     return proxy::make_grpc_playmaker(environment.mock->in_process_channel(), name);
   };
   return {};
 }
 
-base::Result<void> start_program(const match::Endpoint& endpoint, Environment& environment,
+base::Result<void> start_program(const PlaymakerCheckOptions& options, Environment& environment,
                                  PlaymakerSubject& subject) {
-  if (environment.folder.path().empty()) return base::Error{"cannot create a folder for its log"};
-
   TRY_INIT(auto host, process::ProcessHost::create());
   environment.host.emplace(std::move(host));
 
-  TRY_INIT(auto program, match::PlaymakerProcess::start(*environment.host, endpoint,
-                                                        {0, soccer::Side::kLeft, team_name(0), 1},
-                                                        environment.folder.path()));
-  environment.program = std::move(program);
+  TRY_INIT(environment.program, match::PlaymakerProcess::start(
+                                    *environment.host, options.endpoint,
+                                    {0, soccer::Side::kLeft, team_name(0), 1}, options.folder));
 
   subject.host = "localhost";
   subject.port = environment.program->port();
@@ -66,14 +60,10 @@ base::Result<void> prepare(const PlaymakerCheckOptions& options, Environment& en
 
   proxy::GrpcTarget target = match::target_of(options.endpoint);
   if (options.endpoint.kind == match::Endpoint::Kind::kMock) {
-    if (auto connected = connect_mock(options.endpoint, environment, subject); !connected) {
-      return connected;
-    }
+    TRY(connect_mock(options.endpoint, environment, subject));
   } else {
     if (options.endpoint.kind == match::Endpoint::Kind::kRun) {
-      if (auto started = start_program(options.endpoint, environment, subject); !started) {
-        return started;
-      }
+      TRY(start_program(options, environment, subject));
       target = {};
       target.host = subject.host;
       target.port = subject.port;
@@ -93,7 +83,7 @@ std::vector<PlaymakerStep> selected_steps(const std::vector<std::string>& only) 
   for (const auto& part : {handshake_steps(), decision_steps(), state_steps(), load_steps(),
                            play_steps(), life_steps(), team_steps()}) {
     std::copy_if(part.begin(), part.end(), std::back_inserter(steps), [&](const auto& step) {
-      return only.empty() || std::find(only.begin(), only.end(), step.name) != only.end();
+      return only.empty() || std::ranges::find(only, step.name) != only.end();
     });
   }
   return steps;
@@ -108,7 +98,7 @@ Finding run_first_step(const PlaymakerStep& step, PlaymakerSubject& subject,
   std::atomic<bool> done = false;
   bool cancelled = false;
   std::thread watch([&] {
-    while (!done && failure_reason().empty()) std::this_thread::sleep_for(kPollInterval);
+    while (!done && failure_reason().empty()) std::this_thread::sleep_for(kExitPollInterval);
     if (done) return;
     cancelled = true;
     subject.left().cancel();
@@ -122,7 +112,7 @@ Finding run_first_step(const PlaymakerStep& step, PlaymakerSubject& subject,
   return cancelled && failed ? fail("no reply") : found;
 }
 
-Finding run_step(const PlaymakerStep& step, PlaymakerSubject& subject, const CheckReport& report,
+Finding ask_step(const PlaymakerStep& step, PlaymakerSubject& subject, const CheckReport& report,
                  const FailureReason& failure_reason) {
   if (std::string reason = failure_reason(); !reason.empty()) return skip(std::move(reason));
   const bool first = report.steps.size() == 1;
@@ -151,16 +141,10 @@ base::Result<CheckReport> check_playmaker(const PlaymakerCheckOptions& options,
     return describe_exit("the program", environment.program->child());
   };
 
-  CheckReport report;
-  report.schema = "cls.check/1";
-  report.command = "cls check playmaker";
-  report.subject = options.endpoint.text;
-
+  CheckReport report{"cls.check/1", "cls check playmaker", options.endpoint.text, {}};
   for (const PlaymakerStep& step : selected_steps(options.only)) {
-    CheckStep& done = report.steps.emplace_back();
-    done.name = step.name;
-    done.why = step.why;
-    run_timed(done, [&] { return run_step(step, subject, report, failure_reason); });
+    CheckStep& done = run_step(report, step.name, step.why,
+                               [&] { return ask_step(step, subject, report, failure_reason); });
     if (done.result == StepResult::kFail) done.evidence += hint(environment, failure_reason);
     on_step(done);
   }

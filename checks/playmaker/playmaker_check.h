@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -12,7 +13,8 @@
 namespace cls::checks {
 
 struct PlaymakerCheckOptions {
-  match::Endpoint endpoint;  ///< not a team
+  match::Endpoint endpoint;      ///< not a team
+  std::filesystem::path folder;  ///< for the log of a program that is started
   Milliseconds start_timeout{20'000};
   Milliseconds deadline{3'000};
   int calls = 10'000;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <google/protobuf/unknown_field_set.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "checks/playmaker/playmaker_subject.h"
@@ -15,7 +16,6 @@ using google::protobuf::Message;
 using google::protobuf::Reflection;
 using proto::Rpc;
 
-constexpr int kAgent = 7;
 constexpr std::size_t kMaxReplyBytes = 64 * 1024;
 
 // "kick.power is nan"; empty if all numbers are finite.
@@ -41,6 +41,7 @@ std::string not_finite_in(const Message& message, const FieldDescriptor& field) 
 
     if (!std::isfinite(value)) return fmt::format("{} is {}", field.name(), value);
   }
+
   return {};
 }
 
@@ -69,30 +70,33 @@ Finding player_actions(PlaymakerSubject& subject) {
   return finding(answer.status, kinds(answer.actions));
 }
 
-Finding known_actions(PlaymakerSubject& subject) {
+// Asks 11 players. `wrong` says what is wrong with the actions of a reply; empty: nothing.
+Finding ask_players(PlaymakerSubject& subject, const std::string& evidence,
+                    std::string (*wrong)(const protos::PlayerActions&)) {
   for (int agent = 1; agent <= 11; ++agent) {
     const Answer answer = ask(subject, agent, subject.next_state(agent));
-    if (!answer.status.ok())
-      return fail(fmt::format("player {}: {}", agent, to_text(answer.status)));
-
-    for (const protos::PlayerAction& action : answer.actions.actions()) {
-      const bool unknown = !action.GetReflection()->GetUnknownFields(action).empty() ||
-                           action.action_case() == protos::PlayerAction::ACTION_NOT_SET;
-      if (unknown) return fail(fmt::format("player {}: {}", agent, kinds(answer.actions)));
-    }
+    const std::string found = answer.status.ok() ? wrong(answer.actions) : to_text(answer.status);
+    if (!found.empty()) return fail(fmt::format("player {}: {}", agent, found));
   }
-  return pass("11 players, only known actions");
+  return pass(evidence);
+}
+
+// The kinds of all actions, if one of them is unknown.
+std::string unknown_kinds(const protos::PlayerActions& actions) {
+  const bool known = std::ranges::all_of(actions.actions(), [](const auto& action) {
+    return action.GetReflection()->GetUnknownFields(action).empty() &&
+           action.action_case() != protos::PlayerAction::ACTION_NOT_SET;
+  });
+  return known ? "" : kinds(actions);
+}
+
+Finding known_actions(PlaymakerSubject& subject) {
+  return ask_players(subject, "11 players, only known actions", unknown_kinds);
 }
 
 Finding finite_numbers(PlaymakerSubject& subject) {
-  for (int agent = 1; agent <= 11; ++agent) {
-    const Answer answer = ask(subject, agent, subject.next_state(agent));
-    if (!answer.status.ok())
-      return fail(fmt::format("player {}: {}", agent, to_text(answer.status)));
-    const std::string found = not_finite(answer.actions);
-    if (!found.empty()) return fail(fmt::format("player {}: {}", agent, found));
-  }
-  return pass("11 players, all numbers finite");
+  return ask_players(subject, "11 players, all numbers finite",
+                     [](const protos::PlayerActions& actions) { return not_finite(actions); });
 }
 
 Finding reply_size(PlaymakerSubject& subject) {
@@ -131,6 +135,13 @@ bool is_unimplemented(const proxy::Reply& reply) {
   return reply.status.outcome == proxy::RpcOutcome::kUnimplemented;
 }
 
+template <typename Actions>
+Finding counted(const proxy::Reply& reply) {
+  const auto* actions = reply.as<Actions>();
+  const int count = actions != nullptr ? actions->actions_size() : 0;
+  return finding(reply.status, fmt::format("{} actions", count));
+}
+
 Finding coach_actions(PlaymakerSubject& subject) {
   const proxy::Reply reply =
       subject.left().call(proxy::kCoachNumber, Rpc::kGetCoachActions,
@@ -141,9 +152,7 @@ Finding coach_actions(PlaymakerSubject& subject) {
     return skip("not implemented: the team plays without a coach");
   }
 
-  const auto* actions = reply.as<protos::CoachActions>();
-  const int count = actions != nullptr ? actions->actions_size() : 0;
-  return finding(reply.status, fmt::format("{} actions", count));
+  return counted<protos::CoachActions>(reply);
 }
 
 Finding trainer_actions(PlaymakerSubject& subject) {
@@ -151,9 +160,7 @@ Finding trainer_actions(PlaymakerSubject& subject) {
       subject.left().call(proxy::kTrainerNumber, Rpc::kGetTrainerActions,
                           subject.next_state(proxy::kTrainerNumber), subject.deadline);
   if (is_unimplemented(reply)) return skip("not implemented: no trainer");
-  const auto* actions = reply.as<protos::TrainerActions>();
-  const int count = actions != nullptr ? actions->actions_size() : 0;
-  return finding(reply.status, fmt::format("{} actions", count));
+  return counted<protos::TrainerActions>(reply);
 }
 
 Finding plan(PlaymakerSubject& subject, int candidates) {

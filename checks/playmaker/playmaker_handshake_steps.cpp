@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/index.h"
 #include "checks/playmaker/playmaker_subject.h"
 #include "checks/playmaker/sample_states.h"
 
@@ -12,8 +13,6 @@ namespace cls::checks {
 namespace {
 
 using proto::Rpc;
-
-constexpr int kAgent = 7;
 
 Finding reach(PlaymakerSubject& subject) {
   const auto start = std::chrono::steady_clock::now();
@@ -54,20 +53,20 @@ Finding whole_team(PlaymakerSubject& subject) {
   return ids.size() == 11 ? pass(evidence) : fail(evidence);
 }
 
-Finding coach(PlaymakerSubject& subject) {
-  const proxy::RpcStatus status = register_agent(subject, 0, proxy::kCoachNumber);
+Finding other_agent(PlaymakerSubject& subject, int agent, protos::AgentType type,
+                    const char* evidence) {
+  const proxy::RpcStatus status = register_agent(subject, 0, agent);
   if (!status.ok()) return fail(to_text(status));
-  const auto type = subject.identity(proxy::kCoachNumber).agent_type();
-  return type == protos::CoachT ? pass("registered as a coach")
-                                : fail("registered as another agent type");
+  return subject.identity(agent).agent_type() == type ? pass(evidence)
+                                                      : fail("registered as another agent type");
+}
+
+Finding coach(PlaymakerSubject& subject) {
+  return other_agent(subject, proxy::kCoachNumber, protos::CoachT, "registered as a coach");
 }
 
 Finding trainer(PlaymakerSubject& subject) {
-  const proxy::RpcStatus status = register_agent(subject, 0, proxy::kTrainerNumber);
-  if (!status.ok()) return fail(to_text(status));
-  const auto type = subject.identity(proxy::kTrainerNumber).agent_type();
-  return type == protos::TrainerT ? pass("registered as a trainer")
-                                  : fail("registered as another agent type");
+  return other_agent(subject, proxy::kTrainerNumber, protos::TrainerT, "registered as a trainer");
 }
 
 Finding second_team(PlaymakerSubject& subject) {
@@ -83,7 +82,7 @@ Finding second_team(PlaymakerSubject& subject) {
     if (!status.ok()) return fail(fmt::format("agent {}: {}", agent, to_text(status)));
   }
   for (int agent = 1; agent <= 11; ++agent) {
-    note(subject.identities[1][static_cast<std::size_t>(agent)]);
+    note(subject.identities[1][base::index(agent)]);
   }
 
   const std::string evidence =
@@ -98,8 +97,13 @@ Finding again(PlaymakerSubject& subject) {
                                      subject.identity(kAgent).client_id()));
 }
 
-Finding register_as(PlaymakerSubject& subject, const protos::RegisterRequest& request,
+// Registers a player; version 0: it is not set.
+Finding register_as(PlaymakerSubject& subject, const std::string& team, int unum, int version,
                     const std::string& evidence) {
+  protos::RegisterRequest request;
+  request.set_team_name(team);
+  request.set_uniform_number(unum);
+  request.set_rpc_version(version);
   const proxy::Reply reply =
       subject.left().call(request.uniform_number(), Rpc::kRegister, request, subject.deadline);
   if (!reply.status.ok()) return fail(evidence + ": " + to_text(reply.status));
@@ -111,26 +115,15 @@ Finding register_as(PlaymakerSubject& subject, const protos::RegisterRequest& re
 }
 
 Finding without_version(PlaymakerSubject& subject) {
-  protos::RegisterRequest request;
-  request.set_team_name(team_name(0));
-  request.set_uniform_number(kAgent);
-  return register_as(subject, request, "rpc_version not set");
+  return register_as(subject, team_name(0), kAgent, 0, "rpc_version not set");
 }
 
 Finding later_version(PlaymakerSubject& subject) {
-  protos::RegisterRequest request;
-  request.set_team_name(team_name(0));
-  request.set_uniform_number(kAgent);
-  request.set_rpc_version(99);
-  return register_as(subject, request, "rpc_version 99");
+  return register_as(subject, team_name(0), kAgent, 99, "rpc_version 99");
 }
 
 Finding longest_name(PlaymakerSubject& subject) {
-  protos::RegisterRequest request;
-  request.set_team_name("A_Team-15_chars");
-  request.set_uniform_number(3);
-  request.set_rpc_version(1);
-  return register_as(subject, request, "team A_Team-15_chars");
+  return register_as(subject, "A_Team-15_chars", 3, 1, "team A_Team-15_chars");
 }
 
 Finding server_params(PlaymakerSubject& subject) {

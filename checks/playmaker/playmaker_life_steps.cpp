@@ -11,8 +11,6 @@ namespace {
 
 using proto::Rpc;
 
-constexpr int kAgent = 7;
-
 // Resident memory of a process and its descendants, in MB.
 double resident_mb(int pid) {
   const auto of_one = [](int one) {

@@ -14,7 +14,6 @@ namespace {
 using proto::Rpc;
 using std::chrono::microseconds;
 
-constexpr int kAgent = 7;
 constexpr int kRounds = 100;
 
 /// Latencies under load, and the first error.
@@ -56,7 +55,7 @@ Load ask_all(PlaymakerSubject& subject, int teams, int last_agent, int rounds) {
     }
     for (int team = 0; team < teams; ++team) collect(subject, team, load);
   }
-  std::sort(load.latencies.begin(), load.latencies.end());
+  std::ranges::sort(load.latencies);
   return load;
 }
 
@@ -77,7 +76,7 @@ Finding latency_alone(PlaymakerSubject& subject) {
     begin(subject, 0, kAgent);
     collect(subject, 0, load);
   }
-  std::sort(load.latencies.begin(), load.latencies.end());
+  std::ranges::sort(load.latencies);
   return of_load(load);
 }
 

@@ -11,7 +11,7 @@
 namespace cls::checks {
 namespace {
 
-constexpr int kCycles = 100;
+constexpr int kPlayedCycles = 100;
 
 /// Sums over all players and kinds.
 struct Outcomes {
@@ -83,7 +83,7 @@ Finding actions_in_play(PlaymakerSubject& subject) {
   if (const auto status = team.register_agents(); !status.ok()) return fail(to_text(status));
   server.modify_world(begin_play);
 
-  for (int cycle = 0; cycle < kCycles; ++cycle) {
+  for (int cycle = 0; cycle < kPlayedCycles; ++cycle) {
     server.run_cycle();
     team.run_cycle();
   }

@@ -142,7 +142,6 @@ Finding finding(const proxy::RpcStatus& status, std::string evidence) {
 }
 
 Finding survives(PlaymakerSubject& subject, const std::string& before) {
-  constexpr int kAgent = 7;
   const Answer answer = ask(subject, kAgent, subject.next_state(kAgent));
   if (answer.status.ok()) return pass(before + "; replies to the next ordinary request");
   return fail(before + "; then an ordinary request: " + to_text(answer.status));

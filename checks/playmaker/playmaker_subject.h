@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "checks/check_report.h"
@@ -16,6 +15,9 @@
 namespace cls::checks {
 
 using Milliseconds = std::chrono::milliseconds;
+
+/// The player of most requests.
+inline constexpr int kAgent = 7;
 
 struct PlaymakerSubject {
   // Connection.

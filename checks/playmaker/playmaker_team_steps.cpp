@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "checks/playmaker/playmaker_subject.h"
@@ -95,8 +93,8 @@ Finding unreadable_state(PlaymakerSubject& subject) {
   std::string before = "refused: " + to_text(reply.status);
   if (const auto* answered = reply.as<wire::GetTeamActionsResponse>()) {
     const auto& agents = answered->agents();
-    const auto decided = std::count_if(agents.begin(), agents.end(),
-                                       [](const auto& agent) { return agent.code() == 0; });
+    const auto decided =
+        std::ranges::count_if(agents, [](const auto& agent) { return agent.code() == 0; });
     before = fmt::format("actions for {} of 2 players", decided);
   }
 

@@ -73,6 +73,7 @@ void fill_self(protos::Self& self, const protos::WorldModel& world, int unum) {
 
   const auto own = world.our_players_dict().find(unum);
   if (own == world.our_players_dict().end()) return;
+
   *self.mutable_position() = own->second.position();
   *self.mutable_seen_position() = own->second.position();
   *self.mutable_velocity() = own->second.velocity();
@@ -164,6 +165,7 @@ protos::State ordinary_state(const protos::RegisterResponse& identity, int cycle
   set_vector(*ball.mutable_position(), 1.5, -0.5);
   set_vector(*ball.mutable_seen_position(), 1.5, -0.5);
   set_vector(*ball.mutable_velocity(), 0.4, 0.1);
+
   return state;
 }
 
@@ -214,6 +216,7 @@ void add_unknown_fields(protos::State& state) {
 protos::BestPlannerActionRequest planner_request(const protos::State& state, int candidates) {
   protos::BestPlannerActionRequest request;
   *request.mutable_register_response() = state.register_response();
+
   *request.mutable_state() = state;
 
   for (int index = 1; index <= candidates; ++index) {

@@ -27,7 +27,8 @@ base::Result<void> prepare(const ServerCheckOptions& options, std::optional<Star
     soccer::ServerParams params;
     params.coach = true;
     params.coach_w_referee = true;
-    TRY_INIT(auto started, StartedServer::start(options.server, options.own_program, params));
+    TRY_INIT(auto started,
+             StartedServer::start(options.server, options.own_program, params, options.folder));
     server.emplace(std::move(started));
     subject.host = server->host();
     subject.ports = server->ports();
@@ -37,12 +38,13 @@ base::Result<void> prepare(const ServerCheckOptions& options, std::optional<Star
     std::unique_ptr<soccer::UdpClients>& clients;
     int port;
   };
+
   for (const Door& door : {Door{subject.player_port, subject.ports.player},
                            Door{subject.trainer_port, subject.ports.trainer},
                            Door{subject.coach_port, subject.ports.coach}}) {
-    TRY_INIT(auto created, soccer::UdpClients::create(subject.host, door.port));
-    door.clients = std::move(created);
+    TRY_INIT(door.clients, soccer::UdpClients::create(subject.host, door.port));
   }
+
   return {};
 }
 
@@ -63,21 +65,15 @@ base::Result<CheckReport> check_server(const ServerCheckOptions& options,
   ServerSubject subject;
   TRY(prepare(options, server, subject, stop));
 
-  CheckReport report;
-  report.schema = "cls.check/1";
-  report.command = "cls check server";
-  report.subject = options.server.text;
-
+  CheckReport report{"cls.check/1", "cls check server", options.server.text, {}};
   std::vector<ServerStep> steps = server_connection_steps();
   for (const ServerStep& step : server_play_steps()) steps.push_back(step);
 
   for (const ServerStep& step : steps) {
-    CheckStep& step_result = report.steps.emplace_back();
-    step_result.name = step.name;
-    step_result.why = step.why;
-    const std::string reason = why_not(subject, report);
-    run_timed(step_result, [&] { return reason.empty() ? step.run(subject) : skip(reason); });
-    on_step(step_result);
+    on_step(run_step(report, step.name, step.why, [&] {
+      const std::string reason = why_not(subject, report);
+      return reason.empty() ? step.run(subject) : skip(reason);
+    }));
   }
   return report;
 }

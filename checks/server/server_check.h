@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -13,8 +14,9 @@
 namespace cls::checks {
 
 struct ServerCheckOptions {
-  match::ServerChoice server;  ///< embedded: `own_program server` is started
-  std::string own_program;     ///< path of this binary
+  match::ServerChoice server;    ///< embedded: `own_program server` is started
+  std::string own_program;       ///< path of this binary
+  std::filesystem::path folder;  ///< for the logs of a server that is started
   std::chrono::milliseconds start_timeout{20'000};
 };
 

@@ -4,7 +4,6 @@
 #include "checks/server/server_subject.h"
 #include "soccer/messages/parameter_message.h"
 #include "soccer/messages/server_reply.h"
-#include "soccer/side.h"
 
 namespace cls::checks {
 namespace {

@@ -44,7 +44,7 @@ std::optional<std::string> ServerSubject::await(ServerClient& client, const Want
   const auto end = steady_clock::now() + longest;
   for (;;) {
     read_all();
-    const auto found = std::find_if(client.inbox.begin(), client.inbox.end(), wanted);
+    const auto found = std::ranges::find_if(client.inbox, wanted);
     if (found != client.inbox.end()) {
       std::string message = std::move(*found);
       client.inbox.erase(client.inbox.begin(), found + 1);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "checks/check_report.h"
-#include "match/programs/server_command.h"
+#include "match/programs/server_plan.h"
 #include "soccer/udp_channel.h"
 
 namespace cls::checks {

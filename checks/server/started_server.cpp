@@ -7,12 +7,7 @@
 
 namespace cls::checks {
 
-using base::Error;
 using base::Result;
-
-StartedServer::StartedServer() : folder_(std::make_unique<process::ScratchFolder>()) {}
-StartedServer::StartedServer(StartedServer&&) noexcept = default;
-StartedServer::~StartedServer() = default;
 
 match::ServerPorts StartedServer::ports() const {
   return {reserved_[0].number(), reserved_[1].number(), reserved_[2].number()};
@@ -20,10 +15,9 @@ match::ServerPorts StartedServer::ports() const {
 
 Result<StartedServer> StartedServer::start(const match::ServerChoice& choice,
                                            const std::string& own_program,
-                                           const soccer::ServerParams& params) {
+                                           const soccer::ServerParams& params,
+                                           const std::filesystem::path& folder) {
   StartedServer server;
-  if (server.folder_->path().empty()) return Error{"cannot create a folder for its logs"};
-
   match::ServerSetup setup;
   if (choice.kind == match::ServerChoice::Kind::kEmbedded) {
     setup.program = {own_program, "server"};
@@ -32,9 +26,8 @@ Result<StartedServer> StartedServer::start(const match::ServerChoice& choice,
     setup.program = {program.string()};
   }
 
-  TRY_INIT(auto ports, process::ReservedPort::choose(3));
-  server.reserved_ = std::move(ports);
-  setup.folder = server.folder_->path();
+  TRY_INIT(server.reserved_, process::ReservedPort::choose(3));
+  setup.folder = folder;
   setup.ports = server.ports();
   setup.server = params;
 
