@@ -39,7 +39,7 @@ bool is_shared_flag(const std::string& word) {
 
 // Moves the shared flags from the front to the command: "--json match a b" -> "match --json a b".
 Words with_flags_behind_command(const Command& root, Words words) {
-  const auto command = std::find_if_not(words.begin(), words.end(), is_shared_flag);
+  const auto command = std::ranges::find_if_not(words, is_shared_flag);
   const Command* place = &root;
 
   auto end = command;
@@ -68,7 +68,7 @@ Words canonical(const Command& root, Words words) {
   }
 
   words = with_flags_behind_command(root, std::move(words));
-  const auto first = std::find_if_not(words.begin(), words.end(), is_shared_flag);
+  const auto first = std::ranges::find_if_not(words, is_shared_flag);
   if (first != words.end() && (*first == "--version" || *first == "-V")) {
     words.erase(first);
     words.insert(words.begin(), "version");

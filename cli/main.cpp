@@ -9,9 +9,8 @@
 #include "base/io/standard_streams.h"
 #include "cli/application.h"
 #include "cli/support/abort_report.h"
-#include "cli/support/early_guard.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "process/guard.h"
 #include "proto/grpc_settings.h"
 
 namespace {
@@ -33,12 +32,20 @@ int finish_output(int exit_code) {
   return print_error(failed, std::string("cannot write standard output: ") + std::strerror(output));
 }
 
+// The guard of the programs that a command starts, before any thread exists. Nothing if fork()
+// fails, which the command reports when it needs the guard.
+std::optional<process::Guard> start_guard(const Command& commands, int argc, char** argv) {
+  if (!may_start_programs(commands, argc, argv)) return std::nullopt;
+  auto guard = process::Guard::start(argc, argv);
+  if (!guard) return std::nullopt;
+  return *std::move(guard);
+}
+
 // Runs the command and turns exceptions into error lines.
 int run(int argc, char** argv) {
   try {
     const auto commands = command_tree();
-    const auto guard = may_start_programs(*commands, argc, argv) ? start_early_guard(argc, argv)
-                                                                 : std::optional<process::Guard>();
+    const auto guard = start_guard(*commands, argc, argv);
     return run_application(*commands, argc, argv);
   } catch (const std::exception& error) {
     return print_exception(error);

@@ -82,6 +82,7 @@ base::Json document() {
         {"tomlplusplus", fmt::format("{}.{}.{}", TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH)},
         {"zlib", ZLIB_VERSION}}}};
   if (!base::kGitVersion.empty()) versions["commit"] = base::kGitVersion;
+
   return versions;
 }
 

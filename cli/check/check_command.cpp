@@ -4,7 +4,7 @@
 namespace cls::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kCheckDescription =
     "check a Playmaker, a soccer server, its logs or the world model\n"
     "\n"
     "  cls check playmaker localhost:50051\n"
@@ -17,13 +17,10 @@ constexpr const char* kDescription =
 }  // namespace
 
 void add_check_command(Command& app) {
-  Command& command = app.command("check", kDescription);
-  command.group = kCheckCommands;
-  command.starts_programs = true;
-  add_check_playmaker_command(command);
-  add_check_server_command(command);
-  add_check_server_log_command(command);
-  add_check_perception_command(command);
+  Command& parent = app.command("check", kCheckDescription);
+  parent.group = kCheckCommands;
+  parent.starts_programs = true;
+  CLS_CHECK_COMMANDS(CLS_ADD_COMMAND)
 }
 
 }  // namespace cls::cli

@@ -85,8 +85,7 @@ std::vector<std::string> split_names(std::string_view names) {
 // nullptr if none has the name.
 template <class Commands>
 auto* find_in(Commands& commands, std::string_view name) {
-  const auto found = std::find_if(commands.begin(), commands.end(),
-                                  [name](const Command& one) { return one.name == name; });
+  const auto found = std::ranges::find(commands, name, &Command::name);
   return found == commands.end() ? nullptr : &*found;
 }
 
@@ -199,7 +198,7 @@ bool is_flag(const Option& option) { return option.form.kind == ValueKind::kFlag
 std::string name_of(const Option& option) {
   const std::vector<std::string> names = split_names(option.names);
   const auto is_long = [](const std::string& name) { return name.starts_with("--"); };
-  const auto found = std::find_if(names.begin(), names.end(), is_long);
+  const auto found = std::ranges::find_if(names, is_long);
   return found == names.end() ? names.front() : *found;
 }
 
@@ -224,7 +223,7 @@ std::string value_name(const Option& option) {
 const Option* find_option(const Command& command, std::string_view name) {
   for (const Option& option : command.options) {
     const std::vector<std::string> names = split_names(option.names);
-    if (std::find(names.begin(), names.end(), name) != names.end()) return &option;
+    if (std::ranges::find(names, name) != names.end()) return &option;
   }
   return nullptr;
 }

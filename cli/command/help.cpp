@@ -16,7 +16,7 @@ constexpr std::size_t kOptionColumn = 30;
 constexpr std::size_t kCommandColumn = 16;
 
 void add_once(std::vector<std::string>& list, const std::string& item) {
-  if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
+  if (std::ranges::find(list, item) == list.end()) list.push_back(item);
 }
 
 // "  NAME      text"; a name that reaches the column has a line of its own.
@@ -125,8 +125,8 @@ std::vector<std::string> option_groups(const Command& command) {
     if (option.group != kHidden) add_once(groups, option.group);
   }
 
-  std::stable_partition(groups.begin(), groups.end(),
-                        [](const std::string& group) { return group != kOutputGroup; });
+  std::ranges::stable_partition(groups,
+                                [](const std::string& group) { return group != kOutputGroup; });
   return groups;
 }
 

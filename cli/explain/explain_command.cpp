@@ -210,6 +210,7 @@ int explain_formation(const ExplainArguments& arguments) {
   if (!arguments.svg.empty()) {
     TRY_OR(kCannotCreate, base::write_file(arguments.svg, formation_svg(picture)));
   }
+
   if (arguments.json) {
     Json places = Json::array();
     for (const soccer::Vec2 at : picture.players) places.push_back({at.x, at.y});
@@ -224,6 +225,7 @@ int explain_formation(const ExplainArguments& arguments) {
         "{}\nothers: {}\n", formation_text(picture, stdout_width()),
         base::wrap_text(fmt::format("{}", fmt::join(formation_names(), ", ")), stdout_width(), 8));
   }
+
   return kOk;
 }
 

@@ -9,7 +9,6 @@
 #include "base/io/whole_file.h"
 #include "base/text/table.h"
 #include "gamelog/record/frame.h"
-#include "player/formation/built_in.h"
 #include "player/formation/formation_file.h"
 #include "player/formation/formation_set.h"
 #include "viewer/charts/charts.h"
@@ -36,9 +35,8 @@ std::vector<std::string> formation_names() {
 
 base::Result<FormationPicture> find_formation(const std::string& name, soccer::Vec2 ball) {
   const std::vector<std::string> names = formation_names();
-  const auto built_in = std::find_if(names.begin(), names.end(), [&name](const std::string& one) {
-    return std::string_view(one).starts_with(name);
-  });
+  const auto built_in = std::ranges::find_if(
+      names, [&name](const std::string& one) { return std::string_view(one).starts_with(name); });
 
   std::string text;
   std::string label = name;

@@ -7,11 +7,11 @@
 namespace cls::cli {
 namespace {
 
-constexpr const char* kBlock = R"(^(message|enum) (\w+) \{(\})?$)";
-constexpr const char* kField =
+constexpr const char* kBlockForm = R"(^(message|enum) (\w+) \{(\})?$)";
+constexpr const char* kFieldForm =
     R"(^ +((?:repeated )?[\w.]+|map<[^>]*>) (\w+) = (\d+);(?:\s*// (.*))?$)";
-constexpr const char* kValue = R"(^ +(\w+) = (\d+);(?:\s*// (.*))?$)";
-constexpr const char* kComment = R"(^ *// (.*)$)";
+constexpr const char* kValueForm = R"(^ +(\w+) = (\d+);(?:\s*// (.*))?$)";
+constexpr const char* kCommentForm = R"(^ *// (.*)$)";
 
 void add_line(std::string& comment, const std::string& line) {
   if (!comment.empty()) comment += ' ';
@@ -21,10 +21,10 @@ void add_line(std::string& comment, const std::string& line) {
 }  // namespace
 
 std::vector<ProtoBlock> read_proto(std::string_view text) {
-  static const std::regex block(kBlock);
-  static const std::regex field(kField);
-  static const std::regex value(kValue);
-  static const std::regex comment(kComment);
+  static const std::regex block(kBlockForm);
+  static const std::regex field(kFieldForm);
+  static const std::regex value(kValueForm);
+  static const std::regex comment(kCommentForm);
 
   std::vector<ProtoBlock> blocks;
   std::string pending;  // comment lines above the next block or field
@@ -54,6 +54,7 @@ std::vector<ProtoBlock> read_proto(std::string_view text) {
 
     pending.clear();
   }
+
   return blocks;
 }
 

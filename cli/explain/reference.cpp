@@ -9,13 +9,13 @@
 #include <cctype>
 #include <map>
 #include <regex>
-#include <set>
 #include <sstream>
 
+#include "base/text/enum_names.h"
 #include "base/text/find_ignoring_case.h"
 #include "cli/explain/parameter_facts.h"
 #include "cli/explain/proto_text.h"
-#include "match/result/end_reason.h"
+#include "soccer/end_reason.h"
 
 namespace cls::cli {
 namespace {
@@ -80,7 +80,7 @@ class Notes {
     if (types != nullptr && std::none_of(types->begin(), types->end(), is_type)) return false;
 
     const toml::array& patterns = *rule["match"].as_array();
-    return std::any_of(patterns.begin(), patterns.end(), [&](const toml::node& pattern) {
+    return std::ranges::any_of(patterns, [&](const toml::node& pattern) {
       return matches(pattern.value_or(std::string_view()), name);
     });
   }
@@ -213,9 +213,7 @@ void add_actions(std::vector<ReferenceEntry>& all, const std::vector<ProtoBlock>
   for (const auto& [message, agent] :
        {std::pair{"PlayerAction", "player"}, std::pair{"CoachAction", "coach"},
         std::pair{"TrainerAction", "trainer"}}) {
-    const auto block = std::find_if(
-        blocks.begin(), blocks.end(),
-        [name = std::string_view(message)](const ProtoBlock& one) { return one.name == name; });
+    const auto block = std::ranges::find(blocks, message, &ProtoBlock::name);
     if (block == blocks.end()) continue;
     for (const ProtoField& field : block->fields) {
       ReferenceEntry entry;
@@ -248,12 +246,13 @@ void add_actions(std::vector<ReferenceEntry>& all, const std::vector<ProtoBlock>
 void add_end_reasons(std::vector<ReferenceEntry>& all) {
   std::istringstream lines{std::string(file("docs/troubleshooting.md"))};
   ReferenceEntry* current = nullptr;
+
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("#")) {
       current = nullptr;
 
       const std::string heading = line.substr(line.find_first_not_of("# "));
-      if (line.starts_with("### ") && match::parse_end_reason(heading)) {
+      if (line.starts_with("### ") && soccer::parse_end_reason(heading)) {
         current = &all.emplace_back();
         current->kind = ReferenceKind::kEndReason;
         current->name = heading;
@@ -313,23 +312,9 @@ std::string_view last_part(std::string_view name) { return name.substr(name.rfin
 }  // namespace
 
 std::string_view name(ReferenceKind kind) {
-  switch (kind) {
-    case ReferenceKind::kMessage:
-      return "message";
-    case ReferenceKind::kField:
-      return "field";
-    case ReferenceKind::kAction:
-      return "action";
-    case ReferenceKind::kEnum:
-      return "enumeration";
-    case ReferenceKind::kValue:
-      return "value";
-    case ReferenceKind::kPlayMode:
-      return "play mode";
-    case ReferenceKind::kEndReason:
-      return "end reason";
-  }
-  return "";
+  constexpr auto kNames = base::enum_names<ReferenceKind>(
+      "message", "field", "action", "enumeration", "value", "play mode", "end reason");
+  return kNames.name(kind);
 }
 
 const std::vector<ReferenceEntry>& reference() {
@@ -428,8 +413,8 @@ std::vector<const ReferenceEntry*> entries_with(std::string_view text) {
 
   std::vector<const ReferenceEntry*> found;
   for (const ReferenceEntry& entry : reference()) {
-    const bool in_facts = std::any_of(entry.facts.begin(), entry.facts.end(),
-                                      [&](const auto& one) { return has(one.second); });
+    const bool in_facts =
+        std::ranges::any_of(entry.facts, [&](const auto& one) { return has(one.second); });
     if (!is_choice(entry) && (has(entry.name) || has(entry.text) || in_facts)) {
       found.push_back(&entry);
     }

@@ -17,7 +17,7 @@ constexpr const char* kGenerated =
     "<!-- Written by `cls explain --export docs/reference`. Change proto/*.proto,\n"
     "     docs/actions.md, docs/troubleshooting.md or cli/explain/*.toml instead. -->\n";
 
-constexpr std::string_view kPlayModes = "GameModeType";
+constexpr std::string_view kModeEnum = "GameModeType";
 
 // Readable as text, too: names are code, in which nothing is escaped.
 constexpr base::MarkdownStyle kStyle = {"|", "|", "--:"};
@@ -88,7 +88,7 @@ std::string messages_page() {
     const bool is_block =
         entry.kind == ReferenceKind::kMessage || entry.kind == ReferenceKind::kEnum;
     if (!is_block || is_parameter_message(entry.name) || actions.contains(entry.name)) continue;
-    if (entry.name == kPlayModes) continue;
+    if (entry.name == kModeEnum) continue;
 
     fmt::format_to(std::back_inserter(text), "\n## {}\n", entry.name);
     if (!entry.text.empty()) fmt::format_to(std::back_inserter(text), "\n{}\n", entry.text);
@@ -241,7 +241,7 @@ std::string page_of(const ReferenceEntry& entry) {
   if (entry.kind == ReferenceKind::kEndReason) return "modes.md#" + anchor(entry.name);
 
   const std::string_view block = entry.group.empty() ? entry.name : entry.group;
-  if (block == kPlayModes) return "modes.md#play-modes";
+  if (block == kModeEnum) return "modes.md#play-modes";
   if (is_parameter_message(block)) return "parameters.md#" + anchor(block);
   if (const ReferenceEntry* action = action_of(block)) return page_of(*action);
   return "messages.md#" + anchor(block);

@@ -3,34 +3,27 @@
 
 #include <fmt/format.h>
 
-#include "cli/support/exit_code.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "gamelog/rcg/rcg_writer.h"
-#include "gamelog/rcl/rcl_reader.h"
 #include "match/result/recorded_end.h"
 
 namespace cls::cli {
 
 int read_match(const std::string& what, AnalyzedMatch& match) {
-  auto found = find_log(what);
-  if (!found) return print_error(kNoInput, found.error().message);
-  match.found = *std::move(found);
+  TRY_INIT_OR(kNoInput, auto found, find_log(what));
+  match.found = std::move(found);
 
   const std::string& log = match.found.logs.game;
-  auto read = viewer::read_log_or_page(log);
-  if (!read) return print_error(unreadable_code(log), read.error().message);
-  report_errors(log, read->record.errors);
+  TRY_INIT_OR(unreadable_code(log), auto read, viewer::read_log_or_page(log));
+  report_errors(log, read.record.errors);
 
-  if (read->record.frames() == 0) {
+  if (read.record.frames() == 0) {
     return print_error(kBadData, fmt::format("{}: no frame", log));
   }
-  match.match = *std::move(read);
+  match.match = std::move(read);
 
-  if (!match.found.logs.text.empty()) {
-    if (auto text = gamelog::read_rcl_file(match.found.logs.text)) match.text = *std::move(text);
-  }
-
+  match.text = read_text_log(match.found);
   match.statistics = analysis::compute_statistics(match.match.record, match.text_log());
   match.summary = analysis::summarize(match.match.record, match.text_log());
   match.summary.file = std::filesystem::path(log).filename().string();

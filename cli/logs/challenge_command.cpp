@@ -46,6 +46,7 @@ Result<std::vector<std::string>> tables_of(const std::string& folder) {
   if (const auto why = base::why_no_folder(folder)) {
     return Error{fmt::format("{}: {}", folder, *why)};
   }
+
   std::vector<std::string> names;
   std::error_code code;
   for (fs::recursive_directory_iterator at(folder, code), end; !code && at != end;
@@ -57,7 +58,8 @@ Result<std::vector<std::string>> tables_of(const std::string& folder) {
   }
   if (code) return Error{fmt::format("{}: {}", folder, code.message())};
   if (names.empty()) return Error{fmt::format("{}: no file NAME{}", folder, kTracking)};
-  std::sort(names.begin(), names.end());
+
+  std::ranges::sort(names);
   return names;
 }
 
@@ -74,10 +76,6 @@ auto with_file(const std::string& path, Function read)
   auto result = read(**source);
   if (!result) return Error{fmt::format("{}: {}", path, result.error().message)};
   return result;
-}
-
-int fail(const Error& error, int exit_code = kBadData) {
-  return print_error(exit_code, error.message);
 }
 
 void print_document(const char* what, base::Json document) {
@@ -112,39 +110,38 @@ int write_test(const std::string& match, const std::string& test, int last_cycle
       if (!cut) error = cut.error();
       return cut.ok();
     });
-    if (error) return fail(*error);
-    if (failure) return report_failure(failure);
+    if (error) return print_error(kBadData, error->message);
+    TRY_STEP(report_failure(failure));
   }
   return kOk;
 }
 
 // Tests lie in one folder, as the scripts want it.
 std::string flat(std::string name) {
-  std::replace(name.begin(), name.end(), '/', '-');
+  std::ranges::replace(name, '/', '-');
   return name;
 }
 
 int run_challenge_make(const ChallengeArguments& arguments) {
-  const auto names = tables_of(arguments.in);
-  if (!names) return fail(names.error(), kNoInput);
-  if (const auto created = base::create_folders(arguments.out); !created) {
-    return fail(created.error(), kCannotCreate);
-  }
+  TRY_INIT_OR(kNoInput, const auto names, tables_of(arguments.in));
+  TRY_OR(kCannotCreate, base::create_folders(arguments.out));
+
   std::size_t tests = 0;
-  for (const std::string& table : *names) {
-    const auto cycle = with_file(path_of(arguments.in, table), analysis::stp_last_cycle);
-    if (!cycle) return fail(cycle.error());
-    if (!*cycle) continue;
+  for (const std::string& table : names) {
+    TRY_INIT_OR(kBadData, const auto cycle,
+                with_file(path_of(arguments.in, table), analysis::stp_last_cycle));
+    if (!cycle) continue;
+
     const std::string name = table.substr(0, table.size() - std::string_view(kTracking).size());
-    TRY_STEP(write_test(path_of(arguments.in, name), path_of(arguments.out, flat(name)), **cycle,
+    TRY_STEP(write_test(path_of(arguments.in, name), path_of(arguments.out, flat(name)), *cycle,
                         arguments.force));
     ++tests;
-    if (!arguments.json) fmt::print("{}  cycle {}\n", flat(name), **cycle);
+    if (!arguments.json) fmt::print("{}  cycle {}\n", flat(name), *cycle);
   }
   if (arguments.json) {
-    print_document("make", {{"matches", names->size()}, {"tests", tests}});
+    print_document("make", {{"matches", names.size()}, {"tests", tests}});
   } else {
-    fmt::print("{} of {} matches have a test\n", tests, names->size());
+    fmt::print("{} of {} matches have a test\n", tests, names.size());
   }
   return kOk;
 }
@@ -168,12 +165,13 @@ std::vector<std::string> problems_of(const ChallengeArguments& arguments,
                                      const std::vector<std::string>& predictions) {
   std::vector<std::string> problems;
   for (const std::string& name : predictions) {
-    if (!std::binary_search(tests.begin(), tests.end(), name)) {
+    if (!std::ranges::binary_search(tests, name)) {
       problems.push_back(fmt::format("{}: no test of this name", name));
     }
   }
+
   for (const std::string& name : tests) {
-    if (!std::binary_search(predictions.begin(), predictions.end(), name)) {
+    if (!std::ranges::binary_search(predictions, name)) {
       problems.push_back(fmt::format("{}: no prediction of this test", name));
       continue;
     }
@@ -186,15 +184,14 @@ std::vector<std::string> problems_of(const ChallengeArguments& arguments,
     if (!prediction) problems.push_back(prediction.error().message);
     if (wrong) problems.push_back(fmt::format("{}: {}", name, *wrong));
   }
+
   return problems;
 }
 
 int run_challenge_validate(const ChallengeArguments& arguments) {
-  const auto tests = tables_of(arguments.tests);
-  if (!tests) return fail(tests.error(), kNoInput);
-  const auto predictions = tables_of(arguments.submission);
-  if (!predictions) return fail(predictions.error(), kNoInput);
-  const std::vector<std::string> problems = problems_of(arguments, *tests, *predictions);
+  TRY_INIT_OR(kNoInput, const auto tests, tables_of(arguments.tests));
+  TRY_INIT_OR(kNoInput, const auto predictions, tables_of(arguments.submission));
+  const std::vector<std::string> problems = problems_of(arguments, tests, predictions);
   if (arguments.json) {
     print_document("validate", {{"valid", problems.empty()}, {"problems", problems}});
   } else {
@@ -218,24 +215,24 @@ Result<analysis::StpScore> score_of(const ChallengeArguments& arguments, const s
 base::Json number(double value) { return std::isnan(value) ? base::Json() : base::Json(value); }
 
 int run_challenge_score(const ChallengeArguments& arguments) {
-  const auto predictions = tables_of(arguments.submission);
-  if (!predictions) return fail(predictions.error(), kNoInput);
+  TRY_INIT_OR(kNoInput, const auto predictions, tables_of(arguments.submission));
   analysis::StpScore sum;
   auto matches = base::Json::array();
-  for (const std::string& name : *predictions) {
+  for (const std::string& name : predictions) {
     if (!fs::exists(path_of(arguments.truth, name))) continue;
-    const auto score = score_of(arguments, name);
-    if (!score) return fail(score.error());
-    sum.average += score->average;
-    sum.endpoint += score->endpoint;
+    TRY_INIT_OR(kBadData, const auto score, score_of(arguments, name));
+    sum.average += score.average;
+    sum.endpoint += score.endpoint;
     matches.push_back({{"name", name},
-                       {"average_error", number(score->average)},
-                       {"endpoint_error", number(score->endpoint)}});
+                       {"average_error", number(score.average)},
+                       {"endpoint_error", number(score.endpoint)}});
   }
+
   if (matches.empty()) {
-    return fail({fmt::format("{}: no table of {}", arguments.truth, arguments.submission)},
-                kNoInput);
+    return print_error(kNoInput,
+                       fmt::format("{}: no table of {}", arguments.truth, arguments.submission));
   }
+
   const auto count = static_cast<double>(matches.size());
   if (arguments.json) {
     print_document("score", {{"average_error", number(sum.average / count)},
@@ -245,6 +242,7 @@ int run_challenge_score(const ChallengeArguments& arguments) {
     fmt::print("Number of Evaluated Sequences: {}\nAverage Error: {:.4f}\nEndpoint Error: {:.4f}\n",
                matches.size(), sum.average / count, sum.endpoint / count);
   }
+
   return kOk;
 }
 
@@ -254,30 +252,28 @@ int run_challenge_predict(const ChallengeArguments& arguments) {
                        fmt::format("--model '{}': must be velocity or goal", arguments.model));
   }
   const auto model = arguments.model == "goal" ? StpModel::kGoal : StpModel::kVelocity;
-  const auto tests = tables_of(arguments.tests);
-  if (!tests) return fail(tests.error(), kNoInput);
-  for (const std::string& name : *tests) {
-    const auto last = with_file(path_of(arguments.tests, name), [](base::ByteSource& source) {
-      return analysis::read_last_stp_row(source, StpColumns::kMotion);
-    });
-    if (!last) return fail(last.error());
+  TRY_INIT_OR(kNoInput, const auto tests, tables_of(arguments.tests));
+  for (const std::string& name : tests) {
+    TRY_INIT_OR(kBadData, const auto last,
+                with_file(path_of(arguments.tests, name), [](base::ByteSource& source) {
+                  return analysis::read_last_stp_row(source, StpColumns::kMotion);
+                }));
     const fs::path out = path_of(arguments.out, name);
-    if (const auto created = base::create_folders(out.parent_path()); !created) {
-      return fail(created.error(), kCannotCreate);
-    }
+    TRY_OR(kCannotCreate, base::create_folders(out.parent_path()));
     TRY_STEP(report_failure(why_not_replaced(out, arguments.force)));
 
-    const auto failure = write_output(out, [&](base::ByteSink& sink) {
-      sink.write(analysis::format_stp_prediction(analysis::predict_stp(model, *last)));
+    TRY_STEP(report_failure(write_output(out, [&](base::ByteSink& sink) {
+      sink.write(analysis::format_stp_prediction(analysis::predict_stp(model, last)));
       return true;
-    });
-    if (failure) return report_failure(failure);
+    })));
   }
+
   if (arguments.json) {
-    print_document("predict", {{"model", arguments.model}, {"tests", tests->size()}});
+    print_document("predict", {{"model", arguments.model}, {"tests", tests.size()}});
   } else {
-    fmt::print("{} predictions\n", tests->size());
+    fmt::print("{} predictions\n", tests.size());
   }
+
   return kOk;
 }
 
@@ -365,6 +361,7 @@ void add_challenge_command(Command& app) {
                       "  cls challenge stp validate tests mine\n"
                       "  cls challenge stp score csv tests mine");
   add_make_command(stp);
+
   add_predict_command(stp);
   add_validate_command(stp);
   add_score_command(stp);

@@ -4,16 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "base/io/whole_file.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "base/text/printable.h"
 #include "base/text/table.h"
 #include "cli/logs/analyzed_match.h"
 #include "cli/support/browser.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/terminal/terminal.h"
 #include "viewer/page/page_drawings.h"
 #include "viewer/report/compare_page.h"
@@ -23,9 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Rows = std::vector<std::vector<std::string>>;
+using TableRows = std::vector<std::vector<std::string>>;
 
-std::string table_text(const Rows& rows) {
+std::string table_text(const TableRows& rows) {
   base::Table table;
   for (const std::string& heading : rows.front()) {
     table.add_column(heading,
@@ -50,9 +49,9 @@ std::string events_text(const std::vector<viewer::LoneEvent>& events) {
   return text;
 }
 
-nlohmann::ordered_json json_of(const std::optional<viewer::FrameDifference>& first,
+base::Json difference_document(const std::optional<viewer::FrameDifference>& first,
                                const std::vector<viewer::LoneEvent>& events, const fs::path& page) {
-  using Json = nlohmann::ordered_json;
+  using base::Json;
   Json document = {{"schema", "cls.watch/1"}, {"page", page.string()}, {"equal", !first}};
 
   document["first_difference"] = nullptr;
@@ -77,7 +76,7 @@ void print_differences(const CompareArguments& arguments, const AnalyzedMatch& a
   const auto first = viewer::first_difference(a.match.record, b.match.record);
   const auto events = viewer::lone_events(a.statistics, b.statistics);
   if (arguments.json) {
-    fmt::print("{}", base::json_document(json_of(first, events, page)));
+    print_json(difference_document(first, events, page));
     return;
   }
 
@@ -102,8 +101,8 @@ int compare_matches(const CompareArguments& arguments) {
   AnalyzedMatch a;
   AnalyzedMatch b;
 
-  if (const int exit_code = read_match(arguments.first, a); exit_code != kOk) return exit_code;
-  if (const int exit_code = read_match(arguments.second, b); exit_code != kOk) return exit_code;
+  TRY_STEP(read_match(arguments.first, a));
+  TRY_STEP(read_match(arguments.second, b));
 
   // The logs of match folders all have the same name.
   a.summary.file = arguments.first;
@@ -116,9 +115,7 @@ int compare_matches(const CompareArguments& arguments) {
   const std::string text = viewer::compare_page(
       a.match.record, {&a.summary, &a.statistics}, b.match.record, {&b.summary, &b.statistics},
       {viewer::read_page_drawings(a.found.folder), viewer::read_page_drawings(b.found.folder)});
-  if (const auto written = write_beside(page, text, arguments.out); !written) {
-    return print_error(kCannotCreate, written.error().message);
-  }
+  TRY_OR(kCannotCreate, write_beside(page, text, arguments.out));
 
   print_differences(arguments, a, b, page);
   if (arguments.out.empty() && !arguments.no_open) open_in_browser(file_url(page));

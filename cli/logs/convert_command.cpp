@@ -87,8 +87,8 @@ bool names_format(const std::string& out) {
   if (out == "-" || (type != fs::file_type::regular && type != fs::file_type::not_found)) {
     return true;
   }
-  return std::any_of(kEndings.begin(), kEndings.end(),
-                     [&out](std::string_view ending) { return out.ends_with(ending); });
+  return std::ranges::any_of(kEndings,
+                             [&out](std::string_view ending) { return out.ends_with(ending); });
 }
 
 void print_document(const ConvertArguments& arguments, RcgVersion version,

@@ -9,6 +9,7 @@
 
 #include "base/io/whole_file.h"
 #include "cli/logs/find_match_folder.h"
+#include "gamelog/rcl/rcl_reader.h"
 #include "process/command_plan.h"
 #include "viewer/page/page.h"
 
@@ -33,7 +34,7 @@ Result<FoundLog> find_in_folder(const fs::path& folder) {
 
   const gamelog::FoundLogs found = gamelog::find_logs({where.string()});
   const auto has_game = [](const gamelog::MatchLogs& one) { return !one.game.empty(); };
-  const auto first = std::find_if(found.matches.begin(), found.matches.end(), has_game);
+  const auto first = std::ranges::find_if(found.matches, has_game);
   if (first == found.matches.end()) {
     if (!match) return match.error();
     return Error{
@@ -76,6 +77,12 @@ Result<FoundLog> find_log(const std::string& what) {
       found.matches.size() == 1 ? found.matches.front() : gamelog::MatchLogs{what, ""};
 
   return FoundLog{logs, path.parent_path(), without_log_suffix(path.filename().string())};
+}
+
+std::optional<gamelog::RclRecord> read_text_log(const FoundLog& found) {
+  if (found.logs.text.empty()) return std::nullopt;
+  auto text = gamelog::read_rcl_file(found.logs.text);
+  return text ? std::optional(*std::move(text)) : std::nullopt;
 }
 
 std::optional<std::string> why_no_page(const fs::path& file) {

@@ -7,6 +7,7 @@
 
 #include "base/result.h"
 #include "gamelog/files/log_files.h"
+#include "gamelog/rcl/rcl_record.h"
 
 namespace cls::cli {
 
@@ -19,6 +20,9 @@ struct FoundLog {
 /// `what` is a game log, a page, a folder that find_match_folder() knows, or "-" for standard
 /// input.
 base::Result<FoundLog> find_log(const std::string& what);
+
+/// The text log of a match; nothing if there is none, or it cannot be read.
+std::optional<gamelog::RclRecord> read_text_log(const FoundLog& found);
 
 /// Why a page cannot be written to `file`: pages are replaced, other files are not.
 std::optional<std::string> why_no_page(const std::filesystem::path& file);

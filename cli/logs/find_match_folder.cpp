@@ -77,8 +77,8 @@ Result<FoundMatch> find_in_tournament(const fs::path& folder, std::optional<int>
 
 bool has_game_log(const fs::path& folder) {
   const gamelog::FoundLogs logs = gamelog::find_logs({folder.string()});
-  return std::any_of(logs.matches.begin(), logs.matches.end(),
-                     [](const gamelog::MatchLogs& one) { return !one.game.empty(); });
+  return std::ranges::any_of(logs.matches,
+                             [](const gamelog::MatchLogs& one) { return !one.game.empty(); });
 }
 
 Result<FoundMatch> find_below(const fs::path& folder, WantedMatch wanted) {
@@ -99,14 +99,14 @@ Result<FoundMatch> find_below(const fs::path& folder, WantedMatch wanted) {
 
   std::sort(matches.rbegin(), matches.rend());
   if (wanted == WantedMatch::kWithGameLog) {
-    const auto logged = std::find_if(matches.begin(), matches.end(),
-                                     [](const auto& one) { return has_game_log(one.second); });
+    const auto logged =
+        std::ranges::find_if(matches, [](const auto& one) { return has_game_log(one.second); });
     const bool none = logged == matches.end();
     return FoundMatch{none ? matches.front().second : logged->second, "the latest"};
   }
 
-  const auto failed = std::find_if(matches.begin(), matches.end(),
-                                   [](const auto& one) { return !finished(one.second); });
+  const auto failed =
+      std::ranges::find_if(matches, [](const auto& one) { return !finished(one.second); });
   if (failed == matches.end()) return FoundMatch{matches.front().second, "the latest; none failed"};
   return FoundMatch{failed->second, "the latest that failed"};
 }

@@ -31,6 +31,7 @@ base::Result<LeagueLogs> read_league_logs(const std::filesystem::path& folder, s
     return base::Error{fmt::format("{}: {}", found.logs.game,
                                    record.frames() == 0 ? "no frame" : "the log has errors")};
   }
+
   LeagueLogs logs;
   logs.name = start_text(start) + gamelog::match_name(record.teams.back());
   logs.last_cycle = record.time.back();
@@ -41,6 +42,7 @@ base::Result<LeagueLogs> read_league_logs(const std::filesystem::path& folder, s
   TRY_INIT(const auto text, base::open_source(found.logs.text));
   logs.rcl = base::read_all(*text);
   if (text->error().empty()) return logs;
+
   return base::Error{fmt::format("{}: {}", found.logs.text, text->error())};
 }
 

@@ -98,8 +98,7 @@ std::vector<LogFile> files_in(const fs::path& folder, const match::MatchResult& 
     files.push_back(std::move(file));
   }
 
-  std::sort(files.begin(), files.end(),
-            [](const LogFile& one, const LogFile& other) { return one.name < other.name; });
+  std::ranges::sort(files, {}, &LogFile::name);
   return files;
 }
 
@@ -114,7 +113,7 @@ std::vector<std::string> last_lines(const std::string& text, std::size_t count) 
     end = feed;
   }
 
-  std::reverse(lines.begin(), lines.end());
+  std::ranges::reverse(lines);
   return lines;
 }
 
@@ -143,8 +142,8 @@ std::string size_text(std::uintmax_t bytes) {
   return fmt::format("{} MB", bytes / 1'000'000);
 }
 
-void print_text(const FoundMatch& found, const match::MatchResult& result,
-                const std::vector<LogFile>& files, const std::optional<Tail>& tail) {
+void print_match_text(const FoundMatch& found, const match::MatchResult& result,
+                      const std::vector<LogFile>& files, const std::optional<Tail>& tail) {
   fmt::print("{}{}\n", base::printable(found.folder.string()),
              found.why.empty() ? "" : "  (" + found.why + ")");
   const bool adds_nothing = result.message.empty() || result.message == name(result.end_reason);
@@ -164,8 +163,8 @@ void print_text(const FoundMatch& found, const match::MatchResult& result,
   for (const std::string& line : tail->lines) fmt::print("  {}\n", line);
 }
 
-void print_json(const FoundMatch& found, const match::MatchResult& result,
-                const std::vector<LogFile>& files, const std::optional<Tail>& tail) {
+void print_match_json(const FoundMatch& found, const match::MatchResult& result,
+                      const std::vector<LogFile>& files, const std::optional<Tail>& tail) {
   Json list = Json::array();
   const auto text = [](const std::string& value) {
     return value.empty() ? Json(nullptr) : Json(value);
@@ -223,11 +222,13 @@ int prune(const LogsArguments& arguments) {
                        {"bytes", old.bytes},
                        {"left", old.left}});
   }
+
   if (arguments.dry_run) {
     for (const fs::path& folder : old.folders) {
       fmt::print("{}\n", base::printable(folder.string()));
     }
   }
+
   fmt::print("{} {}, {}; {} left\n", arguments.dry_run ? "would delete" : "deleted",
              base::counted(old.folders.size(), "match", "matches"), size_text(old.bytes), old.left);
   return kOk;
@@ -250,7 +251,7 @@ int run_logs_command(const LogsArguments& arguments) {
     tail = Tail{*log, last_lines(text.value_or(""), arguments.tail)};
   }
 
-  (arguments.json ? print_json : print_text)(found, result, files, tail);
+  (arguments.json ? print_match_json : print_match_text)(found, result, files, tail);
   return kOk;
 }
 

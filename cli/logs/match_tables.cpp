@@ -3,31 +3,27 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "analysis/play/flow.h"
-#include "analysis/tables/arrow_tables.h"
-#include "analysis/tables/cdf_documents.h"
-#include "analysis/tables/cdf_lines.h"
 #include "analysis/tables/cdf_match.h"
-#include "analysis/tables/event_table.h"
-#include "analysis/tables/player_type_table.h"
+#include "analysis/tables/log_tables.h"
 #include "base/io/whole_file.h"
 #include "base/system/parallel.h"
+#include "base/text/enum_names.h"
+#include "cli/logs/find_log.h"
 #include "cli/logs/output_file.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/log_progress.h"
 #include "gamelog/files/log_files.h"
 #include "gamelog/rcg/frame_stream.h"
-#include "gamelog/rcl/rcl_reader.h"
 #include "tournament/dataset/dataset.h"
 #include "viewer/decisions/decision_files.h"
 #include "viewer/decisions/decision_table.h"
@@ -41,13 +37,9 @@ namespace fs = std::filesystem;
 namespace tournament = tournament;
 using gamelog::MatchRecord;
 
-constexpr std::size_t kMaxWorldModels = std::size_t{1} << 30;
 constexpr const char* kMatchStem = "match";  // of the logs of `cls match`
 
-constexpr std::array kTables = {MatchTable::kTracking, MatchTable::kPlayerTypes,
-                                MatchTable::kEvents};
-
-std::string suffix(MatchTable table) { return fmt::format(".{}.csv", name(table)); }
+constexpr auto kTableNames = base::enum_names<MatchTable>("tracking", "player_types", "event");
 
 void write_frames(const MatchRecord& record, analysis::TrackingTable& rows) {
   for (std::size_t i = 0; i < record.frames(); ++i) rows.on_frame(record, i);
@@ -88,7 +80,7 @@ int finish(const std::string& in, const gamelog::ParseErrors& errors,
   counts.errors = errors.count;
   report_errors(in, errors);
 
-  if (const int code = report_failure(failure); code != kOk) return code;
+  TRY_STEP(report_failure(failure));
   return errors.empty() ? kOk : kBadData;
 }
 
@@ -118,9 +110,8 @@ int stream_tracking(base::ByteSource& source, const std::string& in, const Table
 
 int write_from_record(MatchTable table, const std::string& in, const TableRequest& request,
                       TableCounts& counts) {
-  const auto match = viewer::read_log_or_page(in);
-  if (!match) return print_error(unreadable_code(in), match.error().message);
-  const MatchRecord& record = match->record;
+  TRY_INIT_OR(unreadable_code(in), const auto match, viewer::read_log_or_page(in));
+  const MatchRecord& record = match.record;
   counts.frames = record.frames();
 
   const auto failure = write_output(request.out, [&](base::ByteSink& sink) {
@@ -255,15 +246,16 @@ fs::path file_of(const Job& job, const FileKind& kind) { return job.stem.string(
 // Two logs of a pattern can have the same name in different folders.
 std::optional<OutputFailure> check_outputs(const std::vector<Job>& jobs,
                                            std::span<const FileKind> kinds, bool force) {
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    for (std::size_t other = 0; other < i; ++other) {
-      if (jobs[other].stem != jobs[i].stem) continue;
+  std::map<fs::path, const std::string*> logs;  // by the stem of their files
+  for (const Job& job : jobs) {
+    const auto [known, is_new] = logs.emplace(job.stem, &job.log);
+    if (!is_new) {
       return OutputFailure{kUsage, fmt::format("{} and {} would have the same files; name their "
                                                "folder, whose sub-folders they keep",
-                                               jobs[other].log, jobs[i].log)};
+                                               *known->second, job.log)};
     }
     for (const FileKind& kind : kinds) {
-      if (auto failure = why_not_replaced(file_of(jobs[i], kind), force)) return failure;
+      if (auto failure = why_not_replaced(file_of(job, kind), force)) return failure;
     }
   }
   return std::nullopt;
@@ -282,20 +274,18 @@ base::Result<std::vector<viewer::TeamDecisions>> read_world_models(const Job& jo
 
     const auto packed = base::read_file(path);
     if (!packed) return base::Error{fmt::format("{}: not readable", path.string())};
-    const auto stream = viewer::gunzip(*packed, kMaxWorldModels);
+    const auto stream = viewer::gunzip(*packed, viewer::kMaxWorldModels);
     auto team = stream ? viewer::read_decisions(*stream) : stream.error();
     if (!team) return base::Error{fmt::format("{}: {}", path.string(), team.error().message)};
     teams.push_back(*std::move(team));
   }
+
   return teams;
 }
 
 // Reads what Arrow files have beyond the game log.
 void read_more(Job& job, OneMatch& match) {
-  if (!job.text.empty()) {
-    auto text = gamelog::read_rcl_file(job.text);
-    if (text) match.text = *std::move(text);
-  }
+  match.text = read_text_log({{job.log, job.text}, "", ""});
   auto decisions = read_world_models(job);
   if (decisions) {
     match.decisions = *std::move(decisions);
@@ -335,47 +325,35 @@ void run_job(Job& job, MatchFiles files, analysis::TrackingColumns columns) {
 
 }  // namespace
 
-std::string_view name(MatchTable table) {
-  return table == MatchTable::kTracking      ? "tracking"
-         : table == MatchTable::kPlayerTypes ? "player_types"
-                                             : "event";
-}
+std::string_view name(MatchTable table) { return kTableNames.name(table); }
 
 std::optional<MatchTable> parse_match_table(std::string_view text) {
-  for (const MatchTable table : kTables) {
-    if (text == name(table)) return table;
-  }
-  return std::nullopt;
+  return kTableNames.parse(text);
 }
 
 std::optional<MatchTable> table_of_file(std::string_view path) {
   if (path.ends_with(".gz")) path.remove_suffix(3);
+  if (!path.ends_with(".csv")) return std::nullopt;
 
-  for (const MatchTable table : kTables) {
-    if (path.ends_with(suffix(table))) return table;
-  }
-  return std::nullopt;
+  path.remove_suffix(4);
+  const std::size_t dot = path.rfind('.');
+  return dot == path.npos ? std::nullopt : kTableNames.parse(path.substr(dot + 1));
 }
 
 int write_match_table(MatchTable table, const TableRequest& request, TableCounts& counts) {
-  if (const int code = report_failure(why_not_replaced(request.out, request.force)); code != kOk) {
-    return code;
-  }
-  const auto log = one_log(request.in);
-  if (!log) return print_error(kNoInput, log.error().message);
+  TRY_STEP(report_failure(why_not_replaced(request.out, request.force)));
+  TRY_INIT_OR(kNoInput, const auto log, one_log(request.in));
   counts.matches = 1;
-  if (table != MatchTable::kTracking) return write_from_record(table, *log, request, counts);
+  if (table != MatchTable::kTracking) return write_from_record(table, log, request, counts);
 
-  auto source = base::open_source(*log);
-  if (!source) return print_error(unreadable_code(*log), source.error().message);
-  return stream_tracking(**source, *log, request, counts);
+  TRY_INIT_OR(unreadable_code(log), auto source, base::open_source(log));
+  return stream_tracking(*source, log, request, counts);
 }
 
 int write_match_files(MatchFiles files, const TableRequest& request, TableCounts& counts) {
-  const auto found = logs_of(request.in);
-  if (!found) return print_error(kBadData, found.error().message);
-  std::vector<Job> jobs = plan_jobs(*found, request);
-  int exit_code = report_missing(*found);
+  TRY_INIT_OR(kBadData, const auto found, logs_of(request.in));
+  std::vector<Job> jobs = plan_jobs(found, request);
+  int exit_code = report_missing(found);
   if (exit_code == kOk && jobs.empty()) {
     return print_error(kNoInput, fmt::format("{}: no game log (rcg)", request.in));
   }
@@ -399,6 +377,7 @@ int write_match_files(MatchFiles files, const TableRequest& request, TableCounts
     counts.frames += job.frames;
     counts.errors += job.errors.count;
   }
+
   return signal == 0 ? exit_code : signal_exit_code(signal);
 }
 

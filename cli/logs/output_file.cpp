@@ -11,7 +11,6 @@
 
 #include "base/io/gzip_sink.h"
 #include "base/io/replacement.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 
@@ -35,6 +34,7 @@ std::optional<OutputFailure> write_output(const fs::path& out,
     if (!started) return OutputFailure{kCannotCreate, started.error().message};
     replacement.emplace(*std::move(started));
   }
+
   auto sink = base::create_sink(replacement ? replacement->place().string() : "-");
   if (!sink) return cannot_create(out, std::strerror(errno));
 

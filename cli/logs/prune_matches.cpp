@@ -66,7 +66,7 @@ base::Result<PrunedMatches> find_old_matches(const fs::path& folder, std::size_t
                          entry.path());
   }
 
-  std::sort(matches.begin(), matches.end());
+  std::ranges::sort(matches);
   PrunedMatches pruned;
   pruned.left = std::min(keep, matches.size());
   matches.resize(matches.size() - pruned.left);
@@ -74,6 +74,7 @@ base::Result<PrunedMatches> find_old_matches(const fs::path& folder, std::size_t
     pruned.bytes += bytes_in(path);
     pruned.folders.push_back(std::move(path));
   }
+
   return pruned;
 }
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "analysis/results/read_results.h"
 #include "analysis/results/results_text.h"
 #include "base/system/parallel.h"
+#include "base/text/enum_names.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/log_progress.h"
@@ -45,13 +45,7 @@ struct ResultsArguments {
   std::size_t jobs = base::default_jobs();
 };
 
-std::optional<ResultsFormat> format_of(const ResultsArguments& arguments) {
-  if (arguments.json || arguments.format == "json") return ResultsFormat::kJson;
-  if (arguments.format == "table") return ResultsFormat::kTable;
-  if (arguments.format == "csv") return ResultsFormat::kCsv;
-  if (arguments.format == "markdown") return ResultsFormat::kMarkdown;
-  return std::nullopt;
-}
+constexpr auto kResultFormats = base::enum_names<ResultsFormat>("table", "json", "csv", "markdown");
 
 std::vector<ReadResult> read_all(const std::vector<gamelog::MatchLogs>& matches, std::size_t jobs) {
   LogProgress progress(matches.size());
@@ -60,11 +54,10 @@ std::vector<ReadResult> read_all(const std::vector<gamelog::MatchLogs>& matches,
 }
 
 int run_results_command(const ResultsArguments& arguments) {
-  const auto format = format_of(arguments);
+  const auto format = kResultFormats.parse(arguments.json ? "json" : arguments.format);
   if (!format) {
-    print_error(
-        0, fmt::format("--format '{}': must be table, json, csv or markdown", arguments.format));
-    return kUsage;
+    return print_error(kUsage, fmt::format("--format '{}': must be table, json, csv or markdown",
+                                           arguments.format));
   }
 
   const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);

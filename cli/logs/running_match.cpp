@@ -10,7 +10,6 @@
 #include "base/system/socket_address.h"
 #include "base/text/number_text.h"
 #include "cli/logs/find_match_folder.h"
-#include "match/result/match_files.h"
 #include "match/result/match_folder.h"
 
 namespace cls::cli {

@@ -1,7 +1,6 @@
 // Matches that are played now: in a folder, in a log, on a server.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/statistics/read_statistics.h"
 #include "base/system/parallel.h"
+#include "base/text/enum_names.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/log_progress.h"
@@ -42,15 +42,8 @@ struct StatsArguments {
   std::size_t jobs = base::default_jobs();
 };
 
-std::optional<StatisticsFormat> format_of(const StatsArguments& arguments) {
-  if (arguments.json || arguments.format == "json") return StatisticsFormat::kJson;
-  if (arguments.format == "text") return StatisticsFormat::kText;
-  if (arguments.format == "csv") return StatisticsFormat::kCsv;
-  if (arguments.format == "csv-players") return StatisticsFormat::kCsvPlayers;
-  if (arguments.format == "csv-events") return StatisticsFormat::kCsvEvents;
-  if (arguments.format == "spadl") return StatisticsFormat::kSpadl;
-  return std::nullopt;
-}
+constexpr auto kStatisticsFormats =
+    base::enum_names<StatisticsFormat>("text", "json", "csv", "csv-players", "csv-events", "spadl");
 
 analysis::StatisticsOutput read_all(const std::vector<gamelog::MatchLogs>& matches,
                                     StatisticsFormat format, const StatsArguments& arguments) {
@@ -61,12 +54,12 @@ analysis::StatisticsOutput read_all(const std::vector<gamelog::MatchLogs>& match
 }
 
 int run_stats_command(const StatsArguments& arguments) {
-  const auto format = format_of(arguments);
+  const auto format = kStatisticsFormats.parse(arguments.json ? "json" : arguments.format);
   if (!format) {
-    print_error(
-        0, fmt::format("--format '{}': must be text, json, csv, csv-players, csv-events or spadl",
-                       arguments.format));
-    return kUsage;
+    return print_error(
+        kUsage,
+        fmt::format("--format '{}': must be text, json, csv, csv-players, csv-events or spadl",
+                    arguments.format));
   }
 
   const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);

@@ -1,7 +1,6 @@
 // The loop between keyboard, match and terminal.
 #include "cli/logs/terminal_view.h"
 
-#include <fmt/format.h>
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <termios.h>
@@ -15,13 +14,12 @@
 #include <utility>
 
 #include "base/io/byte_sink.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
 #include "viewer/live/live_match.h"
 #include "viewer/stream/chunk_reader.h"
-#include "viewer/terminal/cast.h"
+#include "viewer/terminal/asciinema_cast.h"
 #include "viewer/terminal/match_screen.h"
 
 namespace cls::cli {
@@ -155,14 +153,12 @@ class Painter {
 };
 
 int close_cast(Cast& cast) {
-  if (const auto closed = cast.close(); !closed) {
-    return print_error(kWriteFailed, closed.error().message);
-  }
+  TRY_OR(kWriteFailed, cast.close());
   return kOk;
 }
 
 std::size_t frame_of_cycle(const gamelog::MatchRecord& record, int cycle) {
-  const auto found = std::lower_bound(record.time.begin(), record.time.end(), cycle);
+  const auto found = std::ranges::lower_bound(record.time, cycle);
   return static_cast<std::size_t>(found - record.time.begin());
 }
 
@@ -215,6 +211,7 @@ int print_lines(MatchScreen& match, Update update) {
 
     ::poll(nullptr, 0, static_cast<int>(kPictureSeconds * 1000.0));
   }
+
   return kOk;
 }
 
@@ -225,9 +222,7 @@ int show_in_terminal(const gamelog::MatchRecord& record, const TerminalViewOptio
   if (options.at) match.seek(frame_of_cycle(record, *options.at));
 
   Cast cast;
-  if (const auto opened = cast.open(options.cast, {}, options.title); !opened) {
-    return print_error(kCannotCreate, opened.error().message);
-  }
+  TRY_OR(kCannotCreate, cast.open(options.cast, {}, options.title));
 
   if (!options.cast.empty()) return write_cast(match, cast);
   if (::isatty(STDOUT_FILENO) != 1) {
@@ -259,9 +254,7 @@ int show_in_terminal(std::unique_ptr<viewer::LiveInput> input, const TerminalVie
   if (::isatty(STDOUT_FILENO) != 1) return print_lines(match, update);
 
   Cast cast;
-  if (const auto opened = cast.open(options.cast, terminal_size(), options.title); !opened) {
-    return print_error(kCannotCreate, opened.error().message);
-  }
+  TRY_OR(kCannotCreate, cast.open(options.cast, terminal_size(), options.title));
 
   Painter painter(cast, stdout_supports_color());
   run(match, painter, update);

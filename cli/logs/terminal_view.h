@@ -1,7 +1,6 @@
 // `cls watch --view terminal`: a match in characters, for hosts without a browser.
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>

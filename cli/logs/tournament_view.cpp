@@ -17,7 +17,7 @@
 #include "cli/support/print_error.h"
 #include "gamelog/files/log_files.h"
 #include "gamelog/rcl/rcl_reader.h"
-#include "match/result/match_files.h"
+#include "match/result/match_folder.h"
 #include "tournament/report/report_model.h"
 #include "tournament/report/report_tables.h"
 #include "tournament/store/folder.h"
@@ -139,9 +139,7 @@ class TournamentSite {
   }
 
   viewer::ListedMatch row(const tournament::TournamentState& state, const ScheduledMatch& match) {
-    const auto name = [&](int team) {
-      return state.config.teams[static_cast<std::size_t>(team)].name;
-    };
+    const auto name = [&](int team) { return state.config.competition.team(team); };
     viewer::ListedMatch row{
         match.fixture.index, name(match.fixture.left), name(match.fixture.right), "", "", false};
 

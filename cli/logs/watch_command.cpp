@@ -24,7 +24,6 @@
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/json_stdout.h"
-#include "gamelog/rcl/rcl_reader.h"
 #include "match/result/match_folder.h"
 #include "match/result/match_result.h"
 #include "soccer/side.h"
@@ -190,11 +189,7 @@ int write_match_page(const WatchArguments& arguments, const FoundLog& found, con
     return kBadData;
   }
 
-  std::optional<gamelog::RclRecord> text;
-  if (!found.logs.text.empty()) {
-    if (auto read = gamelog::read_rcl_file(found.logs.text)) text = *std::move(read);
-  }
-
+  const auto text = read_text_log(found);
   TRY_INIT_OR(kBadData, const auto decisions, decisions_of(arguments, found));
 
   const bool compact = arguments.compact || match.form.compact;

@@ -63,6 +63,7 @@ std::optional<CommandDifference> compare_commands(std::string_view before, std::
     }
     ++difference->differ;
   }
+
   return difference;
 }
 

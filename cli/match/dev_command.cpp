@@ -190,10 +190,9 @@ class DevSession {
   // Checks fail when the match does not take place, and some when the Playmaker has an error. Then
   // the cause is printed.
   static bool is_consequence(const std::string& failure, const RunRecord& record) {
-    return !record.result.valid() ||
-           std::any_of(record.errors.begin(), record.errors.end(), [&](const auto& error) {
-             return error && failure.find(error->message) != std::string::npos;
-           });
+    return !record.result.valid() || std::ranges::any_of(record.errors, [&](const auto& error) {
+      return error && failure.find(error->message) != std::string::npos;
+    });
   }
 
   // Why a match is invalid, with the last output of the program: a compiler names file and line. A

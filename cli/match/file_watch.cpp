@@ -78,7 +78,7 @@ std::vector<std::string> changed_files(const FileVersions& before, const FileVer
   for (const auto& [path, version] : before) {
     if (!now.contains(path)) changed.push_back(path);
   }
-  std::sort(changed.begin(), changed.end());
+  std::ranges::sort(changed);
   return changed;
 }
 

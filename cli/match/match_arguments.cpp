@@ -46,11 +46,13 @@ void add_match_options(Command& command, MatchArguments& arguments) {
   command.option("--at", arguments.at, "--step, starting at this game time")
       .of_group(kDebuggingGroup)
       .from(0);
+
   command
       .flag("--watch", arguments.watch,
             "serve a page that shows the match while it is played, and print its "
             "address (docs/watching.md)")
       .of_group(kOutputGroup);
+
   command.flag("--open", arguments.open, "--watch, and open the page in the browser")
       .of_group(kOutputGroup);
   add_linger_option(command, arguments.linger_s);
@@ -218,12 +220,8 @@ int read_config_file(MatchArguments& arguments, bool names_used) {
   }
   if (file.empty()) return kOk;
 
-  if (const auto why = base::why_no_file(file)) {
-    return print_error(kNoInput, fmt::format("--config {}: {}", file.string(), *why));
-  }
-
-  const ParsedConfig parsed = tournament::read_config(file);
-  if (!parsed.errors.empty()) return print_errors(kBadConfig, parsed.errors);
+  ParsedConfig parsed;
+  TRY_STEP(read_project(file, parsed, "--config "));
   return take_config(parsed, file, arguments);
 }
 
@@ -286,6 +284,7 @@ int resolve_match(const Command& command, MatchArguments& arguments) {
     TRY_STEP(read_side_files(*side));
     TRY_STEP(read_tls_files(*side, arguments.options.tls));
   }
+
   return kOk;
 }
 

@@ -1,4 +1,5 @@
 // `cls match`: plays one match.
+#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -9,23 +10,21 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "base/text/counted.h"
-#include "base/text/json_text.h"
 #include "cli/logs/live_view.h"
 #include "cli/match/match_arguments.h"
 #include "cli/match/match_report.h"
 #include "cli/match/match_stepper.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/terminal/progress_line.h"
 #include "cli/terminal/terminal.h"
 #include "match/dry_run.h"
-#include "match/hooks/match_events.h"
+#include "match/hooks/event_command.h"
 #include "match/result/match_folder.h"
 #include "match/run_match.h"
 
@@ -35,7 +34,7 @@ namespace {
 using match::EndReason;
 using match::MatchResult;
 
-constexpr const char* kDescription =
+constexpr const char* kMatchDescription =
     "play one match and print its result\n"
     "\n"
     "  cls match mock mock                      the bundled team against itself\n"
@@ -99,23 +98,10 @@ class WatchedMatch : public ProgressLine {
 };
 
 int exit_code_of(const MatchResult& result) {
-  switch (result.end_reason) {
-    case EndReason::kFinished:
-      return result.write_error.empty() ? kOk : kWriteFailed;
-    case EndReason::kRefused:
-      return result.try_again ? kTryAgain : kUnavailable;
-    case EndReason::kTimedOut:
-      return kTimedOut;
-    case EndReason::kInterrupted:
-      return signal_exit_code(result.signal);
-    case EndReason::kCrashed:
-    case EndReason::kStalled:
-    case EndReason::kLate:
-    case EndReason::kProtocolError:
-    case EndReason::kServerFailed:
-      return kFailed;
-  }
-  return kInternalError;
+  if (result.valid() && !result.write_error.empty()) return kWriteFailed;
+  if (result.end_reason == EndReason::kRefused && result.try_again) return kTryAgain;
+  if (result.end_reason == EndReason::kInterrupted) return signal_exit_code(result.signal);
+  return row_of(result.end_reason).exit_code;
 }
 
 // The first error of each Playmaker, which a warning has printed.
@@ -147,9 +133,8 @@ void print_last_output(const MatchResult& result) {
   const std::vector<std::string> known = warned_errors(result);
   std::vector<std::string> lines = result.failure->output;
   std::erase_if(lines, [&known](const std::string& line) {
-    return std::any_of(known.begin(), known.end(), [&line](const std::string& text) {
-      return line.find(text) != std::string::npos;
-    });
+    return std::ranges::any_of(
+        known, [&line](const std::string& text) { return line.find(text) != std::string::npos; });
   });
   for (std::size_t i = lines.size() - std::min(kLines, lines.size()); i < lines.size(); ++i) {
     fmt::print(stderr, "  {}: {}\n", result.failure->process, lines[i]);
@@ -157,16 +142,13 @@ void print_last_output(const MatchResult& result) {
 }
 
 int print_dry_run(const MatchArguments& arguments) {
-  const auto text = match::dry_run(arguments.options);
-  if (!text) return print_error(kUnavailable, text.error().message);
+  TRY_INIT_OR(kUnavailable, const auto text, match::dry_run(arguments.options));
 
   if (arguments.json) {
-    const nlohmann::ordered_json document = {{"schema", "cls.dry-run/1"}, {"script", *text}};
-    fmt::print("{}", base::json_document(document));
-    return kOk;
+    return print_json({{"schema", "cls.dry-run/1"}, {"script", text}});
   }
 
-  fmt::print("{}", *text);
+  fmt::print("{}", text);
   for (const SettingRow& row : setting_rows(arguments)) {
     if (row.origin == "default") continue;
     fmt::print("# {} = {} ({})\n", row.name, row.value, row.origin);
@@ -195,7 +177,7 @@ base::Result<MatchResult> play(const MatchArguments& arguments, WatchedMatch& pr
 }
 
 int run_match_command(const Command& command, MatchArguments& arguments) {
-  if (const int resolved = resolve_match(command, arguments); resolved != kOk) return resolved;
+  TRY_STEP(resolve_match(command, arguments));
   if ((arguments.watch || arguments.open) && !arguments.options.server.game_logging) {
     return print_error(kUsage,
                        "--watch: the page shows the game log, which server::game_logging "
@@ -205,8 +187,7 @@ int run_match_command(const Command& command, MatchArguments& arguments) {
   if (arguments.dry_run) return print_dry_run(arguments);
   // A match without its programs leaves nothing in runs/.
   if (arguments.options.folder.empty()) {
-    const auto plan = match::dry_run(arguments.options);
-    if (!plan) return print_error(kUnavailable, plan.error().message);
+    TRY_OR(kUnavailable, match::dry_run(arguments.options));
   }
 
   const bool live = stderr_is_terminal() && !arguments.quiet && !arguments.step && !arguments.at;
@@ -242,14 +223,12 @@ int run_match_command(const Command& command, MatchArguments& arguments) {
 }  // namespace
 
 void add_match_command(Command& app) {
-  const auto arguments = std::make_shared<MatchArguments>();
-  Command& command = app.command("match", kDescription);
+  auto [command, arguments] = app.command("match", kMatchDescription, run_match_command);
   command.group = kPlayCommands;
   command.starts_programs = true;
-  command.option("LEFT", arguments->left, "SIDE on the left").required();
-  command.option("RIGHT", arguments->right, "SIDE on the right").required();
-  add_match_options(command, *arguments);
-  command.run = [arguments, &command] { return run_match_command(command, *arguments); };
+  command.option("LEFT", arguments.left, "SIDE on the left").required();
+  command.option("RIGHT", arguments.right, "SIDE on the right").required();
+  add_match_options(command, arguments);
 }
 
 }  // namespace cls::cli

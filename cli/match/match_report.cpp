@@ -44,7 +44,7 @@ std::string latency(const TeamResult& team, double match::RpcLatency::*first,
   const auto figure = [&](double match::RpcLatency::*which) {
     std::vector<double> values;
     for (const PlayerResult& player : team.players) values.push_back(player.rpc_us.*which);
-    return worst ? *std::max_element(values.begin(), values.end()) : base::median(values);
+    return worst ? *std::ranges::max_element(values) : base::median(values);
   };
   if (team.players.empty()) return "-";
   return fmt::format("{:.0f} / {:.0f} us", figure(first), figure(second));

@@ -37,6 +37,7 @@ bool MatchStepper::read_line(std::string& line) {
 void MatchStepper::execute(const std::string& line) {
   waiting_ = false;
   int cycles = 1;
+
   if (line == "q") {
     quit_ = true;
   } else if (line == "c") {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <iosfwd>
 #include <string>
 
 #include "match/hooks/match_hooks.h"

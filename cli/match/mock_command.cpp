@@ -107,25 +107,13 @@ void add_fault_options(Command& command, MockArguments& arguments) {
 std::optional<std::string> resolve_faults(const MockArguments& arguments, Faults& faults) {
   const Faults stock;
   const Faults& flags = arguments.faults;
-  const auto merge = [&](auto member) {
-    if (flags.*member != stock.*member) faults.*member = flags.*member;
+  const auto merge = [&](auto... members) {
+    ((faults.*members = flags.*members != stock.*members ? flags.*members : faults.*members), ...);
   };
-
-  for (const auto member : {&Faults::delay_ms, &Faults::jitter_ms}) merge(member);
-  for (const auto member : {&Faults::drop, &Faults::error, &Faults::garbage, &Faults::oversize}) {
-    merge(member);
-  }
-  for (const auto member :
-       {&Faults::crash_at_cycle, &Faults::hang_at_cycle, &Faults::restart_at_cycle}) {
-    merge(member);
-  }
-
-  merge(&Faults::status);
-  merge(&Faults::message);
-  merge(&Faults::wrong_client_id);
-  merge(&Faults::full_states);
-  merge(&Faults::unums);
-  merge(&Faults::seed);
+  merge(&Faults::delay_ms, &Faults::jitter_ms, &Faults::drop, &Faults::error, &Faults::garbage,
+        &Faults::oversize, &Faults::crash_at_cycle, &Faults::hang_at_cycle,
+        &Faults::restart_at_cycle, &Faults::status, &Faults::message, &Faults::wrong_client_id,
+        &Faults::full_states, &Faults::unums, &Faults::seed);
 
   if (const auto code = mock_server::status_code(faults.status); !code) {
     return "--status: " + code.error().message;
@@ -222,39 +210,31 @@ class ServingProcess {
   int port_ = 0;
 };
 
-struct Failure {
-  std::string message;
-  ExitCode code = kOk;
-};
-
 // Builds the mock from the arguments.
-base::Result<Mock> make(const MockArguments& arguments, Failure& failure) {
+int make_mock(const MockArguments& arguments, Mock& mock) {
+  const bool is_script = mock_server::is_script_name(arguments.behavior);
   const auto absence = base::absence(arguments.behavior);
-  if (absence && mock_server::is_script_name(arguments.behavior)) {
-    failure.code = kNoInput;
-    return base::Error{fmt::format("{}: {}", arguments.behavior, *absence)};
+  if (absence && is_script) {
+    return print_error(kNoInput, fmt::format("{}: {}", arguments.behavior, *absence));
   }
 
-  auto mock = mock_server::make_mock(arguments.behavior);
-  if (!mock) {
-    failure.code = mock_server::is_script_name(arguments.behavior) ? kBadData : kUsage;
-    return mock.error();
+  TRY_INIT_OR(is_script ? kBadData : kUsage, mock, mock_server::make_mock(arguments.behavior));
+  if (const auto error = resolve_faults(arguments, mock.faults)) {
+    return print_error(kUsage, *error);
   }
-
-  if (const auto error = resolve_faults(arguments, mock->faults)) {
-    failure.code = kUsage;
-    return base::Error{*error};
-  }
-  return mock;
+  return kOk;
 }
 
 // A host of others, or a port that is taken, with its owner.
-Failure why_not_listening(const MockArguments& arguments, const std::string& error) {
+int report_no_listener(const MockArguments& arguments, const std::string& error) {
   using process::Protocol;
   const std::string host = process::unusable_host(arguments.host);
-  if (!host.empty()) return {fmt::format("--host '{}': {}", arguments.host, host), kUsage};
+  if (!host.empty()) {
+    return print_error(kUsage, fmt::format("--host '{}': {}", arguments.host, host));
+  }
+
   const std::string taken = process::taken_port(Protocol::kTcp, {arguments.port});
-  return {taken.empty() ? error : taken + "; --port 0 selects a free port", kTryAgain};
+  return print_error(kTryAgain, taken.empty() ? error : taken + "; --port 0 selects a free port");
 }
 
 // gRPC 1.51 closes its listener for good when accept() finds no free descriptor, so take as many as
@@ -267,18 +247,16 @@ void raise_descriptor_limit() {
 }
 
 int run_mock(const MockArguments& arguments) {
-  Failure failure;
-  TRY_INIT_OR(failure.code, auto mock, make(arguments, failure));
+  Mock mock;
+  TRY_STEP(make_mock(arguments, mock));
 
   const std::atomic<int>& signal = watch_interrupts();
-  failure.code = kTryAgain;
   wait(milliseconds(static_cast<int>(arguments.slow_start_s * 1000.0)), signal);
   raise_descriptor_limit();
   const JsonStdout json(arguments.json);
   ServingProcess process(arguments);
   if (const auto started = process.start(std::move(mock)); !started) {
-    failure = why_not_listening(arguments, started.error().message);
-    return print_error(failure.code, failure.message);
+    return report_no_listener(arguments, started.error().message);
   }
 
   if (json.active()) {
@@ -294,10 +272,9 @@ int run_mock(const MockArguments& arguments) {
 
   while (signal.load() == 0) {
     if (!process.wait_restart_due(milliseconds(50))) continue;
-    TRY_INIT_OR(failure.code, auto again, make(arguments, failure));
-    if (const auto back = process.restart(std::move(again), signal); !back) {
-      return print_error(failure.code, back.error().message);
-    }
+    Mock again;
+    TRY_STEP(make_mock(arguments, again));
+    TRY_OR(kTryAgain, process.restart(std::move(again), signal));
   }
 
   const auto failed = process.server().failed_expectations();

@@ -100,18 +100,21 @@ void add_playmaker_options(Command& command, ProxyArguments& arguments) {
       .of_group(kPlaymakersGroup)
       .range(1, kMaxPort)
       .shows_default();
+
   command.flag("--rpc-port-step", options.playmaker.port_step, "player n connects to port + n")
       .of_group(kPlaymakersGroup);
   command
       .flag("--rpc-add-20-to-port-for-right", options.add_20_for_right,
             "add 20 to the port for a team on the right")
       .of_group(kPlaymakersGroup);
+
   command
       .option("--rpc-timeout", arguments.timeout_s,
               "deadline of an RPC in seconds; in real time at most one cycle")
       .of_group(kPlaymakersGroup)
       .shows_default()
       .range(1, 3600);
+
   command.option("--rpc-deadline", arguments.deadline_ms, "deadline of an RPC in ms, if shorter")
       .of_group(kPlaymakersGroup)
       .above(0);
@@ -201,7 +204,7 @@ void add_options(Command& command, ProxyArguments& arguments) {
 }
 
 // Reads --playmaker; returns the exit code.
-int read_playmaker(ProxyArguments& arguments) {
+int resolve_playmaker(ProxyArguments& arguments) {
   if (arguments.playmaker.empty()) return kOk;
   auto endpoint = match::parse_endpoint(arguments.playmaker);
   using Kind = match::Endpoint::Kind;
@@ -337,16 +340,8 @@ std::vector<std::string> resolve(ProxyArguments& arguments, const Command& comma
 }
 
 int exit_code_of(const StandaloneTeamResult& result) {
-  switch (result.end_reason) {
-    case EndReason::kFinished:
-      return kOk;
-    case EndReason::kRefused:
-      return kUnavailable;
-    case EndReason::kInterrupted:
-      return signal_exit_code(result.signal);
-    default:
-      return kFailed;
-  }
+  if (result.end_reason == EndReason::kInterrupted) return signal_exit_code(result.signal);
+  return row_of(result.end_reason).exit_code;
 }
 
 // Start scripts wait for this line.
@@ -398,6 +393,7 @@ void print_result(const ProxyArguments& arguments, const StandaloneTeamResult& r
     return sum;
   };
   if (total(&PlayerResult::decisions) == 0) return;
+
   fmt::print(
       "{} on the {}: {} to {} at cycle {}; {} decisions, {} missed, {} undecided cycles, "
       "{} late commands, {} late wake-ups\n",
@@ -419,7 +415,7 @@ int run_proxy(const Command& command, ProxyArguments& arguments) {
     if (!arguments.quiet) fmt::print(stderr, "cls: warning: {}\n", line);
   }
 
-  TRY_STEP(read_playmaker(arguments));
+  TRY_STEP(resolve_playmaker(arguments));
   const std::vector<std::string> errors = resolve(arguments, command);
   if (!errors.empty()) return print_errors(kUsage, errors);
 

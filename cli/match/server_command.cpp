@@ -169,6 +169,7 @@ base::Result<void> finish(const UdpServer& server, const ServerSettings& setting
   if (settings.bound && server.world().params().synch_mode) print_awaited(server);
   gamelog::Frame last;
   simulator::to_frame(server.world(), last);
+
   // In names of logs the coach name follows the team name.
   for (const auto side : {soccer::Side::kLeft, soccer::Side::kRight}) {
     const std::string& coach = server.coach_name(side);
@@ -267,6 +268,7 @@ bool bind_clients(UdpServer& server, const ServerSettings& settings,
     print_intrusion(missing);
     return true;
   }
+
   auto owners = process::SocketOwners::of_programs_beside();
   if (!owners) return false;
   binding.emplace(*settings.bound, *std::move(owners));
@@ -276,6 +278,7 @@ bool bind_clients(UdpServer& server, const ServerSettings& settings,
         const auto line = binding->intrusion_line(sender, request);
         if (line) print_intrusion(*line);
       });
+
   return true;
 }
 

@@ -53,6 +53,7 @@ void ServerLines::event(const UdpServerEvent& event) {
 void ServerLines::connected(const UdpServerEvent& event) {
   const World& world = server_.world();
   const ClientId client = event.client;
+
   const std::string version = fmt::format("(v{})", event.version);
 
   if (simulator::is_player(client)) {

@@ -21,7 +21,7 @@ constexpr const char* kLogGroup =
     "Logs for soccerwindow2, as the framework's start scripts name them";
 constexpr const char* kCategoryGroup = "Categories of the debug log (default: all)";
 constexpr const char* kRefusedGroup = "Refused, with the way to do it here";
-constexpr int kMaxPort = 65535;
+constexpr int kMaxDebugPort = 65535;
 
 struct Refused {
   const char* name;
@@ -57,7 +57,7 @@ constexpr std::array kDependents = {
 };
 
 bool is_given(const Command& command, std::string_view name) {
-  return std::any_of(command.options.begin(), command.options.end(), [&](const Option& option) {
+  return std::ranges::any_of(command.options, [&](const Option& option) {
     return name_of(option) == name && !option.given.empty();
   });
 }
@@ -90,45 +90,38 @@ std::uint32_t chosen_levels(const Command& command) {
 }
 
 void add_log_options(Command& command, StartScriptValues& values) {
-  command.flag("--debug", values.debug, "--debug-log in --log-dir").of_group(kLogGroup);
-  command.option("--log-dir", values.log_dir, "folder of these logs")
-      .placeholder("DIR")
-      .shows_default()
-      .of_group(kLogGroup);
-  command.option("--debug-log-ext", values.debug_log_ext, "end of the names of debug logs")
+  const auto option = [&command](const char* name, auto& target, const char* help) -> Option& {
+    return command.option(name, target, help).of_group(kLogGroup);
+  };
+  const auto flag = [&command](const char* name, bool& target, const char* help) {
+    command.flag(name, target, help).of_group(kLogGroup);
+  };
+
+  flag("--debug", values.debug, "--debug-log in --log-dir");
+  option("--log-dir", values.log_dir, "folder of these logs").placeholder("DIR").shows_default();
+  option("--debug-log-ext", values.debug_log_ext, "end of the names of debug logs")
       .placeholder("EXTENSION")
-      .shows_default()
-      .of_group(kLogGroup);
-  command.option("--debug-start-time", values.debug_start_time, "first cycle of debug logs")
+      .shows_default();
+
+  option("--debug-start-time", values.debug_start_time, "first cycle of debug logs")
       .placeholder("CYCLE")
-      .shows_default()
-      .of_group(kLogGroup);
-  command.option("--debug-end-time", values.debug_end_time, "last cycle of debug logs")
+      .shows_default();
+
+  option("--debug-end-time", values.debug_end_time, "last cycle of debug logs")
       .placeholder("CYCLE")
-      .shows_default()
-      .of_group(kLogGroup);
-  command
-      .flag("--debug-server-connect", values.debug_server_connect,
-            "--debug-server at the next two options")
-      .of_group(kLogGroup);
-  command
-      .option("--debug-server-host", values.debug_server_host,
-              "host of the debug server (default: --host)")
-      .placeholder("HOST")
-      .of_group(kLogGroup);
-  command
-      .option("--debug-server-port", values.debug_server_port,
-              "port of the debug server (default: --port + 32)")
-      .range(1, kMaxPort)
-      .of_group(kLogGroup);
-  command
-      .flag("--debug-server-logging", values.debug_server_logging,
-            "--debug-server-log in --log-dir")
-      .of_group(kLogGroup);
-  command
-      .flag("--offline-logging", values.offline_logging,
-            "write the server's messages into TEAM-NUMBER.ocl in --log-dir")
-      .of_group(kLogGroup);
+      .shows_default();
+
+  flag("--debug-server-connect", values.debug_server_connect,
+       "--debug-server at the next two options");
+  option("--debug-server-host", values.debug_server_host,
+         "host of the debug server (default: --host)")
+      .placeholder("HOST");
+  option("--debug-server-port", values.debug_server_port,
+         "port of the debug server (default: --port + 32)")
+      .range(1, kMaxDebugPort);
+  flag("--debug-server-logging", values.debug_server_logging, "--debug-server-log in --log-dir");
+  flag("--offline-logging", values.offline_logging,
+       "write the server's messages into TEAM-NUMBER.ocl in --log-dir");
 }
 
 std::string folder_error(std::string_view option, const std::string& folder) {
@@ -159,11 +152,13 @@ void add_start_script_options(Command& command, StartScriptValues& values) {
       .one_of({"ignore", "reference", "override"})
       .placeholder("WHAT")
       .shows_default();
+
   command
       .option("--team-graphic", values.team_graphic,
               "X PixMap that the coach shows, at most 256 x 64 pixels")
       .placeholder("FILE");
   add_log_options(command, values);
+
   for (const auto* level : levels()) {
     command.flag(category_option(level->name()), "texts and shapes of this level")
         .of_group(kCategoryGroup);
@@ -183,6 +178,7 @@ std::vector<std::string> apply_start_script_options(const Command& command,
   if (const std::string error = folder_error("--log-dir", values.log_dir); logs && !error.empty()) {
     errors.push_back(error);
   }
+
   if (values.debug) options.debug.log_folder = values.log_dir;
   if (values.debug_server_logging) options.debug.view_folder = values.log_dir;
   if (values.offline_logging) options.offline_log = values.log_dir;
@@ -211,11 +207,12 @@ std::vector<std::string> start_script_warnings(const Command& command) {
     for (const char* name : one.needs) {
       if (name != nullptr) needs.emplace_back(name);
     }
-    const bool useful = std::any_of(needs.begin(), needs.end(),
-                                    [&](std::string_view name) { return is_given(command, name); });
+    const bool useful =
+        std::ranges::any_of(needs, [&](std::string_view name) { return is_given(command, name); });
     if (useful) continue;
     lines.push_back(fmt::format("{} has no effect without {}", one.name, fmt::join(needs, " or ")));
   }
+
   for (const auto* level : levels()) {
     const std::string name = category_option(level->name());
     const bool useful =
@@ -226,6 +223,7 @@ std::vector<std::string> start_script_warnings(const Command& command) {
       lines.push_back(fmt::format("{} has no effect without --debug", name));
     }
   }
+
   return lines;
 }
 

@@ -206,11 +206,10 @@ int finish_suite(const TestArguments& arguments, const SuiteVerdict& suite, doub
 
 void warn_without_sandbox(const std::vector<Scenario>& scenarios, const SuiteOptions& options) {
   const auto is_external = [](const auto& side) { return !side.playmaker.has_playmaker(); };
-  const bool external =
-      (options.against && !options.against->has_playmaker()) ||
-      std::any_of(scenarios.begin(), scenarios.end(), [&](const Scenario& scenario) {
-        return std::any_of(scenario.sides.begin(), scenario.sides.end(), is_external);
-      });
+  const bool external = (options.against && !options.against->has_playmaker()) ||
+                        std::ranges::any_of(scenarios, [&](const Scenario& scenario) {
+                          return std::ranges::any_of(scenario.sides, is_external);
+                        });
   const std::string missing = match::missing_sandbox();
   if (!external || !options.sandbox || missing.empty()) return;
   print_error(kOk, "warning: " + missing);

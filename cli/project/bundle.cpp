@@ -141,7 +141,8 @@ Result<void> Bundle::add_folder(const fs::path& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(package_ / folder)) {
     if (may_be_elf(entry)) files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end());
+
+  std::ranges::sort(files);
 
   for (const fs::path& path : files) {
     const auto file = read_elf_file(path);

@@ -1,7 +1,6 @@
 // Programs in a package: their loader and libraries beside them, and scripts that start them so.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <set>

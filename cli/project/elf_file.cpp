@@ -91,6 +91,7 @@ bool is_at_most(std::string_view version, std::string_view limit) {
 std::optional<ElfFile> read_elf_file(const std::filesystem::path& path) {
   const auto content = base::read_file(path);
   if (!content || !content->starts_with(ELFMAG)) return std::nullopt;
+
   const Bytes bytes(*content);
   const auto header = bytes.at<Elf64_Ehdr>(0);
   if (!header || header->e_ident[EI_CLASS] != ELFCLASS64 || header->e_machine != EM_X86_64) {
@@ -106,6 +107,7 @@ std::optional<ElfFile> read_elf_file(const std::filesystem::path& path) {
     if (!segment) return std::nullopt;
     segments.push_back(*segment);
   }
+
   for (const Elf64_Phdr& segment : segments) {
     if (segment.p_type == PT_INTERP) file.loader = bytes.text(segment.p_offset);
     if (segment.p_type != PT_DYNAMIC) continue;
@@ -128,12 +130,13 @@ bool loads_on_oldest(const ElfFile& file) {
   static constexpr std::array<std::string_view, 10> kLibraries = {
       "libc.so.6",    "libm.so.6",      "libpthread.so.0",      "libdl.so.2",    "librt.so.1",
       "libutil.so.1", "libresolv.so.2", "ld-linux-x86-64.so.2", "libgcc_s.so.1", "libstdc++.so.6"};
+
   // Of Ubuntu 20.04, whose GCC is 9, with the libraries of GCC 10.
   static const std::map<std::string_view, std::string_view> kLimits = {
       {"GLIBC", kOldestCLibrary}, {"GLIBCXX", "3.4.28"}, {"CXXABI", "1.3.12"}, {"GCC", "7.0"}};
 
   const auto is_there = [](const std::string& name) {
-    return std::find(kLibraries.begin(), kLibraries.end(), name) != kLibraries.end();
+    return std::ranges::find(kLibraries, name) != kLibraries.end();
   };
   const auto is_old = [](const std::string& version) {
     const std::size_t separator = version.find('_');
@@ -141,8 +144,7 @@ bool loads_on_oldest(const ElfFile& file) {
     return separator != std::string::npos && limit != kLimits.end() &&
            is_at_most(std::string_view(version).substr(separator + 1), limit->second);
   };
-  return std::all_of(file.needed.begin(), file.needed.end(), is_there) &&
-         std::all_of(file.versions.begin(), file.versions.end(), is_old);
+  return std::ranges::all_of(file.needed, is_there) && std::ranges::all_of(file.versions, is_old);
 }
 
 }  // namespace cls::cli

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <optional>
 #include <string_view>
 
@@ -32,7 +31,7 @@ constexpr const char* kWherePython =
 bool has_ending(const fs::path& folder, std::string_view ending) {
   std::error_code code;
   const fs::directory_iterator files(folder, code);
-  return std::any_of(begin(files), end(files), [ending](const fs::directory_entry& entry) {
+  return std::ranges::any_of(files, [ending](const fs::directory_entry& entry) {
     return entry.path().extension() == ending;
   });
 }
@@ -42,9 +41,9 @@ bool is_for_python(const InterpretedProject& project) {
     return true;
   }
   const bool other =
-      is_for_dotnet(project.folder) ||
-      std::any_of(kOtherLanguages.begin(), kOtherLanguages.end(),
-                  [&](const char* name) { return fs::exists(project.folder / name); });
+      is_for_dotnet(project.folder) || std::ranges::any_of(kOtherLanguages, [&](const char* name) {
+        return fs::exists(project.folder / name);
+      });
   return !other && has_ending(project.folder, ".py");
 }
 
@@ -68,7 +67,7 @@ fs::path python_of(const InterpretedProject& project) {
   for (const char* name : {"python3", "/usr/bin/python3"}) {
     if (auto found = process::find_program(name)) candidates.push_back(*found);
   }
-  const auto chosen = std::find_if(candidates.begin(), candidates.end(), imports_grpc);
+  const auto chosen = std::ranges::find_if(candidates, imports_grpc);
   if (chosen != candidates.end()) return *chosen;
   return candidates.empty() ? fs::path() : candidates.front();
 }
@@ -103,7 +102,7 @@ Result<BroughtInterpreter> bring_python(const fs::path& program, const Interpret
     fs::create_symlink("python3", package / "env/bin" / name);
   }
 
-  const process::ScratchFolder scratch;
+  TRY_INIT(const auto scratch, process::ScratchFolder::create());
   const fs::path script = scratch.path() / "python_files.py";
   TRY(base::write_file(script, embedded_file("cli/project/league/python_files.py")));
   TRY_INIT(const auto lines,
@@ -115,9 +114,11 @@ Result<BroughtInterpreter> bring_python(const fs::path& program, const Interpret
     const std::string name = line.substr(0, line.find('\t'));
     if (!name.ends_with("-info") && !name.ends_with(".libs")) brought.packages.push_back(name);
   }
+
   if (!project.environment.empty()) {
     TRY(copy_scripts(project.environment, package / "env/bin"));
   }
+
   return brought;
 }
 

@@ -5,14 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <thread>
 
 #include "base/io/whole_file.h"
 #include "base/text/byte_size.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/text/number_text.h"
 #include "base/text/table.h"
@@ -20,7 +19,6 @@
 #include "cli/support/run_program.h"
 #include "process/command_plan.h"
 #include "process/process_host.h"
-#include "process/scratch_folder.h"
 
 namespace cls::cli {
 namespace {
@@ -36,12 +34,12 @@ constexpr std::chrono::seconds kStartLimit{150};  // all agents to join, and to 
 constexpr const char* kGroup = "cls-check-";      // of cgroups; the process follows
 constexpr const char* kUnprivileged = "65534:65534";
 
-std::string first_line(const fs::path& file) {
+std::string first_line_of(const fs::path& file) {
   const std::string text = base::read_file(file).value_or("");
   return text.substr(0, text.find('\n'));
 }
 
-std::string last_line(const fs::path& file) {
+std::string last_line_of(const fs::path& file) {
   std::string text = base::read_file(file).value_or("");
   while (text.ends_with('\n')) text.pop_back();
   return text.substr(text.rfind('\n') + 1);
@@ -109,6 +107,7 @@ CommandPlan competition_plan(const PackageCheckOptions& options, const fs::path&
                       {"CORES", fmt::to_string(std::max(1U, std::thread::hardware_concurrency()))},
                       {"GROUP", fmt::format("{}{}", kGroup, getpid())}};
   if (geteuid() == 0) plan.environment.push_back({"AS_USER", kUnprivileged});
+
   return plan;
 }
 
@@ -130,7 +129,7 @@ void remove_groups() {
 }
 
 std::string limits_text(const PackageCheckOptions& options, const fs::path& folder) {
-  const std::string kind = first_line(folder / "limits");
+  const std::string kind = first_line_of(folder / "limits");
   const std::string size = base::byte_size_text(options.memory);
   if (kind.starts_with("cgroup")) {
     return fmt::format("{} of memory and {} processor{} an agent (cgroup {})", size, options.cpus,
@@ -142,24 +141,24 @@ std::string limits_text(const PackageCheckOptions& options, const fs::path& fold
       size);
 }
 
-void read_player(const nlohmann::json& player, int cycles, CheckedAgent& agent) {
-  const std::int64_t undecided = player.at("undecided");
-  agent.decisions = player.at("decisions");
+void read_player(const base::Json& player, int cycles, CheckedAgent& agent) {
+  const auto undecided = player.at("undecided").get<std::int64_t>();
+  agent.decisions = player.at("decisions").get<std::int64_t>();
   // Before its first decision an agent counts no cycles; with the clock stopped it has more of
   // them.
   const std::int64_t before = std::max<std::int64_t>(0, cycles - agent.decisions - undecided);
   agent.missed = before + undecided + player.at("missed").get<std::int64_t>();
-  agent.late_commands = player.at("lost_commands");
+  agent.late_commands = player.at("lost_commands").get<std::int64_t>();
   agent.p99_ms = player.at("rpc_us").at("p99").get<double>() / 1000.0;
 }
 
 // Why an agent has not finished: as cls says it, else the last line of the start script.
-std::string end_of(const fs::path& place, const nlohmann::json& document) {
-  if (document.is_object() && document.value("message", nlohmann::json()).is_string()) {
-    return document["message"];
+std::string end_of(const fs::path& place, const base::Json& document) {
+  if (document.is_object() && document.value("message", base::Json()).is_string()) {
+    return document["message"].get<std::string>();
   }
-  const std::string code = first_line(place / "exit");
-  const std::string line = last_line(place / "output");
+  const std::string code = first_line_of(place / "exit");
+  const std::string line = last_line_of(place / "output");
   return fmt::format("{}{}", code.empty() ? "did not end" : "exit code " + code,
                      line.empty() ? "" : ": " + line);
 }
@@ -167,22 +166,24 @@ std::string end_of(const fs::path& place, const nlohmann::json& document) {
 CheckedAgent read_agent(int unum, int cycles, const fs::path& place) {
   CheckedAgent agent;
   agent.unum = unum;
-  if (const auto peak = base::parse_number(first_line(place / "memory"))) {
+  if (const auto peak = base::parse_number(first_line_of(place / "memory"))) {
     agent.memory = static_cast<std::uint64_t>(*peak);
   }
+
   const auto text = base::read_file(place / "tmp/result.json");
-  const auto document = nlohmann::json::parse(text.value_or(""), nullptr, false);
+  const auto document = base::Json::parse_or_discarded(text.value_or(""));
   try {
     // A server that has reached its last cycle exits, and may be gone before an agent hears the
     // end.
     agent.finished = !document.is_discarded() && (document.at("end_reason") == "finished" ||
                                                   document.at("cycles").get<int>() >= cycles - 1);
     if (!document.is_discarded() && !document.at("players").empty()) {
-      read_player(document.at("players").front(), document.at("cycles"), agent);
+      read_player(document.at("players").front(), document.at("cycles").get<int>(), agent);
     }
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const base::Json::exception& error) {
     agent.problem = error.what();
   }
+
   if (!agent.finished) {
     agent.problem = end_of(place, document);
   } else if (unum < kAgents && agent.decisions == 0) {
@@ -191,6 +192,7 @@ CheckedAgent read_agent(int unum, int cycles, const fs::path& place) {
              kMaxMissedShare * static_cast<double>(agent.decisions + agent.missed)) {
     agent.problem = fmt::format("more than {:.0f} % missed", 100.0 * kMaxMissedShare);
   }
+
   return agent;
 }
 
@@ -202,8 +204,8 @@ std::string who(const CheckedAgent& agent) {
 
 bool PackageCheck::passed() const {
   return skipped.empty() && problem.empty() &&
-         std::all_of(agents.begin(), agents.end(),
-                     [](const CheckedAgent& agent) { return agent.problem.empty(); });
+         std::ranges::all_of(agents,
+                             [](const CheckedAgent& agent) { return agent.problem.empty(); });
 }
 
 Result<PackageCheck> check_package(const PackageCheckOptions& options,
@@ -222,13 +224,13 @@ Result<PackageCheck> check_package(const PackageCheckOptions& options,
     return check;
   }
 
-  const process::ScratchFolder scratch;
-  const fs::path& folder = scratch.path();
+  const fs::path& folder = options.folder;
   fs::permissions(folder, fs::perms(0755));
   for (const char* script : {"competition", "machine"}) {
     TRY(base::write_file(folder / script,
                          embedded_file(fmt::format("cli/project/league/{}", script))));
   }
+
   TRY_INIT(auto host, process::ProcessHost::create());
   TRY_INIT(const auto child, host.start(competition_plan(options, folder, *std::move(words))));
   const auto limit = kStartLimit + std::chrono::milliseconds(options.cycles * 120);
@@ -240,16 +242,18 @@ Result<PackageCheck> check_package(const PackageCheckOptions& options,
   check.limits = limits_text(options, folder);
   if (ended == process::Readiness::kTimedOut) {
     check.problem = fmt::format("not over after {} s: {}", limit / std::chrono::seconds(1),
-                                last_line(folder / "server.log"));
-  } else if (const std::string code = first_line(folder / "server.exit"); code != "0") {
+                                last_line_of(folder / "server.log"));
+  } else if (const std::string code = first_line_of(folder / "server.exit"); code != "0") {
     const auto lines = child->last_lines(1);
     check.problem = fmt::format("the server: {}", code.empty() && !lines.empty()
                                                       ? lines.front()
-                                                      : last_line(folder / "server.log"));
+                                                      : last_line_of(folder / "server.log"));
   }
+
   for (int unum = 1; unum <= kAgents; ++unum) {
     check.agents.push_back(read_agent(unum, options.cycles, folder / fmt::format("agent{}", unum)));
   }
+
   return check;
 }
 
@@ -257,6 +261,7 @@ std::string to_text(const PackageCheckOptions& options, const PackageCheck& chec
   if (!check.skipped.empty()) {
     return fmt::format("skipped: twelve machines: {}\n", check.skipped);
   }
+
   using Align = base::Table::Align;
   base::Table table;
   table.add_column("agent");
@@ -273,6 +278,7 @@ std::string to_text(const PackageCheckOptions& options, const PackageCheck& chec
          agent.memory ? fmt::format("{:.0f}", static_cast<double>(*agent.memory) / 1e6) : "-",
          agent.problem.empty() ? "ok" : agent.problem});
   }
+
   std::string text = fmt::format(
       "{}: {} cycles at 10 Hz, twelve machines, {}{}\n{}\n", options.package.string(),
       options.cycles,
@@ -282,14 +288,16 @@ std::string to_text(const PackageCheckOptions& options, const PackageCheck& chec
   text += table.format_text();
   if (!check.problem.empty()) text += check.problem + "\n";
   text += check.passed() ? "passed\n" : "failed\n";
+
   return text;
 }
 
 std::string to_json(const PackageCheckOptions& options, const PackageCheck& check) {
-  using Json = nlohmann::ordered_json;
+  using base::Json;
   const auto text_or_null = [](const std::string& text) {
     return text.empty() ? Json() : Json(text);
   };
+
   Json agents = Json::array();
   for (const CheckedAgent& agent : check.agents) {
     agents.push_back({{"agent", who(agent)},
@@ -301,6 +309,7 @@ std::string to_json(const PackageCheckOptions& options, const PackageCheck& chec
                       {"p99_ms", agent.p99_ms},
                       {"memory_bytes", agent.memory ? Json(*agent.memory) : Json()}});
   }
+
   const Json document = {{"schema", "cls.package-check/1"},
                          {"package", options.package.string()},
                          {"root", options.root.string()},

@@ -16,6 +16,7 @@ struct PackageCheckOptions {
   std::filesystem::path package;
   std::filesystem::path root = "/";  ///< files of the machines, such as a bare Debian
   std::filesystem::path program;     ///< cls, for the server and the opponents
+  std::filesystem::path folder;      ///< empty, for the files of the match
   int cycles = 6000;
   std::uint64_t memory = 1U << 30;  ///< bytes that an agent and its Playmaker may use
   int cpus = 1;                     ///< processors that they may use

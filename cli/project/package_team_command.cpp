@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/index.h"
 #include "base/io/occupied_path.h"
-#include "base/io/whole_file.h"
 #include "base/system/own_program.h"
 #include "base/text/byte_size.h"
 #include "base/text/json.h"
@@ -20,6 +20,7 @@
 #include "cli/support/commands.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/support/side_arguments.h"
 #include "cli/terminal/json_stdout.h"
 #include "cli/terminal/terminal.h"
 #include "process/scratch_folder.h"
@@ -79,7 +80,7 @@ std::string named(const BroughtInterpreter& interpreter) {
   return fmt::format("{} with {}", interpreter.name, fmt::join(interpreter.packages, ", "));
 }
 
-void print_text(const std::string& dir, const WrittenPackage& written) {
+void print_package_text(const std::string& dir, const WrittenPackage& written) {
   fmt::print("{}/: {}, {} compressed: cls and libraries {}", dir, megabytes(written.bytes()),
              megabytes(written.packed_bytes), megabytes(written.program_bytes));
   if (written.environment_bytes > 0) {
@@ -96,7 +97,8 @@ void print_text(const std::string& dir, const WrittenPackage& written) {
       dir);
 }
 
-void print_json(const std::string& dir, const TeamPackage& package, const WrittenPackage& written) {
+void print_package_json(const std::string& dir, const TeamPackage& package,
+                        const WrittenPackage& written) {
   base::Json interpreters = base::Json::array();
   for (const BroughtInterpreter& one : written.interpreters) {
     interpreters.push_back(
@@ -138,11 +140,13 @@ int write(const PackageTeamArguments& arguments, const TeamPackage& package) {
   for (const std::string& one : written->missing) {
     print_error(0, fmt::format("warning: {} is not on this host, and so not in the package", one));
   }
+
   if (arguments.json) {
-    print_json(dir, package, *written);
+    print_package_json(dir, package, *written);
   } else {
-    print_text(dir, *written);
+    print_package_text(dir, *written);
   }
+
   return kOk;
 }
 
@@ -183,17 +187,12 @@ int run_package_team(const PackageTeamArguments& arguments) {
                        "no cls.toml in or above the working directory; cls init writes one");
   }
 
-  if (const auto why = base::why_no_file(*file)) {
-    return print_error(kNoInput, fmt::format("{}: {}", file->string(), *why));
-  }
-
-  const ParsedConfig parsed = read_config(*file);
-  if (!parsed.errors.empty()) return print_errors(kBadConfig, parsed.errors);
+  ParsedConfig parsed;
+  TRY_STEP(read_project(*file, parsed));
   const int team = team_index(parsed.config.competition, arguments.name);
   if (team < 0) return report_unknown_team(arguments, *file, parsed.config);
 
-  const std::string& endpoint =
-      parsed.config.competition.teams[static_cast<std::size_t>(team)].endpoint;
+  const std::string& endpoint = parsed.config.competition.teams[base::index(team)].endpoint;
   if (!endpoint.starts_with(kRunForm)) {
     return print_error(kUsage,
                        fmt::format("team '{}' is '{}'; a package needs run:COMMAND, which starts "
@@ -228,6 +227,7 @@ void add_package_team_command(Command& app) {
               "also bring PROGRAM of PATH and its libraries (may be repeated)")
       .placeholder("PROGRAM")
       .repeatable();
+
   command.flag("--check", arguments.check,
                "play the package that is there: each agent on a machine of its own, 10 Hz");
   command
@@ -235,6 +235,7 @@ void add_package_team_command(Command& app) {
               "--check: folder with the files of the machines, such as those of an older Linux")
       .placeholder("DIR")
       .shows_default();
+
   command.option("--cycles", arguments.cycles, "--check: length of the match")
       .range(1, 100000)
       .shows_default();

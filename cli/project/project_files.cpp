@@ -92,8 +92,7 @@ constexpr std::pair<std::string_view, std::string_view> kRenamed[] = {
 };
 
 const Language* find_language(std::string_view folder) {
-  const auto* found = std::find_if(std::begin(kLanguages), std::end(kLanguages),
-                                   [&](const Language& each) { return each.folder == folder; });
+  const auto* found = std::ranges::find(kLanguages, folder, &Language::folder);
   return found == std::end(kLanguages) ? nullptr : found;
 }
 
@@ -106,8 +105,8 @@ std::optional<std::string> inside(std::string_view name, std::string_view folder
 std::string_view file_name(std::string_view path) { return path.substr(path.rfind('/') + 1); }
 
 bool is_decide(std::string_view file) {
-  return std::any_of(std::begin(kLanguages), std::end(kLanguages),
-                     [&](const Language& each) { return file_name(each.decide) == file; });
+  return std::ranges::any_of(kLanguages,
+                             [&](const Language& each) { return file_name(each.decide) == file; });
 }
 
 // Path in the project of an embedded file; nothing if the project lacks it. A template other than
@@ -179,8 +178,7 @@ base::Error unknown(std::string_view what, std::string_view word,
 
 std::string_view embedded_file(std::string_view name) {
   const auto& files = embedded_files();
-  const auto found = std::find_if(files.begin(), files.end(),
-                                  [name](const EmbeddedFile& file) { return file.name == name; });
+  const auto found = std::ranges::find(files, name, &EmbeddedFile::name);
   return found == files.end() ? std::string_view() : found->text;
 }
 
@@ -205,7 +203,7 @@ base::Result<std::vector<ProjectFile>> project_files(std::string_view language_n
   if (language == nullptr) return unknown("language", language_name, project_languages());
 
   const auto& templates = project_templates();
-  if (std::find(templates.begin(), templates.end(), team_template) == templates.end()) {
+  if (std::ranges::find(templates, team_template) == templates.end()) {
     return unknown("template", team_template, templates);
   }
 

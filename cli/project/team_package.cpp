@@ -97,7 +97,7 @@ bool is_cache_of_cargo(const fs::path& folder) {
                                                              ".fingerprint"};
   const fs::path profile = folder.parent_path();
   return fs::exists(profile.parent_path() / "CACHEDIR.TAG") &&
-         std::find(kNames.begin(), kNames.end(), folder.filename()) != kNames.end();
+         std::ranges::find(kNames, folder.filename().string()) != kNames.end();
 }
 
 // What the .NET SDK makes on the way to a program: obj/, and bin/ where the Playmaker is the
@@ -280,7 +280,7 @@ Result<WrittenPackage> write_unfinished(TeamPackage package, const fs::path& fol
   TRY(bundle.add_folder("team"));
 
   written.missing = bundle.missing();
-  std::sort(written.left_out.begin(), written.left_out.end());
+  std::ranges::sort(written.left_out);
   on_step("compressing, for its size");
   TRY(measure(folder, written));
   return written;

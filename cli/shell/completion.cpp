@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <string_view>
-#include <utility>
 
-#include "base/text/value_form.h"
+#include "cli/command/help.h"
 #include "cli/shell/completion_values.h"
 
 namespace cls::cli {
@@ -13,12 +12,10 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
-
 bool is_visible(const Command& command) { return command.group != kHidden; }
 
 bool has_visible_commands(const Command& command) {
-  return std::any_of(command.commands.begin(), command.commands.end(), is_visible);
+  return std::ranges::any_of(command.commands, is_visible);
 }
 
 const Command* find_visible(const Command& command, const std::string& name) {
@@ -73,8 +70,7 @@ void add_options(const Place& place, Completion& completion) {
   for (const Option& option : place.command->options) {
     if (option.group == kHidden || is_argument(option)) continue;
     for (const std::string& name : all_names(option)) {
-      const bool given =
-          std::find(place.options.begin(), place.options.end(), name) != place.options.end();
+      const bool given = std::ranges::find(place.options, name) != place.options.end();
       if (!name.starts_with("--") || (given && !option.is_repeatable)) continue;
       completion.candidates.push_back({name, first_line(option.help)});
     }

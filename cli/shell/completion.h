@@ -27,4 +27,9 @@ struct Completion {
 /// has all commands. Reads cls.toml for names of teams; an invalid one has none.
 Completion complete(const Command& root, const std::vector<std::string>& words);
 
+/// `cls complete -- WORD...`, which completion scripts call: prints one candidate per line,
+/// "TEXT<tab>NOTE", and a line ":files<tab>PREFIX" or ":folders<tab>PREFIX" where paths may stand.
+/// Returns kOk.
+int print_completion(const Command& root, std::vector<std::string> words);
+
 }  // namespace cls::cli

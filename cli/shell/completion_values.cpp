@@ -10,7 +10,6 @@
 #include <system_error>
 #include <variant>
 
-#include "base/text/value_form.h"
 #include "cli/project/project_files.h"
 #include "cli/shell/help_topics.h"
 #include "cli/shell/shells.h"
@@ -44,7 +43,7 @@ void add_folders(const ValueContext&, Completion& completion) {
 // has no place among them.
 bool is_plain_word(std::string_view text) {
   constexpr std::string_view kPlain = "_-.:+@%/=,";
-  return !text.empty() && std::all_of(text.begin(), text.end(), [&](char c) {
+  return !text.empty() && std::ranges::all_of(text, [&](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || kPlain.find(c) != kPlain.npos;
   });
 }
@@ -54,7 +53,7 @@ void add_teams(Completion& completion) {
   std::error_code code;
   const auto file = tournament::find_config(fs::current_path(code));
   if (!file) return;
-  for (const auto& team : tournament::read_config(*file).config.teams) {
+  for (const auto& team : tournament::read_config(*file).config.competition.teams) {
     if (is_plain_word(team.name)) completion.candidates.push_back({team.name, team.endpoint});
   }
 }
@@ -161,8 +160,7 @@ constexpr SourceRow kSources[] = {
 };
 
 Source source_of(std::string_view name) {
-  const auto* row = std::find_if(std::begin(kSources), std::end(kSources),
-                                 [name](const SourceRow& one) { return one.name == name; });
+  const auto* row = std::ranges::find(kSources, name, &SourceRow::name);
   return row == std::end(kSources) ? nullptr : row->source;
 }
 

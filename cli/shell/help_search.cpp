@@ -9,6 +9,7 @@
 
 #include "base/text/find_ignoring_case.h"
 #include "base/text/split.h"
+#include "cli/command/help.h"
 #include "cli/explain/reference.h"
 #include "cli/shell/help_topics.h"
 
@@ -18,13 +19,9 @@ namespace {
 using Words = std::vector<std::string>;
 
 bool has_all(std::string_view text, const Words& words) {
-  return std::all_of(words.begin(), words.end(), [text](const std::string& word) {
+  return std::ranges::all_of(words, [text](const std::string& word) {
     return base::find_ignoring_case(text, word) != std::string_view::npos;
   });
-}
-
-std::string first_line(std::string_view text) {
-  return std::string(text.substr(0, text.find('\n')));
 }
 
 // The words may name the command, too, but not it alone.
@@ -33,10 +30,10 @@ bool is_about(const Option& option, const std::string& command, const Words& wor
   const auto has = [&own](const std::string& word) {
     return base::find_ignoring_case(own, word) != std::string::npos;
   };
-  return has_all(command + " " + own, words) && std::any_of(words.begin(), words.end(), has);
+  return has_all(command + " " + own, words) && std::ranges::any_of(words, has);
 }
 
-void add_commands(const Command& command, const Words& words, std::vector<HelpMatch>& found) {
+void add_found_commands(const Command& command, const Words& words, std::vector<HelpMatch>& found) {
   const std::string name = full_name(command);
   const std::string read = name + " --help";
   if (has_all(name + " " + command.description, words)) {
@@ -49,7 +46,7 @@ void add_commands(const Command& command, const Words& words, std::vector<HelpMa
   }
 
   for (const Command& below : command.commands) {
-    if (below.group != kHidden) add_commands(below, words, found);
+    if (below.group != kHidden) add_found_commands(below, words, found);
   }
 }
 
@@ -90,7 +87,7 @@ std::string section_with(std::string_view page, const Words& words) {
   return "";
 }
 
-void add_pages(const Words& words, std::vector<HelpMatch>& found) {
+void add_found_pages(const Words& words, std::vector<HelpMatch>& found) {
   for (const HelpTopic& topic : help_topics()) {
     if (!has_all(topic.text, words)) continue;
     const std::string text = page_text(topic);
@@ -118,8 +115,8 @@ std::vector<HelpMatch> search_help(const Command& root, const std::vector<std::s
   std::vector<HelpMatch> found;
   if (words.empty()) return found;
 
-  add_commands(root, words, found);
-  add_pages(words, found);
+  add_found_commands(root, words, found);
+  add_found_pages(words, found);
   add_entries(words, found);
   return found;
 }

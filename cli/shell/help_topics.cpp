@@ -30,8 +30,7 @@ const std::vector<HelpTopic>& help_topics() {
 
 const HelpTopic* find_topic(std::string_view name) {
   const auto& topics = help_topics();
-  const auto found = std::find_if(topics.begin(), topics.end(),
-                                  [name](const HelpTopic& one) { return one.name == name; });
+  const auto found = std::ranges::find(topics, name, &HelpTopic::name);
   return found == topics.end() ? nullptr : &*found;
 }
 

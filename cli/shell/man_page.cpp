@@ -10,13 +10,12 @@
 
 #include "base/system/version.h"
 #include "cli/command/help.h"
-#include "cli/command/parse.h"
 
 namespace cls::cli {
 namespace {
 
 // Text without meaning for man(7).
-std::string plain(std::string_view text) {
+std::string escaped(std::string_view text) {
   std::string out;
   if (text.starts_with('.') || text.starts_with('\'')) out += "\\&";
 
@@ -33,14 +32,14 @@ std::string plain(std::string_view text) {
 }
 
 std::string on_one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return plain(text);
+  std::ranges::replace(text, '\n', ' ');
+  return escaped(text);
 }
 
 // "cls-tournament-run".
 std::string page_name(const Command& command) {
   std::string name = full_name(command);
-  std::replace(name.begin(), name.end(), ' ', '-');
+  std::ranges::replace(name, ' ', '-');
   return name;
 }
 
@@ -52,7 +51,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 /// The parts of a description: a line, sentences, indented examples.
-struct Description {
+struct DescriptionParts {
   std::string purpose;
   std::string sentences;
   std::string examples;
@@ -61,8 +60,8 @@ struct Description {
 // A list, such as that of sides, belongs to the sentences before it.
 std::string list_of(const std::string& lines) { return ".nf\n" + lines + ".fi\n"; }
 
-Description parts_of(const Command& command) {
-  Description parts;
+DescriptionParts parts_of(const Command& command) {
+  DescriptionParts parts;
   std::string block;  // indented lines
   const auto end_block = [&] {
     if (block.empty()) return;
@@ -75,18 +74,19 @@ Description parts_of(const Command& command) {
     if (parts.purpose.empty()) {
       parts.purpose = line;
     } else if (line.starts_with("  ")) {
-      block += plain(line) + "\n";
+      block += escaped(line) + "\n";
     } else {
       end_block();
-      if (!line.empty()) parts.sentences += plain(line) + "\n";
+      if (!line.empty()) parts.sentences += escaped(line) + "\n";
     }
   }
+
   end_block();
   return parts;
 }
 
 std::string option_entry(const Option& option) {
-  return fmt::format(".TP\n.B {}\n{}\n", plain(signature_of(option)),
+  return fmt::format(".TP\n.B {}\n{}\n", escaped(signature_of(option)),
                      on_one_line(description_of(option)));
 }
 
@@ -106,7 +106,7 @@ std::string option_section(const Command& command) {
       if (!is_argument(option) && option.group == group) entries += option_entry(option);
     }
     if (entries.empty()) continue;
-    if (group != kOptionsGroup) text += fmt::format(".SS {}\n", plain(group));
+    if (group != kOptionsGroup) text += fmt::format(".SS {}\n", escaped(group));
     text += entries;
   }
   return text.empty() ? "" : ".SH OPTIONS\n" + text;
@@ -115,8 +115,8 @@ std::string option_section(const Command& command) {
 std::string command_section(const Command& command) {
   std::string text;
   for (const Command& below : command.commands) {
-    text += fmt::format(".TP\n.BR {} (1)\n{}\n", plain(page_name(below)),
-                        plain(parts_of(below).purpose));
+    text += fmt::format(".TP\n.BR {} (1)\n{}\n", escaped(page_name(below)),
+                        escaped(parts_of(below).purpose));
   }
   return text.empty() ? "" : ".SH COMMANDS\n" + text;
 }
@@ -127,24 +127,24 @@ std::string closing_sections(const Command& command) {
       "2: wrong usage.\n.B cls help cli\nlists all exit codes.\n.SH SEE ALSO\n";
 
   if (command.parent != nullptr) {
-    text += fmt::format(".BR {} (1)\n.PP\n", plain(page_name(*command.parent)));
+    text += fmt::format(".BR {} (1)\n.PP\n", escaped(page_name(*command.parent)));
   }
   return text + ".B cls help topics\nlists the pages of the manual.\n";
 }
 
 std::string page_of(const Command& command) {
   const std::string name = page_name(command);
-  const Description description = parts_of(command);
+  const DescriptionParts description = parts_of(command);
 
   std::string title = name;
   std::transform(title.begin(), title.end(), title.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
 
   std::string text =
-      fmt::format(".TH {} 1 \"\" \"cls {}\" \"cls manual\"\n", plain(title), base::kVersion);
-  text += fmt::format(".SH NAME\n{} \\- {}\n", plain(name), plain(description.purpose));
-  text +=
-      fmt::format(".SH SYNOPSIS\n.B {}\n{}\n", plain(full_name(command)), plain(usage_of(command)));
+      fmt::format(".TH {} 1 \"\" \"cls {}\" \"cls manual\"\n", escaped(title), base::kVersion);
+  text += fmt::format(".SH NAME\n{} \\- {}\n", escaped(name), escaped(description.purpose));
+  text += fmt::format(".SH SYNOPSIS\n.B {}\n{}\n", escaped(full_name(command)),
+                      escaped(usage_of(command)));
 
   if (!description.sentences.empty()) text += ".SH DESCRIPTION\n" + description.sentences;
   if (!description.examples.empty()) {

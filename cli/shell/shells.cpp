@@ -24,9 +24,8 @@ const std::vector<std::string_view>& shell_names() {
 
 const ShellScript* find_shell(std::string_view name) {
   const auto& scripts = shell_scripts();
-  const auto found = std::find_if(scripts.begin(), scripts.end(), [name](const ShellScript& one) {
-    return one.name.substr(kPrefix.size()) == name;
-  });
+  const auto found = std::ranges::find_if(
+      scripts, [name](const ShellScript& one) { return one.name.substr(kPrefix.size()) == name; });
   return found == scripts.end() ? nullptr : &*found;
 }
 

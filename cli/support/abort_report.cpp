@@ -11,13 +11,12 @@
 #include <exception>
 #include <string>
 
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 
 namespace cls::cli {
 namespace {
 
-struct Report {
+struct AbortReport {
   std::string line;
   bool limited = false;  ///< the limits of memory explain the abort
 };
@@ -31,7 +30,7 @@ std::string limit_text(int resource, const char* option, unsigned long unit) {
   return fmt::format(" ulimit -{} {}", option, limit.rlim_cur / unit);
 }
 
-Report make_report() {
+AbortReport make_abort_report() {
   const std::string memory = limit_text(RLIMIT_AS, "v", 1024) + limit_text(RLIMIT_DATA, "d", 1024);
   const std::string limits = memory + limit_text(RLIMIT_NPROC, "u", 1);
   return {
@@ -40,16 +39,16 @@ Report make_report() {
       !memory.empty()};
 }
 
-const Report& report() {
-  static const Report made = make_report();
+const AbortReport& abort_report() {
+  static const AbortReport made = make_abort_report();
   return made;
 }
 
 // The children that cls forks for a moment have the handler, too, and say the same.
 void on_abort(int) {
   [[maybe_unused]] const auto written =
-      write(STDERR_FILENO, report().line.data(), report().line.size());
-  if (report().limited) _exit(kInternalError);
+      write(STDERR_FILENO, abort_report().line.data(), abort_report().line.size());
+  if (abort_report().limited) _exit(kInternalError);
   std::signal(SIGABRT, SIG_DFL);
   std::raise(SIGABRT);
 }
@@ -69,7 +68,7 @@ void on_abort(int) {
 }  // namespace
 
 void report_aborts() {
-  report();
+  abort_report();
   std::set_terminate(on_terminate);
   std::signal(SIGABRT, on_abort);
 }

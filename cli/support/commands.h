@@ -1,64 +1,68 @@
-// The commands of `cls`: one function per command, each in its own .cpp file.
+// The commands of `cls`: a function add_NAME_command() for each, in its own .cpp file.
 #pragma once
 
 #include "cli/command/command.h"
 
+/// The commands below `cls`, in the order of its help.
+#define CLS_COMMANDS(ROW) \
+  ROW(match)              \
+  ROW(tournament)         \
+  ROW(tune)               \
+  ROW(compare)            \
+  ROW(test)               \
+  ROW(dev)                \
+  ROW(results)            \
+  ROW(stats)              \
+  ROW(logs)               \
+  ROW(convert)            \
+  ROW(book)               \
+  ROW(challenge)          \
+  ROW(dataset)            \
+  ROW(watch)              \
+  ROW(report)             \
+  ROW(check)              \
+  ROW(doctor)             \
+  ROW(mock)               \
+  ROW(proxy)              \
+  ROW(server)             \
+  ROW(explain)            \
+  ROW(config)             \
+  ROW(init)               \
+  ROW(new)                \
+  ROW(package_team)       \
+  ROW(qualify)            \
+  ROW(completion)         \
+  ROW(train)              \
+  ROW(version)            \
+  ROW(help)
+
+/// Those below `cls check`, `cls tournament` and `cls tune`.
+#define CLS_CHECK_COMMANDS(ROW) \
+  ROW(check_playmaker) ROW(check_server) ROW(check_server_log) ROW(check_perception)
+#define CLS_TOURNAMENT_COMMANDS(ROW) \
+  ROW(tournament_check_in)           \
+  ROW(tournament_plan)               \
+  ROW(tournament_run)                \
+  ROW(tournament_status)             \
+  ROW(tournament_report)             \
+  ROW(tournament_stop)               \
+  ROW(tournament_pause)              \
+  ROW(tournament_resume)             \
+  ROW(tournament_decide)             \
+  ROW(tournament_archive)            \
+  ROW(tournament_watch)              \
+  ROW(tournament_work)
+#define CLS_TUNE_COMMANDS(ROW) ROW(tune_init) ROW(tune_run) ROW(tune_status) ROW(tune_report)
+
+/// A row that adds the command to `parent`.
+#define CLS_ADD_COMMAND(name) add_##name##_command(parent);
+#define CLS_DECLARE_COMMAND(name) void add_##name##_command(Command& parent);
+
 namespace cls::cli {
 
-// Each function adds its command to `app`; `Command::run` returns the exit code.
-
-void add_match_command(Command& app);
-void add_tournament_command(Command& app);
-void add_tune_command(Command& app);
-void add_tune_run_command(Command& app);
-void add_tune_status_command(Command& app);
-void add_tune_report_command(Command& app);
-void add_book_command(Command& app);
-void add_challenge_command(Command& app);
-void add_compare_command(Command& app);
-void add_completion_command(Command& app);
-void add_config_command(Command& app);
-void add_dev_command(Command& app);
-void add_explain_command(Command& app);
-void add_help_command(Command& app);
-void add_init_command(Command& app);
-void add_new_command(Command& app);
-void add_report_command(Command& app);
-void add_package_team_command(Command& app);
-void add_qualify_command(Command& app);
-void add_results_command(Command& app);
-void add_stats_command(Command& app);
-void add_logs_command(Command& app);
-void add_convert_command(Command& app);
-void add_watch_command(Command& app);
-void add_check_command(Command& app);
-void add_dataset_command(Command& app);
-void add_doctor_command(Command& app);
-void add_mock_command(Command& app);
-void add_proxy_command(Command& app);
-void add_server_command(Command& app);
-void add_test_command(Command& app);
-void add_train_command(Command& app);
-void add_version_command(Command& app);
-
-// Sub-commands; `app` is the command `check`.
-void add_check_playmaker_command(Command& app);
-void add_check_server_command(Command& app);
-void add_check_server_log_command(Command& app);
-void add_check_perception_command(Command& app);
-
-// Sub-commands; `app` is the command `tournament`.
-void add_tournament_plan_command(Command& app);
-void add_tournament_run_command(Command& app);
-void add_tournament_watch_command(Command& app);
-void add_tournament_work_command(Command& app);
-void add_tournament_status_command(Command& app);
-void add_tournament_report_command(Command& app);
-void add_tournament_stop_command(Command& app);
-void add_tournament_archive_command(Command& app);
-void add_tournament_pause_command(Command& app);
-void add_tournament_resume_command(Command& app);
-void add_tournament_decide_command(Command& app);
-void add_tournament_check_in_command(Command& app);
+CLS_COMMANDS(CLS_DECLARE_COMMAND)
+CLS_CHECK_COMMANDS(CLS_DECLARE_COMMAND)
+CLS_TOURNAMENT_COMMANDS(CLS_DECLARE_COMMAND)
+CLS_TUNE_COMMANDS(CLS_DECLARE_COMMAND)
 
 }  // namespace cls::cli

@@ -7,18 +7,17 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 
 namespace cls::cli {
 namespace {
 
-constexpr std::size_t kShown = 5;
+constexpr std::size_t kShownErrors = 5;
 
 }  // namespace
 
 void report_errors(std::string_view path, const gamelog::ParseErrors& errors) {
-  const std::size_t shown = std::min(errors.first.size(), kShown);
+  const std::size_t shown = std::min(errors.first.size(), kShownErrors);
   for (std::size_t i = 0; i < shown; ++i) {
     print_error(0, gamelog::format_error(path, errors.first[i]));
   }

@@ -8,7 +8,6 @@
 #include <new>
 #include <system_error>
 
-#include "cli/support/exit_code.h"
 #include "cli/terminal/terminal.h"
 
 namespace cls::cli {
@@ -36,9 +35,11 @@ int print_exception(const std::exception& error) {
       return print_error(kInternalError, "out of memory or processes: cannot start a thread");
     }
   }
+
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
     return print_error(kInternalError, "out of memory");
   }
+
   return print_error(kInternalError, fmt::format("internal error: {}", error.what()));
 }
 

@@ -1,10 +1,13 @@
-// Error lines on stderr.
+// Error lines on stderr, and what follows from an error: the end of a command.
 #pragma once
 
 #include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "base/result.h"
+#include "cli/support/exit_code.h"
 
 namespace cls::cli {
 
@@ -19,3 +22,24 @@ int print_errors(int exit_code, const std::vector<std::string>& messages);
 int print_exception(const std::exception& error);
 
 }  // namespace cls::cli
+
+/// Prints the error of a result and returns the exit code from the calling function, if it has one:
+///   TRY_OR(kCannotCreate, base::create_folders(folder));
+#define TRY_OR(exit_code, ...)                                                              \
+  if (auto CLS_JOIN(result_at_, __LINE__) = (__VA_ARGS__); !CLS_JOIN(result_at_, __LINE__)) \
+  return print_error(exit_code, CLS_JOIN(result_at_, __LINE__).error().message)
+
+/// Prints the error of a result and returns the exit code, if it has one; else initializes a
+/// variable with the value:
+///   TRY_INIT_OR(kBadData, const auto state, read_tournament(folder));
+#define TRY_INIT_OR(exit_code, declaration, ...)                                   \
+  auto CLS_JOIN(result_at_, __LINE__) = (__VA_ARGS__);                             \
+  if (!CLS_JOIN(result_at_, __LINE__)) {                                           \
+    return print_error(exit_code, CLS_JOIN(result_at_, __LINE__).error().message); \
+  }                                                                                \
+  declaration = *std::move(CLS_JOIN(result_at_, __LINE__))
+
+/// Returns the exit code of a step from the calling function, unless it is kOk:
+///   TRY_STEP(read_match(log, match));
+#define TRY_STEP(...) \
+  if (const int code_of_step = (__VA_ARGS__); code_of_step != kOk) return code_of_step

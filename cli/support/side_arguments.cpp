@@ -10,7 +10,6 @@
 
 #include "base/io/whole_file.h"
 #include "base/text/suggestion.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/support/tls_options.h"
 #include "match/terms/endpoint.h"
@@ -41,12 +40,13 @@ std::string unknown(const std::string& side, const std::string& near, const fs::
 // teams to mistake it for.
 base::Result<std::string> endpoint_in(const TournamentConfig& config, const fs::path& file,
                                       const std::string& side) {
-  if (const int team = team_index(config, side); team >= 0) {
-    return endpoint_from(config.folder, config.teams[static_cast<std::size_t>(team)].endpoint);
+  if (const int team = team_index(config.competition, side); team >= 0) {
+    return endpoint_from(config.execution.folder,
+                         config.competition.teams[base::index(team)].endpoint);
   }
 
   std::vector<std::string_view> teams;
-  for (const TeamEntry& team : config.teams) teams.push_back(team.name);
+  for (const TeamEntry& team : config.competition.teams) teams.push_back(team.name);
   const std::string near(base::nearest_name(side, teams));
   const bool means_mock = near.empty() && !base::nearest_name(side, {"mock"}).empty();
   if (teams.empty() || means_mock) return side;  // parse_endpoint() lists the valid sides
@@ -71,6 +71,14 @@ std::string folder_meant(const std::string& side) {
 
 }  // namespace
 
+int read_project(const fs::path& file, ParsedConfig& parsed, std::string_view label) {
+  if (const auto why = base::why_no_file(file)) {
+    return print_error(kNoInput, fmt::format("{}{}: {}", label, file.string(), *why));
+  }
+  parsed = read_config(file);
+  return parsed.errors.empty() ? kOk : print_errors(kBadConfig, parsed.errors);
+}
+
 int resolve_team_name(std::string& side, std::string& team_name, const std::string& config_file) {
   if (is_endpoint(side)) return kOk;
 
@@ -79,17 +87,12 @@ int resolve_team_name(std::string& side, std::string& team_name, const std::stri
                                                            : std::optional<fs::path>(config_file);
 
   if (!file) return kOk;
-  if (const auto why = base::why_no_file(*file)) {
-    return print_error(kNoInput, fmt::format("{}: {}", file->string(), *why));
-  }
+  ParsedConfig parsed;
+  TRY_STEP(read_project(*file, parsed));
 
-  const ParsedConfig parsed = read_config(*file);
-  if (!parsed.errors.empty()) return print_errors(kBadConfig, parsed.errors);
-
-  auto endpoint = endpoint_in(parsed.config, *file, side);
-  if (!endpoint) return print_error(kUsage, endpoint.error().message);
-  if (*endpoint != side && team_name.empty()) team_name = side;
-  side = *std::move(endpoint);
+  TRY_INIT_OR(kUsage, auto endpoint, endpoint_in(parsed.config, *file, side));
+  if (endpoint != side && team_name.empty()) team_name = side;
+  side = std::move(endpoint);
   return kOk;
 }
 
@@ -109,10 +112,10 @@ std::optional<double> start_timeout_of_project() {
   if (!file) return std::nullopt;
 
   const ParsedConfig parsed = read_config(*file);
-  if (!parsed.errors.empty() || !parsed.config.options.contains("start_timeout")) {
+  if (!parsed.errors.empty() || !parsed.config.conditions.options.contains("start_timeout")) {
     return std::nullopt;
   }
-  return match_options(parsed.config).start_timeout_s;
+  return match_options(parsed.config.conditions).start_timeout_s;
 }
 
 base::Result<match::Endpoint> parse_side(const std::string& side, const std::string& config_file) {
@@ -135,19 +138,19 @@ base::Result<match::Endpoint> parse_side(const std::string& side, const std::str
 int read_side(const std::string& label, std::string text, const match::TlsFileNames& tls,
               match::Endpoint& side) {
   std::string team_name;
-  if (const int code = resolve_team_name(text, team_name, ""); code != kOk) return code;
+  TRY_STEP(resolve_team_name(text, team_name, ""));
 
   auto parsed = parse_side(text, "");
   if (!parsed) return print_error(kUsage, label + parsed.error().message);
 
   side = *std::move(parsed);
-  if (const int code = read_tls_files(side, tls); code != kOk) return code;
+  TRY_STEP(read_tls_files(side, tls));
   return read_side_files(side);
 }
 
 int read_playmaker(const std::string& label, const std::string& text,
                    const match::TlsFileNames& tls, match::Endpoint& side) {
-  if (const int code = read_side(label, text, tls, side); code != kOk) return code;
+  TRY_STEP(read_side(label, text, tls, side));
   if (side.has_one_playmaker()) return kOk;
 
   return print_error(

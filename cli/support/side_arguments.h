@@ -4,9 +4,14 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "match/terms/endpoint.h"
 #include "match/terms/match_options.h"
+
+namespace cls::tournament {
+struct ParsedConfig;
+}
 
 namespace cls::cli {
 
@@ -20,6 +25,11 @@ int resolve_team_name(std::string& side, std::string& team_name, const std::stri
 /// teams there are.
 base::Result<std::string> endpoint_of_team(const std::string& side,
                                            const std::filesystem::path& folder);
+
+/// Reads a cls.toml. Prints errors, one for a missing file begins with `label` ("--config ");
+/// returns kOk, kNoInput or kBadConfig.
+int read_project(const std::filesystem::path& file, tournament::ParsedConfig& parsed,
+                 std::string_view label = "");
 
 /// Seconds that the cls.toml in or above the working directory gives its teams to start, and
 /// perhaps to build; none without such a file, or if it leaves the time to the command.

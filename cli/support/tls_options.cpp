@@ -3,12 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 #include <utility>
 
 #include "base/io/whole_file.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/match_option.h"
 #include "cli/support/print_error.h"
 #include "proxy/playmaker/grpc_target.h"
@@ -54,7 +52,7 @@ void add_tls_options(Command& command, TlsFileNames& files) {
 
 int read_tls_files(match::Endpoint& endpoint, const TlsFileNames& options) {
   for (auto& part : endpoint.parts) {
-    if (const int code = read_tls_files(part, options); code != kOk) return code;
+    TRY_STEP(read_tls_files(part, options));
   }
   if (endpoint.tls == nullptr) return kOk;
 
@@ -69,7 +67,7 @@ int read_tls_files(match::Endpoint& endpoint, const TlsFileNames& options) {
        {PemFile{"--tls-ca", options.authorities, files->authorities, "CERTIFICATE"},
         PemFile{"--tls-cert", options.certificate, files->certificate, "CERTIFICATE"},
         PemFile{"--tls-key", options.key, files->key, "PRIVATE KEY"}}) {
-    if (const int code = read_pem(file); code != kOk) return code;
+    TRY_STEP(read_pem(file));
   }
 
   endpoint.tls = std::move(files);

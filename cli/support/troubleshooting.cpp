@@ -5,7 +5,7 @@
 
 namespace cls::cli {
 
-using match::EndReason;
+using soccer::EndReason;
 
 std::string troubleshooting_hint(EndReason reason) {
   if (reason == EndReason::kFinished) return {};

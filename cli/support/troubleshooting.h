@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "match/result/end_reason.h"
+#include "soccer/end_reason.h"
 
 namespace cls::cli {
 
 /// "see `cls explain stalled`"; empty for a match that finished.
-std::string troubleshooting_hint(match::EndReason reason);
+std::string troubleshooting_hint(soccer::EndReason reason);
 
 }  // namespace cls::cli

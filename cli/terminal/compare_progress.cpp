@@ -35,6 +35,7 @@ std::string difference_text(const Comparison& comparison, const ComparisonVerdic
     return fmt::format("{:+.0f} Elo ({:+.0f}..{:+.0f})", rounded(strength.elo),
                        strength.elo_interval.low, strength.elo_interval.high);
   }
+
   return fmt::format("{:+.1f} % ({:+.1f}..{:+.1f})", rounded(100 * gain(strength.score), 10),
                      100 * gain(strength.score_interval.low),
                      100 * gain(strength.score_interval.high));

@@ -1,7 +1,8 @@
-// Replaces descriptor 1.
+// Formats documents; replaces descriptor 1.
 #include "cli/terminal/json_stdout.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cassert>
@@ -9,8 +10,15 @@
 #include <string>
 
 #include "base/io/standard_streams.h"
+#include "base/text/json_text.h"
+#include "cli/support/exit_code.h"
 
 namespace cls::cli {
+
+int print_json(const base::Json& document) {
+  fmt::print("{}", base::json_document(document));
+  return kOk;
+}
 
 JsonStdout::JsonStdout(bool active) {
   if (!active) return;

@@ -1,9 +1,14 @@
-// --json of commands that run until they are stopped: one line on stdout.
+// What --json prints: a document, or one line of a command that runs until it is stopped.
 #pragma once
 
 #include <string_view>
 
+#include "base/text/json.h"
+
 namespace cls::cli {
+
+/// Prints a document. Returns kOk.
+int print_json(const base::Json& document);
 
 /// While it exists and is active, everything printed to stdout goes to stderr, except print_line().
 class JsonStdout {

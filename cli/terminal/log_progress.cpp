@@ -8,7 +8,7 @@
 namespace cls::cli {
 namespace {
 
-constexpr std::chrono::milliseconds kInterval{100};
+constexpr std::chrono::milliseconds kLogInterval{100};
 constexpr double kMinElapsed = 0.5;  // s; the rate is too noisy before
 
 }  // namespace
@@ -21,7 +21,7 @@ void LogProgress::update(std::size_t count) {
 
   const std::unique_lock lock(mutex_, std::try_to_lock);
   const Clock::time_point now = Clock::now();
-  if (!lock || now - last_shown_ < kInterval) return;
+  if (!lock || now - last_shown_ < kLogInterval) return;
 
   last_shown_ = now;
   const double elapsed = std::chrono::duration<double>(now - start_).count();

@@ -6,7 +6,7 @@
 namespace cls::cli {
 namespace {
 
-constexpr std::chrono::milliseconds kInterval{100};
+constexpr std::chrono::milliseconds kPictureInterval{100};
 
 }  // namespace
 
@@ -38,7 +38,7 @@ void ProgressLine::on_cycle(const match::MatchProgress& progress) {
     cycles_at_start_ = progress.cycle;
     first_cycle_ = now;
   }
-  if (now - last_shown_ < kInterval) return;
+  if (now - last_shown_ < kPictureInterval) return;
   last_shown_ = now;
 
   const double elapsed = std::chrono::duration<double>(now - first_cycle_).count();

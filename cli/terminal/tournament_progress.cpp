@@ -7,8 +7,8 @@
 
 #include "base/text/counted.h"
 #include "base/text/printable.h"
+#include "league/schedule/schedule.h"
 #include "tournament/report/report_model.h"
-#include "tournament/schedule/schedule.h"
 
 namespace cls::cli {
 
@@ -33,9 +33,7 @@ std::string progress_text(const RunProgress& progress) {
 std::string match_line(const TournamentConfig& config, const ScheduledMatch& match, int total) {
   const Outcome& outcome = *match.outcome;
 
-  const auto team = [&](int index) {
-    return std::string_view(config.teams[static_cast<std::size_t>(index)].name);
-  };
+  const auto team = [&](int index) { return std::string_view(config.competition.team(index)); };
 
   std::string how = fmt::format("{}, {:.1f} s", name(outcome.end_reason), outcome.run_seconds);
   if (const std::size_t count = outcome.warnings.size(); count > 0) {
@@ -68,12 +66,12 @@ void TournamentProgress::find_leader(const TournamentConfig& config) {
   if (played_.size() > kFew && now - last_leader_ < std::chrono::seconds(10)) return;
   last_leader_ = now;
 
-  const std::vector<RankedTable> ranked = tables(config, played_);
+  const std::vector<RankedTable> ranked = tables(config.competition, played_);
   if (ranked.empty() || ranked.back().standings.empty()) return;
   const std::vector<Standing>& rows = ranked.back().standings;
   const bool alone = rows.front().points > 0 && (rows.size() == 1 || rows[1].rank > 1);
   const auto team = static_cast<std::size_t>(rows.front().team);
-  leader_ = alone ? config.teams[team].name + " leads" : "";
+  leader_ = alone ? config.competition.teams[team].name + " leads" : "";
 }
 
 bool TournamentProgress::is_due(const RunProgress& /*progress*/, Clock::duration since_last) {

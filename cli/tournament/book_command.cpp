@@ -49,6 +49,7 @@ int for_each_log(const std::vector<std::string>& arguments, Add add) {
     print_error(0, fmt::format("{}: no game log", missing));
   }
   if (!found.missing.empty()) return kNoInput;
+
   LogProgress progress(found.matches.size());
   std::size_t done = 0;
   std::size_t used = 0;
@@ -64,6 +65,7 @@ int for_each_log(const std::vector<std::string>& arguments, Add add) {
     ++used;
   }
   if (used == 0) return print_error(kBadData, "no log can be used");
+
   return kOk;
 }
 
@@ -71,9 +73,8 @@ Json counts_of(const analysis::Book& book) {
   Json counts = Json::object();
   for (std::size_t i = 0; i < analysis::kSituationClasses; ++i) {
     const auto kind = static_cast<analysis::SituationClass>(i);
-    counts[std::string(name(kind))] =
-        std::count_if(book.situations.begin(), book.situations.end(),
-                      [kind](const analysis::Situation& one) { return one.kind == kind; });
+    counts[std::string(name(kind))] = std::ranges::count_if(
+        book.situations, [kind](const analysis::Situation& one) { return one.kind == kind; });
   }
   return counts;
 }
@@ -88,12 +89,14 @@ int print_book(const analysis::Book& book, const std::string& file, bool json) {
                        {"situations", book.situations.size()},
                        {"classes", counts_of(book)}});
   }
+
   std::string classes;
   const Json counts = counts_of(book);
   for (const auto& [kind, count] : counts.items()) {
     if (!classes.empty()) classes += ", ";
     classes += fmt::format("{} {}", kind, count.get<int>());
   }
+
   fmt::print("{}: {} of {} ({})\n", file, base::counted(book.situations.size(), "situation"),
              base::counted(book.logs.size(), "match", "matches"), classes);
   return kOk;
@@ -115,6 +118,7 @@ int run_book_make(const BookArguments& arguments) {
     return print_error(
         kBadData, fmt::format("the matches have no moment of the class {}; add logs", name(kind)));
   }
+
   const analysis::Book book = maker.make();
   const auto failure = write_output(arguments.out, [&](base::ByteSink& sink) {
     analysis::write_book(book, sink);
@@ -128,6 +132,7 @@ int run_book_make(const BookArguments& arguments) {
                                arguments.options.count,
                                base::counted(book.situations.size(), "situation")));
   }
+
   return print_book(book, arguments.out, arguments.json);
 }
 
@@ -149,6 +154,7 @@ int run_book_fit(const BookArguments& arguments) {
     weights[std::string(analysis::kFigureNames[i])] = {{"fitted", fit.weights[i]},
                                                        {"used", analysis::situation_weights()[i]}};
   }
+
   if (arguments.json) {
     const Json document = {
         {"schema", "cls.book-fit/1"},     {"cycles", arguments.cycles},
@@ -158,6 +164,7 @@ int run_book_fit(const BookArguments& arguments) {
         {"variance", fit.variance},       {"variance_of_goals", fit.variance_of_goals}};
     return print_json(document);
   }
+
   fmt::print("{} windows of {} cycles in {}\n", fit.windows, arguments.cycles,
              base::counted(static_cast<std::size_t>(fit.matches), "match", "matches"));
   fmt::print("{:<16}{:>10}{:>10}\n", "figure", "fitted", "used");
@@ -165,6 +172,7 @@ int run_book_fit(const BookArguments& arguments) {
     fmt::print("{:<16}{:>10.3f}{:>10.3f}\n", figure, values["fitted"].get<double>(),
                values["used"].get<double>());
   }
+
   fmt::print("correlation with the match: {:.3f}, of goals alone {:.3f}\n", fit.correlation,
              fit.correlation_of_goals);
   fmt::print("variance within matches: {:.2f}, of goals alone {:.2f}\n", fit.variance,
@@ -192,18 +200,22 @@ void add_book_make(Command& book) {
   command.option("--out FILE", arguments.out, "the book; compressed if it ends in .gz")
       .of_group(kOutputGroup)
       .required();
+
   command.option("--count", arguments.options.count, "situations")
       .range(static_cast<int>(analysis::kSituationClasses),
              static_cast<int>(analysis::kMaxSituations))
       .shows_default();
+
   command.option("--warm-up", arguments.options.warm_up, "steps before each moment")
       .range(3, analysis::kMaxWarmUp)
       .shows_default();
+
   command
       .option("--spacing", arguments.options.spacing,
               "minimum cycles between two moments of one class and match")
       .above(0)
       .shows_default();
+
   command.option("--seed", arguments.options.seed, "seed of the choice").shows_default();
   command.flag("--force", arguments.force, "replace the file");
   command.flag("--json", arguments.json, "print the summary as JSON").of_group(kOutputGroup);
@@ -229,6 +241,7 @@ void add_book_fit(Command& book) {
                    "Prints the weights that these matches give beside those in use\n"
                    "(docs/tournaments.md). It changes nothing.",
                    run_book_fit);
+
   add_logs_argument(command, arguments);
   command.option("--cycles", arguments.cycles, "length of a window").above(0).shows_default();
   command

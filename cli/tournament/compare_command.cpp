@@ -78,16 +78,18 @@ int add_team(TournamentConfig& config, std::string side, const std::string& suff
 
 // Situations have values, whole matches points and goals.
 int choose_measure(const CompareArguments& arguments, Comparison& comparison) {
-  match::MatchOptions options = match_options(comparison.config);
+  match::MatchOptions options = match_options(comparison.config.conditions);
   if (const auto loaded = match::load_book(options); !loaded) {
     return print_error(exit_code_of_book(options.book), "--book: " + loaded.error().message);
   }
+
   const bool book = !options.book.empty();
   const std::string measure =
       arguments.measure.empty() ? (book ? "value" : "points") : arguments.measure;
   if (measure == "value" && !book) {
     return print_error(kUsage, "--measure value needs --book: whole matches have points and goals");
   }
+
   if (measure == "points") comparison.test.measure = Measure::kPoints;
   if (measure == "goals") comparison.test.measure = Measure::kGoals;
   if (measure == "value") {

@@ -7,14 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "base/system/own_program.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/compare_progress.h"
 #include "cli/terminal/terminal.h"
 #include "tournament/run/tournament_run.h"
-#include "tournament/store/match_attempt.h"
 
 namespace cls::cli {
 namespace {
@@ -64,13 +61,8 @@ int run_comparison(const Comparison& comparison, const std::filesystem::path& fo
   if (opened.exit_code != kOk) return opened.exit_code;
   known = verdict(comparison, opened.matches);
   CompareProgress progress(comparison, known, stderr_is_terminal(), session.quiet);
-  const auto make =
-      [&](const TournamentConfig& config) -> base::Result<std::unique_ptr<MatchExecutor>> {
-    TRY_INIT(const auto program, base::own_program());
-    return make_executor(config, options.folder, program);
-  };
-
-  const auto summary = run_tournament(options, make, progress, watch_interrupts());
+  const auto summary =
+      run_tournament(options, executors_in(options.folder), progress, watch_interrupts());
   progress.clear();
   if (!summary) return print_error(kWriteFailed, summary.error().message);
 

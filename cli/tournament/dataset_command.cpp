@@ -30,7 +30,6 @@
 #include "league/schedule/schedule_check.h"
 #include "tournament/dataset/dataset.h"
 #include "tournament/dataset/dataset_check.h"
-#include "tournament/store/match_attempt.h"
 
 namespace cls::cli {
 namespace {
@@ -186,10 +185,12 @@ void print_result(const MakeArguments& arguments, const std::vector<DatasetMatch
                 {"own_share", figures.own_share}});
     return;
   }
+
   fmt::print("{}/: {}, {:.1f} MB ({:.2f} MB a match)\n", arguments.folder,
              base::counted(matches.size(), "match", "matches"), size.megabytes(),
              size.megabytes_each());
   if (figures.played == 0) return;
+
   fmt::print("1000 matches: {:.1f} GB, {:.0f} min on this host; packing takes {:.0f} % of it\n",
              size.megabytes_each(), figures.seconds / figures.played * 1000 / 60,
              100 * figures.own_share);
@@ -225,12 +226,8 @@ int make_dataset(const MakeArguments& arguments) {
 
   Packer packer(options.config, arguments.folder);
   DatasetProgress progress(packer, arguments.session.quiet);
-  const auto make =
-      [&](const TournamentConfig& plan) -> base::Result<std::unique_ptr<MatchExecutor>> {
-    TRY_INIT(const auto program, base::own_program());
-    return make_executor(plan, options.folder, program);
-  };
-  const auto summary = run_tournament(options, make, progress, watch_interrupts());
+  const auto summary =
+      run_tournament(options, executors_in(options.folder), progress, watch_interrupts());
   progress.clear();
   if (!summary) return print_error(kWriteFailed, summary.error().message);
 
@@ -284,6 +281,7 @@ int verify_dataset(const VerifyArguments& arguments) {
                                              "make` makes one, or resumes it",
                                              arguments.folder, kDatasetMatches));
   }
+
   TRY_INIT_OR(kBadData, const auto matches, read_dataset_matches(folder));
   const std::vector<std::string> corrupt = check_dataset_files(folder, matches);
   if (!corrupt.empty()) return report_problems(arguments, matches.size(), 0, corrupt, kBadData);
@@ -302,6 +300,7 @@ int verify_dataset(const VerifyArguments& arguments) {
     }
     different.insert(different.end(), found->begin(), found->end());
   }
+
   return report_problems(arguments, matches.size(), sample.size(), different, kFailed);
 }
 

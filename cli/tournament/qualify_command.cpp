@@ -71,6 +71,7 @@ std::vector<TeamEntry> team_entries(const QualifyArguments& arguments, std::stri
     }
     teams.push_back({name, side});
   }
+
   return teams;
 }
 
@@ -129,6 +130,7 @@ int read_matches(const fs::path& folder, int cycles, std::vector<Packed>& packed
     }
     packed.push_back({std::move(logs), start});
   }
+
   return kOk;
 }
 
@@ -149,6 +151,7 @@ int write_archive(const fs::path& out, const std::string& top, const std::vector
     return true;
   });
   if (!problem.empty()) return print_error(kCannotCreate, problem);
+
   return report_failure(failure);
 }
 
@@ -169,6 +172,7 @@ int run_qualify(const QualifyArguments& arguments) {
     return print_error(kUsage,
                        fmt::format("--out '{}': must end in {}", out.string(), kArchiveEnding));
   }
+
   TRY_STEP(write_config(arguments.folder, config_text(arguments, teams)));
   TRY_STEP(play_tournament(arguments.folder, arguments.json));
 
@@ -184,6 +188,7 @@ int run_qualify(const QualifyArguments& arguments) {
     print_error(
         0, fmt::format("warning: {} cycles a match; the league asks for whole matches", cycles));
   }
+
   if (arguments.json) {
     return print_json({{"schema", "cls.qualify/1"},
                        {"archive", out.string()},

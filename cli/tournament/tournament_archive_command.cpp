@@ -81,6 +81,7 @@ bool add_match(const fs::path& folder, const ScheduledMatch& match, const fs::pa
         fmt::format("match {}: {}", match.fixture.index, logs.error().message));
     return true;
   }
+
   const fs::path stem = out / stage_folder(match.fixture) / logs->name;
   const fs::path game = stem.string() + ".rcg.gz";
   const fs::path text = stem.string() + ".rcl.gz";
@@ -91,10 +92,12 @@ bool add_match(const fs::path& folder, const ScheduledMatch& match, const fs::pa
     ++archive.present;
     return true;
   }
+
   if (const auto created = base::create_folders(stem.parent_path()); !created) {
     archive.problems.push_back(created.error().message);
     return false;
   }
+
   // The game log is last: a match is in the archive when its game log is.
   if (!logs->rcl.empty() && !write_log_file(text, logs->rcl, archive)) return false;
   if (!write_log_file(game, logs->rcg, archive)) return false;
@@ -131,9 +134,11 @@ int run_archive(const ArchiveArguments& arguments) {
       break;
     }
   }
+
   for (const std::string& problem : archive.problems) {
     if (!problem.empty()) print_error(0, problem);
   }
+
   if (arguments.json) {
     print_json({{"schema", "cls.archive/1"},
                 {"dir", out.string()},
@@ -145,8 +150,10 @@ int run_archive(const ArchiveArguments& arguments) {
     fmt::print("{}: {} written, {} there already\n", out.string(),
                base::counted(archive.written, "match", "matches"), archive.present);
   }
+
   if (signal != 0) return signal_exit_code(signal);
   if (!whole) return kCannotCreate;
+
   return archive.problems.empty() ? kOk : kFailed;
 }
 

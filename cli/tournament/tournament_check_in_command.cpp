@@ -73,8 +73,8 @@ struct CheckIn {
 // The match of one team: left, against a mock that holds its positions.
 TournamentConfig config_of(const TournamentConfig& config, const TeamEntry& team, int cycles) {
   TournamentConfig one = config;
-  one.teams = {team, {team.name == "CHECK" ? "CHECKED" : "CHECK", "mock:hold"}};
-  one.options["cycles"] = fmt::to_string(cycles);
+  one.competition.teams = {team, {team.name == "CHECK" ? "CHECKED" : "CHECK", "mock:hold"}};
+  one.conditions.options["cycles"] = fmt::to_string(cycles);
   return one;
 }
 
@@ -84,6 +84,7 @@ void read_logs(CheckIn& check) {
   if (!text) return;
   const auto result = match::parse_match_result(*text);
   if (!result) return;
+
   check.own_name = result->left.name;
   check.cpu_seconds = result->left.cpu_seconds;
   for (const auto& process : result->processes) {
@@ -92,6 +93,7 @@ void read_logs(CheckIn& check) {
   if (result->cycles == 0) return;  // without a frame in the log
   AnalyzedMatch match;
   if (read_match(check.logs.string(), match) != kOk || !match.statistics.responsiveness) return;
+
   for (std::size_t slot = 0; slot < soccer::kPlayersPerTeam; ++slot) {
     const analysis::Responsiveness& player = (*match.statistics.responsiveness)[slot];
     check.players += player.steps > 0;
@@ -114,11 +116,13 @@ base::Result<std::optional<CheckIn>> check_in(process::ProcessHost& host,
   const fs::path logs = fs::path(kCheckInFolder) / team.name;
   TRY_INIT(auto attempt,
            MatchAttempt::start(host, config, fixture, 1, {folder, logs, program, {}}));
+
   while (!attempt.exited()) {
     std::this_thread::sleep_for(kPollInterval);
     attempt.end_overdue();
     if (signal != 0) attempt.interrupt();
   }
+
   CheckIn check;
   check.team = team.name;
   check.logs = folder / logs;
@@ -129,11 +133,13 @@ base::Result<std::optional<CheckIn>> check_in(process::ProcessHost& host,
     return std::optional(check);
   }
   if (!*outcome) return std::optional<CheckIn>();
+
   check.played = (*outcome)->played();
   check.problem = (*outcome)->message;
   if (check.problem.empty() && !(*outcome)->warnings.empty()) {
     check.problem = (*outcome)->warnings.front();
   }
+
   read_logs(check);
   return std::optional(check);
 }
@@ -160,7 +166,7 @@ void print_table(const std::vector<CheckIn>& checks) {
   fmt::print("{}", table.format_text({0, stdout_width(), 1}));
 }
 
-void print_json(const TournamentConfig& config, const std::vector<CheckIn>& checks) {
+void print_check_ins(const TournamentConfig& config, const std::vector<CheckIn>& checks) {
   using base::Json;
   Json teams = Json::array();
   for (const CheckIn& check : checks) {
@@ -175,6 +181,7 @@ void print_json(const TournamentConfig& config, const std::vector<CheckIn>& chec
                      {"fixed_ports", check.fixed_ports},
                      {"logs", check.logs.string()}});
   }
+
   const auto limit = [&config](const char* key) {
     const auto found = config.conditions.options.find(key);
     return found == config.conditions.options.end() ? Json(nullptr) : Json(found->second);
@@ -191,12 +198,12 @@ std::optional<std::string> select_teams(const std::vector<std::string>& wanted,
   std::vector<std::string_view> names;
   for (const TeamEntry& team : teams) names.push_back(team.name);
   for (const std::string& name : wanted) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    if (std::ranges::find(names, name) != names.end()) continue;
     return fmt::format("unknown team '{}'{}", name, base::did_you_mean(name, names));
   }
 
   std::erase_if(teams, [&wanted](const TeamEntry& team) {
-    return std::find(wanted.begin(), wanted.end(), team.name) == wanted.end();
+    return std::ranges::find(wanted, team.name) == wanted.end();
   });
   return std::nullopt;
 }
@@ -222,14 +229,17 @@ int run_check_in(const CheckInArguments& arguments) {
       fmt::print(stderr, "cls: {}: {}\n", team.name, check->played ? "ok" : "FAILED");
     }
   }
+
   if (arguments.json) {
-    print_json(chosen.config, checks);
+    print_check_ins(chosen.config, checks);
   } else {
     print_table(checks);
   }
-  const auto failed = std::count_if(checks.begin(), checks.end(),
-                                    [](const CheckIn& check) { return !check.played; });
+
+  const auto failed =
+      std::ranges::count_if(checks, [](const CheckIn& check) { return !check.played; });
   if (failed == 0) return kOk;
+
   return print_error(kFailed, fmt::format("{} of {} did not play to the end; logs: {}", failed,
                                           base::counted(checks.size(), "team"),
                                           (folder / kCheckInFolder).string()));

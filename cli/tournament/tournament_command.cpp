@@ -4,7 +4,7 @@
 namespace cls::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kTournamentDescription =
     "play a tournament, store each result, rank the teams\n"
     "\n"
     "  cls init                     write a commented cls.toml: teams, format, rounds\n"
@@ -24,21 +24,10 @@ constexpr const char* kDescription =
 }  // namespace
 
 void add_tournament_command(Command& app) {
-  Command& command = app.command("tournament", kDescription);
-  command.group = kPlayCommands;
-  command.starts_programs = true;
-  add_tournament_check_in_command(command);
-  add_tournament_plan_command(command);
-  add_tournament_run_command(command);
-  add_tournament_status_command(command);
-  add_tournament_report_command(command);
-  add_tournament_stop_command(command);
-  add_tournament_pause_command(command);
-  add_tournament_resume_command(command);
-  add_tournament_decide_command(command);
-  add_tournament_archive_command(command);
-  add_tournament_watch_command(command);
-  add_tournament_work_command(command);
+  Command& parent = app.command("tournament", kTournamentDescription);
+  parent.group = kPlayCommands;
+  parent.starts_programs = true;
+  CLS_TOURNAMENT_COMMANDS(CLS_ADD_COMMAND)
 }
 
 }  // namespace cls::cli

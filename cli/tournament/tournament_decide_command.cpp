@@ -58,9 +58,11 @@ int decision_in(const DecideArguments& arguments, MatchDecision& decision) {
   if (kinds != 1) {
     return print_error(kUsage, "one of --award, --annul, --replay and --as-played is required");
   }
+
   if (arguments.reason.empty()) {
     return print_error(kUsage, "--reason WHY is required: the report shows it");
   }
+
   decision.match = arguments.match;
   decision.reason = arguments.reason;
   decision.time = base::utc_now();
@@ -71,11 +73,13 @@ int decision_in(const DecideArguments& arguments, MatchDecision& decision) {
   if (decision.kind != DecisionKind::kAward) {
     return arguments.penalties.empty() ? kOk : print_error(kUsage, "--penalties requires --award");
   }
+
   const auto goals = parse_goals(arguments.award);
   if (!goals) {
     return print_error(
         kUsage, fmt::format("--award '{}': must be LEFT:RIGHT, such as 3:0", arguments.award));
   }
+
   std::tie(decision.left_score, decision.right_score) = *goals;
   if (arguments.penalties.empty()) return kOk;
   const auto penalties = parse_goals(arguments.penalties);
@@ -116,6 +120,7 @@ int print_effect(const DecideArguments& arguments, const TournamentConfig& confi
                     base::counted(effect.removed_played, "was", "were"),
                     effect.removed_played == 1 ? "it" : "them"));
   }
+
   if (arguments.json) {
     base::Json document = {{"schema", "cls.decide/1"}};
     document["match"] = json_of(config, effect.match);
@@ -123,17 +128,18 @@ int print_effect(const DecideArguments& arguments, const TournamentConfig& confi
     document["removed"] = effect.removed;
     return print_json(document);
   }
+
   const Fixture& fixture = effect.match.fixture;
-  const auto team = [&config](int index) {
-    return config.competition.teams[static_cast<std::size_t>(index)].name;
-  };
+  const Competition& teams = config.competition;
   const std::string what = decision_text(effect.match);
-  fmt::print("match {}, {}: {} - {}: {}\n", fixture.index, stage_text(fixture), team(fixture.left),
-             team(fixture.right), what.empty() ? "as played, " + score_text(effect.match) : what);
+  fmt::print("match {}, {}: {} - {}: {}\n", fixture.index, stage_text(fixture),
+             teams.team(fixture.left), teams.team(fixture.right),
+             what.empty() ? "as played, " + score_text(effect.match) : what);
   if (effect.drawn_again) {
     fmt::print("removed, and drawn again by the next run: {} from match {} on\n",
                base::counted(effect.removed, "match", "matches"), *effect.drawn_again);
   }
+
   return kOk;
 }
 
@@ -149,11 +155,14 @@ int run_decide(const DecideArguments& arguments) {
                                               "{0}` ends it after its current matches",
                                               arguments.folder));
   }
+
   // Result files of `work` are matches too; this checks the folder as well.
   TRY_INIT_OR(kBadData, const auto state, read_tournament(arguments.folder));
   const auto effect = decide(arguments.folder, state.config, decision, arguments.redraw);
-  if (!effect) {
-    return print_error(kUsage, fmt::format("{}: {}", arguments.folder, effect.error().message));
+  const std::string problem = effect ? effect->problem : effect.error().message;
+  if (!problem.empty()) {
+    return print_error(effect ? kUsage : kWriteFailed,
+                       fmt::format("{}: {}", arguments.folder, problem));
   }
   return print_effect(arguments, state.config, *effect);
 }
@@ -169,10 +178,12 @@ void add_tournament_decide_command(Command& app) {
       .option("--award", arguments.award,
               "LEFT:RIGHT, the result that counts, of the left and the right team")
       .placeholder("SCORE");
+
   command
       .option("--penalties", arguments.penalties,
               "LEFT:RIGHT, the shoot-out of an awarded level match")
       .placeholder("SCORE");
+
   command.flag("--annul", arguments.annul, "the match counts for nothing");
   command.flag("--replay", arguments.replay, "the match is played again, on a new seed")
       .of_group(kDebuggingGroup);

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/io/whole_file.h"
 #include "cli/support/print_error.h"
+#include "cli/support/side_arguments.h"
 #include "match/terms/endpoint.h"
 #include "tournament/config/config_file.h"
 #include "tournament/config/config_keys.h"
@@ -22,7 +22,7 @@ namespace match = match;
 
 std::string option_of(std::string_view key) {
   std::string option = "--" + std::string(key);
-  std::replace(option.begin(), option.end(), '_', '-');
+  std::ranges::replace(option, '_', '-');
   return option;
 }
 
@@ -77,7 +77,7 @@ std::vector<std::string> apply_teams(TournamentConfig& config, const TournamentO
     if (known < 0) {
       config.competition.teams.push_back({name, team.substr(equals + 1)});
     } else {
-      config.competition.teams[static_cast<std::size_t>(known)].endpoint = team.substr(equals + 1);
+      config.competition.teams[base::index(known)].endpoint = team.substr(equals + 1);
     }
   }
   return errors;
@@ -88,7 +88,7 @@ std::vector<std::string> apply_overrides(TournamentConfig& config,
   std::vector<std::string> errors = apply_teams(config, options);
   for (const auto& [name, text] : options.overrides) {
     const ConfigKey& key = *find_key(name);
-    const auto read = key.parse(config, parse_config_value(key, text));
+    const auto read = key.parse(config, key.read(text));
     if (!read) {
       errors.push_back(fmt::format("{} {}: {}", option_of(name), text, read.error().message));
     }
@@ -149,11 +149,7 @@ ChosenConfig read_and_override(TournamentOptions options, const FoundConfig& fou
   std::erase_if(options.overrides, [](const auto& one) { return one.second.empty(); });
   ParsedConfig reading;
   if (path) {
-    if (const auto why = base::why_no_file(*path)) {
-      return {print_error(kNoInput, fmt::format("{}: {}", path->string(), *why)), {}};
-    }
-    reading = read_config(*path);
-    if (!reading.errors.empty()) return {print_errors(kBadConfig, reading.errors), {}};
+    if (const int code = read_project(*path, reading); code != kOk) return {code, {}};
   }
 
   if (reading.config.execution.folder.empty()) reading.config.execution.folder = fs::current_path();
@@ -212,8 +208,8 @@ ChosenConfig choose_config(const TournamentOptions& options) {
   }
 
   const bool overridden =
-      !options.settings.empty() || std::any_of(options.overrides.begin(), options.overrides.end(),
-                                               [](const auto& one) { return !one.second.empty(); });
+      !options.settings.empty() ||
+      std::ranges::any_of(options.overrides, [](const auto& one) { return !one.second.empty(); });
   return {print_errors(path && !overridden ? kBadConfig : kUsage, errors), {}};
 }
 

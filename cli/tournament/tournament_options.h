@@ -1,7 +1,6 @@
 // Options shared by `cls tournament` commands: the configuration and its overrides.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>

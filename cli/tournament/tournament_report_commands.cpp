@@ -23,7 +23,6 @@
 #include "cli/terminal/terminal.h"
 #include "cli/tournament/tournament_options.h"
 #include "cli/tournament/tournament_session.h"
-#include "gamelog/rcl/rcl_reader.h"
 #include "league/schedule/schedule.h"
 #include "tournament/config/config_file.h"
 #include "tournament/config/config_keys.h"
@@ -88,7 +87,7 @@ struct PlanArguments {
 };
 
 // Prints incrementally: a plan may have a million matches.
-void print_json(const TournamentConfig& config, const std::vector<ScheduledMatch>& matches,
+void print_plan(const TournamentConfig& config, const std::vector<ScheduledMatch>& matches,
                 const Timetable& times) {
   fmt::print("{{\"schema\": \"cls.tournament/1\", \"matches\": [");
   const char* separator = "\n";
@@ -122,9 +121,7 @@ base::Result<std::vector<ScheduledMatch>> planned_matches(const TournamentOption
       matches = std::move(state.matches);
     }
   }
-  const bool open = std::any_of(matches.begin(), matches.end(),
-                                [](const ScheduledMatch& match) { return !match.outcome; });
-  if (open) return matches;
+  if (!all_have_outcomes(matches)) return matches;
   for (Fixture& fixture : next_fixtures(config.competition, matches)) {
     matches.push_back(planned(std::move(fixture)));
   }
@@ -139,7 +136,7 @@ int run_plan(const PlanArguments& arguments) {
   TRY_INIT_OR(kBadData, const auto matches, planned_matches(arguments.tournament, config));
   const Timetable times = timetable(config, matches, std::time(nullptr));
   if (arguments.json) {
-    print_json(config, matches, times);
+    print_plan(config, matches, times);
     return kOk;
   }
 
@@ -148,14 +145,10 @@ int run_plan(const PlanArguments& arguments) {
     fmt::print("{}{}\n", times.starts.empty() ? "" : when_text(config, match, start),
                schedule_text(config, match.fixture));
   }
-  const bool later = config.competition.format == Format::kGroups ||
-                     config.competition.format == Format::kKnockout ||
-                     config.competition.format == Format::kDoubleElimination ||
-                     config.competition.format == Format::kSwiss ||
-                     config.competition.format == Format::kStages;
-  fmt::print("{}, {} teams, seed {}: {} matches{}\n", name(config.competition.format),
-             config.competition.teams.size(), config.competition.seed, matches.size(),
-             later ? ", more follow from results" : "");
+  const Competition& competition = config.competition;
+  const FormatRules& rules = rules_of(competition);
+  fmt::print("{}, {} teams, seed {}: {} matches{}\n", rules.name, competition.teams.size(),
+             competition.seed, matches.size(), rules.later ? ", more follow from results" : "");
   if (!times.starts.empty()) {
     fmt::print("{}, a match every {} minutes on each\n", base::counted(times.servers, "server"),
                times.slot_minutes);
@@ -182,22 +175,19 @@ int read(const std::string& folder, TournamentState& state) {
   return kOk;
 }
 
-// Name and columns as cls.toml in the folder has them now, and --columns.
+// The presentation as cls.toml in the folder has it now, and --columns.
 int choose_presentation(const FolderArguments& arguments, TournamentConfig& config) {
   std::error_code code;
   const fs::path file = fs::path(arguments.folder) / kConfigFile;
   if (fs::is_regular_file(file, code)) {
     if (ParsedConfig now = read_config(file); now.errors.empty()) {
-      config.report.name = std::move(now.config.report.name);
-      config.report.columns = std::move(now.config.report.columns);
-      config.report.start_times = std::move(now.config.report.start_times);
-      config.report.slot_minutes = now.config.report.slot_minutes;
+      config.report = std::move(now.config.report);
     }
   }
 
   if (arguments.columns.empty()) return kOk;
   const ConfigKey& key = *find_key("columns");
-  const auto parsed = key.parse(config, parse_config_value(key, arguments.columns));
+  const auto parsed = key.parse(config, key.read(arguments.columns));
   return parsed ? kOk : print_error(kUsage, "--columns: " + parsed.error().message);
 }
 
@@ -237,6 +227,7 @@ int run_status(const FolderArguments& arguments) {
     const Fixture& fixture = state.matches[static_cast<std::size_t>(index) - 1].fixture;
     fmt::print("{}\n", schedule_text(state.config, fixture));
   }
+
   fmt::print("\n{}", standings_text(report, text_options(arguments)));
   return kOk;
 }
@@ -274,8 +265,7 @@ bool write_replay(const fs::path& folder) {
   const auto match = viewer::read_log_or_page(found->logs.game);
   if (!match || match->record.frames() == 0) return false;
 
-  std::optional<gamelog::RclRecord> text;
-  if (auto read = gamelog::read_rcl_file(found->logs.text)) text = *std::move(read);
+  const auto text = read_text_log(*found);
   const std::string page = viewer::match_page(match->record, text ? &*text : nullptr,
                                               fs::path(found->logs.game).filename().string(), false,
                                               {.missed = viewer::read_missed_decisions(folder),
@@ -312,9 +302,7 @@ int unknown_format(const std::string& format) {
 
 int run_report(const FolderArguments& arguments) {
   const std::string format = arguments.json ? "json" : arguments.format;
-  const auto chosen =
-      std::find_if(kFormats.begin(), kFormats.end(),
-                   [&format](const ReportFormat& known) { return known.name == format; });
+  const auto chosen = std::ranges::find(kFormats, format, &ReportFormat::name);
   if (chosen == kFormats.end()) return unknown_format(format);
   TournamentState state;
   TRY_STEP(read_to_report(arguments, state));

@@ -5,23 +5,19 @@
 #include <memory>
 #include <string>
 
-#include "base/system/own_program.h"
 #include "cli/support/commands.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
 #include "cli/terminal/tournament_progress.h"
 #include "cli/tournament/tournament_options.h"
-#include "cli/tournament/tournament_run.h"
 #include "cli/tournament/tournament_session.h"
+#include "league/schedule/schedule.h"
+#include "league/schedule/schedule_check.h"
 #include "tournament/report/report_document.h"
 #include "tournament/report/report_text.h"
 #include "tournament/run/tournament_run.h"
-#include "tournament/schedule/schedule.h"
-#include "tournament/schedule/schedule_check.h"
 #include "tournament/store/folder.h"
-#include "tournament/store/match_attempt.h"
 
 namespace cls::cli {
 namespace {
@@ -29,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace tournament;
 
-constexpr const char* kDescription =
+constexpr const char* kTournamentRunDescription =
     "play the remaining matches of a tournament\n"
     "\n"
     "  cls tournament run cup              with cup/cls.toml, or cls.toml in or above\n"
@@ -41,7 +37,7 @@ constexpr const char* kDescription =
     "(Ctrl-C, kill -9, power failure) the same command resumes and repeats no\n"
     "finished match. A folder with a different plan is refused.";
 
-struct Arguments {
+struct TournamentRunArguments {
   TournamentOptions tournament;
   SessionOptions session;
   std::string results;
@@ -52,7 +48,7 @@ struct Arguments {
 std::size_t matches_to_play(const TournamentConfig& config,
                             const std::vector<ScheduledMatch>& matches) {
   const auto open = static_cast<std::size_t>(count(matches).open);
-  return open > 0 ? open : next_fixtures(config, matches).size();
+  return open > 0 ? open : next_fixtures(config.competition, matches).size();
 }
 
 int exit_code_of(const RunSummary& summary) {
@@ -70,7 +66,7 @@ int exit_code_of(const RunSummary& summary) {
   return kInternalError;
 }
 
-int run(const Arguments& arguments) {
+int run_tournament_command(const TournamentRunArguments& arguments) {
   const ChosenConfig chosen = choose_config(arguments.tournament);
   if (chosen.exit_code != kOk) return chosen.exit_code;
 
@@ -84,7 +80,7 @@ int run(const Arguments& arguments) {
   const OpenedFolder opened = begin_session(folder, chosen.config, session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
 
-  if (const auto checked = check_schedule(chosen.config, opened.matches); !checked) {
+  if (const auto checked = check_schedule(chosen.config.competition, opened.matches); !checked) {
     return print_error(kBadData,
                        fmt::format("{}: {}; --force renames the old folder and starts "
                                    "again",
@@ -98,9 +94,8 @@ int run(const Arguments& arguments) {
   progress.resume(chosen.config, opened.matches);
   const auto make =
       [&](const TournamentConfig& config) -> base::Result<std::unique_ptr<MatchExecutor>> {
-    if (!arguments.results.empty()) return results_executor(config, arguments.results);
-    TRY_INIT(const auto program, base::own_program());
-    return make_executor(config, folder, program);
+    return arguments.results.empty() ? executors_in(folder)(config)
+                                     : results_executor(config, arguments.results);
   };
 
   const auto summary = run_tournament(options, make, progress, watch_interrupts());
@@ -111,8 +106,8 @@ int run(const Arguments& arguments) {
   }
 
   const Report report = make_report(chosen.config, summary->matches, folder);
-  const bool any = std::any_of(summary->matches.begin(), summary->matches.end(),
-                               [](const ScheduledMatch& match) { return match.outcome; });
+  const bool any = std::ranges::any_of(
+      summary->matches, [](const ScheduledMatch& match) { return match.outcome.has_value(); });
   if (arguments.session.json) {
     fmt::print("{}", report_json(report));
   } else if (any && arguments.report) {
@@ -127,23 +122,21 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 int play_tournament(const std::string& folder, bool quiet) {
-  Arguments arguments;
+  TournamentRunArguments arguments;
   arguments.tournament.folder = folder;
   arguments.session.quiet = quiet;
   arguments.report = false;
-  return run(arguments);
+  return run_tournament_command(arguments);
 }
 
 void add_tournament_run_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("run", kDescription);
-  add_tournament_options(command, arguments->tournament);
-  add_session_options(command, arguments->session, "report");
+  auto [command, arguments] = app.command("run", kTournamentRunDescription, run_tournament_command);
+  add_tournament_options(command, arguments.tournament);
+  add_session_options(command, arguments.session, "report");
   command
-      .option("--results", arguments->results,
+      .option("--results", arguments.results,
               "play nothing: FILE has the results, as docs/tournaments.md describes")
       .placeholder("FILE");
-  command.run = [arguments] { return run(*arguments); };
 }
 
 }  // namespace cls::cli

@@ -10,11 +10,12 @@
 
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
+#include "base/system/own_program.h"
 #include "base/text/counted.h"
 #include "cli/support/command_line.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
-#include "match/result/match_files.h"
+#include "match/result/match_folder.h"
 #include "process/command_plan.h"
 #include "tournament/config/config_file.h"
 #include "tournament/report/report_model.h"
@@ -70,8 +71,7 @@ std::vector<Warning> warnings_of(const std::vector<ScheduledMatch>& matches) {
   for (const ScheduledMatch& match : matches) {
     if (!match.outcome) continue;
     for (const std::string& text : match.outcome->warnings) {
-      auto known = std::find_if(warnings.begin(), warnings.end(),
-                                [&](const Warning& one) { return one.text == text; });
+      auto known = std::ranges::find(warnings, text, &Warning::text);
       if (known == warnings.end()) known = warnings.insert(known, {text, {}});
       known->matches.push_back(&match);
     }
@@ -83,9 +83,8 @@ std::vector<Warning> warnings_of(const std::vector<ScheduledMatch>& matches) {
 std::string warning_line(const TournamentConfig& config, const Warning& warning) {
   const Fixture& first = warning.matches.front()->fixture;
   std::string where =
-      fmt::format("match {} ({} - {})", first.index,
-                  config.competition.teams[static_cast<std::size_t>(first.left)].name,
-                  config.competition.teams[static_cast<std::size_t>(first.right)].name);
+      fmt::format("match {} ({} - {})", first.index, config.competition.team(first.left),
+                  config.competition.team(first.right));
   if (const std::size_t more = warning.matches.size() - 1; more > 0) {
     where += fmt::format(" and {} more", more);
   }
@@ -156,7 +155,7 @@ int run_preflight(const fs::path& folder, const TournamentConfig& config,
 
   if (!options.no_preflight) {
     const std::chrono::duration<double> patience(
-        std::min(kPatienceS, match_options(config).start_timeout_s));
+        std::min(kPatienceS, match_options(config.conditions).start_timeout_s));
     const auto problems =
         check_start(config, std::chrono::duration_cast<std::chrono::milliseconds>(patience));
     for (const StartProblem& problem : problems) print_error(0, problem.text);
@@ -217,6 +216,13 @@ OpenedFolder begin_session(const fs::path& folder, const TournamentConfig& confi
         run_preflight(folder, config, options, opened.matches, outlook_of(opened.matches));
   }
   return opened;
+}
+
+MakeExecutor executors_in(const fs::path& folder) {
+  return [folder](const TournamentConfig& config) -> base::Result<std::unique_ptr<MatchExecutor>> {
+    TRY_INIT(const auto program, base::own_program());
+    return make_executor(config, folder, program);
+  };
 }
 
 std::string watch_line(const fs::path& folder, std::span<const ScheduledMatch> matches) {

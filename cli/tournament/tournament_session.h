@@ -43,6 +43,9 @@ struct OpenedFolder {
   std::vector<tournament::ScheduledMatch> matches;  ///< scheduled so far
 };
 
+/// Makes executors of a tournament in `folder`, which start this program.
+tournament::MakeExecutor executors_in(const std::filesystem::path& folder);
+
 /// What is left to play.
 struct Outlook {
   double to_play = 0.0;  ///< expected number of matches
@@ -68,5 +71,9 @@ std::string watch_line(const std::filesystem::path& folder,
 /// are warnings and it was kOk or kUndecided.
 int end_session(const tournament::RunSummary& summary, const tournament::TournamentConfig& config,
                 const SessionOptions& options, int exit_code, bool listed);
+
+/// Plays or resumes the tournament of `folder`/cls.toml, as `cls tournament run` does, but prints
+/// no report; `quiet`: errors only. Returns its exit code.
+int play_tournament(const std::string& folder, bool quiet);
 
 }  // namespace cls::cli

@@ -74,7 +74,7 @@ std::string with_slashes(std::string path) {
 }
 
 bool is_plain_path(const std::string& path) {
-  return std::all_of(path.begin(), path.end(), [](unsigned char each) {
+  return std::ranges::all_of(path, [](unsigned char each) {
     return std::isalnum(each) != 0 || each == '/' || each == '-' || each == '_' || each == '.';
   });
 }
@@ -159,21 +159,25 @@ void add_tournament_watch_command(Command& app) {
   command.option("--port", arguments.address.port, "its port; 0 selects a free one")
       .shows_default()
       .range(0, 65535);
+
   command
       .option("--path", arguments.path,
               "first part of all addresses, for a proxy that does not remove it")
       .shows_default();
+
   command
       .option("--host-name", arguments.host_names,
               "names, A,B,..., under which browsers reach the page, besides addresses\n"
               "and the name of this host")
       .placeholder("NAME")
       .split_at(',');
+
   command
       .option("--delay", arguments.delay_s,
               "seconds by which the page is behind the matches: no program on the\n"
               "pitch profits from it (default: 0)")
       .range(0, kMaxDelaySeconds);
+
   command
       .option("--max-connections", arguments.max_connections,
               "how many there may be; a browser needs one or two")

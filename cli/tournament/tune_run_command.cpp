@@ -10,8 +10,6 @@
 
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
-#include "base/system/own_program.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
@@ -23,7 +21,6 @@
 #include "tournament/config/config.h"
 #include "tournament/run/tournament_run.h"
 #include "tournament/store/folder.h"
-#include "tournament/store/match_attempt.h"
 #include "tournament/tuning/candidate.h"
 
 namespace cls::cli {
@@ -32,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace tournament;
 
-constexpr const char* kDescription =
+constexpr const char* kTuneRunDescription =
     "search, generation by generation, then compare the best values with the start\n"
     "\n"
     "  cls tune run DIR                     what DIR/tune.toml describes\n"
@@ -44,7 +41,7 @@ constexpr const char* kDescription =
     "kill -9. Exit code: that of the final comparison: 0 the best values are better,\n"
     "1 not better, 3 undecided; 0 without one.";
 
-struct Arguments {
+struct TuneRunArguments {
   TournamentOptions options;
   SessionOptions session;
   std::optional<int> generations;
@@ -97,13 +94,13 @@ class TuneProgress : public TournamentProgress {
 };
 
 // Plays one generation; an exit code other than kOk ends the run.
-int play_generation(const TuneSetup& setup, Tuning& tuning, const Arguments& arguments,
+int play_generation(const TuneSetup& setup, Tuning& tuning, const TuneRunArguments& arguments,
                     TuneProgress& progress, std::string& write_error) {
   const fs::path folder = fs::absolute(arguments.options.folder);
-  const auto config = generation_config(tuning, setup.conditions, setup.opponents, folder);
-  if (!config) return print_error(kCannotCreate, config.error().message);
+  TRY_INIT_OR(kCannotCreate, const auto config,
+              generation_config(tuning, setup.conditions, setup.opponents, folder));
 
-  if (const auto errors = validate(*config); !errors.empty()) {
+  if (const auto errors = validate(config); !errors.empty()) {
     print_errors(kBadConfig, errors);
     return kBadConfig;
   }
@@ -111,7 +108,7 @@ int play_generation(const TuneSetup& setup, Tuning& tuning, const Arguments& arg
   RunOptions options;
   const Race race = tuning.race();
   options.folder = generation_folder(arguments.options.folder, race.generation);
-  options.config = *config;
+  options.config = config;
   options.next = [&](std::span<const ScheduledMatch> so_far) {
     return next_round(tuning.config(), race, so_far);
   };
@@ -125,13 +122,8 @@ int play_generation(const TuneSetup& setup, Tuning& tuning, const Arguments& arg
   const OpenedFolder opened = begin_session(options.folder, options.config, session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
 
-  const auto make =
-      [&](const TournamentConfig& one) -> base::Result<std::unique_ptr<MatchExecutor>> {
-    TRY_INIT(const auto program, base::own_program());
-    return make_executor(one, options.folder, program);
-  };
-
-  const auto summary = run_tournament(options, make, progress, watch_interrupts());
+  const auto summary =
+      run_tournament(options, executors_in(options.folder), progress, watch_interrupts());
   progress.clear();
   if (!summary) return print_error(kWriteFailed, summary.error().message);
   progress.finish_generation(summary->progress.seconds);
@@ -152,78 +144,71 @@ int write_result(const Tuning& tuning, const fs::path& folder) {
   for (const auto& [name, text] :
        {std::pair{fs::path(kBestFile), values_text(tuning.config(), tuning.best())},
         {fs::path("search.svg"), tune_picture(tuning)}}) {
-    const auto written = base::write_file(folder / name, text);
-    if (!written) return print_error(kWriteFailed, written.error().message);
+    TRY_OR(kWriteFailed, base::write_file(folder / name, text));
   }
   return kOk;
 }
 
 // `write_error`: why an event is lost, which ends no search.
-int search(const TuneSetup& setup, Tuning& tuning, const Arguments& arguments,
+int search(const TuneSetup& setup, Tuning& tuning, const TuneRunArguments& arguments,
            std::string& write_error) {
   const fs::path folder = arguments.options.folder;
   TuneProgress progress(tuning, stderr_is_terminal(), arguments.session.quiet);
   while (!tuning.finished()) {
-    const int code = play_generation(setup, tuning, arguments, progress, write_error);
-    if (code != kOk) return code;
-    if (const int written = write_result(tuning, folder); written != kOk) return written;
+    TRY_STEP(play_generation(setup, tuning, arguments, progress, write_error));
+    TRY_STEP(write_result(tuning, folder));
     if (!arguments.session.quiet) fmt::print(stderr, "{}\n", generation_line(tuning));
   }
   return kOk;
 }
 
 // Renames what an earlier search wrote; tune.toml and its template stay.
-int start_over(const fs::path& folder) {
+int set_search_aside(const fs::path& folder) {
   std::error_code code;
   for (const char* name : {"generations", kVerdictFolder, kTunePlanFile}) {
     if (!fs::exists(folder / name, code)) continue;
-    const auto aside = base::set_aside(folder / name);
-    if (!aside) return print_error(kCannotCreate, aside.error().message);
+    TRY_OR(kCannotCreate, base::set_aside(folder / name));
   }
   return kOk;
 }
 
 // The final comparison; after more generations it starts over with other values.
-int compare_best(const TuneSetup& setup, const Tuning& tuning, const Arguments& arguments) {
+int compare_best(const TuneSetup& setup, const Tuning& tuning, const TuneRunArguments& arguments) {
   if (setup.tune.verdict_pairs == 0) return kOk;
   const fs::path folder = arguments.options.folder;
   Comparison comparison;
-  if (const int code = make_verdict(setup, tuning, folder, comparison); code != kOk) return code;
+  TRY_STEP(make_verdict(setup, tuning, folder, comparison));
 
   if (!check_plan(folder / kVerdictFolder, comparison.config)) {
-    const auto aside = base::set_aside(folder / kVerdictFolder);
-    if (!aside) return print_error(kCannotCreate, aside.error().message);
-    if (const int code = make_verdict(setup, tuning, folder, comparison); code != kOk) return code;
+    TRY_OR(kCannotCreate, base::set_aside(folder / kVerdictFolder));
+    TRY_STEP(make_verdict(setup, tuning, folder, comparison));
   }
   SessionOptions session = arguments.session;
   session.force = false;
   return run_comparison(comparison, folder / kVerdictFolder, session, false);
 }
 
-int run(const Arguments& arguments) {
+int run_tune(const TuneRunArguments& arguments) {
   TuneSetup setup;
-  if (const int code = make_tune_setup(arguments.options, setup); code != kOk) return code;
+  TRY_STEP(make_tune_setup(arguments.options, setup));
   if (arguments.generations) setup.tune.generations = *arguments.generations;
 
   const fs::path folder = arguments.options.folder;
-  const auto lock = FolderLock::try_lock(folder);
-  if (!lock) return print_error(kCannotCreate, lock.error().message);
-  if (!*lock) {
+  TRY_INIT_OR(kCannotCreate, const auto lock, FolderLock::try_lock(folder));
+  if (!lock) {
     return print_error(kTryAgain,
                        fmt::format("{}: another `cls tune run` is in progress", folder.string()));
   }
 
   if (arguments.session.force) {
-    if (const int code = start_over(folder); code != kOk) return code;
+    TRY_STEP(set_search_aside(folder));
   }
-  if (const int code = check_tune_plan(folder, setup.tune); code != kOk) return code;
+  TRY_STEP(check_tune_plan(folder, setup.tune));
 
   Tuning tuning(setup.tune);
-  if (const auto replayed = replay_generations(tuning, folder); !replayed) {
-    return print_error(kBadData, replayed.error().message);
-  }
+  TRY_OR(kBadData, replay_generations(tuning, folder));
   std::string write_error;
-  if (const int code = search(setup, tuning, arguments, write_error); code != kOk) return code;
+  TRY_STEP(search(setup, tuning, arguments, write_error));
 
   const int exit_code = compare_best(setup, tuning, arguments);
   const auto verdict = known_verdict(setup.tune, folder);
@@ -236,16 +221,14 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_tune_run_command(Command& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  Command& command = app.command("run", kDescription);
-  command.option("DIR", arguments->options.folder, "folder of tune.toml").required();
+  auto [command, arguments] = app.command("run", kTuneRunDescription, run_tune);
+  command.option("DIR", arguments.options.folder, "folder of tune.toml").required();
   command
-      .option("--generations", arguments->generations,
+      .option("--generations", arguments.generations,
               "number of generations (default: that of tune.toml)")
       .above(0);
-  add_condition_options(command, arguments->options);
-  add_session_options(command, arguments->session, "report");
-  command.run = [arguments] { return run(*arguments); };
+  add_condition_options(command, arguments.options);
+  add_session_options(command, arguments.session, "report");
 }
 
 }  // namespace cls::cli

@@ -8,12 +8,11 @@
 
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
+#include "league/schedule/schedule.h"
 #include "match/terms/endpoint.h"
 #include "tournament/config/config_file.h"
-#include "tournament/schedule/schedule.h"
 #include "tournament/store/folder.h"
 #include "tournament/tuning/candidate.h"
 
@@ -27,8 +26,8 @@ using namespace tournament;
 // A side, or the endpoint of a team of cls.toml.
 int add_opponent(TuneSetup& setup, const std::string& side) {
   TeamEntry entry{"", side};
-  if (const int team = team_index(setup.conditions, side); team >= 0) {
-    entry = setup.conditions.teams[static_cast<std::size_t>(team)];
+  if (const int team = team_index(setup.conditions.competition, side); team >= 0) {
+    entry = setup.conditions.competition.teams[base::index(team)];
   }
 
   const auto endpoint = match::parse_endpoint(entry.endpoint);
@@ -36,8 +35,8 @@ int add_opponent(TuneSetup& setup, const std::string& side) {
   if (entry.name.empty()) entry.name = match::default_team_name(*endpoint);
   const auto taken = [&](const std::string& name) {
     return name.starts_with("tune") ||
-           std::any_of(setup.opponents.begin(), setup.opponents.end(),
-                       [&](const TeamEntry& one) { return one.name == name; });
+           std::ranges::any_of(setup.opponents,
+                               [&](const TeamEntry& one) { return one.name == name; });
   };
 
   if (taken(entry.name)) {
@@ -100,25 +99,26 @@ int read_tune_config(const fs::path& folder, TuneConfig& config) {
 }
 
 int make_tune_setup(const TournamentOptions& options, TuneSetup& setup) {
-  if (const int code = read_tune_config(options.folder, setup.tune); code != kOk) return code;
+  TRY_STEP(read_tune_config(options.folder, setup.tune));
 
   ChosenConfig chosen = choose_conditions(options);
   if (chosen.exit_code != kOk) return chosen.exit_code;
   setup.conditions = std::move(chosen.config);
-  if (setup.conditions.folder.empty()) setup.conditions.folder = fs::absolute(options.folder);
+  if (setup.conditions.execution.folder.empty())
+    setup.conditions.execution.folder = fs::absolute(options.folder);
 
-  const bool book = !match_options(setup.conditions).book.empty();
+  const bool book = !match_options(setup.conditions.conditions).book.empty();
   if (book != (setup.tune.measure == Measure::kValue)) {
     return print_error(kBadConfig,
                        book ? "with a book, tune.toml needs measure = \"value\""
                             : "tune.toml: measure = \"value\" needs a book, as in --book FILE");
   }
 
-  if (is_given(options, "seed")) setup.tune.seed = setup.conditions.seed;
+  if (is_given(options, "seed")) setup.tune.seed = setup.conditions.competition.seed;
   // Hundreds of match folders are of no use; --keep-logs all retains them.
-  if (!is_given(options, "keep_logs")) setup.conditions.keep_logs = KeepLogs::kFailed;
+  if (!is_given(options, "keep_logs")) setup.conditions.execution.keep_logs = KeepLogs::kFailed;
   for (const std::string& side : setup.tune.opponents) {
-    if (const int code = add_opponent(setup, side); code != kOk) return code;
+    TRY_STEP(add_opponent(setup, side));
   }
   return kOk;
 }
@@ -153,27 +153,28 @@ int make_verdict(const TuneSetup& setup, const Tuning& tuning, const fs::path& f
                  Comparison& comparison) {
   TournamentConfig& config = comparison.config;
   config = setup.conditions;
-  config.format = Format::kList;
-  config.rounds.reset();
-  config.swap_sides = true;
-  config.gauntlet.clear();
-  config.teams.clear();
-  config.seed = setup.tune.seed + 1;
+  config.competition.format = Format::kList;
+  config.competition.rounds.reset();
+  config.competition.swap_sides = true;
+  config.competition.gauntlet.clear();
+  config.competition.teams.clear();
+  config.competition.seed = setup.tune.seed + 1;
 
   const int generations = static_cast<int>(tuning.history().size());
-  while (!is_fresh(setup.tune, config.seed, generations)) ++config.seed;
+  while (!is_fresh(setup.tune, config.competition.seed, generations)) ++config.competition.seed;
 
   const auto& parameters = setup.tune.parameters;
   const Values start = values_at(parameters, start_point(parameters));
   for (const auto& [name, values] : {std::pair{"BEST", tuning.best()}, {"START", start}}) {
-    auto side = prepare_candidate(setup.tune, values,
-                                  fs::absolute(folder) / kVerdictFolder / "files" / name);
-    if (!side) return print_error(kCannotCreate, side.error().message);
-    config.teams.push_back({name, *std::move(side)});
+    TRY_INIT_OR(kCannotCreate, auto side,
+                prepare_candidate(setup.tune, values,
+                                  fs::absolute(folder) / kVerdictFolder / "files" / name));
+    config.competition.teams.push_back({name, std::move(side)});
   }
 
-  config.teams.insert(config.teams.end(), setup.opponents.begin(), setup.opponents.end());
-  config.matches = {{"BEST", "START"}};
+  config.competition.teams.insert(config.competition.teams.end(), setup.opponents.begin(),
+                                  setup.opponents.end());
+  config.competition.matches = {{"BEST", "START"}};
   comparison.test = test_of(setup.tune);
   comparison.max_samples = setup.tune.verdict_pairs;
   return kOk;

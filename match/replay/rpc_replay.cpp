@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "match/sides/agent_side.h"
 #include "match/terms/match_options.h"
@@ -100,7 +100,8 @@ class Replay {
     step_ = call.step();
     std::unique_ptr<Message> request(proto::request_prototype(*rpc).New());
     if (!request->ParseFromString(call.request())) {
-      return Error{fmt::format("{}: call {} is damaged", options_.file, result_.calls)};
+      result_.file_error = fmt::format("{}: call {} is damaged", options_.file, result_.calls);
+      return {};
     }
     set_identity(*rpc, identities_.at(static_cast<std::size_t>(call.agent())), *request);
     if (is_decision(*rpc)) {
@@ -198,8 +199,12 @@ Result<ReplayResult> replay_recording(const ReplayOptions& options,
                                       const std::atomic<int>& stop_signal) {
   std::string error;
   const auto reader = proto::RecordingReader::open(options.file, error);
-  if (reader == nullptr) return Error{error};
   ReplayResult result;
+  if (reader == nullptr) {
+    result.file_error = error;
+    return result;
+  }
+
   result.header = reader->header();
   result.side = side_to_ask(options, result.header);
   std::optional<process::ProcessHost> host;
@@ -224,19 +229,21 @@ Result<ReplayResult> replay_recording(const ReplayOptions& options,
     const auto rpc = proto::rpc_from_name(call.rpc());
     any_decision = any_decision || (rpc && is_decision(*rpc));
     TRY(replay.take(call));
+    if (!result.file_error.empty()) return result;
   }
   replay.finish_step();
-  if (!reader->parse_error().empty()) return Error{reader->parse_error()};
-  if (!any_decision && !result.interrupted && (options.cycle || options.agent)) {
-    return Error{fmt::format("{}: no decision of {} of the {} side", options.file,
-                             selection(options), side_name(result.side))};
+  result.file_error = reader->parse_error();
+  const bool selects = options.cycle || options.agent;
+  if (result.file_error.empty() && selects && !any_decision && !result.interrupted) {
+    result.file_error = fmt::format("{}: no decision of {} of the {} side", options.file,
+                                    selection(options), side_name(result.side));
   }
   return result;
 }
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 Json json_of(const std::vector<ReplyDifference>& calls) {
   Json list = Json::array();

@@ -48,13 +48,14 @@ struct ReplayResult {
   std::vector<ReplyDifference> failing;      ///< the others of these: why they fail again
   std::vector<ReplyDifference> differences;  ///< in the order of the recording
   bool interrupted = false;
+  std::string file_error;  ///< why the recording cannot be asked again; empty: it can
 
-  bool passed() const { return differences.empty() && failing.empty(); }
+  bool passed() const { return file_error.empty() && differences.empty() && failing.empty(); }
 };
 
 /// Asks everything again, the calls of a cycle together as in a match. Identities
-/// (register_response) are those that the Playmaker gives now. The error is about the file, or a
-/// Playmaker that cannot be reached.
+/// (register_response) are those that the Playmaker gives now. The error is about a Playmaker that
+/// cannot be reached; one of the file is ReplayResult::file_error.
 base::Result<ReplayResult> replay_recording(const ReplayOptions& options,
                                             const std::atomic<int>& stop_signal);
 
