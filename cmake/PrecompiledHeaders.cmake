@@ -25,8 +25,6 @@ set(standard_headers
 cls_pch(standard LINK fmt::fmt HEADERS ${standard_headers})
 cls_pch(wire LINK fmt::fmt cls_proto_generated
   HEADERS ${standard_headers} <proto/playmaker.pb.h>)
-cls_pch(command_line LINK fmt::fmt nlohmann_json::nlohmann_json
-  HEADERS ${standard_headers} <nlohmann/json.hpp>)
 if(BUILD_TESTING)
   cls_pch(tests LINK fmt::fmt GTest::gtest HEADERS ${standard_headers} <gtest/gtest.h>)
   cls_pch(json_tests LINK fmt::fmt GTest::gtest nlohmann_json::nlohmann_json

@@ -14,7 +14,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -22,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/json.h"
 #include "base/text/schema.h"
 
 namespace cls::base {
@@ -29,7 +29,6 @@ namespace cls::base {
 /// Appends members in the order of the calls.
 class JsonEncoder {
  public:
-  using Json = nlohmann::ordered_json;
   template <typename T>
   using Object = const T;
 
@@ -127,7 +126,6 @@ class JsonEncoder {
 /// std::exception.
 class JsonDecoder {
  public:
-  using Json = nlohmann::ordered_json;
   template <typename T>
   using Object = T;
 
@@ -137,7 +135,7 @@ class JsonDecoder {
 
   template <typename T>
   void member(const char* key, T& value) {
-    if (const Json* found = find(key)) decode(*found, value);
+    if (const Json* found = json_.find(key)) decode(*found, value);
   }
   template <typename T>
   void required(const char* key, T& value) {
@@ -149,18 +147,18 @@ class JsonDecoder {
     member(key, value);
   }
   void text_or_null(const char* key, std::string& value) {
-    const Json* found = find(key);
+    const Json* found = json_.find(key);
     if (found != nullptr) value = found->is_null() ? "" : found->get<std::string>();
   }
   void number_or_null(const char* key, int& value) {
-    const Json* found = find(key);
+    const Json* found = json_.find(key);
     if (found == nullptr) return;
     value = 0;
     if (!found->is_null()) decode(*found, value);
   }
   template <typename T>
   void pair(const char* key, T& first, T& second) {
-    const Json* found = find(key);
+    const Json* found = json_.find(key);
     if (found == nullptr || found->is_null()) return;
     decode(found->at(0), first);
     decode(found->at(1), second);
@@ -172,7 +170,7 @@ class JsonDecoder {
   }
   template <typename T, typename Format, typename Parse>
   void named(const char* key, std::optional<T>& value, Format /*format*/, Parse parse) {
-    const Json* found = find(key);
+    const Json* found = json_.find(key);
     value.reset();
     if (found != nullptr && !found->is_null()) value = parsed(key, *found, parse);
   }
@@ -187,7 +185,7 @@ class JsonDecoder {
 
   template <typename ListMembers>
   void object(const char* key, ListMembers list_members) {
-    const Json* found = find(key);
+    const Json* found = json_.find(key);
     if (found == nullptr) return;
     JsonDecoder codec(*found);
     list_members(codec);
@@ -234,11 +232,6 @@ class JsonDecoder {
     const double lowest = static_cast<double>(Limits::min());
     const double end = 2.0 * static_cast<double>(Limits::max() / 2 + 1);
     return number > lowest - 1.0 && number < end;
-  }
-
-  const Json* find(const char* key) const {
-    const auto found = json_.find(key);
-    return found == json_.end() ? nullptr : &*found;
   }
 
   template <typename Parse>

@@ -8,7 +8,6 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "base/text/suggestion.h"
 
@@ -76,7 +75,7 @@ class Scan {
   std::string take_key() {
     const std::size_t from = at_;
     skip_string();
-    const Json key = Json::parse(text_.substr(from, at_ - from), nullptr, false);
+    const Json key = Json::parse_or_discarded(text_.substr(from, at_ - from));
 
     skip_space();
     if (is_one_of(":")) ++at_;
@@ -117,6 +116,31 @@ int line_at(std::string_view text, std::size_t position) {
                  std::count(text.begin(), text.begin() + static_cast<long>(position), '\n'));
 }
 
+// "NAME:LINE:COLUMN: cause".
+Error parse_error(const std::string& name, std::string_view text, const Json::exception& error) {
+  const std::string what = error.what();
+
+  // "... number overflow parsing '1e999'"
+  if (what.find("number overflow") != std::string::npos) {
+    const std::size_t quote = what.find('\'');
+    const std::string number = what.substr(quote + 1, what.rfind('\'') - quote - 1);
+    return Error{fmt::format("{}:{}: the number {} is too large", name,
+                             line_at(text, std::min(text.find(number), text.size())), number)};
+  }
+
+  const std::size_t position = std::min(error.byte == 0 ? 0 : error.byte - 1, text.size());
+  const std::size_t line_start = text.rfind('\n', position == 0 ? 0 : position - 1);
+  const std::size_t column =
+      position - (line_start == std::string_view::npos ? 0 : line_start + 1) + 1;
+  const std::size_t syntax = what.find("syntax error");
+  const std::size_t colon = what.rfind(": ");
+  const std::size_t cause = syntax != std::string::npos  ? syntax
+                            : colon != std::string::npos ? colon + 2
+                                                         : 0;
+  return Error{
+      fmt::format("{}:{}:{}: {}", name, line_at(text, position), column, what.substr(cause))};
+}
+
 }  // namespace
 
 JsonPointer JsonPointer::operator/(std::string_view key) const {
@@ -144,31 +168,9 @@ Result<JsonDocument> JsonDocument::parse(std::string name, std::string text) {
   result.text_ = std::move(text);
 
   try {
-    result.root_ = std::make_shared<const Json>(Json::parse(result.text_, nullptr, true, true));
-  } catch (const Json::parse_error& error) {
-    const std::size_t position =
-        std::min(error.byte == 0 ? 0 : error.byte - 1, result.text_.size());
-    const std::size_t line_start = result.text_.rfind('\n', position == 0 ? 0 : position - 1);
-    const std::size_t column =
-        position - (line_start == std::string::npos ? 0 : line_start + 1) + 1;
-
-    std::string what = error.what();
-    if (const auto colon = what.rfind(": "); colon != std::string::npos) {
-      what = what.substr(
-          what.find("syntax error") == std::string::npos ? colon + 2 : what.find("syntax error"));
-    }
-
-    return Error{
-        fmt::format("{}:{}:{}: {}", result.name_, line_at(result.text_, position), column, what)};
-  } catch (const Json::out_of_range& error) {
-    // "... number overflow parsing '1e999'"
-    const std::string what = error.what();
-    const std::size_t quote = what.find('\'');
-    const std::string number =
-        quote == std::string::npos ? "" : what.substr(quote + 1, what.rfind('\'') - quote - 1);
-    const std::size_t position = std::min(result.text_.find(number), result.text_.size());
-    return Error{fmt::format("{}:{}: the number {} is too large", result.name_,
-                             line_at(result.text_, position), number)};
+    result.root_ = std::make_shared<const Json>(Json::parse(result.text_, true));
+  } catch (const Json::exception& error) {
+    return parse_error(result.name_, result.text_, error);
   }
   return result;
 }
@@ -202,7 +204,7 @@ Error JsonDocument::error(const JsonPointer& pointer, std::string_view message) 
 bool JsonValue::is_object() const { return value_->is_object(); }
 bool JsonValue::is_array() const { return value_->is_array(); }
 bool JsonValue::is_string() const { return value_->is_string(); }
-bool JsonValue::has(std::string_view key) const { return value_->contains(std::string(key)); }
+bool JsonValue::has(std::string_view key) const { return value_->contains(key); }
 std::size_t JsonValue::size() const { return value_->size(); }
 
 std::vector<std::string> JsonValue::keys() const {
@@ -212,7 +214,7 @@ std::vector<std::string> JsonValue::keys() const {
 }
 
 JsonValue JsonValue::operator[](std::string_view key) const {
-  return {*text_, value_->at(std::string(key)), pointer_ / key};
+  return {*text_, value_->at(key), pointer_ / key};
 }
 
 JsonValue JsonValue::operator[](std::size_t index) const {

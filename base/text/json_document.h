@@ -3,16 +3,14 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/result.h"
+#include "base/text/json.h"
 
 namespace cls::base {
-
-using Json = nlohmann::ordered_json;
 
 /// The position of a value in its document (RFC 6901), such as "/rules/0/when".
 class JsonPointer {

@@ -2,23 +2,17 @@
 // that would act on a terminal are escaped.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/text/json.h"
 #include "base/text/printable.h"
 
 namespace cls::base {
 
 /// One line, without a line feed.
-template <typename Json>
-std::string json_line(const Json& json) {
-  return printable_json(json.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
+inline std::string json_line(const Json& json) { return printable_json(json.dump()); }
 
 /// Indented by two spaces, with a line feed at the end.
-template <typename Json>
-std::string json_document(const Json& json) {
-  return printable_json(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
-}
+inline std::string json_document(const Json& json) { return printable_json(json.dump(2)) + "\n"; }
 
 }  // namespace cls::base
