@@ -2,23 +2,28 @@
 #pragma once
 
 #include <filesystem>
+#include <utility>
+
+#include "base/result.h"
 
 namespace cls::process {
 
 /// A new folder that other users cannot enter, in that of TMPDIR or /tmp; deleted with its content
-/// at the end of the scope, or by the guard if cls is killed. The path is empty if it cannot be
-/// created.
+/// at the end of the scope, or by the guard if cls is killed.
 class ScratchFolder {
  public:
-  ScratchFolder();
+  /// The error names the folder of TMPDIR, the cause and the remedy.
+  static base::Result<ScratchFolder> create();
+  ScratchFolder(ScratchFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+  ScratchFolder& operator=(ScratchFolder&&) = delete;
   ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  std::filesystem::path path_;
+  explicit ScratchFolder(std::filesystem::path path) : path_(std::move(path)) {}
+
+  std::filesystem::path path_;  ///< empty after a move
 };
 
 }  // namespace cls::process

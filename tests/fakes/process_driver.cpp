@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -25,7 +26,7 @@ int main(int argc, char** argv) {
   auto host = ProcessHost::create();
   if (!host) return 1;
   std::vector<std::shared_ptr<Child>> children;
-  std::unique_ptr<ScratchFolder> scratch;
+  std::optional<ScratchFolder> scratch;
   bool stay = true;
   for (const std::string& argument : arguments) {
     if (argument == "return") {
@@ -33,7 +34,7 @@ int main(int argc, char** argv) {
       continue;
     }
     if (argument == "scratch") {
-      scratch = std::make_unique<ScratchFolder>();
+      scratch.emplace(*ScratchFolder::create());
       continue;
     }
     auto child = host->start(shell_command("child", argument));

@@ -1,0 +1,59 @@
+// The folder for temporary files: its place, its end, and the error where there is none.
+#include "process/scratch_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "tests/support/temporary_folder.h"
+
+namespace cls::process {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Runs each test with a folder of its own in TMPDIR.
+class ScratchFolderTest : public testing::Test {
+ protected:
+  ~ScratchFolderTest() override { set(before_.c_str()); }
+
+  static void set(const char* folder) { ::setenv("TMPDIR", folder, 1); }
+
+  tests::TemporaryFolder parent_;
+
+ private:
+  std::string before_ = fs::temp_directory_path();
+};
+
+TEST_F(ScratchFolderTest, IsPrivateAndDeletedWithItsContent) {
+  set(parent_.path().c_str());
+  {
+    auto created = ScratchFolder::create();
+    ASSERT_TRUE(created);
+    const ScratchFolder folder = *std::move(created);
+    fs::create_directories(folder.path() / "a/b");
+
+    EXPECT_EQ(folder.path().parent_path(), parent_.path());
+    EXPECT_EQ(fs::status(folder.path()).permissions(), fs::perms::owner_all);
+  }
+  EXPECT_TRUE(fs::is_empty(parent_.path()));
+}
+
+TEST_F(ScratchFolderTest, IsAnErrorWithTheFolderAndTheRemedyWhereItCannotBe) {
+  for (const char* folder : {"/nonexistent", "/dev/null", "/proc"}) {
+    set(folder);
+    const auto created = ScratchFolder::create();
+    ASSERT_FALSE(created) << created->path();
+    EXPECT_THAT(created.error().message,
+                StartsWith(std::string("cannot create a temporary folder in '") + folder + "': "));
+    EXPECT_THAT(created.error().message, HasSubstr("; set TMPDIR to a folder"));
+  }
+}
+
+}  // namespace
+}  // namespace cls::process
