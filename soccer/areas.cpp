@@ -32,25 +32,21 @@ bool in_center_circle(Vec2 p) {
 }
 bool on_pitch(Vec2 p) { return std::fabs(p.x) <= kHalfLength && std::fabs(p.y) <= kHalfWidth; }
 
+template <bool (*is_in_left)(Vec2)>
+bool mirrored(Vec2 p) {
+  return is_in_left({-p.x, p.y});
+}
+
 constexpr std::array<Area, 11> kAreas = {{
     {"pitch", on_pitch},
     {"left_half", [](Vec2 p) { return on_pitch(p) && p.x <= 0.0; }},
     {"right_half", [](Vec2 p) { return on_pitch(p) && p.x >= 0.0; }},
     {"left_penalty_area", in_penalty_area},
-    {"right_penalty_area",
-     [](Vec2 p) {
-       return in_penalty_area({-p.x, p.y});
-     }},
+    {"right_penalty_area", mirrored<in_penalty_area>},
     {"left_goal_area", in_goal_area},
-    {"right_goal_area",
-     [](Vec2 p) {
-       return in_goal_area({-p.x, p.y});
-     }},
+    {"right_goal_area", mirrored<in_goal_area>},
     {"left_goal", in_goal},
-    {"right_goal",
-     [](Vec2 p) {
-       return in_goal({-p.x, p.y});
-     }},
+    {"right_goal", mirrored<in_goal>},
     {"center_circle", in_center_circle},
     {"centre_circle", in_center_circle},  // former spelling, still accepted
 }};

@@ -24,7 +24,6 @@ constexpr double kGoalAreaWidth = 18.32;
 constexpr double kPenaltySpotDistance = 11.0;
 constexpr double kGoalDepth = 2.44;
 constexpr double kGoalPostRadius = 0.06;
-constexpr double kCornerArcRadius = 1.0;
 
 /// Players stay within this distance of the center lines: pitch plus margin.
 constexpr double kOuterHalfLength = kHalfLength + kPitchMargin;

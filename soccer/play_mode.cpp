@@ -1,80 +1,34 @@
 // Play modes: names and classes.
 #include "soccer/play_mode.h"
 
-#include <array>
 #include <cassert>
+
+#include "base/text/enum_names.h"
 
 namespace cls::soccer {
 namespace {
 
-constexpr std::array<std::string_view, kPlayModeCount> kNames = {
-    "",
-    "before_kick_off",
-    "time_over",
-    "play_on",
-    "kick_off_l",
-    "kick_off_r",
-    "kick_in_l",
-    "kick_in_r",
-    "free_kick_l",
-    "free_kick_r",
-    "corner_kick_l",
-    "corner_kick_r",
-    "goal_kick_l",
-    "goal_kick_r",
-    "goal_l",
-    "goal_r",
-    "drop_ball",
-    "offside_l",
-    "offside_r",
-    "penalty_kick_l",
-    "penalty_kick_r",
-    "first_half_over",
-    "pause",
-    "human_judge",
-    "foul_charge_l",
-    "foul_charge_r",
-    "foul_push_l",
-    "foul_push_r",
-    "foul_multiple_attack_l",
-    "foul_multiple_attack_r",
-    "foul_ballout_l",
-    "foul_ballout_r",
-    "back_pass_l",
-    "back_pass_r",
-    "free_kick_fault_l",
-    "free_kick_fault_r",
-    "catch_fault_l",
-    "catch_fault_r",
-    "indirect_free_kick_l",
-    "indirect_free_kick_r",
-    "penalty_setup_l",
-    "penalty_setup_r",
-    "penalty_ready_l",
-    "penalty_ready_r",
-    "penalty_taken_l",
-    "penalty_taken_r",
-    "penalty_miss_l",
-    "penalty_miss_r",
-    "penalty_score_l",
-    "penalty_score_r",
-    "illegal_defense_l",
-    "illegal_defense_r",
-};
+constexpr auto kNames = base::enum_names<PlayMode>(
+    "", "before_kick_off", "time_over", "play_on", "kick_off_l", "kick_off_r", "kick_in_l",
+    "kick_in_r", "free_kick_l", "free_kick_r", "corner_kick_l", "corner_kick_r", "goal_kick_l",
+    "goal_kick_r", "goal_l", "goal_r", "drop_ball", "offside_l", "offside_r", "penalty_kick_l",
+    "penalty_kick_r", "first_half_over", "pause", "human_judge", "foul_charge_l", "foul_charge_r",
+    "foul_push_l", "foul_push_r", "foul_multiple_attack_l", "foul_multiple_attack_r",
+    "foul_ballout_l", "foul_ballout_r", "back_pass_l", "back_pass_r", "free_kick_fault_l",
+    "free_kick_fault_r", "catch_fault_l", "catch_fault_r", "indirect_free_kick_l",
+    "indirect_free_kick_r", "penalty_setup_l", "penalty_setup_r", "penalty_ready_l",
+    "penalty_ready_r", "penalty_taken_l", "penalty_taken_r", "penalty_miss_l", "penalty_miss_r",
+    "penalty_score_l", "penalty_score_r", "illegal_defense_l", "illegal_defense_r");
+static_assert(kNames.texts.size() == kPlayModeCount);
 
 int index_of(PlayMode mode) { return static_cast<int>(mode); }
 
 }  // namespace
 
-std::string_view name(PlayMode mode) { return kNames[static_cast<std::size_t>(mode)]; }
+std::string_view name(PlayMode mode) { return kNames.name(mode); }
 
 std::optional<PlayMode> parse_play_mode(std::string_view name) {
-  if (name.empty()) return std::nullopt;
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (kNames[i] == name) return static_cast<PlayMode>(i);
-  }
-
-  return std::nullopt;
+  return name.empty() ? std::nullopt : kNames.parse(name);
 }
 
 Side side(PlayMode mode) {
@@ -94,27 +48,19 @@ PlayMode for_side(PlayMode mode, Side wanted) {
 }
 
 ModeClass mode_class(PlayMode mode) {
-  switch (mode) {
+  switch (without_side(mode)) {
     case PlayMode::kBeforeKickOff:
       return ModeClass::kWaiting;
     case PlayMode::kTimeOver:
       return ModeClass::kOver;
     case PlayMode::kGoalLeft:
-    case PlayMode::kGoalRight:
     case PlayMode::kOffsideLeft:
-    case PlayMode::kOffsideRight:
     case PlayMode::kFoulChargeLeft:
-    case PlayMode::kFoulChargeRight:
     case PlayMode::kFoulPushLeft:
-    case PlayMode::kFoulPushRight:
     case PlayMode::kBackPassLeft:
-    case PlayMode::kBackPassRight:
     case PlayMode::kFreeKickFaultLeft:
-    case PlayMode::kFreeKickFaultRight:
     case PlayMode::kCatchFaultLeft:
-    case PlayMode::kCatchFaultRight:
     case PlayMode::kIllegalDefenseLeft:
-    case PlayMode::kIllegalDefenseRight:
       return ModeClass::kStopped;
     default:
       return ModeClass::kRunning;

@@ -1,32 +1,17 @@
 // Kinds, parentheses and freeform text of coach language messages.
 #include "soccer/commands/clang_frame.h"
 
-#include <array>
-#include <utility>
-
+#include "base/text/enum_names.h"
 #include "soccer/commands/player_command_lexer.h"
 #include "soccer/protocol/loose_scanner.h"
 
 namespace cls::soccer {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, ClangKind>, 7> kKinds = {
-    {{"freeform", ClangKind::kFreeform},
-     {"info", ClangKind::kInfo},
-     {"advice", ClangKind::kAdvice},
-     {"define", ClangKind::kDefine},
-     {"meta", ClangKind::kMeta},
-     {"rule", ClangKind::kRule},
-     {"delete", ClangKind::kDelete}}};
+constexpr auto kKinds =
+    base::enum_names<ClangKind>("freeform", "info", "advice", "define", "meta", "rule", "delete");
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || c == '_'; }
-
-std::optional<ClangKind> parse_kind(std::string_view text) {
-  for (const auto& [name, kind] : kKinds) {
-    if (name == text) return kind;
-  }
-  return std::nullopt;
-}
 
 // Length of the parenthesized expression at the start of `text`, ignoring parentheses in quotes; 0
 // if it is not closed.
@@ -60,8 +45,9 @@ std::optional<CoachSay> parse_clang_say(std::string_view text) {
   const std::string_view message = in.rest().substr(0, expression_length(in.rest()));
   if (message.empty() || message.front() != '(') return std::nullopt;
   LooseScanner inner(message.substr(1, message.size() - 2));
-  const std::optional<ClangKind> kind = parse_kind(inner.run(is_letter, message.size()));
+  const std::optional<ClangKind> kind = kKinds.parse(inner.run(is_letter, message.size()));
   if (!kind || (*kind == ClangKind::kFreeform && !is_freeform(inner.rest()))) return std::nullopt;
+
   if (!in.token(message) || !in.token(")")) return std::nullopt;
   in.skip_space();
   if (!in.at_end()) return std::nullopt;

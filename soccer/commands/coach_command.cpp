@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <array>
 
-#include "base/text/number_text.h"
+#include "base/index.h"
 #include "soccer/commands/clang_frame.h"
 #include "soccer/commands/player_command_lexer.h"
 #include "soccer/protocol/loose_scanner.h"
+#include "soccer/protocol/text_writer.h"
 #include "soccer/side.h"
 
 namespace cls::soccer {
@@ -110,17 +111,6 @@ bool read_xpm_header(LooseScanner& in, XpmHeader& header) {
          in_range(header.characters_per_pixel, kMaxXpmWidth);
 }
 
-std::string format(const XpmHeader& header) {
-  std::string text;
-  for (const int value :
-       {header.width, header.height, header.colors, header.characters_per_pixel}) {
-    if (!text.empty()) text.push_back(' ');
-    base::append_int(value, text);
-  }
-
-  return text;
-}
-
 bool read_xpm_line(LooseScanner& in, std::vector<std::string>& out) {
   if (!in.token("\"")) return false;
 
@@ -141,14 +131,15 @@ bool parse_xpm(std::string_view text, std::vector<std::string>& out) {
   LooseScanner in(text);
   XpmHeader header;
   if (!read_xpm_header(in, header)) return false;
-  out.push_back(format(header));
+  append(out.emplace_back(), header.width, ' ', header.height, ' ', header.colors, ' ',
+         header.characters_per_pixel);
 
   for (int i = 0; i < header.colors; ++i) {
     if (!read_xpm_line(in, out)) return false;
   }
 
-  const auto line_size = static_cast<std::size_t>(header.width) *
-                         static_cast<std::size_t>(header.characters_per_pixel);
+  const std::size_t line_size =
+      base::index(header.width) * base::index(header.characters_per_pixel);
   for (int i = 0; i < header.height; ++i) {
     if (!read_xpm_line(in, out) || out.back().size() != line_size) return false;
   }

@@ -28,57 +28,37 @@ bool write(const TrainerEar& c, std::string& out) {
 }
 
 bool write(const ChangePlayerType& c, std::string& out) {
-  out.append("(change_player_type ");
-  base::append_int(c.unum, out);
-  if (!c.type) return write_text(" goalie)", out);
-
-  out.push_back(' ');
-  base::append_int(*c.type, out);
-  return write_text(")", out);
+  append(out, "(change_player_type ", c.unum);
+  return c.type ? write_pieces(out, ' ', *c.type, ')') : write_text(" goalie)", out);
 }
 
 bool write(const TrainerChangePlayerType& c, std::string& out) {
-  if (!is_token(c.team)) return false;
-  out.append("(change_player_type ").append(c.team).push_back(' ');
-  base::append_int(c.unum, out);
-  out.push_back(' ');
-  base::append_int(c.type, out);
-  return write_text(")", out);
+  return is_token(c.team) &&
+         write_pieces(out, "(change_player_type ", c.team, ' ', c.unum, ' ', c.type, ')');
 }
 
 bool write(const CoachSay& c, std::string& out) {
   const std::string message = c.text + ")";
   const std::optional<CoachSay> read = parse_clang_say(message);
-  if (!read || read->kind != c.kind) return false;
-
-  out.append("(say ").append(message);
-  return true;
+  return read && read->kind == c.kind && write_pieces(out, "(say ", message);
 }
 
 bool write(const TrainerSay& c, std::string& out) {
-  if (!is_sayable(c.text) || c.text.front() == ' ') return false;
-  out.append("(say ").append(c.text).push_back(')');
-  return true;
+  return is_sayable(c.text) && c.text.front() != ' ' && write_pieces(out, "(say ", c.text, ')');
 }
 
 bool write(const TeamGraphic& c, std::string& out) {
-  out.append("(team_graphic (");
-  base::append_int(c.x, out);
-  out.push_back(' ');
-  base::append_int(c.y, out);
-
+  append(out, "(team_graphic (", c.x, ' ', c.y);
   for (const std::string& line : c.xpm) {
     if (line.find('"') != std::string::npos) return false;
-    out.append(" \"").append(line).push_back('"');
+    append(out, " \"", line, '"');
   }
 
   return write_text("))", out);
 }
 
 bool write(const ChangeMode& c, std::string& out) {
-  if (c.mode == PlayMode::kNull) return false;
-  out.append("(change_mode ").append(name(c.mode)).push_back(')');
-  return true;
+  return c.mode != PlayMode::kNull && write_pieces(out, "(change_mode ", name(c.mode), ')');
 }
 
 bool write(const MoveBall& c, std::string& out) {
@@ -89,11 +69,11 @@ bool write(const MoveBall& c, std::string& out) {
 bool write(const MovePlayer& c, std::string& out) {
   if (!is_token(c.team)) return false;
 
-  std::string object = "player " + c.team + ' ';
-  base::append_int(c.unum, object);
+  std::string object;
+  append(object, "player ", c.team, ' ', c.unum);
   if (object.size() > kMaxMoveObjectSize) return false;
 
-  out.append("(move (").append(object).push_back(')');
+  append(out, "(move (", object, ')');
   return write_placement(c.position, c.angle, c.velocity, out);
 }
 

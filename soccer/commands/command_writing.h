@@ -8,6 +8,7 @@
 
 #include "base/text/number_text.h"
 #include "soccer/commands/player_command.h"
+#include "soccer/protocol/text_writer.h"
 
 namespace cls::soccer {
 
@@ -26,10 +27,15 @@ inline bool write_number(double value, std::string& out) {
   return true;
 }
 
+/// Texts and whole numbers, one after the other.
+template <typename... Pieces>
+bool write_pieces(std::string& out, const Pieces&... pieces) {
+  append(out, pieces...);
+  return true;
+}
+
 inline bool write(const Compression& c, std::string& out) {
-  out.append("(compression ");
-  base::append_int(c.level, out);
-  return write_text(")", out);
+  return write_pieces(out, "(compression ", c.level, ')');
 }
 
 inline bool write(Done, std::string& out) { return write_text("(done)", out); }

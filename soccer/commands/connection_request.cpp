@@ -1,8 +1,8 @@
 // Parsers of connection requests, as lenient as rcssserver and with its errors.
 #include "soccer/commands/connection_request.h"
 
-#include "base/text/number_text.h"
 #include "soccer/protocol/loose_scanner.h"
+#include "soccer/protocol/text_writer.h"
 
 namespace cls::soccer {
 namespace {
@@ -60,12 +60,6 @@ std::optional<ErrorCode> parse_reconnect(LooseScanner& in, PlayerReconnect& out)
   out.team = in.run(not_space, kMaxLongNameSize);
   if (out.team.empty() || !in.integer(out.unum)) return ErrorCode::kIllegalCommandForm;
   return std::nullopt;
-}
-
-void append_version(double version, std::string& out) {
-  out.append(" (version ");
-  base::append_g(version, out);
-  out.push_back(')');
 }
 
 }  // namespace
@@ -137,38 +131,30 @@ std::optional<ErrorCode> parse(std::string_view datagram, TrainerInit& out) {
 }
 
 void format(const PlayerInit& request, std::string& out) {
-  out.append("(init ").append(request.team.view());
-  append_version(request.version, out);
-  out.append(request.goalie ? " (goalie))" : ")");
+  append(out, "(init ", request.team.view(), " (version ", request.version,
+         request.goalie ? ") (goalie))" : "))");
 }
 
 void format(const PlayerReconnect& request, std::string& out) {
-  out.append("(reconnect ").append(request.team).push_back(' ');
-  base::append_int(request.unum, out);
-  out.push_back(')');
+  append(out, "(reconnect ", request.team, ' ', request.unum, ')');
 }
 
 void format(const MonitorInit& request, std::string& out) {
   if (request.version == 1.0) {
     out.append("(dispinit)");
-    return;
+  } else {
+    append(out, "(dispinit version ", request.version, ')');
   }
-  out.append("(dispinit version ");
-  base::append_g(request.version, out);
-  out.push_back(')');
 }
 
 void format(const CoachInit& request, std::string& out) {
-  out.append("(init ").append(request.team.view());
-  if (!request.coach_name.empty()) out.append(" ").append(request.coach_name);
-  append_version(request.version, out);
-  out.push_back(')');
+  append(out, "(init ", request.team.view());
+  if (!request.coach_name.empty()) append(out, ' ', request.coach_name);
+  append(out, " (version ", request.version, "))");
 }
 
 void format(const TrainerInit& request, std::string& out) {
-  out.append("(init");
-  append_version(request.version, out);
-  out.push_back(')');
+  append(out, "(init (version ", request.version, "))");
 }
 
 }  // namespace cls::soccer

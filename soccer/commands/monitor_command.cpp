@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "base/text/number_text.h"
 #include "soccer/protocol/loose_scanner.h"
+#include "soccer/protocol/text_writer.h"
 
 namespace cls::soccer {
 namespace {
@@ -73,19 +73,13 @@ Read read_compression(LooseScanner& in) {
   return compression;
 }
 
-void append(int value, std::string& out) {
-  out += ' ';
-  base::append_int(value, out);
-}
-
 void append_place(Vec2 place, std::string& out) {
-  append(static_cast<int>(std::rint(place.x * kScale)), out);
-  append(static_cast<int>(std::rint(place.y * kScale)), out);
+  append(out, ' ', static_cast<int>(std::rint(place.x * kScale)), ' ',
+         static_cast<int>(std::rint(place.y * kScale)));
 }
 
 void append_player(Side side, int unum, std::string& out) {
-  append(side == Side::kLeft ? 1 : -1, out);
-  append(unum, out);
+  append(out, side == Side::kLeft ? " 1 " : " -1 ", unum);
 }
 
 struct Formatter {
@@ -96,13 +90,13 @@ struct Formatter {
   void operator()(const DispFoul& foul) const {
     out += "(dispfoul";
     append_place(foul.position, out);
-    append(foul.side == Side::kNeutral ? 0 : foul.side == Side::kLeft ? 1 : -1, out);
+    append(out, ' ', sign(foul.side));
   }
   void operator()(const DispPlayer& placed) const {
     out += "(dispplayer";
     append_player(placed.side, placed.unum, out);
     append_place(placed.position, out);
-    append(static_cast<int>(std::rint(placed.body)), out);
+    append(out, ' ', static_cast<int>(std::rint(placed.body)));
   }
   void operator()(const DispDiscard& discard) const {
     out += "(dispdiscard";
@@ -114,8 +108,7 @@ struct Formatter {
     out += card.red ? " red" : " yellow";
   }
   void operator()(const Compression& compression) const {
-    out += "(compression";
-    append(compression.level, out);
+    append(out, "(compression ", compression.level);
   }
 };
 

@@ -196,13 +196,13 @@ bool CommandParser::change_view() {
   if (token_.kind != Kind::kName) return false;
 
   ChangeView view;
-  const std::optional<ViewWidth> width = parse_view_width(token_.text);
+  const std::optional<ViewWidth> width = kViewWidths.parse(token_.text);
   if (!width) return false;
 
   view.width = *width;
   advance();
   if (token_.kind == Kind::kName) {
-    view.quality = parse_view_quality(token_.text);
+    view.quality = kViewQualities.parse(token_.text);
     if (!view.quality) return false;
     advance();
   }
@@ -277,13 +277,8 @@ bool CommandParser::ear() {
   Ear ear;
   if (!open()) return false;
 
-  if (accept_keyword("on")) {
-    ear.on = true;
-  } else if (accept_keyword("off")) {
-    ear.on = false;
-  } else {
-    return false;
-  }
+  ear.on = accept_keyword("on");
+  if (!ear.on && !accept_keyword("off")) return false;
 
   team(ear.team);
   if (accept_keyword("partial") || accept_keyword("p")) {

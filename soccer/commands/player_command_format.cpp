@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "base/text/enum_names.h"
 #include "soccer/commands/command_writing.h"
 #include "soccer/commands/player_command.h"
 #include "soccer/commands/player_command_lexer.h"
@@ -21,18 +22,8 @@ bool write(std::string_view name, std::initializer_list<double> numbers, std::st
 }
 
 bool write(const TeamReference& team, std::string& out) {
-  switch (team.kind) {
-    case TeamReference::Kind::kOur:
-      return write_text("our", out);
-    case TeamReference::Kind::kOpponent:
-      return write_text("opp", out);
-    case TeamReference::Kind::kLeft:
-      return write_text("l", out);
-    case TeamReference::Kind::kRight:
-      return write_text("r", out);
-    case TeamReference::Kind::kNamed:
-      break;
-  }
+  constexpr auto kKinds = base::enum_names<TeamReference::Kind>("our", "opp", "l", "r");
+  if (team.kind != TeamReference::Kind::kNamed) return write_text(kKinds.name(team.kind), out);
 
   const CommandToken token = CommandLexer(team.name).next();
   const bool plain = token.kind == CommandToken::Kind::kName && !is_command_keyword(token.text);
@@ -72,31 +63,26 @@ bool write(const LegDash& c, std::string& out) {
 }
 
 bool write(const Tackle& c, std::string& out) {
-  if (!c.foul) return write("tackle", {c.angle_or_power}, out);
   if (!write("tackle", {c.angle_or_power}, out)) return false;
+  if (!c.foul) return true;
 
   out.pop_back();
   return write_text(" on)", out);
 }
 
 bool write(const ChangeView& c, std::string& out) {
-  out.append("(change_view ").append(name(c.width));
-  if (c.quality) out.append(" ").append(name(*c.quality));
+  append(out, "(change_view ", name(c.width));
+  if (c.quality) append(out, ' ', name(*c.quality));
   return write_text(")", out);
 }
 
 bool write(const Say& c, std::string& out) {
-  if (!is_sayable(c.text)) return false;
-  out.append("(say \"").append(c.text).append("\")");
-  return true;
+  return is_sayable(c.text) && write_pieces(out, "(say \"", c.text, "\")");
 }
 
 bool write(const AttentionTo& c, std::string& out) {
   out.append("(attentionto ");
-  if (!write(c.team, out)) return false;
-  out.push_back(' ');
-  base::append_int(c.unum, out);
-  return write_text(")", out);
+  return write(c.team, out) && write_pieces(out, ' ', c.unum, ')');
 }
 
 bool write(const Ear& c, std::string& out) {
@@ -112,11 +98,7 @@ bool write(const Ear& c, std::string& out) {
 }
 
 bool write(const Clang& c, std::string& out) {
-  out.append("(clang (ver ");
-  base::append_int(c.min_version, out);
-  out.push_back(' ');
-  base::append_int(c.max_version, out);
-  return write_text("))", out);
+  return write_pieces(out, "(clang (ver ", c.min_version, ' ', c.max_version, "))");
 }
 
 bool write(SynchSee, std::string& out) { return write_text("(synch_see)", out); }
@@ -129,7 +111,7 @@ bool write(RequestScore, std::string& out) { return write_text("(score)", out); 
 }  // namespace
 
 bool is_sayable(std::string_view text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), is_say_character);
+  return !text.empty() && std::ranges::all_of(text, is_say_character);
 }
 
 bool format(const PlayerCommand& command, std::string& out) {

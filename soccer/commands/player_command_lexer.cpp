@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/index.h"
 #include "base/text/number_text.h"
 #include "soccer/protocol/wrapped_int.h"
 
@@ -20,8 +21,7 @@ bool is_name_character(char c) { return is_alphanumeric(c) || c == '-' || c == '
 
 template <typename Accepted>
 std::size_t run_length(std::string_view text, Accepted accepted) {
-  return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), accepted) -
-                                  text.begin());
+  return base::index(std::ranges::find_if_not(text, accepted) - text.begin());
 }
 
 // Length of `"..."` with at least one say character inside, otherwise 0.
@@ -38,52 +38,50 @@ bool is_say_character(char c) {
 }
 
 bool is_command_keyword(std::string_view token) {
-  constexpr std::array kKeywords = std::to_array<std::string_view>({
-      "dash",
-      "turn",
-      "turn_neck",
-      "change_focus",
-      "kick",
-      "long_kick",
-      "catch",
-      "say",
-      "sense_body",
-      "score",
-      "move",
-      "change_view",
-      "bye",
-      "done",
-      "compression",
-      "pointto",
-      "attentionto",
-      "tackle",
-      "clang",
-      "ear",
-      "synch_see",
-      "narrow",
-      "gaussian_see",
-      "normal",
-      "wide",
-      "low",
-      "high",
-      "on",
-      "off",
-      "our",
-      "opp",
-      "left",
-      "right",
-      "l",
-      "r",
-      "partial",
-      "complete",
-      "p",
-      "c",
-      "ver",
-      "true",
-      "false",
-  });
+  constexpr std::array kKeywords = std::to_array<std::string_view>({"dash",
+                                                                    "turn",
+                                                                    "turn_neck",
+                                                                    "change_focus",
+                                                                    "kick",
+                                                                    "long_kick",
+                                                                    "catch",
+                                                                    "say",
+                                                                    "sense_body",
+                                                                    "score",
+                                                                    "move",
+                                                                    "change_view",
+                                                                    "bye",
+                                                                    "done",
+                                                                    "compression",
+                                                                    "pointto",
+                                                                    "attentionto",
+                                                                    "tackle",
+                                                                    "clang",
+                                                                    "ear",
+                                                                    "synch_see",
+                                                                    "narrow",
+                                                                    "gaussian_see",
+                                                                    "normal",
+                                                                    "wide",
+                                                                    "low",
+                                                                    "high",
+                                                                    "on",
+                                                                    "off",
+                                                                    "our",
+                                                                    "opp",
+                                                                    "left",
+                                                                    "right",
+                                                                    "l",
+                                                                    "r",
+                                                                    "partial",
+                                                                    "complete",
+                                                                    "p",
+                                                                    "c",
+                                                                    "ver",
+                                                                    "true",
+                                                                    "false"});
 
-  return std::find(kKeywords.begin(), kKeywords.end(), token) != kKeywords.end();
+  return std::ranges::find(kKeywords, token) != kKeywords.end();
 }
 
 CommandToken CommandLexer::take(Kind kind, std::size_t length) {

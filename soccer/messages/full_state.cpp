@@ -35,11 +35,9 @@ bool read_mode(Scanner& in, FullState& out) {
 
 bool read_counts(Scanner& in, CommandCounts& counts, bool& has_focus) {
   counts.change_focus = 0;
-  if (!(in.literal(" (count ") && in.integer(counts.kick) && in.literal(" ") &&
-        in.integer(counts.dash) && in.literal(" ") && in.integer(counts.turn) && in.literal(" ") &&
-        in.integer(counts.catches) && in.literal(" ") && in.integer(counts.move) &&
-        in.literal(" ") && in.integer(counts.turn_neck) && in.literal(" ") &&
-        in.integer(counts.change_view) && in.literal(" ") && in.integer(counts.say))) {
+  if (!in.sequence(" (count ", counts.kick, " ", counts.dash, " ", counts.turn, " ", counts.catches,
+                   " ", counts.move, " ", counts.turn_neck, " ", counts.change_view, " ",
+                   counts.say)) {
     return false;
   }
 
@@ -59,47 +57,37 @@ bool read_name(Scanner& in, FullStatePlayer& player) {
 
 bool read_pointing(Scanner& in, FullStatePlayer& player) {
   player.pointing = !in.looking_at(" (");
-  return !player.pointing || (in.literal(" ") && in.number(player.point_distance) &&
-                              in.literal(" ") && in.number(player.point_direction_radians));
-}
-
-bool read_stamina(Scanner& in, FullStatePlayer& player) {
-  return in.literal(" (stamina ") && in.number(player.stamina) && in.literal(" ") &&
-         in.number(player.effort) && in.literal(" ") && in.number(player.recovery) &&
-         in.literal(" ") && in.number(player.capacity) && in.literal(")");
+  return !player.pointing ||
+         in.sequence(" ", player.point_distance, " ", player.point_direction_radians);
 }
 
 bool read_player(Scanner& in, bool has_focus, FullStatePlayer& player) {
   if (!(read_name(in, player) && read_motion(in, player.position, player.velocity) &&
-        in.literal(" ") && in.number(player.body) && in.literal(" ") && in.number(player.neck) &&
-        read_pointing(in, player))) {
+        in.sequence(" ", player.body, " ", player.neck) && read_pointing(in, player))) {
     return false;
   }
-  if (has_focus && !(in.literal(" (focus_point ") && in.number(player.focus_distance) &&
-                     in.literal(" ") && in.number(player.focus_direction) && in.literal(")"))) {
+  if (has_focus &&
+      !in.sequence(" (focus_point ", player.focus_distance, " ", player.focus_direction, ")")) {
+    return false;
+  }
+  if (!in.sequence(" (stamina ", player.stamina, " ", player.effort, " ", player.recovery, " ",
+                   player.capacity, ")")) {
     return false;
   }
 
-  if (!read_stamina(in, player)) return false;
   read_marks(in, player.mark, player.card);
   return in.literal(")");
 }
 
 void append_counts(const CommandCounts& counts, int version, TextWriter& out) {
-  append(out, " (count ", counts.kick);
-  for (const int count : {counts.dash, counts.turn, counts.catches, counts.move, counts.turn_neck,
-                          counts.change_view, counts.say}) {
-    append(out, " ", count);
-  }
-
+  append(out, " (count ", counts.kick, ' ', counts.dash, ' ', counts.turn, ' ', counts.catches, ' ',
+         counts.move, ' ', counts.turn_neck, ' ', counts.change_view, ' ', counts.say);
   if (version >= kFirstWithFocus) append(out, " ", counts.change_focus);
   out.append(") ");
 }
 
 void append_name(const FullStatePlayer& player, int version, TextWriter& out) {
-  out.append(" ((p ");
-  out.push_back(letter(player.side));
-  append(out, " ", player.unum);
+  append(out, " ((p ", letter(player.side), ' ', player.unum);
   if (player.goalie) out.append(" g");
   if (!player.goalie || version >= kFirstWithGoalieType) append(out, " ", player.type);
   out.append(") ");
@@ -107,35 +95,23 @@ void append_name(const FullStatePlayer& player, int version, TextWriter& out) {
 
 // The mark of a player in a client version.
 ActionMark mark_shown(const FullStatePlayer& player, int version) {
-  if (version < kFirstWithMarks) return ActionMark::kNone;
-  if (version < kFirstWithCards && player.mark == ActionMark::kFoulCharged) {
-    return ActionMark::kNone;
-  }
-
-  return player.mark;
+  const bool fouled = player.mark == ActionMark::kFoulCharged;
+  const bool hidden = version < (fouled ? kFirstWithCards : kFirstWithMarks);
+  return hidden ? ActionMark::kNone : player.mark;
 }
 
 void append_player(const FullStatePlayer& player, int version, TextWriter& out) {
   append_name(player, version, out);
   append_motion(player.position, player.velocity, out);
 
-  append(out, " ", player.body);
-  append(out, " ", player.neck);
+  append(out, ' ', player.body, ' ', player.neck);
 
-  if (player.pointing) {
-    append(out, " ", player.point_distance);
-    append(out, " ", player.point_direction_radians);
-  }
-
+  if (player.pointing) append(out, ' ', player.point_distance, ' ', player.point_direction_radians);
   if (version >= kFirstWithFocus) {
-    append(out, " (focus_point ", player.focus_distance);
-    append(out, " ", player.focus_direction);
-    out.push_back(')');
+    append(out, " (focus_point ", player.focus_distance, ' ', player.focus_direction, ')');
   }
 
-  append(out, " (stamina ", player.stamina);
-  append(out, " ", player.effort);
-  append(out, " ", player.recovery);
+  append(out, " (stamina ", player.stamina, ' ', player.effort, ' ', player.recovery);
   if (version >= kFirstWithMarks) append(out, " ", player.capacity);
   out.push_back(')');
 
@@ -151,12 +127,11 @@ base::Result<void> parse(std::string_view message, FullState& out) {
   bool has_focus = false;
   out.players.clear();
 
-  bool ok = in.literal("(fullstate ") && in.integer(out.time) && in.literal(" (pmode ") &&
-            read_mode(in, out) && in.literal(") (vmode ") &&
-            read_view_mode(in, out.quality, out.width) && in.literal(")") &&
-            read_counts(in, out.counts, has_focus) && in.literal(" ") && read_arm(in, out.arm) &&
-            in.literal(" (score ") && in.integer(out.our_score) && in.literal(" ") &&
-            in.integer(out.opponent_score) && in.literal(") ((b) ") &&
+  bool ok = in.sequence("(fullstate ", out.time, " (pmode ") && read_mode(in, out) &&
+            in.literal(") (vmode ") && read_view_mode(in, out.quality, out.width) &&
+            in.literal(")") && read_counts(in, out.counts, has_focus) && in.literal(" ") &&
+            read_arm(in, out.arm) &&
+            in.sequence(" (score ", out.our_score, " ", out.opponent_score, ") ((b) ") &&
             read_motion(in, out.ball_position, out.ball_velocity) && in.literal(")");
 
   while (ok && in.peek() == ' ') {
@@ -173,12 +148,9 @@ base::Result<void> parse(std::string_view message, FullState& out) {
 
 void format(const FullState& state, int version, std::string& text) {
   TextWriter out(text);
-  append(out, "(fullstate ", state.time);
-  out.append(" (pmode ");
-
+  append(out, "(fullstate ", state.time, " (pmode ");
   if (state.ball_caught) {
-    out.append(kCatchPrefix);
-    out.push_back(letter(side(state.mode)));
+    append(out, kCatchPrefix, letter(side(state.mode)));
   } else {
     out.append(name(state.mode));
   }
@@ -189,9 +161,7 @@ void format(const FullState& state, int version, std::string& text) {
   append_counts(state.counts, version, out);
   append_arm(state.arm, out);
 
-  append(out, " (score ", state.our_score);
-  append(out, " ", state.opponent_score);
-  out.append(") ((b) ");
+  append(out, " (score ", state.our_score, ' ', state.opponent_score, ") ((b) ");
   append_motion(state.ball_position, state.ball_velocity, out);
   out.push_back(')');
 

@@ -12,19 +12,18 @@ namespace {
 constexpr std::string_view kGoals = " ((g r) 52.5 0) ((g l) -52.5 0) ((b) ";
 
 bool at_number(const Scanner& in) {
-  const std::string_view rest = in.rest();
-  return rest.size() > 1 && rest[0] == ' ' &&
-         (rest[1] == '-' || (rest[1] >= '0' && rest[1] <= '9'));
+  return in.looking_at(" ") && in.rest().find_first_of("-0123456789", 1) == 1;
 }
 
 bool read_one(Scanner& in, GlobalViewPlayer& player) {
   if (!(in.literal(" ((p ") && read_player(in, player.team, player.unum, player.goalie) &&
-        in.literal(") ") && read_motion(in, player.position, player.velocity) && in.literal(" ") &&
-        in.integer(player.body) && in.literal(" ") && in.integer(player.neck))) {
+        in.literal(") ") && read_motion(in, player.position, player.velocity) &&
+        in.sequence(" ", player.body, " ", player.neck))) {
     return false;
   }
+
   player.pointing = at_number(in);
-  if (player.pointing && !(in.literal(" ") && in.integer(player.point_direction))) return false;
+  if (player.pointing && !in.sequence(" ", player.point_direction)) return false;
   read_marks(in, player.mark, player.card);
   return in.literal(")");
 }
@@ -35,9 +34,8 @@ base::Result<void> parse(std::string_view message, GlobalView& out) {
   Scanner in(message);
   out.players.clear();
   out.is_look_reply = in.optional("(ok look ");
-  bool ok = (out.is_look_reply || in.literal("(see_global ")) && in.integer(out.time) &&
-            in.literal(kGoals) && read_motion(in, out.ball_position, out.ball_velocity) &&
-            in.literal(")");
+  bool ok = (out.is_look_reply || in.literal("(see_global ")) && in.sequence(out.time, kGoals) &&
+            read_motion(in, out.ball_position, out.ball_velocity) && in.literal(")");
   while (ok && in.peek() == ' ') {
     if (out.players.size() == kPlayersOnPitch) {
       ok = in.fail("no more players");
@@ -51,21 +49,21 @@ base::Result<void> parse(std::string_view message, GlobalView& out) {
 
 void format(const GlobalView& view, std::string& text) {
   TextWriter out(text);
-  append(out, view.is_look_reply ? "(ok look " : "(see_global ", view.time);
-  out.append(kGoals);
+  append(out, view.is_look_reply ? "(ok look " : "(see_global ", view.time, kGoals);
   append_motion(view.ball_position, view.ball_velocity, out);
   out.push_back(')');
+
   for (const GlobalViewPlayer& player : view.players) {
     out.append(" ((p ");
     append_player(player.team, player.unum, player.goalie, out);
     out.append(") ");
     append_motion(player.position, player.velocity, out);
-    append(out, " ", player.body);
-    append(out, " ", player.neck);
-    if (player.pointing) append(out, " ", player.point_direction);
+    append(out, ' ', player.body, ' ', player.neck);
+    if (player.pointing) append(out, ' ', player.point_direction);
     append_marks(player.mark, player.card, out);
     out.push_back(')');
   }
+
   out.push_back(')');
 }
 

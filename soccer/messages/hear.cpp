@@ -55,16 +55,13 @@ bool read_side_and_text(Scanner& in, Hear& out) {
 
 bool read_sender(Scanner& in, Hear& out) {
   if (in.optional("referee ")) return read_referee_or_trainer(in, out);
-
-  if (in.optional("coach ")) {
-    out.sender = Sender::kTrainer;
-    return read_text(in, true, out.text);
-  }
-  if (in.optional("self ")) {
-    out.sender = Sender::kSelf;
-    return read_text(in, true, out.text);
-  }
   if (in.optional("(p ")) return read_speaker(in, out);
+
+  const bool trainer = in.optional("coach ");
+  if (trainer || in.optional("self ")) {
+    out.sender = trainer ? Sender::kTrainer : Sender::kSelf;
+    return read_text(in, true, out.text);
+  }
 
   const bool left = in.optional("online_coach_left ");
   if (left || in.optional("online_coach_right ")) {
@@ -73,8 +70,7 @@ bool read_sender(Scanner& in, Hear& out) {
   }
 
   out.partial = in.peek() == 'o';
-  return (out.partial || (in.integer(out.direction) && in.literal(" "))) &&
-         read_side_and_text(in, out);
+  return (out.partial || in.sequence(out.direction, " ")) && read_side_and_text(in, out);
 }
 
 bool read_message(Scanner& in, Hear& out) {
@@ -82,47 +78,26 @@ bool read_message(Scanner& in, Hear& out) {
 
   if (in.optional("referee ")) {  // to a trainer, name before time
     out.sender = Sender::kReferee;
-    return in.integer(out.time) && in.literal(" ") && read_text(in, false, out.text);
+    return in.sequence(out.time, " ") && read_text(in, false, out.text);
   }
 
-  return in.integer(out.time) && in.literal(" ") && read_sender(in, out);
+  return in.sequence(out.time, " ") && read_sender(in, out);
 }
 
-void append_quoted(std::string_view before, std::string_view text, std::string& out) {
-  out.append(before);
-  out.push_back('"');
-  out.append(text);
-  out.push_back('"');
-}
-
-void append_coach(const Hear& hear, Recipient recipient, std::string& out) {
-  out.append(hear.sender == Sender::kOnlineCoachLeft ? "online_coach_left" : "online_coach_right");
-  if (recipient == Recipient::kTrainer) return append_quoted(" ", hear.text, out);
-  out.push_back(' ');
-  out.append(hear.text);
-}
-
-void append_trainer(const Hear& hear, Recipient recipient, std::string& out) {
-  if (recipient == Recipient::kPlayer) return append_quoted("coach ", hear.text, out);
-  if (recipient == Recipient::kTrainer) return append_quoted("referee ", hear.text, out);
-
-  out.append("referee ");
-  out.append(hear.text);
+void append_text(std::string_view before, const Hear& hear, bool quoted, std::string& out) {
+  const std::string_view quote = quoted ? "\"" : "";
+  append(out, before, quote, hear.text, quote);
 }
 
 void append_player_message(const Hear& hear, std::string& out) {
-  if (!hear.partial) {
-    base::append_int(hear.direction, out);
-    out.push_back(' ');
-  }
-
+  if (!hear.partial) append(out, hear.direction, ' ');
   if (hear.sender == Sender::kTeammate) {
     append(out, "our ", hear.unum);
   } else {
     out.append("opp");
   }
 
-  if (!hear.partial) append_quoted(" ", hear.text, out);
+  if (!hear.partial) append_text(" ", hear, true, out);
 }
 
 }  // namespace
@@ -139,31 +114,29 @@ base::Result<void> parse(std::string_view message, Hear& out) {
 }
 
 void format(const Hear& hear, Recipient recipient, std::string& out) {
-  if (hear.sender == Sender::kReferee && recipient == Recipient::kTrainer) {
-    append(out, "(hear referee ", hear.time);
-    out.push_back(' ');
-    out.append(hear.text);
-    out.push_back(')');
+  const bool to_trainer = recipient == Recipient::kTrainer;
+  if (hear.sender == Sender::kReferee && to_trainer) {
+    append(out, "(hear referee ", hear.time, ' ', hear.text, ')');
     return;
   }
 
-  append(out, "(hear ", hear.time);
-  out.push_back(' ');
-
+  append(out, "(hear ", hear.time, ' ');
   switch (hear.sender) {
     case Sender::kReferee:
-      out.append("referee ");
-      out.append(hear.text);
+      append_text("referee ", hear, false, out);
       break;
     case Sender::kTrainer:
-      append_trainer(hear, recipient, out);
+      append_text(recipient == Recipient::kPlayer ? "coach " : "referee ", hear,
+                  recipient != Recipient::kOnlineCoach, out);
       break;
     case Sender::kOnlineCoachLeft:
+      append_text("online_coach_left ", hear, to_trainer, out);
+      break;
     case Sender::kOnlineCoachRight:
-      append_coach(hear, recipient, out);
+      append_text("online_coach_right ", hear, to_trainer, out);
       break;
     case Sender::kSelf:
-      append_quoted("self ", hear.text, out);
+      append_text("self ", hear, true, out);
       break;
     case Sender::kTeammate:
     case Sender::kOpponent:
@@ -172,7 +145,7 @@ void format(const Hear& hear, Recipient recipient, std::string& out) {
     case Sender::kPlayer:
       out.append("(p ");
       append_player(hear.team, hear.unum, hear.goalie, out);
-      append_quoted(") ", hear.text, out);
+      append_text(") ", hear, true, out);
       break;
   }
 

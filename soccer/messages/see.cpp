@@ -113,16 +113,10 @@ bool assign(const Numbers& numbers, Observation& object) {
 
   object.distance = v[0];
   if (count < 2 || !whole(v[1], object.direction)) return false;
-
-  if (count == 2) {
+  if (count == 2 || (player && count == 3)) {
     object.detail = ObservedDetail::kPosition;
-    return true;
-  }
-
-  if (player && count == 3) {
-    object.detail = ObservedDetail::kPosition;
-    object.pointing = true;
-    return whole(v[2], object.point_direction);
+    object.pointing = count == 3;
+    return !object.pointing || whole(v[2], object.point_direction);
   }
 
   if (count < 4 || player != (count >= 6) || count == 5) return false;
@@ -165,15 +159,12 @@ void append_name(const Observation& object, TextWriter& out) {
       if (object.unum > 0) {
         append_player(object.team, object.unum, object.goalie, out);
       } else {
-        out.push_back('"');
-        out.append(object.team.view());
-        out.push_back('"');
+        append(out, '"', object.team.view(), '"');
       }
       break;
     case ObservedKind::kLine:
       assert(object.index < kPitchLineCount);
-      out.append("l ");
-      out.push_back(letter(static_cast<PitchLine>(object.index)));
+      append(out, "l ", letter(static_cast<PitchLine>(object.index)));
       break;
     case ObservedKind::kCloseFlag:
       out.push_back('F');
@@ -191,18 +182,14 @@ void append_name(const Observation& object, TextWriter& out) {
 }
 
 void append_numbers(const Observation& object, TextWriter& out) {
-  if (object.detail != ObservedDetail::kDirection) append(out, " ", object.distance);
-  append(out, " ", object.direction);
+  if (object.detail != ObservedDetail::kDirection) append(out, ' ', object.distance);
+  append(out, ' ', object.direction);
   if (object.detail >= ObservedDetail::kMotion) {
-    append(out, " ", object.distance_change);
-    append(out, " ", object.direction_change);
+    append(out, ' ', object.distance_change, ' ', object.direction_change);
   }
-  if (object.detail == ObservedDetail::kPose) {
-    append(out, " ", object.body);
-    append(out, " ", object.head);
-  }
+  if (object.detail == ObservedDetail::kPose) append(out, ' ', object.body, ' ', object.head);
 
-  if (object.pointing) append(out, " ", object.point_direction);
+  if (object.pointing) append(out, ' ', object.point_direction);
   if (object.mark == ActionMark::kTackling) out.append(" t");
   if (object.mark == ActionMark::kKicked) out.append(" k");
 }
@@ -213,7 +200,7 @@ base::Result<void> parse(std::string_view message, See& out) {
   Scanner in(message);
   out.objects.clear();
 
-  bool ok = in.literal("(see ") && in.integer(out.time);
+  bool ok = in.sequence("(see ", out.time);
   while (ok && in.peek() == ' ') {
     if (out.objects.size() == kMaxObservations) {
       ok = in.fail("no more objects");

@@ -1,6 +1,7 @@
 // Parsing and formatting of sense_body, in the order of the message.
 #include "soccer/messages/sense_body.h"
 
+#include "base/text/enum_names.h"
 #include "soccer/messages/sense_groups.h"
 
 namespace cls::soccer {
@@ -12,29 +13,27 @@ constexpr int kFirstWithCapacity = 13;
 constexpr int kFirstWithFoul = 14;
 constexpr int kFirstWithFocus = 18;
 
+constexpr auto kCards = base::enum_names<Card>("none", "yellow", "red");
+
 bool read_body(Scanner& in, SenseBody& out) {
-  return in.literal("(sense_body ") && in.integer(out.time) && in.literal(" (view_mode ") &&
-         read_view_mode(in, out.quality, out.width) && in.literal(") (stamina ") &&
-         in.number(out.stamina) && in.literal(" ") && in.number(out.effort) && in.literal(" ") &&
-         in.number(out.capacity) && in.literal(") (speed ") && in.number(out.speed) &&
-         in.literal(" ") && in.integer(out.speed_direction) && in.literal(") (head_angle ") &&
-         in.integer(out.head_angle) && in.literal(")");
+  return in.sequence("(sense_body ", out.time, " (view_mode ") &&
+         read_view_mode(in, out.quality, out.width) &&
+         in.sequence(") (stamina ", out.stamina, " ", out.effort, " ", out.capacity, ") (speed ",
+                     out.speed, " ", out.speed_direction, ") (head_angle ", out.head_angle, ")");
 }
 
 bool read_counts(Scanner& in, SenseBody& out) {
   CommandCounts& counts = out.counts;
   counts.change_focus = 0;
-  if (!(in.literal(" (kick ") && in.integer(counts.kick) && in.literal(") (dash ") &&
-        in.integer(counts.dash) && in.literal(") (turn ") && in.integer(counts.turn) &&
-        in.literal(") (say ") && in.integer(counts.say) && in.literal(") (turn_neck ") &&
-        in.integer(counts.turn_neck) && in.literal(") (catch ") && in.integer(counts.catches) &&
-        in.literal(") (move ") && in.integer(counts.move) && in.literal(") (change_view ") &&
-        in.integer(counts.change_view) && in.literal(")"))) {
+  if (!in.sequence(" (kick ", counts.kick, ") (dash ", counts.dash, ") (turn ", counts.turn,
+                   ") (say ", counts.say, ") (turn_neck ", counts.turn_neck, ") (catch ",
+                   counts.catches, ") (move ", counts.move, ") (change_view ", counts.change_view,
+                   ")")) {
     return false;
   }
 
   out.has_focus_point = in.optional(" (change_focus ");
-  return !out.has_focus_point || (in.integer(counts.change_focus) && in.literal(")"));
+  return !out.has_focus_point || in.sequence(counts.change_focus, ")");
 }
 
 bool read_attention(Scanner& in, SenseBody& out) {
@@ -47,7 +46,7 @@ bool read_attention(Scanner& in, SenseBody& out) {
     return false;
   }
 
-  return in.literal(") (count ") && in.integer(out.attention_count) && in.literal("))");
+  return in.sequence(") (count ", out.attention_count, "))");
 }
 
 bool read_collision(Scanner& in, SenseBody& out) {
@@ -69,40 +68,25 @@ bool read_collision(Scanner& in, SenseBody& out) {
 }
 
 bool read_foul(Scanner& in, SenseBody& out) {
-  if (!(in.literal(" (foul (charged ") && in.integer(out.foul_charged) && in.literal(") (card "))) {
-    return false;
+  if (!in.sequence(" (foul (charged ", out.foul_charged, ") (card ")) return false;
+  for (const Card card : {Card::kNone, Card::kYellow, Card::kRed}) {
+    if (!in.optional(kCards.name(card))) continue;
+    out.card = card;
+    return in.literal("))");
   }
-
-  if (in.optional("none")) {
-    out.card = Card::kNone;
-  } else if (in.optional("yellow")) {
-    out.card = Card::kYellow;
-  } else if (in.optional("red")) {
-    out.card = Card::kRed;
-  } else {
-    return in.fail("none, yellow or red");
-  }
-
-  return in.literal("))");
+  return in.fail("none, yellow or red");
 }
 
 bool read_focus_point(Scanner& in, SenseBody& out) {
   out.focus_distance = out.focus_direction = 0.0;
   if (!out.has_focus_point) return true;
-  return in.literal(" (focus_point ") && in.number(out.focus_distance) && in.literal(" ") &&
-         in.number(out.focus_direction) && in.literal(")");
+  return in.sequence(" (focus_point ", out.focus_distance, " ", out.focus_direction, ")");
 }
 
 void append_counts(const CommandCounts& counts, int version, TextWriter& out) {
-  append(out, " (kick ", counts.kick);
-  append(out, ") (dash ", counts.dash);
-  append(out, ") (turn ", counts.turn);
-  append(out, ") (say ", counts.say);
-  append(out, ") (turn_neck ", counts.turn_neck);
-  append(out, ") (catch ", counts.catches);
-  append(out, ") (move ", counts.move);
-  append(out, ") (change_view ", counts.change_view);
-
+  append(out, " (kick ", counts.kick, ") (dash ", counts.dash, ") (turn ", counts.turn, ") (say ",
+         counts.say, ") (turn_neck ", counts.turn_neck, ") (catch ", counts.catches, ") (move ",
+         counts.move, ") (change_view ", counts.change_view);
   if (version >= kFirstWithFocus) append(out, ") (change_focus ", counts.change_focus);
   out.append(") ");
 }
@@ -113,8 +97,7 @@ void append_attention(const SenseBody& sense, TextWriter& out) {
   if (sense.attention_side == Side::kNeutral) {
     out.append("none");
   } else {
-    out.push_back(letter(sense.attention_side));
-    append(out, " ", sense.attention_unum);
+    append(out, letter(sense.attention_side), ' ', sense.attention_unum);
   }
   append(out, ") (count ", sense.attention_count);
 }
@@ -125,8 +108,7 @@ void append_collision(const SenseBody& sense, TextWriter& out) {
 
   const auto add = [&](bool collided, std::string_view text) {
     if (!collided) return;
-    out.append(separator);
-    out.append(text);
+    append(out, separator, text);
     separator = " ";
   };
 
@@ -136,26 +118,16 @@ void append_collision(const SenseBody& sense, TextWriter& out) {
   out.append(separator.empty() ? "none)" : ")");
 }
 
-std::string_view name(Card card) {
-  return card == Card::kNone ? "none" : card == Card::kYellow ? "yellow" : "red";
-}
-
-void append_foul(const SenseBody& sense, TextWriter& out) {
-  append(out, " (foul (charged ", sense.foul_charged);
-  out.append(") (card ");
-  out.append(name(sense.card));
-  out.append("))");
-}
-
 }  // namespace
 
 base::Result<void> parse(std::string_view message, SenseBody& out) {
   Scanner in(message);
   if (read_body(in, out) && read_counts(in, out) && in.literal(" ") && read_arm(in, out.arm) &&
-      read_attention(in, out) && in.literal(" (tackle (expires ") &&
-      in.integer(out.tackle_expires_in) && in.literal(") (count ") &&
-      in.integer(out.tackle_count) && in.literal("))") && read_collision(in, out) &&
-      read_foul(in, out) && read_focus_point(in, out) && in.literal(")") && in.end()) {
+      read_attention(in, out) &&
+      in.sequence(" (tackle (expires ", out.tackle_expires_in, ") (count ", out.tackle_count,
+                  "))") &&
+      read_collision(in, out) && read_foul(in, out) && read_focus_point(in, out) &&
+      in.literal(")") && in.end()) {
     return {};
   }
   return in.error("sense_body");
@@ -163,33 +135,26 @@ base::Result<void> parse(std::string_view message, SenseBody& out) {
 
 void format(const SenseBody& sense, int version, std::string& text) {
   TextWriter out(text);
-  append(out, "(sense_body ", sense.time);
-
-  out.append(" (view_mode ");
+  append(out, "(sense_body ", sense.time, " (view_mode ");
   append_view_mode(sense.quality, sense.width, out);
-  append(out, ") (stamina ", sense.stamina);
-  append(out, " ", sense.effort);
-  if (version >= kFirstWithCapacity) append(out, " ", sense.capacity);
-
-  append(out, ") (speed ", sense.speed);
-  append(out, " ", sense.speed_direction);
-  append(out, ") (head_angle ", sense.head_angle);
-  out.push_back(')');
+  append(out, ") (stamina ", sense.stamina, ' ', sense.effort);
+  if (version >= kFirstWithCapacity) append(out, ' ', sense.capacity);
+  append(out, ") (speed ", sense.speed, ' ', sense.speed_direction, ") (head_angle ",
+         sense.head_angle, ')');
 
   append_counts(sense.counts, version, out);
   append_arm(sense.arm, out);
   append_attention(sense, out);
 
-  append(out, ")) (tackle (expires ", sense.tackle_expires_in);
-  append(out, ") (count ", sense.tackle_count);
-  out.append("))");
+  append(out, ")) (tackle (expires ", sense.tackle_expires_in, ") (count ", sense.tackle_count,
+         "))");
 
   if (version >= kFirstWithCollision) append_collision(sense, out);
-  if (version >= kFirstWithFoul) append_foul(sense, out);
+  if (version >= kFirstWithFoul) {
+    append(out, " (foul (charged ", sense.foul_charged, ") (card ", kCards.name(sense.card), "))");
+  }
   if (version >= kFirstWithFocus) {
-    append(out, " (focus_point ", sense.focus_distance);
-    append(out, " ", sense.focus_direction);
-    out.push_back(')');
+    append(out, " (focus_point ", sense.focus_distance, ' ', sense.focus_direction, ')');
   }
 
   out.push_back(')');

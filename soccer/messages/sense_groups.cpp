@@ -1,98 +1,85 @@
 // Shared groups of sense_body, fullstate and see_global.
 #include "soccer/messages/sense_groups.h"
 
+#include <span>
+#include <type_traits>
+#include <utility>
+
 namespace cls::soccer {
+namespace {
 
-bool read_view_mode(Scanner& in, ViewQuality& quality, ViewWidth& width) {
-  if (in.optional("high ")) {
-    quality = ViewQuality::kHigh;
-  } else if (in.optional("low ")) {
-    quality = ViewQuality::kLow;
-  } else {
-    return in.fail("high or low");
-  }
+/// A text in messages and its value.
+template <typename Value>
+using Word = std::pair<std::string_view, Value>;
 
-  for (const ViewWidth candidate : {ViewWidth::kNarrow, ViewWidth::kNormal, ViewWidth::kWide}) {
-    if (!in.optional(name(candidate))) continue;
-    width = candidate;
+constexpr Word<ActionMark> kMarks[] = {
+    {" t", ActionMark::kTackling}, {" k", ActionMark::kKicked}, {" f", ActionMark::kFoulCharged}};
+constexpr Word<Card> kCards[] = {{" y", Card::kYellow}, {" r", Card::kRed}};
+constexpr Word<Side> kSides[] = {{"l", Side::kLeft}, {"r", Side::kRight}};
+constexpr Word<ViewQuality> kQualities[] = {{"high ", ViewQuality::kHigh},
+                                            {"low ", ViewQuality::kLow}};
+constexpr Word<ViewWidth> kWidths[] = {
+    {"narrow", ViewWidth::kNarrow}, {"normal", ViewWidth::kNormal}, {"wide", ViewWidth::kWide}};
+
+// Consumes the first word that is next; false, with `value` unchanged, if there is none.
+template <typename Value>
+bool read_word(Scanner& in, std::span<const Word<std::type_identity_t<Value>>> words,
+               Value& value) {
+  for (const auto& [text, meaning] : words) {
+    if (!in.optional(text)) continue;
+    value = meaning;
     return true;
   }
+  return false;
+}
 
-  return in.fail("narrow, normal or wide");
+template <typename Value>
+void append_word(std::span<const Word<std::type_identity_t<Value>>> words, Value value,
+                 TextWriter& out) {
+  for (const auto& [text, meaning] : words) {
+    if (meaning == value) out.append(text);
+  }
+}
+
+}  // namespace
+
+bool read_view_mode(Scanner& in, ViewQuality& quality, ViewWidth& width) {
+  return (read_word(in, kQualities, quality) || in.fail("high or low")) &&
+         (read_word(in, kWidths, width) || in.fail("narrow, normal or wide"));
 }
 
 void append_view_mode(ViewQuality quality, ViewWidth width, TextWriter& out) {
-  out.append(name(quality));
-  out.push_back(' ');
-  out.append(name(width));
+  append(out, name(quality), ' ', name(width));
 }
 
 bool read_arm(Scanner& in, ArmState& arm) {
-  return in.literal("(arm (movable ") && in.integer(arm.movable_in) && in.literal(") (expires ") &&
-         in.integer(arm.expires_in) && in.literal(") (target ") && in.number(arm.target_distance) &&
-         in.literal(" ") && in.integer(arm.target_direction) && in.literal(") (count ") &&
-         in.integer(arm.count) && in.literal("))");
+  return in.sequence("(arm (movable ", arm.movable_in, ") (expires ", arm.expires_in, ") (target ",
+                     arm.target_distance, " ", arm.target_direction, ") (count ", arm.count, "))");
 }
 
 void append_arm(const ArmState& arm, TextWriter& out) {
-  append(out, "(arm (movable ", arm.movable_in);
-  append(out, ") (expires ", arm.expires_in);
-  append(out, ") (target ", arm.target_distance);
-  append(out, " ", arm.target_direction);
-  append(out, ") (count ", arm.count);
-  out.append("))");
+  append(out, "(arm (movable ", arm.movable_in, ") (expires ", arm.expires_in, ") (target ",
+         arm.target_distance, ' ', arm.target_direction, ") (count ", arm.count, "))");
 }
 
-bool read_side(Scanner& in, Side& side) {
-  if (in.optional("l")) {
-    side = Side::kLeft;
-  } else if (in.optional("r")) {
-    side = Side::kRight;
-  } else {
-    return in.fail("l or r");
-  }
-  return true;
-}
+bool read_side(Scanner& in, Side& side) { return read_word(in, kSides, side) || in.fail("l or r"); }
 
 bool read_motion(Scanner& in, Vec2& position, Vec2& velocity) {
-  return in.number(position.x) && in.literal(" ") && in.number(position.y) && in.literal(" ") &&
-         in.number(velocity.x) && in.literal(" ") && in.number(velocity.y);
+  return in.sequence(position.x, " ", position.y, " ", velocity.x, " ", velocity.y);
 }
 
 void append_motion(Vec2 position, Vec2 velocity, TextWriter& out) {
-  out.append_number(position.x);
-  append(out, " ", position.y);
-  append(out, " ", velocity.x);
-  append(out, " ", velocity.y);
+  append(out, position.x, ' ', position.y, ' ', velocity.x, ' ', velocity.y);
 }
 
 void read_marks(Scanner& in, ActionMark& mark, Card& card) {
-  if (in.optional(" t")) {
-    mark = ActionMark::kTackling;
-  } else if (in.optional(" k")) {
-    mark = ActionMark::kKicked;
-  } else if (in.optional(" f")) {
-    mark = ActionMark::kFoulCharged;
-  } else {
-    mark = ActionMark::kNone;
-  }
-
-  if (in.optional(" y")) {
-    card = Card::kYellow;
-  } else if (in.optional(" r")) {
-    card = Card::kRed;
-  } else {
-    card = Card::kNone;
-  }
+  if (!read_word(in, kMarks, mark)) mark = ActionMark::kNone;
+  if (!read_word(in, kCards, card)) card = Card::kNone;
 }
 
 void append_marks(ActionMark mark, Card card, TextWriter& out) {
-  if (mark == ActionMark::kTackling) out.append(" t");
-  if (mark == ActionMark::kKicked) out.append(" k");
-  if (mark == ActionMark::kFoulCharged) out.append(" f");
-
-  if (card == Card::kYellow) out.append(" y");
-  if (card == Card::kRed) out.append(" r");
+  append_word(kMarks, mark, out);
+  append_word(kCards, card, out);
 }
 
 }  // namespace cls::soccer

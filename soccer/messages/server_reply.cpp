@@ -1,6 +1,8 @@
 // Parsing of short server messages.
 #include "soccer/messages/server_reply.h"
 
+#include <iterator>
+
 #include "soccer/messages/sense_groups.h"
 #include "soccer/protocol/observation_name.h"
 #include "soccer/protocol/scanner.h"
@@ -36,13 +38,8 @@ bool read_on_off(Scanner& in, bool& on) {
 
 // "(init l 1 MODE)", "(init l ok)", "(init ok)"
 bool read_init(Scanner& in, ServerReply& out) {
-  if (in.optional("ok)")) {
-    out = CoachInitReply{};
-    return true;
-  }
-
   Side side = Side::kNeutral;
-  if (!(read_side(in, side) && in.literal(" "))) return false;
+  if (!in.looking_at("ok)") && !(read_side(in, side) && in.literal(" "))) return false;
   if (in.optional("ok)")) {
     out = CoachInitReply{side};
     return true;
@@ -60,24 +57,17 @@ bool read_reconnect(Scanner& in, ServerReply& out) {
          in.literal(")");
 }
 
-bool read_error(Scanner& in, ServerReply& out) {
+template <typename Reply, typename Parse>
+bool read_coded(Scanner& in, Parse parse_code, ServerReply& out) {
   std::string_view text;
   if (!in.rest_before(")", text)) return false;
-  out = ErrorReply{std::string(text), parse_error_code(text)};
-  return true;
-}
-
-bool read_warning(Scanner& in, ServerReply& out) {
-  std::string_view text;
-  if (!in.rest_before(")", text)) return false;
-  out = WarningReply{std::string(text), parse_warning_code(text)};
+  out = Reply{std::string(text), parse_code(text)};
   return true;
 }
 
 bool read_score(Scanner& in, ServerReply& out) {
   auto& reply = out.emplace<ScoreReply>();
-  return in.integer(reply.time) && in.literal(" ") && in.integer(reply.our) && in.literal(" ") &&
-         in.integer(reply.opponent) && in.literal(")");
+  return in.sequence(reply.time, " ", reply.our, " ", reply.opponent, ")");
 }
 
 bool read_type_change(Scanner& in, ServerReply& out) {
@@ -88,15 +78,13 @@ bool read_type_change(Scanner& in, ServerReply& out) {
   }
 
   if (!in.integer(reply.unum, 1, kPlayersPerTeam)) return false;
-  return in.optional(")") ||
-         (in.literal(" ") && in.integer(reply.type.emplace()) && in.literal(")"));
+  return in.optional(")") || in.sequence(" ", reply.type.emplace(), ")");
 }
 
 bool read_clang(Scanner& in, ServerReply& out) {
   auto& reply = out.emplace<ClangSupport>();
   return in.literal("(ver (p ") && read_player(in, reply.team, reply.unum, reply.goalie) &&
-         in.literal(") ") && in.integer(reply.min_version) && in.literal(" ") &&
-         in.integer(reply.max_version) && in.literal("))");
+         in.sequence(") ", reply.min_version, " ", reply.max_version, "))");
 }
 
 bool read_include(Scanner& in, ServerReply& out) {
@@ -104,10 +92,8 @@ bool read_include(Scanner& in, ServerReply& out) {
   std::string_view text;
   const std::size_t start = in.position();
 
-  if (!(in.integer(size) && in.literal(" ") && in.rest_before(")", text))) return false;
-  if (size < 0 || static_cast<std::size_t>(size) != text.size()) {
-    return in.fail_at(start, "the length of the text");
-  }
+  if (!(in.sequence(size, " ") && in.rest_before(")", text))) return false;
+  if (size != std::ssize(text)) return in.fail_at(start, "the length of the text");
 
   out = CoachInclude{std::string(text)};
   return true;
@@ -115,33 +101,23 @@ bool read_include(Scanner& in, ServerReply& out) {
 
 bool read_ok_clang(Scanner& in, ServerReply& out) {
   auto& reply = out.emplace<OkClang>();
-  return in.literal("(ver ") && in.integer(reply.min_version) && in.literal(" ") &&
-         in.integer(reply.max_version) && in.literal("))");
-}
-
-bool read_ok_compression(Scanner& in, ServerReply& out) {
-  return in.integer(out.emplace<OkCompression>().level) && in.literal(")");
+  return in.sequence("(ver ", reply.min_version, " ", reply.max_version, "))");
 }
 
 bool read_ok_team_names(Scanner& in, ServerReply& out) {
   auto& reply = out.emplace<OkTeamNames>();
+  const auto read_name = [&in](std::string_view start, TeamName& team) {
+    return !in.optional(start) || (read_plain_team(in, team) && in.literal(")"));
+  };
 
-  if (in.optional(" (team l ") && !(read_plain_team(in, reply.left) && in.literal(")"))) {
-    return false;
-  }
-  if (in.optional(" (team r ") && !(read_plain_team(in, reply.right) && in.literal(")"))) {
-    return false;
-  }
-
-  if (!in.literal(")")) return false;
-  in.optional("\n");
-  return true;
+  if (!(read_name(" (team l ", reply.left) && read_name(" (team r ", reply.right))) return false;
+  return in.literal(")") && (in.optional("\n"), true);
 }
 
 bool read_ok_check_ball(Scanner& in, ServerReply& out) {
   auto& reply = out.emplace<OkCheckBall>();
 
-  if (!(in.integer(reply.time) && in.literal(" "))) return false;
+  if (!in.sequence(reply.time, " ")) return false;
   for (const BallPlace place :
        {BallPlace::kInField, BallPlace::kGoalLeft, BallPlace::kGoalRight, BallPlace::kOutOfField}) {
     if (!in.optional(name(place))) continue;
@@ -161,12 +137,12 @@ bool read_ok_change_player_type(Scanner& in, ServerReply& out) {
   if (has_team && !(read_plain_team(in, reply.team) && in.literal(" "))) return false;
   if (!(in.integer(reply.unum, 1, kPlayersPerTeam) && in.literal(" "))) return false;
   if (!has_team && in.optional("goalie)")) return true;
-  return in.integer(reply.type.emplace()) && in.literal(")");
+  return in.sequence(reply.type.emplace(), ")");
 }
 
 bool read_ok_team_graphic(Scanner& in, ServerReply& out) {
   auto& reply = out.emplace<OkTeamGraphic>();
-  return in.integer(reply.x) && in.literal(" ") && in.integer(reply.y) && in.literal(")");
+  return in.sequence(reply.x, " ", reply.y, ")");
 }
 
 // Consumes `text`, the rest of a reply without parameters.
@@ -179,7 +155,7 @@ bool read_plain(Scanner& in, std::string_view text, ServerReply& out) {
 
 bool read_ok(Scanner& in, ServerReply& out) {
   if (in.optional("clang ")) return read_ok_clang(in, out);
-  if (in.optional("compression ")) return read_ok_compression(in, out);
+  if (in.optional("compression ")) return in.sequence(out.emplace<OkCompression>().level, ")");
   if (in.optional("eye ")) return read_on_off(in, out.emplace<OkEye>().on);
   if (in.optional("ear ")) return read_on_off(in, out.emplace<OkEar>().on);
   if (in.optional("team_names")) return read_ok_team_names(in, out);
@@ -204,8 +180,8 @@ bool read_reply(Scanner& in, ServerReply& out) {
   if (in.optional("(ok ")) return read_ok(in, out);
   if (in.optional("(init ")) return read_init(in, out);
   if (in.optional("(reconnect ")) return read_reconnect(in, out);
-  if (in.optional("(error ")) return read_error(in, out);
-  if (in.optional("(warning ")) return read_warning(in, out);
+  if (in.optional("(error ")) return read_coded<ErrorReply>(in, parse_error_code, out);
+  if (in.optional("(warning ")) return read_coded<WarningReply>(in, parse_warning_code, out);
   if (in.optional("(score ")) return read_score(in, out);
   if (in.optional("(change_player_type ")) return read_type_change(in, out);
   if (in.optional("(clang ")) return read_clang(in, out);

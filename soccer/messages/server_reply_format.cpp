@@ -1,4 +1,5 @@
 // Formatting of short server messages.
+#include "base/text/enum_names.h"
 #include "soccer/messages/sense_groups.h"
 #include "soccer/messages/server_reply.h"
 #include "soccer/protocol/observation_name.h"
@@ -6,79 +7,61 @@
 namespace cls::soccer {
 namespace {
 
+constexpr auto kPlaces =
+    base::enum_names<BallPlace>("in_field", "goal_l", "goal_r", "out_of_field");
+
 void write(const PlayerInitReply& reply, std::string& out) {
-  out.append("(init ").push_back(letter(reply.side));
-  append(out, " ", reply.unum);
-  out.append(" ").append(name(reply.mode)).push_back(')');
+  append(out, "(init ", letter(reply.side), ' ', reply.unum, ' ', name(reply.mode), ')');
 }
 
 void write(const ReconnectReply& reply, std::string& out) {
-  out.append("(reconnect ").push_back(letter(reply.side));
-  out.append(" ").append(name(reply.mode)).push_back(')');
+  append(out, "(reconnect ", letter(reply.side), ' ', name(reply.mode), ')');
 }
 
 void write(const CoachInitReply& reply, std::string& out) {
   out.append("(init ");
-
-  if (reply.side != Side::kNeutral) {
-    out.push_back(letter(reply.side));
-    out.push_back(' ');
-  }
+  if (reply.side != Side::kNeutral) append(out, letter(reply.side), ' ');
   out.append("ok)");
 }
 
-void write(const ErrorReply& reply, std::string& out) {
-  out.append("(error ").append(reply.text).push_back(')');
-}
+void write(const ErrorReply& reply, std::string& out) { append(out, "(error ", reply.text, ')'); }
 
 void write(const WarningReply& reply, std::string& out) {
-  out.append("(warning ").append(reply.text).push_back(')');
+  append(out, "(warning ", reply.text, ')');
 }
 
 void write(const ScoreReply& reply, std::string& out) {
-  append(out, "(score ", reply.time);
-  append(out, " ", reply.our);
-  append(out, " ", reply.opponent);
-  out.push_back(')');
+  append(out, "(score ", reply.time, ' ', reply.our, ' ', reply.opponent, ')');
 }
 
 void write(const PlayerTypeChange& reply, std::string& out) {
   out.append("(change_player_type ");
-
   if (reply.goalie_side != Side::kNeutral) {
-    out.push_back(letter(reply.goalie_side));
-    append(out, " ", reply.unum);
-    out.append(" goalie)");
+    append(out, letter(reply.goalie_side), ' ', reply.unum, " goalie)");
     return;
   }
 
-  base::append_int(reply.unum, out);
-  if (reply.type) append(out, " ", *reply.type);
+  append(out, reply.unum);
+  if (reply.type) append(out, ' ', *reply.type);
   out.push_back(')');
 }
 
 void write(const ClangSupport& reply, std::string& out) {
   out.append("(clang (ver (p ");
   append_player(reply.team, reply.unum, reply.goalie, out);
-  append(out, ") ", reply.min_version);
-  append(out, " ", reply.max_version);
-  out.append("))");
+  append(out, ") ", reply.min_version, ' ', reply.max_version, "))");
 }
 
 void write(const CoachInclude& reply, std::string& out) {
-  append(out, "(include ", static_cast<int>(reply.text.size()));
-  out.append(" ").append(reply.text).push_back(')');
+  append(out, "(include ", static_cast<int>(reply.text.size()), ' ', reply.text, ')');
 }
 
 void write(const OkClang& reply, std::string& out) {
-  append(out, "(ok clang (ver ", reply.min_version);
-  append(out, " ", reply.max_version);
-  out.append("))");
+  append(out, "(ok clang (ver ", reply.min_version, ' ', reply.max_version, "))");
 }
 
 void write(const OkCompression& reply, std::string& out) {
-  append(out, "(ok compression ", reply.level);
-  out.push_back(')');
+  append(out, "(ok compression ", reply.level, ')');
 }
 
 void write(const OkEye& reply, std::string& out) {
@@ -91,36 +74,29 @@ void write(const OkEar& reply, std::string& out) {
 
 void write(const OkTeamNames& reply, std::string& out) {
   out.append("(ok team_names");
-  if (!reply.left.empty()) out.append(" (team l ").append(reply.left.view()).push_back(')');
-  if (!reply.right.empty()) out.append(" (team r ").append(reply.right.view()).push_back(')');
+  if (!reply.left.empty()) append(out, " (team l ", reply.left.view(), ')');
+  if (!reply.right.empty()) append(out, " (team r ", reply.right.view(), ')');
   out.append(")\n");
 }
 
 void write(const OkCheckBall& reply, std::string& out) {
-  append(out, "(ok check_ball ", reply.time);
-  out.append(" ").append(name(reply.place)).push_back(')');
+  append(out, "(ok check_ball ", reply.time, ' ', name(reply.place), ')');
 }
 
 void write(const OkChangePlayerType& reply, std::string& out) {
   out.append("(ok change_player_type ");
-  if (!reply.team.empty()) out.append(reply.team.view()).push_back(' ');
-
-  base::append_int(reply.unum, out);
-  out.push_back(' ');
+  if (!reply.team.empty()) append(out, reply.team.view(), ' ');
+  append(out, reply.unum, ' ');
 
   if (reply.type) {
-    base::append_int(*reply.type, out);
+    append(out, *reply.type, ')');
   } else {
-    out.append("goalie");
+    out.append("goalie)");
   }
-
-  out.push_back(')');
 }
 
 void write(const OkTeamGraphic& reply, std::string& out) {
-  append(out, "(ok team_graphic ", reply.x);
-  append(out, " ", reply.y);
-  out.push_back(')');
+  append(out, "(ok team_graphic ", reply.x, ' ', reply.y, ')');
 }
 
 void write(Think, std::string& out) { out.append("(think)"); }
@@ -134,19 +110,7 @@ void write(OkRecover, std::string& out) { out.append("(ok recover)\n"); }
 
 }  // namespace
 
-std::string_view name(BallPlace place) {
-  switch (place) {
-    case BallPlace::kInField:
-      return "in_field";
-    case BallPlace::kGoalLeft:
-      return "goal_l";
-    case BallPlace::kGoalRight:
-      return "goal_r";
-    case BallPlace::kOutOfField:
-      break;
-  }
-  return "out_of_field";
-}
+std::string_view name(BallPlace place) { return kPlaces.name(place); }
 
 void format(const ServerReply& reply, std::string& out) {
   std::visit([&out](const auto& one) { write(one, out); }, reply);

@@ -1,9 +1,10 @@
 // Parsing of parameter values.
 #include "soccer/parameters/parameter.h"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
+
+#include "base/text/value_text.h"
 
 namespace cls::soccer {
 namespace {
@@ -25,13 +26,9 @@ base::Error type_error(std::string_view type, std::string_view text) {
 namespace detail {
 
 base::Result<void> assign(double& value, std::string_view text) {
-  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
-  double read = 0.0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), read);
-  if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(read)) {
-    return type_error("a number", text);
-  }
-  value = read;
+  const auto read = base::value_of<double>(text.starts_with('+') ? text.substr(1) : text);
+  if (!read) return type_error("a number", text);
+  value = *read;
   return {};
 }
 
@@ -47,13 +44,11 @@ base::Result<void> assign(int& value, std::string_view text) {
 
 base::Result<void> assign(bool& value, std::string_view text) {
   const std::string token = lower(text);
-  if (token == "on" || token == "true" || token == "1") {
-    value = true;
-  } else if (token == "off" || token == "false" || token == "0") {
-    value = false;
-  } else {
+  const bool on = token == "on" || token == "true" || token == "1";
+  if (!on && token != "off" && token != "false" && token != "0") {
     return type_error("on or off", text);
   }
+  value = on;
   return {};
 }
 

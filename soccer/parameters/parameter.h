@@ -36,16 +36,14 @@ using ParameterTable = std::vector<Parameter<Params>>;
 /// Rows in alphabetical order, as the server sends them.
 template <typename Params>
 ParameterTable<Params> sorted_by_name(ParameterTable<Params> table) {
-  std::sort(table.begin(), table.end(),
-            [](const auto& a, const auto& b) { return a.name < b.name; });
+  std::ranges::sort(table, {}, &Parameter<Params>::name);
   return table;
 }
 
 template <typename Params>
 const Parameter<Params>* find_parameter(const ParameterTable<Params>& table,
                                         std::string_view name) {
-  const auto found = std::find_if(table.begin(), table.end(),
-                                  [name](const auto& row) { return row.name == name; });
+  const auto found = std::ranges::find(table, name, &Parameter<Params>::name);
   return found == table.end() ? nullptr : &*found;
 }
 

@@ -87,10 +87,7 @@ bool read_player(Scanner& in, TeamName& team, int& unum, bool& goalie) {
 }
 
 void append_player(const TeamName& team, int unum, bool goalie, TextWriter& out) {
-  out.push_back('"');
-  out.append(team.view());
-  out.append("\" ");
-  out.append_number(unum);
+  append(out, '"', team.view(), "\" ", unum);
   if (goalie) out.append(" goalie");
 }
 

@@ -78,7 +78,4 @@ std::optional<WarningCode> parse_warning_code(std::string_view text);
 void format(ErrorCode code, std::string& out);
 void format(WarningCode code, std::string& out);
 
-/// Appends `(error no team with name X)`, the reply to an ear command with an unknown team.
-void format_unknown_team(std::string_view team, std::string& out);
-
 }  // namespace cls::soccer

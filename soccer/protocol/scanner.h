@@ -66,24 +66,26 @@ class Scanner {
   /// A cycle, count, score or angle: at most kMaxInteger in magnitude.
   bool integer(int& value) { return integer(value, -kMaxInteger, kMaxInteger); }
 
+  /// Literals, integers and numbers one after the other.
+  template <typename... Parts>
+  bool sequence(Parts&&... parts) {
+    return (read_part(parts) && ...);
+  }
+
   /// One or more characters up to the next space, parenthesis, quote or the end.
   bool token(std::string_view& value) {
-    const std::size_t end = text_.find_first_of(" ()\"", at_);
-    const std::size_t length = (end == std::string_view::npos ? text_.size() : end) - at_;
-    value = text_.substr(at_, length);
-    at_ += length;
-    return length > 0 || fail("a token");
+    value = rest().substr(0, rest().find_first_of(" ()\""));
+    at_ += value.size();
+    return !value.empty() || fail("a token");
   }
 
   /// All text before `closing`, which must be the end of the message.
   bool rest_before(std::string_view closing, std::string_view& value) {
-    if (rest().size() < closing.size() || !rest().ends_with(closing)) {
-      at_ = text_.size();
-      return fail(closing);
-    }
-
-    value = rest().substr(0, rest().size() - closing.size());
+    value = rest();
     at_ = text_.size();
+    if (!value.ends_with(closing)) return fail(closing);
+
+    value.remove_suffix(closing.size());
     return true;
   }
 
@@ -104,6 +106,10 @@ class Scanner {
   base::Error error(std::string_view message_name) const;
 
  private:
+  bool read_part(std::string_view expected) { return literal(expected); }
+  bool read_part(int& value) { return integer(value); }
+  bool read_part(double& value) { return number(value); }
+
   std::string_view text_;
   std::size_t at_ = 0;
   std::string_view expected_;

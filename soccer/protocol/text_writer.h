@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "base/text/number_text.h"
 
@@ -68,19 +69,25 @@ class TextWriter {
   std::array<char, kSize> buffer_;
 };
 
-// Each appends `before`, then the number.
+namespace detail {
 
-inline void append(TextWriter& out, std::string_view before, int value) {
-  out.append(before);
-  out.append_number(value);
-}
-inline void append(TextWriter& out, std::string_view before, double value) {
-  out.append(before);
-  out.append_number(value);
-}
-inline void append(std::string& out, std::string_view before, int value) {
-  out.append(before);
-  base::append_int(value, out);
+inline void append_piece(TextWriter& out, char c) { out.push_back(c); }
+inline void append_piece(TextWriter& out, std::string_view text) { out.append(text); }
+inline void append_piece(TextWriter& out, int value) { out.append_number(value); }
+inline void append_piece(TextWriter& out, double value) { out.append_number(value); }
+inline void append_piece(std::string& out, char c) { out.push_back(c); }
+inline void append_piece(std::string& out, std::string_view text) { out.append(text); }
+inline void append_piece(std::string& out, int value) { base::append_int(value, out); }
+inline void append_piece(std::string& out, double value) { base::append_g(value, out); }
+
+}  // namespace detail
+
+/// Appends characters, texts and numbers one after the other to a TextWriter or std::string;
+/// numbers as by append_g and append_int.
+template <typename Out, typename... Pieces>
+requires(std::is_same_v<Out, TextWriter> ||
+         std::is_same_v<Out, std::string>) void append(Out& out, const Pieces&... pieces) {
+  (detail::append_piece(out, pieces), ...);
 }
 
 }  // namespace cls::soccer
