@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.h"
 #include "gamelog/rcg/binary_format.h"
 #include "soccer/math.h"
 
@@ -104,13 +105,6 @@ void add_parameters(int kind, const Params& params, Write write, std::string& ou
   datagram.pad_to(kLongSize);
 }
 
-void append_team(const TeamFrame& team, std::string& out) {
-  std::string name = team.name;
-  name.resize(kNameSize, '\0');
-  out += name;
-  write_int16(team.score, out);
-}
-
 }  // namespace
 
 void append_short_show(const Frame& frame, std::string& out) {
@@ -119,10 +113,9 @@ void append_short_show(const Frame& frame, std::string& out) {
   add_short_object(0, 0, 0, 0, frame.ball_position, datagram);
 
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
-    const PlayerFrame& player = frame.players[static_cast<std::size_t>(slot)];
-    const int side = soccer::side_of_slot(slot) == soccer::Side::kLeft ? 1 : -1;
-    add_short_object(low_bits(player.state), side, soccer::unum_of_slot(slot), rounded(player.body),
-                     player.position, datagram);
+    const PlayerFrame& player = frame.players[base::index(slot)];
+    add_short_object(low_bits(player.state), soccer::sign(soccer::side_of_slot(slot)),
+                     soccer::unum_of_slot(slot), rounded(player.body), player.position, datagram);
   }
 
   datagram.int16(frame.time);
@@ -195,7 +188,12 @@ void append_binary_play_mode(RcgVersion version, soccer::PlayMode mode, std::str
 void append_binary_teams(RcgVersion version, const TeamFrames& teams, std::string& out) {
   if (version != RcgVersion::kV3) return;
   write_int16(kTeams, out);
-  for (const TeamFrame& team : teams) append_team(team, out);
+  for (const TeamFrame& team : teams) {
+    std::string name = team.name;
+    name.resize(kNameSize, '\0');
+    out += name;
+    write_int16(team.score, out);
+  }
 }
 
 void append_binary_show(RcgVersion version, const Frame& frame, std::string& out) {

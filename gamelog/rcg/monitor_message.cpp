@@ -1,45 +1,22 @@
 // Selects the format by version and formats the text versions.
 #include "gamelog/rcg/monitor_message.h"
 
-#include "base/text/number_text.h"
 #include "gamelog/rcg/binary_writer.h"
 #include "gamelog/rcg/rcg_json_text.h"
 #include "gamelog/rcg/rcg_text.h"
 #include "soccer/messages/parameter_message.h"
 #include "soccer/parameters/parameter.h"
+#include "soccer/protocol/text_writer.h"
 
 namespace cls::gamelog {
 namespace {
 
-using base::append_int;
+using soccer::append;
 
 // Shows sent to monitors have the layout of logs one version higher.
 RcgVersion log_version(MonitorVersion version) {
   if (version == MonitorVersion::k3) return RcgVersion::kV4;
   return version == MonitorVersion::k4 ? RcgVersion::kV5 : RcgVersion::kV6;
-}
-
-void append_score(const TeamFrames& teams, std::string& out) {
-  out += " (tm";
-  for (const TeamFrame& team : teams) {
-    out += ' ';
-    out += team.name.empty() ? std::string_view("null") : std::string_view(team.name);
-  }
-
-  const auto append = [&out](int value) {
-    out += ' ';
-    append_int(value, out);
-  };
-
-  for (const TeamFrame& team : teams) append(team.score);
-  if (teams[0].penalties_taken() > 0 || teams[1].penalties_taken() > 0) {
-    for (const TeamFrame& team : teams) {
-      append(team.penalty_scored);
-      append(team.penalty_missed);
-    }
-  }
-
-  out += ')';
 }
 
 template <typename Params>
@@ -74,13 +51,9 @@ void append_monitor_show(MonitorVersion version, const Frame& frame, std::string
   if (version == MonitorVersion::k1) return append_short_show(frame, out);
   if (version == MonitorVersion::k2) return append_long_show(frame, out);
 
-  out += "(show ";
-  append_int(frame.time, out);
-  out += " (pm ";
-  append_int(static_cast<int>(frame.mode), out);
+  append(out, "(show ", frame.time, " (pm ", static_cast<int>(frame.mode), ") (tm");
+  append_team_state(frame.teams, out);
   out += ')';
-
-  append_score(frame.teams, out);
   append_objects(frame, out, log_version(version));
   out += ')';
 }
@@ -88,21 +61,12 @@ void append_monitor_show(MonitorVersion version, const Frame& frame, std::string
 void append_monitor_text(MonitorVersion version, int time, int stopped, int board,
                          std::string_view text, std::string& out) {
   if (version == MonitorVersion::kJson) {
-    Message message;
-    message.board = board;
-    message.text = text;
-    return append_json_message(time, stopped, message, out);
+    return append_json_message(time, stopped, {board, std::string(text)}, out);
   }
 
   if (is_binary(version)) return append_binary_text(static_cast<int>(version), board, text, out);
 
-  out += "(msg ";
-  append_int(time, out);
-  out += ' ';
-  append_int(board, out);
-  out += " \"";
-  out += text;
-  out += "\")";
+  append(out, "(msg ", time, ' ', board, " \"", text, "\")");
 }
 
 }  // namespace cls::gamelog

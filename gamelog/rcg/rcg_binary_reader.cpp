@@ -2,9 +2,11 @@
 #include "gamelog/rcg/format_readers.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
+#include "base/index.h"
 #include "gamelog/rcg/binary_format.h"
 #include "soccer/math.h"
 #include "soccer/messages/parameter_message.h"
@@ -154,35 +156,29 @@ class BinaryReader {
   static constexpr std::size_t kUnknownSize = static_cast<std::size_t>(-1);
 
   std::size_t body_size(int kind) const {
-    const bool third = version_ == RcgVersion::kV3;
-    switch (kind) {
-      case kNothing:
-      case kBlank:
-        return 0;
-      case kShow:
-        return third ? kLongShowSize : kShortShowSize;
-      case kDraw:
-        return kDrawSize;
-      case kMode:
-        return third ? 1 : kUnknownSize;
-      case kTeams:
-        return third ? 2 * kTeamSize : kUnknownSize;
-      case kType:
-        return third ? kPlayerTypeSize : kUnknownSize;
-      case kServerParam:
-        return third ? kServerParamSize : kUnknownSize;
-      case kPlayerParam:
-        return third ? kPlayerParamSize : kUnknownSize;
-      default:
-        return kUnknownSize;
-    }
+    // By kind; the size of a message is in its record.
+    constexpr std::array<std::size_t, 10> kSecond = {0,
+                                                     kShortShowSize,
+                                                     kUnknownSize,
+                                                     kDrawSize,
+                                                     0,
+                                                     kUnknownSize,
+                                                     kUnknownSize,
+                                                     kUnknownSize,
+                                                     kUnknownSize,
+                                                     kUnknownSize};
+    constexpr std::array<std::size_t, 10> kThird = {
+        0, kLongShowSize, kUnknownSize,    kDrawSize,        0,
+        1, 2 * kTeamSize, kPlayerTypeSize, kServerParamSize, kPlayerParamSize};
+    if (kind < kNothing || kind > kPlayerParam) return kUnknownSize;
+    return (version_ == RcgVersion::kV3 ? kThird : kSecond)[base::index(kind)];
   }
 
   bool read_message() {
     const std::string head = std::string(input_.take(4));
     if (head.size() < 4) return fail(kTruncated);
 
-    const auto size = static_cast<std::size_t>(std::max(read_int16(head.data() + 2), 0));
+    const std::size_t size = base::index(std::max(read_int16(head.data() + 2), 0));
     if (size > kMaxMessage) return fail("message longer than 8192 bytes");
 
     std::string_view text = input_.take(size);
@@ -247,19 +243,15 @@ class BinaryReader {
   }
 
   void write_parameter_lines() {
-    const MatchRecord& record = builder_.record();
-    std::string line;
+    const auto write = [this](const auto& parameters) {
+      std::string line;
+      soccer::format(parameters, soccer::kAllVersions, line);
+      builder_.add_parameter_line(std::move(line));
+    };
 
-    soccer::format(record.server, soccer::kAllVersions, line);
-    builder_.add_parameter_line(std::exchange(line, {}));
-
-    soccer::format(record.player, soccer::kAllVersions, line);
-    builder_.add_parameter_line(std::exchange(line, {}));
-
-    for (const soccer::PlayerType& type : record.types) {
-      soccer::format(type, soccer::kAllVersions, line);
-      builder_.add_parameter_line(std::exchange(line, {}));
-    }
+    write(builder_.record().server);
+    write(builder_.record().player);
+    for (const soccer::PlayerType& type : builder_.record().types) write(type);
   }
 
   static int read_int8(const char* at) { return static_cast<signed char>(*at); }

@@ -81,13 +81,11 @@ class JsonReader {
   bool read_tagged(const std::string& kind, base::JsonCursor& in) {
     if (kind != "header") return read_body(kind, in);
 
-    std::string_view key;
-    while (in.next_key(key)) {
+    const auto read = [&](std::string_view key) {
       const bool known = key == "version" || key == "timestamp";
-      if (!(known ? in.string(header_field(key)) : in.skip_value())) return false;
-    }
-
-    return in.good();
+      return known ? in.string(header_field(key)) : in.skip_value();
+    };
+    return read_members(in, read) && in.good();
   }
 
   std::string& header_field(std::string_view key) {
@@ -105,12 +103,19 @@ class JsonReader {
     if (kind == "player_param") return read_parameters(kind, in, builder_.record().player);
     if (kind == "player_type") return read_player_type(in);
 
+    return read_members(in, [&in](std::string_view) { return in.skip_value(); }) && in.good() &&
+           add_unknown();
+  }
+
+  // Calls `read(key)` for each member up to the closing bracket or a syntax error. False if one
+  // call is.
+  template <typename Read>
+  static bool read_members(base::JsonCursor& in, Read read) {
     std::string_view key;
     while (in.next_key(key)) {
-      if (!in.skip_value()) return false;
+      if (!read(key)) return false;
     }
-
-    return in.good() && add_unknown();
+    return true;
   }
 
   bool add_unknown() {
@@ -136,12 +141,10 @@ class JsonReader {
     int time = 0;
     int stopped = 0;
     std::string name;
-    std::string_view key;
-
-    while (in.next_key(key)) {
-      const bool read = key == "mode" ? in.string(name) : read_time_or_skip(key, in, time, stopped);
-      if (!read) return false;
-    }
+    const auto read = [&](std::string_view key) {
+      return key == "mode" ? in.string(name) : read_time_or_skip(key, in, time, stopped);
+    };
+    if (!read_members(in, read)) return false;
 
     const auto mode = soccer::parse_play_mode(name);
     if (!mode) return in.good() && add_unknown();
@@ -155,19 +158,14 @@ class JsonReader {
     int time = 0;
     int stopped = 0;
     TeamFrames teams;
-    std::string_view key;
-
-    while (in.next_key(key)) {
-      bool read = false;
+    const auto read = [&](std::string_view key) {
       if (key == "l" || key == "r") {
-        read = in.open('{') && read_one_team(in, teams[key == "l" ? 0 : 1]) != kNoTeam;
-      } else if (key == "teams") {
-        read = read_team_array(in, teams);
-      } else {
-        read = read_time_or_skip(key, in, time, stopped);
+        return in.open('{') && read_one_team(in, teams[key == "l" ? 0 : 1]) != kNoTeam;
       }
-      if (!read) return false;
-    }
+      return key == "teams" ? read_team_array(in, teams)
+                            : read_time_or_skip(key, in, time, stopped);
+    };
+    if (!read_members(in, read)) return false;
 
     builder_.add_teams(time, teams);
     set_stopped(stopped);
@@ -180,18 +178,16 @@ class JsonReader {
   // parse error.
   static int read_one_team(base::JsonCursor& in, TeamFrame& team) {
     Side side = Side::kNeutral;
-    std::string_view key;
+    const auto read = [&](std::string_view key) {
+      return key == "name"        ? in.string_or_null(team.name)
+             : key == "score"     ? read_integer(in, team.score)
+             : key == "pen_score" ? read_integer(in, team.penalty_scored)
+             : key == "pen_miss"  ? read_integer(in, team.penalty_missed)
+             : key == "side"      ? read_side(in, side)
+                                  : in.skip_value();
+    };
 
-    while (in.next_key(key)) {
-      const bool read = key == "name"        ? in.string_or_null(team.name)
-                        : key == "score"     ? read_integer(in, team.score)
-                        : key == "pen_score" ? read_integer(in, team.penalty_scored)
-                        : key == "pen_miss"  ? read_integer(in, team.penalty_missed)
-                        : key == "side"      ? read_side(in, side)
-                                             : in.skip_value();
-      if (!read) return kNoTeam;
-    }
-
+    if (!read_members(in, read)) return kNoTeam;
     if (!in.good() || team.name.size() > kMaxNameLength) return kNoTeam;
     return soccer::sign(side);
   }
@@ -216,14 +212,12 @@ class JsonReader {
     int stopped = 0;
     int board = 1;
     std::string text;
-    std::string_view key;
-
-    while (in.next_key(key)) {
-      const bool read = key == "board"     ? read_integer(in, board)
-                        : key == "message" ? in.string(text)
-                                           : read_time_or_skip(key, in, time, stopped);
-      if (!read) return false;
-    }
+    const auto read = [&](std::string_view key) {
+      return key == "board"     ? read_integer(in, board)
+             : key == "message" ? in.string(text)
+                                : read_time_or_skip(key, in, time, stopped);
+    };
+    if (!read_members(in, read)) return false;
 
     builder_.add_message(time, board, std::move(text));
     set_stopped(stopped);
@@ -236,24 +230,23 @@ class JsonReader {
     int x = 0;
     int y = 0;
     std::string picture;
-    std::string_view key;
-
-    while (in.next_key(key)) {
-      bool read = false;
-      if (key == "xpm") {
-        read = in.open('[');
-        while (read && in.next_element()) {
-          picture += ' ';
-          read = in.scalar_text(picture);
-        }
-      } else {
-        read = key == "side" ? in.string(side)
-               : key == "x"  ? in.integer(x)
-               : key == "y"  ? in.integer(y)
-                             : in.skip_value();
+    const auto read_picture = [&] {
+      bool read = in.open('[');
+      while (read && in.next_element()) {
+        picture += ' ';
+        read = in.scalar_text(picture);
       }
-      if (!read || !in.good()) return false;
-    }
+      return read && in.good();
+    };
+
+    const auto read = [&](std::string_view key) {
+      return key == "xpm"    ? read_picture()
+             : key == "side" ? in.string(side)
+             : key == "x"    ? in.integer(x)
+             : key == "y"    ? in.integer(y)
+                             : in.skip_value();
+    };
+    if (!read_members(in, read)) return false;
 
     builder_.add_message(0, 1,
                          "(team_graphic_" + side + " (" + std::to_string(x) + " " +
@@ -279,15 +272,12 @@ class JsonReader {
 
   // Converts parameters to the text form, for which a parser exists.
   static bool append_parameters(base::JsonCursor& in, bool nested, std::string& line) {
-    std::string_view key;
-    while (in.next_key(key)) {
+    const auto read = [&](std::string_view key) {
       const bool inner = key == "params" && !nested;  // servers 17 and 18
-      const bool read = inner ? in.open('{') && append_parameters(in, true, line)
-                              : append_parameter(key, in, line);
-      if (!read) return false;
-    }
-
-    return in.good();
+      return inner ? in.open('{') && append_parameters(in, true, line)
+                   : append_parameter(key, in, line);
+    };
+    return read_members(in, read) && in.good();
   }
 
   template <typename Params>
@@ -296,13 +286,11 @@ class JsonReader {
     if (!append_parameters(in, false, line)) return false;
 
     line += ')';
-    const base::Result<void> read = soccer::parse(line, params);
-    if (!read) {
+    if (const auto read = soccer::parse(line, params); !read) {
       add_error(0, read.error().message);
     } else {
       builder_.add_parameter_line(std::move(line));
     }
-
     return true;
   }
 

@@ -4,70 +4,15 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <variant>
 
+#include "base/index.h"
 #include "gamelog/record/record_builder.h"
 
 namespace cls::gamelog {
 namespace {
 
 using soccer::Side;
-
-enum class PlayerKey : std::uint8_t {
-  kSide,
-  kUnum,
-  kType,
-  kState,
-  kX,
-  kY,
-  kVx,
-  kVy,
-  kBody,
-  kNeck,
-  kPointX,
-  kPointY,
-  kQuality,
-  kWidth,
-  kFocusDistance,
-  kFocusDirection,
-  kStamina,
-  kEffort,
-  kRecovery,
-  kCapacity,
-  kAttentionSide,
-  kAttentionUnum,
-  kKick,
-  kDash,
-  kTurn,
-  kCatch,
-  kMove,
-  kTurnNeck,
-  kChangeView,
-  kSay,
-  kTackle,
-  kPointto,
-  kAttentionto,
-  kChangeFocus,
-};
-
-// In the order of rcssserver.
-constexpr std::array kPlayerKeys = std::to_array<std::string_view>(
-    {"side",        "unum", "type",    "state",   "x",           "y",           "vx",
-     "vy",          "body", "neck",    "px",      "py",          "vq",          "vw",
-     "fdist",       "fdir", "stamina", "effort",  "recovery",    "capacity",    "fside",
-     "fnum",        "kick", "dash",    "turn",    "catch",       "move",        "turn_neck",
-     "change_view", "say",  "tackle",  "pointto", "attentionto", "change_focus"});
-
-constexpr std::string_view kNestedCounters = "count";
-
-// Starts at the expected key, because keys usually follow in this order.
-std::size_t find_key(std::string_view key, std::size_t expected) {
-  for (std::size_t i = 0; i < kPlayerKeys.size(); ++i) {
-    const std::size_t at = (expected + i) % kPlayerKeys.size();
-    if (kPlayerKeys[at] == key) return at;
-  }
-
-  return kPlayerKeys.size();
-}
 
 struct ReadPlayer {
   PlayerFrame frame;
@@ -77,84 +22,78 @@ struct ReadPlayer {
   soccer::Vec2 pointing_at;
 };
 
-int* counter(PlayerKey key, CommandCounts& c) {
-  const std::array<int*, 12> counters = {&c.kick,   &c.dash,      &c.turn,        &c.catches,
-                                         &c.move,   &c.turn_neck, &c.change_view, &c.say,
-                                         &c.tackle, &c.pointto,   &c.attentionto, &c.change_focus};
-  return counters[static_cast<std::size_t>(key) - static_cast<std::size_t>(PlayerKey::kKick)];
-}
+/// Where a value is stored; its type tells how it is read.
+using Target = std::variant<double*, int*, std::uint32_t*, bool*, Side*>;
 
-double* real(PlayerKey key, ReadPlayer& player) {
-  PlayerFrame& frame = player.frame;
-  switch (key) {
-    case PlayerKey::kX:
-      return &frame.position.x;
-    case PlayerKey::kY:
-      return &frame.position.y;
-    case PlayerKey::kVx:
-      return &frame.velocity.x;
-    case PlayerKey::kVy:
-      return &frame.velocity.y;
-    case PlayerKey::kBody:
-      return &frame.body;
-    case PlayerKey::kNeck:
-      return &frame.neck;
-    case PlayerKey::kPointX:
-      return &player.pointing_at.x;
-    case PlayerKey::kPointY:
-      return &player.pointing_at.y;
-    case PlayerKey::kWidth:
-      return &frame.view_width;
-    case PlayerKey::kFocusDistance:
-      return &frame.focus_distance;
-    case PlayerKey::kFocusDirection:
-      return &frame.focus_direction;
-    case PlayerKey::kStamina:
-      return &frame.stamina;
-    case PlayerKey::kEffort:
-      return &frame.effort;
-    case PlayerKey::kRecovery:
-      return &frame.recovery;
-    default:
-      return &frame.capacity;
+struct Member {
+  std::string_view name;
+  Target (*target)(ReadPlayer& player);
+};
+
+// In the order of rcssserver.
+constexpr std::array kMembers = std::to_array<Member>({
+    {"side", [](ReadPlayer& p) -> Target { return &p.side; }},
+    {"unum", [](ReadPlayer& p) -> Target { return &p.unum; }},
+    {"type", [](ReadPlayer& p) -> Target { return &p.frame.type; }},
+    {"state", [](ReadPlayer& p) -> Target { return &p.frame.state; }},
+    {"x", [](ReadPlayer& p) -> Target { return &p.frame.position.x; }},
+    {"y", [](ReadPlayer& p) -> Target { return &p.frame.position.y; }},
+    {"vx", [](ReadPlayer& p) -> Target { return &p.frame.velocity.x; }},
+    {"vy", [](ReadPlayer& p) -> Target { return &p.frame.velocity.y; }},
+    {"body", [](ReadPlayer& p) -> Target { return &p.frame.body; }},
+    {"neck", [](ReadPlayer& p) -> Target { return &p.frame.neck; }},
+    {"px", [](ReadPlayer& p) -> Target { return p.points = true, &p.pointing_at.x; }},
+    {"py", [](ReadPlayer& p) -> Target { return &p.pointing_at.y; }},
+    {"vq", [](ReadPlayer& p) -> Target { return &p.frame.high_quality; }},
+    {"vw", [](ReadPlayer& p) -> Target { return &p.frame.view_width; }},
+    {"fdist", [](ReadPlayer& p) -> Target { return &p.frame.focus_distance; }},
+    {"fdir", [](ReadPlayer& p) -> Target { return &p.frame.focus_direction; }},
+    {"stamina", [](ReadPlayer& p) -> Target { return &p.frame.stamina; }},
+    {"effort", [](ReadPlayer& p) -> Target { return &p.frame.effort; }},
+    {"recovery", [](ReadPlayer& p) -> Target { return &p.frame.recovery; }},
+    {"capacity", [](ReadPlayer& p) -> Target { return &p.frame.capacity; }},
+    {"fside", [](ReadPlayer& p) -> Target { return &p.frame.attention_side; }},
+    {"fnum", [](ReadPlayer& p) -> Target { return &p.frame.attention_unum; }},
+    {"kick", [](ReadPlayer& p) -> Target { return &p.frame.counts.kick; }},
+    {"dash", [](ReadPlayer& p) -> Target { return &p.frame.counts.dash; }},
+    {"turn", [](ReadPlayer& p) -> Target { return &p.frame.counts.turn; }},
+    {"catch", [](ReadPlayer& p) -> Target { return &p.frame.counts.catches; }},
+    {"move", [](ReadPlayer& p) -> Target { return &p.frame.counts.move; }},
+    {"turn_neck", [](ReadPlayer& p) -> Target { return &p.frame.counts.turn_neck; }},
+    {"change_view", [](ReadPlayer& p) -> Target { return &p.frame.counts.change_view; }},
+    {"say", [](ReadPlayer& p) -> Target { return &p.frame.counts.say; }},
+    {"tackle", [](ReadPlayer& p) -> Target { return &p.frame.counts.tackle; }},
+    {"pointto", [](ReadPlayer& p) -> Target { return &p.frame.counts.pointto; }},
+    {"attentionto", [](ReadPlayer& p) -> Target { return &p.frame.counts.attentionto; }},
+    {"change_focus", [](ReadPlayer& p) -> Target { return &p.frame.counts.change_focus; }},
+});
+
+constexpr std::string_view kNestedCounters = "count";
+
+// Index of a member; the number of all if there is none of that name. Starts at the expected one,
+// because they usually follow in this order.
+std::size_t find_member(std::string_view name, std::size_t expected) {
+  for (std::size_t i = 0; i < kMembers.size(); ++i) {
+    const std::size_t at = (expected + i) % kMembers.size();
+    if (kMembers[at].name == name) return at;
   }
+  return kMembers.size();
 }
 
-bool read_state(base::JsonCursor& in, std::uint32_t& state) {
+bool read_value(base::JsonCursor& in, double& value) { return in.number(value); }
+bool read_value(base::JsonCursor& in, int& value) { return in.integer(value); }
+bool read_value(base::JsonCursor& in, Side& side) { return read_side(in, side); }
+bool read_value(base::JsonCursor& in, std::uint32_t& state) {
   int value = 0;
   if (!in.integer(value)) return false;
   state = static_cast<std::uint32_t>(value);
   return true;
 }
-
-bool read_player_value(base::JsonCursor& in, PlayerKey key, ReadPlayer& player) {
+bool read_value(base::JsonCursor& in, bool& high_quality) {
   std::string text;
-  switch (key) {
-    case PlayerKey::kSide:
-      return read_side(in, player.side);
-    case PlayerKey::kUnum:
-      return in.integer(player.unum);
-    case PlayerKey::kType:
-      return in.integer(player.frame.type);
-    case PlayerKey::kState:
-      return read_state(in, player.frame.state);
-    case PlayerKey::kQuality:
-      if (!in.string(text)) return false;
-      player.frame.high_quality = text != "l";
-      return true;
-    case PlayerKey::kAttentionSide:
-      return read_side(in, player.frame.attention_side);
-    case PlayerKey::kAttentionUnum:
-      return in.integer(player.frame.attention_unum);
-    case PlayerKey::kPointX:
-      player.points = true;
-      break;
-    default:
-      break;
-  }
-
-  if (key >= PlayerKey::kKick) return in.integer(*counter(key, player.frame.counts));
-  return in.number(*real(key, player));
+  if (!in.string(text)) return false;
+  high_quality = text != "l";
+  return true;
 }
 
 // Parses the members of a player. Server 17 nests the counters in an object.
@@ -168,12 +107,12 @@ bool read_player_fields(base::JsonCursor& in, ReadPlayer& player, bool within_co
       continue;
     }
 
-    const std::size_t found = find_key(name, expected);
+    const std::size_t found = find_member(name, expected);
     expected = found + 1;
-    const bool read = found == kPlayerKeys.size()
+    const bool read = found == kMembers.size()
                           ? in.skip_value()
-                          : read_player_value(in, static_cast<PlayerKey>(found), player);
-
+                          : std::visit([&in](auto* value) { return read_value(in, *value); },
+                                       kMembers[found].target(player));
     if (!read) return false;
   }
 
@@ -201,8 +140,7 @@ bool read_players(base::JsonCursor& in, Frame& frame) {
       return false;
 
     if (player.points) player.frame.pointing_at = player.pointing_at;
-    frame.players[static_cast<std::size_t>(soccer::slot_of(player.side, player.unum))] =
-        player.frame;
+    frame.players[base::index(soccer::slot_of(player.side, player.unum))] = player.frame;
   }
 
   return in.good();
@@ -241,19 +179,11 @@ bool read_json_show(base::JsonCursor& in, Frame& frame) {
   std::string_view key;
 
   while (in.next_key(key)) {
-    bool read = false;
-    if (key == "time") {
-      read = in.integer(frame.time);
-    } else if (key == "stime") {
-      read = in.integer(frame.stopped);
-    } else if (key == "ball") {
-      read = read_ball(in, frame);
-    } else if (key == "players") {
-      read = read_players(in, frame);
-    } else {
-      read = in.skip_value();
-    }
-
+    const bool read = key == "time"      ? in.integer(frame.time)
+                      : key == "stime"   ? in.integer(frame.stopped)
+                      : key == "ball"    ? read_ball(in, frame)
+                      : key == "players" ? read_players(in, frame)
+                                         : in.skip_value();
     if (!read) return false;
   }
 

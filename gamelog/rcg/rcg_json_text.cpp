@@ -5,17 +5,18 @@
 #include <variant>
 #include <vector>
 
+#include "base/index.h"
 #include "base/text/number_text.h"
 #include "soccer/math.h"
 #include "soccer/parameters/parameter.h"
 #include "soccer/parameters/player_params.h"
 #include "soccer/parameters/server_params.h"
+#include "soccer/protocol/text_writer.h"
 
 namespace cls::gamelog {
 namespace {
 
-using base::append_g;
-using base::append_int;
+using soccer::append;
 
 constexpr double kLengthStep = 0.0001;
 constexpr double kAngleStep = 0.001;
@@ -28,12 +29,9 @@ void append_string(std::string_view text, std::string& out) {
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
+      append(out, '\\', c);
     } else if (byte < ' ') {
-      out += "\\u00";
-      out += kHex[byte >> 4];
-      out += kHex[byte & 0xF];
+      append(out, "\\u00", kHex[byte >> 4], kHex[byte & 0xF]);
     } else {
       out += c;
     }
@@ -49,14 +47,10 @@ void append_key(std::string_view key, std::string& out) {
   out += ':';
 }
 
-void append_field(std::string_view key, int value, std::string& out) {
+template <typename Number>
+void append_field(std::string_view key, Number value, std::string& out) {
   append_key(key, out);
-  append_int(value, out);
-}
-
-void append_field(std::string_view key, double value, std::string& out) {
-  append_key(key, out);
-  append_g(value, out);
+  append(out, value);
 }
 
 void append_length(std::string_view key, double value, std::string& out) {
@@ -72,11 +66,7 @@ void append_text(std::string_view key, std::string_view value, std::string& out)
   append_string(value, out);
 }
 
-void begin_object(std::string_view kind, std::string& out) {
-  out += "{\"";
-  out += kind;
-  out += "\":{";
-}
+void begin_object(std::string_view kind, std::string& out) { append(out, "{\"", kind, "\":{"); }
 
 void append_time(int time, int stopped, std::string& out) {
   append_field("time", time, out);
@@ -222,10 +212,8 @@ bool append_team_graphic(std::string_view text, std::string& out) {
 
   int x = 0;
   int y = 0;
-
   const std::size_t x_size = base::parse_int_prefix(text, x);
   if (x_size == 0 || text.substr(x_size, 1) != " ") return false;
-
   text.remove_prefix(x_size + 1);
   if (base::parse_int_prefix(text, y) == 0) return false;
 
@@ -319,7 +307,7 @@ void append_json_show(const Frame& frame, std::string& out, JsonShow form) {
 
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
     if (slot > 0) out += ',';
-    append_player(slot, frame.players[static_cast<std::size_t>(slot)], form, out);
+    append_player(slot, frame.players[base::index(slot)], form, out);
   }
 
   out += "]}}";

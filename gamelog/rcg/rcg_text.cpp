@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/text/number_text.h"
+#include "base/index.h"
 #include "soccer/math.h"
 #include "soccer/messages/parameter_message.h"
 #include "soccer/parameters/parameter.h"
@@ -12,28 +12,23 @@
 namespace cls::gamelog {
 namespace {
 
+using soccer::append;
 using soccer::TextWriter;
 
 constexpr double kLengthStep = 0.0001;
 constexpr double kAngleStep = 0.001;
 
-void append_number(double value, TextWriter& out) {
-  out += ' ';
-  out.append_number(value);
-}
-
-void append_count(int value, TextWriter& out) {
-  out += ' ';
-  out.append_number(value);
+void append_length(double meters, TextWriter& out) {
+  append(out, ' ', soccer::math::quantize(meters, kLengthStep));
 }
 
 void append_lengths(soccer::Vec2 v, TextWriter& out) {
-  append_number(soccer::math::quantize(v.x, kLengthStep), out);
-  append_number(soccer::math::quantize(v.y, kLengthStep), out);
+  append_length(v.x, out);
+  append_length(v.y, out);
 }
 
 void append_angle(double degrees, TextWriter& out) {
-  append_number(soccer::math::quantize(degrees, kAngleStep), out);
+  append(out, ' ', soccer::math::quantize(degrees, kAngleStep));
 }
 
 void append_state(std::uint32_t state, TextWriter& out) {
@@ -54,42 +49,31 @@ void append_counts(const CommandCounts& c, RcgVersion version, TextWriter& out) 
   out += " (c";
   for (const int count : {c.kick, c.dash, c.turn, c.catches, c.move, c.turn_neck, c.change_view,
                           c.say, c.tackle, c.pointto, c.attentionto}) {
-    append_count(count, out);
+    append(out, ' ', count);
   }
 
-  if (version >= RcgVersion::kV6) append_count(c.change_focus, out);
+  if (version >= RcgVersion::kV6) append(out, ' ', c.change_focus);
   out += ')';
 }
 
 void append_view(const PlayerFrame& player, RcgVersion version, TextWriter& out) {
-  out += player.high_quality ? " (v h" : " (v l";
-  append_number(player.view_width, out);
-  out += ')';
-
+  append(out, player.high_quality ? " (v h " : " (v l ", player.view_width, ')');
   if (version < RcgVersion::kV6) return;
 
   out += " (fp";
-  append_number(soccer::math::quantize(player.focus_distance, kLengthStep), out);
-  append_number(soccer::math::quantize(player.focus_direction, kLengthStep), out);
+  append_lengths({player.focus_distance, player.focus_direction}, out);
   out += ')';
 }
 
 void append_stamina(const PlayerFrame& player, RcgVersion version, TextWriter& out) {
-  out += " (s";
-  append_number(player.stamina, out);
-  append_number(player.effort, out);
-  append_number(player.recovery, out);
-  if (version >= RcgVersion::kV5) append_number(player.capacity, out);
+  append(out, " (s ", player.stamina, ' ', player.effort, ' ', player.recovery);
+  if (version >= RcgVersion::kV5) append(out, ' ', player.capacity);
   out += ')';
 }
 
 void append_player(int slot, const PlayerFrame& player, RcgVersion version, TextWriter& out) {
-  out += " ((";
-  out += soccer::letter(soccer::side_of_slot(slot));
-  append_count(soccer::unum_of_slot(slot), out);
-  out += ')';
-
-  append_count(player.type, out);
+  append(out, " ((", soccer::letter(soccer::side_of_slot(slot)), ' ', soccer::unum_of_slot(slot),
+         ") ", player.type);
   append_state(player.state, out);
   append_lengths(player.position, out);
   append_lengths(player.velocity, out);
@@ -101,10 +85,7 @@ void append_player(int slot, const PlayerFrame& player, RcgVersion version, Text
   append_stamina(player, version, out);
 
   if (player.attention_side != soccer::Side::kNeutral && (player.state & kStateEnabled) != 0) {
-    out += " (f ";
-    out += soccer::letter(player.attention_side);
-    append_count(player.attention_unum, out);
-    out += ')';
+    append(out, " (f ", soccer::letter(player.attention_side), ' ', player.attention_unum, ')');
   }
 
   append_counts(player.counts, version, out);
@@ -115,22 +96,18 @@ void append_frame(const Frame& frame, RcgVersion version, TextWriter& out) {
   out += " ((b)";
   append_lengths(frame.ball_position, out);
   append_lengths(frame.ball_velocity, out);
-  if (version == RcgVersion::kV7) {
-    append_number(soccer::math::quantize(frame.ball_height.value_or(0.0), kLengthStep), out);
-  }
+  if (version == RcgVersion::kV7) append_length(frame.ball_height.value_or(0.0), out);
   out += ')';
 
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
-    append_player(slot, frame.players[static_cast<std::size_t>(slot)], version, out);
+    append_player(slot, frame.players[base::index(slot)], version, out);
   }
 }
 
 }  // namespace
 
 void append_version(RcgVersion version, std::string& out) {
-  out += "ULG";
-  base::append_int(static_cast<int>(version), out);
-  out += '\n';
+  append(out, "ULG", static_cast<int>(version), '\n');
 }
 
 void append_header(RcgVersion version, const soccer::ServerParams& server,
@@ -148,40 +125,31 @@ void append_header(RcgVersion version, const soccer::ServerParams& server,
   }
 }
 
-void append_play_mode(int time, soccer::PlayMode mode, std::string& text) {
-  TextWriter out(text);
-  out += "(playmode";
-  append_count(time, out);
-  out += ' ';
-  out += soccer::name(mode);
-  out += ")\n";
+void append_team_state(const TeamFrames& teams, std::string& out) {
+  for (const TeamFrame& team : teams) {
+    append(out, ' ', team.name.empty() ? std::string_view("null") : std::string_view(team.name));
+  }
+
+  for (const TeamFrame& team : teams) append(out, ' ', team.score);
+  if (teams[0].penalties_taken() <= 0 && teams[1].penalties_taken() <= 0) return;
+  for (const TeamFrame& team : teams) {
+    append(out, ' ', team.penalty_scored, ' ', team.penalty_missed);
+  }
 }
 
-void append_team(int time, const TeamFrames& teams, std::string& text) {
-  TextWriter out(text);
-  out += "(team";
-  append_count(time, out);
+void append_play_mode(int time, soccer::PlayMode mode, std::string& out) {
+  append(out, "(playmode ", time, ' ', soccer::name(mode), ")\n");
+}
 
-  for (const TeamFrame& team : teams) {
-    out += ' ';
-    out += team.name.empty() ? std::string_view("null") : std::string_view(team.name);
-  }
-
-  for (const TeamFrame& team : teams) append_count(team.score, out);
-  if (teams[0].penalties_taken() > 0 || teams[1].penalties_taken() > 0) {
-    for (const TeamFrame& team : teams) {
-      append_count(team.penalty_scored, out);
-      append_count(team.penalty_missed, out);
-    }
-  }
-
+void append_team(int time, const TeamFrames& teams, std::string& out) {
+  append(out, "(team ", time);
+  append_team_state(teams, out);
   out += ")\n";
 }
 
 void append_show(const Frame& frame, std::string& text, RcgVersion version) {
   TextWriter out(text);
-  out += "(show";
-  append_count(frame.time, out);
+  append(out, "(show ", frame.time);
   append_frame(frame, version, out);
   out += ")\n";
 }
@@ -192,12 +160,7 @@ void append_objects(const Frame& frame, std::string& text, RcgVersion version) {
 }
 
 void append_message(int time, int board, std::string_view text, std::string& out) {
-  out += "(msg ";
-  base::append_int(time, out);
-  out += ' ';
-  base::append_int(board, out);
-  out += " \"";
-
+  append(out, "(msg ", time, ' ', board, " \"");
   const std::size_t begin = out.size();
   out += text;
   std::replace(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(), '\n', ' ');

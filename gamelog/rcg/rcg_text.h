@@ -25,9 +25,12 @@ void append_header(RcgVersion version, const soccer::ServerParams& server,
                    const soccer::PlayerParams& player, const std::vector<soccer::PlayerType>& types,
                    std::string& out);
 
+/// A space before each: names, scores and, after the first kick of either team, the four penalty
+/// numbers.
+void append_team_state(const TeamFrames& teams, std::string& out);
+
 void append_play_mode(int time, soccer::PlayMode mode, std::string& out);
 
-/// The four penalty numbers appear after the first kick of either team.
 void append_team(int time, const TeamFrames& teams, std::string& out);
 
 /// Versions 4 to 7: version 4 has no stamina capacity, only versions 6 and 7 have the focus point

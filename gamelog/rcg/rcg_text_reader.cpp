@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/text/number_text.h"
+#include "base/text/split.h"
 #include "gamelog/rcg/show_scanner.h"
 #include "soccer/messages/parameter_message.h"
 #include "soccer/protocol/scanner.h"
@@ -26,14 +27,8 @@ constexpr std::size_t kScoresAndPenalties = 6;
 
 // The words of `text` between spaces, as views into it.
 std::vector<std::string_view> split_at_spaces(std::string_view text) {
-  std::vector<std::string_view> words;
-  for (std::size_t start = text.find_first_not_of(' '); start != std::string_view::npos;
-       start = text.find_first_not_of(' ', start)) {
-    const std::size_t end = std::min(text.find(' ', start), text.size());
-    words.push_back(text.substr(start, end - start));
-    start = end;
-  }
-
+  std::vector<std::string_view> words = base::split(text, ' ');
+  std::erase(words, "");
   return words;
 }
 
@@ -89,7 +84,7 @@ bool parse_spaced_names(std::string_view line, SpacedNames& record) {
 
   if (numbers.size() < kScores) return false;
   if (numbers.size() < kScoresAndPenalties) numbers.resize(kScores);
-  std::reverse(numbers.begin(), numbers.end());
+  std::ranges::reverse(numbers);
 
   const auto time = parse_limited(words.front());
   if (!time || *time < 0) return false;
@@ -127,28 +122,22 @@ void split_names(std::string_view names, std::string_view result, TeamFrames& te
 bool read_team_state(Scanner& in, TeamFrames& teams) {
   for (TeamFrame& team : teams) {
     const std::size_t start = in.position();
-    std::string_view name;
     if (!in.literal(" ")) return false;
 
     // A name contains neither spaces nor brackets, but other servers allow quotes.
-    const std::size_t length = std::min(in.rest().find_first_of(" ()"), in.rest().size());
-    name = in.rest().substr(0, length);
-
-    if (name.empty() || length > kMaxNameLength) return in.fail_at(start, "a team name");
+    const std::string_view name = in.rest().substr(0, in.rest().find_first_of(" ()"));
+    if (name.empty() || name.size() > kMaxNameLength) return in.fail_at(start, "a team name");
     in.literal(name);
     team.name = name == kNoTeam ? std::string_view() : name;
   }
 
   for (TeamFrame& team : teams) {
-    if (!(in.literal(" ") && in.integer(team.score))) return false;
+    if (!in.sequence(" ", team.score)) return false;
   }
 
   if (in.peek() == ')') return true;
   for (TeamFrame& team : teams) {
-    if (!(in.literal(" ") && in.integer(team.penalty_scored) && in.literal(" ") &&
-          in.integer(team.penalty_missed))) {
-      return false;
-    }
+    if (!in.sequence(" ", team.penalty_scored, " ", team.penalty_missed)) return false;
   }
 
   return true;
@@ -174,9 +163,7 @@ class TextReader {
       }
 
       if (!error.message.empty()) add_error(error.column, error.message);
-      if (builder_.record().frames() == 1) {
-        reserve(line.size());
-      }
+      if (builder_.record().frames() == 1) reserve(line.size());
       return;
     }
 
@@ -203,13 +190,12 @@ class TextReader {
   bool read_play_mode(Scanner& in, std::string_view line) {
     int time = 0;
     std::string_view name;
-    if (!(in.integer(time) && in.literal(" ") && in.token(name) && in.literal(")") && in.end())) {
+    if (!(in.sequence(time, " ") && in.token(name) && in.literal(")") && in.end())) {
       return false;
     }
 
     // An unknown mode of a later server: the previous mode stays in force.
-    const auto mode = soccer::parse_play_mode(name);
-    if (mode) {
+    if (const auto mode = soccer::parse_play_mode(name)) {
       builder_.add_play_mode(time, *mode);
     } else {
       builder_.add_unknown_line(std::string(line));
@@ -247,10 +233,7 @@ class TextReader {
     int time = 0;
     int board = 0;
     std::string_view text;
-    if (!(in.integer(time) && in.literal(" ") && in.integer(board) && in.literal(" \"") &&
-          in.rest_before("\")", text))) {
-      return false;
-    }
+    if (!(in.sequence(time, " ", board, " \"") && in.rest_before("\")", text))) return false;
 
     if (text.starts_with("(result ")) set_result(text);
     builder_.add_message(time, board, std::string(text));

@@ -3,12 +3,12 @@
 
 #include <utility>
 
-#include "base/text/number_text.h"
 #include "gamelog/rcg/binary_writer.h"
 #include "gamelog/rcg/rcg_json_text.h"
 #include "gamelog/rcg/rcg_text.h"
 #include "gamelog/record/match_record.h"
 #include "soccer/messages/parameter_message.h"
+#include "soccer/protocol/text_writer.h"
 
 namespace cls::gamelog {
 namespace {
@@ -48,14 +48,8 @@ void append_team_result(const TeamFrame& team, bool with_penalties, std::string&
     return;
   }
 
-  out += team.name;
-  out += '_';
-  base::append_int(team.score, out);
-
-  if (with_penalties) {
-    out += '_';
-    base::append_int(team.penalty_scored, out);
-  }
+  soccer::append(out, team.name, '_', team.score);
+  if (with_penalties) soccer::append(out, '_', team.penalty_scored);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <string>
 
+#include "base/overloaded.h"
 #include "gamelog/rcg/rcg_json_text.h"
 #include "gamelog/rcg/rcg_text.h"
 #include "soccer/messages/parameter_message.h"
@@ -44,43 +45,25 @@ TeamFrames with_text_names(TeamFrames teams) {
 }
 
 void append_note(const Note& note, std::string& out) {
-  struct Writer {
-    const Note& note;
-    std::string& out;
-    void operator()(soccer::PlayMode mode) const { append_play_mode(note.time, mode, out); }
-    void operator()(const TeamFrames& teams) const {
-      append_team(note.time, with_text_names(teams), out);
-    }
-    void operator()(const Message& m) const { append_message(note.time, m.board, m.text, out); }
-    void operator()(const UnknownLine& line) const {
-      if (!line.text.starts_with('(')) return;
-      out += line.text;
-      out += '\n';
-    }
-  };
-
-  std::visit(Writer{note, out}, note.content);
+  const base::Overloaded write = {
+      [&](soccer::PlayMode mode) { append_play_mode(note.time, mode, out); },
+      [&](const TeamFrames& teams) { append_team(note.time, with_text_names(teams), out); },
+      [&](const Message& m) { append_message(note.time, m.board, m.text, out); },
+      [&](const UnknownLine& line) {
+        if (line.text.starts_with('(')) out += line.text + '\n';
+      }};
+  std::visit(write, note.content);
 }
 
 void append_json_note(const Note& note, std::string& out) {
-  struct Writer {
-    const Note& note;
-    std::string& out;
-    void operator()(soccer::PlayMode mode) const {
-      append_json_play_mode(note.time, note.stopped, mode, out);
-    }
-    void operator()(const TeamFrames& teams) const {
-      append_json_team(note.time, note.stopped, teams, out);
-    }
-    void operator()(const Message& message) const {
-      append_json_message(note.time, note.stopped, message, out);
-    }
-    void operator()(const UnknownLine& line) const {
-      if (line.text.starts_with('{')) out += line.text;
-    }
-  };
-
-  std::visit(Writer{note, out}, note.content);
+  const base::Overloaded write = {
+      [&](soccer::PlayMode mode) { append_json_play_mode(note.time, note.stopped, mode, out); },
+      [&](const TeamFrames& teams) { append_json_team(note.time, note.stopped, teams, out); },
+      [&](const Message& m) { append_json_message(note.time, note.stopped, m, out); },
+      [&](const UnknownLine& line) {
+        if (line.text.starts_with('{')) out += line.text;
+      }};
+  std::visit(write, note.content);
 }
 
 void write_text(const MatchRecord& record, RcgVersion version, base::ByteSink& sink) {
@@ -108,14 +91,13 @@ class JsonArray {
  public:
   explicit JsonArray(base::ByteSink& sink) : sink_(sink) { sink_.write("[\n"); }
 
-  std::string& begin() {
+  // An element, which `append(text)` writes; empty ones are left out.
+  template <typename Append>
+  void add(Append append) {
     line_ = first_ ? "" : ",\n";
-    return line_;
-  }
-
-  // Empty elements are left out.
-  void end() {
+    append(line_);
     if (line_.size() <= 2) return;
+
     sink_.write(line_);
     first_ = false;
   }
@@ -131,29 +113,23 @@ class JsonArray {
 void write_json(const MatchRecord& record, base::ByteSink& sink) {
   JsonArray array(sink);
 
-  if (!record.server_version.empty()) {
-    append_json_text("version", record.server_version, array.begin());
-    array.end();
-  }
-  if (!record.timestamp.empty()) {
-    append_json_text("timestamp", record.timestamp, array.begin());
-    array.end();
-  }
+  const auto add_text = [&array](std::string_view key, const std::string& value) {
+    if (!value.empty()) array.add([&](std::string& out) { append_json_text(key, value, out); });
+  };
 
-  for (const std::string& parameters : parameter_lines(record)) {
-    append_json_parameters(parameters, array.begin());
-    array.end();
+  add_text("version", record.server_version);
+  add_text("timestamp", record.timestamp);
+  for (const std::string& line : parameter_lines(record)) {
+    array.add([&line](std::string& out) { append_json_parameters(line, out); });
   }
 
   for_each_line(
       record,
       [&](const Note& note) {
-        append_json_note(note, array.begin());
-        array.end();
+        array.add([&note](std::string& out) { append_json_note(note, out); });
       },
       [&](const Frame& frame) {
-        append_json_show(frame, array.begin());
-        array.end();
+        array.add([&frame](std::string& out) { append_json_show(frame, out); });
       });
 
   array.close();

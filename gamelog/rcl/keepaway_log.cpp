@@ -1,23 +1,16 @@
 // Formats the header and lines of a keepaway log.
 #include "gamelog/rcl/keepaway_log.h"
 
-#include "base/text/number_text.h"
+#include "soccer/protocol/text_writer.h"
 
 namespace cls::gamelog {
 
-using base::append_g;
-using base::append_int;
+using soccer::append;
 
 void KeepawayLogWriter::write_header(int keepers, int takers, double length, double width) {
-  text_ = "# Keepers: ";
-  append_int(keepers, text_);
-  text_ += "\n# Takers:  ";
-  append_int(takers, text_);
-  text_ += "\n# Region:  ";
-  append_g(length, text_);
-  text_ += " x ";
-  append_g(width, text_);
-
+  text_.clear();
+  append(text_, "# Keepers: ", keepers, "\n# Takers:  ", takers, "\n# Region:  ", length, " x ",
+         width);
   text_ +=
       "\n#\n"
       "# Description of Fields:\n"
@@ -33,13 +26,8 @@ void KeepawayLogWriter::write_header(int keepers, int takers, double length, dou
 
 void KeepawayLogWriter::write_episode(int number, int start, int end, KeepawayLoss loss) {
   text_.clear();
-  for (const int value : {number, start, end, end - start}) {
-    append_int(value, text_);
-    text_ += '\t';
-  }
-
-  text_ += static_cast<char>(loss);
-  text_ += '\n';
+  append(text_, number, '\t', start, '\t', end, '\t', end - start, '\t', static_cast<char>(loss),
+         '\n');
   sink_.write(text_);
 }
 

@@ -87,18 +87,9 @@ std::size_t unquoted_say_length(std::string_view text) {
 std::string_view name(CommandKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 
 bool is_body_command(CommandKind kind) {
-  switch (kind) {
-    case CommandKind::kDash:
-    case CommandKind::kTurn:
-    case CommandKind::kKick:
-    case CommandKind::kLongKick:
-    case CommandKind::kTackle:
-    case CommandKind::kCatch:
-    case CommandKind::kMove:
-      return true;
-    default:
-      return false;
-  }
+  using enum CommandKind;
+  return kind == kDash || kind == kTurn || kind == kKick || kind == kLongKick || kind == kTackle ||
+         kind == kCatch || kind == kMove;
 }
 
 bool CommandCursor::next(LoggedCommand& command) {
@@ -113,9 +104,7 @@ bool CommandCursor::next(LoggedCommand& command) {
   const std::string_view inside = rest_.substr(1, length - 2);
   rest_.remove_prefix(length);
 
-  std::size_t name_end = 0;
-  while (name_end < inside.size() && inside[name_end] != ' ' && inside[name_end] != '(') ++name_end;
-
+  const std::size_t name_end = std::min(inside.find_first_of(" ("), inside.size());
   command.kind = kind_of(inside.substr(0, name_end));
   command.arguments = inside.substr(std::min(name_end + 1, inside.size()));
   return true;

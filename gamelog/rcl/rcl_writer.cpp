@@ -1,64 +1,42 @@
 // Formats the lines of a text log.
 #include "gamelog/rcl/rcl_writer.h"
 
-#include <algorithm>
-
-#include "base/text/number_text.h"
+#include "soccer/protocol/text_writer.h"
 
 namespace cls::gamelog {
 namespace {
 
+using soccer::append;
+
 constexpr std::size_t kMaxText = 8191;
 
-void append_text(std::string_view text, std::string& out) {
-  out += ": ";
-  out += text.substr(0, std::min(text.find('\0'), text.size()));
-}
+std::string_view until_nul(std::string_view text) { return text.substr(0, text.find('\0')); }
 
 }  // namespace
 
 void append_player_command(std::string_view team, int unum, std::string_view text,
                            std::string& out) {
-  out += "Recv ";
-  out += team;
-  out += '_';
-  base::append_int(unum, out);
-  append_text(text, out);
+  append(out, "Recv ", team, '_', unum, ": ", until_nul(text));
 }
 
 void append_coach_command(std::string_view team, std::string_view text, std::string& out) {
-  out += "Recv ";
-  out += team;
-  out += "_Coach";
-  append_text(text, out);
+  append(out, "Recv ", team, "_Coach: ", until_nul(text));
 }
 
 void append_trainer_command(std::string_view text, std::string& out) {
-  out += "Recv Coach";
-  append_text(text, out);
+  append(out, "Recv Coach: ", until_nul(text));
 }
 
 void RclWriter::write_command(Stamp stamp, std::string_view received) {
-  start_line(stamp);
-  line_ += received.substr(0, kMaxText);
-  line_ += '\n';
+  line_.clear();
+  append(line_, stamp.time, ',', stamp.stopped, '\t', received.substr(0, kMaxText), '\n');
   sink_.write(line_);
 }
 
 void RclWriter::write_referee(Stamp stamp, std::string_view message) {
-  start_line(stamp);
-  line_ += "(referee ";
-  line_ += message;
-  line_ += ")\n";
-  sink_.write(line_);
-}
-
-void RclWriter::start_line(Stamp stamp) {
   line_.clear();
-  base::append_int(stamp.time, line_);
-  line_ += ',';
-  base::append_int(stamp.stopped, line_);
-  line_ += '\t';
+  append(line_, stamp.time, ',', stamp.stopped, "\t(referee ", message, ")\n");
+  sink_.write(line_);
 }
 
 }  // namespace cls::gamelog

@@ -35,8 +35,6 @@ class RclWriter {
   void write_referee(Stamp stamp, std::string_view message);
 
  private:
-  void start_line(Stamp stamp);
-
   static constexpr std::size_t kTypicalLine = 1024;  ///< bytes
 
   base::ByteSink& sink_;
