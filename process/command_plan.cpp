@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 
+#include "base/text/replace_all.h"
+#include "base/text/split.h"
 #include "process/interpreter.h"
 
 namespace cls::process {
@@ -35,19 +38,11 @@ CommandPlan shell_command(std::string name, const std::string& text) {
 }
 
 std::string shell_quoted(std::string_view word) {
-  bool plain = !word.empty();
-  for (const char c : word) plain = plain && is_plain(c);
-  if (plain) return std::string(word);
+  std::string text(word);
+  if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
 
-  std::string quoted = "'";
-  for (const char c : word) {
-    if (c == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + "'";
+  base::replace_all(text, "'", "'\\''");
+  return "'" + text + "'";
 }
 
 std::string to_shell(const CommandPlan& plan) {
@@ -70,13 +65,10 @@ std::string to_shell(const CommandPlan& plan) {
   }
 
   if (!plan.cpus.empty()) line += fmt::format("taskset -c {} ", fmt::join(plan.cpus, ","));
-  for (std::size_t i = 0; i < plan.argv.size(); ++i) {
-    if (i > 0) line += ' ';
-    line += shell_quoted(plan.argv[i]);
-  }
 
-  if (limited) line += ")";
-  return line;
+  std::vector<std::string> words;
+  for (const std::string& word : plan.argv) words.push_back(shell_quoted(word));
+  return fmt::format("{}{}{}", line, fmt::join(words, " "), limited ? ")" : "");
 }
 
 Result<fs::path> find_program(const std::string& program) {
@@ -95,17 +87,12 @@ Result<fs::path> find_program(const std::string& program) {
     return path;
   }
 
-  const char* variable = std::getenv("PATH");
-  std::string_view folders = variable == nullptr ? "/usr/local/bin:/usr/bin:/bin" : variable;
-
-  while (true) {
-    const std::size_t colon = folders.find(':');
-    const std::string folder(folders.substr(0, colon));
+  const char* folders = std::getenv("PATH");
+  if (folders == nullptr) folders = "/usr/local/bin:/usr/bin:/bin";
+  for (const std::string_view folder : base::split(folders, ':')) {
     std::error_code code;
     const fs::path path = fs::absolute(fs::path(folder.empty() ? "." : folder) / program, code);
     if (is_program(path)) return path;
-    if (colon == std::string_view::npos) break;
-    folders.remove_prefix(colon + 1);
   }
   return Error{fmt::format("{}: no such program on PATH", program)};
 }

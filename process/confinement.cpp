@@ -54,6 +54,7 @@ class Filter {
  public:
   constexpr Filter() {
     load(offsetof(seccomp_data, arch));
+
     // To the rules of 32-bit programs, which follow those of 64 bits.
     const std::size_t to_other = add(jump(BPF_JEQ, AUDIT_ARCH_X86_64, 0, 0));
     load(offsetof(seccomp_data, nr));
@@ -61,6 +62,7 @@ class Filter {
     add(verdict(kRefused));
     for (const Rule& rule : kRules) add_rule(rule.call, rule.allowed);
     add(verdict(SECCOMP_RET_ALLOW));
+
     steps_[to_other].jf = static_cast<std::uint8_t>(size_ - to_other - 1);
     add(jump(BPF_JEQ, AUDIT_ARCH_I386, 1, 0));
     add(verdict(kRefused));
@@ -102,22 +104,19 @@ class Filter {
     const bool priority = allowed == Allowed::kFirstTwoAreZero;
     const bool io_priority = allowed == Allowed::kOneThenZero;
     const bool reads = allowed == Allowed::kFirstIsZeroOrReads;
+
+    load(low_half(0));
     if (reads) {
-      load(low_half(0));
       add(jump(BPF_JEQ, 0, 4, 0));
       load(low_half(2));
       add(jump(BPF_JEQ, 0, 0, 3));
       load(low_half(2) + sizeof(std::uint32_t));
-      add(jump(BPF_JEQ, 0, 0, 1));
     } else if (priority || io_priority) {
-      load(low_half(0));
       add(jump(BPF_JEQ, io_priority ? 1 : 0, 0, 3));
       load(low_half(1));
-      add(jump(BPF_JEQ, 0, 0, 1));
-    } else {
-      load(low_half(0));
-      add(jump(BPF_JEQ, 0, 0, 1));
     }
+    add(jump(BPF_JEQ, 0, 0, 1));
+
     add(verdict(SECCOMP_RET_ALLOW));
     add(verdict(kRefused));
     steps_[skip].jf = static_cast<std::uint8_t>(size_ - skip - 1);

@@ -185,10 +185,8 @@ base::UniqueFd close_others(base::UniqueFd socket) {
   ::setsid();
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
 
-  struct sigaction standard = {};
-  standard.sa_handler = SIG_DFL;
-  ::sigaction(SIGCHLD, &standard,
-              nullptr);  // if ignored, the kernel would not report exited children
+  // If it were ignored, the kernel would not report exited children.
+  std::signal(SIGCHLD, SIG_DFL);
 
   sigset_t all;
   ::sigfillset(&all);
@@ -213,6 +211,7 @@ Guard::~Guard() {
   if (pid_ == 0) return;
   if (the_guard == this) the_guard = nullptr;
   socket_.reset();
+
   // The guard may have been stopped with SIGSTOP; then it cannot exit on its own.
   const auto kill_at = Clock::now() + kGuardExitTimeout;
   while (::waitpid(pid_, nullptr, WNOHANG) == 0 || errno == EINTR) {

@@ -33,47 +33,36 @@ void HookRunner::start(HookCall call) {
 
 // What a command has left behind does not hold up the next one.
 bool HookRunner::is_busy(const std::string& name) const {
-  return std::any_of(running_.begin(), running_.end(), [&name](const Running& one) {
+  return std::ranges::any_of(running_, [&name](const Running& one) {
     return one.child->plan().name == name && !one.child->status().exit;
   });
 }
 
 void HookRunner::start_waiting() {
-  for (auto next = waiting_.begin(); next != waiting_.end();) {
-    if (is_busy(next->name)) {
-      ++next;
-      continue;
-    }
-    start_now(*next);
-    next = waiting_.erase(next);
-  }
+  std::erase_if(waiting_, [this](const HookCall& call) {
+    if (is_busy(call.name)) return false;
+    if (auto started = start_now(call); !started) errors_.push_back(started.error().message);
+    return true;
+  });
 }
 
-void HookRunner::start_now(const HookCall& call) {
+base::Result<void> HookRunner::start_now(const HookCall& call) {
   const std::filesystem::path file =
       std::filesystem::absolute(folder_) / fmt::format(".hook-{}.json", ++started_);
-  if (const auto written = base::write_file(file, call.document); !written) {
-    errors_.push_back(written.error().message);
-    return;
-  }
+  TRY(base::write_file(file, call.document));
+
   if (!host_) {
-    auto created = ProcessHost::create();
-    if (!created) {
-      errors_.push_back(created.error().message);
-      return;
-    }
-    host_.emplace(*std::move(created));
+    TRY_INIT(auto created, ProcessHost::create());
+    host_.emplace(std::move(created));
   }
+
   const std::string line = fmt::format("exec <{}\n{}", shell_quoted(file.string()), call.command);
   CommandPlan plan = shell_command(call.name, line);
   plan.folder = working_folder_;
   plan.environment = call.environment;
-  auto child = host_->start(plan);
-  if (!child) {
-    errors_.push_back(child.error().message);
-    return;
-  }
-  running_.push_back({*std::move(child), file, Clock::now()});
+  TRY_INIT(auto child, host_->start(plan));
+  running_.push_back({std::move(child), file, Clock::now()});
+  return {};
 }
 
 void HookRunner::end_overdue() {
@@ -109,6 +98,7 @@ std::vector<std::string> HookRunner::take_errors() {
     std::filesystem::remove(one.document, code);
     return true;
   });
+
   start_waiting();
   return std::exchange(errors_, {});
 }
@@ -121,13 +111,14 @@ std::vector<std::string> HookRunner::finish(const std::atomic<int>& stop_signal)
   while (!running_.empty()) {
     const Clock::time_point now = Clock::now();
     const bool only_descendants =
-        waiting_.empty() && std::all_of(running_.begin(), running_.end(), [](const Running& one) {
+        waiting_.empty() && std::ranges::all_of(running_, [](const Running& one) {
           return one.child->status().exit.has_value();
         });
     if (!patient_until && (stop_signal != 0 || only_descendants)) {
       patient_until = now + kHookShortLimit;
     }
     if (now - begin > limit_ || (patient_until && now > *patient_until)) break;
+
     running_.front().child->wait_gone(kHookPoll);
     for (std::string& line : take_errors()) errors.push_back(std::move(line));
   }
@@ -138,6 +129,7 @@ std::vector<std::string> HookRunner::finish(const std::atomic<int>& stop_signal)
     one.child->end(kHookGrace);
     std::filesystem::remove(one.document, code);
   }
+
   running_.clear();
   if (!waiting_.empty()) {
     errors_.push_back(

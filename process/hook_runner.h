@@ -67,7 +67,7 @@ class HookRunner {
 
   bool is_busy(const std::string& name) const;
   void start_waiting();
-  void start_now(const HookCall& call);
+  base::Result<void> start_now(const HookCall& call);
   void end_overdue();
   void report(const Running& one);
 

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <string_view>
 
+#include "base/text/trimmed.h"
+
 namespace cls::process {
 namespace {
 
@@ -38,11 +40,13 @@ std::string loader_of(std::ifstream& file) {
   constexpr std::size_t kMaxName = 4096;
   Header header;
   if (!read_struct(file, 0, header)) return "";
+
   for (int i = 0; i < header.e_phnum; ++i) {
     ProgramHeader part;
     const std::uint64_t at = header.e_phoff + static_cast<std::uint64_t>(i) * sizeof part;
     if (!read_struct(file, at, part)) return "";
     if (part.p_type != PT_INTERP || part.p_filesz > kMaxName) continue;
+
     const std::string name = read_at(file, part.p_offset, part.p_filesz);
     return name.c_str();  // up to the terminating zero
   }
@@ -50,10 +54,11 @@ std::string loader_of(std::ifstream& file) {
 }
 
 std::string problem_of_script(std::string_view first_line) {
-  const std::string_view line = first_line.substr(0, first_line.find('\n'));
-  const std::size_t begin = line.find_first_not_of(" \t", 2);
-  if (begin == std::string_view::npos) return "";
-  const std::string name(line.substr(begin, line.find_first_of(" \t", begin) - begin));
+  const std::string_view line =
+      base::trimmed(first_line.substr(0, first_line.find('\n')).substr(2), " \t");
+  const std::string name(line.substr(0, line.find_first_of(" \t")));
+  if (name.empty()) return "";
+
   std::error_code code;
   return fs::exists(name, code) ? "" : fmt::format("its interpreter {} does not exist", name);
 }
@@ -67,12 +72,13 @@ std::string missing_interpreter(const fs::path& program) {
   const bool text = start.find('\0') == std::string::npos;
   const std::size_t end = start.find('\n');
   if (text && end != std::string::npos && end > 0 && start[end - 1] == '\r') {
-    return "its first line ends with a carriage return; write the file with line feeds only (sed "
-           "-i "
-           "'s/\\r$//')";
+    return "its first line ends with a carriage return; write the file with line feeds only "
+           "(sed -i 's/\\r$//')";
   }
+
   if (start.starts_with("#!")) return problem_of_script(start);
   if (!start.starts_with(ELFMAG) || start.size() <= EI_CLASS) return "";
+
   const std::string loader = start[EI_CLASS] == ELFCLASS32
                                  ? loader_of<Elf32_Ehdr, Elf32_Phdr>(file)
                                  : loader_of<Elf64_Ehdr, Elf64_Phdr>(file);

@@ -71,10 +71,7 @@ class Keeper {
 
  private:
   void report(KeeperReport::Kind kind) {
-    KeeperReport report;
-    report.kind = kind;
-    report.pid = program_;
-    report.at_cpu_limit = at_cpu_limit_;
+    KeeperReport report{.kind = kind, .at_cpu_limit = at_cpu_limit_, .pid = program_};
     if (exit_status_) {
       report.by_signal = WIFSIGNALED(*exit_status_);
       report.number = report.by_signal ? WTERMSIG(*exit_status_) : WEXITSTATUS(*exit_status_);
@@ -190,6 +187,7 @@ class Keeper {
 
 void run_keeper(base::UniqueFd control, base::UniqueFd output, const CommandPlan& plan) {
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+
   // Only SIGKILL stops a keeper: it must outlive the program.
   sigset_t all;
   ::sigfillset(&all);
@@ -203,11 +201,9 @@ void run_keeper(base::UniqueFd control, base::UniqueFd output, const CommandPlan
 
   output.reset();
   if (launched.pid == 0) {
-    KeeperReport report;
-    report.kind = KeeperReport::Kind::kFailed;
-    report.number = launched.error;
-    report.step = launched.step;
-    send_report(control.get(), report);
+    send_report(
+        control.get(),
+        {.kind = KeeperReport::Kind::kFailed, .step = launched.step, .number = launched.error});
     ::_exit(0);
   }
 

@@ -49,6 +49,7 @@ constexpr std::uint64_t kOfFiles = LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_
 bool allow(int ruleset, const std::filesystem::path& path, std::uint64_t access) {
   const base::UniqueFd place(::open(path.c_str(), O_PATH | O_CLOEXEC));
   if (!place) return true;
+
   struct stat status = {};
   if (::fstat(place.get(), &status) != 0) return false;
   landlock_path_beneath_attr rule{};

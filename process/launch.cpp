@@ -133,18 +133,14 @@ Launch launch_program(const CommandPlan& plan, std::vector<std::string> argv, in
   bp::child child(bp::exe = argv.front(), bp::posix::fd.bind(1, output),
                   bp::posix::fd.bind(2, output), bp::extend::on_exec_setup = before_exec, error);
 
-  Launch result;
-  if (!error && child.id() <= 0)
-    error = std::error_code(EMFILE, std::system_category());  // no pipe
+  if (!error && child.id() <= 0) error.assign(EMFILE, std::system_category());  // no pipe
   if (error) {
-    result.step = static_cast<LaunchStep>(error.value() / kStepError);
-    result.error = error.value() % kStepError;
-    return result;
+    return {0, error.value() % kStepError, static_cast<LaunchStep>(error.value() / kStepError)};
   }
 
-  result.pid = child.id();
+  const pid_t pid = child.id();
   child.detach();  // the keeper reaps all its children itself
-  return result;
+  return {.pid = pid};
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ class Fields {
       good_ = false;
       return {};
     }
+
     std::string field(rest_.substr(0, end));
     rest_.remove_prefix(end + 1);
     return field;
@@ -82,6 +83,7 @@ bool send_packet(int socket, std::string_view bytes, const std::vector<int>& fds
   msghdr message{};
   message.msg_iov = &part;
   message.msg_iovlen = 1;
+
   alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int) * kMaxFds)> control{};
 
   if (!fds.empty()) {

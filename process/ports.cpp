@@ -1,8 +1,6 @@
 // Probes ports by binding, reserves them with abstract sockets, finds owners in /proc/net.
 #include "process/ports.h"
 
-#include <dirent.h>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <netdb.h>
 #include <netinet/in.h>
@@ -15,11 +13,8 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <system_error>
 
 #include "base/system/socket_address.h"
@@ -29,8 +24,6 @@
 
 namespace cls::process {
 namespace {
-
-namespace fs = std::filesystem;
 
 // Below Linux's ephemeral ports (32768 and up).
 constexpr int kMinPort = 20000;
@@ -58,37 +51,12 @@ int bind_error(int type, int port) {
   return ::bind(socket.get(), address.get(), address.size) == 0 ? 0 : errno;
 }
 
-struct BoundSocket {
-  int port = 0;
-  unsigned long inode = 0;
-};
-
-// Lines of /proc/net/{tcp,udp}{,6}: "sl local remote state tx:rx tr:when retrans uid timeout
-// inode".
-std::vector<BoundSocket> bound_sockets(Protocol protocol) {
-  constexpr const char* kListening = "0A";
-  std::vector<BoundSocket> sockets;
-
-  const std::string name = protocol == Protocol::kTcp ? "/proc/net/tcp" : "/proc/net/udp";
-  for (const std::string& path : {name, name + "6"}) {
-    std::ifstream file(path);
-    std::string line;
-    std::getline(file, line);  // header
-
-    while (std::getline(file, line)) {
-      std::istringstream fields(line);
-      std::string slot, local, remote, state, queues, timer, retransmits, user, timeout;
-      BoundSocket socket;
-      fields >> slot >> local >> remote >> state >> queues >> timer >> retransmits >> user >>
-          timeout >> socket.inode;
-
-      const std::size_t colon = local.rfind(':');
-      if (!fields || colon == std::string::npos) continue;
-      if (protocol == Protocol::kTcp && state != kListening) continue;
-      socket.port = static_cast<int>(std::strtol(local.c_str() + colon + 1, nullptr, 16));
-      sockets.push_back(socket);
-    }
-  }
+// Those of servers: of TCP without the connections of clients.
+std::vector<SocketEntry> listening_sockets(Protocol protocol) {
+  std::vector<SocketEntry> sockets = bound_sockets(protocol);
+  std::erase_if(sockets, [protocol](const SocketEntry& socket) {
+    return protocol == Protocol::kTcp && !socket.listens;
+  });
   return sockets;
 }
 
@@ -137,47 +105,18 @@ bool port_is_free(Protocol protocol, int port) {
   return bind_error(protocol == Protocol::kTcp ? SOCK_STREAM : SOCK_DGRAM, port) == 0;
 }
 
-std::vector<int> all_pids() {
-  std::vector<int> pids;
-  std::error_code code;
-  for (fs::directory_iterator entry("/proc", code), end; !code && entry != end;
-       entry.increment(code)) {
-    const int pid = std::atoi(entry->path().filename().c_str());
-    if (pid > 0) pids.push_back(pid);
-  }
-  std::sort(pids.begin(), pids.end());
-  return pids;
-}
-
-std::set<unsigned long> sockets_of(int pid) {
-  std::set<unsigned long> inodes;
-  std::error_code code;
-
-  for (fs::directory_iterator fd(fmt::format("/proc/{}/fd", pid), code), end; !code && fd != end;
-       fd.increment(code)) {
-    std::error_code unreadable;
-    const std::string target = fs::read_symlink(fd->path(), unreadable).string();
-    unsigned long inode = 0;
-    if (std::sscanf(target.c_str(), "socket:[%lu]", &inode) == 1) inodes.insert(inode);
-  }
-  return inodes;
-}
-
 std::vector<PortOwner> owners_of(Protocol protocol, int port) {
   std::set<unsigned long> wanted;
-  for (const BoundSocket& socket : bound_sockets(protocol)) {
+  for (const SocketEntry& socket : listening_sockets(protocol)) {
     if (socket.port == port) wanted.insert(socket.inode);
   }
 
   std::vector<PortOwner> owners;
   if (wanted.empty()) return owners;
 
+  const auto is_wanted = [&wanted](unsigned long inode) { return wanted.contains(inode); };
   for (const int pid : all_pids()) {
-    for (const unsigned long inode : sockets_of(pid)) {
-      if (wanted.count(inode) == 0) continue;
-      owners.push_back({pid, short_name(pid)});
-      break;
-    }
+    if (std::ranges::any_of(sockets_of(pid), is_wanted)) owners.push_back({pid, short_name(pid)});
   }
   if (owners.empty()) owners.emplace_back();
   return owners;
@@ -193,15 +132,15 @@ std::string port_taken_text(Protocol protocol, int port) {
 }
 
 std::string taken_port(Protocol protocol, const std::vector<int>& ports) {
-  const auto taken = std::find_if(ports.begin(), ports.end(), [&](int port) {
-    return port != 0 && !port_is_free(protocol, port);
-  });
+  const auto taken = std::ranges::find_if(
+      ports, [&](int port) { return port != 0 && !port_is_free(protocol, port); });
   return taken == ports.end() ? std::string() : port_taken_text(protocol, *taken);
 }
 
 std::string unusable_host(const std::string& host) {
   const auto addresses = base::resolve_all(base::strip_brackets(host), 0, AF_UNSPEC, SOCK_STREAM);
   if (!addresses) return "cannot be resolved: " + addresses.error().message;
+
   for (const base::SocketAddress& address : *addresses) {
     const base::UniqueFd socket(::socket(address.family(), SOCK_STREAM | SOCK_CLOEXEC, 0));
     if (socket && ::bind(socket.get(), address.get(), address.size) == 0) return {};
@@ -210,13 +149,12 @@ std::string unusable_host(const std::string& host) {
 }
 
 std::vector<int> ports_of(Protocol protocol, int pid) {
-  std::vector<int> pids = {pid};
-  for (const ProcessEntry& entry : descendants_of(pid)) pids.push_back(entry.pid);
-  std::set<unsigned long> inodes;
-  for (const int owner : pids) inodes.merge(sockets_of(owner));
+  std::set<unsigned long> inodes = sockets_of(pid);
+  for (const ProcessEntry& entry : descendants_of(pid)) inodes.merge(sockets_of(entry.pid));
+
   std::set<int> ports;
-  for (const BoundSocket& socket : bound_sockets(protocol)) {
-    if (inodes.count(socket.inode) != 0) ports.insert(socket.port);
+  for (const SocketEntry& socket : listening_sockets(protocol)) {
+    if (inodes.contains(socket.inode)) ports.insert(socket.port);
   }
   return {ports.begin(), ports.end()};
 }
@@ -250,8 +188,7 @@ base::Result<std::vector<ReservedPort>> ReservedPort::choose(int count) {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     if (static_cast<int>(ports.size()) == count) return ports;
     const int number = random_port();
-    const bool chosen = std::any_of(ports.begin(), ports.end(),
-                                    [&](const auto& port) { return port.number() == number; });
+    const bool chosen = std::ranges::find(ports, number, &ReservedPort::number) != ports.end();
     auto mark = chosen ? std::nullopt : reserve_free(number, marks_of(attempt), error);
     if (mark) ports.push_back(ReservedPort(number, *std::move(mark)));
   }

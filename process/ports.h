@@ -1,16 +1,14 @@
 // Ports of this host: finding and reserving free ports, finding the owner of a port.
 #pragma once
 
-#include <set>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "base/system/unique_fd.h"
+#include "process/socket_table.h"
 
 namespace cls::process {
-
-enum class Protocol { kTcp, kUdp };
 
 /// A process that has bound a port.
 struct PortOwner {
@@ -40,12 +38,6 @@ std::string unusable_host(const std::string& host);
 
 /// Ports on which `pid` or a descendant of it listens (TCP) or has bound (UDP), ascending.
 std::vector<int> ports_of(Protocol protocol, int pid);
-
-/// All processes of this host that can be seen, ascending.
-std::vector<int> all_pids();
-
-/// The inodes of a process's open sockets; empty without permission.
-std::set<unsigned long> sockets_of(int pid);
 
 /// A free port that no other cls on this host chooses while this object exists. It stays unbound,
 /// so that a child can bind it.

@@ -2,10 +2,13 @@
 #include "process/printed_exception.h"
 
 #include <algorithm>
-#include <charconv>
 #include <vector>
 
+#include "base/index.h"
+#include "base/text/lines.h"
+#include "base/text/number_text.h"
 #include "base/text/printable.h"
+#include "base/text/trimmed.h"
 
 namespace cls::process {
 namespace {
@@ -15,33 +18,13 @@ using Lines = std::vector<std::string_view>;
 constexpr std::string_view kTraceback = "Traceback (most recent call last):";
 constexpr std::string_view kCount = "  ×";
 
-Lines lines_of(std::string_view text) {
-  Lines lines;
-  while (!text.empty()) {
-    const std::size_t end = text.find('\n');
-    lines.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) break;
-    text.remove_prefix(end + 1);
-  }
-  return lines;
-}
-
-bool begins_with(std::string_view line, std::string_view prefix) {
-  return line.substr(0, prefix.size()) == prefix;
-}
-
 bool is_indented(std::string_view line) {
   return !line.empty() && (line.front() == ' ' || line.front() == '\t');
 }
 
-std::string_view trimmed(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(" \t");
-  return first == std::string_view::npos ? std::string_view() : line.substr(first);
-}
-
 // "    at decide (playmaker.js:12:3)", "\tat Playmaker.decide(Playmaker.java:12)".
 bool is_stack_frame(std::string_view line) {
-  return is_indented(line) && begins_with(trimmed(line), "at ") &&
+  return is_indented(line) && base::trimmed(line).starts_with("at ") &&
          line.find_first_of("(:") != std::string_view::npos;
 }
 
@@ -52,8 +35,8 @@ std::string_view python_exception(const Lines& lines, std::size_t traceback) {
   if (at >= lines.size()) return {};
 
   const bool chained = at + 2 < lines.size() && lines[at + 1].empty() &&
-                       (begins_with(lines[at + 2], "During handling of the above exception") ||
-                        begins_with(lines[at + 2], "The above exception was the direct cause"));
+                       (lines[at + 2].starts_with("During handling of the above exception") ||
+                        lines[at + 2].starts_with("The above exception was the direct cause"));
   for (std::size_t next = at + 3; chained && next < lines.size(); ++next) {
     if (lines[next] != kTraceback) continue;
     const std::string_view last = python_exception(lines, next);
@@ -66,10 +49,10 @@ std::string_view python_exception(const Lines& lines, std::size_t traceback) {
 // The line before the frames; of causes the last.
 std::string_view stack_trace_exception(const Lines& lines, std::size_t first_frame) {
   constexpr std::string_view kCausedBy = "Caused by: ";
-  std::string_view exception = trimmed(lines[first_frame - 1]);
+  std::string_view exception = base::trimmed(lines[first_frame - 1]);
 
   for (std::size_t i = first_frame; i < lines.size(); ++i) {
-    if (begins_with(lines[i], kCausedBy)) {
+    if (lines[i].starts_with(kCausedBy)) {
       exception = lines[i].substr(kCausedBy.size());
     } else if (!is_indented(lines[i])) {
       break;
@@ -79,9 +62,9 @@ std::string_view stack_trace_exception(const Lines& lines, std::size_t first_fra
 }
 
 bool is_go_panic(const Lines& lines, std::size_t at) {
-  if (!begins_with(lines[at], "panic: ") && !begins_with(lines[at], "fatal error: ")) return false;
+  if (!lines[at].starts_with("panic: ") && !lines[at].starts_with("fatal error: ")) return false;
   for (std::size_t i = at + 1; i < std::min(at + 6, lines.size()); ++i) {
-    if (begins_with(lines[i], "goroutine ")) return true;
+    if (lines[i].starts_with("goroutine ")) return true;
   }
   return false;
 }
@@ -93,10 +76,10 @@ std::string_view exception_at(const Lines& lines, std::size_t at) {
 
   if (line == kTraceback) return python_exception(lines, at);
   if (is_go_panic(lines, at)) return line;
-  if (begins_with(line, "terminate called ")) {
-    return begins_with(trimmed(next), "what():") ? trimmed(next) : line;
+  if (line.starts_with("terminate called ")) {
+    return base::trimmed(next).starts_with("what():") ? base::trimmed(next) : line;
   }
-  if (begins_with(line, "thread '") && line.find("panicked at") != std::string_view::npos) {
+  if (line.starts_with("thread '") && line.find("panicked at") != std::string_view::npos) {
     return next.empty() ? line : next;
   }
 
@@ -107,7 +90,7 @@ std::string_view exception_at(const Lines& lines, std::size_t at) {
 }  // namespace
 
 std::string printed_exception(std::string_view log) {
-  const Lines lines = lines_of(log);
+  const Lines lines = base::lines_of(log);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string_view found = exception_at(lines, i);
     if (!found.empty()) return base::printable(found);
@@ -118,14 +101,12 @@ std::string printed_exception(std::string_view log) {
 RepeatedLine most_repeated_line(std::string_view log) {
   RepeatedLine most;
   std::string_view before;
-  for (const std::string_view line : lines_of(log)) {
-    std::size_t times = 0;
-    if (begins_with(line, kCount)) {
-      const std::string_view digits = line.substr(kCount.size());
-      std::from_chars(digits.data(), digits.data() + digits.size(), times);
+  for (const std::string_view line : base::lines_of(log)) {
+    int times = 0;
+    if (line.starts_with(kCount)) base::parse_int_prefix(line.substr(kCount.size()), times);
+    if (const std::size_t count = base::index(std::max(times, 0)); count > most.times) {
+      most = {base::printable(before), count};
     }
-
-    if (times > most.times) most = {base::printable(before), times};
     before = line;
   }
   return most;

@@ -21,8 +21,8 @@ using base::Error;
 using base::Result;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kStartTimeout{
-    10'000};  // for a loaded host; the keeper usually replies in 1 ms
+// For a loaded host; the keeper usually replies in 1 ms.
+constexpr milliseconds kStartTimeout{10'000};
 constexpr milliseconds kUsageTimeout{500};
 constexpr milliseconds kDroppedGrace{1000};
 constexpr milliseconds kEndMargin{2000};
@@ -121,10 +121,8 @@ double Child::cpu_seconds() const {
 
 void Child::end(milliseconds grace, bool gently) const {
   const std::lock_guard lock(core_->mutex);
-  KeeperRequest request;
-  request.kind = gently ? KeeperRequest::Kind::kEndGently : KeeperRequest::Kind::kEnd;
-  request.grace_s = std::chrono::duration<double>(grace).count();
-  record_->ask(request);
+  record_->ask({gently ? KeeperRequest::Kind::kEndGently : KeeperRequest::Kind::kEnd,
+                std::chrono::duration<double>(grace).count()});
 }
 
 bool Child::wait_exit(milliseconds limit) const {
@@ -149,9 +147,7 @@ Result<ProcessHost> ProcessHost::create(std::size_t log_limit) {
   }
 
   base::UniqueFd wake_event(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
-  if (!wake_event) {
-    return Error{fmt::format("cannot start processes: {}", std::strerror(errno))};
-  }
+  if (!wake_event) return Error{fmt::format("cannot start processes: {}", std::strerror(errno))};
   return ProcessHost(std::make_shared<ProcessHostCore>(log_limit, std::move(wake_event)));
 }
 
@@ -164,11 +160,8 @@ ProcessHost::~ProcessHost() {
 std::uint64_t ProcessHost::changes() const { return core_->changes.load(); }
 
 Result<std::shared_ptr<Child>> ProcessHost::start(const CommandPlan& plan, OnLine on_line) {
-  const auto complete = resolved(plan);
-  if (!complete) return Error{complete.error()};
-
-  auto log = open_log(plan);
-  if (!log) return Error{log.error()};
+  TRY_INIT(const CommandPlan complete, resolved(plan));
+  TRY_INIT(auto log, open_log(plan));
 
   auto control = make_socket_pair();
   auto output = make_pipe();
@@ -176,7 +169,7 @@ Result<std::shared_ptr<Child>> ProcessHost::start(const CommandPlan& plan, OnLin
   if (guard == nullptr) return cannot_start(plan, "the guard is gone");
   if (!control || !output) return cannot_start(plan, std::strerror(errno));
 
-  if (!send_packet(guard->socket(), encode(*complete),
+  if (!send_packet(guard->socket(), encode(complete),
                    {control->second.get(), output->write.get()})) {
     return cannot_start(
         plan, errno == EMSGSIZE ? "the command line is too long" : "the guard process was killed");
@@ -188,7 +181,7 @@ Result<std::shared_ptr<Child>> ProcessHost::start(const CommandPlan& plan, OnLin
   record->plan = plan;
   record->control = std::move(control->first);
   record->output = std::move(output->read);
-  record->log = OutputLog(*std::move(log), core_->log_limit, std::move(on_line));
+  record->log = OutputLog(std::move(log), core_->log_limit, std::move(on_line));
   auto child = std::make_shared<Child>(core_, record);
   core_->add(record);
 
@@ -200,15 +193,13 @@ Result<std::shared_ptr<Child>> ProcessHost::start(const CommandPlan& plan, OnLin
   const KeeperReport& report = *record->first_report;
   if (report.kind == KeeperReport::Kind::kStarted) return child;
   return cannot_start(
-      plan, fmt::format("{}: {}", place_of(report.step, *complete), std::strerror(report.number)));
+      plan, fmt::format("{}: {}", place_of(report.step, complete), std::strerror(report.number)));
 }
 
 bool ProcessHost::end_all(milliseconds grace) {
   std::unique_lock lock(core_->mutex);
-  KeeperRequest request{KeeperRequest::Kind::kEnd, std::chrono::duration<double>(grace).count()};
-  for (const auto& record : core_->records) {
-    record->ask(request);
-  }
+  const double seconds = std::chrono::duration<double>(grace).count();
+  for (const auto& record : core_->records) record->ask({KeeperRequest::Kind::kEnd, seconds});
   return core_->changed.wait_for(lock, grace + kEndMargin, [&] { return core_->records.empty(); });
 }
 

@@ -1,17 +1,18 @@
 // Reads /proc/PID/stat of every process and follows the parents.
 #include "process/process_tree.h"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
-#include <memory>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 #include "base/system/unique_fd.h"
 
@@ -24,17 +25,8 @@ double ticks_to_seconds(unsigned long long ticks) {
 }
 
 std::vector<ProcessEntry> all_processes() {
-  struct Close {
-    void operator()(DIR* folder) const { ::closedir(folder); }
-  };
-
   std::vector<ProcessEntry> entries;
-  const std::unique_ptr<DIR, Close> folder(::opendir("/proc"));
-  if (!folder) return entries;
-
-  while (const dirent* item = ::readdir(folder.get())) {
-    const int pid = std::atoi(item->d_name);
-    if (pid <= 0) continue;
+  for (const int pid : all_pids()) {
     if (const auto entry = read_process(pid)) entries.push_back(*entry);
   }
   return entries;
@@ -73,13 +65,23 @@ std::optional<ProcessEntry> read_process(pid_t pid) {
   // A process whose first thread has exited is a Z too, while its other threads run.
   if (state == 'Z' && threads < 2) return std::nullopt;
 
-  ProcessEntry entry;
-  entry.pid = pid;
-  entry.parent = parent;
-  entry.cpu_seconds = ticks_to_seconds(user + system);
-  entry.reaped_cpu_seconds =
-      ticks_to_seconds(static_cast<unsigned long long>(fetched_user + fetched_system));
-  return entry;
+  return ProcessEntry{.pid = pid,
+                      .parent = parent,
+                      .cpu_seconds = ticks_to_seconds(user + system),
+                      .reaped_cpu_seconds = ticks_to_seconds(
+                          static_cast<unsigned long long>(fetched_user + fetched_system))};
+}
+
+std::vector<int> all_pids() {
+  std::vector<int> pids;
+  std::error_code code;
+  for (std::filesystem::directory_iterator entry("/proc", code), end; !code && entry != end;
+       entry.increment(code)) {
+    const int pid = std::atoi(entry->path().filename().c_str());
+    if (pid > 0) pids.push_back(pid);
+  }
+  std::ranges::sort(pids);
+  return pids;
 }
 
 std::string short_name(pid_t pid) {

@@ -20,6 +20,9 @@ struct ProcessEntry {
 /// A running process; nothing if there is none, or without /proc.
 std::optional<ProcessEntry> read_process(pid_t pid);
 
+/// All processes of this host that can be seen, ascending.
+std::vector<int> all_pids();
+
 /// The name that ps shows of a process, at most 15 bytes; empty: there is none, or no /proc.
 std::string short_name(pid_t pid);
 

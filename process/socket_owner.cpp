@@ -8,15 +8,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "base/system/udp_socket.h"
 #include "process/guard.h"
-#include "process/ports.h"
 #include "process/process_tree.h"
+#include "process/socket_table.h"
 #include "process/socket_visibility.h"
 
 namespace cls::process {
@@ -27,54 +26,6 @@ constexpr std::size_t kMaxKnown = 4096;
 
 constexpr std::string_view kAnyV4 = "00000000";
 constexpr std::string_view kMappedV4 = "0000000000000000FFFF0000";
-
-/// A line of /proc/net/udp or udp6, with addresses as the kernel writes them.
-struct UdpSocketEntry {
-  std::string host;
-  int port = 0;
-  std::string peer_host;
-  int peer_port = 0;  ///< 0: not connected
-  uid_t user = 0;
-  unsigned long inode = 0;
-};
-
-// "0100007F:1770"
-int split_port(std::string& text) {
-  const std::size_t colon = text.find(':');
-  if (colon == std::string::npos) return 0;
-  const int port = static_cast<int>(std::strtol(text.c_str() + colon + 1, nullptr, 16));
-  text.resize(colon);
-  return port;
-}
-
-// Lines: "sl local remote state tx:rx tr:when retrans uid timeout inode ...".
-void read_table(const char* path, std::vector<UdpSocketEntry>& entries) {
-  constexpr std::size_t kHostSize = 48;
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);  // header
-  while (std::getline(file, line)) {
-    std::array<char, kHostSize> local{};
-    std::array<char, kHostSize> remote{};
-    UdpSocketEntry entry;
-    if (std::sscanf(line.c_str(), " %*s %47s %47s %*s %*s %*s %*s %u %*s %lu", local.data(),
-                    remote.data(), &entry.user, &entry.inode) != 4) {
-      continue;
-    }
-    entry.host = local.data();
-    entry.peer_host = remote.data();
-    entry.port = split_port(entry.host);
-    entry.peer_port = split_port(entry.peer_host);
-    entries.push_back(std::move(entry));
-  }
-}
-
-std::vector<UdpSocketEntry> udp_sockets() {
-  std::vector<UdpSocketEntry> entries;
-  read_table("/proc/net/udp", entries);
-  read_table("/proc/net/udp6", entries);
-  return entries;
-}
 
 std::string hex_host(const base::SocketAddress& address) {
   std::array<std::uint32_t, 4> parts{};
@@ -97,18 +48,18 @@ bool can_send_from(std::string_view bound, std::string_view host) {
   return any || bound.starts_with(kMappedV4);
 }
 
-std::vector<UdpSocketEntry> sockets_at(const std::vector<UdpSocketEntry>& sockets,
-                                       std::string_view host, int port) {
-  std::vector<UdpSocketEntry> found;
-  for (const UdpSocketEntry& socket : sockets) {
-    if (socket.port == port && can_send_from(socket.host, host)) found.push_back(socket);
-  }
+std::vector<SocketEntry> sockets_at(const std::vector<SocketEntry>& sockets, std::string_view host,
+                                    int port) {
+  std::vector<SocketEntry> found;
+  std::ranges::copy_if(sockets, std::back_inserter(found), [&](const SocketEntry& socket) {
+    return socket.port == port && can_send_from(socket.host, host);
+  });
   return found;
 }
 
-std::vector<unsigned long> inodes_of(const std::vector<UdpSocketEntry>& sockets) {
+std::vector<unsigned long> inodes_of(const std::vector<SocketEntry>& sockets) {
   std::vector<unsigned long> inodes;
-  for (const UdpSocketEntry& socket : sockets) inodes.push_back(socket.inode);
+  for (const SocketEntry& socket : sockets) inodes.push_back(socket.inode);
   return inodes;
 }
 
@@ -126,8 +77,8 @@ pid_t parent_of(pid_t pid) {
 std::string missing_socket_owners() {
   const auto socket = base::UdpSocket::bind(*base::parse_ip_address("127.0.0.1", 0));
   const std::set<unsigned long> own = sockets_of(::getpid());
-  for (const UdpSocketEntry& entry : udp_sockets()) {
-    if (socket && entry.port == socket->local_port() && own.count(entry.inode) != 0) return {};
+  for (const SocketEntry& entry : bound_sockets(Protocol::kUdp)) {
+    if (socket && entry.port == socket->local_port() && own.contains(entry.inode)) return {};
   }
   return "this system does not show which process holds a socket (/proc): a program of one side "
          "can connect as the other side";
@@ -154,11 +105,12 @@ void SocketOwners::remember(unsigned long inode, const SocketOwner& owner) {
 }
 
 SocketOwner SocketOwners::owner_of(const base::SocketAddress& address) {
-  const auto sockets = sockets_at(udp_sockets(), hex_host(address), address.port());
+  const auto sockets = sockets_at(bound_sockets(Protocol::kUdp), hex_host(address), address.port());
   if (sockets.size() != 1) return find(inodes_of(sockets));
-  const UdpSocketEntry& socket = sockets.front();
+  const SocketEntry& socket = sockets.front();
   const auto known = known_.find(socket.inode);
   if (known != known_.end()) return known->second;
+
   SocketOwner owner = find({socket.inode});
   if (owner.pid == 0 && socket.user != ::geteuid()) owner.kind = SocketOwner::Kind::kOutside;
   if (owner.pid == 0 && socket.user == ::geteuid()) owner = find_outside(socket.inode);
@@ -169,11 +121,13 @@ SocketOwner SocketOwners::owner_of(const base::SocketAddress& address) {
 std::vector<SocketOwner> SocketOwners::peers_of(pid_t server) {
   std::set<unsigned long> own = sockets_of(server);
   for (const ProcessEntry& below : descendants_of(server)) own.merge(sockets_of(below.pid));
-  const std::vector<UdpSocketEntry> sockets = udp_sockets();
+  const std::vector<SocketEntry> sockets = bound_sockets(Protocol::kUdp);
+
   std::vector<SocketOwner> owners;
-  for (const UdpSocketEntry& socket : sockets) {
-    if (socket.peer_port == 0 || own.count(socket.inode) == 0) continue;
+  for (const SocketEntry& socket : sockets) {
+    if (socket.peer_port == 0 || !own.contains(socket.inode)) continue;
     if (!on_loopback(socket.peer_host)) continue;
+
     const std::string_view host =
         std::string_view(socket.peer_host).substr(socket.peer_host.size() - kAnyV4.size());
     const auto inodes = inodes_of(sockets_at(sockets, host, socket.peer_port));
@@ -194,7 +148,7 @@ std::map<pid_t, pid_t> SocketOwners::family() const {
 SocketOwner SocketOwners::find_outside(unsigned long inode) const {
   const std::map<pid_t, pid_t> parents = family();
   for (const int pid : all_pids()) {
-    if (parents.count(pid) != 0 || sockets_of(pid).count(inode) == 0) continue;
+    if (parents.contains(pid) || !sockets_of(pid).contains(inode)) continue;
     return {SocketOwner::Kind::kOutside, "", pid, short_name(pid)};
   }
   return {};
@@ -206,26 +160,31 @@ SocketOwner SocketOwners::find(const std::vector<unsigned long>& inodes) const {
   std::set<unsigned long> missing(inodes.begin(), inodes.end());
   std::set<pid_t> keepers;  // or the starter
   SocketOwner owner;
+
   for (const auto& [pid, parent] : parents) {
     const std::set<unsigned long> held = sockets_of(pid);
-    const auto holds = [&held](unsigned long inode) { return held.count(inode) != 0; };
-    if (std::none_of(inodes.begin(), inodes.end(), holds)) continue;
+    const auto holds = [&held](unsigned long inode) { return held.contains(inode); };
+    if (std::ranges::none_of(inodes, holds)) continue;
     std::erase_if(missing, holds);
     owner.pid = pid;
+
     pid_t top = pid;
-    while (parents.count(top) != 0 && parents[top] != guard_ && parents[top] != 0) {
+    while (parents.contains(top) && parents[top] != guard_ && parents[top] != 0) {
       top = parents[top];
     }
     keepers.insert(top);
   }
+
   if (owner.pid == 0) return owner;
   owner.command = short_name(owner.pid);
   if (keepers.size() != 1 || !missing.empty()) return owner;
+
   const pid_t top = *keepers.begin();
   if (top == starter_) {
     if (owner.pid == starter_) owner.kind = SocketOwner::Kind::kStarter;
     return owner;
   }
+
   const std::string name = short_name(top);
   if (!name.starts_with(kKeeperMark)) return owner;
   owner.kind = SocketOwner::Kind::kProgram;
