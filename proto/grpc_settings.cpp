@@ -17,15 +17,14 @@ namespace cls::proto {
 
 void apply_grpc_settings() {
   absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
-  static const bool kept = (grpc_init(), true);
-  static_cast<void>(kept);
+  [[maybe_unused]] static const bool kept = (grpc_init(), true);
+
   // Never connects and is never destroyed: the last channel of a process destroys gRPC's timers,
   // and waits for ever for their thread when there was no memory to start it.
   // Volatile: otherwise nothing would refer to it, and leak checkers would report it.
-  static const std::shared_ptr<grpc::Channel>* volatile last_channel =
+  [[maybe_unused]] static const std::shared_ptr<grpc::Channel>* volatile last_channel =
       new std::shared_ptr<grpc::Channel>(
           grpc::CreateChannel("unix:/nonexistent", grpc::InsecureChannelCredentials()));
-  static_cast<void>(last_channel);
 }
 
 void limit_replies(grpc::ChannelArguments& arguments) {

@@ -59,6 +59,7 @@ std::unique_ptr<RecordingWriter> RecordingWriter::create(const std::string& path
     error = error_text(path, errno);
     return nullptr;
   }
+
   auto file = std::make_unique<File>(path, descriptor);
   recording::RecordingHeader complete = header;
   complete.set_format(kFormat);
@@ -75,6 +76,7 @@ std::string RecordingWriter::close() {
   if (std::exchange(file_->closed, true)) return {};
   const bool flushed = file_->gzip.Close();
   const bool closed = file_->file.Close();
+
   if (file_->ok && flushed && closed) return {};
   const int code = file_->file.GetErrno();
   return code == 0 ? file_->path + ": write failed" : error_text(file_->path, code);
@@ -99,6 +101,7 @@ std::unique_ptr<RecordingReader> RecordingReader::open(const std::string& path,
     error = error_text(path, errno);
     return nullptr;
   }
+
   std::unique_ptr<RecordingReader> reader(
       new RecordingReader(path, std::make_unique<File>(descriptor)));
   bool clean_end = false;
@@ -108,6 +111,7 @@ std::unique_ptr<RecordingReader> RecordingReader::open(const std::string& path,
     error = path + ": not an RPC recording; record one with cls match --record-rpc";
     return nullptr;
   }
+
   if (const int version = reader->header_.version(); version > kRecordingVersion) {
     error = path + ": version " + std::to_string(version) +
             " of recordings is newer than this cls reads (" + std::to_string(kRecordingVersion) +
@@ -124,6 +128,7 @@ bool RecordingReader::next(recording::RecordedCall& call) {
     ++calls_;
     return true;
   }
+
   const bool corrupt = !clean_end || file_->gzip.ZlibErrorMessage() != nullptr;
   if (corrupt) parse_error_ = path_ + ": corrupt or truncated after call " + std::to_string(calls_);
   return false;

@@ -1,7 +1,6 @@
 // Names and message types of the RPCs, from the descriptors of the services.
 #include "proto/rpc.h"
 
-#include <array>
 #include <cassert>
 
 #include "proto/playmaker.pb.h"
@@ -39,12 +38,10 @@ const RpcDescription& describe(Rpc rpc) {
         playmaker::v1::AgentReply::descriptor()->file()->FindServiceByName("TeamPlaymaker");
     assert(game != nullptr && game->method_count() == kAgentRpcs);
     assert(team != nullptr && team->method_count() == kRpcs - kAgentRpcs);
-    std::array<RpcDescription, kRpcs> all;
-    for (int i = 0; i < kRpcs; ++i) {
-      const bool of_agent = i < kAgentRpcs;
-      all[static_cast<std::size_t>(i)] =
-          describe(of_agent ? *game->method(i) : *team->method(i - kAgentRpcs));
-    }
+
+    std::vector<RpcDescription> all;
+    for (int i = 0; i < kAgentRpcs; ++i) all.push_back(describe(*game->method(i)));
+    for (int i = 0; i < kRpcs - kAgentRpcs; ++i) all.push_back(describe(*team->method(i)));
     return all;
   }();
   return descriptions.at(static_cast<std::size_t>(rpc));
@@ -85,6 +82,7 @@ Caller caller_of(Rpc rpc, const Message& request) {
     const auto& registration = static_cast<const protos::RegisterRequest&>(request);
     return {registration.team_name(), registration.uniform_number(), 0};
   }
+
   const protos::RegisterResponse& identity = identity_in(rpc, request);
   Caller caller{identity.team_name(), identity.uniform_number(), identity.client_id()};
   if (is_decision(rpc) && caller.unum == 0) {

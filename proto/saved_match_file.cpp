@@ -27,8 +27,10 @@ std::string error_text(const std::string& path, int code) {
 std::string write_saved_match(const std::string& path, saved::SavedMatch match) {
   match.set_format(kFormat);
   match.set_version(kSavedMatchVersion);
+
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return error_text(path, errno);
+
   FileOutputStream file(descriptor);
   GzipOutputStream gzip(&file);
   const bool written = match.SerializeToZeroCopyStream(&gzip);
@@ -40,6 +42,7 @@ std::string write_saved_match(const std::string& path, saved::SavedMatch match) 
 std::string read_saved_match(const std::string& path, saved::SavedMatch& out) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return error_text(path, errno);
+
   FileInputStream file(descriptor);
   file.SetCloseOnDelete(true);
   GzipInputStream gzip(&file);
@@ -47,6 +50,7 @@ std::string read_saved_match(const std::string& path, saved::SavedMatch& out) {
       out.format() != kFormat) {
     return path + ": not a saved match, or truncated; save one with cls match --save-at";
   }
+
   if (out.version() > kSavedMatchVersion) {
     return path + ": version " + std::to_string(out.version()) +
            " of saved matches is newer than this cls reads (" + std::to_string(kSavedMatchVersion) +

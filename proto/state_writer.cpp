@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <type_traits>
 
@@ -27,18 +29,22 @@ using protos::WorldModel;
 using PlayerList = google::protobuf::RepeatedPtrField<Player>;
 using PlayerMap = google::protobuf::Map<google::protobuf::int32, Player>;
 
-// The most bytes of a message with its own tag and length.
+// The most bytes of a message with its own tag and length; without bound for a world model, whose
+// players are counted one by one.
 constexpr std::size_t kMaxVector = 24;
 constexpr std::size_t kMaxPlayer = 512;
 constexpr std::size_t kMaxPlan = 128;
 constexpr std::size_t kMaxEntryHead = 24;  // of a dictionary: what surrounds the value
 constexpr std::size_t kMaxNumbers = 1024;  // of a world model, its intercept table and the State
+constexpr std::size_t kUnbounded = std::numeric_limits<std::size_t>::max();
 
 /// The place of the next byte. A value of this type stays in a register: pass copies.
 class Wire {
  public:
   explicit Wire(std::uint8_t* at) : at_(at) {}
-  std::uint8_t* at() const { return at_; }
+
+  /// The bytes written since `start`.
+  std::size_t size_from(Wire start) const { return static_cast<std::size_t>(at_ - start.at_); }
 
   // Fields with the value 0 are left out, as the wire format has it.
   template <int field>
@@ -71,6 +77,7 @@ class Wire {
 
   template <int field>
   void vector(const RpcVector2D& value) {
+    const Wire start = *this;
     tag<field, WireFormat::WIRETYPE_LENGTH_DELIMITED>();
     std::uint8_t* const length = at_++;
     number<RpcVector2D::kXFieldNumber>(value.x());
@@ -78,6 +85,12 @@ class Wire {
     number<RpcVector2D::kDistFieldNumber>(value.dist());
     number<RpcVector2D::kAngleFieldNumber>(value.angle());
     *length = static_cast<std::uint8_t>(at_ - length - 1);
+    assert(size_from(start) <= kMaxVector);
+  }
+  /// Left out where the message that it is a part of has none.
+  template <int field>
+  void vector(bool is_there, const RpcVector2D& value) {
+    if (is_there) vector<field>(value);
   }
 
   /// By the generated code, after value.ByteSizeLong().
@@ -88,17 +101,21 @@ class Wire {
     at_ = value.SerializeWithCachedSizesToArray(at_);
   }
 
-  /// A message that `write_content`, a function from Wire to Wire, writes. Its length comes first
-  /// and is known last: most have one of `length_size` bytes. Returns the content.
-  template <int field, std::size_t length_size = 2, typename WriteContent>
+  /// A message that `write_content`, a function from Wire to Wire, writes, of at most `most` bytes.
+  /// Its length comes first and is known last: most have one of `length_size` bytes. Returns the
+  /// content.
+  template <int field, std::size_t most, std::size_t length_size = 2, typename WriteContent>
   std::string_view nested(WriteContent write_content) {
+    const Wire start = *this;
     tag<field, WireFormat::WIRETYPE_LENGTH_DELIMITED>();
-    std::uint8_t* const expected = at_ + length_size;
-    const auto size = static_cast<std::size_t>(write_content(Wire(expected)).at_ - expected);
+    const Wire expected(at_ + length_size);
+    const std::size_t size = write_content(expected).size_from(expected);
+
     std::uint8_t* const content = at_ + CodedOutputStream::VarintSize64(size);
-    if (content != expected) std::memmove(content, expected, size);
+    if (content != expected.at_) std::memmove(content, expected.at_, size);
     varint(size);
     at_ = content + size;
+    assert(size_from(start) <= most);
     return {reinterpret_cast<const char*>(content), size};
   }
 
@@ -142,23 +159,20 @@ class Wire {
 };
 
 Wire write_player(const Player& player, Wire out) {
-  if (player.has_position()) out.vector<Player::kPositionFieldNumber>(player.position());
-  if (player.has_seen_position()) {
-    out.vector<Player::kSeenPositionFieldNumber>(player.seen_position());
-  }
-  if (player.has_heard_position()) {
-    out.vector<Player::kHeardPositionFieldNumber>(player.heard_position());
-  }
-  if (player.has_velocity()) out.vector<Player::kVelocityFieldNumber>(player.velocity());
-  if (player.has_seen_velocity()) {
-    out.vector<Player::kSeenVelocityFieldNumber>(player.seen_velocity());
-  }
+  out.vector<Player::kPositionFieldNumber>(player.has_position(), player.position());
+  out.vector<Player::kSeenPositionFieldNumber>(player.has_seen_position(), player.seen_position());
+  out.vector<Player::kHeardPositionFieldNumber>(player.has_heard_position(),
+                                                player.heard_position());
+  out.vector<Player::kVelocityFieldNumber>(player.has_velocity(), player.velocity());
+  out.vector<Player::kSeenVelocityFieldNumber>(player.has_seen_velocity(), player.seen_velocity());
+
   out.number<Player::kPosCountFieldNumber>(player.pos_count());
   out.number<Player::kSeenPosCountFieldNumber>(player.seen_pos_count());
   out.number<Player::kHeardPosCountFieldNumber>(player.heard_pos_count());
   out.number<Player::kVelCountFieldNumber>(player.vel_count());
   out.number<Player::kSeenVelCountFieldNumber>(player.seen_vel_count());
   out.number<Player::kGhostCountFieldNumber>(player.ghost_count());
+
   out.number<Player::kDistFromSelfFieldNumber>(player.dist_from_self());
   out.number<Player::kAngleFromSelfFieldNumber>(player.angle_from_self());
   out.number<Player::kIdFieldNumber>(player.id());
@@ -166,21 +180,22 @@ Wire write_player(const Player& player, Wire out) {
   out.number<Player::kUniformNumberFieldNumber>(player.uniform_number());
   out.number<Player::kUniformNumberCountFieldNumber>(player.uniform_number_count());
   out.flag<Player::kIsGoalieFieldNumber>(player.is_goalie());
+
   out.number<Player::kBodyDirectionFieldNumber>(player.body_direction());
   out.number<Player::kBodyDirectionCountFieldNumber>(player.body_direction_count());
   out.number<Player::kFaceDirectionFieldNumber>(player.face_direction());
   out.number<Player::kFaceDirectionCountFieldNumber>(player.face_direction_count());
   out.number<Player::kPointToDirectionFieldNumber>(player.point_to_direction());
   out.number<Player::kPointToDirectionCountFieldNumber>(player.point_to_direction_count());
+
   out.flag<Player::kIsKickingFieldNumber>(player.is_kicking());
   out.number<Player::kDistFromBallFieldNumber>(player.dist_from_ball());
   out.number<Player::kAngleFromBallFieldNumber>(player.angle_from_ball());
   out.number<Player::kBallReachStepsFieldNumber>(player.ball_reach_steps());
   out.flag<Player::kIsTacklingFieldNumber>(player.is_tackling());
   out.number<Player::kTypeIdFieldNumber>(player.type_id());
-  if (player.has_inertia_final_point()) {
-    out.vector<Player::kInertiaFinalPointFieldNumber>(player.inertia_final_point());
-  }
+  out.vector<Player::kInertiaFinalPointFieldNumber>(player.has_inertia_final_point(),
+                                                    player.inertia_final_point());
   out.number<Player::kBodyCountFieldNumber>(player.body_count());
   return out;
 }
@@ -192,9 +207,8 @@ Wire write_plan(const InterceptInfo& plan, Wire out) {
   out.number<InterceptInfo::kDashStepsFieldNumber>(plan.dash_steps());
   out.number<InterceptInfo::kDashPowerFieldNumber>(plan.dash_power());
   out.number<InterceptInfo::kDashDirFieldNumber>(plan.dash_dir());
-  if (plan.has_final_self_position()) {
-    out.vector<InterceptInfo::kFinalSelfPositionFieldNumber>(plan.final_self_position());
-  }
+  out.vector<InterceptInfo::kFinalSelfPositionFieldNumber>(plan.has_final_self_position(),
+                                                           plan.final_self_position());
   out.number<InterceptInfo::kFinalBallDistFieldNumber>(plan.final_ball_dist());
   out.number<InterceptInfo::kFinalStaminaFieldNumber>(plan.final_stamina());
   out.number<InterceptInfo::kValueFieldNumber>(plan.value());
@@ -211,12 +225,14 @@ Wire write_intercept(const InterceptTable& table, Wire out) {
       table.first_opponent_reach_steps());
   out.number<InterceptTable::kSecondOpponentReachStepsFieldNumber>(
       table.second_opponent_reach_steps());
+
   out.number<InterceptTable::kFirstTeammateIdFieldNumber>(table.first_teammate_id());
   out.number<InterceptTable::kSecondTeammateIdFieldNumber>(table.second_teammate_id());
   out.number<InterceptTable::kFirstOpponentIdFieldNumber>(table.first_opponent_id());
   out.number<InterceptTable::kSecondOpponentIdFieldNumber>(table.second_opponent_id());
+
   for (const InterceptInfo& plan : table.self_intercept_info()) {
-    out.nested<InterceptTable::kSelfInterceptInfoFieldNumber, 1>(
+    out.nested<InterceptTable::kSelfInterceptInfoFieldNumber, kMaxPlan, 1>(
         [&](Wire content) { return write_plan(plan, content); });
   }
   return out;
@@ -247,7 +263,7 @@ template <int field>
 Wire write_list(const PlayerList& players, WrittenPlayers& written, Wire out) {
   for (const Player& player : players) {
     const std::string_view bytes =
-        out.nested<field>([&](Wire content) { return write_player(player, content); });
+        out.nested<field, kMaxPlayer>([&](Wire content) { return write_player(player, content); });
     written.add(player, bytes);
   }
   return out;
@@ -260,7 +276,7 @@ std::vector<std::pair<int, const Value*>> sorted(
   std::vector<std::pair<int, const Value*>> entries;
   entries.reserve(dictionary.size());
   for (const auto& [key, value] : dictionary) entries.emplace_back(key, &value);
-  std::sort(entries.begin(), entries.end());
+  std::ranges::sort(entries);
   return entries;
 }
 
@@ -270,10 +286,10 @@ Wire write_dictionary(const PlayerMap& players, const WrittenPlayers* known, Wir
   for (const auto& entry : sorted(players)) {
     const Wire before = out;
     bool is_known = false;
-    out.nested<field>([&](Wire content) {
+    out.nested<field, kMaxPlayer + kMaxEntryHead>([&](Wire content) {
       content.key(entry.first);
-      const std::string_view player =
-          content.nested<2>([&](Wire value) { return write_player(*entry.second, value); });
+      const std::string_view player = content.nested<2, kMaxPlayer>(
+          [&](Wire value) { return write_player(*entry.second, value); });
       is_known = known != nullptr && known->contain(entry.first, player);
       return content;
     });
@@ -286,12 +302,14 @@ Wire write_players(const WorldModel& world, StateForm form, Wire out) {
   WrittenPlayers ours;
   WrittenPlayers theirs;
   const bool lean = form == StateForm::kLean;
+
   out = write_list<WorldModel::kTeammatesFieldNumber>(world.teammates(), ours, out);
   out = write_list<WorldModel::kOpponentsFieldNumber>(world.opponents(), theirs, out);
   for (const Player& player : world.unknowns()) {
-    out.nested<WorldModel::kUnknownsFieldNumber>(
+    out.nested<WorldModel::kUnknownsFieldNumber, kMaxPlayer>(
         [&](Wire content) { return write_player(player, content); });
   }
+
   out = write_dictionary<WorldModel::kOurPlayersDictFieldNumber>(world.our_players_dict(),
                                                                  lean ? &ours : nullptr, out);
   return write_dictionary<WorldModel::kTheirPlayersDictFieldNumber>(world.their_players_dict(),
@@ -300,11 +318,12 @@ Wire write_players(const WorldModel& world, StateForm form, Wire out) {
 
 Wire write_home(const WorldModel& world, Wire out) {
   for (const auto& entry : sorted(world.helios_home_positions())) {
-    out.nested<WorldModel::kHeliosHomePositionsFieldNumber, 1>([&](Wire content) {
-      content.key(entry.first);
-      content.vector<2>(*entry.second);
-      return content;
-    });
+    out.nested<WorldModel::kHeliosHomePositionsFieldNumber, kMaxVector + kMaxEntryHead, 1>(
+        [&](Wire content) {
+          content.key(entry.first);
+          content.vector<2>(*entry.second);
+          return content;
+        });
   }
   return out;
 }
@@ -318,10 +337,12 @@ Wire write_match(const WorldModel& world, Wire out) {
   out.number<WorldModel::kKickableOpponentIdFieldNumber>(world.kickable_opponent_id());
   out.number<WorldModel::kLastKickSideFieldNumber>(world.last_kick_side());
   out.number<WorldModel::kLastKickerUniformNumberFieldNumber>(world.last_kicker_uniform_number());
+
   out.number<WorldModel::kCycleFieldNumber>(world.cycle());
   out.number<WorldModel::kGameModeTypeFieldNumber>(world.game_mode_type());
   out.number<WorldModel::kLeftTeamScoreFieldNumber>(world.left_team_score());
   out.number<WorldModel::kRightTeamScoreFieldNumber>(world.right_team_score());
+
   out.flag<WorldModel::kIsOurSetPlayFieldNumber>(world.is_our_set_play());
   out.flag<WorldModel::kIsTheirSetPlayFieldNumber>(world.is_their_set_play());
   out.number<WorldModel::kStopedCycleFieldNumber>(world.stoped_cycle());
@@ -338,6 +359,7 @@ Wire write_lines_and_times(const WorldModel& world, Wire out) {
   out.number<WorldModel::kTheirDefensePlayerLineXFieldNumber>(world.their_defense_player_line_x());
   out.flag<WorldModel::kKickableTeammateExistanceFieldNumber>(world.kickable_teammate_existance());
   out.flag<WorldModel::kKickableOpponentExistanceFieldNumber>(world.kickable_opponent_existance());
+
   if (world.has_penalty_kick_state()) {
     out.message<WorldModel::kPenaltyKickStateFieldNumber>(world.penalty_kick_state());
   }
@@ -350,9 +372,10 @@ Wire write_lines_and_times(const WorldModel& world, Wire out) {
 
 Wire write_world(const WorldModel& world, StateForm form, Wire out) {
   if (world.has_intercept_table()) {
-    out.nested<WorldModel::kInterceptTableFieldNumber>(
+    out.nested<WorldModel::kInterceptTableFieldNumber, kUnbounded>(
         [&](Wire content) { return write_intercept(world.intercept_table(), content); });
   }
+
   out.text<WorldModel::kOurTeamNameFieldNumber>(world.our_team_name());
   out.text<WorldModel::kTheirTeamNameFieldNumber>(world.their_team_name());
   out.number<WorldModel::kOurSideFieldNumber>(world.our_side());
@@ -373,6 +396,7 @@ std::size_t capacity_for(const WorldModel& world) {
                        static_cast<std::size_t>(world.unknowns_size());
   const std::size_t entries = world.our_players_dict().size() + world.their_players_dict().size();
   const auto plans = static_cast<std::size_t>(world.intercept_table().self_intercept_info_size());
+
   const std::size_t singles = world.self().ByteSizeLong() + world.ball().ByteSizeLong() +
                               world.penalty_kick_state().ByteSizeLong();
   return kMaxNumbers + singles + world.our_team_name().size() + world.their_team_name().size() +
@@ -388,22 +412,24 @@ std::string_view StateWriter::write(const State& state, StateForm form) {
                                state.register_response().ByteSizeLong();
   if (bytes_.size() < capacity) bytes_.resize(capacity);
 
-  Wire out(bytes_.data());
+  const Wire start(bytes_.data());
+  Wire out = start;
   if (state.has_register_response()) {
     out.message<State::kRegisterResponseFieldNumber>(state.register_response());
   }
   if (state.has_world_model()) {
-    out.nested<State::kWorldModelFieldNumber>(
+    out.nested<State::kWorldModelFieldNumber, kUnbounded>(
         [&](Wire content) { return write_world(state.world_model(), form, content); });
   }
   if (state.has_full_world_model()) {
-    out.nested<State::kFullWorldModelFieldNumber>([&](Wire content) {
+    out.nested<State::kFullWorldModelFieldNumber, kUnbounded>([&](Wire content) {
       return write_world(state.full_world_model(), StateForm::kWhole, content);
     });
   }
   out.flag<State::kNeedPreprocessFieldNumber>(state.need_preprocess());
-  return {reinterpret_cast<const char*>(bytes_.data()),
-          static_cast<std::size_t>(out.at() - bytes_.data())};
+
+  assert(out.size_from(start) <= capacity);
+  return {reinterpret_cast<const char*>(bytes_.data()), out.size_from(start)};
 }
 
 }  // namespace cls::proto
