@@ -9,6 +9,7 @@
 #include <cstring>
 #include <limits>
 
+#include "base/index.h"
 #include "base/io/flat_buffer.h"
 #include "base/text/utf8.h"
 
@@ -28,52 +29,30 @@ constexpr std::uint32_t kContinues = 0xFFFFFFFF;
 constexpr int kMetadataV5 = 4;
 constexpr int kSchemaMessage = 1;
 constexpr int kRecordBatchMessage = 3;
-constexpr int kIntType = 2;
-constexpr int kFloatType = 3;
-constexpr int kTextType = 5;
-constexpr int kBoolType = 6;
 constexpr int kListType = 16;
 constexpr int kSinglePrecision = 1;
 constexpr const char* kItemName = "item";
 constexpr const char* kUnitKey = "unit";
 
-std::size_t size_of(ArrowType type) {
-  switch (type) {
-    case ArrowType::kBool:
-    case ArrowType::kInt8:
-      return 1;
-    case ArrowType::kInt16:
-      return 2;
-    case ArrowType::kInt32:
-    case ArrowType::kFloat32:
-      return 4;
-    case ArrowType::kInt64:
-      return 8;
-    case ArrowType::kText:
-      break;
-  }
-  return 0;
-}
+constexpr int kIntType = 2;
+constexpr int kFloatType = 3;
 
-int type_number(ArrowType type) {
-  switch (type) {
-    case ArrowType::kBool:
-      return kBoolType;
-    case ArrowType::kFloat32:
-      return kFloatType;
-    case ArrowType::kText:
-      return kTextType;
-    default:
-      return kIntType;
-  }
-}
+/// A type of values: its number in the schema, and the bytes of a value.
+struct TypeLayout {
+  int number;
+  int size;
+};
+// By ArrowType.
+constexpr std::array<TypeLayout, 7> kTypes = {
+    {{6, 1}, {kIntType, 1}, {kIntType, 2}, {kIntType, 4}, {kIntType, 8}, {kFloatType, 4}, {5, 0}}};
 
 Place add_type(FlatBuffer& buffer, ArrowType type) {
+  const TypeLayout& layout = kTypes[index(type)];
   buffer.begin_table();
-  if (type_number(type) == kIntType) {
-    buffer.add_number(0, static_cast<std::int64_t>(8 * size_of(type)), 4);
+  if (layout.number == kIntType) {
+    buffer.add_number(0, 8 * layout.size, 4);
     buffer.add_number(1, 1, 1);  // signed
-  } else if (type == ArrowType::kFloat32) {
+  } else if (layout.number == kFloatType) {
     buffer.add_number(0, kSinglePrecision, 2);
   }
   return buffer.end_table();
@@ -117,7 +96,7 @@ Place add_field(FlatBuffer& buffer, const FieldParts& parts) {
 
 Place add_field(FlatBuffer& buffer, const ArrowField& field) {
   const Place type = add_type(buffer, field.type);
-  const int number = type_number(field.type);
+  const int number = kTypes[index(field.type)].number;
   if (field.list == 0) return add_field(buffer, {field.name, number, type, {}, field.unit});
 
   const Place item = add_field(buffer, {kItemName, number, type, {}, ""});
@@ -318,6 +297,7 @@ void ArrowWriter::write_batch() {
   const Place batch = buffer.end_table();
   blocks_.push_back(
       write_message(message(buffer, kRecordBatchMessage, batch, body.bytes.size()), body.bytes));
+
   rows_ = 0;
   is_full_ = false;
 }
@@ -325,6 +305,7 @@ void ArrowWriter::write_batch() {
 void ArrowWriter::close() {
   assert(column_ == 0 && in_list_ == 0);
   if (rows_ > 0) write_batch();
+
   std::string end;
   append_bytes(kContinues, end);
   append_bytes(std::int32_t{0}, end);
@@ -336,6 +317,7 @@ void ArrowWriter::close() {
   for (const Block& block : blocks_) {
     blocks.insert(blocks.end(), {block.offset, block.metadata, block.body});
   }
+
   const Place dictionaries = buffer.add_structs(0, {});
   const Place batches = buffer.add_structs(blocks_.size(), blocks);
   buffer.begin_table();

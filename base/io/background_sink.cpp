@@ -20,7 +20,7 @@ constexpr std::size_t kBlockSize = 256 * 1024;
 BackgroundSink::BackgroundSink(std::unique_ptr<ByteSink> inner)
     : inner_(std::move(inner)), thread_([this] { loop(); }) {}
 
-BackgroundSink::~BackgroundSink() { static_cast<void>(close()); }
+BackgroundSink::~BackgroundSink() { [[maybe_unused]] const Result<void> closed = close(); }
 
 void BackgroundSink::write(std::string_view bytes) {
   block_ += bytes;

@@ -17,9 +17,7 @@ constexpr std::size_t kBlock = 64 * 1024;
 Result<std::unique_ptr<FileSink>> FileSink::create(const std::string& path) {
   std::FILE* file =
       path == "-" ? ::fdopen(::dup(STDOUT_FILENO), "wb") : std::fopen(path.c_str(), "wbe");
-  if (file == nullptr) {
-    return Error{"cannot create '" + path + "': " + std::strerror(errno)};
-  }
+  if (file == nullptr) return Error{"cannot create '" + path + "': " + std::strerror(errno)};
 
   std::setvbuf(file, nullptr, _IONBF, 0);
   return std::unique_ptr<FileSink>(new FileSink(path, file));
@@ -29,7 +27,7 @@ FileSink::FileSink(std::string path, std::FILE* file) : path_(std::move(path)), 
   buffer_.reserve(kBlock + kBlock / 4);
 }
 
-FileSink::~FileSink() { static_cast<void>(close()); }
+FileSink::~FileSink() { [[maybe_unused]] const Result<void> closed = close(); }
 
 void FileSink::write(std::string_view bytes) {
   buffer_ += bytes;

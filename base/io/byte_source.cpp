@@ -52,7 +52,7 @@ class InflatedSource : public ByteSource {
  public:
   InflatedSource(std::unique_ptr<ByteSource> inner, std::string_view first)
       : inner_(std::move(inner)) {
-    std::copy(first.begin(), first.end(), packed_.begin());
+    std::ranges::copy(first, packed_.begin());
     stream_.next_in = packed_.data();
     stream_.avail_in = static_cast<uInt>(first.size());
     usable_ = inflateInit2(&stream_, kGzipWindowBits) == Z_OK;
@@ -179,9 +179,7 @@ Result<std::unique_ptr<ByteSource>> open_source(const std::string& path) {
   if (path == "-") return decompress(std::make_unique<FileSource>(STDIN_FILENO));
 
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) {
-    return Error{"cannot open '" + path + "': " + std::strerror(errno)};
-  }
+  if (descriptor < 0) return Error{"cannot open '" + path + "': " + std::strerror(errno)};
 
   auto file = std::make_unique<FileSource>(descriptor);
   struct stat status = {};

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/index.h"
+
 namespace cls::base {
 namespace {
 
@@ -56,7 +58,7 @@ InputBuffer::Line InputBuffer::next_line(std::string_view& line) {
     const char* start = bytes_.data() + begin_;
     const void* found = std::memchr(start + searched, '\n', available() - searched);
     if (found != nullptr) {
-      const auto length = static_cast<std::size_t>(static_cast<const char*>(found) - start);
+      const std::size_t length = index(static_cast<const char*>(found) - start);
       line = without_carriage_return(bytes_.data() + begin_, length);
       advance(length + 1);
       ++line_number_;
@@ -90,9 +92,7 @@ void InputBuffer::skip_line() {
   do {
     const void* found = std::memchr(bytes_.data() + begin_, '\n', available());
     if (found != nullptr) {
-      advance(static_cast<std::size_t>(static_cast<const char*>(found) - bytes_.data()) + 1 -
-              begin_);
-      return;
+      return advance(index(static_cast<const char*>(found) - bytes_.data()) + 1 - begin_);
     }
     advance(available());
   } while (fill(1));

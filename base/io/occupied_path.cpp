@@ -41,7 +41,7 @@ std::string contents_of(const fs::path& folder) {
     names.push_back(entry->path().filename().string());
   }
 
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   if (names.size() <= kNamed) return fmt::format("{}", fmt::join(names, " and "));
   const std::size_t more = names.size() - kNamed;
   names.resize(kNamed);

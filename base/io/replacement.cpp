@@ -27,7 +27,8 @@ constexpr const char* kTemporary = ".partial-";
 std::string temporary_name(const fs::path& file) {
   constexpr std::size_t kMaxExtension = 16;
   std::uint64_t number = 0;
-  static_cast<void>(::getentropy(&number, sizeof(number)));  // never fails for so few bytes
+  // Never fails for so few bytes.
+  [[maybe_unused]] const int drawn = ::getentropy(&number, sizeof(number));
   const std::string extension = file.extension().string();
   return fmt::format("{}{:016x}{}", kTemporary, number,
                      extension.size() <= kMaxExtension ? extension : "");
@@ -45,6 +46,7 @@ UniqueFd create_locked(const fs::path& place) {
         ::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, place.c_str(), AT_SYMLINK_FOLLOW);
     if (linked == 0 || errno == EEXIST) return linked == 0 ? std::move(file) : UniqueFd();
   }
+
   // Some file systems have no files without a name.
   file = UniqueFd(::open(place.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (file) ::flock(file.get(), LOCK_EX | LOCK_NB);

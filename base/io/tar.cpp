@@ -24,7 +24,7 @@ constexpr std::size_t kType = 156;
 constexpr std::size_t kMagic = 257;
 
 void put(std::string& header, std::size_t offset, std::string_view text) {
-  std::copy(text.begin(), text.end(), header.begin() + static_cast<std::ptrdiff_t>(offset));
+  header.replace(offset, text.size(), text);
 }
 
 }  // namespace
@@ -46,6 +46,7 @@ Result<void> append_to_tar(const std::string& name, std::string_view bytes, std:
   put(header, kChecksum, "        ");  // counts as spaces
   put(header, kType, "0");
   put(header, kMagic, std::string_view("ustar\00000", 8));
+
   const unsigned sum = std::accumulate(
       header.begin(), header.end(), 0U,
       [](unsigned so_far, char c) { return so_far + static_cast<unsigned char>(c); });

@@ -69,7 +69,7 @@ Result<void> write_by_rename(const std::filesystem::path& path, std::string_view
   const bool written = write_all(file, bytes) && (!durable || sync_file(file)) && flush(file);
   if (!written) return cannot_write(path, errno);
 
-  if (auto finished = replacement.finish(); !finished) return finished;
+  TRY(replacement.finish());
   if (durable) sync_folder(path.parent_path());
   return {};
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/text/enum_names.h"
 #include "base/text/xml.h"
 
 namespace cls::base {
@@ -12,19 +13,7 @@ namespace {
 
 using Result = JunitCase::Result;
 
-const char* element_of(Result result) {
-  switch (result) {
-    case Result::kFailed:
-      return "failure";
-    case Result::kError:
-      return "error";
-    case Result::kSkipped:
-      return "skipped";
-    case Result::kPassed:
-      break;
-  }
-  return "system-out";
-}
+constexpr auto kElements = enum_names<Result>("system-out", "failure", "error", "skipped");
 
 void add_case(std::string& out, const JunitCase& one) {
   const auto attribute = [&out](const char* name, const std::string& value) {
@@ -45,7 +34,7 @@ void add_case(std::string& out, const JunitCase& one) {
     return;
   }
 
-  const char* element = element_of(one.result);
+  const std::string_view element = kElements.name(one.result);
   out += fmt::format(">\n      <{}", element);
   if (one.result == Result::kPassed) {
     out += fmt::format(">{}</{}>\n    </testcase>\n", escape_xml(one.text + attachment), element);
@@ -65,8 +54,7 @@ void add_case(std::string& out, const JunitCase& one) {
 
 std::string format_junit(const std::string& suite, const std::vector<JunitCase>& cases) {
   const auto count = [&cases](Result result) {
-    return std::count_if(cases.begin(), cases.end(),
-                         [result](const JunitCase& one) { return one.result == result; });
+    return std::ranges::count(cases, result, &JunitCase::result);
   };
 
   double seconds = 0.0;

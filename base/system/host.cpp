@@ -18,6 +18,9 @@
 #include <string_view>
 #include <utility>
 
+#include "base/index.h"
+#include "base/text/trimmed.h"
+
 namespace cls::base {
 namespace {
 
@@ -29,10 +32,9 @@ std::tm utc() {
 std::string value_in(const char* path, std::string_view key) {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
-    if (!line.starts_with(key)) continue;
-    const std::size_t begin = line.find_first_not_of(" \t:=\"", key.size());
-    if (begin == std::string::npos) return {};
-    return line.substr(begin, line.find_last_not_of(" \"") + 1 - begin);
+    if (line.starts_with(key)) {
+      return std::string(trimmed(std::string_view(line).substr(key.size()), " \t:=\""));
+    }
   }
   return {};
 }
@@ -73,7 +75,7 @@ std::vector<int> allowed_processors() {
   if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return processors;
 
   for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
-    if (CPU_ISSET(static_cast<std::size_t>(cpu), &allowed)) processors.push_back(cpu);
+    if (CPU_ISSET(index(cpu), &allowed)) processors.push_back(cpu);
   }
   return processors;
 }
@@ -91,7 +93,7 @@ std::vector<std::vector<int>> allowed_cores() {
 
   std::vector<std::vector<int>> sorted;
   for (auto& [siblings, processors] : cores) sorted.push_back(std::move(processors));
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   return sorted;
 }
 

@@ -8,6 +8,8 @@
 #include <ctime>
 #include <utility>
 
+#include "base/index.h"
+
 namespace cls::base {
 namespace {
 
@@ -79,7 +81,7 @@ void Worker::set_affinity(const std::vector<int>& cpus) {
   if (cpus.empty()) return;
   cpu_set_t set;
   CPU_ZERO(&set);
-  for (const int cpu : cpus) CPU_SET(static_cast<std::size_t>(cpu), &set);
+  for (const int cpu : cpus) CPU_SET(index(cpu), &set);
   ::pthread_setaffinity_np(thread_.native_handle(), sizeof set, &set);
 }
 

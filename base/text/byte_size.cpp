@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstddef>
 #include <limits>
+
+#include "base/text/value_text.h"
 
 namespace cls::base {
 namespace {
@@ -23,14 +24,11 @@ std::optional<std::uint64_t> parse_byte_size(std::string_view text) {
   if (unit == std::string_view::npos) return std::nullopt;
   text.remove_suffix(1);
 
-  std::uint64_t number = 0;
-  const char* end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, number);
-  if (read.ec != std::errc() || read.ptr != end || number == 0) return std::nullopt;
-
+  const auto number = value_of<std::uint64_t>(text);
   const unsigned shift = kBitsPerUnit * static_cast<unsigned>(unit + 1);
-  if (number > std::numeric_limits<std::uint64_t>::max() >> shift) return std::nullopt;
-  return number << shift;
+  if (!number || *number == 0) return std::nullopt;
+  if (*number > std::numeric_limits<std::uint64_t>::max() >> shift) return std::nullopt;
+  return *number << shift;
 }
 
 std::string byte_size_text(std::uint64_t bytes) {

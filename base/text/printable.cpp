@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "base/text/lines.h"
 #include "base/text/utf8.h"
 
 namespace cls::base {
@@ -33,7 +34,7 @@ constexpr std::array kUnprintable = std::to_array<Range>({
 });
 
 bool is_unprintable(std::uint32_t code) {
-  return std::any_of(kUnprintable.begin(), kUnprintable.end(), [code](const Range& range) {
+  return std::ranges::any_of(kUnprintable, [code](const Range& range) {
     return code >= range.first && code <= range.last;
   });
 }
@@ -90,18 +91,14 @@ std::string printable(std::string_view text) {
 
 std::string printable_lines(std::string_view text) {
   std::string result;
-  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
-    result += printable(text.substr(0, end)) + '\n';
-    text.remove_prefix(end + 1);
-  }
-  return result + printable(text);
+  for (const std::string_view line : lines_of(text)) result += printable(line) + '\n';
+  if (!text.ends_with('\n') && !text.empty()) result.pop_back();
+  return result;
 }
 
 // Such characters occur only within strings.
 std::string printable_json(std::string json) {
-  if (std::all_of(json.begin(), json.end(), [](char c) { return is_plain(c) || c == '\n'; })) {
-    return json;
-  }
+  if (std::ranges::all_of(json, [](char c) { return is_plain(c) || c == '\n'; })) return json;
 
   std::string result;
   std::string_view rest = json;

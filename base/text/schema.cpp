@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <utility>
+
+#include "base/text/value_text.h"
 
 namespace cls::base {
 namespace {
@@ -14,11 +15,7 @@ std::pair<std::string_view, int> name_and_version(std::string_view schema) {
   const std::size_t slash = schema.find('/');
   if (slash == std::string_view::npos) return {schema, 0};
 
-  const std::string_view digits = schema.substr(slash + 1);
-  int version = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), version);
-  if (error != std::errc() || end != digits.data() + digits.size()) version = 0;
-  return {schema.substr(0, slash), version};
+  return {schema.substr(0, slash), value_of<int>(schema.substr(slash + 1)).value_or(0)};
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <cassert>
 #include <utility>
 
+#include "base/index.h"
 #include "base/text/number_text.h"
 #include "base/text/printable.h"
+#include "base/text/replace_all.h"
 #include "base/text/split.h"
 #include "base/text/wrap_text.h"
 #include "base/text/xml.h"
@@ -17,10 +19,10 @@ namespace {
 constexpr std::size_t kGap = 2;  // spaces between columns
 
 // Continuation bytes of UTF-8 have no width.
+bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
+
 std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
+  return index(std::ranges::count_if(text, starts_character));
 }
 
 std::string pad(const std::string& text, std::size_t width, bool right) {
@@ -36,8 +38,7 @@ std::string cut_to(std::string text, std::size_t width) {
   const std::size_t kept = width - std::min(width, kEllipsis.size());
   std::size_t end = 0;
   for (std::size_t seen = 0; end < text.size(); ++end) {
-    const bool starts_character = (static_cast<unsigned char>(text[end]) & 0xC0) != 0x80;
-    if (starts_character && seen++ == kept) break;
+    if (starts_character(text[end]) && seen++ == kept) break;
   }
 
   text.resize(end);
@@ -45,8 +46,8 @@ std::string cut_to(std::string text, std::size_t width) {
 }
 
 std::string markdown_cell(std::string cell, std::string_view escaped) {
-  std::replace_if(
-      cell.begin(), cell.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::ranges::replace_if(
+      cell, [](char c) { return c == '\n' || c == '\r'; }, ' ');
 
   std::string result;
   for (const char c : printable(cell)) {
@@ -278,12 +279,8 @@ std::string csv_cell(std::string_view cell) {
   if (is_formula(text)) text.insert(text.begin(), '\'');
   if (text.find_first_of(",\"") == std::string::npos) return text;
 
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
+  replace_all(text, "\"", "\"\"");
+  return '"' + text + '"';
 }
 
 }  // namespace cls::base

@@ -55,7 +55,7 @@ bool fits(const ValueForm& form, std::string_view text) {
   }
 
   if (!form.words.empty()) {
-    return std::find(form.words.begin(), form.words.end(), text) != form.words.end();
+    return std::ranges::find(form.words, text) != form.words.end();
   }
   return form.phrase.empty() || !text.empty();
 }
