@@ -168,7 +168,7 @@ std::set<std::string> sections_of(const std::string& page) {
   std::set<std::string> sections;
   bool in_code = false;
   for (const std::string& line : lines_of(page)) {
-    if (line.rfind("```", 0) == 0) in_code = !in_code;
+    if (line.starts_with("```")) in_code = !in_code;
     std::smatch match;
     if (!in_code && std::regex_search(line, match, heading)) sections.insert(match[1]);
   }

@@ -19,9 +19,9 @@ struct Library {
 
 /// Everything that the command line may use.
 Folders below_cli() {
-  return {"base",        "soccer",     "proto",     "gamelog", "player",   "proxy",
-          "mock-server", "analysis",   "simulator", "viewer",  "training", "process",
-          "match",       "tournament", "scenario",  "checks"};
+  return {"base",        "soccer",   "proto",      "gamelog",  "player",   "proxy",
+          "mock-server", "analysis", "simulator",  "viewer",   "training", "process",
+          "match",       "league",   "tournament", "scenario", "checks"};
 }
 
 Folders below_cli_and(const std::string& another) {
@@ -37,6 +37,7 @@ const std::map<std::string, Library>& libraries() {
       {"proto", {}},
       {"soccer", {{"base"}, {"", "parameters", "protocol", "commands", "messages"}}},
       {"gamelog", {{"base", "soccer"}, {"record", "rcl", "rcg", "files"}}},
+      {"league", {{"base", "soccer"}, {"rating", "competition", "matches", "schedule"}}},
       {"player",
        {{"base", "soccer"},
         {"simple_team", "formation", "world", "estimates", "tracking", "perception", "commands",
@@ -66,9 +67,8 @@ const std::map<std::string, Library>& libraries() {
          "simulator", "viewer", "training", "process"},
         {"terms", "programs", "saved", "result", "server", "sides", "hooks", "replay", ""}}},
       {"tournament",
-       {{"base", "soccer", "viewer", "process", "match"},
-        {"rating", "config", "schedule", "store", "report", "spectators", "run", "dataset",
-         "tuning"}}},
+       {{"base", "soccer", "league", "viewer", "process", "match"},
+        {"config", "slots", "store", "report", "site", "run", "dataset", "tuning"}}},
       {"scenario",
        {{"base", "soccer", "proto", "player", "proxy", "mock-server", "simulator", "viewer",
          "process", "match"},
@@ -123,8 +123,8 @@ struct ForbiddenHeader {
 
 const std::vector<ForbiddenHeader>& forbidden_headers() {
   static const std::vector<ForbiddenHeader> table = {
-      {{"base", "soccer", "gamelog", "player", "analysis", "simulator", "training", "viewer",
-        "process"},
+      {{"base", "soccer", "gamelog", "league", "player", "analysis", "simulator", "training",
+        "viewer", "process"},
        "",
        {"grpc/", "grpcpp/", "grpc++/", "google/protobuf/"},
        "gRPC and protobuf do not belong in this folder"},

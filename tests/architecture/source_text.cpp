@@ -154,7 +154,7 @@ std::vector<Function> functions_of(std::string_view text) {
     if (open || line.empty()) continue;
     const bool at_margin = is_identifier(line.front());
     if (at_margin) start = number;
-    const bool in_statement = at_margin || (start != 0 && line.rfind("    ", 0) == 0);
+    const bool in_statement = at_margin || (start != 0 && line.starts_with("    "));
     open = in_statement && opens_function(line);
     const bool complete = line.find_last_of(";{}") == line.size() - 1;
     if (!open && complete) start = 0;

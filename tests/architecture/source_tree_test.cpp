@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/architecture/idioms.h"
 #include "tests/architecture/rules.h"
 #include "tests/architecture/source_files.h"
 #include "tests/support/files.h"
@@ -80,6 +81,12 @@ TEST(SourceTree, CodeIsIndependentOfCpuLibraryAndClock) {
 }
 
 TEST(SourceTree, FilesAndFunctionsHaveLimitedLength) { EXPECT_EQ(violations_of(check_shape), ""); }
+
+TEST(SourceTree, UsesTheIdiomsOfTheTree) { EXPECT_EQ(violations_of(check_idioms), ""); }
+
+TEST(SourceTree, DeclaresNothingThatIsUnused) {
+  EXPECT_EQ(to_text(check_unused_declarations(tree())), "");
+}
 
 TEST(SourceTree, BoostProcessIsIncludedOnce) {
   EXPECT_EQ(to_text(check_process_wrapper(tree())), "");
