@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Builds what users install from a release build: `cls` as one file, a Debian package, their bill of
-materials, licenses and checksums, in build/dist. The same source gives the same bytes."""
+materials, licenses and checksums, in build/dist; with --all also the wheel of the Python packages. The
+same source gives the same bytes."""
 import argparse
 import email.utils
 import gzip
@@ -11,6 +12,7 @@ import re
 import shlex
 import shutil
 import subprocess
+import sys
 import zlib
 
 import libraries
@@ -159,6 +161,28 @@ def complete_for_debian(usr: pathlib.Path, licenses: pathlib.Path, version: str)
         page.unlink()
 
 
+def wheel(build: pathlib.Path, library: pathlib.Path, work: pathlib.Path, dist: pathlib.Path) -> None:
+    """The wheel of cls_playmaker and cls_gym with the engine that runs on old systems, too; what is
+    missing where no Python here can build one."""
+    source = work / "python"
+    shutil.copytree(SOURCE / "python", source, ignore=shutil.ignore_patterns("__pycache__", "build", "*.egg-info"))
+    shutil.copytree(SOURCE / "proto", work / "proto", ignore=shutil.ignore_patterns("*.cpp", "*.h"))
+    os.environ["CLS_TRAINING_LIBRARY"] = str(library)
+    os.environ["CLS_WHEEL_PLATFORM"] = f"manylinux_{GLIBC[0]}_{GLIBC[1]}_x86_64"
+    errors = []
+    for python in (build / "python-environment/bin/python", sys.executable, "/usr/bin/python3"):
+        if not shutil.which(str(python)):
+            continue
+        done = subprocess.run([str(python), "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation",
+                               "--disable-pip-version-check", "--wheel-dir", str(dist), str(source)],
+                              capture_output=True, text=True, check=False)
+        if done.returncode == 0:
+            return
+        errors.append(f"{python}: {(done.stderr or done.stdout).strip().splitlines()[-1]}")
+    print("no wheel: it needs pip, setuptools, wheel and grpcio-tools, or protoc and its plugin for Python:",
+          *errors, sep="\n  ", file=sys.stderr)
+
+
 def tree_of_same_age(root: pathlib.Path, epoch: int) -> None:
     for path in [root, *root.rglob("*")]:
         if path.is_symlink():
@@ -173,6 +197,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("build", nargs="?", type=pathlib.Path, default=SOURCE / "build")
     parser.add_argument("--out", type=pathlib.Path, help="folder of the files (default: BUILD/dist)")
+    parser.add_argument("--all", action="store_true", help="the wheel, too")
     arguments = parser.parse_args()
     build = arguments.build.resolve()
     dist = (arguments.out or build / "dist").resolve()
@@ -200,6 +225,9 @@ def main() -> None:
         f"CPACK_PACKAGE_VERSION={version}", "-B", work)
     [package] = work.glob("*.deb")
     package.rename(dist / package.name)
+
+    if arguments.all:
+        wheel(build, library, work, dist)
 
     lines = [f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n"
              for path in sorted(dist.iterdir())]

@@ -1,7 +1,8 @@
 """Generates the modules of the wire and adds the training engine; pyproject.toml has the rest.
 
 The engine of cls_gym, libcls_training.so, comes from $CLS_TRAINING_LIBRARY or from build/lib of the
-checkout. Without it the package works, except that `import cls_gym` says what is missing.
+checkout. Without it the package works, except that `import cls_gym` says what is missing. A wheel is for
+the platform of this Python, or for $CLS_WHEEL_PLATFORM, as `make dist` sets it for an engine that needs less.
 
 Uses grpcio-tools if it is installed (a build by pip installs it), else protoc and
 grpc_python_plugin on PATH (Debian: protobuf-compiler, protobuf-compiler-grpc).
@@ -115,7 +116,8 @@ def wheel_with_engine():
 
     class WheelWithEngine(bdist_wheel):
         def get_tag(self):
-            platform = re.sub(r"[^A-Za-z0-9]", "_", sysconfig.get_platform())
+            platform = os.environ.get("CLS_WHEEL_PLATFORM") or re.sub(
+                r"[^A-Za-z0-9]", "_", sysconfig.get_platform())
             return super().get_tag() if engine() is None else ("py3", "none", platform)
 
     return WheelWithEngine
