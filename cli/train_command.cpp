@@ -79,8 +79,7 @@ base::Result<Description> describe(const TrainArguments& arguments) {
 int run_train_spec(const TrainArguments& arguments) {
   const std::string format = arguments.json ? "json" : arguments.format;
   if (format != "text" && format != "json" && format != "markdown") {
-    return print_error(
-        kUsage, fmt::format("--format '{}': must be text, json or markdown", arguments.format));
+    return print_error(kUsage, "--format '{}': must be text, json or markdown", arguments.format);
   }
 
   base::Result<Description> description = describe(arguments);
@@ -109,17 +108,13 @@ void add_train_command(Command& app) {
 
   command.option("NAME", arguments.name, "task, feature set or action set (default: all)");
   command
-      .option("--offense", arguments.offense,
-              "players of the own team in a feature set, with the agent")
-      .range(1, 11)
-      .shows_default();
-  command.option("--defense", arguments.defense, "players of the other team")
-      .range(0, 11)
-      .shows_default();
+      .setting("--offense", arguments.offense,
+               "players of the own team in a feature set, with the agent")
+      .range(1, 11);
+  command.setting("--defense", arguments.defense, "players of the other team").range(0, 11);
 
-  command.option("--format FORMAT", arguments.format, "text, json or markdown")
-      .of_group(kOutputGroup)
-      .shows_default();
+  command.setting("--format FORMAT", arguments.format, "text, json or markdown")
+      .of_group(kOutputGroup);
   command.flag("--json", arguments.json, "the same as --format json").of_group(kOutputGroup);
 }
 

@@ -49,7 +49,7 @@ int finish_check(const CheckReport& report, const CheckOutput& output, int signa
 
   const int skipped = report.count(StepResult::kSkip);
   if (!output.strict || skipped == 0) return kOk;
-  return print_error(kFailed, fmt::format("{} skipped (--strict)", skipped));
+  return print_error(kFailed, "{} skipped (--strict)", skipped);
 }
 
 }  // namespace cls::cli

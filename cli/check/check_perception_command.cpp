@@ -48,12 +48,11 @@ struct CheckPerceptionArguments {
 
 void report_transcript_errors(const std::string& path, const checks::PerceptionCheck& check) {
   for (std::size_t i = 0; i < std::min(check.damage.size(), kMaxShownErrors); ++i) {
-    print_error(0,
-                fmt::format("{}: line {}: {}", path, check.damage[i].line, check.damage[i].what));
+    print_error(0, "{}: line {}: {}", path, check.damage[i].line, check.damage[i].what);
   }
 
   if (check.damage.size() > kMaxShownErrors) {
-    print_error(0, fmt::format("{}: {} more errors", path, check.damage.size() - kMaxShownErrors));
+    print_error(0, "{}: {} more errors", path, check.damage.size() - kMaxShownErrors);
   }
 }
 
@@ -70,9 +69,10 @@ base::Result<void> write_page(const CheckPerceptionArguments& arguments,
 
   const std::string player = soccer::letter(check.side) + std::to_string(check.unum);
   const std::string file = std::filesystem::path(arguments.truth).filename().string();
-  return base::write_file(
-      arguments.page, viewer::match_page(log, nullptr, file, false, {std::nullopt, {player}, {}},
-                                         {{check.side, viewer::gzip(stream)}}));
+  return base::write_file(arguments.page,
+                          viewer::match_page(log, nullptr, file,
+                                             {.settings = {.players = {player}},
+                                              .decisions = {{check.side, viewer::gzip(stream)}}}));
 }
 
 int run_check_perception(const CheckPerceptionArguments& arguments) {
@@ -82,7 +82,7 @@ int run_check_perception(const CheckPerceptionArguments& arguments) {
 
   const std::string transcript = base::read_all(*source);
   const std::string& problem = source->error();
-  if (!problem.empty()) print_error(0, fmt::format("{}: {}", arguments.transcript, problem));
+  if (!problem.empty()) print_error(0, "{}: {}", arguments.transcript, problem);
   report_errors(arguments.truth, log.errors);
   if (log.frames() == 0) return kBadData;
 
@@ -92,7 +92,7 @@ int run_check_perception(const CheckPerceptionArguments& arguments) {
       [&samples](const player::WorldModel& world) { samples.push_back(match::sample_of(world)); });
 
   if (!check) {
-    print_error(0, fmt::format("{}: {}", arguments.transcript, check.error().message));
+    print_error(0, "{}: {}", arguments.transcript, check.error().message);
     return kBadData;
   }
 

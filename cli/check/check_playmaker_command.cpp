@@ -80,20 +80,16 @@ void add_check_playmaker_command(Command& check) {
               "seconds until the first response (default: that of cls.toml, else 20)")
       .of_group(kLimitsGroup)
       .above(0);
-  command.option("--rpc-deadline", arguments.deadline_ms, "deadline of an RPC in ms")
+  command.setting("--rpc-deadline", arguments.deadline_ms, "deadline of an RPC in ms")
       .of_group(kPlaymakersGroup)
-      .above(0)
-      .shows_default();
-  command.option("--calls", arguments.calls, "number of calls in the memory step")
-      .above(0)
-      .shows_default();
+      .above(0);
+  command.setting("--calls", arguments.calls, "number of calls in the memory step").above(0);
 
   command
-      .option("--latency-limit", arguments.latency_limit_ms,
-              "maximum p99 latency of decisions in ms, with 22 players calling")
+      .setting("--latency-limit", arguments.latency_limit_ms,
+               "maximum p99 latency of decisions in ms, with 22 players calling")
       .of_group(kLimitsGroup)
-      .above(0)
-      .shows_default();
+      .above(0);
 }
 
 }  // namespace cls::cli

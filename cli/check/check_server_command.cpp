@@ -64,10 +64,9 @@ void add_check_server_command(Command& check) {
       .required();
 
   add_check_output_options(command, arguments.output);
-  command.option("--start-timeout", arguments.start_timeout_s, "seconds until the first response")
+  command.setting("--start-timeout", arguments.start_timeout_s, "seconds until the first response")
       .of_group(kLimitsGroup)
-      .above(0)
-      .shows_default();
+      .above(0);
 }
 
 }  // namespace cls::cli

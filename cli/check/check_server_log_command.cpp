@@ -41,7 +41,7 @@ int run_check_server_log(const CheckServerLogArguments& arguments) {
 
   const auto agreement = simulator::replay_log(game, text);
   if (!agreement) {
-    print_error(0, fmt::format("{}: {}", arguments.game, agreement.error().message));
+    print_error(0, "{}: {}", arguments.game, agreement.error().message);
     return kBadData;
   }
 

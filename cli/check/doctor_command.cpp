@@ -147,11 +147,10 @@ void add_doctor_command(Command& app) {
 
   add_tls_options(command, arguments.tls);
   command
-      .option("--start-timeout", arguments.limit_s,
-              "timeout of each program and each probe in seconds")
+      .setting("--start-timeout", arguments.limit_s,
+               "timeout of each program and each probe in seconds")
       .of_group(kLimitsGroup)
-      .above(0)
-      .shows_default();
+      .above(0);
 
   command.flag("--json", arguments.json, "print one JSON document instead of the table")
       .of_group(kOutputGroup);

@@ -91,70 +91,12 @@ auto* find_in(Commands& commands, std::string_view name) {
 
 }  // namespace
 
-Option& Option::required() {
-  is_required = true;
-  return *this;
-}
-
 Option& Option::shows_default() {
   std::visit(
       [this]<class Pointer>(Pointer pointer) {
         if constexpr (std::is_pointer_v<Pointer>) default_text = default_of(*pointer);
       },
       target);
-  return *this;
-}
-
-Option& Option::range(double min, double max) {
-  form.min = min;
-  form.max = max;
-  return *this;
-}
-
-Option& Option::from(double min) {
-  form.min = min;
-  return *this;
-}
-
-Option& Option::above(double min) {
-  form.min = min;
-  form.above_min = true;
-  return *this;
-}
-
-Option& Option::one_of(std::vector<std::string> words) {
-  form.words = std::move(words);
-  return *this;
-}
-
-Option& Option::placeholder(std::string text) {
-  value = std::move(text);
-  return *this;
-}
-
-Option& Option::of_group(std::string title) {
-  group = std::move(title);
-  return *this;
-}
-
-Option& Option::from_variable(std::string variable) {
-  environment = std::move(variable);
-  return *this;
-}
-
-Option& Option::repeatable() {
-  is_repeatable = true;
-  max_values = 1;
-  return *this;
-}
-
-Option& Option::takes(int count) {
-  min_values = max_values = count;
-  return *this;
-}
-
-Option& Option::split_at(char between) {
-  separator = between;
   return *this;
 }
 

@@ -60,18 +60,27 @@ struct Option {
   std::vector<std::string> given;  ///< the values as written; of a flag "true" or "false"
   bool from_environment = false;
 
-  Option& required();
+  Option& required() { return with(is_required, true); }
   Option& shows_default();  ///< the current value of the target
-  Option& range(double min, double max);
-  Option& from(double min);
-  Option& above(double min);
-  Option& one_of(std::vector<std::string> words);
-  Option& placeholder(std::string text);  ///< of a value that may be empty
-  Option& of_group(std::string title);
-  Option& from_variable(std::string variable);
-  Option& repeatable();            ///< each time with one value
-  Option& takes(int count);        ///< exactly so many values
-  Option& split_at(char between);  ///< see `separator`
+  Option& from(double min) { return with(form.min, min); }
+  Option& above(double min) { return from(min).with(form.above_min, true); }
+  Option& range(double min, double max) { return from(min).with(form.max, max); }
+  Option& one_of(std::vector<std::string> words) { return with(form.words, std::move(words)); }
+  /// Of a value that may be empty.
+  Option& placeholder(std::string text) { return with(value, std::move(text)); }
+  Option& of_group(std::string title) { return with(group, std::move(title)); }
+  /// Each time with one value.
+  Option& repeatable() { return with(is_repeatable, true).with(max_values, 1); }
+  /// Exactly so many values.
+  Option& takes(int count) { return with(min_values, count).with(max_values, count); }
+  Option& split_at(char between) { return with(separator, between); }
+
+ private:
+  template <class Member, class Value>
+  Option& with(Member& member, Value now) {
+    member = std::move(now);
+    return *this;
+  }
 };
 
 /// A command, and the targets of its options, which live as long as it.
@@ -118,6 +127,11 @@ struct Command {
   template <class T>
   Option& option(std::string names, T& target, std::string help) {
     return add(std::move(names), &target, std::move(help));
+  }
+  /// The same; the help shows the value that `target` has now as its default.
+  template <class T>
+  Option& setting(std::string names, T& target, std::string help) {
+    return option(std::move(names), target, std::move(help)).shows_default();
   }
   /// Adds an option whose values stay in Option::given.
   Option& option(std::string names, std::string help) {

@@ -144,7 +144,7 @@ int search(const std::string& text, bool json) {
     return print_json(document(found));
   }
 
-  if (found.empty()) return print_error(kUsage, fmt::format("nothing explains '{}'", text));
+  if (found.empty()) return print_error(kUsage, "nothing explains '{}'", text);
   base::Table table;
   table.add_columns({"kind", "name", "meaning"});
   for (const ReferenceEntry* entry : found) {
@@ -184,8 +184,8 @@ int report_unknown(const std::string& word) {
   }
 
   const std::string near = base::did_you_mean(word, names);
-  return print_error(kUsage, fmt::format("unknown name '{}'{}", word,
-                                         near.empty() ? " (see cls explain --list)" : near));
+  return print_error(kUsage, "unknown name '{}'{}", word,
+                     near.empty() ? " (see cls explain --list)" : near);
 }
 
 // "20,-5.5"
@@ -200,9 +200,10 @@ std::optional<soccer::Vec2> parse_place(std::string_view text) {
 int explain_formation(const ExplainArguments& arguments) {
   const auto ball = parse_place(arguments.ball);
   if (!ball) {
-    return print_error(kUsage, fmt::format("--ball '{}': must be X,Y in meters, such as "
-                                           "--ball=-20,5",
-                                           arguments.ball));
+    return print_error(kUsage,
+                       "--ball '{}': must be X,Y in meters, such as "
+                       "--ball=-20,5",
+                       arguments.ball);
   }
   const std::string name = arguments.names.size() > 1 ? arguments.names[1] : "normal-formation";
   TRY_INIT_OR(kUsage, const auto picture, find_formation(name, *ball));
@@ -266,9 +267,7 @@ void add_explain_command(Command& app) {
   command.option("NAME", arguments.names,
                  "a name of the interface, or its last part; formation, and which one");
   command.flag("--list", arguments.list, "print all names");
-  command.option("--ball", arguments.ball, "where the ball is, of a formation")
-      .placeholder("X,Y")
-      .shows_default();
+  command.setting("--ball", arguments.ball, "where the ball is, of a formation").placeholder("X,Y");
   command.option("--svg", arguments.svg, "write the picture of a formation to this file");
   command.option("--search", arguments.search, "list the entries with a text").placeholder("WORDS");
   command.option("--export DIR", arguments.folder, "write the pages of docs/reference to a folder");

@@ -13,6 +13,7 @@
 
 #include "base/text/enum_names.h"
 #include "base/text/find_ignoring_case.h"
+#include "base/text/trimmed.h"
 #include "cli/explain/parameter_facts.h"
 #include "cli/explain/proto_text.h"
 #include "soccer/end_reason.h"
@@ -148,10 +149,7 @@ std::vector<std::string> cells_of(const std::string& line) {
 
   std::istringstream stream(line.substr(1));
   for (std::string cell; std::getline(stream, cell, '|');) {
-    const std::size_t begin = cell.find_first_not_of(' ');
-    cells.push_back(begin == std::string::npos
-                        ? ""
-                        : cell.substr(begin, cell.find_last_not_of(' ') - begin + 1));
+    cells.emplace_back(base::trimmed(cell, " "));
   }
 
   return cells;

@@ -19,7 +19,7 @@ int read_match(const std::string& what, AnalyzedMatch& match) {
   report_errors(log, read.record.errors);
 
   if (read.record.frames() == 0) {
-    return print_error(kBadData, fmt::format("{}: no frame", log));
+    return print_error(kBadData, "{}: no frame", log);
   }
   match.match = std::move(read);
 

@@ -229,8 +229,7 @@ int run_challenge_score(const ChallengeArguments& arguments) {
   }
 
   if (matches.empty()) {
-    return print_error(kNoInput,
-                       fmt::format("{}: no table of {}", arguments.truth, arguments.submission));
+    return print_error(kNoInput, "{}: no table of {}", arguments.truth, arguments.submission);
   }
 
   const auto count = static_cast<double>(matches.size());
@@ -248,8 +247,7 @@ int run_challenge_score(const ChallengeArguments& arguments) {
 
 int run_challenge_predict(const ChallengeArguments& arguments) {
   if (arguments.model != "velocity" && arguments.model != "goal") {
-    return print_error(kUsage,
-                       fmt::format("--model '{}': must be velocity or goal", arguments.model));
+    return print_error(kUsage, "--model '{}': must be velocity or goal", arguments.model);
   }
   const auto model = arguments.model == "goal" ? StpModel::kGoal : StpModel::kVelocity;
   TRY_INIT_OR(kNoInput, const auto tests, tables_of(arguments.tests));
@@ -303,10 +301,8 @@ void add_predict_command(Command& stp) {
                                           run_challenge_predict);
   command.option("TESTS", arguments.tests, "folder with tests").required();
   command.option("OUT", arguments.out, "folder for the predictions").required();
-  command
-      .option("--model", arguments.model,
-              "velocity (all keep theirs) or goal (the ball runs into it)")
-      .shows_default();
+  command.setting("--model", arguments.model,
+                  "velocity (all keep theirs) or goal (the ball runs into it)");
   command.flag("--force", arguments.force, "replace existing files");
   command.flag("--json", arguments.json, "print the numbers as one JSON document")
       .of_group(kOutputGroup);
@@ -352,6 +348,7 @@ void add_challenge_command(Command& app) {
       "  cls challenge stp validate tests mine\n"
       "  cls challenge stp score csv tests mine         mean error in meters");
   command.group = kResultCommands;
+
   Command& stp =
       command.command("stp",
                       "the trajectory challenge: where will ball and players be at the goal?\n"

@@ -202,9 +202,10 @@ int run_convert_command(const ConvertArguments& arguments) {
   TRY_INIT_OR(unreadable_code(arguments.in), const auto match,
               viewer::read_log_or_page(arguments.in));
   if (match.form.compact) {
-    return print_error(kBadData, fmt::format("{}: a compact page, which is not a log; write it "
-                                             "without --compact",
-                                             arguments.in));
+    return print_error(kBadData,
+                       "{}: a compact page, which is not a log; write it "
+                       "without --compact",
+                       arguments.in);
   }
 
   const gamelog::MatchRecord& record = match.record;
@@ -236,10 +237,9 @@ void add_convert_command(Command& app) {
   command.option("--tables DIR", arguments.tables,
                  "write all tables of each match into this folder");
   command
-      .option("--format FORMAT", arguments.format, "of these tables; arrow has world models, too")
+      .setting("--format FORMAT", arguments.format, "of these tables; arrow has world models, too")
       .of_group(kOutputGroup)
-      .one_of({"csv", "arrow"})
-      .shows_default();
+      .one_of({"csv", "arrow"});
   command.option("--cdf DIR", arguments.cdf,
                  "write each match in the Common Data Format into this folder");
   command.flag("--published", arguments.published,

@@ -20,7 +20,6 @@
 #include "cli/support/print_error.h"
 #include "cli/terminal/json_stdout.h"
 #include "cli/terminal/terminal.h"
-#include "match/hooks/error_recording.h"
 #include "match/result/match_folder.h"
 #include "match/result/match_result.h"
 #include "viewer/decisions/decision_files.h"
@@ -261,8 +260,7 @@ void add_logs_command(Command& app) {
   auto [command, arguments] = app.command("logs", kLogsDescription, run_logs_command);
   command.group = kResultCommands;
 
-  command.option("DIR", arguments.folder, "folder of a match, a tournament or matches")
-      .shows_default();
+  command.setting("DIR", arguments.folder, "folder of a match, a tournament or matches");
   command.option("--match", arguments.match, "number of a match in the tournament")
       .placeholder("K");
   command
@@ -270,7 +268,7 @@ void add_logs_command(Command& app) {
               "print the output of this process or log file (default: the one that failed)")
       .placeholder("NAME");
 
-  command.option("--tail", arguments.tail, "lines to print").shows_default();
+  command.setting("--tail", arguments.tail, "lines to print");
   command
       .option("--prune", arguments.prune,
               "delete the matches of DIR but the newest N; not tournaments, not what is played now")

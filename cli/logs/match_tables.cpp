@@ -355,7 +355,7 @@ int write_match_files(MatchFiles files, const TableRequest& request, TableCounts
   std::vector<Job> jobs = plan_jobs(found, request);
   int exit_code = report_missing(found);
   if (exit_code == kOk && jobs.empty()) {
-    return print_error(kNoInput, fmt::format("{}: no game log (rcg)", request.in));
+    return print_error(kNoInput, "{}: no game log (rcg)", request.in);
   }
   if (const auto failure = check_outputs(jobs, kinds_of(files), request.force)) {
     return report_failure(failure);

@@ -15,7 +15,6 @@
 #include "match/result/match_folder.h"
 #include "match/result/match_result.h"
 #include "match/result/recorded_end.h"
-#include "match/result/reply_summary.h"
 #include "viewer/charts/drawing.h"
 #include "viewer/page/match_page.h"
 #include "viewer/page/page_decisions.h"
@@ -98,10 +97,11 @@ std::string html_text(const ReportArguments& arguments, const AnalyzedMatch& mat
                       const viewer::MatchReport& report, const std::vector<viewer::Chart>& charts) {
   std::string replay;
   if (!arguments.without_replay) {
-    replay = viewer::match_page(match.match.record, match.text_log(), match.summary.file,
-                                match.match.form.compact,
-                                {.missed = viewer::read_missed_decisions(match.found.folder),
-                                 .drawings = viewer::read_page_drawings(match.found.folder)});
+    replay = viewer::match_page(
+        match.match.record, match.text_log(), match.summary.file,
+        {.settings = {.missed = viewer::read_missed_decisions(match.found.folder),
+                      .drawings = viewer::read_page_drawings(match.found.folder)},
+         .compact = match.match.form.compact});
   }
   return viewer::report_html(report, charts, replay);
 }
@@ -154,8 +154,7 @@ void print_document(const std::vector<File>& files, const AnalyzedMatch& match) 
 
 int run_report_command(const ReportArguments& arguments) {
   if (arguments.format != "html" && arguments.format != "md" && arguments.format != "svg") {
-    return print_error(kUsage,
-                       fmt::format("--format '{}': must be html, md or svg", arguments.format));
+    return print_error(kUsage, "--format '{}': must be html, md or svg", arguments.format);
   }
 
   AnalyzedMatch match;
@@ -185,10 +184,9 @@ void add_report_command(Command& app) {
   command.group = kResultCommands;
   command.option("WHAT", arguments.what, "game log, page or match folder").required();
   command
-      .option("--format FORMAT", arguments.format,
-              "html, md (Markdown and a folder of charts) or svg (the folder alone)")
-      .of_group(kOutputGroup)
-      .shows_default();
+      .setting("--format FORMAT", arguments.format,
+               "html, md (Markdown and a folder of charts) or svg (the folder alone)")
+      .of_group(kOutputGroup);
 
   command
       .option("--out FILE", arguments.out,

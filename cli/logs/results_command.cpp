@@ -56,8 +56,8 @@ std::vector<ReadResult> read_all(const std::vector<gamelog::MatchLogs>& matches,
 int run_results_command(const ResultsArguments& arguments) {
   const auto format = kResultFormats.parse(arguments.json ? "json" : arguments.format);
   if (!format) {
-    return print_error(kUsage, fmt::format("--format '{}': must be table, json, csv or markdown",
-                                           arguments.format));
+    return print_error(kUsage, "--format '{}': must be table, json, csv or markdown",
+                       arguments.format);
   }
 
   const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);
@@ -84,9 +84,8 @@ void add_results_command(Command& app) {
   command.group = kResultCommands;
 
   command.option("LOG", arguments.logs, "logs, folders or patterns").required();
-  command.option("--format FORMAT", arguments.format, "table, json, csv or markdown")
-      .of_group(kOutputGroup)
-      .shows_default();
+  command.setting("--format FORMAT", arguments.format, "table, json, csv or markdown")
+      .of_group(kOutputGroup);
   command.flag("--json", arguments.json, "the same as --format json").of_group(kOutputGroup);
   command
       .option("--jobs", arguments.jobs, "logs read in parallel (default: one per processor core)")

@@ -56,10 +56,9 @@ analysis::StatisticsOutput read_all(const std::vector<gamelog::MatchLogs>& match
 int run_stats_command(const StatsArguments& arguments) {
   const auto format = kStatisticsFormats.parse(arguments.json ? "json" : arguments.format);
   if (!format) {
-    return print_error(
-        kUsage,
-        fmt::format("--format '{}': must be text, json, csv, csv-players, csv-events or spadl",
-                    arguments.format));
+    return print_error(kUsage,
+                       "--format '{}': must be text, json, csv, csv-players, csv-events or spadl",
+                       arguments.format);
   }
 
   const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);
@@ -80,10 +79,9 @@ void add_stats_command(Command& app) {
   command.group = kResultCommands;
   command.option("LOG", arguments.logs, "game logs, folders or patterns").required();
   command
-      .option("--format FORMAT", arguments.format,
-              "text, json, csv (teams), csv-players, csv-events or spadl")
-      .of_group(kOutputGroup)
-      .shows_default();
+      .setting("--format FORMAT", arguments.format,
+               "text, json, csv (teams), csv-players, csv-events or spadl")
+      .of_group(kOutputGroup);
 
   command.flag("--json", arguments.json, "the same as --format json").of_group(kOutputGroup);
   command.flag("--events", arguments.events,

@@ -184,7 +184,7 @@ int write_match_page(const WatchArguments& arguments, const FoundLog& found, con
   report_errors(found.logs.game, match.record.errors);
   if (match.record.frames() == 0) {
     if (match.record.errors.empty()) {
-      print_error(kBadData, fmt::format("{}: no frame to show", found.logs.game));
+      print_error(kBadData, "{}: no frame to show", found.logs.game);
     }
     return kBadData;
   }
@@ -193,12 +193,14 @@ int write_match_page(const WatchArguments& arguments, const FoundLog& found, con
   TRY_INIT_OR(kBadData, const auto decisions, decisions_of(arguments, found));
 
   const bool compact = arguments.compact || match.form.compact;
+  viewer::PageSettings settings = {.at = arguments.at,
+                                   .players = arguments.players,
+                                   .missed = viewer::read_missed_decisions(found.folder),
+                                   .drawings = viewer::read_page_drawings(found.folder)};
+  if (!decisions.empty()) settings.sides = sides_of(found.folder);
   const std::string html = viewer::match_page(
-      match.record, text ? &*text : nullptr, fs::path(found.logs.game).filename().string(), compact,
-      {arguments.at, arguments.players, viewer::read_missed_decisions(found.folder),
-       viewer::read_page_drawings(found.folder), false,
-       decisions.empty() ? std::array<std::string, 2>() : sides_of(found.folder)},
-      decisions);
+      match.record, text ? &*text : nullptr, fs::path(found.logs.game).filename().string(),
+      {.settings = settings, .decisions = decisions, .compact = compact});
 
   TRY_OR(kCannotCreate, write_beside(page, html, arguments.out));
 

@@ -20,7 +20,8 @@
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
 #include "cli/terminal/terminal.h"
-#include "match/hooks/error_recording.h"
+#include "match/hooks/rpc_recorder.h"
+#include "match/result/match_folder.h"
 #include "process/command_plan.h"
 #include "scenario/scenario_library.h"
 #include "scenario/scenario_run.h"
@@ -291,7 +292,7 @@ std::vector<std::string> wait_for_change(const fs::path& folder, FileVersions& v
 
 int run_dev(DevArguments& arguments) {
   if (const auto why = base::why_no_folder(arguments.watched)) {
-    return print_error(kNoInput, fmt::format("--watch: {}: {}", arguments.watched, *why));
+    return print_error(kNoInput, "--watch: {}: {}", arguments.watched, *why);
   }
 
   if (arguments.scenarios.empty()) {
@@ -348,7 +349,7 @@ void add_dev_command(Command& app) {
   command.option("--watch", arguments.watched, "folder whose files count (default: .)")
       .of_group(kOutputGroup)
       .placeholder("DIR");
-  command.option("--dir DIR", arguments.folder, "folder of logs and recordings").shows_default();
+  command.setting("--dir DIR", arguments.folder, "folder of logs and recordings");
   command.flag("--json", arguments.json, "print one line of JSON per round").of_group(kOutputGroup);
 }
 

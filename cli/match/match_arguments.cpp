@@ -62,11 +62,10 @@ void add_match_options(Command& command, MatchArguments& arguments) {
               "stdin and as variables CLS_EVENT, CLS_TEXT, ... (docs/tournaments.md)")
       .of_group(kOutputGroup);
   command
-      .option("--hook-limit", arguments.hook_limit_s,
-              "seconds for a command of --on-event, and for all at the end")
+      .setting("--hook-limit", arguments.hook_limit_s,
+               "seconds for a command of --on-event, and for all at the end")
       .of_group(kOutputGroup)
-      .above(0)
-      .shows_default();
+      .above(0);
   command.flag("--json", arguments.json, "print only the result document").of_group(kOutputGroup);
   command.flag("--strict", arguments.strict, "fail (exit 1) on any warning").of_group(kOutputGroup);
   command.flag("--quiet", arguments.quiet, "print no progress and no warnings")
@@ -238,7 +237,7 @@ int resume(MatchArguments& arguments) {
   }
 
   if (const auto why = base::why_no_file(file)) {
-    return print_error(kNoInput, fmt::format("--resume {}: {}", file, *why));
+    return print_error(kNoInput, "--resume {}: {}", file, *why);
   }
   const auto match = match::read_saved_match(file);
   if (!match) return print_error(kBadData, "--resume " + match.error().message);

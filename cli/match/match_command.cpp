@@ -158,9 +158,10 @@ int print_dry_run(const MatchArguments& arguments) {
 
 // After Ctrl-C: what is stored, and how to play the match to its end.
 void print_interrupted(const MatchResult& result) {
-  print_error(0, fmt::format("interrupted at cycle {}; log and result are in {}/; the same command "
-                             "with --seed {} plays the match again",
-                             result.cycles, result.folder, result.seed));
+  print_error(0,
+              "interrupted at cycle {}; log and result are in {}/; the same command "
+              "with --seed {} plays the match again",
+              result.cycles, result.folder, result.seed);
 }
 
 // Plays the match; with --on-event events go to the command, too.

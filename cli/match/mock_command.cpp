@@ -215,7 +215,7 @@ int make_mock(const MockArguments& arguments, Mock& mock) {
   const bool is_script = mock_server::is_script_name(arguments.behavior);
   const auto absence = base::absence(arguments.behavior);
   if (absence && is_script) {
-    return print_error(kNoInput, fmt::format("{}: {}", arguments.behavior, *absence));
+    return print_error(kNoInput, "{}: {}", arguments.behavior, *absence);
   }
 
   TRY_INIT_OR(is_script ? kBadData : kUsage, mock, mock_server::make_mock(arguments.behavior));
@@ -230,7 +230,7 @@ int report_no_listener(const MockArguments& arguments, const std::string& error)
   using process::Protocol;
   const std::string host = process::unusable_host(arguments.host);
   if (!host.empty()) {
-    return print_error(kUsage, fmt::format("--host '{}': {}", arguments.host, host));
+    return print_error(kUsage, "--host '{}': {}", arguments.host, host);
   }
 
   const std::string taken = process::taken_port(Protocol::kTcp, {arguments.port});
@@ -288,14 +288,11 @@ void add_mock_command(Command& app) {
   auto [command, arguments] = app.command("mock", kMockDescription, run_mock);
   command.group = kPartCommands;
 
-  command
-      .option("BEHAVIOR", arguments.behavior,
-              "simple, example, planner, hold, random, random:SEED, replay:FILE or FILE.json")
-      .shows_default();
-  command.option("--port", arguments.port, "port; 0 selects a free port and prints it")
-      .shows_default()
+  command.setting("BEHAVIOR", arguments.behavior,
+                  "simple, example, planner, hold, random, random:SEED, replay:FILE or FILE.json");
+  command.setting("--port", arguments.port, "port; 0 selects a free port and prints it")
       .range(0, 65535);
-  command.option("--host HOST", arguments.host, "address to listen on").shows_default();
+  command.setting("--host HOST", arguments.host, "address to listen on");
 
   command
       .flag("--json", arguments.json,

@@ -93,13 +93,11 @@ void add_playmaker_options(Command& command, ProxyArguments& arguments) {
               "three options")
       .of_group(kPlaymakersGroup);
 
-  command.option("--rpc-host HOST", options.playmaker.host, "host of the Playmaker")
+  command.setting("--rpc-host HOST", options.playmaker.host, "host of the Playmaker")
+      .of_group(kPlaymakersGroup);
+  command.setting("--rpc-port", options.playmaker.port, "port of the Playmaker")
       .of_group(kPlaymakersGroup)
-      .shows_default();
-  command.option("--rpc-port", options.playmaker.port, "port of the Playmaker")
-      .of_group(kPlaymakersGroup)
-      .range(1, kMaxPort)
-      .shows_default();
+      .range(1, kMaxPort);
 
   command.flag("--rpc-port-step", options.playmaker.port_step, "player n connects to port + n")
       .of_group(kPlaymakersGroup);
@@ -109,10 +107,9 @@ void add_playmaker_options(Command& command, ProxyArguments& arguments) {
       .of_group(kPlaymakersGroup);
 
   command
-      .option("--rpc-timeout", arguments.timeout_s,
-              "deadline of an RPC in seconds; in real time at most one cycle")
+      .setting("--rpc-timeout", arguments.timeout_s,
+               "deadline of an RPC in seconds; in real time at most one cycle")
       .of_group(kPlaymakersGroup)
-      .shows_default()
       .range(1, 3600);
 
   command.option("--rpc-deadline", arguments.deadline_ms, "deadline of an RPC in ms, if shorter")
@@ -126,10 +123,9 @@ void add_playmaker_options(Command& command, ProxyArguments& arguments) {
       .option("--result FILE", arguments.result_file,
               "write the result as JSON, per player, to FILE")
       .of_group(kOutputGroup);
-  command.option("--rpc-type TYPE", arguments.rpc_type, "RPC framework of the Playmaker")
+  command.setting("--rpc-type TYPE", arguments.rpc_type, "RPC framework of the Playmaker")
       .of_group(kPlaymakersGroup)
-      .one_of({kGrpc, kThrift})
-      .shows_default();
+      .one_of({kGrpc, kThrift});
 }
 
 void add_options(Command& command, ProxyArguments& arguments) {
@@ -140,16 +136,13 @@ void add_options(Command& command, ProxyArguments& arguments) {
 
   command.option("-h,--host HOST", options.server_host,
                  "host of the soccer server (default: localhost)");
-  command.option("-p,--port", options.server_port, "player port of the soccer server")
-      .range(1, kMaxPort)
-      .shows_default();
+  command.setting("-p,--port", options.server_port, "player port of the soccer server")
+      .range(1, kMaxPort);
 
-  command.option("-t,--teamname,--team_name NAME", arguments.team_name, "name of the team")
+  command.setting("-t,--teamname,--team_name NAME", arguments.team_name, "name of the team")
+      .of_group(kTeamsGroup);
+  command.setting("-n,--number", arguments.number, "number of players, goalie first")
       .of_group(kTeamsGroup)
-      .shows_default();
-  command.option("-n,--number", arguments.number, "number of players, goalie first")
-      .of_group(kTeamsGroup)
-      .shows_default()
       .range(1, soccer::kPlayersPerTeam);
 
   command
@@ -158,19 +151,17 @@ void add_options(Command& command, ProxyArguments& arguments) {
       .of_group(kTeamsGroup)
       .range(1, kCoach);
   command
-      .option("-v,--version", options.team.protocol,
-              "protocol version, 14 to 19; 19 becomes 18 on older servers")
-      .shows_default()
+      .setting("-v,--version", options.team.protocol,
+               "protocol version, 14 to 19; 19 becomes 18 on older servers")
       .range(soccer::kMinProtocolVersion, soccer::kMaxProtocolVersion);
   command.flag("-r,--reconnect", options.team.reconnect,
                "reconnect as players that lost their connection");
 
   add_playmaker_options(command, arguments);
   command
-      .option("--start-timeout", options.start_timeout_s,
-              "seconds until the first response of server and Playmaker")
+      .setting("--start-timeout", options.start_timeout_s,
+               "seconds until the first response of server and Playmaker")
       .of_group(kLimitsGroup)
-      .shows_default()
       .above(0);
 
   command.flag("--quiet", arguments.quiet, "print no progress and no warnings")
@@ -209,10 +200,10 @@ int resolve_playmaker(ProxyArguments& arguments) {
   auto endpoint = match::parse_endpoint(arguments.playmaker);
   using Kind = match::Endpoint::Kind;
   if (!endpoint || (endpoint->kind != Kind::kAddress && endpoint->kind != Kind::kUnixSocket)) {
-    return print_error(
-        kUsage, fmt::format("--playmaker '{}': must be HOST:PORT, tls:HOST:PORT or unix:PATH; "
-                            "planner:FILE= may precede it",
-                            arguments.playmaker));
+    return print_error(kUsage,
+                       "--playmaker '{}': must be HOST:PORT, tls:HOST:PORT or unix:PATH; "
+                       "planner:FILE= may precede it",
+                       arguments.playmaker);
   }
 
   TRY_STEP(read_tls_files(*endpoint, arguments.tls));

@@ -302,7 +302,7 @@ int serve_match(const ServerArguments& arguments, const ServerSettings& settings
     return print_error(kUsage, "match::sides: no match has started this server; omit it");
   }
   if (const std::string log = earlier_log(arguments.folder); !log.empty()) {
-    return print_error(kCannotCreate, fmt::format("{}: exists; give --dir another folder", log));
+    return print_error(kCannotCreate, "{}: exists; give --dir another folder", log);
   }
 
   TRY_INIT_OR(kCannotCreate, auto logs, match::ServerLogs::open(settings.server, start));
@@ -370,9 +370,8 @@ int run_server(const Command& command, const ServerArguments& arguments) {
 
   const soccer::ServerParams& server = settings.server;
   if (server.game_logging && !gamelog::rcg_version(server.game_log_version)) {
-    return print_error(kUsage,
-                       fmt::format("server::game_log_version={}: must be 1 to 6, or -1 (JSON)",
-                                   server.game_log_version));
+    return print_error(kUsage, "server::game_log_version={}: must be 1 to 6, or -1 (JSON)",
+                       server.game_log_version);
   }
 
   TRY_OR(kUsage, simulator::MatchServer::create(config_of(arguments, settings).match));
@@ -387,7 +386,7 @@ void add_server_command(Command& app) {
   command.starts_programs = true;
   command.takes_any_words = true;  // the settings, in order
 
-  command.option("--host HOST", arguments.host, "address to listen on").shows_default();
+  command.setting("--host HOST", arguments.host, "address to listen on");
   command
       .option(
           "--port", arguments.port,

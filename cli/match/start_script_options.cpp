@@ -146,12 +146,11 @@ void set_debug_server(const StartScriptValues& values, StandaloneTeamOptions& op
 
 void add_start_script_options(Command& command, StartScriptValues& values) {
   command
-      .option("--fullstate", values.fullstate,
-              "full state of a server that sends it: ignore; reference: in full_world_model of "
-              "State; override: players decide on it")
+      .setting("--fullstate", values.fullstate,
+               "full state of a server that sends it: ignore; reference: in full_world_model of "
+               "State; override: players decide on it")
       .one_of({"ignore", "reference", "override"})
-      .placeholder("WHAT")
-      .shows_default();
+      .placeholder("WHAT");
 
   command
       .option("--team-graphic", values.team_graphic,

@@ -58,7 +58,7 @@ bool fits_pattern(const std::string& pattern, const std::string& name) {
 
 int add_file(const std::string& name, std::vector<Scenario>& chosen) {
   if (const auto absence = base::absence(name)) {
-    return print_error(kNoInput, fmt::format("{}: {}", name, *absence));
+    return print_error(kNoInput, "{}: {}", name, *absence);
   }
 
   TRY_INIT_OR(kBadData, const auto read, scenario::read_scenarios(name, endpoint_of_team));
@@ -82,8 +82,7 @@ int add_named(const std::string& name, const std::vector<Scenario>& shipped,
 
   std::vector<std::string_view> names;
   for (const Scenario& scenario : shipped) names.push_back(scenario.name);
-  return print_error(kNoInput,
-                     fmt::format("unknown scenario '{}'{}", name, base::did_you_mean(name, names)));
+  return print_error(kNoInput, "unknown scenario '{}'{}", name, base::did_you_mean(name, names));
 }
 
 // Keeps one part: "2/4" is the second of four.
@@ -92,7 +91,7 @@ int select_shard(const std::string& shard, std::vector<Scenario>& scenarios) {
   const int index = base::parse_int(parts.front()).value_or(0);
   const int count = parts.size() == 2 ? base::parse_int(parts.back()).value_or(0) : 0;
   if (index < 1 || count < index) {
-    return print_error(kUsage, fmt::format("--shard '{}': must be K/N, such as 1/4", shard));
+    return print_error(kUsage, "--shard '{}': must be K/N, such as 1/4", shard);
   }
 
   std::vector<Scenario> selected;
@@ -129,7 +128,7 @@ int choose(const TestArguments& arguments, std::vector<Scenario>& chosen) {
     return !fits_pattern(arguments.filter, scenario.name);
   });
   if (chosen.empty()) {
-    return print_error(kUsage, fmt::format("--filter '{}': no scenario matches", arguments.filter));
+    return print_error(kUsage, "--filter '{}': no scenario matches", arguments.filter);
   }
   return arguments.shard.empty() ? int{kOk} : select_shard(arguments.shard, chosen);
 }
@@ -201,7 +200,7 @@ int finish_suite(const TestArguments& arguments, const SuiteVerdict& suite, doub
   if (!suite.passed()) return kFailed;
   const int skipped = suite.count(Verdict::kSkipped);
   if (!arguments.strict || skipped == 0) return kOk;
-  return print_error(kFailed, fmt::format("{} skipped (--strict)", skipped));
+  return print_error(kFailed, "{} skipped (--strict)", skipped);
 }
 
 void warn_without_sandbox(const std::vector<Scenario>& scenarios, const SuiteOptions& options) {
@@ -275,7 +274,7 @@ void add_test_command(Command& app) {
 
   add_ci_options(command, a.reports);
   command.flag("--json", a.json, "print only the result document").of_group(kOutputGroup);
-  command.option("--dir DIR", a.folder, "folder of failed runs").shows_default();
+  command.setting("--dir DIR", a.folder, "folder of failed runs");
   command.flag("--accept", a.accept_golden, "accept current values as the new golden values");
   command.flag("--bless", a.accept_golden, "").of_group(kHidden);  // former name of --accept
   command.flag("--list", a.list, "list names and descriptions");

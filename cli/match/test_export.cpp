@@ -37,7 +37,7 @@ int export_scenarios(const TestArguments& arguments) {
   const std::vector<fs::path> edited = edited_files(folder);
   if (!edited.empty() && !arguments.force) {
     for (const fs::path& file : edited) {
-      print_error(0, fmt::format("{}: differs from the shipped scenario", file.string()));
+      print_error(0, "{}: differs from the shipped scenario", file.string());
     }
     return print_error(kCannotCreate,
                        "nothing written; --force renames these files to NAME.old first");
@@ -53,11 +53,11 @@ int export_scenarios(const TestArguments& arguments) {
   }
 
   const std::size_t count = scenario::shipped_files().size();
-  if (arguments.json) {
-    print_json({{"schema", "cls.export/1"}, {"dir", folder.string()}, {"files", count}});
-  } else {
-    fmt::print("{} files in {}\n", count, folder.string());
-  }
+  if (arguments.json)
+    return print_json({{"schema", "cls.export/1"}, {"dir", folder.string()}, {"files", count}});
+
+  fmt::print("{} files in {}\n", count, folder.string());
+
   return kOk;
 }
 

@@ -28,7 +28,7 @@ int resolve(const TestArguments& arguments, match::ReplayOptions& options) {
   options.agent = arguments.player;
   if (const auto limit = start_timeout(arguments)) options.start_timeout_s = *limit;
   if (const auto absence = base::absence(options.file)) {
-    return print_error(kNoInput, fmt::format("{}: {}", options.file, *absence));
+    return print_error(kNoInput, "{}: {}", options.file, *absence);
   }
   if (options.endpoint.starts_programs()) {
     TRY_OR(kCannotCreate, base::create_folders(options.folder));
@@ -37,7 +37,7 @@ int resolve(const TestArguments& arguments, match::ReplayOptions& options) {
   if (arguments.side.empty()) return kOk;
   options.side = soccer::parse_side(arguments.side);
   if (options.side) return kOk;
-  return print_error(kUsage, fmt::format("--side '{}': must be left or right", arguments.side));
+  return print_error(kUsage, "--side '{}': must be left or right", arguments.side);
 }
 
 }  // namespace

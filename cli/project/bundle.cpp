@@ -17,7 +17,6 @@ namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using base::Error;
 using base::Result;
 
 // A line of the loader's list: `libm.so.6 => /lib/libm.so.6 (0x00007f...)`.
@@ -81,7 +80,7 @@ Result<void> Bundle::add_library(const std::string& name, const fs::path& path,
     return {};
   }
   if (same_bytes(known->second, path)) return {};
-  return Error{
+  return base::Error{
       fmt::format("{}: two different libraries, {} and {}, the latter for {}; make the environment "
                   "with the interpreter of the system, or use the one-file program of make package",
                   name, known->second.string(), path.string(), file.string())};
@@ -125,8 +124,8 @@ Result<void> Bundle::add_program(const fs::path& program, const fs::path& target
                                  const fs::path& script, const std::string& settings) {
   const fs::path loader = loader_of(program);
   if (loader != loader_) {
-    return Error{fmt::format("{}: its loader is '{}', that of cls is '{}'", program.string(),
-                             loader.string(), loader_.string())};
+    return base::Error{fmt::format("{}: its loader is '{}', that of cls is '{}'", program.string(),
+                                   loader.string(), loader_.string())};
   }
   TRY(add_libraries(program));
   programs_.insert(package_ / target);

@@ -19,7 +19,6 @@ namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using base::Error;
 using base::Result;
 
 // Files of a project that say which language its Playmaker is in, if it is not Python.
@@ -92,7 +91,7 @@ Result<void> copy_scripts(const fs::path& environment, const fs::path& to) {
 Result<BroughtInterpreter> bring_python(const fs::path& program, const InterpretedProject& project,
                                         const fs::path& package, Bundle& bundle) {
   TRY_INIT(const auto facts, run_program(program.string(), {program.string(), "-c", kWherePython}));
-  if (facts.size() < 2) return Error{fmt::format("{}: is not Python", program.string())};
+  if (facts.size() < 2) return base::Error{fmt::format("{}: is not Python", program.string())};
   BroughtInterpreter brought{"python3", facts[0], {}};
   const std::string versioned = "python" + facts[1];
   TRY(bundle.add_program(facts[0], "env/libexec/" + versioned, "env/bin/python3",
@@ -145,7 +144,8 @@ Result<BroughtInterpreter> bring_interpreter(const fs::path& program,
 
   const fs::path real = fs::canonical(program);
   const auto file = read_elf_file(real);
-  if (!file) return Error{fmt::format("{}: is not a program of Linux for x86-64", real.string())};
+  if (!file)
+    return base::Error{fmt::format("{}: is not a program of Linux for x86-64", real.string())};
   TRY(base::create_folders(package / "env/bin"));
   if (loads_on_oldest(*file)) {
     fs::copy_file(real, package / "env/bin" / name);

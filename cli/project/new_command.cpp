@@ -78,10 +78,9 @@ int run_new(const NewArguments& arguments) {
 
   const std::string dir = arguments.dir.empty() ? arguments.name : arguments.dir;
   if (const std::string contents = base::contents_of(dir); !contents.empty()) {
-    return print_error(
-        kCannotCreate,
-        fmt::format("{}: has {}; it stays as it is, and --dir selects another folder", dir,
-                    contents));
+    return print_error(kCannotCreate,
+                       "{}: has {}; it stays as it is, and --dir selects another folder", dir,
+                       contents);
   }
 
   if (const auto written = write_project(dir, files); !written) {

@@ -24,7 +24,6 @@ namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using base::Error;
 using base::Result;
 using process::CommandPlan;
 using Words = std::vector<std::string>;
@@ -68,7 +67,7 @@ Result<Words> namespace_command() {
 Result<void> check_root(const fs::path& root) {
   for (const char* name : {"dev", "proc", "tmp", "mnt", "bin/sh"}) {
     if (const auto why = base::absence(root / name)) {
-      return Error{
+      return base::Error{
           fmt::format("{}: {}; --root needs the files of a Linux, as debootstrap makes them",
                       (root / name).string(), *why)};
     }
@@ -106,6 +105,7 @@ CommandPlan competition_plan(const PackageCheckOptions& options, const fs::path&
                       {"CPUS", fmt::to_string(options.cpus)},
                       {"CORES", fmt::to_string(std::max(1U, std::thread::hardware_concurrency()))},
                       {"GROUP", fmt::format("{}{}", kGroup, getpid())}};
+
   if (geteuid() == 0) plan.environment.push_back({"AS_USER", kUnprivileged});
 
   return plan;
@@ -212,8 +212,8 @@ Result<PackageCheck> check_package(const PackageCheckOptions& options,
                                    const std::atomic<int>& stop) {
   PackageCheck check;
   if (const auto why = base::why_no_file(options.package / "start")) {
-    return Error{fmt::format("{}: {}; cls package-team without --check writes it",
-                             (options.package / "start").string(), *why)};
+    return base::Error{fmt::format("{}: {}; cls package-team without --check writes it",
+                                   (options.package / "start").string(), *why)};
   }
   TRY(check_root(options.root));
   check.own_files = fs::equivalent(options.root, "/");

@@ -67,8 +67,8 @@ int report_unknown_team(const PackageTeamArguments& arguments, const fs::path& f
   std::vector<std::string_view> teams;
   for (const TeamEntry& team : config.competition.teams) teams.push_back(team.name);
 
-  return print_error(kUsage, fmt::format("{} has no team '{}'{}", file.string(), arguments.name,
-                                         base::did_you_mean(arguments.name, teams)));
+  return print_error(kUsage, "{} has no team '{}'{}", file.string(), arguments.name,
+                     base::did_you_mean(arguments.name, teams));
 }
 
 std::string megabytes(std::uintmax_t bytes) {
@@ -123,11 +123,10 @@ int write(const PackageTeamArguments& arguments, const TeamPackage& package) {
   const std::string dir = folder_of(arguments);
   if (const std::string contents = base::contents_of(dir); !contents.empty()) {
     if (!arguments.force) {
-      return print_error(
-          kCannotCreate,
-          fmt::format("{}: has {}; --force renames it to {}.old, --dir selects a new "
-                      "folder",
-                      dir, contents, dir));
+      return print_error(kCannotCreate,
+                         "{}: has {}; --force renames it to {}.old, --dir selects a new "
+                         "folder",
+                         dir, contents, dir);
     }
     TRY_INIT_OR(kCannotCreate, const auto aside, base::set_aside(dir));
     fmt::print(stderr, "cls: old package moved to {}\n", aside.string());
@@ -138,7 +137,7 @@ int write(const PackageTeamArguments& arguments, const TeamPackage& package) {
   if (!written) return print_error(kCannotCreate, written.error().message);
 
   for (const std::string& one : written->missing) {
-    print_error(0, fmt::format("warning: {} is not on this host, and so not in the package", one));
+    print_error(0, "warning: {} is not on this host, and so not in the package", one);
   }
 
   if (arguments.json) {
@@ -158,8 +157,8 @@ int check(const PackageTeamArguments& arguments) {
   options.cpus = arguments.cpus;
   const auto memory = base::parse_byte_size(arguments.memory);
   if (!memory) {
-    return print_error(
-        kUsage, fmt::format("--memory '{}': must be a size such as 512M or 2G", arguments.memory));
+    return print_error(kUsage, "--memory '{}': must be a size such as 512M or 2G",
+                       arguments.memory);
   }
   options.memory = *memory;
   TRY_INIT_OR(kUnavailable, const auto program, base::own_program());
@@ -195,15 +194,15 @@ int run_package_team(const PackageTeamArguments& arguments) {
   const std::string& endpoint = parsed.config.competition.teams[base::index(team)].endpoint;
   if (!endpoint.starts_with(kRunForm)) {
     return print_error(kUsage,
-                       fmt::format("team '{}' is '{}'; a package needs run:COMMAND, which starts "
-                                   "the Playmaker",
-                                   arguments.name, endpoint));
+                       "team '{}' is '{}'; a package needs run:COMMAND, which starts "
+                       "the Playmaker",
+                       arguments.name, endpoint);
   }
 
   TRY_INIT_OR(kUnavailable, const auto program, base::own_program());
   if (!read_elf_file(program)) {
-    return print_error(
-        kUsage, fmt::format("{}: the cls of a package cannot make another one", program.string()));
+    return print_error(kUsage, "{}: the cls of a package cannot make another one",
+                       program.string());
   }
   return write(arguments,
                {arguments.name, endpoint.substr(kRunForm.size()), parsed.config.execution.folder,
@@ -231,20 +230,14 @@ void add_package_team_command(Command& app) {
   command.flag("--check", arguments.check,
                "play the package that is there: each agent on a machine of its own, 10 Hz");
   command
-      .option("--root", arguments.root,
-              "--check: folder with the files of the machines, such as those of an older Linux")
-      .placeholder("DIR")
-      .shows_default();
+      .setting("--root", arguments.root,
+               "--check: folder with the files of the machines, such as those of an older Linux")
+      .placeholder("DIR");
 
-  command.option("--cycles", arguments.cycles, "--check: length of the match")
-      .range(1, 100000)
-      .shows_default();
-  command.option("--memory", arguments.memory, "--check: memory of each agent with its Playmaker")
-      .placeholder("SIZE")
-      .shows_default();
-  command.option("--cpus", arguments.cpus, "--check: processors of each of them")
-      .range(1, 64)
-      .shows_default();
+  command.setting("--cycles", arguments.cycles, "--check: length of the match").range(1, 100000);
+  command.setting("--memory", arguments.memory, "--check: memory of each agent with its Playmaker")
+      .placeholder("SIZE");
+  command.setting("--cpus", arguments.cpus, "--check: processors of each of them").range(1, 64);
   command.flag("--force", arguments.force, "rename an older package to NAME.old first");
   command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }

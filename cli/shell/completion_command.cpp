@@ -30,17 +30,16 @@ struct CompletionArguments {
 int run_completion(const CompletionArguments& arguments) {
   const ShellScript* script = find_shell(arguments.shell);
   if (script == nullptr) {
-    return print_error(kUsage, fmt::format("unknown shell '{}': {}{}", arguments.shell,
-                                           fmt::join(shell_names(), ", "),
-                                           base::did_you_mean(arguments.shell, shell_names())));
+    return print_error(kUsage, "unknown shell '{}': {}{}", arguments.shell,
+                       fmt::join(shell_names(), ", "),
+                       base::did_you_mean(arguments.shell, shell_names()));
   }
 
-  if (arguments.json) {
-    print_json(
+  if (arguments.json)
+    return print_json(
         {{"schema", "cls.completion/1"}, {"shell", arguments.shell}, {"script", script->text}});
-  } else {
-    fmt::print("{}", script->text);
-  }
+
+  fmt::print("{}", script->text);
 
   return kOk;
 }

@@ -67,8 +67,8 @@ int report_unknown_topic(const Command& root, const std::string& name) {
   for (const HelpTopic& topic : help_topics()) names.push_back(topic.name);
 
   const std::string near = base::did_you_mean(name, {names.begin(), names.end()});
-  return print_error(kUsage, fmt::format("unknown command or topic '{}'{}", name,
-                                         near.empty() ? " (see cls help topics)" : near));
+  return print_error(kUsage, "unknown command or topic '{}'{}", name,
+                     near.empty() ? " (see cls help topics)" : near);
 }
 
 int print_matches(const std::vector<HelpMatch>& found, bool json) {
@@ -113,8 +113,8 @@ int run_help(const Command& command, const HelpArguments& arguments) {
   const std::vector<HelpMatch> found = search_help(root, arguments.words);
   if (found.empty() && arguments.words.size() == 1) return report_unknown_topic(root, first);
   if (found.empty()) {
-    return print_error(kUsage, fmt::format("nothing has the words '{}' (see cls help topics)",
-                                           fmt::join(arguments.words, " ")));
+    return print_error(kUsage, "nothing has the words '{}' (see cls help topics)",
+                       fmt::join(arguments.words, " "));
   }
   return print_matches(found, arguments.json);
 }

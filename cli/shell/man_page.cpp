@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "base/system/version.h"
+#include "base/text/lines.h"
 #include "cli/command/help.h"
 
 namespace cls::cli {
@@ -43,13 +43,6 @@ std::string page_name(const Command& command) {
   return name;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(std::move(line));
-  return lines;
-}
-
 /// The parts of a description: a line, sentences, indented examples.
 struct DescriptionParts {
   std::string purpose;
@@ -70,7 +63,7 @@ DescriptionParts parts_of(const Command& command) {
     block.clear();
   };
 
-  for (const std::string& line : lines_of(command.description)) {
+  for (const std::string_view line : base::lines_of(command.description)) {
     if (parts.purpose.empty()) {
       parts.purpose = line;
     } else if (line.starts_with("  ")) {

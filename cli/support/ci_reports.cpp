@@ -26,7 +26,7 @@ void add_to_job_summary(const std::string& markdown) {
   std::ofstream out(file, std::ios::app);
   out << markdown << '\n';
   out.flush();
-  if (!out) print_error(0, fmt::format("{}: cannot write the summary of the job", file));
+  if (!out) print_error(0, "{}: cannot write the summary of the job", file);
 }
 
 }  // namespace

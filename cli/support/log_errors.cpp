@@ -23,13 +23,13 @@ void report_errors(std::string_view path, const gamelog::ParseErrors& errors) {
   }
 
   if (errors.count > shown) {
-    print_error(0, fmt::format("{}: {} more errors", path, errors.count - shown));
+    print_error(0, "{}: {} more errors", path, errors.count - shown);
   }
 }
 
 int report_missing(const gamelog::FoundLogs& found) {
   for (const std::string& missing : found.missing) {
-    print_error(0, fmt::format("{}: no such log", missing));
+    print_error(0, "{}: no such log", missing);
   }
   return found.missing.empty() ? kOk : kNoInput;
 }

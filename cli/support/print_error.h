@@ -1,9 +1,12 @@
 // Error lines on stderr, and what follows from an error: the end of a command.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <exception>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -13,6 +16,13 @@ namespace cls::cli {
 
 /// Prints "cls: MESSAGE" to stderr and returns `exit_code`.
 int print_error(int exit_code, std::string_view message);
+
+template <class First, class... Rest>
+int print_error(int exit_code, fmt::format_string<First, Rest...> format, First&& first,
+                Rest&&... rest) {
+  return print_error(exit_code, std::string_view(fmt::format(format, std::forward<First>(first),
+                                                             std::forward<Rest>(rest)...)));
+}
 
 /// One line per message.
 int print_errors(int exit_code, const std::vector<std::string>& messages);

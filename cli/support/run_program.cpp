@@ -11,7 +11,6 @@
 
 namespace cls::cli {
 
-using base::Error;
 using base::Result;
 
 Result<std::vector<std::string>> run_program(const std::string& name, std::vector<std::string> argv,
@@ -35,10 +34,11 @@ Result<std::vector<std::string>> run_program(const std::string& name, std::vecto
   const std::lock_guard lock(mutex);
   const std::string last = lines.empty() ? std::string() : ": " + lines.back();
   if (!ended || !status.exit) {
-    return Error{fmt::format("{}: did not end within {} s{}", plan.name, limit.count(), last)};
+    return base::Error{
+        fmt::format("{}: did not end within {} s{}", plan.name, limit.count(), last)};
   }
   if (status.exit->by_signal || status.exit->number != 0) {
-    return Error{fmt::format("{}: {}{}", plan.name, to_text(*status.exit), last)};
+    return base::Error{fmt::format("{}: {}{}", plan.name, to_text(*status.exit), last)};
   }
   return lines;
 }

@@ -73,7 +73,7 @@ std::string folder_meant(const std::string& side) {
 
 int read_project(const fs::path& file, ParsedConfig& parsed, std::string_view label) {
   if (const auto why = base::why_no_file(file)) {
-    return print_error(kNoInput, fmt::format("{}{}: {}", label, file.string(), *why));
+    return print_error(kNoInput, "{}{}: {}", label, file.string(), *why);
   }
   parsed = read_config(file);
   return parsed.errors.empty() ? kOk : print_errors(kBadConfig, parsed.errors);

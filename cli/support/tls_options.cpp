@@ -27,14 +27,14 @@ int read_pem(const PemFile& file) {
   if (file.name.empty()) return kOk;
   const auto text = base::read_file(file.name);
   if (!text) {
-    return print_error(kNoInput, fmt::format("{}: {}: cannot read", file.option, file.name));
+    return print_error(kNoInput, "{}: {}: cannot read", file.option, file.name);
   }
 
   const bool fits = text->find("-----BEGIN ") != std::string::npos &&
                     text->find(fmt::format("{}-----", file.label)) != std::string::npos;
   if (!fits) {
-    return print_error(kBadData, fmt::format("{}: {}: contains no {} in PEM format", file.option,
-                                             file.name, file.label));
+    return print_error(kBadData, "{}: {}: contains no {} in PEM format", file.option, file.name,
+                       file.label);
   }
 
   file.text = *text;

@@ -13,7 +13,7 @@ using namespace tournament;
 constexpr std::chrono::seconds kLineInterval{10};
 
 double samples_done(const ComparisonVerdict& known) {
-  return total(known.samples) + known.left_out;
+  return league::total(known.samples) + known.left_out;
 }
 
 // To a fraction of one, and never "-0".
@@ -59,7 +59,7 @@ std::string comparison_status(const Comparison& comparison, const ComparisonVerd
                               const RunProgress& progress) {
   std::string text = fmt::format("{} {:.0f}", sample_name(comparison), samples_done(known));
   if (comparison.max_samples) text += fmt::format("/{}", *comparison.max_samples);
-  if (total(known.samples) > 0) text += "  " + difference_text(comparison, known);
+  if (league::total(known.samples) > 0) text += "  " + difference_text(comparison, known);
   text += "  " + test_state(comparison, known);
 
   if (progress.done_in_this_run > 0 && progress.seconds > 0) {

@@ -46,7 +46,7 @@ template <typename Add>
 int for_each_log(const std::vector<std::string>& arguments, Add add) {
   const gamelog::FoundLogs found = gamelog::find_logs(arguments);
   for (const std::string& missing : found.missing) {
-    print_error(0, fmt::format("{}: no game log", missing));
+    print_error(0, "{}: no game log", missing);
   }
   if (!found.missing.empty()) return kNoInput;
 
@@ -59,7 +59,7 @@ int for_each_log(const std::vector<std::string>& arguments, Add add) {
     if (match.game.empty()) continue;
     TRY_INIT_OR(kNoInput, const auto record, gamelog::read_rcg_file(match.game));
     if (const std::string why = add(record, match.game); !why.empty()) {
-      print_error(0, fmt::format("{}: left out: {}", match.game, why));
+      print_error(0, "{}: left out: {}", match.game, why);
       continue;
     }
     ++used;
@@ -115,8 +115,8 @@ int run_book_make(const BookArguments& arguments) {
   for (std::size_t i = 0; i < analysis::kSituationClasses; ++i) {
     const auto kind = static_cast<analysis::SituationClass>(i);
     if (maker.moments(kind) > 0) continue;
-    return print_error(
-        kBadData, fmt::format("the matches have no moment of the class {}; add logs", name(kind)));
+    return print_error(kBadData, "the matches have no moment of the class {}; add logs",
+                       name(kind));
   }
 
   const analysis::Book book = maker.make();
@@ -128,9 +128,8 @@ int run_book_make(const BookArguments& arguments) {
   const auto wanted = static_cast<std::size_t>(arguments.options.count) /
                       analysis::kSituationClasses * analysis::kSituationClasses;
   if (book.situations.size() < wanted) {
-    print_error(0, fmt::format("--count {}: the rarest class has fewer moments; the book has {}",
-                               arguments.options.count,
-                               base::counted(book.situations.size(), "situation")));
+    print_error(0, "--count {}: the rarest class has fewer moments; the book has {}",
+                arguments.options.count, base::counted(book.situations.size(), "situation"));
   }
 
   return print_book(book, arguments.out, arguments.json);
@@ -201,22 +200,19 @@ void add_book_make(Command& book) {
       .of_group(kOutputGroup)
       .required();
 
-  command.option("--count", arguments.options.count, "situations")
+  command.setting("--count", arguments.options.count, "situations")
       .range(static_cast<int>(analysis::kSituationClasses),
-             static_cast<int>(analysis::kMaxSituations))
-      .shows_default();
+             static_cast<int>(analysis::kMaxSituations));
 
-  command.option("--warm-up", arguments.options.warm_up, "steps before each moment")
-      .range(3, analysis::kMaxWarmUp)
-      .shows_default();
+  command.setting("--warm-up", arguments.options.warm_up, "steps before each moment")
+      .range(3, analysis::kMaxWarmUp);
 
   command
-      .option("--spacing", arguments.options.spacing,
-              "minimum cycles between two moments of one class and match")
-      .above(0)
-      .shows_default();
+      .setting("--spacing", arguments.options.spacing,
+               "minimum cycles between two moments of one class and match")
+      .above(0);
 
-  command.option("--seed", arguments.options.seed, "seed of the choice").shows_default();
+  command.setting("--seed", arguments.options.seed, "seed of the choice");
   command.flag("--force", arguments.force, "replace the file");
   command.flag("--json", arguments.json, "print the summary as JSON").of_group(kOutputGroup);
 }
@@ -243,12 +239,12 @@ void add_book_fit(Command& book) {
                    run_book_fit);
 
   add_logs_argument(command, arguments);
-  command.option("--cycles", arguments.cycles, "length of a window").above(0).shows_default();
+  command.setting("--cycles", arguments.cycles, "length of a window").above(0);
+
   command
-      .option("--ridge", arguments.ridge,
-              "shrink weights towards those of each figure alone, 0: not at all")
-      .from(0)
-      .shows_default();
+      .setting("--ridge", arguments.ridge,
+               "shrink weights towards those of each figure alone, 0: not at all")
+      .from(0);
   command.flag("--json", arguments.json, "print the fit as JSON").of_group(kOutputGroup);
 }
 

@@ -70,7 +70,7 @@ int add_team(TournamentConfig& config, std::string side, const std::string& suff
   }
 
   if (team_index(config.competition, name) >= 0) {
-    return print_error(kUsage, fmt::format("'{}' is named twice", side));
+    return print_error(kUsage, "'{}' is named twice", side);
   }
   config.competition.teams.push_back({name, side});
   return kOk;
@@ -161,10 +161,9 @@ int run_compare(const CompareArguments& arguments) {
 void add_test_options(Command& command, CompareArguments& arguments) {
   TestSettings& test = arguments.test;
   command
-      .option("--test", arguments.test_name,
-              "betting adapts to the difference; sprt as in chess engine testing")
-      .one_of({"betting", "sprt"})
-      .shows_default();
+      .setting("--test", arguments.test_name,
+               "betting adapts to the difference; sprt as in chess engine testing")
+      .one_of({"betting", "sprt"});
 
   command
       .option(
@@ -173,26 +172,21 @@ void add_test_options(Command& command, CompareArguments& arguments) {
           "--book value)")
       .one_of({"points", "goals", "value"});
 
-  command.option("--elo0", test.elo0, "Elo difference of H0").shows_default();
-  command.option("--elo1", test.elo1, "Elo difference of H1").shows_default();
-  command
-      .option("--goals0", test.goals0,
-              "with --measure goals or value: goal difference per match under H0")
-      .shows_default();
-  command
-      .option("--goals1", test.goals1,
-              "with --measure goals or value: goal difference per match under H1")
-      .shows_default();
+  command.setting("--elo0", test.elo0, "Elo difference of H0");
+  command.setting("--elo1", test.elo1, "Elo difference of H1");
+  command.setting("--goals0", test.goals0,
+                  "with --measure goals or value: goal difference per match under H0");
+  command.setting("--goals1", test.goals1,
+                  "with --measure goals or value: goal difference per match under H1");
 
   command
       .option("--max-goals", arguments.max_goals,
               "a goal difference or value above it counts as this (default: 3, with --book 8)")
       .range(1, 100);
-  command.option("--alpha", test.alpha, "probability of a type I error (NEW wrongly called better)")
-      .shows_default();
-  command
-      .option("--beta", test.beta, "probability of a type II error (NEW wrongly called not better)")
-      .shows_default();
+  command.setting("--alpha", test.alpha,
+                  "probability of a type I error (NEW wrongly called better)");
+  command.setting("--beta", test.beta,
+                  "probability of a type II error (NEW wrongly called not better)");
 }
 
 }  // namespace

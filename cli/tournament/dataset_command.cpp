@@ -221,7 +221,7 @@ int make_dataset(const MakeArguments& arguments) {
       begin_session(options.folder, options.config, arguments.session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
   if (const auto checked = check_schedule(config.competition, opened.matches); !checked) {
-    return print_error(kBadData, fmt::format("{}: {}", arguments.folder, checked.error().message));
+    return print_error(kBadData, "{}: {}", arguments.folder, checked.error().message);
   }
 
   Packer packer(options.config, arguments.folder);
@@ -277,9 +277,10 @@ int report_problems(const VerifyArguments& arguments, std::size_t matches, std::
 int verify_dataset(const VerifyArguments& arguments) {
   const fs::path folder = arguments.folder;
   if (!is_dataset(folder)) {
-    return print_error(kNoInput, fmt::format("{}: not a finished data set (no {}); `cls dataset "
-                                             "make` makes one, or resumes it",
-                                             arguments.folder, kDatasetMatches));
+    return print_error(kNoInput,
+                       "{}: not a finished data set (no {}); `cls dataset "
+                       "make` makes one, or resumes it",
+                       arguments.folder, kDatasetMatches);
   }
 
   TRY_INIT_OR(kBadData, const auto matches, read_dataset_matches(folder));
@@ -295,8 +296,7 @@ int verify_dataset(const VerifyArguments& arguments) {
     const auto found = replay_dataset_match(config, match, program, signal);
     if (signal != 0) return signal_exit_code(signal);
     if (!found) {
-      return print_error(kFailed,
-                         fmt::format("match {}: {}", match.fixture.index, found.error().message));
+      return print_error(kFailed, "match {}: {}", match.fixture.index, found.error().message);
     }
     different.insert(different.end(), found->begin(), found->end());
   }
@@ -324,7 +324,7 @@ void add_dataset_verify(Command& dataset) {
       "match played again has other bytes: another version of cls or of a side.",
       verify_dataset);
   command.option("DIR", arguments.folder, "folder of the data set").required();
-  command.option("--sample", arguments.sample, "matches to play again").shows_default();
+  command.setting("--sample", arguments.sample, "matches to play again");
   command.flag("--json", arguments.json, "print the problems as one JSON document")
       .of_group(kOutputGroup);
 }

@@ -63,8 +63,8 @@ int run_init(const InitArguments& arguments) {
   const fs::path file = folder / (arguments.planner ? kPlannerFile : tournament::kConfigFile);
   std::error_code code;
   if (fs::exists(file, code) && !arguments.force) {
-    return print_error(kCannotCreate, fmt::format("{}: exists; --force renames it to {}.old",
-                                                  file.string(), file.filename().string()));
+    return print_error(kCannotCreate, "{}: exists; --force renames it to {}.old", file.string(),
+                       file.filename().string());
   }
   if (fs::exists(file, code)) {
     TRY_OR(kCannotCreate, base::set_aside(file));
@@ -74,11 +74,10 @@ int run_init(const InitArguments& arguments) {
 
   TRY_OR(kCannotCreate, base::write_file(file, text));
 
-  if (arguments.json) {
-    print_json({{"schema", "cls.init/1"}, {"file", file.string()}});
-  } else {
-    fmt::print("{}\n", file.string());
-  }
+  if (arguments.json) return print_json({{"schema", "cls.init/1"}, {"file", file.string()}});
+
+  fmt::print("{}\n", file.string());
+
   return kOk;
 }
 

@@ -57,6 +57,7 @@ std::vector<TeamEntry> team_entries(const QualifyArguments& arguments, std::stri
   std::vector<std::string> sides = arguments.opponents;
   sides.insert(sides.begin(), arguments.team);
   std::vector<TeamEntry> teams;
+
   std::set<std::string> names;
   for (const std::string& side : sides) {
     const auto endpoint = match::parse_endpoint(side);
@@ -98,9 +99,8 @@ int write_config(const fs::path& folder, const std::string& text) {
   std::error_code code;
   if (const auto before = base::read_file(file); before && fs::exists(folder / kStoreFile, code)) {
     if (*before == text) return kOk;
-    return print_error(
-        kCannotCreate,
-        fmt::format("{}: other teams or settings; --dir names another folder", file.string()));
+    return print_error(kCannotCreate, "{}: other teams or settings; --dir names another folder",
+                       file.string());
   }
   TRY_OR(kCannotCreate, base::create_folders(folder));
   const auto written = base::write_file(file, text);
@@ -117,16 +117,16 @@ int read_matches(const fs::path& folder, int cycles, std::vector<Packed>& packed
   TRY_INIT_OR(kBadData, const auto state, read_tournament(folder));
   for (const ScheduledMatch& match : state.matches) {
     if (!match.outcome || !match.outcome->played()) {
-      return print_error(kFailed, fmt::format("match {} was not played", match.fixture.index));
+      return print_error(kFailed, "match {} was not played", match.fixture.index);
     }
     const std::time_t start = parse_utc_time(match.outcome->started);
     TRY_INIT_OR(kBadData, auto logs, read_league_logs(folder / match.outcome->folder, start));
     if (logs.rcl.empty()) {
-      return print_error(kBadData, fmt::format("match {} has no text log", match.fixture.index));
+      return print_error(kBadData, "match {} has no text log", match.fixture.index);
     }
     if (logs.last_cycle < cycles) {
-      return print_error(kBadData, fmt::format("match {} ends at cycle {} of {}",
-                                               match.fixture.index, logs.last_cycle, cycles));
+      return print_error(kBadData, "match {} ends at cycle {} of {}", match.fixture.index,
+                         logs.last_cycle, cycles);
     }
     packed.push_back({std::move(logs), start});
   }
@@ -150,6 +150,7 @@ int write_archive(const fs::path& out, const std::string& top, const std::vector
     base::end_tar(sink);
     return true;
   });
+
   if (!problem.empty()) return print_error(kCannotCreate, problem);
 
   return report_failure(failure);
@@ -169,8 +170,7 @@ int run_qualify(const QualifyArguments& arguments) {
   const fs::path out = arguments.out.empty() ? fs::path(teams.front().name + "_logs.tar.gz")
                                              : fs::path(arguments.out);
   if (!out.string().ends_with(kArchiveEnding)) {
-    return print_error(kUsage,
-                       fmt::format("--out '{}': must end in {}", out.string(), kArchiveEnding));
+    return print_error(kUsage, "--out '{}': must end in {}", out.string(), kArchiveEnding);
   }
 
   TRY_STEP(write_config(arguments.folder, config_text(arguments, teams)));
@@ -185,8 +185,7 @@ int run_qualify(const QualifyArguments& arguments) {
   for (const Packed& one : packed) files.push_back(one.logs.name);
   const bool whole = cycles >= kFullTime;
   if (!whole) {
-    print_error(
-        0, fmt::format("warning: {} cycles a match; the league asks for whole matches", cycles));
+    print_error(0, "warning: {} cycles a match; the league asks for whole matches", cycles);
   }
 
   if (arguments.json) {
@@ -210,11 +209,10 @@ void add_qualify_command(Command& app) {
   command.option("OPPONENT", arguments.opponents, "SIDEs to play against").required();
   command.option("--out FILE", arguments.out, "the archive (default: TEAM_logs.tar.gz)")
       .of_group(kOutputGroup);
-  command.option("--dir DIR", arguments.folder, "folder of the matches").shows_default();
-  command.option("--mode MODE", arguments.mode, "realtime, synch or lockstep")
-      .shows_default()
+  command.setting("--dir DIR", arguments.folder, "folder of the matches");
+  command.setting("--mode MODE", arguments.mode, "realtime, synch or lockstep")
       .one_of({"realtime", "synch", "lockstep"});
-  command.option("--half-time", arguments.half_time, "seconds of a half").above(0).shows_default();
+  command.setting("--half-time", arguments.half_time, "seconds of a half").above(0);
   command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 

@@ -169,6 +169,7 @@ void print_table(const std::vector<CheckIn>& checks) {
 void print_check_ins(const TournamentConfig& config, const std::vector<CheckIn>& checks) {
   using base::Json;
   Json teams = Json::array();
+
   for (const CheckIn& check : checks) {
     teams.push_back({{"team", check.team},
                      {"name", check.own_name},
@@ -240,9 +241,8 @@ int run_check_in(const CheckInArguments& arguments) {
       std::ranges::count_if(checks, [](const CheckIn& check) { return !check.played; });
   if (failed == 0) return kOk;
 
-  return print_error(kFailed, fmt::format("{} of {} did not play to the end; logs: {}", failed,
-                                          base::counted(checks.size(), "team"),
-                                          (folder / kCheckInFolder).string()));
+  return print_error(kFailed, "{} of {} did not play to the end; logs: {}", failed,
+                     base::counted(checks.size(), "team"), (folder / kCheckInFolder).string());
 }
 
 }  // namespace

@@ -76,17 +76,17 @@ int decision_in(const DecideArguments& arguments, MatchDecision& decision) {
 
   const auto goals = parse_goals(arguments.award);
   if (!goals) {
-    return print_error(
-        kUsage, fmt::format("--award '{}': must be LEFT:RIGHT, such as 3:0", arguments.award));
+    return print_error(kUsage, "--award '{}': must be LEFT:RIGHT, such as 3:0", arguments.award);
   }
 
   std::tie(decision.left_score, decision.right_score) = *goals;
   if (arguments.penalties.empty()) return kOk;
   const auto penalties = parse_goals(arguments.penalties);
   if (!penalties || goals->first != goals->second) {
-    return print_error(kUsage, fmt::format("--penalties '{}': must be LEFT:RIGHT, such as 4:2, "
-                                           "after a level score",
-                                           arguments.penalties));
+    return print_error(kUsage,
+                       "--penalties '{}': must be LEFT:RIGHT, such as 4:2, "
+                       "after a level score",
+                       arguments.penalties);
   }
   std::tie(decision.left_penalties, decision.right_penalties) = *penalties;
   return kOk;
@@ -111,14 +111,13 @@ int print_decisions(const DecideArguments& arguments) {
 int print_effect(const DecideArguments& arguments, const TournamentConfig& config,
                  const DecisionEffect& effect) {
   if (effect.refused) {
-    return print_error(
-        kFailed,
-        fmt::format("match {}: this changes the matches from {} on, of which {} played already; "
-                    "nothing was changed; --redraw discards {}, and `cls tournament run` draws "
-                    "again",
-                    arguments.match, *effect.drawn_again,
-                    base::counted(effect.removed_played, "was", "were"),
-                    effect.removed_played == 1 ? "it" : "them"));
+    return print_error(kFailed,
+                       "match {}: this changes the matches from {} on, of which {} played already; "
+                       "nothing was changed; --redraw discards {}, and `cls tournament run` draws "
+                       "again",
+                       arguments.match, *effect.drawn_again,
+                       base::counted(effect.removed_played, "was", "were"),
+                       effect.removed_played == 1 ? "it" : "them");
   }
 
   if (arguments.json) {
@@ -151,9 +150,10 @@ int run_decide(const DecideArguments& arguments) {
 
   TRY_INIT_OR(kCannotCreate, const auto lock, FolderLock::try_lock(arguments.folder));
   if (!lock) {
-    return print_error(kTryAgain, fmt::format("{0}: a run is in progress; `cls tournament stop "
-                                              "{0}` ends it after its current matches",
-                                              arguments.folder));
+    return print_error(kTryAgain,
+                       "{0}: a run is in progress; `cls tournament stop "
+                       "{0}` ends it after its current matches",
+                       arguments.folder);
   }
 
   // Result files of `work` are matches too; this checks the folder as well.
@@ -161,8 +161,7 @@ int run_decide(const DecideArguments& arguments) {
   const auto effect = decide(arguments.folder, state.config, decision, arguments.redraw);
   const std::string problem = effect ? effect->problem : effect.error().message;
   if (!problem.empty()) {
-    return print_error(effect ? kUsage : kWriteFailed,
-                       fmt::format("{}: {}", arguments.folder, problem));
+    return print_error(effect ? kUsage : kWriteFailed, "{}: {}", arguments.folder, problem);
   }
   return print_effect(arguments, state.config, *effect);
 }

@@ -9,6 +9,7 @@
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
 #include "match/terms/endpoint.h"
+#include "match/terms/option_table.h"
 #include "tournament/config/config_file.h"
 #include "tournament/config/config_keys.h"
 #include "tournament/store/folder.h"
@@ -112,10 +113,11 @@ void add_key_options(Command& command, TournamentOptions& options, bool schedule
     const bool of_tournament =
         key.group == KeyGroup::kReport || (key.group == KeyGroup::kSchedule && key.name != "seed");
     if (!schedule && of_tournament) continue;
-    command
-        .option(option_of(key.name), options.overrides[std::string(key.name)],
-                std::string(key.help))
-        .of_group(group_title(key.group));
+    Option& option = command.option(option_of(key.name), options.overrides[std::string(key.name)],
+                                    std::string(key.help));
+    option.placeholder(std::string(key.placeholder)).of_group(group_title(key.group));
+    const match::MatchOption* row = match::find_match_option(key.name);
+    if (row != nullptr) option.form.phrase = row->form.phrase;
   }
 }
 
@@ -191,12 +193,11 @@ ChosenConfig choose_config(const TournamentOptions& options) {
   const FoundConfig found = config_path(options);
   const std::optional<fs::path>& path = found.path;
   if (!path && options.teams.empty()) {
-    return {
-        print_error(kNoInput,
-                    fmt::format("no {} in {} or in or above the working directory; run `cls init`, "
-                                "or use --config FILE or --team NAME=ENDPOINT",
-                                kConfigFile, options.folder)),
-        {}};
+    return {print_error(kNoInput,
+                        "no {} in {} or in or above the working directory; run `cls init`, "
+                        "or use --config FILE or --team NAME=ENDPOINT",
+                        kConfigFile, options.folder),
+            {}};
   }
 
   ChosenConfig chosen = read_and_override(options, found);

@@ -266,10 +266,10 @@ bool write_replay(const fs::path& folder) {
   if (!match || match->record.frames() == 0) return false;
 
   const auto text = read_text_log(*found);
-  const std::string page = viewer::match_page(match->record, text ? &*text : nullptr,
-                                              fs::path(found->logs.game).filename().string(), false,
-                                              {.missed = viewer::read_missed_decisions(folder),
-                                               .drawings = viewer::read_page_drawings(folder)});
+  const std::string page = viewer::match_page(
+      match->record, text ? &*text : nullptr, fs::path(found->logs.game).filename().string(),
+      {.settings = {.missed = viewer::read_missed_decisions(folder),
+                    .drawings = viewer::read_page_drawings(folder)}});
   return bool(base::write_file(folder / kReplayPage, page));
 }
 
@@ -342,7 +342,7 @@ int run_stop(const FolderArguments& arguments) {
 
   const fs::path file = fs::path(arguments.folder) / kStopFile;
   if (!std::ofstream(file, std::ios::app)) {
-    return print_error(kCannotCreate, fmt::format("{}: cannot create", file.string()));
+    return print_error(kCannotCreate, "{}: cannot create", file.string());
   }
 
   print_stop(arguments, true);
@@ -413,9 +413,8 @@ void add_tournament_status_command(Command& app) {
 void add_tournament_report_command(Command& app) {
   auto [command, arguments] =
       add_folder_command(app, "report", kTournamentReportDescription, run_report);
-  command.option("--format FORMAT", arguments.format, "text, md, csv, json, junit or html")
-      .of_group(kOutputGroup)
-      .shows_default();
+  command.setting("--format FORMAT", arguments.format, "text, md, csv, json, junit or html")
+      .of_group(kOutputGroup);
   command.option("--out FILE", arguments.file, "write to FILE (default: stdout)")
       .of_group(kOutputGroup);
   command.flag("--json", arguments.json, "the same as --format json").of_group(kOutputGroup);

@@ -82,9 +82,9 @@ int run_tournament_command(const TournamentRunArguments& arguments) {
 
   if (const auto checked = check_schedule(chosen.config.competition, opened.matches); !checked) {
     return print_error(kBadData,
-                       fmt::format("{}: {}; --force renames the old folder and starts "
-                                   "again",
-                                   (folder / kStoreFile).string(), checked.error().message));
+                       "{}: {}; --force renames the old folder and starts "
+                       "again",
+                       (folder / kStoreFile).string(), checked.error().message);
   }
 
   RunOptions options;

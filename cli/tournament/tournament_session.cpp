@@ -28,9 +28,8 @@ namespace fs = std::filesystem;
 using namespace tournament;
 
 int busy(const fs::path& folder) {
-  return print_error(kTryAgain,
-                     fmt::format("{}: another `cls tournament run` or `cls compare` is in progress",
-                                 folder.string()));
+  return print_error(kTryAgain, "{}: another `cls tournament run` or `cls compare` is in progress",
+                     folder.string());
 }
 
 int start_over(const fs::path& folder) {
@@ -97,8 +96,8 @@ void print_warnings(const TournamentConfig& config, const std::vector<Warning>& 
     print_error(0, "warning: " + warning_line(config, warnings[i]));
   }
   if (warnings.size() <= kShown) return;
-  print_error(0, fmt::format("{} more kinds of warnings: `warnings` in the JSON report",
-                             warnings.size() - kShown));
+  print_error(0, "{} more kinds of warnings: `warnings` in the JSON report",
+              warnings.size() - kShown);
 }
 
 std::string warning_counts(const std::vector<ScheduledMatch>& matches) {
@@ -185,7 +184,7 @@ int run_preflight(const fs::path& folder, const TournamentConfig& config,
 
 int check_tournament(const fs::path& folder, std::string_view remedy) {
   if (holds_plan(folder)) return kOk;
-  return print_error(kNoInput, fmt::format("{}: no tournament{}", folder.string(), remedy));
+  return print_error(kNoInput, "{}: no tournament{}", folder.string(), remedy);
 }
 
 void add_session_options(Command& command, SessionOptions& options, const std::string& document) {
@@ -245,7 +244,7 @@ int end_session(const RunSummary& summary, const TournamentConfig& config,
   if (!options.quiet && !listed) print_warnings(config, warnings);
   if (!summary.message.empty()) print_error(0, summary.message);
   if (summary.end != RunEnd::kComplete && summary.end != RunEnd::kDecided) {
-    print_error(0, fmt::format("{} ({})", counts_text(count(summary.matches)), name(summary.end)));
+    print_error(0, "{} ({})", counts_text(count(summary.matches)), name(summary.end));
     fmt::print(stderr, "cls: resume: {}\n", resume_command());  // one line, to be copied
   }
 
@@ -257,7 +256,7 @@ int end_session(const RunSummary& summary, const TournamentConfig& config,
   if (warnings.empty()) return exit_code;
   const std::string counts = warning_counts(summary.matches);
   const bool fails = options.strict && (exit_code == kOk || exit_code == kUndecided);
-  if (fails) return print_error(kFailed, fmt::format("{} (--strict)", counts));
+  if (fails) return print_error(kFailed, "{} (--strict)", counts);
   if (!options.quiet) print_error(0, counts);
   return exit_code;
 }

@@ -19,7 +19,7 @@
 #include "cli/support/print_error.h"
 #include "cli/terminal/json_stdout.h"
 #include "cli/tournament/tournament_session.h"
-#include "tournament/spectators/spectator_site.h"
+#include "tournament/site/tournament_site.h"
 #include "tournament/store/folder.h"
 #include "viewer/live/http_server.h"
 
@@ -113,12 +113,11 @@ void print_address(const std::string& url, bool json) {
 
 int run_tournament_watch(const TournamentWatchArguments& arguments) {
   if (!is_plain_path(arguments.path)) {
-    return print_error(
-        kUsage, fmt::format("--path '{}': letters, digits and / - _ . only", arguments.path));
+    return print_error(kUsage, "--path '{}': letters, digits and / - _ . only", arguments.path);
   }
   if (!base::parse_ip_address(arguments.address.host, 0)) {
-    return print_error(kUsage, fmt::format("--listen '{}': must be an IP address of this host",
-                                           arguments.address.host));
+    return print_error(kUsage, "--listen '{}': must be an IP address of this host",
+                       arguments.address.host);
   }
   const std::string remedy = fmt::format("; 'cls tournament run {}' begins one", arguments.folder);
   TRY_STEP(check_tournament(arguments.folder, remedy));
@@ -128,9 +127,9 @@ int run_tournament_watch(const TournamentWatchArguments& arguments) {
   std::error_code code;
   fs::path folder = fs::canonical(arguments.folder, code);
   if (code) folder = arguments.folder;
-  tournament::SpectatorOptions options;
+  tournament::SiteOptions options;
   options.delay = milliseconds(static_cast<int>(arguments.delay_s * 1000.0));
-  TRY_INIT_OR(kBadData, const auto site, tournament::SpectatorSite::open(folder, options));
+  TRY_INIT_OR(kBadData, const auto site, tournament::TournamentSite::open(folder, options));
 
   const std::atomic<int>& signal = watch_interrupts();
   const auto server = viewer::HttpServer::start(
@@ -156,14 +155,11 @@ void add_tournament_watch_command(Command& app) {
   command.option("DIR", arguments.folder, "folder of the tournament").required();
   command.option("--listen ADDRESS", arguments.address.host,
                  "IP address of the page (default: 127.0.0.1; 0.0.0.0: all of this host)");
-  command.option("--port", arguments.address.port, "its port; 0 selects a free one")
-      .shows_default()
+  command.setting("--port", arguments.address.port, "its port; 0 selects a free one")
       .range(0, 65535);
 
-  command
-      .option("--path", arguments.path,
-              "first part of all addresses, for a proxy that does not remove it")
-      .shows_default();
+  command.setting("--path", arguments.path,
+                  "first part of all addresses, for a proxy that does not remove it");
 
   command
       .option("--host-name", arguments.host_names,
@@ -179,9 +175,8 @@ void add_tournament_watch_command(Command& app) {
       .range(0, kMaxDelaySeconds);
 
   command
-      .option("--max-connections", arguments.max_connections,
-              "how many there may be; a browser needs one or two")
-      .shows_default()
+      .setting("--max-connections", arguments.max_connections,
+               "how many there may be; a browser needs one or two")
       .range(1, 100000);
   command.flag("--json", arguments.json, "print the address as one JSON document")
       .of_group(kOutputGroup);

@@ -91,7 +91,7 @@ void add_tournament_work_command(Command& app) {
   auto [command, arguments] = app.command("work", kWorkDescription, run_work);
   command.option("DIR", arguments.tournament.folder, "folder of the tournament").required();
   command.option("--index", arguments.index, "index of the match, from 1").required().above(0);
-  command.option("--attempt", arguments.attempt, "number of the attempt").above(0).shows_default();
+  command.setting("--attempt", arguments.attempt, "number of the attempt").above(0);
 
   command.option("--schedule", arguments.schedule,
                  "file with the line of the match (default: DIR/schedule.jsonl)");

@@ -60,8 +60,8 @@ int write_new(const fs::path& file, const std::string& text, bool force) {
   std::error_code code;
   if (fs::exists(file, code)) {
     if (!force) {
-      return print_error(kCannotCreate, fmt::format("{}: exists; --force renames it to {}.old",
-                                                    file.string(), file.filename().string()));
+      return print_error(kCannotCreate, "{}: exists; --force renames it to {}.old", file.string(),
+                         file.filename().string());
     }
     TRY_OR(kCannotCreate, base::set_aside(file));
   }
@@ -82,11 +82,12 @@ int run_tune_init(const TuneInitArguments& arguments) {
     TRY_STEP(write_new(path, text, arguments.force));
   }
 
-  if (arguments.json) {
-    print_json({{"schema", "cls.init/1"}, {"file", file.string()}, {"template", script.string()}});
-  } else {
-    fmt::print("{}\n{}\n", file.string(), script.string());
-  }
+  if (arguments.json)
+    return print_json(
+        {{"schema", "cls.init/1"}, {"file", file.string()}, {"template", script.string()}});
+
+  fmt::print("{}\n{}\n", file.string(), script.string());
+
   return kOk;
 }
 

@@ -42,9 +42,10 @@ int read_search(const std::string& folder, std::optional<Tuning>& tuning) {
   tuning.emplace(std::move(config));
   TRY_OR(kBadData, replay_generations(*tuning, folder));
   if (!tuning->history().empty()) return kOk;
-  return print_error(kNoInput, fmt::format("{}: no generation is finished; `cls tune run {}` plays "
-                                           "them",
-                                           folder, folder));
+  return print_error(kNoInput,
+                     "{}: no generation is finished; `cls tune run {}` plays "
+                     "them",
+                     folder, folder);
 }
 
 int run_tune_status(const TuneReportArguments& arguments) {

@@ -196,8 +196,7 @@ int run_tune(const TuneRunArguments& arguments) {
   const fs::path folder = arguments.options.folder;
   TRY_INIT_OR(kCannotCreate, const auto lock, FolderLock::try_lock(folder));
   if (!lock) {
-    return print_error(kTryAgain,
-                       fmt::format("{}: another `cls tune run` is in progress", folder.string()));
+    return print_error(kTryAgain, "{}: another `cls tune run` is in progress", folder.string());
   }
 
   if (arguments.session.force) {

@@ -12,6 +12,7 @@
 #include "cli/terminal/terminal.h"
 #include "league/schedule/schedule.h"
 #include "match/terms/endpoint.h"
+#include "match/terms/match_options.h"
 #include "tournament/config/config_file.h"
 #include "tournament/store/folder.h"
 #include "tournament/tuning/candidate.h"
@@ -74,8 +75,8 @@ int read_tune_config(const fs::path& folder, TuneConfig& config) {
   const fs::path file = folder / kTuneFile;
   const auto text = base::read_file(file);
   if (!text) {
-    return print_error(kNoInput, fmt::format("{}: not found; `cls tune init {}` writes one",
-                                             file.string(), folder.string()));
+    return print_error(kNoInput, "{}: not found; `cls tune init {}` writes one", file.string(),
+                       folder.string());
   }
 
   ParsedTuneConfig parsed = parse_tune_config(*text, file.string());
@@ -86,13 +87,13 @@ int read_tune_config(const fs::path& folder, TuneConfig& config) {
 
   const fs::path path = folder / config.file_template;
   const auto content = base::read_file(path);
-  if (!content) return print_error(kNoInput, fmt::format("{}: cannot read", path.string()));
+  if (!content) return print_error(kNoInput, "{}: cannot read", path.string());
   config.file_template = *content;
   for (const Parameter& parameter : config.parameters) {
     const std::string place = "{" + parameter.name + "}";
     if (config.file_template.find(place) == std::string::npos &&
         config.team.find(place) == std::string::npos) {
-      return print_error(kBadConfig, fmt::format("{}: does not use {}", path.string(), place));
+      return print_error(kBadConfig, "{}: does not use {}", path.string(), place);
     }
   }
   return kOk;
@@ -143,10 +144,9 @@ int check_tune_plan(const fs::path& folder, const TuneConfig& config) {
     return text.substr(begin, text.find('\n', begin) - begin);
   };
 
-  return print_error(
-      kBadConfig,
-      fmt::format("{}: another search has begun here: '{}', was '{}'; --force starts over",
-                  folder.string(), line_at(plan), line_at(*before)));
+  return print_error(kBadConfig,
+                     "{}: another search has begun here: '{}', was '{}'; --force starts over",
+                     folder.string(), line_at(plan), line_at(*before));
 }
 
 int make_verdict(const TuneSetup& setup, const Tuning& tuning, const fs::path& folder,
