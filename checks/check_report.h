@@ -1,8 +1,11 @@
 // Steps and report of a conformance check.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cls::checks {
@@ -17,6 +20,15 @@ struct Finding {
 Finding pass(std::string evidence = {});
 Finding fail(std::string evidence);
 Finding skip(std::string evidence);
+
+template <class First, class... Rest>
+Finding pass(fmt::format_string<First, Rest...> format, First&& first, Rest&&... rest) {
+  return pass(fmt::format(format, std::forward<First>(first), std::forward<Rest>(rest)...));
+}
+template <class First, class... Rest>
+Finding fail(fmt::format_string<First, Rest...> format, First&& first, Rest&&... rest) {
+  return fail(fmt::format(format, std::forward<First>(first), std::forward<Rest>(rest)...));
+}
 
 struct CheckStep {
   std::string name;  ///< "register_identity"

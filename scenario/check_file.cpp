@@ -94,10 +94,9 @@ Result<void> parse_is(const JsonValue& json, ObjectTest& test) {
     test.quantities.push_back({what, std::move(expected)});
   }
   if (json.has("in")) {
-    const JsonValue areas = json["in"];
-    for (std::size_t i = 0; i < (areas.is_array() ? areas.size() : 1); ++i) {
-      TRY_INIT(const auto area, (areas.is_array() ? areas[i] : areas).one_of(soccer::area_names()));
-      test.areas.push_back(area);
+    for (const JsonValue& each : elements_of(json["in"])) {
+      TRY_INIT(auto area, each.one_of(soccer::area_names()));
+      test.areas.push_back(std::move(area));
     }
   }
 
@@ -106,8 +105,8 @@ Result<void> parse_is(const JsonValue& json, ObjectTest& test) {
 
 Result<std::vector<PlayMode>> parse_modes(const JsonValue& json) {
   std::vector<PlayMode> modes;
-  for (std::size_t i = 0; i < (json.is_array() ? json.size() : 1); ++i) {
-    TRY_INIT(const auto mode, parse_mode(json.is_array() ? json[i] : json));
+  for (const JsonValue& each : elements_of(json)) {
+    TRY_INIT(const auto mode, parse_mode(each));
     modes.push_back(mode);
   }
   return modes;
@@ -368,6 +367,15 @@ Parsed parse_what(const JsonValue& json, const Context& context) {
 
 }  // namespace
 
+std::vector<JsonValue> elements_of(const JsonValue& json) {
+  if (!json.is_array()) return {json};
+  std::vector<JsonValue> elements;
+  for (std::size_t i = 0; i < json.size(); ++i) elements.push_back(json[i]);
+  return elements;
+}
+
+Result<std::string> text_in(const JsonValue& json) { return json.string(); }
+
 Result<soccer::Vec2> parse_point(const JsonValue& json) {
   if (!json.is_array() || json.size() != 2) return json.error("must be [x, y]");
   soccer::Vec2 point;
@@ -406,12 +414,8 @@ Result<Check> parse_check(const JsonValue& json, int steps, const base::Json& go
   TRY_INIT(check.what, parse_what(json, {steps, golden}));
   check.line = json.line();
   check.name = json.json().dump();
-  if (json.has("name")) {
-    TRY_INIT(check.name, json["name"].string());
-  }
-  if (json.has("runs")) {
-    TRY_INIT(check.runs, Comparison::parse_number(json["runs"]));
-  }
+  TRY(parse_if(json, "name", text_in, check.name));
+  TRY(parse_if(json, "runs", Comparison::parse_number, check.runs));
 
   return check;
 }

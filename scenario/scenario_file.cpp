@@ -98,8 +98,7 @@ Result<StartingPlace> parse_place(const JsonValue& json) {
   if (!json.has("at")) return json.error("requires \"at\": [x, y]");
   for (const auto& [key, member] :
        {std::pair{"at", &place.position}, std::pair{"velocity", &place.velocity}}) {
-    if (!json.has(key)) continue;
-    TRY_INIT(*member, parse_point(json[key]));
+    TRY(parse_if(json, key, parse_point, *member));
   }
 
   for (const auto& [key, member, high] :
@@ -107,10 +106,7 @@ Result<StartingPlace> parse_place(const JsonValue& json) {
     if (!json.has(key)) continue;
     TRY_INIT(*member, json[key].number(-high, high));
   }
-  if (json.has("cards")) {
-    TRY_INIT(place.cards, json["cards"].integer(0, 1));
-  }
-
+  TRY(parse_if(json, "cards", integer(0, 1), place.cards));
   return place;
 }
 
@@ -182,13 +178,8 @@ Result<void> parse_team(const JsonValue& json, const ResolveSide& resolve, Scena
 }
 
 Result<void> parse_situation(const JsonValue& json, Scenario& scenario) {
-  if (json.has("mode")) {
-    TRY_INIT(scenario.mode, parse_mode(json["mode"]));
-  }
-
-  if (json.has("cycle")) {
-    TRY_INIT(scenario.cycle, json["cycle"].integer(0, kMaxSteps));
-  }
+  TRY(parse_if(json, "mode", parse_mode, scenario.mode));
+  TRY(parse_if(json, "cycle", integer(0, kMaxSteps), scenario.cycle));
 
   if (json.has("score")) {
     if (!json["score"].is_array() || json["score"].size() != 2) {
@@ -203,8 +194,7 @@ Result<void> parse_situation(const JsonValue& json, Scenario& scenario) {
   TRY(ball.expect_keys({"at", "velocity"}));
   for (const auto& [key, member] :
        {std::pair{"at", &scenario.ball}, std::pair{"velocity", &scenario.ball_velocity}}) {
-    if (!ball.has(key)) continue;
-    TRY_INIT(*member, parse_point(ball[key]));
+    TRY(parse_if(ball, key, parse_point, *member));
   }
 
   return {};
@@ -231,14 +221,11 @@ Result<void> parse_options(const JsonValue& json, Scenario& scenario) {
 }
 
 Result<void> parse_run(const JsonValue& json, Scenario& scenario) {
-  if (json.has("steps")) {
-    TRY_INIT(scenario.steps, json["steps"].integer(1, kMaxSteps));
-  }
+  TRY(parse_if(json, "steps", integer(1, kMaxSteps), scenario.steps));
   if (!json.has("until")) return {};
-  const JsonValue until = json["until"];
-  for (std::size_t i = 0; i < (until.is_array() ? until.size() : 1); ++i) {
-    TRY_INIT(const auto test, parse_step_test(until.is_array() ? until[i] : until));
-    scenario.until.push_back(test);
+  for (const JsonValue& each : elements_of(json["until"])) {
+    TRY_INIT(auto test, parse_step_test(each));
+    scenario.until.push_back(std::move(test));
   }
   return {};
 }
@@ -313,10 +300,7 @@ Result<Scenario> parse_scenario(const JsonDocument& text, const Json& golden,
   scenario.file = scenario.argument = text.name();
   scenario.name = std::filesystem::path(text.name()).stem().string();
   scenario.sides[0].playmaker.text = scenario.sides[1].playmaker.text = "mock";
-  if (json.has("about")) {
-    TRY_INIT(scenario.about, json["about"].string());
-  }
-
+  TRY(parse_if(json, "about", text_in, scenario.about));
   for (const auto& parse : {parse_seeds, parse_server, parse_situation, parse_options, parse_run}) {
     TRY(parse(json, scenario));
   }
@@ -330,9 +314,7 @@ Result<Scenario> parse_scenario(const JsonDocument& text, const Json& golden,
   if (json.has("trainer")) {
     TRY(parse_playmaker(json["trainer"], resolve, scenario.trainer.emplace()));
   }
-  if (json.has("under_test")) {
-    TRY_INIT(scenario.under_test, parse_side(json["under_test"]));
-  }
+  TRY(parse_if(json, "under_test", parse_side, scenario.under_test));
   TRY(parse_checks(json, golden, scenario));
   return scenario;
 }

@@ -15,7 +15,6 @@ namespace cls::scenario {
 namespace {
 
 namespace fs = std::filesystem;
-using base::Error;
 using base::Json;
 using base::JsonDocument;
 using base::Result;
@@ -96,7 +95,7 @@ Result<std::vector<Scenario>> read_scenarios(const fs::path& path, const Resolve
       if (file.extension() == ".json" && file.filename() != kGoldenFile) files.push_back(file);
     }
     std::ranges::sort(files);
-    if (files.empty()) return Error{fmt::format("{}: no scenarios (*.json)", path.string())};
+    if (files.empty()) return base::Error{fmt::format("{}: no scenarios (*.json)", path.string())};
   }
 
   std::vector<Scenario> scenarios;

@@ -121,16 +121,9 @@ class SuiteRun {
   void plan(const Scenario& scenario) {
     const std::size_t index = verdicts_.scenarios.size() - 1;
     ScenarioVerdict& verdict = verdicts_.scenarios.back();
-    if (options_.against && !scenario.under_test) {
+    if (const std::string why = why_skipped(scenario); !why.empty()) {
       verdict.verdict = Verdict::kSkipped;
-      verdict.reason = "no side under test";
-      on_done_(verdict);
-      return;
-    }
-
-    if (const Check* check = first_check_of_playmaker(scenario)) {
-      verdict.verdict = Verdict::kSkipped;
-      verdict.reason = fmt::format("line {}: {}", check->line, kExternalTeamHasNoPlaymaker);
+      verdict.reason = why;
       on_done_(verdict);
       return;
     }
@@ -143,13 +136,15 @@ class SuiteRun {
     }
   }
 
-  // The first check that an external team on the side under test cannot pass.
-  const Check* first_check_of_playmaker(const Scenario& scenario) const {
-    if (!options_.against || options_.against->has_playmaker()) return nullptr;
-    for (const Check& check : scenario.checks) {
-      if (playmaker_of(check) == scenario.under_test) return &check;
-    }
-    return nullptr;
+  // Empty: it is played. An external team on the side under test cannot pass checks of Playmakers.
+  std::string why_skipped(const Scenario& scenario) const {
+    if (!options_.against) return "";
+    if (!scenario.under_test) return "no side under test";
+    if (options_.against->has_playmaker()) return "";
+
+    const auto check = std::ranges::find(scenario.checks, scenario.under_test, playmaker_of);
+    if (check == scenario.checks.end()) return "";
+    return fmt::format("line {}: {}", check->line, kExternalTeamHasNoPlaymaker);
   }
 
   bool has_external_team(const Scenario& scenario) const {
@@ -179,13 +174,13 @@ class SuiteRun {
       return;
     }
 
-    RunSettings settings;
-    settings.seed = task.seed;
-    settings.against = options_.against;
-    settings.sandbox = options_.sandbox;
-    settings.start_timeout_s = options_.start_timeout_s;
-    settings.host = host_;
-    settings.folder = fs::absolute(run_folder(options_.folder, scenario, task.seed));
+    const RunSettings settings = {
+        .seed = task.seed,
+        .against = options_.against,
+        .host = host_,
+        .folder = fs::absolute(run_folder(options_.folder, scenario, task.seed)),
+        .start_timeout_s = options_.start_timeout_s,
+        .sandbox = options_.sandbox};
     if (host_ != nullptr) {
       if (const auto created = base::create_folders(settings.folder); !created) {
         outcome.problem = created.error().message;
@@ -340,14 +335,12 @@ class SuiteRun {
   static bool conclude_scripts(ScenarioVerdict& verdict, const std::vector<RunOutcome>& runs) {
     for (const RunOutcome& run : runs) {
       if (run.script_failures.empty()) continue;
-      CheckVerdict check;
-      check.name = "expectations of mock scripts";
-      check.line = 1;
-      check.passed = false;
-      check.runs = static_cast<int>(runs.size());
-      check.detail = fmt::format("{}", fmt::join(run.script_failures, "; "));
-      check.seed = run.seed;
-      verdict.checks.push_back(std::move(check));
+      verdict.checks.push_back({.name = "expectations of mock scripts",
+                                .line = 1,
+                                .passed = false,
+                                .runs = static_cast<int>(runs.size()),
+                                .detail = fmt::format("{}", fmt::join(run.script_failures, "; ")),
+                                .seed = run.seed});
       return false;
     }
     return true;

@@ -76,7 +76,7 @@ Finding ask_players(PlaymakerSubject& subject, const std::string& evidence,
   for (int agent = 1; agent <= 11; ++agent) {
     const Answer answer = ask(subject, agent, subject.next_state(agent));
     const std::string found = answer.status.ok() ? wrong(answer.actions) : to_text(answer.status);
-    if (!found.empty()) return fail(fmt::format("player {}: {}", agent, found));
+    if (!found.empty()) return fail("player {}: {}", agent, found);
   }
   return pass(evidence);
 }

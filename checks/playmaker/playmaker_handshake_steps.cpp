@@ -36,7 +36,7 @@ Finding identity(PlaymakerSubject& subject) {
 Finding language(PlaymakerSubject& subject) {
   const int language = static_cast<int>(subject.identity(kAgent).rpc_server_language_type());
   if (!protos::RpcServerLanguageType_IsValid(language)) {
-    return fail(fmt::format("language {} is not in the interface", language));
+    return fail("language {} is not in the interface", language);
   }
   return pass(
       protos::RpcServerLanguageType_Name(subject.identity(kAgent).rpc_server_language_type()));
@@ -46,7 +46,7 @@ Finding whole_team(PlaymakerSubject& subject) {
   std::set<int> ids;
   for (int agent = 1; agent <= 11; ++agent) {
     const proxy::RpcStatus status = register_agent(subject, 0, agent);
-    if (!status.ok()) return fail(fmt::format("player {}: {}", agent, to_text(status)));
+    if (!status.ok()) return fail("player {}: {}", agent, to_text(status));
     ids.insert(subject.identity(agent).client_id());
   }
   const std::string evidence = fmt::format("11 players got {} different client ids", ids.size());
@@ -79,7 +79,7 @@ Finding second_team(PlaymakerSubject& subject) {
   for (int agent = 1; agent <= 11; ++agent) note(subject.identity(agent));
   for (int agent = 1; agent <= proxy::kCoachNumber; ++agent) {
     const proxy::RpcStatus status = register_agent(subject, 1, agent);
-    if (!status.ok()) return fail(fmt::format("agent {}: {}", agent, to_text(status)));
+    if (!status.ok()) return fail("agent {}: {}", agent, to_text(status));
   }
   for (int agent = 1; agent <= 11; ++agent) {
     note(subject.identities[1][base::index(agent)]);
@@ -109,7 +109,7 @@ Finding register_as(PlaymakerSubject& subject, const std::string& team, int unum
   if (!reply.status.ok()) return fail(evidence + ": " + to_text(reply.status));
   const protos::RegisterResponse& answer = *reply.as<protos::RegisterResponse>();
   if (answer.team_name() != request.team_name()) {
-    return fail(fmt::format("{}: reply for team '{}'", evidence, answer.team_name()));
+    return fail("{}: reply for team '{}'", evidence, answer.team_name());
   }
   return pass(evidence);
 }

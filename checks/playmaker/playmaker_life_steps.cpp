@@ -53,9 +53,7 @@ Finding memory(PlaymakerSubject& subject) {
   if (status.ok()) status = ask_many(subject, subject.calls - warm_up);
 
   if (!status.ok()) return fail(to_text(status));
-  if (!pid)
-    return pass(
-        fmt::format("{} calls replied; memory is known only for run: sides", subject.calls));
+  if (!pid) return pass("{} calls replied; memory is known only for run: sides", subject.calls);
 
   const double after = resident_mb(*pid);
   const std::string evidence = fmt::format("{:.1f} MB after {} calls, {:.1f} MB after {}", before,
@@ -66,7 +64,7 @@ Finding memory(PlaymakerSubject& subject) {
 Finding bye(PlaymakerSubject& subject) {
   for (int agent = 1; agent <= proxy::kCoachNumber; ++agent) {
     const auto status = call(subject, agent, Rpc::kSendByeCommand, subject.identity(agent));
-    if (!status.ok()) return fail(fmt::format("agent {}: {}", agent, to_text(status)));
+    if (!status.ok()) return fail("agent {}: {}", agent, to_text(status));
   }
   return pass("11 players and the coach");
 }
@@ -88,8 +86,7 @@ Finding second_match(PlaymakerSubject& subject) {
   if (!status.ok()) return fail(to_text(status));
   for (int agent = 1; agent <= 11; ++agent) {
     const Answer answer = ask(subject, agent, subject.next_state(agent));
-    if (!answer.status.ok())
-      return fail(fmt::format("player {}: {}", agent, to_text(answer.status)));
+    if (!answer.status.ok()) return fail("player {}: {}", agent, to_text(answer.status));
   }
   return pass("handshake and decisions of 11 players after the bye");
 }

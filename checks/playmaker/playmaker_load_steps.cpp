@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "base/index.h"
 #include "base/system/tcp_connect.h"
 #include "checks/playmaker/playmaker_subject.h"
 
@@ -30,14 +31,14 @@ struct Load {
 };
 
 void begin(PlaymakerSubject& subject, int team, int agent) {
-  const auto t = static_cast<std::size_t>(team);
+  const auto t = base::index(team);
   protos::State state = subject.next_state(agent == proxy::kCoachNumber ? 1 : agent);
-  *state.mutable_register_response() = subject.identities[t][static_cast<std::size_t>(agent)];
+  *state.mutable_register_response() = subject.identities[t][base::index(agent)];
   subject.teams[t]->begin(agent, proto::decision_of(agent), state, subject.deadline);
 }
 
 void collect(PlaymakerSubject& subject, int team, Load& load) {
-  while (const auto reply = subject.teams[static_cast<std::size_t>(team)]->next_reply()) {
+  while (const auto reply = subject.teams[base::index(team)]->next_reply()) {
     if (reply->status.ok()) {
       load.latencies.push_back(reply->latency);
     } else {
@@ -61,13 +62,12 @@ Load ask_all(PlaymakerSubject& subject, int teams, int last_agent, int rounds) {
 
 Finding of_load(const Load& load) {
   if (load.failed > 0) {
-    return fail(fmt::format("{} of {} calls failed: {}", load.failed,
-                            load.failed + static_cast<int>(load.latencies.size()),
-                            load.first_failure));
+    return fail("{} of {} calls failed: {}", load.failed,
+                load.failed + static_cast<int>(load.latencies.size()), load.first_failure);
   }
-  return pass(fmt::format("{} calls: p50 {:.1f}, p95 {:.1f}, p99 {:.1f}, max {:.1f} ms",
-                          load.latencies.size(), load.percentile_ms(0.5), load.percentile_ms(0.95),
-                          load.percentile_ms(0.99), load.percentile_ms(1.0)));
+  return pass("{} calls: p50 {:.1f}, p95 {:.1f}, p99 {:.1f}, max {:.1f} ms", load.latencies.size(),
+              load.percentile_ms(0.5), load.percentile_ms(0.95), load.percentile_ms(0.99),
+              load.percentile_ms(1.0));
 }
 
 Finding latency_alone(PlaymakerSubject& subject) {
@@ -148,11 +148,11 @@ Finding many_connections(PlaymakerSubject& subject) {
     const Answer answer =
         ask(*agents.back(), asked, subject.next_state(asked), subject.start_timeout);
     if (!answer.status.ok()) {
-      return fail(fmt::format("connection {}: {}", agent, to_text(answer.status)));
+      return fail("connection {}: {}", agent, to_text(answer.status));
     }
   }
 
-  return pass(fmt::format("{} parallel connections", kConnections));
+  return pass("{} parallel connections", kConnections);
 }
 
 // Returns true if the bytes were sent.

@@ -55,15 +55,14 @@ Finding every_mode(PlaymakerSubject& subject) {
 
       const Answer answer = ask(subject, kAgent, state);
       if (!answer.status.ok()) {
-        return fail(fmt::format("{} of side {}: {}",
-                                protos::GameModeType_Name(world.game_mode_type()),
-                                protos::Side_Name(side), to_text(answer.status)));
+        return fail("{} of side {}: {}", protos::GameModeType_Name(world.game_mode_type()),
+                    protos::Side_Name(side), to_text(answer.status));
       }
       ++asked;
     }
   }
 
-  return pass(fmt::format("{} combinations of play mode and side", asked));
+  return pass("{} combinations of play mode and side", asked);
 }
 
 void right_side(protos::WorldModel& world) {

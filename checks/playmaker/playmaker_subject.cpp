@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "base/index.h"
 #include "checks/playmaker/sample_states.h"
 #include "proxy/messages/parameter_messages.h"
 #include "soccer/parameters/player_type.h"
@@ -57,19 +58,19 @@ proxy::TeamRegistration registration_of_team(int team) {
 }
 
 proxy::RpcStatus register_agent(PlaymakerSubject& subject, int team, int agent) {
-  const auto t = static_cast<std::size_t>(team);
+  const auto t = base::index(team);
   const proxy::Reply reply = subject.teams[t]->call(
       agent, Rpc::kRegister, registration_request(team, agent), subject.start_timeout);
   if (const auto* identity = reply.as<protos::RegisterResponse>()) {
-    subject.identities[t][static_cast<std::size_t>(agent)] = *identity;
+    subject.identities[t][base::index(agent)] = *identity;
   }
   return reply.status;
 }
 
 proxy::RpcStatus send_parameters(PlaymakerSubject& subject, int team, int agent) {
-  const auto t = static_cast<std::size_t>(team);
+  const auto t = base::index(team);
   proxy::Playmaker& playmaker = *subject.teams[t];
-  const protos::RegisterResponse& identity = subject.identities[t][static_cast<std::size_t>(agent)];
+  const protos::RegisterResponse& identity = subject.identities[t][base::index(agent)];
   const player::MatchParameters& known = *parameters();
 
   protos::ServerParam server_message;
@@ -104,9 +105,9 @@ proxy::RpcStatus complete_handshake(PlaymakerSubject& subject, int team) {
     if (status.ok()) status = send_parameters(subject, team, agent);
     if (!status.ok()) return status;
 
-    const auto t = static_cast<std::size_t>(team);
+    const auto t = base::index(team);
     protos::InitMessage message;
-    *message.mutable_register_response() = subject.identities[t][static_cast<std::size_t>(agent)];
+    *message.mutable_register_response() = subject.identities[t][base::index(agent)];
     status = subject.teams[t]->call(agent, Rpc::kSendInitMessage, message, subject.deadline).status;
   }
   return status;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/index.h"
 #include "checks/check_report.h"
 #include "proxy/playmaker/playmaker.h"
 
@@ -41,7 +42,7 @@ struct PlaymakerSubject {
 
   proxy::Playmaker& left() { return *teams[0]; }
   const protos::RegisterResponse& identity(int agent) const {
-    return identities[0][static_cast<std::size_t>(agent)];
+    return identities[0][base::index(agent)];
   }
 
   /// An ordinary State of the agent; each call is one cycle later.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/index.h"
 #include "checks/playmaker/playmaker_subject.h"
 #include "checks/playmaker/sample_states.h"
 #include "proto/team_playmaker.pb.h"
@@ -39,9 +40,9 @@ Finding handshake(PlaymakerSubject& subject) {
     }
     if (identity == nullptr) {
       subject.together.reset();
-      return fail(fmt::format("agent {}: {}", agent, to_text(reply.status)));
+      return fail("agent {}: {}", agent, to_text(reply.status));
     }
-    subject.identities[0][static_cast<std::size_t>(agent)] = *identity;
+    subject.identities[0][base::index(agent)] = *identity;
   }
   return pass("11 players and the coach");
 }
@@ -70,8 +71,8 @@ Finding decisions(PlaymakerSubject& subject, int first, int last) {
   const std::string wrong = ask_together(subject, first, last);
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
   if (!wrong.empty()) return fail(wrong);
-  return pass(fmt::format("{} {}, {:.1f} ms", last - first + 1, first == last ? "reply" : "replies",
-                          took.count()));
+  return pass("{} {}, {:.1f} ms", last - first + 1, first == last ? "reply" : "replies",
+              took.count());
 }
 
 Finding all_players(PlaymakerSubject& subject) { return decisions(subject, 1, kPlayers); }
@@ -120,7 +121,7 @@ Finding choices(PlaymakerSubject& subject) {
     if (reply->status.outcome == proxy::RpcOutcome::kUnimplemented) {
       wrong = skip("not implemented: the agents choose");
     } else if (!reply->status.ok()) {
-      wrong = fail(fmt::format("player {}: {}", reply->agent, to_text(reply->status)));
+      wrong = fail("player {}: {}", reply->agent, to_text(reply->status));
     } else {
       chosen += fmt::format("{}{}", chosen.empty() ? "" : ", ",
                             reply->as<protos::BestPlannerActionResponse>()->index());

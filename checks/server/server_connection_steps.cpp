@@ -50,7 +50,7 @@ Finding server_param(ServerSubject& subject) {
   if (!message) return fail("no server_param");
   soccer::ServerParams params;
   const auto read = soccer::parse(*message, params);
-  return read ? pass(fmt::format("{} bytes", message->size())) : fail(read.error().message);
+  return read ? pass("{} bytes", message->size()) : fail(read.error().message);
 }
 
 Finding player_param(ServerSubject& subject) {
@@ -58,19 +58,18 @@ Finding player_param(ServerSubject& subject) {
   if (!message) return fail("no player_param");
   soccer::PlayerParams params;
   const auto read = soccer::parse(*message, params);
-  return read ? pass(fmt::format("{} player types", params.player_types))
-              : fail(read.error().message);
+  return read ? pass("{} player types", params.player_types) : fail(read.error().message);
 }
 
 Finding player_types(ServerSubject& subject) {
   constexpr int kTypes = 18;
   for (int i = 0; i < kTypes; ++i) {
     const auto message = subject.await(subject.player(), starts_with_text("(player_type "));
-    if (!message) return fail(fmt::format("{} of {} types", i, kTypes));
+    if (!message) return fail("{} of {} types", i, kTypes);
     soccer::PlayerType type;
     if (const auto read = soccer::parse(*message, type); !read) return fail(read.error().message);
   }
-  return pass(fmt::format("{} types", kTypes));
+  return pass("{} types", kTypes);
 }
 
 Finding goalie(ServerSubject& subject) {
@@ -95,11 +94,11 @@ Finding versions(ServerSubject& subject) {
     ServerClient& client = subject.connect(*subject.player_port, init(kOthers, version));
     const auto answer = subject.await(client, is_reply);
     if (!answer || !answer->starts_with("(init r")) {
-      return fail(fmt::format("version {}: {}", version, answer.value_or("no reply")));
+      return fail("version {}: {}", version, answer.value_or("no reply"));
     }
 
     if (!subject.await(client, starts_with_text("(server_param "))) {
-      return fail(fmt::format("version {}: no server_param", version));
+      return fail("version {}: no server_param", version);
     }
     joined += fmt::format(" {}", version);
   }

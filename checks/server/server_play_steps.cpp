@@ -36,13 +36,13 @@ Finding see(ServerSubject& subject) {
   if (!message) return fail("no see");
   soccer::See seen;
   const auto read = soccer::parse(*message, seen);
-  return read ? pass(fmt::format("{} objects", seen.objects.size())) : fail(read.error().message);
+  return read ? pass("{} objects", seen.objects.size()) : fail(read.error().message);
 }
 
 Finding old_sense_body(ServerSubject& subject) {
   for (std::size_t i = 2; i < 12 && i < subject.clients.size(); ++i) {
     if (!subject.await(*subject.clients[i], starts_with_text("(sense_body "))) {
-      return fail(fmt::format("none for client {}", i));
+      return fail("none for client {}", i);
     }
   }
   return pass("one for a client of each version");
@@ -56,7 +56,7 @@ Finding counted(ServerSubject& subject, const std::string& command, int soccer::
   const int was = before->counts.*n;
   const auto after = sensed(subject, [&](const SenseBody& sense) { return sense.counts.*n > was; });
   if (!after) return fail(command + " was not counted");
-  return pass(fmt::format("{}: {} before, {} after", command, was, after->counts.*n));
+  return pass("{}: {} before, {} after", command, was, after->counts.*n);
 }
 
 Finding move(ServerSubject& subject) {
@@ -130,8 +130,8 @@ Finding rhythm(ServerSubject& subject) {
   }
 
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-  return pass(fmt::format("{:.1f} ms per cycle, {}", took.count() / kCycles,
-                          subject.thinks > thinks ? "synch mode" : "real time"));
+  return pass("{:.1f} ms per cycle, {}", took.count() / kCycles,
+              subject.thinks > thinks ? "synch mode" : "real time");
 }
 
 Finding bye(ServerSubject& subject) {
