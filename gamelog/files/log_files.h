@@ -30,7 +30,7 @@ struct FoundLogs {
 /// A file is a game log unless it ends in .rcl or .rcl.gz. A folder stands for all logs in and
 /// below it (.rcg, .rcg.gz, .rcl, .rcl.gz). A pattern with * ? [ stands for the paths that it
 /// matches, unless a file has that name. Logs that differ only in the extension belong to one
-/// match. The text log beside a game log is found automatically.
+/// match. The text log next to a game log is found automatically.
 FoundLogs find_logs(const std::vector<std::string>& arguments);
 
 }  // namespace cls::gamelog

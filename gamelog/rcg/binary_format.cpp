@@ -306,7 +306,7 @@ void write_real(double value, Rounding rounding, std::string& out) {
   write_int32(static_cast<std::int64_t>(scaled), out);
 }
 
-void write_server_params(const soccer::ServerParams& params, std::string& out) {
+void write_parameters(const soccer::ServerParams& params, std::string& out) {
   std::string block = block_of(params, kServerFields, kServerParamSize, Rounding::kTruncate);
   const auto write = [&block](std::size_t offset, auto value) {
     BlockWriter{block, offset, Rounding::kTruncate}(value);
@@ -322,7 +322,7 @@ void write_server_params(const soccer::ServerParams& params, std::string& out) {
   out += block;
 }
 
-void write_player_params(const soccer::PlayerParams& params, std::string& out) {
+void write_parameters(const soccer::PlayerParams& params, std::string& out) {
   std::string block =
       block_of(params, kPlayerFields, kPlayerParamSize, Rounding::kAddHalfAndTruncate);
 
@@ -333,7 +333,7 @@ void write_player_params(const soccer::PlayerParams& params, std::string& out) {
   out += block;
 }
 
-void write_player_type(const soccer::PlayerType& type, std::string& out) {
+void write_parameters(const soccer::PlayerType& type, std::string& out) {
   std::string block;
   write_int16(type.id, block);
   block.resize(kFirstTypeField, '\0');

@@ -64,8 +64,8 @@ void write_int32(std::int64_t value, std::string& out);
 void write_real(double value, Rounding rounding, std::string& out);
 
 // Each appends a block of the size above; unused bytes are NUL.
-void write_server_params(const soccer::ServerParams& params, std::string& out);
-void write_player_params(const soccer::PlayerParams& params, std::string& out);
-void write_player_type(const soccer::PlayerType& type, std::string& out);
+void write_parameters(const soccer::ServerParams& params, std::string& out);
+void write_parameters(const soccer::PlayerParams& params, std::string& out);
+void write_parameters(const soccer::PlayerType& type, std::string& out);
 
 }  // namespace cls::gamelog

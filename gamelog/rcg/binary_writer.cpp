@@ -97,13 +97,9 @@ void add_long_player(const PlayerFrame& player, Datagram& datagram) {
   }
 }
 
-template <typename Params, typename Write>
-void add_parameters(int kind, const Params& params, Write write, std::string& out) {
-  Datagram datagram(kind, out);
-  datagram.int16(0);
-  write(params, datagram.bytes());
-  datagram.pad_to(kLongSize);
-}
+Kind kind_of(const soccer::ServerParams&) { return kServerParam; }
+Kind kind_of(const soccer::PlayerParams&) { return kPlayerParam; }
+Kind kind_of(const soccer::PlayerType&) { return kType; }
 
 }  // namespace
 
@@ -146,17 +142,17 @@ void append_binary_text(int version, int board, std::string_view text, std::stri
   datagram.pad_to(first ? kShortSize : kLongSize);
 }
 
-void append_binary_parameters(const soccer::ServerParams& params, std::string& out) {
-  add_parameters(kServerParam, params, write_server_params, out);
+template <typename Params>
+void append_binary_parameters(const Params& params, std::string& out) {
+  Datagram datagram(kind_of(params), out);
+  datagram.int16(0);
+  write_parameters(params, datagram.bytes());
+  datagram.pad_to(kLongSize);
 }
 
-void append_binary_parameters(const soccer::PlayerParams& params, std::string& out) {
-  add_parameters(kPlayerParam, params, write_player_params, out);
-}
-
-void append_binary_parameters(const soccer::PlayerType& type, std::string& out) {
-  add_parameters(kType, type, write_player_type, out);
-}
+template void append_binary_parameters(const soccer::ServerParams&, std::string&);
+template void append_binary_parameters(const soccer::PlayerParams&, std::string&);
+template void append_binary_parameters(const soccer::PlayerType&, std::string&);
 
 void append_binary_header(RcgVersion version, const soccer::ServerParams& server,
                           const soccer::PlayerParams& player,
@@ -168,15 +164,13 @@ void append_binary_header(RcgVersion version, const soccer::ServerParams& server
 
   if (version == RcgVersion::kV2) return;
 
-  write_int16(kServerParam, out);
-  write_server_params(server, out);
-  write_int16(kPlayerParam, out);
-  write_player_params(player, out);
-
-  for (const soccer::PlayerType& type : types) {
-    write_int16(kType, out);
-    write_player_type(type, out);
-  }
+  const auto append = [&out](const auto& params) {
+    write_int16(kind_of(params), out);
+    write_parameters(params, out);
+  };
+  append(server);
+  append(player);
+  for (const soccer::PlayerType& type : types) append(type);
 }
 
 void append_binary_play_mode(RcgVersion version, soccer::PlayMode mode, std::string& out) {

@@ -43,8 +43,8 @@ void append_long_show(const Frame& frame, std::string& out);
 void append_binary_text(int version, int board, std::string_view text, std::string& out);
 
 // Version 2.
-void append_binary_parameters(const soccer::ServerParams& params, std::string& out);
-void append_binary_parameters(const soccer::PlayerParams& params, std::string& out);
-void append_binary_parameters(const soccer::PlayerType& type, std::string& out);
+/// ServerParams, PlayerParams or a PlayerType.
+template <typename Params>
+void append_binary_parameters(const Params& params, std::string& out);
 
 }  // namespace cls::gamelog

@@ -19,8 +19,10 @@ RcgVersion log_version(MonitorVersion version) {
   return version == MonitorVersion::k4 ? RcgVersion::kV5 : RcgVersion::kV6;
 }
 
+}  // namespace
+
 template <typename Params>
-void append_parameters(MonitorVersion version, const Params& params, std::string& out) {
+void append_monitor_parameters(MonitorVersion version, const Params& params, std::string& out) {
   if (is_binary(version)) return append_binary_parameters(params, out);
   if (version != MonitorVersion::kJson) return soccer::format(params, soccer::kAllVersions, out);
 
@@ -29,22 +31,9 @@ void append_parameters(MonitorVersion version, const Params& params, std::string
   append_json_parameters(line, out);
 }
 
-}  // namespace
-
-void append_monitor_parameters(MonitorVersion version, const soccer::ServerParams& params,
-                               std::string& out) {
-  append_parameters(version, params, out);
-}
-
-void append_monitor_parameters(MonitorVersion version, const soccer::PlayerParams& params,
-                               std::string& out) {
-  append_parameters(version, params, out);
-}
-
-void append_monitor_parameters(MonitorVersion version, const soccer::PlayerType& type,
-                               std::string& out) {
-  append_parameters(version, type, out);
-}
+template void append_monitor_parameters(MonitorVersion, const soccer::ServerParams&, std::string&);
+template void append_monitor_parameters(MonitorVersion, const soccer::PlayerParams&, std::string&);
+template void append_monitor_parameters(MonitorVersion, const soccer::PlayerType&, std::string&);
 
 void append_monitor_show(MonitorVersion version, const Frame& frame, std::string& out) {
   if (version == MonitorVersion::kJson) return append_json_show(frame, out, JsonShow::kMonitor);

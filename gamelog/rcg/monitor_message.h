@@ -20,21 +20,11 @@ constexpr bool is_binary(MonitorVersion version) {
   return version == MonitorVersion::k1 || version == MonitorVersion::k2;
 }
 
-/// Calls `send` for each message to a new monitor: parameters and player types. Version 1 gets
-/// none.
-template <typename Send>
-void send_monitor_parameters(MonitorVersion version, const soccer::ServerParams& server,
-                             const soccer::PlayerParams& player,
-                             const std::vector<soccer::PlayerType>& types, Send&& send);
-
 // Each of these appends one message.
 
-void append_monitor_parameters(MonitorVersion version, const soccer::ServerParams& params,
-                               std::string& out);
-void append_monitor_parameters(MonitorVersion version, const soccer::PlayerParams& params,
-                               std::string& out);
-void append_monitor_parameters(MonitorVersion version, const soccer::PlayerType& type,
-                               std::string& out);
+/// ServerParams, PlayerParams or a PlayerType.
+template <typename Params>
+void append_monitor_parameters(MonitorVersion version, const Params& params, std::string& out);
 
 /// Positions, play mode, teams and score.
 void append_monitor_show(MonitorVersion version, const Frame& frame, std::string& out);
@@ -44,6 +34,8 @@ void append_monitor_show(MonitorVersion version, const Frame& frame, std::string
 void append_monitor_text(MonitorVersion version, int time, int stopped, int board,
                          std::string_view text, std::string& out);
 
+/// Calls `send` for each message to a new monitor: parameters and player types. Version 1 gets
+/// none.
 template <typename Send>
 void send_monitor_parameters(MonitorVersion version, const soccer::ServerParams& server,
                              const soccer::PlayerParams& player,

@@ -69,7 +69,7 @@ class ShowScanner {
     return literal(")") && (skip_spaces(), at_ == end_ || fail("expected the end"));
   }
 
-  /// What made a scan fail; otherwise the first number that is out of range; otherwise empty.
+  /// The cause of a failed scan; otherwise the first number that is out of range; otherwise empty.
   LineError error() const {
     if (error_.empty()) return {};
     return {static_cast<std::size_t>(error_at_ - start_), error_};

@@ -127,23 +127,15 @@ base::Result<void> parse(std::string_view message, FullState& out) {
   bool has_focus = false;
   out.players.clear();
 
-  bool ok = in.sequence("(fullstate ", out.time, " (pmode ") && read_mode(in, out) &&
-            in.literal(") (vmode ") && read_view_mode(in, out.quality, out.width) &&
-            in.literal(")") && read_counts(in, out.counts, has_focus) && in.literal(" ") &&
-            read_arm(in, out.arm) &&
-            in.sequence(" (score ", out.our_score, " ", out.opponent_score, ") ((b) ") &&
-            read_motion(in, out.ball_position, out.ball_velocity) && in.literal(")");
-
-  while (ok && in.peek() == ' ') {
-    if (out.players.size() == kPlayersOnPitch) {
-      ok = in.fail("no more players");
-    } else {
-      ok = read_player(in, has_focus, out.players.emplace_back());
-    }
-  }
-
-  if (ok && in.literal(")") && in.end()) return {};
-  return in.error("fullstate");
+  const auto read = [&](FullStatePlayer& player) { return read_player(in, has_focus, player); };
+  const bool whole = in.sequence("(fullstate ", out.time, " (pmode ") && read_mode(in, out) &&
+                     in.literal(") (vmode ") && read_view_mode(in, out.quality, out.width) &&
+                     in.literal(")") && read_counts(in, out.counts, has_focus) && in.literal(" ") &&
+                     read_arm(in, out.arm) &&
+                     in.sequence(" (score ", out.our_score, " ", out.opponent_score, ") ((b) ") &&
+                     read_motion(in, out.ball_position, out.ball_velocity) && in.literal(")") &&
+                     read_items(in, out.players, kPlayersOnPitch, "no more players", read);
+  return in.finish(whole, "fullstate");
 }
 
 void format(const FullState& state, int version, std::string& text) {

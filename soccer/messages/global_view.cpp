@@ -34,17 +34,12 @@ base::Result<void> parse(std::string_view message, GlobalView& out) {
   Scanner in(message);
   out.players.clear();
   out.is_look_reply = in.optional("(ok look ");
-  bool ok = (out.is_look_reply || in.literal("(see_global ")) && in.sequence(out.time, kGoals) &&
-            read_motion(in, out.ball_position, out.ball_velocity) && in.literal(")");
-  while (ok && in.peek() == ' ') {
-    if (out.players.size() == kPlayersOnPitch) {
-      ok = in.fail("no more players");
-    } else {
-      ok = read_one(in, out.players.emplace_back());
-    }
-  }
-  if (ok && in.literal(")") && in.end()) return {};
-  return in.error("see_global");
+  const auto read = [&in](GlobalViewPlayer& player) { return read_one(in, player); };
+  const bool whole = (out.is_look_reply || in.literal("(see_global ")) &&
+                     in.sequence(out.time, kGoals) &&
+                     read_motion(in, out.ball_position, out.ball_velocity) && in.literal(")") &&
+                     read_items(in, out.players, kPlayersOnPitch, "no more players", read);
+  return in.finish(whole, "see_global");
 }
 
 void format(const GlobalView& view, std::string& text) {

@@ -109,8 +109,7 @@ base::Result<void> parse(std::string_view message, Hear& out) {
   out.text.clear();
 
   Scanner in(message);
-  if (read_message(in, out) && in.end()) return {};
-  return in.error("hear");
+  return in.finish(read_message(in, out), "hear");
 }
 
 void format(const Hear& hear, Recipient recipient, std::string& out) {

@@ -73,8 +73,7 @@ base::Result<void> parse_all(std::string_view start, std::string_view message,
   bool ok = in.literal(start);
   while (ok && in.peek() == '(') ok = read_pair(in, table, out);
 
-  if (ok && in.literal(")") && in.end()) return {};
-  return in.error(start.substr(1, start.size() - 2));
+  return in.finish(ok && in.literal(")"), start.substr(1, start.size() - 2));
 }
 
 constexpr std::string_view kServerParam = "(server_param ";

@@ -200,17 +200,10 @@ base::Result<void> parse(std::string_view message, See& out) {
   Scanner in(message);
   out.objects.clear();
 
-  bool ok = in.sequence("(see ", out.time);
-  while (ok && in.peek() == ' ') {
-    if (out.objects.size() == kMaxObservations) {
-      ok = in.fail("no more objects");
-    } else {
-      ok = read_object(in, out.objects.emplace_back());
-    }
-  }
-
-  if (ok && in.literal(")") && in.end()) return {};
-  return in.error("see");
+  const auto read = [&in](Observation& object) { return read_object(in, object); };
+  return in.finish(in.sequence("(see ", out.time) &&
+                       read_items(in, out.objects, kMaxObservations, "no more objects", read),
+                   "see");
 }
 
 void format(const See& see, std::string& text) {

@@ -122,15 +122,13 @@ void append_collision(const SenseBody& sense, TextWriter& out) {
 
 base::Result<void> parse(std::string_view message, SenseBody& out) {
   Scanner in(message);
-  if (read_body(in, out) && read_counts(in, out) && in.literal(" ") && read_arm(in, out.arm) &&
-      read_attention(in, out) &&
-      in.sequence(" (tackle (expires ", out.tackle_expires_in, ") (count ", out.tackle_count,
-                  "))") &&
-      read_collision(in, out) && read_foul(in, out) && read_focus_point(in, out) &&
-      in.literal(")") && in.end()) {
-    return {};
-  }
-  return in.error("sense_body");
+  const bool whole = read_body(in, out) && read_counts(in, out) && in.literal(" ") &&
+                     read_arm(in, out.arm) && read_attention(in, out) &&
+                     in.sequence(" (tackle (expires ", out.tackle_expires_in, ") (count ",
+                                 out.tackle_count, "))") &&
+                     read_collision(in, out) && read_foul(in, out) && read_focus_point(in, out) &&
+                     in.literal(")");
+  return in.finish(whole, "sense_body");
 }
 
 void format(const SenseBody& sense, int version, std::string& text) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "soccer/geometry.h"
 #include "soccer/messages/see.h"
@@ -10,6 +12,18 @@
 #include "soccer/protocol/text_writer.h"
 
 namespace cls::soccer {
+
+/// Reads the list at the end of a message, each item after a space; `too_many` is the error of more
+/// than `most` items.
+template <typename Item, typename ReadItem>
+bool read_items(Scanner& in, std::vector<Item>& items, std::size_t most, std::string_view too_many,
+                ReadItem read_item) {
+  while (in.peek() == ' ') {
+    if (items.size() == most) return in.fail(too_many);
+    if (!read_item(items.emplace_back())) return false;
+  }
+  return in.literal(")");
+}
 
 /// "high narrow" and so on.
 bool read_view_mode(Scanner& in, ViewQuality& quality, ViewWidth& width);

@@ -193,8 +193,7 @@ bool read_reply(Scanner& in, ServerReply& out) {
 
 base::Result<void> parse(std::string_view message, ServerReply& out) {
   Scanner in(message);
-  if (read_reply(in, out) && in.end()) return {};
-  return in.error("reply");
+  return in.finish(read_reply(in, out), "reply");
 }
 
 }  // namespace cls::soccer

@@ -102,6 +102,12 @@ class Scanner {
   /// True at the end of the message; remaining text is an error.
   bool end() { return at_end() || fail("the end"); }
 
+  /// Nothing if all was read, up to the end of the message; else the error.
+  base::Result<void> finish(bool read, std::string_view message_name) {
+    if (read && end()) return {};
+    return error(message_name);
+  }
+
   /// "see: byte 17: expected 'a number', found 'x'". Requires a recorded error.
   base::Error error(std::string_view message_name) const;
 
