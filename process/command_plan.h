@@ -20,7 +20,7 @@ struct EnvironmentChange {
   bool operator==(const EnvironmentChange&) const = default;
 };
 
-/// What the kernel allows each process of a program; descendants inherit the limits, but do not
+/// Limits of the kernel for each process of a program; descendants inherit the limits, but do not
 /// share them. 0: no limit.
 struct ResourceLimits {
   std::uint64_t memory = 0;  ///< bytes of private writable memory (RLIMIT_DATA)

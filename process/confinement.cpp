@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uint32_t kFirstX32Call = 0x4000'0000;
 
-/// What the arguments of a call must be: the kernel reads process numbers as 32 bits.
+/// The arguments with which a call is allowed: the kernel reads process numbers as 32 bits.
 enum class Allowed : std::uint8_t {
   kFirstIsZero,         ///< CALL(pid, ...)
   kFirstTwoAreZero,     ///< setpriority(PRIO_PROCESS, pid, ...)

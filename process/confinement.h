@@ -1,4 +1,4 @@
-// What a confined program may not do to other processes of its user, and the privileges it loses.
+// Confined programs: they cannot change other processes of their user, and have no privileges.
 #pragma once
 
 namespace cls::process {

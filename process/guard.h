@@ -1,4 +1,4 @@
-// The guard: a process beside cls that starts all other processes and terminates those that would
+// The guard: a process next to cls that starts all other processes and terminates those that would
 // outlive it.
 #pragma once
 

@@ -31,7 +31,7 @@ void HookRunner::start(HookCall call) {
   start_waiting();
 }
 
-// What a command has left behind does not hold up the next one.
+// Processes that a command has left behind do not hold up the next one.
 bool HookRunner::is_busy(const std::string& name) const {
   return std::ranges::any_of(running_, [&name](const Running& one) {
     return one.child->plan().name == name && !one.child->status().exit;

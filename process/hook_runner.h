@@ -26,8 +26,8 @@ struct HookCall {
   std::vector<EnvironmentChange> environment;
 };
 
-/// Runs commands beside the matches. Those of one name run in sequence, so that a chat shows goals
-/// in their order.
+/// Runs commands while matches are played. Those of one name run in sequence, so that a chat shows
+/// goals in their order.
 class HookRunner {
  public:
   /// Commands run in `working_folder` (empty: that of cls). Documents are stored in `folder` while

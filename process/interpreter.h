@@ -1,4 +1,4 @@
-// What the kernel needs besides a program to start it.
+// The files that the kernel needs to start a program: its interpreter or loader.
 #pragma once
 
 #include <filesystem>

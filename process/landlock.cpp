@@ -42,7 +42,7 @@ std::uint64_t writing(int version) {
   return kWritingFirst | (version >= 2 ? kRefer : 0) | (version >= 3 ? kTruncate : 0);
 }
 
-// What a rule about something other than a folder may contain.
+// The rights in a rule about something other than a folder.
 constexpr std::uint64_t kOfFiles = LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE |
                                    LANDLOCK_ACCESS_FS_WRITE_FILE | kTruncate;
 

@@ -100,7 +100,7 @@ std::vector<std::string> environment_of(const CommandPlan& plan) {
   return entries;
 }
 
-// What exec takes; `texts` must outlive it.
+// The arguments of exec; `texts` must outlive them.
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
   for (std::string& text : texts) pointers.push_back(text.data());

@@ -9,7 +9,7 @@
 
 namespace cls::process {
 
-/// What fails when a program cannot be started.
+/// The step at which the start of a program fails.
 enum class LaunchStep : std::uint8_t {
   kProgram,  ///< the program itself
   kFolder,   ///< changing to the working directory

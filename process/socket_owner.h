@@ -39,7 +39,7 @@ class SocketOwners {
  public:
   /// Among the programs that this process starts. Its guard must be active.
   static SocketOwners of_own_programs();
-  /// Among the programs that are started beside this one by the same guard; none if a guard did not
+  /// Among the programs that the same guard starts next to this one; none if a guard did not
   /// start this process.
   static std::optional<SocketOwners> of_programs_beside();
 

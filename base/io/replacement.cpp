@@ -1,4 +1,4 @@
-// Temporary files beside their targets.
+// Temporary files in the folders of their targets.
 #include "base/io/replacement.h"
 
 #include <fcntl.h>

@@ -15,7 +15,7 @@
 namespace cls::base {
 namespace {
 
-/// What a stream's cookie points to. It is used until the last flush in exit().
+/// The target of a stream's cookie. It is used until the last flush in exit().
 struct Target {
   int descriptor;
   std::atomic<int> error{0};

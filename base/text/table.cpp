@@ -63,7 +63,7 @@ std::string markdown_row(const std::vector<std::string>& cells, std::string_view
   return line + '\n';
 }
 
-// What spreadsheets execute when they open the file. Numbers with a sign are none.
+// True for cells that spreadsheets execute when they open the file. Numbers with a sign are none.
 bool is_formula(std::string_view text) {
   constexpr std::string_view kStarts = "=+-@";
   return text.size() > 1 && kStarts.find(text.front()) != std::string_view::npos &&
