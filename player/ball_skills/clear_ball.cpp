@@ -1,21 +1,20 @@
 // Selects directions for long kicks.
-#include "player/ball_skills/clear_ball.h"
+#include "player/ball_skills/ball_skills.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "player/ball_skills/kick.h"
-#include "player/ball_skills/smart_kick.h"
+#include "player/ball_skills/skill_parameters.h"
+#include "player/world/candidates.h"
 #include "player/world/motion.h"
-#include "soccer/pitch.h"
+#include "player/world/places.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::AngleDeg;
-using soccer::PlayMode;
-using soccer::Vec2;
+constexpr ClearParameters kNumbers = kSkills.clear;
+constexpr double kTargetDistance = 30.0;  ///< of the point that a long kick aims at, meters
 
 /// Score of a direction: large if opponents are far from the ball's line.
 double advance_score(const WorldModel& world, AngleDeg direction) {
@@ -29,8 +28,8 @@ double advance_score(const WorldModel& world, AngleDeg direction) {
     if ((AngleDeg::of(relative) - direction).abs() > kConeDeg) continue;
     const double along = std::max(0.1, dot(relative, way));
     const double beside = std::fabs(cross(way, relative));
-    score *= std::max(0.0, beside - 1.2) / along;
-    if (opponent.pos_count > 3) score *= power_of(0.95, opponent.pos_count - 3);
+    score *= std::max(0.0, beside - kNumbers.reach) / along;
+    if (opponent.pos_count > 3) score *= power_of(kNumbers.fading, opponent.pos_count - 3);
   }
 
   return score;
@@ -57,13 +56,8 @@ std::optional<AngleDeg> first_direction(Vec2 ball, const Visit& visit) {
     if (visit(direction)) return direction;
   }
 
-  for (double off = 30.0; off <= 75.0; off += 5.0) {
-    for (const double sign : {side, -side}) {
-      if (visit(AngleDeg(sign * off))) return AngleDeg(sign * off);
-    }
-  }
-
-  for (double off = 25.0; off >= 0.0; off -= 5.0) {
+  for (const double off : {30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0, 65.0, 70.0, 75.0, 25.0, 20.0,
+                           15.0, 10.0, 5.0, 0.0}) {
     for (const double sign : {side, -side}) {
       if (visit(AngleDeg(sign * off))) return AngleDeg(sign * off);
     }
@@ -73,21 +67,20 @@ std::optional<AngleDeg> first_direction(Vec2 ball, const Visit& visit) {
 }
 
 AngleDeg clear_direction(const WorldModel& world) {
-  double min_angle = 25.0;
-  for (int attempt = 0; attempt < 5; ++attempt, min_angle *= 0.7) {
+  double min_angle = kNumbers.free_angle;
+  for (int attempt = 0; attempt < 5; ++attempt, min_angle *= kNumbers.narrower) {
     const auto direction = first_direction(world.ball.position, [&](AngleDeg candidate) {
       return free_angle(world, candidate) >= min_angle;
     });
     if (direction) return *direction;
   }
-  return AngleDeg::of(world.ball.position - Vec2{-soccer::kHalfLength, 0.0});
+  return AngleDeg::of(world.ball.position - kOwnGoal);
 }
 
 bool opponent_within(const WorldModel& world, double radius) {
-  for (const PlayerState& opponent : world.opponents) {
-    if (opponent.position_valid() && opponent.dist_from_ball < radius) return true;
-  }
-  return false;
+  return std::ranges::any_of(world.opponents, [&](const PlayerState& opponent) {
+    return opponent.position_valid() && opponent.dist_from_ball < radius;
+  });
 }
 
 }  // namespace
@@ -95,27 +88,23 @@ bool opponent_within(const WorldModel& world, double radius) {
 bool advance_ball(const WorldModel& world, CommandSlots& slots) {
   if (!world.self.kickable) return false;
 
-  AngleDeg best;
-  double best_score = -1.0;
+  Highest<AngleDeg> best{-1.0};
   for (double off = 0.0; off <= 65.0; off += 6.5) {
     for (const double sign : {1.0, -1.0}) {
-      const double score = advance_score(world, AngleDeg(sign * off));
-      if (score > best_score) {
-        best_score = score;
-        best = AngleDeg(sign * off);
-      }
+      best.offer(advance_score(world, AngleDeg(sign * off)), AngleDeg(sign * off));
     }
   }
 
   const double max = world.server().ball_speed_max;
-  const Vec2 target = world.ball.position + soccer::polar(30.0, best);
+  const Vec2 target = world.ball.position + soccer::polar(kTargetDistance, best.value);
   const double one_kick =
-      max_speed_along(world.ball.velocity, soccer::polar(1.0, best), kick_limit(world), max);
+      max_speed_along(world.ball.velocity, soccer::polar(1.0, best.value), kick_limit(world), max);
 
-  if (world.game.mode != PlayMode::kPlayOn || one_kick >= 0.7 * max) {
-    return kick_one_step(world, slots, target, max, true);
+  const bool sequence =
+      world.game.mode == PlayMode::kPlayOn && !(one_kick >= kNumbers.single_kick * max);
+  if (sequence && smart_kick(world, slots, target, max, kNumbers.advance_threshold * max, 3)) {
+    return true;
   }
-  if (smart_kick(world, slots, target, max, 0.9 * max, 3)) return true;
   return kick_one_step(world, slots, target, max, true);
 }
 
@@ -126,9 +115,10 @@ bool clear_ball(const WorldModel& world, CommandSlots& slots) {
     return kick_one_step(world, slots, world.ball.position + Vec2{10.0, 0.0}, max, true);
   }
 
-  const Vec2 target = world.ball.position + soccer::polar(30.0, clear_direction(world));
+  const Vec2 target = world.ball.position + soccer::polar(kTargetDistance, clear_direction(world));
   if (world.game.mode == PlayMode::kPlayOn && !opponent_within(world, 1.5) &&
-      smart_kick(world, slots, target, max, std::max(2.5, 0.85 * max), 2)) {
+      smart_kick(world, slots, target, max,
+                 std::max(kNumbers.min_clear_speed, kNumbers.clear_threshold * max), 2)) {
     return true;
   }
 

@@ -1,92 +1,93 @@
 // Dribbling: turn, dash, or kick the ball ahead.
-#include "player/ball_skills/dribble.h"
+#include "player/ball_skills/ball_skills.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "player/ball_skills/hold_ball.h"
-#include "player/ball_skills/kick.h"
+#include "base/index.h"
+#include "player/ball_skills/skill_parameters.h"
 #include "player/ball_skills/threats.h"
-#include "player/movement/intercept.h"
+#include "player/movement/movement.h"
+#include "player/world/candidates.h"
 #include "player/world/leg_dash.h"
 #include "player/world/motion.h"
-#include "soccer/pitch.h"
+#include "player/world/places.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::AngleDeg;
-using soccer::Vec2;
-
 constexpr int kMaxDashes = 10;
-constexpr double kBodyGap = 0.05;  ///< minimum distance between ball and body, meters
+constexpr DribbleParameters kNumbers = kSkills.dribble;
 
-bool inside_pitch(Vec2 point) {
-  constexpr double kInset = 0.3;
-  return std::fabs(point.x) < soccer::kHalfLength - kInset &&
-         std::fabs(point.y) < soccer::kHalfWidth - kInset;
+/// Minimum distance between the middles of ball and agent.
+double clear_distance(const WorldModel& world) {
+  return collide_distance(world) + kNumbers.body_gap;
 }
 
 /// True if the ball is kickable for a player at `self`, with a noise margin, and does not collide
 /// with it.
 bool at_feet(const WorldModel& world, Vec2 ball, Vec2 self, double noise) {
   const double dist = distance(ball, self);
-  return dist < kickable_area(world) - noise && dist > collide_distance(world) + kBodyGap;
+  return dist < kickable_area(world) - noise && dist > clear_distance(world);
 }
 
 /// Own positions by cycle: kick in this cycle, dashes in the next ones.
 std::array<Vec2, kMaxDashes + 2> positions_while_dashing(const WorldModel& world, double power,
                                                          int dashes) {
-  std::array<Vec2, kMaxDashes + 2> positions;
+  std::array<Vec2, kMaxDashes + 2> positions{world.self.position};
   Vec2 position = world.self.position;
   Vec2 velocity = world.self.velocity;
   const Vec2 push = dash_acceleration(world, power, 0.0);
 
-  positions[0] = position;
   for (int cycle = 1; cycle <= dashes + 1; ++cycle) {
     if (cycle > 1) velocity = speed_limited(velocity + push, world.self_type().player_speed_max);
     position += velocity;
     velocity *= world.self_type().player_decay;
-    positions[static_cast<std::size_t>(cycle)] = position;
+    positions[base::index(cycle)] = position;
   }
 
   return positions;
 }
 
-struct KickAhead {
-  double cost = 1e9;
-  Vec2 velocity;
-};
+/// Velocity with which the ball gets to `end` in `cycles`; zero where it is there.
+Vec2 velocity_to(const WorldModel& world, Vec2 end, int cycles) {
+  const Vec2 way = end - world.ball.position;
+  const double length = way.length();
+  if (length < 1e-6) return {};
+  return way * (first_speed(length, cycles, world.server().ball_decay) / length);
+}
 
-/// Best kick after which the agent reaches the ball with `dashes` dashes.
-KickAhead kick_ahead(const WorldModel& world, const Threats& threats, double power, int dashes) {
+bool exceeds_kick(const WorldModel& world, Vec2 velocity) {
+  return (velocity - world.ball.velocity).length() > kick_limit(world);
+}
+
+/// The velocity of the best kick after which the agent reaches the ball with `dashes` dashes.
+Lowest<Vec2> kick_ahead(const WorldModel& world, const Threats& threats, double power, int dashes) {
   static constexpr std::array<double, 7> kOffsets{0.0, 25.0, -25.0, 50.0, -50.0, 80.0, -80.0};
   const double decay = world.server().ball_decay;
   const auto self = positions_while_dashing(world, power, dashes);
-  const Vec2 ball = world.ball.position;
   const int cycles = dashes + 1;
-  const double radius = collide_distance(world) + 0.45 * world.self_type().kickable_margin;
+  const double radius =
+      collide_distance(world) + kNumbers.feet_share * world.self_type().kickable_margin;
 
-  KickAhead best;
+  Lowest<Vec2> best{1e9};
   for (const double offset : kOffsets) {
-    const Vec2 end = self[cycles] + soccer::polar(radius, world.self.body + offset);
-    const Vec2 way = end - ball;
-    const double length = way.length();
-    if (length < 1e-6 || !inside_pitch(end)) continue;
-    const Vec2 velocity = way * (first_speed(length, cycles, decay) / length);
-    if ((velocity - world.ball.velocity).length() > kick_limit(world)) continue;
+    const Vec2 end = self[base::index(cycles)] + soccer::polar(radius, world.self.body + offset);
+    const Vec2 velocity = velocity_to(world, end, cycles);
+    if (velocity.is_zero() || !inside_pitch(end, kNumbers.pitch_inset)) continue;
+    if (exceeds_kick(world, velocity)) continue;
 
-    double cost = 0.2 * std::fabs(offset);
+    double cost = kNumbers.offset_cost * std::fabs(offset);
     bool clean = velocity.length() <= world.server().ball_speed_max;
     for (int n = 1; n < cycles && clean; ++n) {
-      const Vec2 there = coast(ball, velocity, decay, n);
-      clean = distance(there, self[n]) > collide_distance(world) + kBodyGap;
+      const Vec2 there = coast(world.ball.position, velocity, decay, n);
+      clean = distance(there, self[base::index(n)]) > clear_distance(world);
       if (n <= 3) cost += threats.cost(there, n);
     }
 
     cost += threats.cost(end, std::min(cycles, 3));
-    if (clean && cost < best.cost) best = {cost, velocity};
+    if (clean) best.offer(cost, velocity);
   }
 
   return best;
@@ -95,34 +96,27 @@ KickAhead kick_ahead(const WorldModel& world, const Threats& threats, double pow
 /// Kicks the ball to a safe point around the body for the time of turning toward `heading`.
 bool kick_for_turn(const WorldModel& world, const Threats& threats, CommandSlots& slots,
                    AngleDeg heading, int turns) {
-  const double decay = world.server().ball_decay;
   const int cycles = turns + 1;
-  double best_cost = 1e9;
-  Vec2 best;
+  const int horizon = std::min(cycles, 3);
+  Lowest<Vec2> best{1e9};
 
   for (double offset = 0.0; offset < 360.0; offset += 20.0) {
     for (const double share : {0.25, 0.5}) {
       const double radius = collide_distance(world) + share * world.self_type().kickable_margin;
       const Vec2 end = self_after(world, cycles) + soccer::polar(radius, heading + offset);
-      const Vec2 way = end - world.ball.position;
-      const double length = way.length();
-      const Vec2 velocity =
-          length < 1e-6 ? Vec2{} : way * (first_speed(length, cycles, decay) / length);
-      if ((velocity - world.ball.velocity).length() > kick_limit(world)) continue;
+      const Vec2 velocity = velocity_to(world, end, cycles);
+      if (exceeds_kick(world, velocity) || !inside_pitch(end, kNumbers.pitch_inset)) continue;
 
       const Vec2 next = world.ball.position + velocity;
-      if (distance(next, self_after(world, 1)) < collide_distance(world) + kBodyGap) continue;
-      const double cost = threats.cost(next, 1) + threats.cost(end, std::min(cycles, 3)) +
-                          0.3 * AngleDeg(offset).abs() -
-                          20.0 * std::min(4.0, threats.nearest(end, std::min(cycles, 3)));
-      if (inside_pitch(end) && cost < best_cost) {
-        best_cost = cost;
-        best = velocity;
-      }
+      if (distance(next, self_after(world, 1)) < clear_distance(world)) continue;
+      const double room = std::min(kNumbers.max_turn_room, threats.nearest(end, horizon));
+      best.offer(threats.cost(next, 1) + threats.cost(end, horizon) +
+                     kNumbers.turn_offset_cost * AngleDeg(offset).abs() - kNumbers.turn_room * room,
+                 velocity);
     }
   }
 
-  return best_cost < 1e9 && kick_to_velocity(world, slots, best);
+  return best.score < 1e9 && kick_to_velocity(world, slots, best.value);
 }
 
 Vec2 next_position(const WorldModel& world, Vec2 acceleration) {
@@ -139,15 +133,16 @@ bool turn_in_dribble(const WorldModel& world, CommandSlots& slots, double angle,
 bool turn_with_ball(const WorldModel& world, const Threats& threats, CommandSlots& slots,
                     double error, double power) {
   const Vec2 ball = ball_after(world, 1);
-  const double noise = 0.1 + world.server().ball_rand * world.ball.velocity.length();
+  const bool safe = threats.cost(ball, 1) <= kSkills.threat.dash;
+  const double noise =
+      kNumbers.turn_noise + world.server().ball_rand * world.ball.velocity.length();
   const auto turn = useful_leg_turn(world, error, power, true);
-  if (turn && at_feet(world, ball, next_position(world, turn->acceleration), noise + 0.05) &&
-      threats.cost(ball, 1) <= 150.0) {
+  if (safe && turn &&
+      at_feet(world, ball, next_position(world, turn->acceleration),
+              noise + kNumbers.leg_turn_noise)) {
     return slots.dash(turn->legs);
   }
-  if (at_feet(world, ball, self_after(world, 1), noise) && threats.cost(ball, 1) <= 150.0) {
-    return slots.turn(error);
-  }
+  if (safe && at_feet(world, ball, self_after(world, 1), noise)) return slots.turn(error);
 
   const double next_turn =
       world.server().maxmoment /
@@ -185,13 +180,12 @@ AngleDeg free_heading(const WorldModel& world, AngleDeg heading) {
 
 void set_intention(const WorldModel& world, Intention& intention, Vec2 target, double power,
                    int dashes) {
-  intention.clear();
-  intention.kind = Intention::Kind::kDribble;
-  intention.target = target;
-  intention.heading = world.self.body;
-  intention.dash_power = power;
-  intention.dashes = dashes;
-  intention.last = world.game.time;
+  intention = {.kind = Intention::Kind::kDribble,
+               .target = target,
+               .heading = world.self.body,
+               .dash_power = power,
+               .dashes = dashes,
+               .last = world.game.time};
 }
 
 /// One dash if the ball stays kickable, otherwise a kick followed by up to `dash_count` dashes.
@@ -199,24 +193,25 @@ bool run_with_ball(const WorldModel& world, const Threats& threats, Intention& i
                    CommandSlots& slots, Vec2 target, double power, int dash_count) {
   const Vec2 next_self = next_position(world, dash_acceleration(world, power, 0.0));
   const Vec2 next_ball = ball_after(world, 1);
-  const double noise = 0.15 + world.server().ball_rand * world.ball.velocity.length();
-  if (at_feet(world, next_ball, next_self, noise) && threats.cost(next_ball, 1) <= 150.0) {
+  const double noise =
+      kNumbers.dash_noise + world.server().ball_rand * world.ball.velocity.length();
+  if (at_feet(world, next_ball, next_self, noise) &&
+      threats.cost(next_ball, 1) <= kSkills.threat.dash) {
     return slots.dash(power);
   }
 
-  KickAhead best;
+  Lowest<Vec2> best{1e9};
   int best_dashes = 0;
   for (int dashes = std::clamp(dash_count, 1, kMaxDashes); dashes >= 1; --dashes) {
-    const KickAhead kick = kick_ahead(world, threats, power, dashes);
-    if (kick.cost < best.cost) {
-      best = kick;
-      best_dashes = dashes;
-    }
-    if (best.cost < 100.0) break;
+    const Lowest<Vec2> kick = kick_ahead(world, threats, power, dashes);
+    if (best.offer(kick.score, kick.value)) best_dashes = dashes;
+    if (best.score < kNumbers.enough) break;
   }
 
-  if (best_dashes == 0 || best.cost >= 600.0) return hold_ball(world, slots, true, target);
-  if (!kick_to_velocity(world, slots, best.velocity)) return false;
+  if (best_dashes == 0 || best.score >= kSkills.threat.kickable) {
+    return hold_ball(world, slots, true, target);
+  }
+  if (!kick_to_velocity(world, slots, best.value)) return false;
 
   set_intention(world, intention, target, power, best_dashes);
   return true;
@@ -232,10 +227,10 @@ bool continue_dash(const WorldModel& world, Intention& intention, CommandSlots& 
   const Vec2 next_self = world.self.position + world.self.velocity +
                          dash_acceleration(world, intention.dash_power, 0.0);
   const Vec2 next_ball = ball_after(world, 1);
-  const bool bumps = distance(next_ball, next_self) < collide_distance(world) + kBodyGap;
-  const bool leaves_behind = world.self.kickable &&
-                             distance(next_ball, next_self) > kickable_area(world) - 0.1 &&
-                             intention.dashes <= 1;
+  const double apart = distance(next_ball, next_self);
+  const bool bumps = apart < clear_distance(world);
+  const bool leaves_behind = world.self.kickable && intention.dashes <= 1 &&
+                             apart > kickable_area(world) - kNumbers.last_dash_margin;
   if (bumps || leaves_behind) return false;
 
   // Correct a noisy turn by a second one.
@@ -280,14 +275,10 @@ bool continue_dribble(const WorldModel& world, Intention& intention, CommandSlot
 
   const bool in_reach =
       world.ball.position_valid() && world.intercept.best_self_steps() <= left + 2;
-  if (!in_time || arrived || !in_possession || !in_reach || left <= 0) {
-    intention.clear();
-    return false;
-  }
-
-  const bool continued = intention.turns > 0 ? continue_turn(world, intention, slots)
-                                             : continue_dash(world, intention, slots);
-  if (!continued) {
+  const bool valid = in_time && !arrived && in_possession && in_reach && left > 0;
+  const bool turns = intention.turns > 0;
+  if (!valid ||
+      !(turns ? continue_turn(world, intention, slots) : continue_dash(world, intention, slots))) {
     intention.clear();
     return false;
   }

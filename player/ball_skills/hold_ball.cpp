@@ -1,21 +1,20 @@
 // Selects a safe ball position around the body.
-#include "player/ball_skills/hold_ball.h"
+#include "player/ball_skills/ball_skills.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "player/ball_skills/kick.h"
+#include "player/ball_skills/skill_parameters.h"
 #include "player/ball_skills/threats.h"
+#include "player/world/candidates.h"
 #include "player/world/motion.h"
-#include "soccer/pitch.h"
+#include "player/world/places.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::AngleDeg;
-using soccer::Vec2;
-
+constexpr HoldParameters kNumbers = kSkills.hold;
 constexpr int kDirections = 20;
 constexpr std::array<double, 3> kShares{0.25, 0.5, 0.7};  ///< of the kickable margin
 
@@ -31,26 +30,21 @@ const std::array<Vec2, kDirections>& directions() {
   return all;
 }
 
-bool inside_pitch(Vec2 point) {
-  return std::fabs(point.x) < soccer::kHalfLength && std::fabs(point.y) < soccer::kHalfWidth;
-}
-
 /// True if the ball stays kickable and safe without a kick.
 bool is_safe_without_kick(const WorldModel& world, const Threats& threats) {
   const Vec2 ball = ball_after(world, 1);
   const double dist = distance(ball, self_after(world, 1));
-  const double noise = world.server().ball_rand * world.ball.velocity.length() + 0.1;
+  const double noise = world.server().ball_rand * world.ball.velocity.length() + kNumbers.noise;
   return world.ball.velocity_valid() && dist < kickable_area(world) - noise &&
-         dist > collide_distance(world) + 0.05 && inside_pitch(ball) &&
+         dist > collide_distance(world) + kSkills.dribble.body_gap && inside_pitch(ball) &&
          threats.cost(ball, 1) == 0.0;
 }
 
 /// Score of a ball position in the next cycle: kick rate and distance from opponents.
 double position_score(const WorldModel& world, const Threats& threats, Vec2 position,
                       Vec2 relative) {
-  constexpr double kFarEnough = 4.0;
-  const double room = std::min(kFarEnough, threats.nearest(position, 1));
-  return 1000.0 * kick_rate(world, relative, world.self.body) + 40.0 * room -
+  const double room = std::min(kNumbers.max_room, threats.nearest(position, 1));
+  return kNumbers.kick_rate * kick_rate(world, relative, world.self.body) + kNumbers.room * room -
          threats.cost(position, 1);
 }
 
@@ -65,20 +59,17 @@ bool within_one_kick(const WorldModel& world, Vec2 position) {
 
 /// Kicks the ball to the point in front of the body, where the kick rate is highest.
 bool kick_in_front(const WorldModel& world, const Threats& threats, CommandSlots& slots) {
-  const double dist = collide_distance(world) + 0.4 * world.self_type().kickable_margin;
+  const double dist =
+      collide_distance(world) + kNumbers.front_share * world.self_type().kickable_margin;
   const Vec2 position = self_after(world, 1) + soccer::polar(dist, world.self.body);
-  if (!inside_pitch(position) || threats.cost(position, 1) > 0.0 ||
-      !within_one_kick(world, position)) {
-    return false;
-  }
-  return kick_to_position(world, slots, position);
+  return inside_pitch(position) && !(threats.cost(position, 1) > 0.0) &&
+         within_one_kick(world, position) && kick_to_position(world, slots, position);
 }
 
 bool kick_to_best_position(const WorldModel& world, const Threats& threats, CommandSlots& slots) {
   const Vec2 next_self = self_after(world, 1);
   const Vec2 body = soccer::polar(1.0, world.self.body);
-  Vec2 best;
-  double best_score = -1e9;
+  Highest<Vec2> best{-1e9};
 
   for (const Vec2& d : directions()) {
     const Vec2 direction{d.x * body.x - d.y * body.y, d.x * body.y + d.y * body.x};
@@ -86,16 +77,11 @@ bool kick_to_best_position(const WorldModel& world, const Threats& threats, Comm
       const double dist = collide_distance(world) + share * world.self_type().kickable_margin;
       const Vec2 position = next_self + direction * dist;
       if (!inside_pitch(position) || !within_one_kick(world, position)) continue;
-
-      const double score = position_score(world, threats, position, direction * dist);
-      if (score > best_score) {
-        best_score = score;
-        best = position;
-      }
+      best.offer(position_score(world, threats, position, direction * dist), position);
     }
   }
 
-  return best_score > -1e9 && kick_to_position(world, slots, best);
+  return best.score > -1e9 && kick_to_position(world, slots, best.value);
 }
 
 }  // namespace
@@ -116,9 +102,9 @@ bool hold_ball(const WorldModel& world, CommandSlots& slots, bool do_turn,
     if (error.abs() > kFacing) return slots.turn(error.degrees());
   }
 
-  if (kick_in_front(world, threats, slots)) return true;
-  if (kick_to_best_position(world, threats, slots)) return true;
-  stop_ball(world, slots);
+  if (!kick_in_front(world, threats, slots) && !kick_to_best_position(world, threats, slots)) {
+    stop_ball(world, slots);
+  }
   return true;
 }
 

@@ -1,17 +1,13 @@
 // Computes single kicks.
-#include "player/ball_skills/kick.h"
+#include "player/ball_skills/ball_skills.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "player/ball_skills/hold_ball.h"
 #include "player/world/motion.h"
 #include "soccer/interval.h"
 
 namespace cls::player {
-
-using soccer::AngleDeg;
-using soccer::Vec2;
 
 double kick_limit(const WorldModel& world, double rate) {
   return std::min(world.server().maxpower * rate, world.server().ball_accel_max);
@@ -26,10 +22,20 @@ double max_speed_along(Vec2 velocity, Vec2 direction, double limit, double speed
   return std::min(dot(velocity, direction) + std::sqrt(rest), speed_max);
 }
 
+namespace {
+
+double power_for(const WorldModel& world, Vec2 change) {
+  return std::min(change.length(), kick_limit(world)) / world.self.kick_rate;
+}
+
+bool kick_by(const WorldModel& world, CommandSlots& slots, Vec2 change) {
+  return slots.kick(power_for(world, change), (AngleDeg::of(change) - world.self.body).degrees());
+}
+
+}  // namespace
+
 bool kick_to_velocity(const WorldModel& world, CommandSlots& slots, Vec2 velocity) {
-  const Vec2 needed = velocity - world.ball.velocity;
-  const double power = std::min(needed.length(), kick_limit(world)) / world.self.kick_rate;
-  return slots.kick(power, (AngleDeg::of(needed) - world.self.body).degrees());
+  return kick_by(world, slots, velocity - world.ball.velocity);
 }
 
 bool kick_one_step(const WorldModel& world, CommandSlots& slots, Vec2 target, double first_speed,
@@ -61,7 +67,7 @@ namespace {
 
 /// Change of the ball's velocity that stops it beside the agent.
 Vec2 stopping_change(const WorldModel& world) {
-  const Vec2 velocity = world.ball.velocity_valid() ? world.ball.velocity : Vec2{};
+  const Vec2 velocity = world.ball.known_velocity();
   const Vec2 relative = world.ball.position - world.self.position;
   const double dist = relative.length();
   const double gap =
@@ -78,10 +84,6 @@ Vec2 stopping_change(const WorldModel& world) {
   return desired - velocity;
 }
 
-double power_for(const WorldModel& world, Vec2 change) {
-  return std::min(change.length(), kick_limit(world)) / world.self.kick_rate;
-}
-
 constexpr double kWorthwhilePower = 0.5;
 
 }  // namespace
@@ -94,12 +96,9 @@ bool stop_ball(const WorldModel& world, CommandSlots& slots) {
   if (!world.self.kickable) return false;
 
   const Vec2 needed = stopping_change(world);
-  const double power = power_for(world, needed);
-  if (power < kWorthwhilePower) {
-    slots.turn(0.0);
-    return false;
-  }
-  return slots.kick(power, (AngleDeg::of(needed) - world.self.body).degrees());
+  if (!(power_for(world, needed) < kWorthwhilePower)) return kick_by(world, slots, needed);
+  slots.turn(0.0);
+  return false;
 }
 
 }  // namespace cls::player

@@ -1,22 +1,17 @@
 // Searches for a shot that no opponent can stop.
-#include "player/ball_skills/shoot.h"
+#include "player/ball_skills/ball_skills.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "base/fixed_list.h"
-#include "player/ball_skills/kick.h"
-#include "player/ball_skills/smart_kick.h"
+#include "player/ball_skills/skill_parameters.h"
 #include "player/world/motion.h"
-#include "soccer/pitch.h"
+#include "player/world/places.h"
 
 namespace cls::player {
 namespace {
-
-using soccer::AngleDeg;
-using soccer::PlayMode;
-using soccer::Vec2;
 
 constexpr int kMaxCycles = 30;
 constexpr int kMaxCredit = 5;  ///< maximum unseen cycles credited to an opponent
@@ -47,7 +42,7 @@ Stopper stopper_of(const WorldModel& world, const PlayerState& player) {
   Stopper stopper{player.position, {}, player.goalie, {}, {}, {}};
   if (player.body_count <= 1) stopper.body = soccer::polar(1.0, player.body);
 
-  const Vec2 velocity = player.velocity_valid() ? player.velocity : Vec2{};
+  const Vec2 velocity = player.known_velocity();
   const double control = player.goalie ? server.catchable_area_l * type.catchable_area_l_stretch
                                        : type.kickable_area(server.ball_size);
   const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
@@ -126,13 +121,14 @@ double angle_to_goalie(const WorldModel& world, const Stoppers& list, Vec2 targe
 }
 
 double shot_score(const WorldModel& world, const Stoppers& list, Vec2 target, int kicks) {
-  const double gap = angle_to_goalie(world, list, target) / 10.0;
-  double score = kicks == 1 ? 251.0 : 201.0;
-  score *= 1.0 - soccer::math::exp(-gap * gap / 2.0);
+  constexpr ShotParameters kNumbers = kSkills.shot;
+  const double gap = angle_to_goalie(world, list, target) / kNumbers.goalie_angle;
+  double score = kicks == 1 ? kNumbers.one_kick : kNumbers.several_kicks;
+  score *= 1.0 - math::exp(-gap * gap / 2.0);
 
-  const double wide = std::max(0.0, std::fabs(target.y) - 4.0) / 5.5;
-  if (distance(target, world.ball.position) > 8.0) {
-    score *= soccer::math::exp(-wide * wide / 2.0);
+  const double wide = std::max(0.0, std::fabs(target.y) - kNumbers.middle) / kNumbers.wide;
+  if (distance(target, world.ball.position) > kNumbers.sure_length) {
+    score *= math::exp(-wide * wide / 2.0);
   }
   return score;
 }
@@ -161,8 +157,8 @@ Shot shot_at(const WorldModel& world, const Stoppers& list, Vec2 target) {
 
 bool allowed(const WorldModel& world) {
   const PlayMode mode = world.game.mode;
-  return world.self.kickable && mode != PlayMode::kIndirectFreeKickLeft &&
-         mode != PlayMode::kIndirectFreeKickRight && !clock_stopped(mode);
+  return world.self.kickable && without_side(mode) != PlayMode::kIndirectFreeKickLeft &&
+         !clock_stopped(mode);
 }
 
 }  // namespace
@@ -170,8 +166,7 @@ bool allowed(const WorldModel& world) {
 bool shoot(const WorldModel& world, CommandSlots& slots, Vec2* aim) {
   constexpr double kRange = 30.0;
   constexpr int kPoints = 25;
-  const Vec2 goal{soccer::kHalfLength, 0.0};
-  const double dist = distance(world.ball.position, goal);
+  const double dist = distance(world.ball.position, kOpponentGoal);
   if (!allowed(world) || dist > kRange || world.ball.position.x >= soccer::kHalfLength) {
     return false;
   }

@@ -1,21 +1,20 @@
 // Searches kick sequences through intermediate ball positions on three rings around the body.
-#include "player/ball_skills/smart_kick.h"
+#include "player/ball_skills/ball_skills.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "player/ball_skills/hold_ball.h"
-#include "player/ball_skills/kick.h"
+#include "player/ball_skills/skill_parameters.h"
 #include "player/ball_skills/threats.h"
 #include "player/world/motion.h"
+#include "player/world/places.h"
 #include "soccer/interval.h"
-#include "soccer/pitch.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::Vec2;
+constexpr SequenceParameters kNumbers = kSkills.sequence;
 
 struct Ring {
   double share;  ///< fraction of the kickable margin
@@ -37,7 +36,7 @@ const std::array<RingPosition, kRingPositions>& ring_positions() {
     std::size_t next = 0;
     for (const Ring& ring : kRings) {
       for (int i = 0; i < ring.count; ++i) {
-        const double angle = soccer::math::normalize_degrees(360.0 * i / ring.count);
+        const double angle = math::normalize_degrees(360.0 * i / ring.count);
         table[next++] = {soccer::polar_degrees(1.0, angle), ring.share, std::fabs(angle) / 180.0};
       }
     }
@@ -55,7 +54,7 @@ struct BallPosition {
 };
 using BallPositions = std::array<BallPosition, kRingPositions>;
 
-struct Plan {
+struct KickPlan {
   double score = -1e9;
   double speed = -1.0;
   Vec2 first_velocity;  ///< of the ball after the first kick
@@ -64,18 +63,9 @@ struct Plan {
 class Search {
  public:
   Search(const WorldModel& world, Vec2 target, double first_speed, double threshold)
-      : world_(world),
-        threats_(world),
-        target_(target),
-        first_speed_(first_speed),
-        threshold_(threshold),
-        decay_(world.server().ball_decay),
-        speed_max_(world.server().ball_speed_max),
-        collide_(collide_distance(world)),
-        velocity_(world.ball.velocity),
-        limit_(kick_limit(world)) {}
+      : world_(world), target_(target), first_speed_(first_speed), threshold_(threshold) {}
 
-  Plan best(int max_steps);
+  KickPlan best(int max_steps);
 
  private:
   void fill(BallPositions& out, int cycle) const;
@@ -86,16 +76,16 @@ class Search {
   double noise_cost(Vec2 acceleration, double limit, Vec2 step, double slack) const;
 
   const WorldModel& world_;
-  Threats threats_;
   Vec2 target_;
   double first_speed_;
   double threshold_;
-  double decay_;
-  double speed_max_;
-  double collide_;
-  Vec2 velocity_;
-  double limit_;
-  Plan best_;
+  Threats threats_{world_};
+  double decay_ = world_.server().ball_decay;
+  double speed_max_ = world_.server().ball_speed_max;
+  double collide_ = collide_distance(world_);
+  Vec2 velocity_ = world_.ball.velocity;
+  double limit_ = kick_limit(world_);
+  KickPlan best_;
 };
 
 void Search::fill(BallPositions& out, int cycle) const {
@@ -113,18 +103,18 @@ void Search::fill(BallPositions& out, int cycle) const {
     out[i].limit = kick_limit(world_, rate);
     out[i].slack = type.kickable_margin * std::min(point.share, 1.0 - point.share);
 
-    const bool outside = std::fabs(out[i].position.x) > soccer::kHalfLength ||
-                         std::fabs(out[i].position.y) > soccer::kHalfWidth;
-    out[i].cost = outside ? 1e6 : threats_.cost(out[i].position, cycle);
+    constexpr double kImpossible = 1e6;
+    out[i].cost =
+        outside_pitch(out[i].position) ? kImpossible : threats_.cost(out[i].position, cycle);
   }
 }
 
 double Search::noise_cost(Vec2 acceleration, double limit, Vec2 step, double slack) const {
   // Half of the maximum error is typical for uniform noise.
   const double power_share = acceleration.length() / limit;
-  const double error =
-      world_.self_type().kick_rand * power_share * 1.4 + world_.server().ball_rand * step.length();
-  return error > slack ? 400.0 * (error - slack) / slack : 0.0;
+  const double error = world_.self_type().kick_rand * power_share * kNumbers.typical_error +
+                       world_.server().ball_rand * step.length();
+  return error > slack ? kNumbers.noise * (error - slack) / slack : 0.0;
 }
 
 void Search::consider(Vec2 ball, Vec2 velocity, double limit, int kicks, double cost,
@@ -140,11 +130,10 @@ void Search::consider(Vec2 ball, Vec2 velocity, double limit, int kicks, double 
   const double needed = (direction * speed - velocity).length();
   if (needed > limit + 1e-9) return;  // too fast to decelerate
 
-  static constexpr double kKickCost[] = {0.0, 0.0, 50.0, 200.0};
-  double score = 1000.0 - kKickCost[kicks] - 50.0 * needed / limit - cost;
+  double score = kNumbers.base - kNumbers.kicks[kicks] - kNumbers.effort * needed / limit - cost;
   if (speed < first_speed_ - 1e-6) {
-    score -= speed < threshold_ ? 10000.0 : 1000.0;
-    score += 100.0 * speed;
+    score -= speed < threshold_ ? kNumbers.too_slow : kNumbers.slower;
+    score += kNumbers.speed * speed;
   }
 
   if (score <= best_.score) return;
@@ -152,7 +141,8 @@ void Search::consider(Vec2 ball, Vec2 velocity, double limit, int kicks, double 
   const Vec2 velocity_after = direction * speed;
   for (int n = 1; n <= 2; ++n) {
     const Vec2 there = coast(ball, velocity_after, decay_, n);
-    if (distance(there, self_after(world_, kicks - 1 + n)) < collide_ + 0.05) return;
+    if (distance(there, self_after(world_, kicks - 1 + n)) < collide_ + kSkills.dribble.body_gap)
+      return;
   }
 
   best_ = {score, speed, first != nullptr ? *first : velocity_after};
@@ -183,7 +173,7 @@ void Search::search_two_and_three_kicks(int max_steps) {
   }
 }
 
-Plan Search::best(int max_steps) {
+KickPlan Search::best(int max_steps) {
   consider(world_.ball.position, velocity_, limit_, 1, 0.0, nullptr);
   const bool enough = best_.speed >= first_speed_ - 1e-6;
   if (max_steps >= 2 && !enough) search_two_and_three_kicks(max_steps);
@@ -198,7 +188,7 @@ bool smart_kick(const WorldModel& world, CommandSlots& slots, Vec2 target, doubl
 
   const double desired = soccer::between(first_speed, 0.0, world.server().ball_speed_max);
   Search search(world, target, desired, std::min(speed_threshold, desired));
-  const Plan plan = search.best(std::clamp(max_steps, 1, 3));
+  const KickPlan plan = search.best(std::clamp(max_steps, 1, 3));
   if (plan.speed > 0.0 && plan.speed >= std::min(speed_threshold, desired) - 1e-6) {
     return kick_to_velocity(world, slots, plan.first_velocity);
   }

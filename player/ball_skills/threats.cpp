@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "player/ball_skills/skill_parameters.h"
 #include "player/world/motion.h"
 
 namespace cls::player {
-
-using soccer::Vec2;
 
 Threats::Threats(const WorldModel& world)
     : tackle_dist_(world.server().tackle_dist), tackle_width_(world.server().tackle_width) {
@@ -19,7 +18,7 @@ Threats::Threats(const WorldModel& world)
     if (player.ghost() || player.pos_count > kMaxAge || player.dist_from_self > kNear) continue;
     const soccer::PlayerType& type = world.type_of(player);
     Opponent opponent{};
-    const Vec2 velocity = player.velocity_valid() ? player.velocity : Vec2{};
+    const Vec2 velocity = player.known_velocity();
     const double push = world.server().max_dash_power * type.dash_power_rate * type.effort_max;
 
     double speed = 0.0;
@@ -55,11 +54,11 @@ double Threats::cost(Vec2 ball, int cycles) const {
     const Vec2 relative = ball - opponent.positions[cycles];
     const double dist = relative.length();
     if (dist < opponent.kickable_area) {
-      worst = std::max(worst, opponent.tackling ? 0.0 : 600.0);
+      worst = std::max(worst, opponent.tackling ? 0.0 : kSkills.threat.kickable);
     } else if (can_tackle(opponent, relative)) {
-      worst = std::max(worst, 300.0);
+      worst = std::max(worst, kSkills.threat.tackle);
     } else if (!opponent.tackling && dist < opponent.kickable_area + opponent.reach[cycles]) {
-      worst = std::max(worst, 150.0);
+      worst = std::max(worst, kSkills.threat.dash);
     }
   }
 

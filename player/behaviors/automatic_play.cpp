@@ -1,14 +1,14 @@
 // Automatic play: before, instead of, and after a Playmaker's actions.
 #include "player/behaviors/automatic_play.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <optional>
 
-#include "player/ball_skills/clear_ball.h"
-#include "player/ball_skills/dribble.h"
-#include "player/ball_skills/shoot.h"
+#include "player/ball_skills/ball_skills.h"
 #include "player/behaviors/behaviors.h"
-#include "player/looking/body_neck.h"
-#include "player/looking/view.h"
+#include "player/looking/looking.h"
 #include "player/movement/home_positions.h"
 #include "player/movement/movement.h"
 #include "player/world/motion.h"
@@ -16,16 +16,9 @@
 namespace cls::player {
 namespace {
 
-using soccer::PlayMode;
-
 /// Reasons for automatic actions that replace the Playmaker's, by precedence
 /// (docs/spec/proxy-behavior.md 2.4).
 enum class PreprocessReason : unsigned char { kFrozen, kNoPlay, kPositionUnknown, kBallLost };
-
-bool no_play(PlayMode mode) {
-  return mode == PlayMode::kBeforeKickOff || mode == PlayMode::kGoalLeft ||
-         mode == PlayMode::kGoalRight;
-}
 
 bool ball_lost(const WorldModel& world) {
   const int limit = world.goalie ? 10 : 5;
@@ -36,7 +29,7 @@ bool ball_lost(const WorldModel& world) {
 
 std::optional<PreprocessReason> preprocess_reason(const WorldModel& world) {
   if (world.self.frozen()) return PreprocessReason::kFrozen;
-  if (no_play(world.game.mode)) return PreprocessReason::kNoPlay;
+  if (before_play(world.game.mode)) return PreprocessReason::kNoPlay;
   if (!world.self.position_valid()) return PreprocessReason::kPositionUnknown;
   if (ball_lost(world)) return PreprocessReason::kBallLost;
   return std::nullopt;
@@ -44,33 +37,31 @@ std::optional<PreprocessReason> preprocess_reason(const WorldModel& world) {
 
 void preprocess(PreprocessReason reason, const WorldModel& world, const ViewMemory& view,
                 CommandSlots& slots, NeckPlan& neck) {
+  if (reason != PreprocessReason::kPositionUnknown) view_tactical(world, slots);
+
   switch (reason) {
     case PreprocessReason::kFrozen:
-      view_tactical(world, slots);
       neck.kind = NeckPlan::Kind::kBallOrScan;
       return;
     case PreprocessReason::kNoPlay:
-      view_tactical(world, slots);
       before_kick_off(world, view, slots, own_home_position(world));
       return;
     case PreprocessReason::kPositionUnknown:
       emergency(world, view, slots);
       return;
     case PreprocessReason::kBallLost:
-      view_tactical(world, slots);
       if (world.ball.ghost_count > 0) {
         scan_field(world, view, slots);  // not at the estimated position
       } else {
         neck_body_to_ball(world, view, slots, 0.0);
       }
-      return;
   }
 }
 
 /// Possession continues after a kick ahead until another player controls the ball.
 void update_possession(const WorldModel& world, ActionMemory& memory) {
   constexpr double kNear = 4.0;
-  const bool open = world.game.mode == soccer::PlayMode::kPlayOn;
+  const bool open = world.game.mode == PlayMode::kPlayOn;
   const bool lost =
       world.kickable_teammate() || world.kickable_opponent() || world.ball.dist_from_self > kNear;
 
@@ -82,18 +73,13 @@ void update_possession(const WorldModel& world, ActionMemory& memory) {
 
 bool run_preprocess(ActionContext& context) {
   const auto reason = preprocess_reason(context.world);
-  if (!reason) return false;
-  preprocess(*reason, context.world, context.memory.view, context.slots, context.neck);
-  ++context.report.preprocess;
-  context.memory.trace.by = DecidedBy::kPreprocess;
-  return true;
+  if (reason) preprocess(*reason, context.world, context.memory.view, context.slots, context.neck);
+  return reason.has_value();
 }
 
 bool run_sure_shot(ActionContext& context) {
   if (!shoot_and_look(context)) return false;
   context.memory.intention.clear();
-  ++context.report.sure_shot;
-  context.memory.trace.by = DecidedBy::kSureShot;
   return true;
 }
 
@@ -103,38 +89,49 @@ bool run_intention(ActionContext& context) {
     case Intention::Kind::kNone:
       return false;
     case Intention::Kind::kReceive:
-      if (!continue_reception(context)) return false;
-      break;
+      return continue_reception(context);
     case Intention::Kind::kDribble:
       if (!continue_dribble(context.world, intention, context.slots)) return false;
       context.neck.kind = NeckPlan::Kind::kBallOrScan;
-      break;
   }
-
-  ++context.report.intention;
-  context.memory.trace.by = DecidedBy::kIntention;
-  return true;
-}
-
-bool run_heard_pass(ActionContext& context) {
-  if (!receive_heard_pass(context)) return false;
-  ++context.report.heard_pass;
-  context.memory.trace.by = DecidedBy::kHeardPass;
   return true;
 }
 
 bool run_force_kick(ActionContext& context) {
   if (!force_kick(context.world, context.slots)) return false;
   context.neck.kind = NeckPlan::Kind::kScan;
-  ++context.report.force_kick;
-  context.memory.trace.by = DecidedBy::kForceKick;
+  return true;
+}
+
+/// An automatic action: its switch, what it does, and where it is counted.
+struct Step {
+  bool AutomaticPlay::*enabled;
+  bool (*run)(ActionContext& context);
+  std::int64_t ActionReport::*count;
+  DecidedBy by;
+};
+
+constexpr std::array<Step, 5> kSteps{{
+    {&AutomaticPlay::preprocess, run_preprocess, &ActionReport::preprocess, DecidedBy::kPreprocess},
+    {&AutomaticPlay::sure_shot, run_sure_shot, &ActionReport::sure_shot, DecidedBy::kSureShot},
+    {&AutomaticPlay::intention, run_intention, &ActionReport::intention, DecidedBy::kIntention},
+    {&AutomaticPlay::force_kick, run_force_kick, &ActionReport::force_kick, DecidedBy::kForceKick},
+    {&AutomaticPlay::heard_pass, receive_heard_pass, &ActionReport::heard_pass,
+     DecidedBy::kHeardPass},
+}};
+
+/// True if the action was taken, which is counted.
+bool take(const Step& step, ActionContext& context) {
+  if (!step.run(context)) return false;
+  ++(context.report.*step.count);
+  context.memory.trace.by = step.by;
   return true;
 }
 
 }  // namespace
 
 bool shoot_and_look(ActionContext& context) {
-  soccer::Vec2 aim;
+  Vec2 aim;
   if (must_leave_ball(context.world, context.memory)) return false;
   if (!shoot(context.world, context.slots, &aim)) return false;
   context.neck = {NeckPlan::Kind::kPoint, aim};
@@ -152,18 +149,15 @@ void begin_decision(ActionContext& context) {
 }
 
 bool play_automatically(ActionContext& context, const AutomaticPlay& enabled) {
-  return (enabled.preprocess && run_preprocess(context)) ||
-         (enabled.sure_shot && run_sure_shot(context)) ||
-         (enabled.intention && run_intention(context)) ||
-         (enabled.force_kick && run_force_kick(context)) ||
-         (enabled.heard_pass && run_heard_pass(context));
+  return std::ranges::any_of(
+      kSteps, [&](const Step& step) { return enabled.*step.enabled && take(step, context); });
 }
 
 void decide_without_reply(ActionContext& context) {
   ActionMemory& memory = context.memory;
   memory.trace.outcomes.clear();
   update_view_memory(memory.view, context.world);
-  if (!run_preprocess(context)) context.neck.kind = NeckPlan::Kind::kBallOrScan;
+  if (!take(kSteps.front(), context)) context.neck.kind = NeckPlan::Kind::kBallOrScan;
   memory.trace.by = DecidedBy::kNoReply;
   finish_decision(context);
 }

@@ -4,23 +4,25 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/index.h"
+#include "player/behaviors/behavior_parameters.h"
 #include "player/movement/home_positions.h"
-#include "player/movement/intercept.h"
 #include "player/movement/movement.h"
 #include "player/movement/off_ball.h"
-#include "player/movement/tackle.h"
 #include "player/world/motion.h"
+#include "player/world/places.h"
 #include "player/world/planner_parameters.h"
 #include "soccer/interval.h"
-#include "soccer/pitch.h"
 
 namespace cls::player {
 
-using soccer::Vec2;
+namespace {
+
+constexpr PaceParameters kNumbers = kBehaviors.pace;
+
+}  // namespace
 
 double running_pace(const WorldModel& world) {
-  constexpr double kSlowest = 0.5;
-  constexpr double kFastest = 1.3;
   const soccer::ServerParams& server = world.server();
   const int half = server.half_time_cycles();
   const int cycle = world.game.time.cycle;
@@ -31,7 +33,7 @@ double running_pace(const WorldModel& world) {
   const double even = (server.stamina_max + server.stamina_capacity) * remaining_time;
   const double ahead = (world.self.stamina + world.self.capacity) / even - 1.0;
 
-  return std::clamp(1.0 + world.planner->pace * ahead, kSlowest, kFastest);
+  return std::clamp(1.0 + world.planner->pace * ahead, kNumbers.slowest, kNumbers.fastest);
 }
 
 double normal_dash_power(const WorldModel& world, bool& recovering) {
@@ -49,19 +51,19 @@ double normal_dash_power(const WorldModel& world, bool& recovering) {
   if (self.capacity == 0.0) {
     return std::min(max, self.stamina + world.self_type().extra_stamina);
   }
-  if (self.position.x < world.lines.our_defense && ball.x < world.lines.our_defense + 20.0) {
+  if (self.position.x < world.lines.our_defense &&
+      ball.x < world.lines.our_defense + kNumbers.behind_line) {
     return max;
   }
-  if (recovering) return std::max(0.0, income - 25.0);
-  if (world.kickable_teammate() && world.ball.dist_from_self < 20.0) {
+  if (recovering) return std::max(0.0, income - kNumbers.rest);
+  if (world.kickable_teammate() && world.ball.dist_from_self < kNumbers.close_ball) {
     return std::min(max, parameters.run_power_near * income);
   }
 
   if (self.position.x > world.lines.offside) return max;
-  const int our_cycles = std::min(table.best_self_steps(), table.first_teammate_steps);
-  if (ball.x > 25.0 && ball.x > self.position.x + 10.0 &&
-      our_cycles < table.first_opponent_steps - 6) {
-    return soccer::between(0.5 * income, 10.0, max);
+  if (ball.x > kNumbers.attack_x && ball.x > self.position.x + kNumbers.attack_ahead &&
+      table.our_steps() < table.first_opponent_steps - kNumbers.safe_lead) {
+    return soccer::between(kNumbers.attack_share * income, kNumbers.attack_power, max);
   }
 
   return std::min(max, running_pace(world) * parameters.run_power * income);
@@ -83,7 +85,7 @@ bool basic_move(ActionContext& c) {
   if (!world.kickable_teammate() && ours_to_get && self < kNever &&
       !must_leave_ball(world, c.memory)) {
     neck.kind = NeckPlan::Kind::kOffensiveIntercept;
-    return intercept(world, slots, true, {soccer::kHalfLength, 0.0});
+    return intercept(world, slots, true, kOpponentGoal);
   }
 
   if (const std::optional<Vec2> block = block_point(world)) {
@@ -102,7 +104,7 @@ bool basic_move(ActionContext& c) {
   }
 
   const std::optional<Mark> mark = find_mark(world, homes, marking_in_open_play(world));
-  const Vec2 home = mark ? mark->point : homes[static_cast<std::size_t>(world.unum - 1)];
+  const Vec2 home = mark ? mark->point : homes[base::index(world.unum - 1)];
   const double usual_threshold = std::max(1.0, 0.1 * world.ball.dist_from_self);
   const double threshold = mark ? 0.5 : usual_threshold / std::min(1.0, running_pace(world));
   const double usual = normal_dash_power(world, c.memory.recovering);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "player/commands/command_slots.h"
-#include "player/looking/neck.h"
+#include "player/looking/looking.h"
 #include "player/planner/action_context.h"
 #include "player/world/world_model.h"
 
@@ -21,7 +21,7 @@ double running_pace(const WorldModel& world);
 /// stamina falls below 50 percent, clears it above 70 percent.
 double normal_dash_power(const WorldModel& world, bool& recovering);
 
-/// Shoots at their goal (ball_skills/shoot.h) and looks where it aims.
+/// Shoots at their goal (shoot()) and looks where it aims.
 bool shoot_and_look(ActionContext& context);
 
 // Goalie.
@@ -36,7 +36,7 @@ bool goalie_move(ActionContext& context);
 bool goalie_kick(ActionContext& context);
 
 /// True for points at least `inset` meters inside our penalty area.
-bool in_own_penalty_area(soccer::Vec2 point, double inset = 0.0);
+bool in_own_penalty_area(Vec2 point, double inset = 0.0);
 
 /// After catching the ball: waits for teammates, moves inside the penalty area to free space, and
 /// kicks. Otherwise the goalie does goalie_move().
@@ -45,7 +45,7 @@ bool goalie_free_kick(ActionContext& context);
 /// Position of the goalie for a ball position: for a far ball on the bisector of ball and goal,
 /// otherwise the point that leaves the least of the goal open to shots from the ball and from
 /// opponents it may be passed to.
-soccer::Vec2 goalie_position(const WorldModel& world, soccer::Vec2 ball);
+Vec2 goalie_position(const WorldModel& world, Vec2 ball);
 
 // Set plays.
 

@@ -3,28 +3,30 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "base/fixed_list.h"
+#include "player/behaviors/behavior_parameters.h"
 #include "player/perception/say_message.h"
+#include "player/world/candidates.h"
 #include "player/world/motion.h"
-#include "soccer/pitch.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::PlayMode;
-using soccer::Vec2;
+constexpr CommunicationParameters kNumbers = kBehaviors.communication;
 
 bool silent_mode(PlayMode mode) {
-  return mode == PlayMode::kBeforeKickOff || mode == PlayMode::kGoalLeft ||
-         mode == PlayMode::kGoalRight || mode == PlayMode::kTimeOver ||
-         soccer::is_penalty_mode(mode);
+  return before_play(mode) || mode == PlayMode::kTimeOver || soccer::is_penalty_mode(mode);
 }
 
-int number_of(const WorldModel& world, const PlayerState& player) {
-  return player.side == world.our_side ? player.unum : player.unum + soccer::kPlayersPerTeam;
+/// A player in the next cycle.
+SaidPlayer said_player(const ActionContext& c, const PlayerState& player) {
+  const bool ours = player.side == c.world.our_side;
+  return {ours ? player.unum : player.unum + soccer::kPlayersPerTeam,
+          player.position + player.velocity};
 }
 
 struct Seen {
@@ -47,15 +49,13 @@ SeenPlayers seen_now(const WorldModel& world) {
   SeenPlayers seen;
   for (const PlayerList* list : {&world.opponents, &world.teammates}) {
     for (const PlayerState& player : *list) {
-      constexpr int kSure = 10;
       const bool sure = player.seen_pos_count == 0 && player.unum != 0 &&
-                        player.unum_count < kSure && !player.ghost();
+                        player.unum_count < kNumbers.number_age && !player.ghost();
       if (!sure) continue;
 
-      const bool is_opponent = list == &world.opponents;
-      const double near =
-          60.0 / (5.0 + player.dist_from_ball) + 10.0 / (5.0 + player.dist_from_self);
-      insert({&player, near * (is_opponent ? 1.5 : 1.0)}, seen);
+      const double near = kNumbers.near_ball / (kNumbers.softening + player.dist_from_ball) +
+                          kNumbers.near_agent / (kNumbers.softening + player.dist_from_self);
+      insert({&player, near * (list == &world.opponents ? kNumbers.opponent : 1.0)}, seen);
     }
   }
 
@@ -72,7 +72,7 @@ SayBall next_ball(const ActionContext& c) {
   const WorldModel& world = c.world;
   Vec2 velocity = world.ball.velocity;
   if (const auto* kick = std::get_if<soccer::Kick>(&c.slots.body())) {
-    const soccer::AngleDeg direction = world.self.body + kick->direction;
+    const AngleDeg direction = world.self.body + kick->direction;
     velocity += soccer::polar(kick->power * world.self.kick_rate, direction);
     velocity = speed_limited(velocity, world.server().ball_speed_max);
   }
@@ -84,13 +84,8 @@ bool say_ball(ActionContext& c, const SeenPlayers& seen) {
   const SayBall ball = next_ball(c);
   for (const Seen& each : seen) {
     if (each.player->side == c.world.our_side || each.player->body_count > 0) continue;
-    SayBallPlayer message;
-    message.ball = ball;
-    message.player = {number_of(c.world, *each.player),
-                      each.player->position + each.player->velocity};
-    message.body = each.player->body.degrees();
-    if (say(c, message)) return true;
-    break;
+    const SayBallPlayer both{ball, said_player(c, *each.player), each.player->body.degrees()};
+    return say(c, both) || say(c, ball);
   }
 
   return say(c, ball);
@@ -100,10 +95,8 @@ bool say_players(ActionContext& c, const SeenPlayers& seen) {
   for (std::size_t count = std::min<std::size_t>(3, seen.size()); count > 0; --count) {
     SayPlayers message;
     for (std::size_t i = 0; i < count; ++i) {
-      const PlayerState& player = *seen[i].player;
-      message.players.push_back({number_of(c.world, player), player.position + player.velocity});
+      message.players.push_back(said_player(c, *seen[i].player));
     }
-
     if (say(c, message)) return true;
   }
   return false;
@@ -115,7 +108,7 @@ bool should_say_ball(const WorldModel& world) {
   if (ball.seen_pos_count > 0 || ball.seen_vel_count > 1) return false;
   const int nearest = std::min(world.intercept.first_teammate_steps, kNever);
   return world.self.kickable || world.intercept.best_self_steps() <= nearest ||
-         ball.dist_from_self < 12.0;
+         ball.dist_from_self < kNumbers.say_ball;
 }
 
 /// Teammate for attentionto: the one that has the ball or gets it first; for the agent with the
@@ -128,13 +121,14 @@ int attention_target(const WorldModel& world) {
   if (first == nullptr && !self_first) first = world.player_by_id(table.first_teammate_id);
   if (first != nullptr && first->unum != 0) return first->unum;
 
-  const PlayerState* best = nullptr;
+  Lowest<int> nearest{std::numeric_limits<double>::infinity()};
   for (const PlayerState& teammate : world.teammates) {
-    if (teammate.unum == 0 || teammate.goalie || teammate.dist_from_self > 40.0) continue;
-    if (best == nullptr || teammate.dist_from_ball < best->dist_from_ball) best = &teammate;
+    if (teammate.unum == 0 || teammate.goalie) continue;
+    if (teammate.dist_from_self > kNumbers.attention) continue;
+    nearest.offer(teammate.dist_from_ball, teammate.unum);
   }
 
-  return best == nullptr ? 0 : best->unum;
+  return nearest.value;
 }
 
 }  // namespace

@@ -6,23 +6,19 @@
 #include <cmath>
 #include <optional>
 
-#include "player/ball_skills/clear_ball.h"
-#include "player/looking/body_neck.h"
-#include "player/movement/intercept.h"
+#include "player/ball_skills/ball_skills.h"
+#include "player/behaviors/behavior_parameters.h"
+#include "player/looking/looking.h"
 #include "player/movement/movement.h"
-#include "player/movement/tackle.h"
 #include "player/planner/plan_execution.h"
+#include "player/world/candidates.h"
 #include "player/world/motion.h"
-#include "soccer/pitch.h"
+#include "player/world/places.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::AngleDeg;
-using soccer::PlayMode;
-using soccer::Vec2;
-
-constexpr double kGoalX = -soccer::kHalfLength;
+constexpr double kGoalX = kOwnGoal.x;
 
 /// Where and when a rolling ball crosses our goal line between the posts.
 struct Shot {
@@ -67,26 +63,25 @@ bool comes_from_tackle(const WorldModel& world) {
   constexpr int kMaxCycles = 100;  // a faulty server may send more
   const int cycles = std::min(world.server().tackle_cycles, kMaxCycles);
 
-  return std::any_of(world.teammates.begin(), world.teammates.end(),
-                     [&](const PlayerState& teammate) {
-                       if (!teammate.tackling || teammate.ghost()) return false;
-                       Vec2 ball = world.ball.position;
-                       Vec2 step = world.ball.velocity;
-                       for (int cycle = 0; cycle <= cycles; ++cycle) {
-                         if (distance(ball, teammate.position) < kReach) return true;
-                         step = step / world.server().ball_decay;
-                         ball -= step;
-                       }
-                       return false;
-                     });
+  return std::ranges::any_of(world.teammates, [&](const PlayerState& teammate) {
+    if (!teammate.tackling || teammate.ghost()) return false;
+    Vec2 ball = world.ball.position;
+    Vec2 step = world.ball.velocity;
+    for (int cycle = 0; cycle <= cycles; ++cycle) {
+      if (distance(ball, teammate.position) < kReach) return true;
+      step = step / world.server().ball_decay;
+      ball -= step;
+    }
+    return false;
+  });
 }
 
 bool can_catch(const WorldModel& world) {
   constexpr double kInset = 1.0;
   constexpr double kSure = 0.8;
 
-  const PlayMode mode = world.game.mode;
-  const bool penalty = mode == PlayMode::kPenaltyTakenLeft || mode == PlayMode::kPenaltyTakenRight;
+  const PlayMode mode = without_side(world.game.mode);
+  const bool penalty = mode == PlayMode::kPenaltyTakenLeft;
   if (mode != PlayMode::kPlayOn && !penalty) return false;
   if (!in_own_penalty_area(world.ball.position, kInset) && !penalty) return false;
   if (world.self.catch_probability <= 0.0 || (is_back_pass(world) && !penalty)) return false;
@@ -126,21 +121,16 @@ bool should_come_out(const WorldModel& world) {
 
 /// Point on the line of a shot that the goalie reaches before the ball.
 Vec2 blocking_point(const WorldModel& world, const Shot& shot) {
-  const double speed = 0.8;  // running speed on short distances, meters per cycle
-  Vec2 best{kGoalX + 0.5, shot.y};
-  double best_margin = -1e9;
+  Highest<Vec2> best{-1e9, {kGoalX + 0.5, shot.y}};
 
   for (int cycle = 1; cycle <= shot.cycles; ++cycle) {
     const Vec2 ball = ball_after(world, cycle);
     if (ball.x < kGoalX + 0.3) break;
-    const double missing = distance(ball, world.self.position) - speed * cycle;
-    if (-missing > best_margin) {
-      best_margin = -missing;
-      best = ball;
-    }
+    const double run = kBehaviors.goalie.run_speed * cycle;
+    best.offer(-(distance(ball, world.self.position) - run), ball);
   }
 
-  return best;
+  return best.value;
 }
 
 bool chase(ActionContext& c) {
@@ -212,17 +202,14 @@ bool go_to_position(ActionContext& c) {
   if (away < threshold) return wait_in_position(c, ball);
 
   const double power = hurry ? world.server().max_dash_power : 60.0;
-  if (!go_to_point(world, c.slots, position, threshold, safe_dash_power(world, power), {4})) {
-    return wait_in_position(c, ball);
-  }
-  return true;
+  return go_to_point(world, c.slots, position, threshold, safe_dash_power(world, power), {4}) ||
+         wait_in_position(c, ball);
 }
 
 }  // namespace
 
 bool in_own_penalty_area(Vec2 point, double inset) {
-  return point.x < kGoalX + soccer::kPenaltyAreaLength - inset &&
-         std::fabs(point.y) < soccer::kPenaltyAreaWidth / 2.0 - inset && point.x > kGoalX - 1.0;
+  return in_own_box(point, inset) && point.x > kGoalX - 1.0;
 }
 
 bool goalie_move(ActionContext& c) {
@@ -252,35 +239,26 @@ bool play_goalie(ActionContext& c) {
 
 namespace {
 
-bool holds_caught_ball(const WorldModel& world) {
-  return world.game.goalie_catch && world.game.mode_side() == world.our_side;
-}
-
 /// Candidate position farthest from opponents.
 Vec2 roomiest_position(const WorldModel& world) {
   static constexpr std::array<Vec2, 3> kPlaces{{{-43.0, 10.0}, {-43.0, -10.0}, {-43.0, 0.0}}};
-  Vec2 best = kPlaces[0];
-  double best_room = -1.0;
+  Highest<Vec2> best{-1.0, kPlaces[0]};
 
   for (const Vec2 position : kPlaces) {
     double room = 100.0;
     for (const PlayerState& opponent : world.opponents) {
       if (opponent.position_valid()) room = std::min(room, distance(opponent.position, position));
     }
-    if (room > best_room) {
-      best_room = room;
-      best = position;
-    }
+    best.offer(room, position);
   }
 
-  return best;
+  return best.value;
 }
 
 bool wait(ActionContext& c) {
   c.neck.kind = NeckPlan::Kind::kScan;
-  const WorldModel& world = c.world;
   const Vec2 upfield{0.0, 0.0};
-  return body_neck_to_point(world, c.memory.view, c.slots, upfield);
+  return body_neck_to_point(c.world, c.memory.view, c.slots, upfield);
 }
 
 }  // namespace

@@ -6,20 +6,20 @@
 #include <cmath>
 
 #include "base/fixed_list.h"
+#include "player/behaviors/behavior_parameters.h"
+#include "player/world/candidates.h"
 #include "player/world/motion.h"
+#include "player/world/places.h"
 #include "player/world/running.h"
 #include "soccer/interval.h"
-#include "soccer/pitch.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::Vec2;
-
-constexpr double kGoalX = -soccer::kHalfLength;
-constexpr double kShotSpeed = 2.8;  ///< first, meters per cycle
-constexpr int kTargets = 9;         ///< target points between the posts
-constexpr int kMaxCycles = 16;      ///< maximum cycles of a shot
+constexpr GoalieParameters kNumbers = kBehaviors.goalie;
+constexpr double kGoalX = kOwnGoal.x;
+constexpr int kTargets = 9;     ///< target points between the posts
+constexpr int kMaxCycles = 16;  ///< maximum cycles of a shot
 constexpr double kShotRange = 24.0;
 
 /// A possible shooter.
@@ -40,7 +40,7 @@ class OpenGoal {
  public:
   OpenGoal(const WorldModel& world, Vec2 ball)
       : reach_(world.server(), world.self_type()),
-        arms_(0.9 * world.server().catchable_area_l),
+        arms_(kNumbers.arms * world.server().catchable_area_l),
         half_goal_(world.server().goal_width / 2.0 - 0.4) {
     add({ball, 0, 1.0}, world.server().ball_decay);
     // Opponents near our goal may shoot after a pass.
@@ -51,11 +51,12 @@ class OpenGoal {
       if (opponent.ghost() || opponent.pos_count > kMaxAge || opponent.goalie) continue;
       const Vec2 from = opponent.position;
       const double pass = distance(from, ball);
-      const bool possible = distance(from, {kGoalX, 0.0}) <= kNear && pass >= 3.0 && pass <= 25.0;
+      const bool possible = distance(from, kOwnGoal) <= kNear && pass >= 3.0 && pass <= 25.0;
       if (!possible) continue;  // nor is a place that is not a number
 
       if (flights_.size() + kTargets > flights_.capacity()) break;
-      add({from, 2 + static_cast<int>(pass / kPassSpeed), 0.35}, world.server().ball_decay);
+      add({from, 2 + static_cast<int>(pass / kPassSpeed), kNumbers.passed_weight},
+          world.server().ball_decay);
     }
   }
 
@@ -67,10 +68,12 @@ class OpenGoal {
       int cycle = flight.notice;
       for (const Vec2& ball : flight.ball) {
         // Reach reduced for turning, which takes a cycle, and side dashes.
-        const double run = 0.85 * reach_.run(std::max(0, cycle++ - 1));
+        const double run = kNumbers.run * reach_.run(std::max(0, cycle++ - 1));
         missing = std::min(missing, distance(position, ball) - arms_ - run);
       }
-      if (missing > 0.0) sum += flight.weight * (0.5 + std::min(missing, 3.0));
+      if (missing > 0.0) {
+        sum += flight.weight * (kNumbers.open_shot + std::min(missing, kNumbers.max_missing));
+      }
     }
 
     return sum;
@@ -81,13 +84,10 @@ class OpenGoal {
     for (int i = 0; i < kTargets; ++i) {
       const Vec2 target{kGoalX, half_goal_ * (2.0 * i / (kTargets - 1) - 1.0)};
       const Vec2 way = target - shooter.from;
-      Vec2 velocity = soccer::with_length(way, kShotSpeed);
+      Vec2 velocity = soccer::with_length(way, kNumbers.shot_speed);
       Vec2 ball = shooter.from;
 
-      Flight flight;
-      flight.notice = shooter.notice;
-      flight.weight = shooter.weight;
-
+      Flight flight{{}, shooter.notice, shooter.weight};
       for (int cycle = 0; cycle < kMaxCycles; ++cycle) {
         ball += velocity;
         velocity *= decay;
@@ -116,7 +116,7 @@ Vec2 point_on_bisector(const WorldModel& world, Vec2 ball, double x) {
 }  // namespace
 
 Vec2 goalie_position(const WorldModel& world, Vec2 ball) {
-  const double far = distance(ball, {kGoalX, 0.0});
+  const double far = distance(ball, kOwnGoal);
   // The farther the ball, the farther out, but within reach of the line.
   if (far > kShotRange) return point_on_bisector(world, ball, far > 40.0 ? -48.0 : -50.0);
 
@@ -125,24 +125,20 @@ Vec2 goalie_position(const WorldModel& world, Vec2 ball) {
   constexpr double kStep = 0.75;
 
   const OpenGoal goal(world, ball);
-  Vec2 best = point_on_bisector(world, ball, kLines[0]);
-  double best_cost = 1e9;
+  Lowest<Vec2> best{1e9, point_on_bisector(world, ball, kLines[0])};
 
   for (const double x : kLines) {
     if (x > ball.x - 1.0 && x > kOnLine) continue;  // behind the ball
     for (double y = -6.75; y <= 6.75; y += kStep) {
       const Vec2 position{x, y};
       // Ties: prefer the nearest position.
-      const double cost = goal.open(position) + 0.12 * distance(position, world.self.position) +
-                          0.05 * std::fabs(x - kLines[0]);
-      if (cost < best_cost) {
-        best_cost = cost;
-        best = position;
-      }
+      best.offer(goal.open(position) + kNumbers.way * distance(position, world.self.position) +
+                     kNumbers.line * std::fabs(x - kLines[0]),
+                 position);
     }
   }
 
-  return best;
+  return best.value;
 }
 
 }  // namespace cls::player

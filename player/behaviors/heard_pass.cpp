@@ -3,16 +3,13 @@
 
 #include <optional>
 
-#include "player/movement/intercept.h"
 #include "player/movement/movement.h"
 #include "player/perception/say_message.h"
 #include "player/world/motion.h"
-#include "soccer/pitch.h"
+#include "player/world/places.h"
 
 namespace cls::player {
 namespace {
-
-using soccer::Vec2;
 
 constexpr int kPatience = 5;  ///< cycles to follow an announced pass without seeing it
 
@@ -35,7 +32,7 @@ bool receive(ActionContext& c, Vec2 point) {
 
   const bool ball_known = world.ball.pos_count <= 1 && world.ball.vel_count <= 1;
   if (!world.kickable_teammate() && ball_known && world.intercept.best_self_steps() < 20) {
-    return intercept(world, c.slots, true, {soccer::kHalfLength, 0.0});
+    return intercept(world, c.slots, true, kOpponentGoal);
   }
 
   if (!go_to_point(world, c.slots, point, 0.5, world.server().max_dash_power)) {
@@ -52,12 +49,10 @@ bool receive_heard_pass(ActionContext& c) {
   const std::optional<Vec2> point = announced_point(world);
   if (!point || !receive(c, *point)) return false;
 
-  Intention& intention = c.memory.intention;
-  intention.clear();
-  intention.kind = Intention::Kind::kReceive;
-  intention.target = *point;
-  intention.dashes = kPatience;
-  intention.last = world.game.time;
+  c.memory.intention = {.kind = Intention::Kind::kReceive,
+                        .target = *point,
+                        .dashes = kPatience,
+                        .last = world.game.time};
   return true;
 }
 

@@ -1,33 +1,21 @@
 // Roles in a penalty shoot-out: taker, goalie, waiting players.
 
 #include <algorithm>
-#include <cmath>
 
-#include "player/ball_skills/clear_ball.h"
-#include "player/ball_skills/dribble.h"
-#include "player/ball_skills/kick.h"
-#include "player/ball_skills/shoot.h"
-#include "player/ball_skills/smart_kick.h"
+#include "player/ball_skills/ball_skills.h"
 #include "player/behaviors/behaviors.h"
-#include "player/looking/body_neck.h"
-#include "player/movement/intercept.h"
+#include "player/looking/looking.h"
 #include "player/movement/movement.h"
 #include "player/world/motion.h"
-#include "soccer/pitch.h"
-#include "soccer/play_mode.h"
+#include "player/world/places.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::AngleDeg;
-using soccer::PlayMode;
-using soccer::Vec2;
-
 const PlayerState* their_goalie(const WorldModel& world) {
-  for (const PlayerState& opponent : world.opponents) {
-    if (opponent.goalie && opponent.position_valid()) return &opponent;
-  }
-  return nullptr;
+  const PlayerState* found = std::ranges::find_if(
+      world.opponents, [](const PlayerState& p) { return p.goalie && p.position_valid(); });
+  return found != world.opponents.end() ? found : nullptr;
 }
 
 int left_in_mode(const WorldModel& world, int wait) {
@@ -44,8 +32,8 @@ bool shoot_beside_goalie(ActionContext& c, double threshold) {
 
   const double max = world.server().ball_speed_max;
   c.neck = {NeckPlan::Kind::kPoint, target};
-  if (smart_kick(world, c.slots, target, max, threshold * max, 2)) return true;
-  return kick_one_step(world, c.slots, target, max, true);
+  return smart_kick(world, c.slots, target, max, threshold * max, 2) ||
+         kick_one_step(world, c.slots, target, max, true);
 }
 
 /// Waits behind the ball without touching it.
@@ -55,7 +43,7 @@ bool wait_behind_ball(ActionContext& c) {
   const Vec2 position = ball - Vec2{collide_distance(world) + 0.35, 0.0};
   c.neck.kind = NeckPlan::Kind::kBall;
   if (go_to_point(world, c.slots, position, 0.25, safe_dash_power(world, 60.0), {10})) return true;
-  return turn_to_point(world, c.slots, {soccer::kHalfLength, 0.0}) || c.slots.turn(0.0);
+  return turn_to_point(world, c.slots, kOpponentGoal) || c.slots.turn(0.0);
 }
 
 bool start_kick(ActionContext& c) {
@@ -69,7 +57,7 @@ bool start_kick(ActionContext& c) {
   if (!world.server().pen_allow_mult_kicks) return shoot_beside_goalie(c, 0.9);
   // A short kick ahead to dribble.
   c.neck.kind = NeckPlan::Kind::kGoalieOrScan;
-  return kick_one_step(world, c.slots, {soccer::kHalfLength, 0.0}, 1.0, true);
+  return kick_one_step(world, c.slots, kOpponentGoal, 1.0, true);
 }
 
 /// Dribble target around a goalie that comes out, on the side with more space.
@@ -92,8 +80,8 @@ bool take_kick(ActionContext& c) {
   const WorldModel& world = c.world;
   if (!world.self.kickable) {
     c.neck.kind = NeckPlan::Kind::kBall;
-    if (continue_dribble(world, c.memory.intention, c.slots)) return true;
-    return intercept(world, c.slots, false, {soccer::kHalfLength, 0.0});
+    return continue_dribble(world, c.memory.intention, c.slots) ||
+           intercept(world, c.slots, false, kOpponentGoal);
   }
   if (!world.server().pen_allow_mult_kicks) return false;
 
@@ -105,7 +93,7 @@ bool take_kick(ActionContext& c) {
 
   constexpr int kLastChance = 25;
   const bool late = left_in_mode(world, world.server().pen_taken_wait) < kLastChance;
-  const double to_goal = distance(world.ball.position, {soccer::kHalfLength, 0.0});
+  const double to_goal = distance(world.ball.position, kOpponentGoal);
   if (late || to_goal < 7.0) return shoot_beside_goalie(c, 0.85);
 
   c.neck.kind = NeckPlan::Kind::kGoalieOrScan;
@@ -127,9 +115,7 @@ bool play_taker(ActionContext& c) {
 bool play_penalty_goalie(ActionContext& c) {
   const WorldModel& world = c.world;
   c.neck.kind = NeckPlan::Kind::kBall;
-  if (without_side(world.game.mode) == PlayMode::kPenaltyTakenLeft) {
-    return play_goalie(c);
-  }
+  if (without_side(world.game.mode) == PlayMode::kPenaltyTakenLeft) return play_goalie(c);
 
   const double allowed = std::max(0.5, world.server().pen_max_goalie_dist_x - 1.0);
   const Vec2 position{-soccer::kHalfLength + std::min(allowed, 2.0), 0.0};

@@ -4,12 +4,9 @@
 
 #include "player/behaviors/behaviors.h"
 #include "player/movement/movement.h"
-#include "soccer/play_mode.h"
 
 namespace cls::player {
 namespace {
-
-using soccer::PlayMode;
 
 /// Cycles after which the taker plays a ball that no player fetches: a fault is not worse.
 constexpr int kPatience = 40;
@@ -49,8 +46,8 @@ bool must_leave_ball(const WorldModel& world, const ActionMemory& memory) {
 
 bool leave_ball(ActionContext& c) {
   const WorldModel& world = c.world;
-  constexpr double kRollsAway = 0.5;  // meters per cycle
-  const bool stuck = world.ball.velocity.length() < kRollsAway;
+  constexpr double kMinRollSpeed = 0.5;  ///< meters per cycle; a slower ball stays
+  const bool stuck = world.ball.velocity.length() < kMinRollSpeed;
   if (stuck && !c.memory.set_play_kick.dashed && kick_into_play(c)) return true;
   c.neck.kind = NeckPlan::Kind::kBall;
   return turn_to_ball(world, c.slots) || c.slots.turn(0.0);

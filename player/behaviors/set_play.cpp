@@ -3,20 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.h"
 #include "player/behaviors/behaviors.h"
 #include "player/movement/home_positions.h"
-#include "player/movement/intercept.h"
 #include "player/movement/movement.h"
 #include "player/movement/off_ball.h"
 #include "player/world/motion.h"
-#include "soccer/pitch.h"
-#include "soccer/play_mode.h"
+#include "player/world/places.h"
 
 namespace cls::player {
 namespace {
-
-using soccer::PlayMode;
-using soccer::Vec2;
 
 double running_power(ActionContext& c) {
   const WorldModel& world = c.world;
@@ -73,7 +69,7 @@ Vec2 around_circle(Vec2 from, Vec2 to, Vec2 ball) {
 bool their_set_play(ActionContext& c) {
   const WorldModel& world = c.world;
   const TeamPoints homes = home_positions(world);
-  Vec2 position = homes[static_cast<std::size_t>(world.unum - 1)];
+  Vec2 position = homes[base::index(world.unum - 1)];
   const PlayMode kind = without_side(world.game.mode);
 
   if (kind == PlayMode::kKickOffLeft) {
@@ -88,7 +84,7 @@ bool their_set_play(ActionContext& c) {
     const bool rolls = world.ball.velocity.length() > 0.2;
     const Vec2 meeting = ball_after(world, std::min(table.best_self_steps(), 50));
     if (rolls && meeting.x < kOffBox && table.best_self_steps() < table.first_teammate_steps) {
-      return intercept(world, c.slots, true, {soccer::kHalfLength, 0.0});
+      return intercept(world, c.slots, true, kOpponentGoal);
     }
     return go_to_position(c, position);
   }
@@ -111,10 +107,9 @@ bool their_set_play(ActionContext& c) {
 
 /// Sidesteps periodically to get away from a marker.
 Vec2 shake_off(const WorldModel& world, Vec2 position) {
-  const bool marked =
-      std::any_of(world.opponents.begin(), world.opponents.end(), [&](const PlayerState& opponent) {
-        return opponent.pos_count <= 5 && distance(opponent.position, world.self.position) < 3.0;
-      });
+  const bool marked = std::ranges::any_of(world.opponents, [&](const PlayerState& opponent) {
+    return opponent.pos_count <= 5 && distance(opponent.position, world.self.position) < 3.0;
+  });
 
   const int phase = world.game.time.cycle / 20 % 2;
   if (!marked || world.self.stamina < 0.6 * world.server().stamina_max) return position;
@@ -140,22 +135,23 @@ bool fetch_kicked_ball(ActionContext& c) {
 
   if (table.best_self_steps() > others) return false;
   c.neck.kind = NeckPlan::Kind::kBall;
-  return intercept(world, c.slots, true, {soccer::kHalfLength, 0.0});
+  return intercept(world, c.slots, true, kOpponentGoal);
 }
 
 bool our_set_play(ActionContext& c) {
   const WorldModel& world = c.world;
+  Vec2 position = own_home_position(world);
+  if (world.game.goalie_catch) return go_to_position(c, position);
   if (set_play_kicker(world) == world.unum) return kick_set_play(c);
 
   const PlayMode kind = without_side(world.game.mode);
-  Vec2 position = own_home_position(world);
+  if (kind == PlayMode::kGoalKickLeft) return go_to_position(c, position);
 
   if (kind == PlayMode::kKickOffLeft) {
     position.x = std::min(position.x, -0.5);
   } else {
     position = shake_off(world, position);
-    const bool no_offside = kind == PlayMode::kKickInLeft || kind == PlayMode::kCornerKickLeft ||
-                            kind == PlayMode::kGoalKickLeft;
+    const bool no_offside = kind == PlayMode::kKickInLeft || kind == PlayMode::kCornerKickLeft;
     if (!no_offside) position.x = std::min(position.x, world.lines.offside - 0.5);
   }
 
@@ -169,30 +165,18 @@ bool our_set_play(ActionContext& c) {
   return go_to_position(c, position);
 }
 
-bool goalie_in_set_play(ActionContext& c) {
-  const WorldModel& world = c.world;
-  const bool is_ours = is_set_play_of(world.game, world.our_side);
-  if (world.game.goalie_catch && is_ours) return goalie_free_kick(c);
-  return goalie_move(c);
-}
-
 }  // namespace
 
 bool play_set_play(ActionContext& c) {
   const WorldModel& world = c.world;
   if (world.self.frozen()) return false;
-  if (world.goalie) return goalie_in_set_play(c);
 
   const bool is_ours = is_set_play_of(world.game, world.our_side);
-  if (is_ours && fetch_kicked_ball(c)) return true;
-  if (is_ours && world.game.goalie_catch) return go_to_position(c, own_home_position(world));
-  if (is_ours && without_side(world.game.mode) == PlayMode::kGoalKickLeft) {
-    return set_play_kicker(world) == world.unum ? kick_set_play(c)
-                                                : go_to_position(c, own_home_position(world));
+  if (world.goalie) {
+    return is_ours && world.game.goalie_catch ? goalie_free_kick(c) : goalie_move(c);
   }
-  if (is_ours) return our_set_play(c);
+  if (is_ours) return fetch_kicked_ball(c) || our_set_play(c);
   if (is_set_play_of(world.game, world.their_side())) return their_set_play(c);
-
   return basic_move(c);
 }
 

@@ -2,25 +2,20 @@
 #include "player/behaviors/behaviors.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
-#include "player/ball_skills/clear_ball.h"
-#include "player/ball_skills/kick.h"
+#include "base/index.h"
+#include "player/ball_skills/ball_skills.h"
 #include "player/movement/home_positions.h"
 #include "player/movement/movement.h"
 #include "player/planner/field.h"
 #include "player/planner/plan_execution.h"
-#include "player/planner/search.h"
+#include "player/planner/planner.h"
+#include "player/world/candidates.h"
 #include "player/world/motion.h"
-#include "soccer/pitch.h"
-#include "soccer/play_mode.h"
 
 namespace cls::player {
 namespace {
-
-using soccer::AngleDeg;
-using soccer::PlayMode;
-using soccer::Vec2;
 
 /// Direction in which the kicker approaches the ball.
 AngleDeg kick_direction(const WorldModel& world) {
@@ -91,23 +86,21 @@ bool go_behind_ball(ActionContext& c, AngleDeg direction) {
 /// Nearest unmarked teammate between 8 and 25 m.
 const PlayerState* unmarked_teammate(const WorldModel& world) {
   constexpr double kRoom = 3.0;
-  const PlayerState* best = nullptr;
+  Lowest<const PlayerState*> best{std::numeric_limits<double>::infinity()};
 
   for (const PlayerState& teammate : world.teammates) {
     if (teammate.pos_count > 10 || teammate.ghost() || teammate.goalie ||
-        teammate.position.x < -40.0)
+        teammate.position.x < -40.0 || teammate.dist_from_ball < 8.0 ||
+        teammate.dist_from_ball > 25.0) {
       continue;
-    if (teammate.dist_from_ball < 8.0 || teammate.dist_from_ball > 25.0) continue;
-    const bool covered = std::any_of(
-        world.opponents.begin(), world.opponents.end(), [&](const PlayerState& opponent) {
-          return opponent.position_valid() &&
-                 distance(opponent.position, teammate.position) < kRoom;
-        });
-    if (covered) continue;
-    if (best == nullptr || teammate.dist_from_ball < best->dist_from_ball) best = &teammate;
+    }
+    const bool covered = std::ranges::any_of(world.opponents, [&](const PlayerState& opponent) {
+      return opponent.position_valid() && distance(opponent.position, teammate.position) < kRoom;
+    });
+    if (!covered) best.offer(teammate.dist_from_ball, &teammate);
   }
 
-  return best;
+  return best.value;
 }
 
 }  // namespace
@@ -121,20 +114,15 @@ bool play_planned_pass(ActionContext& c) {
   const Plan plan = make_plan(field, options);
 
   const int first = plan.first_of(plan.best);
-  if (plan.nodes[static_cast<std::size_t>(first)].action.category != PlanCategory::kPass) {
-    // Holding is impossible in a set play: take the best pass.
-    int best = 0;
-    for (std::size_t i = 1; i < plan.nodes.size(); ++i) {
-      const bool pass = plan.nodes[i].depth == 1;
-      if (pass &&
-          (best == 0 || plan.nodes[i].value > plan.nodes[static_cast<std::size_t>(best)].value)) {
-        best = static_cast<int>(i);
-      }
-    }
-    return best != 0 && execute_plan(c, plan, best);
-  }
+  if (plan.at(first).action.category == PlanCategory::kPass)
+    return execute_plan(c, plan, plan.best);
 
-  return execute_plan(c, plan, plan.best);
+  // Holding is impossible in a set play: take the best pass.
+  int best = 0;
+  for (int i = 1; i < std::ssize(plan.nodes); ++i) {
+    if (plan.at(i).depth == 1 && (best == 0 || plan.at(i).value > plan.at(best).value)) best = i;
+  }
+  return best != 0 && execute_plan(c, plan, best);
 }
 
 bool kick_into_play(ActionContext& c) {
@@ -158,9 +146,7 @@ int set_play_kicker(const WorldModel& world) {
   const Vec2 ball = world.ball.position;
   int first = 0;
   int second = 0;
-  const auto home_distance = [&](int unum) {
-    return distance(homes[static_cast<std::size_t>(unum - 1)], ball);
-  };
+  const auto home_distance = [&](int unum) { return distance(homes[base::index(unum - 1)], ball); };
 
   for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
     const PlayerState* teammate = world.teammate(unum);

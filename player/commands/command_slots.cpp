@@ -4,31 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.h"
 #include "player/world/leg_dash.h"
 #include "player/world/motion.h"
+#include "player/world/places.h"
 #include "player/world/view_cone.h"
 #include "soccer/commands/rounding.h"
 #include "soccer/interval.h"
-#include "soccer/pitch.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::AngleDeg;
-using soccer::Vec2;
-
 // Arguments and results: parameters and senses of a faulty server may be anything.
 bool finite(double one, double other = 0.0) { return std::isfinite(one) && std::isfinite(other); }
 bool finite(Vec2 v) { return finite(v.x, v.y); }
-
-/// The agent is the goalie and holds the ball after a catch.
-bool holds_caught_ball(const WorldModel& world) {
-  return world.goalie && world.game.goalie_catch && world.game.mode_side() == world.our_side;
-}
-
-bool after_goal(soccer::PlayMode mode) {
-  return mode == soccer::PlayMode::kGoalLeft || mode == soccer::PlayMode::kGoalRight;
-}
 
 }  // namespace
 
@@ -39,7 +28,7 @@ bool CommandSlots::dash(double power, double direction) {
 
   power = soccer::between(power, server.min_dash_power, server.max_dash_power);
   direction = soccer::between(direction, server.min_dash_angle, server.max_dash_angle);
-  direction = soccer::math::quantize(direction, server.dash_angle_step);
+  direction = math::quantize(direction, server.dash_angle_step);
   const double payable = self.stamina + world_->self_type().extra_stamina;
   power = power >= 0.0 ? std::min(power, payable) : std::max(power, -payable / 2.0);
 
@@ -60,7 +49,7 @@ bool CommandSlots::dash(const soccer::LegDash& legs) {
     const double direction =
         soccer::between((*leg)->direction, server.min_dash_angle, server.max_dash_angle);
     (*leg)->power = soccer::between((*leg)->power, server.min_dash_power, server.max_dash_power);
-    (*leg)->direction = soccer::math::quantize(direction, server.dash_angle_step);
+    (*leg)->direction = math::quantize(direction, server.dash_angle_step);
     cost += (*leg)->power >= 0.0 ? (*leg)->power / 2.0 : -(*leg)->power;
   }
 
@@ -91,29 +80,26 @@ bool CommandSlots::kick(double power, double direction) {
   power = soccer::between(power, 0.0, world_->server().maxpower);
   if (!finite(power)) return false;
   body_ = soccer::Kick{soccer::rounded_for_command(power),
-                       soccer::rounded_for_command(soccer::math::normalize_degrees(direction))};
+                       soccer::rounded_for_command(math::normalize_degrees(direction))};
   return true;
 }
 
 bool CommandSlots::tackle(double direction, bool foul) {
   if (world_->self.frozen() || !finite(direction)) return false;
-  body_ =
-      soccer::Tackle{soccer::rounded_for_command(soccer::math::normalize_degrees(direction)), foul};
+  body_ = soccer::Tackle{soccer::rounded_for_command(math::normalize_degrees(direction)), foul};
   return true;
 }
 
 bool CommandSlots::catch_ball() {
   const auto& server = world_->server();
-  const soccer::PlayMode mode = world_->game.mode;
-  const bool allowed = mode == soccer::PlayMode::kPlayOn ||
-                       mode == soccer::PlayMode::kPenaltyTakenLeft ||
-                       mode == soccer::PlayMode::kPenaltyTakenRight;
+  const PlayMode mode = without_side(world_->game.mode);
+  const bool allowed = mode == PlayMode::kPlayOn || mode == PlayMode::kPenaltyTakenLeft;
   if (!world_->goalie || !allowed || world_->self.frozen()) return false;
   if (!world_->ball.relative_position_valid()) return false;
 
   // The far corner of the catch rectangle has the longest reach: aim it at the ball.
-  const double corner = soccer::math::to_degrees(
-      soccer::math::atan2(server.catchable_area_w / 2.0, server.catchable_area_l));
+  const double corner =
+      math::to_degrees(math::atan2(server.catchable_area_w / 2.0, server.catchable_area_l));
   const double ball = (world_->ball.angle_from_self - world_->self.body).degrees();
   const double direction = soccer::between(ball > 0.0 ? ball - corner : ball + corner,
                                            server.min_catch_angle, server.max_catch_angle);
@@ -125,13 +111,10 @@ bool CommandSlots::catch_ball() {
 
 bool CommandSlots::move(Vec2 point) {
   const auto& server = world_->server();
-  const bool caught = holds_caught_ball(*world_);
-  const bool kick_off =
-      world_->game.mode == soccer::PlayMode::kBeforeKickOff || after_goal(world_->game.mode);
-  if (world_->self.frozen() || !finite(point) || !(kick_off || caught)) return false;
-
-  point.x = std::clamp(point.x, -soccer::kHalfLength, soccer::kHalfLength);
-  point.y = std::clamp(point.y, -soccer::kHalfWidth, soccer::kHalfWidth);
+  const bool caught = world_->goalie && holds_caught_ball(*world_);
+  const bool allowed = caught || before_play(world_->game.mode);
+  if (world_->self.frozen() || !finite(point) || !allowed) return false;
+  point = clamped_to_pitch(point);
 
   if (caught) {
     constexpr double kInset = 1.0;
@@ -180,8 +163,7 @@ bool CommandSlots::change_focus(double distance_moment, double direction_moment)
   const double half = view_angle(world_->server(), next_view_width()) / 2.0;
   const double distance = std::clamp(self.focus_distance + distance_moment, 0.0, kMaxFocusDistance);
   const double direction = soccer::between(
-      soccer::math::normalize_degrees(self.focus_direction.degrees() + direction_moment), -half,
-      half);
+      math::normalize_degrees(self.focus_direction.degrees() + direction_moment), -half, half);
 
   const double farther = distance - self.focus_distance;
   const double turn = direction - self.focus_direction.degrees();
@@ -209,9 +191,9 @@ bool CommandSlots::point_to_off() {
   return true;
 }
 
-bool CommandSlots::attention_to(soccer::Side side, int unum) {
+bool CommandSlots::attention_to(Side side, int unum) {
   const bool ours = side == world_->our_side;
-  if (side == soccer::Side::kNeutral || unum < 1 || unum > soccer::kPlayersPerTeam) return false;
+  if (side == Side::kNeutral || unum < 1 || unum > soccer::kPlayersPerTeam) return false;
   if (ours && unum == world_->unum) return false;
   using Kind = soccer::TeamReference::Kind;
   attention_ = soccer::AttentionTo{{ours ? Kind::kOur : Kind::kOpponent, {}}, unum};
@@ -224,7 +206,7 @@ bool CommandSlots::attention_to_off() {
 }
 
 bool CommandSlots::say(std::string_view text) {
-  const auto room = static_cast<std::size_t>(std::max(0, world_->server().say_msg_size));
+  const auto room = base::index(std::max(0, world_->server().say_msg_size));
   if (!soccer::is_sayable(text) || say_.size() + text.size() > room) return false;
   say_ += text;
   return true;
@@ -234,16 +216,15 @@ Vec2 CommandSlots::next_position() const {
   const SelfState& self = world_->self;
   if (const auto* to = std::get_if<soccer::Move>(&body_)) return {to->x, to->y};
 
-  Vec2 step = self.velocity;
+  std::optional<Vec2> push;
   if (const auto* command = std::get_if<soccer::Dash>(&body_)) {
-    step = speed_limited(step + dash_acceleration(*world_, command->power, command->direction),
-                         world_->self_type().player_speed_max);
+    push = dash_acceleration(*world_, command->power, command->direction);
   } else if (const auto* legs = std::get_if<soccer::LegDash>(&body_)) {
-    step = speed_limited(step + leg_dash_effect(*world_, self.body, *legs).acceleration,
-                         world_->self_type().player_speed_max);
+    push = leg_dash_effect(*world_, self.body, *legs).acceleration;
   }
 
-  return self.position + step;
+  const double limit = world_->self_type().player_speed_max;
+  return self.position + (push ? speed_limited(self.velocity + *push, limit) : self.velocity);
 }
 
 AngleDeg CommandSlots::next_body() const {
@@ -251,9 +232,10 @@ AngleDeg CommandSlots::next_body() const {
   if (const auto* legs = std::get_if<soccer::LegDash>(&body_)) {
     return self.body + leg_dash_effect(*world_, self.body, *legs).turn;
   }
-  const auto* command = std::get_if<soccer::Turn>(&body_);
-  if (command == nullptr) return self.body;
-  return self.body + command->moment / turn_resistance(world_->self_type(), self.velocity);
+  if (const auto* command = std::get_if<soccer::Turn>(&body_)) {
+    return self.body + command->moment / turn_resistance(world_->self_type(), self.velocity);
+  }
+  return self.body;
 }
 
 double CommandSlots::next_neck() const {

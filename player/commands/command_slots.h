@@ -36,7 +36,7 @@ class CommandSlots {
   bool tackle(double direction, bool foul = false);
   /// Goalie only; aims automatically.
   bool catch_ball();
-  bool move(soccer::Vec2 point);
+  bool move(Vec2 point);
 
   // Neck, view, focus, arm, attention, say.
   /// Relative to the current neck; sent in whole degrees.
@@ -44,9 +44,9 @@ class CommandSlots {
   bool change_view(soccer::ViewWidth width);
   /// Changes the distance (meters) and direction of the focus point.
   bool change_focus(double distance_moment, double direction_moment);
-  bool point_to(soccer::Vec2 point);
+  bool point_to(Vec2 point);
   bool point_to_off();
-  bool attention_to(soccer::Side side, int unum);
+  bool attention_to(Side side, int unum);
   bool attention_to_off();
   /// Appends to the say message of this cycle if it fits.
   bool say(std::string_view text);
@@ -60,11 +60,11 @@ class CommandSlots {
   const std::string& say_text() const { return say_; }
 
   // Predicted state in the next cycle, without noise and collisions.
-  soccer::Vec2 next_position() const;
-  soccer::AngleDeg next_body() const;
+  Vec2 next_position() const;
+  AngleDeg next_body() const;
   /// Relative to the body.
   double next_neck() const;
-  soccer::AngleDeg next_face() const { return next_body() + next_neck(); }
+  AngleDeg next_face() const { return next_body() + next_neck(); }
   soccer::ViewWidth next_view_width() const;
 
   /// Replaces `out` with the commands in sending order: body (`turn 0` if none and the player is

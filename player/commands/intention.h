@@ -2,8 +2,7 @@
 #pragma once
 
 #include "player/world/age.h"
-#include "soccer/angle.h"
-#include "soccer/geometry.h"
+#include "player/world/vocabulary.h"
 
 namespace cls::player {
 
@@ -17,12 +16,12 @@ struct Intention {
   };
 
   Kind kind = Kind::kNone;
-  soccer::Vec2 target;
-  soccer::AngleDeg heading;  ///< of the dashes, global
-  int turns = 0;             ///< remaining turns
+  Vec2 target{};
+  AngleDeg heading{};  ///< of the dashes, global
+  int turns = 0;       ///< remaining turns
   double dash_power = 0.0;
-  int dashes = 0;  ///< remaining dashes; for kReceive remaining cycles
-  GameTime last;   ///< when it was created or last executed
+  int dashes = 0;   ///< remaining dashes; for kReceive remaining cycles
+  GameTime last{};  ///< when it was created or last executed
 
   bool active() const { return kind != Kind::kNone; }
   void clear() { *this = Intention{}; }

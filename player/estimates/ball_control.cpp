@@ -1,18 +1,15 @@
 // Computes kickable flags and the probabilities of catch, tackle and foul by the server's rules,
 // with margins for estimation errors.
-#include "player/estimates/ball_control.h"
+#include "player/estimates/estimates.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "player/world/candidates.h"
 #include "player/world/motion.h"
-#include "soccer/math.h"
 
 namespace cls::player {
 namespace {
-
-namespace math = soccer::math;
-using soccer::Vec2;
 
 constexpr double kMinKickRate = 0.0001;
 
@@ -63,8 +60,7 @@ double kickable_area(const WorldModel& world, const PlayerState& player) {
 }
 
 const PlayerState* kicking_player(const PlayerList& list) {
-  const PlayerState* found =
-      std::find_if(list.begin(), list.end(), [](const PlayerState& p) { return p.kicking; });
+  const PlayerState* found = std::ranges::find_if(list, &PlayerState::kicking);
   return found == list.end() ? nullptr : found;
 }
 
@@ -105,21 +101,16 @@ void update_last_kicker(WorldModel& world) {
 
   const PlayerState* teammate = kicking_player(world.teammates);
   const PlayerState* opponent = kicking_player(world.opponents);
-  if (teammate != nullptr && opponent != nullptr) {
-    world.last_kick = {};
-  } else if (teammate != nullptr || opponent != nullptr) {
-    const PlayerState& kicker = teammate != nullptr ? *teammate : *opponent;
-    world.last_kick = {kicker.side, kicker.unum};
-  } else if (world.ball_tracker.pushed) {
-    // No kick was seen: assume the previous ball owner if it is unambiguous.
-    const PlayerState* previous_teammate = world.player_by_id(world.kickable_teammate_id);
-    const PlayerState* previous_opponent = world.player_by_id(world.kickable_opponent_id);
-    if (previous_teammate != nullptr && previous_opponent == nullptr)
-      world.last_kick = {previous_teammate->side, previous_teammate->unum};
-    if (previous_opponent != nullptr && previous_teammate == nullptr)
-      world.last_kick = {previous_opponent->side, previous_opponent->unum};
-    if (previous_opponent != nullptr && previous_teammate != nullptr) world.last_kick = {};
+  if (teammate == nullptr && opponent == nullptr && world.ball_tracker.pushed) {
+    // No kick was seen: the previous ball owner.
+    teammate = world.player_by_id(world.kickable_teammate_id);
+    opponent = world.player_by_id(world.kickable_opponent_id);
   }
+
+  const PlayerState* kicker = teammate != nullptr ? teammate : opponent;
+  if (kicker == nullptr) return;
+  const bool ambiguous = teammate != nullptr && opponent != nullptr;
+  world.last_kick = ambiguous ? LastKick{} : LastKick{kicker->side, kicker->unum};
 }
 
 void update_kickable_players(WorldModel& world) {
@@ -127,26 +118,24 @@ void update_kickable_players(WorldModel& world) {
   const BallState& ball = world.ball;
   if (!ball.position_valid()) return;
 
-  double nearest = kNever;
+  Lowest<int> ours{kNever};
   for (const PlayerState& teammate : world.teammates) {
     if (teammate.ghost() || teammate.tackling || teammate.pos_count > ball.pos_count) continue;
-    if (teammate.dist_from_ball >= kickable_area(world, teammate) ||
-        teammate.dist_from_ball >= nearest)
-      continue;
-    nearest = teammate.dist_from_ball;
-    world.kickable_teammate_id = teammate.id;
+    if (teammate.dist_from_ball >= kickable_area(world, teammate)) continue;
+    ours.offer(teammate.dist_from_ball, teammate.id);
   }
 
   constexpr int kMaxAge = 10;
-  nearest = kNever;
+  Lowest<int> theirs{kNever};
   for (const PlayerState& opponent : world.opponents) {
     if (opponent.ghost() || opponent.tackling || opponent.pos_count >= kMaxAge) continue;
     const double doubt = std::min(0.5, 0.02 * (opponent.dist_from_self + ball.dist_from_self));
     if (opponent.dist_from_ball >= kickable_area(world, opponent) + doubt) continue;
-    if (opponent.dist_from_ball >= nearest) continue;
-    nearest = opponent.dist_from_ball;
-    world.kickable_opponent_id = opponent.id;
+    theirs.offer(opponent.dist_from_ball, opponent.id);
   }
+
+  world.kickable_teammate_id = ours.value;
+  world.kickable_opponent_id = theirs.value;
 }
 
 }  // namespace cls::player

@@ -1,17 +1,15 @@
 // Predicts when the other players intercept the ball, and fills the intercept table.
-#include "player/estimates/intercept.h"
+#include "player/estimates/estimates.h"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
-#include "soccer/math.h"
+#include "base/index.h"
 
 namespace cls::player {
 namespace {
-
-namespace math = soccer::math;
-using soccer::PlayMode;
-using soccer::Vec2;
 
 // Players not seen for longer are ignored.
 constexpr int kMaxTeammateAge = 10;
@@ -25,7 +23,7 @@ int turns_needed(const soccer::ServerParams& server, const soccer::PlayerType& t
   if (distance <= control) return 0;
 
   const double slack = math::to_degrees(math::asin(control / distance));
-  double missing = (soccer::AngleDeg::of(offset) - player.body).abs();
+  double missing = (AngleDeg::of(offset) - player.body).abs();
   double speed = player.velocity.length();
   int turns = 0;
 
@@ -67,11 +65,11 @@ int reach_steps(const WorldModel& world, const PlayerState& player, const BallPa
   // It may have run in any direction since it was seen.
   constexpr int kMaxCredit = 10;
   const double credit = 0.5 * run.top_speed * std::min(player.pos_count, kMaxCredit);
-  const Vec2 velocity = player.velocity_valid() ? player.velocity : Vec2{};
+  const Vec2 velocity = player.known_velocity();
   const double fastest = run.top_speed + velocity.length();
 
   for (int n = 0; n <= kInterceptHorizon;) {
-    const auto i = static_cast<std::size_t>(n);
+    const std::size_t i = base::index(n);
     const Vec2 offset = path[i] - (player.position + velocity * run.drift[i]);
     const double far = run.distance[i] + control + credit;
     const double squared = offset.squared_length();
@@ -82,8 +80,7 @@ int reach_steps(const WorldModel& world, const PlayerState& player, const BallPa
 
     const int dashes = n - turns_needed(server, type, player, offset, control);
     const double distance = offset.length() - control - credit;
-    if (distance <= 0.0 ||
-        (dashes >= 0 && distance <= run.distance[static_cast<std::size_t>(dashes)])) {
+    if (distance <= 0.0 || (dashes >= 0 && distance <= run.distance[base::index(dashes)])) {
       return n;
     }
     ++n;
@@ -92,36 +89,28 @@ int reach_steps(const WorldModel& world, const PlayerState& player, const BallPa
   return kNever;
 }
 
-struct Ranking {
-  int first = kNever;
-  int second = kNever;
-  int first_id = 0;
-  int second_id = 0;
+/// Cycles and id of a player who gets the ball.
+using Rank = std::tuple<int, int>;
+constexpr Rank kNoPlayer{kNever, 0};
 
-  void add(int steps, int id) {
-    if (steps < first) {
-      second = first;
-      second_id = first_id;
-      first = steps;
-      first_id = id;
-    } else if (steps < second) {
-      second = steps;
-      second_id = id;
-    }
-  }
-};
-
-Ranking rank(const WorldModel& world, PlayerList& players, int kicker_id, int oldest,
-             const BallPath& path) {
-  Ranking ranking;
+/// The first and the second player of a team at the ball.
+std::array<Rank, 2> rank(const WorldModel& world, PlayerList& players, int kicker_id, int oldest,
+                         const BallPath& path) {
+  std::array<Rank, 2> ranks{kNoPlayer, kNoPlayer};
   for (PlayerState& player : players) {
     player.ball_reach_steps = kNever;
     if (player.pos_count >= oldest || player.ghost()) continue;
-    player.ball_reach_steps = player.id == kicker_id ? 0 : reach_steps(world, player, path);
-    if (player.ball_reach_steps < kNever) ranking.add(player.ball_reach_steps, player.id);
+    const int steps = player.id == kicker_id ? 0 : reach_steps(world, player, path);
+    player.ball_reach_steps = steps;
+
+    if (steps < std::get<0>(ranks[0])) {
+      ranks[1] = std::exchange(ranks[0], {steps, player.id});
+    } else if (steps < std::get<0>(ranks[1])) {
+      ranks[1] = {steps, player.id};
+    }
   }
 
-  return ranking;
+  return ranks;
 }
 
 }  // namespace
@@ -129,7 +118,7 @@ Ranking rank(const WorldModel& world, PlayerList& players, int kicker_id, int ol
 BallPath ball_path(const WorldModel& world) {
   BallPath path;
   Vec2 position = world.ball.position;
-  Vec2 velocity = world.ball.velocity_valid() ? world.ball.velocity : Vec2{};
+  Vec2 velocity = world.ball.known_velocity();
   const double decay = world.server().ball_decay;
 
   for (Vec2& point : path) {
@@ -143,8 +132,8 @@ BallPath ball_path(const WorldModel& world) {
 void update_intercept_table(WorldModel& world) {
   InterceptTable& table = world.intercept;
   table.plans.clear();
-  Ranking teammates;
-  Ranking opponents;
+  std::array<Rank, 2> teammates{kNoPlayer, kNoPlayer};
+  std::array<Rank, 2> opponents = teammates;
 
   if (table_is_empty(world)) {
     table.self_steps = table.self_exhausting_steps = kNever;
@@ -163,14 +152,10 @@ void update_intercept_table(WorldModel& world) {
                      world.kickable_opponent() ? resting : path);
   }
 
-  table.first_teammate_steps = teammates.first;
-  table.second_teammate_steps = teammates.second;
-  table.first_teammate_id = teammates.first_id;
-  table.second_teammate_id = teammates.second_id;
-  table.first_opponent_steps = opponents.first;
-  table.second_opponent_steps = opponents.second;
-  table.first_opponent_id = opponents.first_id;
-  table.second_opponent_id = opponents.second_id;
+  std::tie(table.first_teammate_steps, table.first_teammate_id) = teammates[0];
+  std::tie(table.second_teammate_steps, table.second_teammate_id) = teammates[1];
+  std::tie(table.first_opponent_steps, table.first_opponent_id) = opponents[0];
+  std::tie(table.second_opponent_steps, table.second_opponent_id) = opponents[1];
 }
 
 }  // namespace cls::player

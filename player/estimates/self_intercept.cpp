@@ -2,20 +2,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "player/estimates/ball_control.h"
-#include "player/estimates/intercept.h"
+#include "player/estimates/estimates.h"
 #include "player/world/leg_dash.h"
 #include "player/world/running.h"
 #include "soccer/directions.h"
-#include "soccer/math.h"
 #include "soccer/pitch.h"
 
 namespace cls::player {
 namespace {
 
-namespace math = soccer::math;
-using soccer::AngleDeg;
-using soccer::Vec2;
 using Kind = InterceptPlan::Kind;
 
 // Safety margin against motion noise.
@@ -111,7 +106,7 @@ class Control {
  public:
   explicit Control(const WorldModel& world)
       : kick_(world.self_type().kickable_area(world.server().ball_size) - kReachMargin),
-        catches_(world.goalie && world.game.mode == soccer::PlayMode::kPlayOn) {
+        catches_(world.goalie && world.game.mode == PlayMode::kPlayOn) {
     if (catches_) catch_ = std::max(kick_, catch_reach(world).sure - kReachMargin);
   }
 

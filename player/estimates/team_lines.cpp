@@ -1,8 +1,8 @@
 // Computes defense and offside lines.
-#include "player/estimates/team_lines.h"
+#include "player/estimates/estimates.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "player/world/motion.h"
 #include "soccer/pitch.h"
@@ -10,25 +10,22 @@
 namespace cls::player {
 namespace {
 
-using soccer::PlayMode;
-using soccer::Side;
+/// An x, and the age of the position that it comes from.
+struct Line {
+  double x = 0.0;
+  int count = 0;
+};
 
 /// Rearmost and second rearmost player of a team, as x toward their own goal line.
 struct LastTwo {
-  double last = 0.0;
-  double second = 0.0;
-  int second_count = 0;  ///< age of the position of the second rearmost
-  int last_count = 0;
+  Line last;
+  Line second;
 
   void add(double x, int count) {
-    if (x > last) {
-      second = last;
-      second_count = last_count;
-      last = x;
-      last_count = count;
-    } else if (x > second) {
-      second = x;
-      second_count = count;
+    if (x > last.x) {
+      second = std::exchange(last, {x, count});
+    } else if (x > second.x) {
+      second = {x, count};
     }
   }
 };
@@ -57,26 +54,21 @@ double our_line(const WorldModel& world) {
     two.add(-teammate.position.x, teammate.pos_count);
 
   const bool all = world.teammates.size() + 1 >= soccer::kPlayersPerTeam;
-  double line = damped(two.second, -world.lines.our_defense, all);
+  double line = damped(two.second.x, -world.lines.our_defense, all);
   if (world.ball.position_valid()) line = std::max(line, -world.ball.position.x);
   return -line;
 }
 
-struct TheirLine {
-  double x = 0.0;
-  int count = 0;
-};
-
-TheirLine their_line(const WorldModel& world) {
+Line their_line(const WorldModel& world) {
   LastTwo two;
   for (const PlayerState& opponent : world.opponents) {
     two.add(opponent.position.x + run_back(world, opponent), opponent.pos_count);
   }
 
-  TheirLine line{two.second, two.second_count};
+  Line line = two.second;
   const double ball_x = world.ball.position.x;
-  if (world.their_goalie_unum == 0 && ball_x > 20.0 && ball_x < 36.0 && two.last < 36.0) {
-    line = {two.last, two.last_count};  // the unseen goalie is behind them
+  if (world.their_goalie_unum == 0 && ball_x > 20.0 && ball_x < 36.0 && two.last.x < 36.0) {
+    line = two.last;  // the unseen goalie is behind them
   }
 
   const bool all = world.opponents.size() >= soccer::kPlayersPerTeam;
@@ -96,24 +88,16 @@ double player_line(const PlayerList& players, const SelfState* self, double towa
   if (self != nullptr && self->position_valid()) two.add(toward * self->position.x, 0);
   for (const PlayerState& player : players) two.add(toward * player.position.x, player.pos_count);
   constexpr double kBoxLine = soccer::kHalfLength - soccer::kPenaltyAreaLength;
-  const bool unseen_goalie = !goalie_known && two.last < kBoxLine;
-  return toward * (unseen_goalie ? two.last : two.second);
+  const bool unseen_goalie = !goalie_known && two.last.x < kBoxLine;
+  return toward * (unseen_goalie ? two.last.x : two.second.x);
 }
 
 bool offside_disabled(const WorldModel& world) {
   const GameState& game = world.game;
-  if (!world.server().use_offside) return true;
-  switch (game.mode) {
-    case PlayMode::kKickInLeft:
-    case PlayMode::kKickInRight:
-    case PlayMode::kCornerKickLeft:
-    case PlayMode::kCornerKickRight:
-    case PlayMode::kGoalKickLeft:
-    case PlayMode::kGoalKickRight:
-      return true;
-    default:
-      return game.goalie_catch && game.mode_side() != world.our_side;
-  }
+  const PlayMode mode = without_side(game.mode);
+  const bool caught_by_them = game.goalie_catch && game.mode_side() != world.our_side;
+  return !world.server().use_offside || caught_by_them || mode == PlayMode::kKickInLeft ||
+         mode == PlayMode::kCornerKickLeft || mode == PlayMode::kGoalKickLeft;
 }
 
 }  // namespace
@@ -122,7 +106,7 @@ void update_team_lines(WorldModel& world) {
   TeamLines lines;
   lines.our_defense = our_line(world);
 
-  const TheirLine theirs = their_line(world);
+  const Line theirs = their_line(world);
   lines.their_defense = theirs.x;
   lines.our_defense_players =
       player_line(world.teammates, &world.self, -1.0, world.our_goalie_unum != 0);
@@ -132,9 +116,7 @@ void update_team_lines(WorldModel& world) {
   lines.offside = theirs.x;
   lines.offside_count = theirs.count;
 
-  const InterceptTable& table = world.intercept;
-  const int reached =
-      std::min({table.best_self_steps(), table.first_teammate_steps, table.first_opponent_steps});
+  const int reached = std::min(world.intercept.our_steps(), world.intercept.first_opponent_steps);
   if (world.ball.position_valid() && reached < kNever) {
     const double x =
         ball_after(world.ball.position, world.ball.velocity, reached, world.server().ball_decay).x;

@@ -4,41 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace cls::player {
 namespace {
 
-using soccer::Vec2;
-
-std::vector<std::array<std::size_t, 2>> hull_edges(const std::vector<Triangle>& triangles) {
-  std::vector<std::array<std::size_t, 2>> edges;
-  for (const Triangle& t : triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::array<std::size_t, 2> edge{t[i], t[(i + 1) % 3]};
-      const auto twin =
-          std::find(edges.begin(), edges.end(), std::array<std::size_t, 2>{edge[1], edge[0]});
-      if (twin == edges.end()) {
-        edges.push_back(edge);
-      } else {
-        edges.erase(twin);
-      }
-    }
-  }
-
-  return edges;
-}
-
 /// Edges for samples without triangles, which lie on one line: joins neighbors along it.
-std::vector<std::array<std::size_t, 2>> chain_edges(const std::vector<Vec2>& points) {
+std::vector<Edge> chain_edges(const std::vector<Vec2>& points) {
   std::vector<std::size_t> order(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return points[a].x != points[b].x ? points[a].x < points[b].x : points[a].y < points[b].y;
-  });
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(points[i].x, points[i].y); });
 
-  std::vector<std::array<std::size_t, 2>> chain;
+  std::vector<Edge> chain;
   for (std::size_t i = 0; i + 1 < order.size(); ++i) chain.push_back({order[i], order[i + 1]});
   return chain;
 }
@@ -63,7 +41,7 @@ base::Result<Formation> Formation::make(std::vector<FormationSample> samples) {
   formation.samples_ = std::move(samples);
   formation.triangles_ = triangulate(points);
   formation.hull_ =
-      formation.triangles_.empty() ? chain_edges(points) : hull_edges(formation.triangles_);
+      formation.triangles_.empty() ? chain_edges(points) : boundary(formation.triangles_);
   return formation;
 }
 
@@ -79,25 +57,17 @@ TeamPoints Formation::interpolate(const std::array<std::size_t, 3>& corners,
 }
 
 TeamPoints Formation::nearest_on_hull(Vec2 ball) const {
-  double least = 0.0;
-  const std::array<std::size_t, 2>* nearest = nullptr;
-  Vec2 foot;
+  if (hull_.empty()) return samples_.front().players;
+  const auto foot_on = [&](const Edge& edge) {
+    return soccer::nearest_point({samples_[edge.first].ball, samples_[edge.second].ball}, ball);
+  };
+  const Edge& edge = *std::ranges::min_element(
+      hull_, {}, [&](const Edge& one) { return squared_distance(foot_on(one), ball); });
 
-  for (const auto& edge : hull_) {
-    const Vec2 point =
-        soccer::nearest_point({samples_[edge[0]].ball, samples_[edge[1]].ball}, ball);
-    const double away = squared_distance(point, ball);
-    if (nearest != nullptr && away >= least) continue;
-    least = away;
-    nearest = &edge;
-    foot = point;
-  }
-
-  if (nearest == nullptr) return samples_.front().players;
-  const Vec2 from = samples_[(*nearest)[0]].ball;
-  const Vec2 way = samples_[(*nearest)[1]].ball - from;
-  const double share = dot(foot - from, way) / way.squared_length();
-  return interpolate({(*nearest)[0], (*nearest)[1], (*nearest)[1]}, {1.0 - share, share, 0.0});
+  const Vec2 from = samples_[edge.first].ball;
+  const Vec2 way = samples_[edge.second].ball - from;
+  const double share = dot(foot_on(edge) - from, way) / way.squared_length();
+  return interpolate({edge.first, edge.second, edge.second}, {1.0 - share, share, 0.0});
 }
 
 TeamPoints Formation::positions(Vec2 ball) const {

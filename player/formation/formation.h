@@ -12,10 +12,10 @@
 namespace cls::player {
 
 /// Positions by unum - 1; meters, own team attacks +x.
-using TeamPoints = std::array<soccer::Vec2, soccer::kPlayersPerTeam>;
+using TeamPoints = std::array<Vec2, soccer::kPlayersPerTeam>;
 
 struct FormationSample {
-  soccer::Vec2 ball;
+  Vec2 ball;
   TeamPoints players;
 };
 
@@ -26,7 +26,7 @@ class Formation {
 
   /// Interpolates linearly within the triangle of samples around the ball. A ball outside all
   /// triangles is moved to the nearest point of their hull. A single sample applies everywhere.
-  TeamPoints positions(soccer::Vec2 ball) const;
+  TeamPoints positions(Vec2 ball) const;
 
   const std::vector<FormationSample>& samples() const { return samples_; }
 
@@ -34,11 +34,11 @@ class Formation {
   Formation() = default;
   TeamPoints interpolate(const std::array<std::size_t, 3>& corners,
                          const std::array<double, 3>& weights) const;
-  TeamPoints nearest_on_hull(soccer::Vec2 ball) const;
+  TeamPoints nearest_on_hull(Vec2 ball) const;
 
   std::vector<FormationSample> samples_;
   std::vector<Triangle> triangles_;
-  std::vector<std::array<std::size_t, 2>> hull_;  ///< edges of exactly one triangle, or the chain
+  std::vector<Edge> hull_;  ///< edges of exactly one triangle, or the chain
 };
 
 }  // namespace cls::player

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "player/formation/librcsc_formation.h"
+#include "base/index.h"
 #include "player/formation/text_lines.h"
 
 namespace cls::player {
@@ -17,7 +17,6 @@ namespace {
 
 using base::Error;
 using base::Result;
-using soccer::Vec2;
 
 constexpr std::string_view kHeader = "cls-formation";
 
@@ -35,15 +34,15 @@ FormationSample mirrored(const FormationSample& sample, const Pairs& pairs) {
 class ClsFormatParser {
  public:
   explicit ClsFormatParser(TextLines& lines) : lines_(lines) {
-    for (std::size_t i = 0; i < pairs_.size(); ++i) pairs_[i] = i;
+    std::iota(pairs_.begin(), pairs_.end(), std::size_t{0});
   }
 
   Result<std::vector<FormationSample>> read() {
     while (lines_.next()) {
       const std::vector<std::string_view> tokens = lines_.tokens();
-      if (const Result<void> done = parse_line(tokens); !done) return done.error();
+      TRY(parse_line(tokens));
     }
-    if (const Result<void> done = finish_sample(); !done) return done.error();
+    TRY(finish_sample());
     return add_mirrored();
   }
 
@@ -56,9 +55,8 @@ class ClsFormatParser {
 
     if (tokens.front() == "pair") return parse_pair(tokens);
     if (tokens.front() == "ball") {
-      if (const Result<void> done = finish_sample(); !done) return done;
-      const auto point =
-          tokens.size() == 3 ? lines_.parse_point(tokens[1], tokens[2]) : std::nullopt;
+      TRY(finish_sample());
+      const auto point = TextLines::parse_point(tokens, 1, 3);
       if (!point) return lines_.error("expected 'ball X Y'");
       open_ = true;
       sample_ = {};
@@ -68,13 +66,13 @@ class ClsFormatParser {
     }
 
     const std::optional<int> unum = lines_.parse_unum(tokens.front());
-    const auto point = tokens.size() == 3 ? lines_.parse_point(tokens[1], tokens[2]) : std::nullopt;
+    const auto point = TextLines::parse_point(tokens, 1, 3);
     if (!unum || !point) {
       return lines_.error("expected 'ball X Y', 'UNUM X Y', 'pair UNUM UNUM' or 'mirror'");
     }
 
     if (!open_) return lines_.error("player before the first 'ball X Y'");
-    const auto index = static_cast<std::size_t>(*unum - 1);
+    const std::size_t index = base::index(*unum - 1);
     if (std::exchange(placed_[index], true)) {
       return lines_.error(fmt::format("duplicate player {}", *unum));
     }
@@ -88,8 +86,8 @@ class ClsFormatParser {
     const auto second = tokens.size() == 3 ? lines_.parse_unum(tokens[2]) : std::nullopt;
     if (!first || !second || *first == *second) return lines_.error("expected 'pair UNUM UNUM'");
 
-    const auto a = static_cast<std::size_t>(*first - 1);
-    const auto b = static_cast<std::size_t>(*second - 1);
+    const std::size_t a = base::index(*first - 1);
+    const std::size_t b = base::index(*second - 1);
     if (pairs_[a] != a || pairs_[b] != b) return lines_.error("player already has a partner");
     pairs_[a] = b;
     pairs_[b] = a;
@@ -139,9 +137,8 @@ Result<std::vector<FormationSample>> parse_samples(std::string_view text, const 
 }  // namespace
 
 Result<Formation> parse_formation(std::string_view text, const std::string& name) {
-  Result<std::vector<FormationSample>> samples = parse_samples(text, name);
-  if (!samples) return samples.error();
-  Result<Formation> formation = Formation::make(std::move(*samples));
+  TRY_INIT(auto samples, parse_samples(text, name));
+  Result<Formation> formation = Formation::make(std::move(samples));
   if (!formation) return Error{name + ": " + formation.error().message};
   return formation;
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 #include "player/formation/formation.h"
@@ -16,5 +17,10 @@ base::Result<Formation> parse_formation(std::string_view text, const std::string
 
 /// Formats all samples as cls-formation; parse_formation() restores the same bits.
 std::string format_formation(const Formation& formation);
+
+/// Parses the samples of a librcsc file (formats: formation_file.h); ignores roles and marks. Fails
+/// for methods other than Static and DelaunayTriangulation.
+base::Result<std::vector<FormationSample>> parse_librcsc_formation(std::string_view text,
+                                                                   const std::string& name);
 
 }  // namespace cls::player

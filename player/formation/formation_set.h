@@ -1,4 +1,4 @@
-// The formations of a team: one per kind of situation.
+// The formations of a team: one per kind of situation; the built-in ones.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/index.h"
 #include "base/result.h"
 #include "player/formation/formation.h"
 
@@ -37,15 +38,13 @@ std::string_view file_name(FormationKind kind);
 /// Immutable; shared by all agents of a team.
 class FormationSet {
  public:
-  explicit FormationSet(std::array<Formation, kFormationKindCount> formations)
-      : formations_(std::move(formations)) {}
+  /// One formation per kind, in their order.
+  explicit FormationSet(std::vector<Formation> formations) : formations_(std::move(formations)) {}
 
-  const Formation& of(FormationKind kind) const {
-    return formations_[static_cast<std::size_t>(kind)];
-  }
+  const Formation& of(FormationKind kind) const { return formations_[base::index(kind)]; }
 
  private:
-  std::array<Formation, kFormationKindCount> formations_;
+  std::vector<Formation> formations_;
 };
 
 /// The formations shipped with cls.
@@ -54,5 +53,9 @@ std::shared_ptr<const FormationSet> built_in_formations();
 /// Reads one file per kind from a folder: NAME.formation, otherwise NAME.conf, otherwise NAME.
 /// Fails when one is missing or does not parse; the error names the file.
 base::Result<std::shared_ptr<const FormationSet>> read_formations(const std::string& folder);
+
+/// Text of player/formation/built_in/<name>.formation, embedded by the build; empty for an unknown
+/// name.
+std::string_view built_in_formation(std::string_view name);
 
 }  // namespace cls::player

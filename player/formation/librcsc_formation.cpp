@@ -1,14 +1,12 @@
 // Parses the four generations of librcsc formation files.
-#include "player/formation/librcsc_formation.h"
+#include "player/formation/formation_file.h"
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <utility>
 
+#include "base/index.h"
+#include "base/text/json.h"
 #include "player/formation/text_lines.h"
 
 namespace cls::player {
@@ -16,7 +14,6 @@ namespace {
 
 using base::Error;
 using base::Result;
-using soccer::Vec2;
 
 using Samples = std::vector<FormationSample>;
 using Tokens = std::vector<std::string_view>;
@@ -43,19 +40,19 @@ std::optional<TeamPoints> team_points(const Tokens& tokens, std::size_t first) {
 
 // --- JSON -----------------------------------------------------------------------------------
 
-std::optional<Vec2> json_point(const nlohmann::json& object, const std::string& key) {
+std::optional<Vec2> json_point(const base::Json& object, const std::string& key) {
   const auto found = object.find(key);
-  if (found == object.end() || !found->is_object()) return std::nullopt;
+  if (found == nullptr || !found->is_object()) return std::nullopt;
 
   const auto x = found->find("x");
   const auto y = found->find("y");
-  if (x == found->end() || y == found->end() || !x->is_number() || !y->is_number()) {
+  if (x == nullptr || y == nullptr || !x->is_number() || !y->is_number()) {
     return std::nullopt;
   }
   return Vec2{x->get<double>(), y->get<double>()};
 }
 
-Result<FormationSample> json_sample(const nlohmann::json& object, const std::string& where) {
+Result<FormationSample> json_sample(const base::Json& object, const std::string& where) {
   FormationSample sample;
   if (!object.is_object()) return Error{where + ": not an object"};
 
@@ -73,21 +70,20 @@ Result<FormationSample> json_sample(const nlohmann::json& object, const std::str
 }
 
 Result<Samples> parse_json(std::string_view text, const std::string& name) {
-  const nlohmann::json document = nlohmann::json::parse(text, nullptr, false);
+  const base::Json document = base::Json::parse_or_discarded(text);
   if (document.is_discarded()) return Error{name + ": not valid JSON"};
 
   const auto method = document.find("method");
   const auto data = document.find("data");
-  if (method == document.end() || !method->is_string() || data == document.end() ||
-      !data->is_array()) {
+  if (method == nullptr || !method->is_string() || data == nullptr || !data->is_array()) {
     return Error{name + ": missing 'method' or 'data'"};
   }
 
-  const auto& token = method->get_ref<const std::string&>();
+  const auto token = method->get<std::string>();
   if (token != kStatic && token != kDelaunay) return unknown_method(name, token);
 
   Samples samples;
-  for (const nlohmann::json& object : *data) {
+  for (const base::Json& object : *data) {
     TRY_INIT(auto sample, json_sample(object, fmt::format("{}: data[{}]", name, samples.size())));
     samples.push_back(sample);
     if (token == kStatic) break;  // independent of the ball
@@ -113,9 +109,7 @@ Result<Samples> parse_csv(TextLines& lines, const std::string& name, std::string
     if (tokens.front() == "idx") {
       data = true;
     } else if (data) {
-      const auto ball = tokens.size() == kTeamNumbers + 3
-                            ? TextLines::parse_point(tokens[1], tokens[2])
-                            : std::nullopt;
+      const auto ball = TextLines::parse_point(tokens, 1, kTeamNumbers + 3);
       const auto points = team_points(tokens, 3);
       if (!ball || !points) return lines.error("expected index, ball and 11 points: 25 numbers");
       samples.push_back({*ball, *points});
@@ -132,13 +126,11 @@ Result<Samples> parse_static(TextLines& lines) {
   for (int placed = 0; placed < soccer::kPlayersPerTeam; ++placed) {
     const Tokens tokens = lines.next() ? lines.tokens() : Tokens();
     const auto unum = tokens.empty() ? std::nullopt : TextLines::parse_unum(tokens.front());
-    const auto point =
-        tokens.size() == 4 ? TextLines::parse_point(tokens[2], tokens[3]) : std::optional<Vec2>();
-
+    const auto point = TextLines::parse_point(tokens, 2, 4);
     if (!unum || *unum != placed + 1 || !point) {
       return lines.error(fmt::format("expected '{} ROLE X Y'", placed + 1));
     }
-    sample.players[static_cast<std::size_t>(placed)] = *point;
+    sample.players[base::index(placed)] = *point;
   }
 
   return Samples{sample};
@@ -152,10 +144,7 @@ Result<Samples> parse_version_1(TextLines& lines) {
   while (lines.next()) {
     const Tokens tokens = lines.tokens();
     if (tokens.front() == "End") break;
-    const auto ball = tokens.size() == kTeamNumbers + 2
-                          ? TextLines::parse_point(tokens[0], tokens[1])
-                          : std::nullopt;
-
+    const auto ball = TextLines::parse_point(tokens, 0, kTeamNumbers + 2);
     const auto points = team_points(tokens, 2);
     if (!ball || !points) return lines.error("expected ball and 11 points: 24 numbers");
     samples.push_back({*ball, *points});
@@ -177,8 +166,7 @@ Result<Samples> parse_blocks(TextLines& lines) {
     }
     if (!inside || tokens.front().starts_with("-----")) continue;
 
-    const auto point =
-        tokens.size() == 3 ? TextLines::parse_point(tokens[1], tokens[2]) : std::nullopt;
+    const auto point = TextLines::parse_point(tokens, 1, 3);
     const std::string expected = next == 0 ? "Ball" : std::to_string(next);
     if (!point || tokens.front() != expected) {
       return lines.error(fmt::format("expected '{} X Y'", expected));

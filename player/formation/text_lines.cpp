@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "base/text/value_text.h"
 #include "soccer/side.h"
 
 namespace cls::player {
@@ -44,31 +44,20 @@ base::Error TextLines::error(const std::string& what) const {
   return {fmt::format("{}:{}: {}", *name_, number_, what)};
 }
 
-std::optional<double> TextLines::parse_number(std::string_view token) {
-  double value = 0.0;
-  const auto [end, code] = std::from_chars(token.data(), token.data() + token.size(), value);
-  if (code != std::errc() || end != token.data() + token.size() || !std::isfinite(value)) {
-    return std::nullopt;
-  }
-  return value;
-}
-
-std::optional<soccer::Vec2> TextLines::parse_point(std::string_view x, std::string_view y) {
+std::optional<Vec2> TextLines::parse_point(std::string_view x, std::string_view y) {
   // Positions farther away are typos.
   constexpr double kMaxCoordinate = 200.0;
-  const auto px = parse_number(x);
-  const auto py = parse_number(y);
-  if (!px || !py || std::fabs(*px) > kMaxCoordinate || std::fabs(*py) > kMaxCoordinate)
+  const auto px = base::value_of<double>(x);
+  const auto py = base::value_of<double>(y);
+  if (!px || !py || std::fabs(*px) > kMaxCoordinate || std::fabs(*py) > kMaxCoordinate) {
     return std::nullopt;
-  return soccer::Vec2{*px, *py};
+  }
+  return Vec2{*px, *py};
 }
 
 std::optional<int> TextLines::parse_unum(std::string_view token) {
-  int value = 0;
-  const auto [end, code] = std::from_chars(token.data(), token.data() + token.size(), value);
-  if (code != std::errc() || end != token.data() + token.size()) return std::nullopt;
-  if (value < 1 || value > soccer::kPlayersPerTeam) return std::nullopt;
-  return value;
+  const auto value = base::value_of<int>(token);
+  return value && *value >= 1 && *value <= soccer::kPlayersPerTeam ? value : std::nullopt;
 }
 
 }  // namespace cls::player

@@ -11,6 +11,8 @@
 
 namespace cls::player {
 
+using soccer::Vec2;
+
 /// Skips comments ('#' or "//" to the end of the line) and empty lines.
 class TextLines {
  public:
@@ -26,8 +28,13 @@ class TextLines {
   /// Error with file name and current line number.
   base::Error error(const std::string& what) const;
 
-  static std::optional<double> parse_number(std::string_view token);
-  static std::optional<soccer::Vec2> parse_point(std::string_view x, std::string_view y);
+  static std::optional<Vec2> parse_point(std::string_view x, std::string_view y);
+  /// The point in the tokens `first` and the next one, if there are `count` tokens.
+  static std::optional<Vec2> parse_point(const std::vector<std::string_view>& tokens,
+                                         std::size_t first, std::size_t count) {
+    if (tokens.size() != count) return std::nullopt;
+    return parse_point(tokens[first], tokens[first + 1]);
+  }
   /// 1 to 11.
   static std::optional<int> parse_unum(std::string_view token);
 

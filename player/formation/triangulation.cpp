@@ -8,10 +8,6 @@
 namespace cls::player {
 namespace {
 
-using soccer::Vec2;
-
-using Edge = std::pair<std::size_t, std::size_t>;
-
 double doubled_area(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
 
 /// Positive when `p` lies inside the circle through the corners of a counterclockwise triangle.
@@ -23,13 +19,14 @@ double in_circle(Vec2 a, Vec2 b, Vec2 c, Vec2 p) {
          w.squared_length() * cross(u, v);
 }
 
-/// Edges that belong to exactly one of the triangles: the boundary of their union.
+}  // namespace
+
 std::vector<Edge> boundary(const std::vector<Triangle>& triangles) {
   std::vector<Edge> edges;
   for (const Triangle& t : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Edge edge{t[i], t[(i + 1) % 3]};
-      const auto twin = std::find(edges.begin(), edges.end(), Edge{edge.second, edge.first});
+      const auto twin = std::ranges::find(edges, Edge{edge.second, edge.first});
       if (twin == edges.end()) {
         edges.push_back(edge);
       } else {
@@ -40,8 +37,6 @@ std::vector<Edge> boundary(const std::vector<Triangle>& triangles) {
 
   return edges;
 }
-
-}  // namespace
 
 std::vector<Triangle> triangulate(const std::vector<Vec2>& points) {
   const std::size_t count = points.size();
@@ -54,23 +49,20 @@ std::vector<Triangle> triangulate(const std::vector<Vec2>& points) {
   std::vector<Triangle> triangles{{count, count + 1, count + 2}};
 
   for (std::size_t p = 0; p < count; ++p) {
-    const auto unaffected =
-        std::partition(triangles.begin(), triangles.end(), [&](const Triangle& t) {
-          return in_circle(all[t[0]], all[t[1]], all[t[2]], all[p]) <= 0.0;
-        });
+    const auto affected = std::ranges::partition(triangles, [&](const Triangle& t) {
+      return in_circle(all[t[0]], all[t[1]], all[t[2]], all[p]) <= 0.0;
+    });
 
-    const std::vector<Triangle> broken(unaffected, triangles.end());
-    triangles.erase(unaffected, triangles.end());
+    const std::vector<Triangle> broken(affected.begin(), affected.end());
+    triangles.erase(affected.begin(), affected.end());
     for (const Edge& edge : boundary(broken)) triangles.push_back({edge.first, edge.second, p});
   }
 
-  const auto useless = [&](const Triangle& t) {
+  std::erase_if(triangles, [&](const Triangle& t) {
     constexpr double kFlat = 1e-6;
-    return std::any_of(t.begin(), t.end(), [&](std::size_t i) { return i >= count; }) ||
+    return std::ranges::any_of(t, [&](std::size_t i) { return i >= count; }) ||
            doubled_area(all[t[0]], all[t[1]], all[t[2]]) < kFlat;
-  };
-
-  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), useless), triangles.end());
+  });
   return triangles;
 }
 

@@ -1,10 +1,8 @@
 // Puts the body command into its slot, then looks.
-#include "player/looking/body_command.h"
+#include "player/looking/looking.h"
 
 #include "base/overloaded.h"
 #include "player/commands/command_slots.h"
-#include "player/looking/neck.h"
-#include "player/looking/view.h"
 #include "player/world/motion.h"
 
 namespace cls::player {

@@ -1,18 +1,15 @@
 // Turns body and neck to a point, to the ball, or around to scan the field.
-#include "player/looking/body_neck.h"
+#include "player/looking/looking.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "player/looking/neck.h"
+#include "base/index.h"
+#include "player/world/candidates.h"
 #include "player/world/motion.h"
 #include "soccer/interval.h"
 
 namespace cls::player {
 namespace {
-
-using soccer::AngleDeg;
-using soccer::Vec2;
 
 /// Turns the neck so that the face points in a global direction, relative to the next body.
 void face(const WorldModel& world, CommandSlots& slots, AngleDeg direction) {
@@ -80,7 +77,7 @@ bool scan_field(const WorldModel& world, const ViewMemory& view, CommandSlots& s
 
   const Vec2 last = world.ball.seen_pos_count < kNever ? world.ball.seen_position : Vec2{};
   const AngleDeg direction = AngleDeg::of(last - self_after(world, 1));
-  if (view.ages[static_cast<std::size_t>(ViewMemory::sector_of(direction))] < kRecentlySeen) {
+  if (view.ages[base::index(ViewMemory::sector_of(direction))] < kRecentlySeen) {
     return look_around(world, view, slots);
   }
 
@@ -97,23 +94,18 @@ bool emergency(const WorldModel& world, const ViewMemory& view, CommandSlots& sl
 bool look_around(const WorldModel& world, const ViewMemory& view, CommandSlots& slots) {
   constexpr double kStep = 5.0;
   const double half = view_angle(world.server(), slots.next_view_width()) / 2.0;
-  AngleDeg best = world.self.body;
-  int best_age = -1;
+  Highest<AngleDeg> best{-1.0, world.self.body};
 
   for (double offset = -180.0; offset < 180.0; offset += kStep) {
     const AngleDeg direction = world.self.body + offset;
-    const int age = view.age_around(direction, half);
-    if (age > best_age) {
-      best_age = age;
-      best = direction;
-    }
+    best.offer(view.age_around(direction, half), direction);
   }
 
-  const double relative = (best - world.self.body).degrees();
+  const double relative = (best.value - world.self.body).degrees();
   const double neck =
       soccer::between(relative, world.server().minneckang, world.server().maxneckang);
   const bool set = slots.turn(relative - neck);
-  face(world, slots, best);
+  face(world, slots, best.value);
   return set;
 }
 

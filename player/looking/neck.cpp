@@ -1,19 +1,16 @@
 // Neck actions.
-#include "player/looking/neck.h"
+#include "player/looking/looking.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "player/looking/neck_search.h"
 #include "player/world/motion.h"
+#include "player/world/places.h"
 #include "soccer/interval.h"
-#include "soccer/pitch.h"
 
 namespace cls::player {
 namespace {
-
-using soccer::AngleDeg;
-using soccer::Vec2;
 
 /// Margin in degrees inside the view cone for reliable visibility.
 constexpr double kEdge = 5.0;
@@ -25,6 +22,11 @@ bool aim(const WorldModel& world, CommandSlots& slots, double relative) {
 
 double half_view(const WorldModel& world, const CommandSlots& slots) {
   return view_angle(world.server(), slots.next_view_width()) / 2.0;
+}
+
+/// The nearest angle that the neck can turn to.
+double neck_limited(const WorldModel& world, double angle) {
+  return soccer::between(angle, world.server().minneckang, world.server().maxneckang);
 }
 
 /// Direction of a point in the next cycle, degrees relative to the next body.
@@ -46,13 +48,10 @@ Vec2 next_position_of(const PlayerState& player) {
 bool aim_near(const WorldModel& world, const ViewMemory& view, CommandSlots& slots, double relative,
               double edge) {
   const double slack = std::max(0.0, half_view(world, slots) - edge);
-  const double low =
-      soccer::between(relative - slack, world.server().minneckang, world.server().maxneckang);
-  const double high =
-      soccer::between(relative + slack, world.server().minneckang, world.server().maxneckang);
-
   const NeckSearch search(world, view, slots);
-  return aim(world, slots, search.best_field(low, high));
+  return aim(world, slots,
+             search.best_field(neck_limited(world, relative - slack),
+                               neck_limited(world, relative + slack)));
 }
 
 }  // namespace
@@ -62,17 +61,15 @@ bool neck_scan_field(const WorldModel& world, const ViewMemory& view, CommandSlo
   const NeckSearch search(world, view, slots);
   const Vec2 here = slots.next_position();
 
-  const bool at_edge =
-      std::fabs(here.x) > soccer::kHalfLength - 5.0 || std::fabs(here.y) > soccer::kHalfWidth - 5.0;
-  if (at_edge && slots.next_view_width() == soccer::ViewWidth::kWide) {
+  constexpr double kNearEdge = 5.0;
+  if (outside_pitch(here, kNearEdge) && slots.next_view_width() == soccer::ViewWidth::kWide) {
     const double inward = relative_direction(slots, {here.x * 0.3, 0.0});
-    return aim(world, slots, soccer::between(inward, server.minneckang, server.maxneckang));
+    return aim(world, slots, neck_limited(world, inward));
   }
 
-  if (search.knows_all_players()) {
-    return aim(world, slots, search.best_players(server.minneckang, server.maxneckang));
-  }
-  return aim(world, slots, search.best_field(server.minneckang, server.maxneckang));
+  return aim(world, slots,
+             search.knows_all_players() ? search.best_players(server.minneckang, server.maxneckang)
+                                        : search.best_field(server.minneckang, server.maxneckang));
 }
 
 bool neck_scan_players(const WorldModel& world, const ViewMemory& view, CommandSlots& slots) {
@@ -120,10 +117,10 @@ bool neck_turn_to_ball_and_player(const WorldModel& world, const ViewMemory& vie
 
   const double ball = relative_direction(slots, ball_after(world, 1));
   const double other = relative_direction(slots, next_position_of(*player));
-  const double gap = soccer::math::normalize_degrees(other - ball);
-  const double middle = soccer::math::normalize_degrees(ball + gap / 2.0);
+  const double gap = math::normalize_degrees(other - ball);
+  const double middle = math::normalize_degrees(ball + gap / 2.0);
   const double width = 2.0 * (half_view(world, slots) - kEdge);
-  const double neck = soccer::between(middle, world.server().minneckang, world.server().maxneckang);
+  const double neck = neck_limited(world, middle);
 
   const bool fits = std::fabs(gap) / 2.0 + std::fabs(middle - neck) <= width / 2.0;
   return fits ? aim(world, slots, neck) : neck_turn_to_ball(world, view, slots);
@@ -153,8 +150,8 @@ bool neck_turn_to_goalie_or_scan(const WorldModel& world, const ViewMemory& view
   }
 
   // Include the goal beside the goalie: shift toward the goal center.
-  const double goal = relative_direction(slots, {soccer::kHalfLength, 0.0});
-  const double lean = std::clamp(soccer::math::normalize_degrees(goal - relative), -10.0, 10.0);
+  const double goal = relative_direction(slots, kOpponentGoal);
+  const double lean = std::clamp(math::normalize_degrees(goal - relative), -10.0, 10.0);
   return aim(world, slots, relative + lean);
 }
 
@@ -188,7 +185,7 @@ bool neck_turn_to_point(const WorldModel& world, const ViewMemory& view, Command
 }
 
 bool neck_turn_to_relative(const WorldModel& world, CommandSlots& slots, double angle) {
-  return aim(world, slots, soccer::math::normalize_degrees(angle));
+  return aim(world, slots, math::normalize_degrees(angle));
 }
 
 bool neck_offensive_intercept(const WorldModel& world, const ViewMemory& view,
@@ -199,8 +196,7 @@ bool neck_offensive_intercept(const WorldModel& world, const ViewMemory& view,
                                         world.player_by_id(world.kickable_opponent_id), 0);
   }
 
-  const Vec2 goal{soccer::kHalfLength, 0.0};
-  const bool near_goal = distance(first_reach_point(world), goal) < 20.0;
+  const bool near_goal = distance(first_reach_point(world), kOpponentGoal) < 20.0;
   if (table.self_steps <= 1 && near_goal) {
     return neck_turn_to_goalie_or_scan(world, view, slots, 0);
   }

@@ -2,7 +2,6 @@
 #include "player/looking/neck_search.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "soccer/directions.h"
@@ -10,9 +9,6 @@
 
 namespace cls::player {
 namespace {
-
-using soccer::AngleDeg;
-using soccer::Vec2;
 
 /// Unit vectors along the middles of the sectors.
 const std::array<Vec2, ViewMemory::kSectors>& sector_directions() {
@@ -77,7 +73,7 @@ void NeckSearch::add_players(const WorldModel& world, const PlayerList& list, Ve
   for (std::size_t i = 0; i < list.size(); ++i) {
     const PlayerState& player = list[i];
     const double age = std::min(player.seen_pos_count, 100) + 1.0;
-    double weight = age * age * soccer::math::exp(-relatives[i].squared_length() / 800.0);
+    double weight = age * age * math::exp(-relatives[i].squared_length() / 800.0);
     if (ours && attack && player.position.x > here.x) weight *= 4.0;
     players_.push_back({(AngleDeg(degrees[i]) - body_).degrees(), weight});
   }

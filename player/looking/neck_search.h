@@ -29,13 +29,13 @@ class NeckSearch {
 
   template <typename Score>
   double best(double low, double high, const Score& score) const;
-  void add_players(const WorldModel& world, const PlayerList& list, soccer::Vec2 here, bool ours);
+  void add_players(const WorldModel& world, const PlayerList& list, Vec2 here, bool ours);
   double player_score(double neck) const;
   double field_score(double neck) const;
 
   double half_view_;
   double neck_now_;
-  soccer::AngleDeg body_;
+  AngleDeg body_;
   bool all_players_ = false;
   base::FixedList<WeightedDirection, 44> players_;
   /// Sum of the scores of the direction sectors before each one, twice around.

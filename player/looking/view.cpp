@@ -1,39 +1,22 @@
 // Selects view width and focus point.
-#include "player/looking/view.h"
+#include "player/looking/looking.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "player/world/motion.h"
+#include "player/world/places.h"
 #include "player/world/view_cone.h"
 #include "soccer/interval.h"
-#include "soccer/pitch.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::AngleDeg;
-using soccer::PlayMode;
-using soccer::Vec2;
 using soccer::ViewWidth;
 
 bool needs_wide_view(const WorldModel& world) {
-  switch (world.game.mode) {
-    case PlayMode::kBeforeKickOff:
-    case PlayMode::kGoalLeft:
-    case PlayMode::kGoalRight:
-    case PlayMode::kPenaltySetupLeft:
-    case PlayMode::kPenaltySetupRight:
-    case PlayMode::kPenaltyReadyLeft:
-    case PlayMode::kPenaltyReadyRight:
-    case PlayMode::kPenaltyMissLeft:
-    case PlayMode::kPenaltyMissRight:
-    case PlayMode::kPenaltyScoreLeft:
-    case PlayMode::kPenaltyScoreRight:
-      return true;
-    default:
-      return world.goalie && world.game.goalie_catch && world.game.mode_side() == world.our_side;
-  }
+  const PlayMode mode = without_side(world.game.mode);
+  const bool waiting_penalty = soccer::is_penalty_mode(mode) && mode != PlayMode::kPenaltyTakenLeft;
+  return before_play(mode) || waiting_penalty || (world.goalie && holds_caught_ball(world));
 }
 
 bool is_player_near_ball(const WorldModel& world, double radius) {
@@ -49,15 +32,12 @@ bool is_player_near_ball(const WorldModel& world, double radius) {
 bool goalie_far_from_play(const WorldModel& world, Vec2 play, double dist) {
   return world.goalie && !world.self.kickable &&
          (dist > 10.0 || play.x > -soccer::kHalfLength + soccer::kPenaltyAreaLength ||
-          distance(play, {-soccer::kHalfLength, 0.0}) > 20.0);
+          distance(play, kOwnGoal) > 20.0);
 }
 
 ViewWidth tactical_width(const WorldModel& world) {
   if (needs_wide_view(world) || !world.ball.position_valid()) return ViewWidth::kWide;
-  if (world.game.mode == PlayMode::kPenaltyTakenLeft ||
-      world.game.mode == PlayMode::kPenaltyTakenRight) {
-    return ViewWidth::kNarrow;
-  }
+  if (without_side(world.game.mode) == PlayMode::kPenaltyTakenLeft) return ViewWidth::kNarrow;
 
   const Vec2 play = first_reach_point(world);
   const Vec2 here = self_after(world, 1);
@@ -97,8 +77,8 @@ bool focus_to_point(const WorldModel& world, CommandSlots& slots, Vec2 point) {
   const double inside = soccer::between(direction, -half, half);
 
   // Outside the view cone: use the nearest point on its edge.
-  const double off = soccer::math::to_radians(direction - inside);
-  const double reach = relative.length() * std::max(0.0, soccer::math::cos(off));
+  const double off = math::to_radians(direction - inside);
+  const double reach = relative.length() * std::max(0.0, math::cos(off));
   return slots.change_focus(reach - world.self.focus_distance,
                             inside - world.self.focus_direction.degrees());
 }

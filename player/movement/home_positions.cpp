@@ -3,28 +3,18 @@
 
 #include <algorithm>
 
+#include "base/index.h"
 #include "player/world/motion.h"
+#include "player/world/places.h"
 #include "player/world/planner_parameters.h"
 #include "soccer/pitch.h"
-#include "soccer/play_mode.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::PlayMode;
-using soccer::Vec2;
-
-bool before_play(PlayMode mode) {
-  return mode == PlayMode::kBeforeKickOff || without_side(mode) == PlayMode::kGoalLeft;
-}
-
-int our_steps(const WorldModel& world) {
-  return std::min(world.intercept.best_self_steps(), world.intercept.first_teammate_steps);
-}
-
 FormationKind in_open_play(const WorldModel& world) {
   constexpr int kClearly = 2;
-  const int our_cycles = our_steps(world);
+  const int our_cycles = world.intercept.our_steps();
   const int their_cycles = world.intercept.first_opponent_steps;
   if (their_cycles <= our_cycles - kClearly) return FormationKind::kDefense;
   if (our_cycles <= their_cycles - kClearly) return FormationKind::kOffense;
@@ -59,7 +49,7 @@ double shift_of(FormationKind kind, const PlannerParameters& parameters) {
 /// Maximum x that is not offside.
 double farthest_x(const WorldModel& world) {
   if (before_play(world.game.mode)) return 0.0;
-  const int our_cycles = our_steps(world);
+  const int our_cycles = world.intercept.our_steps();
   double line = world.lines.offside;
   if (our_cycles < 50) line = std::max(line, ball_after(world, our_cycles).x);
   return line - 1.0;
@@ -110,16 +100,13 @@ TeamPoints home_positions(const WorldModel& world) {
   }
 
   const double max_x = farthest_x(world);
-  for (Vec2& point : points) {
-    point.x = std::clamp(std::min(point.x, max_x), -soccer::kHalfLength, soccer::kHalfLength);
-    point.y = std::clamp(point.y, -soccer::kHalfWidth, soccer::kHalfWidth);
-  }
+  for (Vec2& point : points) point = clamped_to_pitch({std::min(point.x, max_x), point.y});
 
   return points;
 }
 
 Vec2 own_home_position(const WorldModel& world) {
-  return home_positions(world)[static_cast<std::size_t>(world.unum - 1)];
+  return home_positions(world)[base::index(world.unum - 1)];
 }
 
 }  // namespace cls::player

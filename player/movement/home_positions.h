@@ -16,6 +16,6 @@ FormationKind formation_kind(const WorldModel& world);
 TeamPoints home_positions(const WorldModel& world);
 
 /// Home position of the agent.
-soccer::Vec2 own_home_position(const WorldModel& world);
+Vec2 own_home_position(const WorldModel& world);
 
 }  // namespace cls::player

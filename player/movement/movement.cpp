@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "player/looking/body_neck.h"
+#include "player/looking/looking.h"
 #include "player/world/leg_dash.h"
 #include "player/world/motion.h"
 #include "soccer/pitch.h"
@@ -12,8 +12,9 @@
 namespace cls::player {
 namespace {
 
-using soccer::AngleDeg;
-using soccer::Vec2;
+double payable_power(const WorldModel& world, double power, bool save_recovery) {
+  return save_recovery ? safe_dash_power(world, power) : power;
+}
 
 /// Displacement within the horizon per unit of velocity.
 double travel_per_speed(const WorldModel& world, int horizon) {
@@ -39,12 +40,12 @@ Vec2 around_posts(const WorldModel& world, Vec2 from, Vec2 target) {
 /// True if our team takes the next kick-off: after conceding, otherwise left and right alternate by
 /// half.
 bool we_kick_off(const WorldModel& world) {
-  if (world.game.mode != soccer::PlayMode::kBeforeKickOff) {
+  if (world.game.mode != PlayMode::kBeforeKickOff) {
     return world.game.mode_side() != world.our_side;
   }
   const int half = world.server().half_time_cycles();
   const bool left = half <= 0 || world.game.time.cycle / half % 2 == 0;
-  return (world.our_side == soccer::Side::kLeft) == left;
+  return (world.our_side == Side::kLeft) == left;
 }
 
 /// Near the target: dash directly in its direction if three dashes suffice.
@@ -56,7 +57,7 @@ bool omni_dash(const WorldModel& world, CommandSlots& slots, Vec2 needed, double
       dash_rate(world.server(), direction.degrees()) * world.self_type().dash_power_rate;
 
   const double power = needed.length() / (rate * world.self.effort);
-  const double allowed = options.save_recovery ? safe_dash_power(world, max_power) : max_power;
+  const double allowed = payable_power(world, max_power, options.save_recovery);
   if (power > allowed * kMaxDashes) return false;
   return slots.dash(std::min(power, allowed), direction.degrees());
 }
@@ -68,7 +69,7 @@ bool turn_while_dashing(const WorldModel& world, CommandSlots& slots, double ang
   constexpr double kMinDistance = 1.5;
   if (!world.leg_dashes || dist < kMinDistance) return false;
   const bool hurry = max_power >= 0.9 * world.server().max_dash_power;
-  const double allowed = options.save_recovery ? safe_dash_power(world, max_power) : max_power;
+  const double allowed = payable_power(world, max_power, options.save_recovery);
   const std::optional<LegTurn> turn = useful_leg_turn(world, angle, allowed, hurry);
   return turn && slots.dash(turn->legs);
 }
@@ -96,7 +97,7 @@ bool go_to_point(const WorldModel& world, CommandSlots& slots, Vec2 target, doub
   const double dist = missing.length();
   const AngleDeg direction = AngleDeg::of(missing) - self.body;
   const Vec2 needed = missing / travel;
-  const double sideways = std::fabs(soccer::math::sin(direction.radians())) * dist;
+  const double sideways = std::fabs(math::sin(direction.radians())) * dist;
   const bool beside = sideways >= threshold || direction.abs() > 90.0;
 
   if (dist < threshold + 1.0 && beside &&
@@ -106,26 +107,21 @@ bool go_to_point(const WorldModel& world, CommandSlots& slots, Vec2 target, doub
 
   double margin = options.turn_margin_deg;
   if (dist > threshold) {
-    margin = std::max(margin, soccer::math::to_degrees(soccer::math::asin(threshold / dist)));
+    margin = std::max(margin, math::to_degrees(math::asin(threshold / dist)));
   }
 
   if (direction.abs() > margin) {
-    if (better_backwards(world, dist, direction.abs()) &&
-        omni_dash(world, slots, needed, max_dash_power, options)) {
-      return true;
-    }
-    if (turn_while_dashing(world, slots, direction.degrees(), dist, max_dash_power, options)) {
-      return true;
-    }
-    return slots.turn(direction.degrees());
+    return (better_backwards(world, dist, direction.abs()) &&
+            omni_dash(world, slots, needed, max_dash_power, options)) ||
+           turn_while_dashing(world, slots, direction.degrees(), dist, max_dash_power, options) ||
+           slots.turn(direction.degrees());
   }
 
-  const double forward = needed.length() * soccer::math::cos(direction.radians());
+  const double forward = needed.length() * math::cos(direction.radians());
   constexpr double kMinAcceleration = 0.05;
   if (forward < kMinAcceleration) return false;
-  double power = forward / (world.self_type().dash_power_rate * self.effort);
-  power = std::min(power, max_dash_power);
-  return slots.dash(options.save_recovery ? safe_dash_power(world, power) : power);
+  const double power = forward / (world.self_type().dash_power_rate * self.effort);
+  return slots.dash(payable_power(world, std::min(power, max_dash_power), options.save_recovery));
 }
 
 bool go_to_point_dodge(const WorldModel& world, CommandSlots& slots, Vec2 target,
@@ -155,7 +151,7 @@ bool go_to_point_dodge(const WorldModel& world, CommandSlots& slots, Vec2 target
     }
   }
 
-  if (world.game.mode != soccer::PlayMode::kPlayOn) avoid(world.ball.position);
+  if (world.game.mode != PlayMode::kPlayOn) avoid(world.ball.position);
   return go_to_point(world, slots, aim, 0.1, dash_power, {3});
 }
 
@@ -184,8 +180,8 @@ bool go_to_point_look_ball(const WorldModel& world, const ViewMemory& view, Comm
     return true;
   }
 
-  const double margin = std::max(
-      6.0, soccer::math::to_degrees(soccer::math::atan2(threshold, distance(target, rest))));
+  const double margin =
+      std::max(6.0, math::to_degrees(math::atan2(threshold, distance(target, rest))));
   const AngleDeg wanted_body = travel + 180.0;
   if ((wanted_body - self.body).abs() > margin) {
     slots.turn((wanted_body - self.body).degrees());
@@ -210,15 +206,13 @@ bool stop_dash(const WorldModel& world, CommandSlots& slots, bool save_recovery)
   const AngleDeg against = AngleDeg::of(-self.velocity) - self.body;
   const double rate =
       dash_rate(world.server(), against.degrees()) * world.self_type().dash_power_rate;
-  double power = self.velocity.length() / (rate * self.effort);
-  power = std::min(power, world.server().max_dash_power);
-  if (save_recovery) power = safe_dash_power(world, power);
+  const double needed = self.velocity.length() / (rate * self.effort);
+  const double power =
+      payable_power(world, std::min(needed, world.server().max_dash_power), save_recovery);
 
-  if (power < 1.0) {
-    slots.turn(0.0);
-    return false;
-  }
-  return slots.dash(power, against.degrees());
+  if (!(power < 1.0)) return slots.dash(power, against.degrees());
+  slots.turn(0.0);
+  return false;
 }
 
 bool turn_to_angle(const WorldModel& world, CommandSlots& slots, AngleDeg angle) {
@@ -247,7 +241,7 @@ bool before_kick_off(const WorldModel& world, const ViewMemory& view, CommandSlo
   }
 
   if (!world.self.position_valid()) return scan_field(world, view, slots);
-  const bool after_goal = game.mode != soccer::PlayMode::kBeforeKickOff;
+  const bool after_goal = game.mode != PlayMode::kBeforeKickOff;
   if (after_goal && world.self.velocity.length() > 0.05) return slots.turn(180.0);
   if (world.server().forbid_kick_off_offside) point.x = std::min(point.x, -0.01);
 

@@ -3,16 +3,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "base/index.h"
+#include "player/movement/movement_parameters.h"
+#include "player/world/candidates.h"
 #include "player/world/motion.h"
+#include "player/world/places.h"
 #include "player/world/planner_parameters.h"
-#include "soccer/pitch.h"
 
 namespace cls::player {
 namespace {
-
-using soccer::Vec2;
 
 // Blocking.
 
@@ -28,10 +28,9 @@ struct Possession {
 
 std::optional<Possession> possession_of_opponents(const WorldModel& world) {
   const InterceptTable& table = world.intercept;
-  const int our_cycles = std::min(table.best_self_steps(), table.first_teammate_steps);
   if (world.kickable_teammate() || world.self.kickable) return std::nullopt;
   if (world.kickable_opponent()) return Possession{0, world.ball.position};
-  if (table.first_opponent_steps >= std::min(our_cycles, 50)) return std::nullopt;
+  if (table.first_opponent_steps >= std::min(table.our_steps(), 50)) return std::nullopt;
   return Possession{table.first_opponent_steps, ball_after(world, table.first_opponent_steps)};
 }
 
@@ -45,7 +44,7 @@ Vec2 dribble_direction(Vec2 ball) {
 
 /// First cycle in which a player starting at `from` blocks the dribble; kMaxBlockCycles + 1: never.
 int cycles_to_block(const WorldModel& world, const soccer::PlayerType& type, Vec2 from,
-                    soccer::AngleDeg body, bool body_known, const Possession& possession) {
+                    AngleDeg body, bool body_known, const Possession& possession) {
   const Vec2 step = dribble_direction(possession.ball) * kDribbleSpeed;
   for (int cycle = 1; cycle <= kMaxBlockCycles; ++cycle) {
     const Vec2 there = possession.ball + step * std::max(0, cycle - possession.cycles);
@@ -53,7 +52,7 @@ int cycles_to_block(const WorldModel& world, const soccer::PlayerType& type, Vec
     const Vec2 way = there - from;
     const double run = way.length() - kInTheWay;
     if (run <= 0.0) return cycle;
-    const bool turn = body_known && (soccer::AngleDeg::of(way) - body).abs() > 25.0;
+    const bool turn = body_known && (AngleDeg::of(way) - body).abs() > 25.0;
     if (cycles_to_run(world.server(), type, run) + (turn ? 1 : 0) <= cycle) return cycle;
   }
 
@@ -74,7 +73,7 @@ std::optional<Vec2> block_point(const WorldModel& world) {
   for (const PlayerState& teammate : world.teammates) {
     if (teammate.goalie || teammate.ghost() || teammate.pos_count > 10 || teammate.tackling)
       continue;
-    const Vec2 from = teammate.position + (teammate.velocity_valid() ? teammate.velocity : Vec2{});
+    const Vec2 from = teammate.position + teammate.known_velocity();
     const int other = cycles_to_block(world, world.type_of(teammate), from, teammate.body,
                                       teammate.body_count <= 2, *possession);
     const bool by_number = other == own && teammate.unum != 0 && teammate.unum < world.unum;
@@ -89,13 +88,12 @@ namespace {
 
 // Marking.
 
-const Vec2 kOurGoal{-soccer::kHalfLength, 0.0};
 constexpr int kMaxMarkAge = 12;
 
 bool their_attack(const WorldModel& world) {
   const InterceptTable& table = world.intercept;
-  const int our_cycles = std::min(table.best_self_steps(), table.first_teammate_steps);
-  const bool opponents_first = world.kickable_opponent() || table.first_opponent_steps < our_cycles;
+  const bool opponents_first =
+      world.kickable_opponent() || table.first_opponent_steps < table.our_steps();
   const bool their_set_play = is_set_play_of(world.game, world.their_side());
   return (opponents_first || their_set_play) &&
          first_reach_point(world).x < world.planner->mark_ball_x;
@@ -126,36 +124,33 @@ std::optional<Mark> find_mark(const WorldModel& world, const TeamPoints& home,
   for (const PlayerState& opponent : world.opponents) {
     constexpr double kHasBall = 2.5;
     if (opponent.goalie || opponent.ghost() || opponent.pos_count > kMaxMarkAge) continue;
-    if (distance(opponent.position, kOurGoal) > rules.near_goal) continue;
+    if (distance(opponent.position, kOwnGoal) > rules.near_goal) continue;
     if (distance(opponent.position, ball) < kHasBall) continue;
     attackers.push_back(&opponent);
   }
 
-  std::sort(attackers.begin(), attackers.end(), [](const PlayerState* a, const PlayerState* b) {
-    return distance(a->position, kOurGoal) < distance(b->position, kOurGoal);
+  std::ranges::sort(attackers, {}, [](const PlayerState* attacker) {
+    return distance(attacker->position, kOwnGoal);
   });
 
   std::array<bool, soccer::kPlayersPerTeam> taken{};
   for (const PlayerState* attacker : attackers) {
-    int marker = 0;
     constexpr double kNear = 35.0;
-    const bool near = distance(attacker->position, kOurGoal) < kNear;
-    double best_cost = near ? std::max(rules.max_cost, rules.max_cost_near_goal) : rules.max_cost;
+    const bool near = distance(attacker->position, kOwnGoal) < kNear;
+    Lowest<int> marker{near ? std::max(rules.max_cost, rules.max_cost_near_goal) : rules.max_cost};
     for (int unum = 2; unum <= soccer::kPlayersPerTeam; ++unum) {
-      const auto i = static_cast<std::size_t>(unum - 1);
-      const double away = marking_cost(world, unum, home[i], attacker->position);
-      if (taken[i] || unum == world.our_goalie_unum || away >= best_cost) continue;
-      best_cost = away;
-      marker = unum;
+      const std::size_t i = base::index(unum - 1);
+      if (taken[i] || unum == world.our_goalie_unum) continue;
+      marker.offer(marking_cost(world, unum, home[i], attacker->position), unum);
     }
 
-    if (marker == 0) continue;
-    taken[static_cast<std::size_t>(marker - 1)] = true;
-    if (marker != world.unum) continue;
+    if (marker.value == 0) continue;
+    taken[base::index(marker.value - 1)] = true;
+    if (marker.value != world.unum) continue;
 
     const Vec2 there =
         attacker->position + (attacker->velocity_valid() ? attacker->velocity * 2.0 : Vec2{});
-    return Mark{there + soccer::with_length(kOurGoal - there, rules.step), attacker};
+    return Mark{there + soccer::with_length(kOwnGoal - there, rules.step), attacker};
   }
 
   return std::nullopt;
@@ -165,6 +160,7 @@ namespace {
 
 // Support.
 
+constexpr SupportParameters kNumbers = kMovement.support;
 constexpr std::array<double, 4> kRings{0.0, 2.5, 5.0, 7.5};
 constexpr int kDirections = 12;
 constexpr int kMaxSupportAge = 10;
@@ -210,21 +206,21 @@ double free_space(const WorldModel& world, Vec2 point, double limit) {
 
 /// Penalty for points near the home positions of teammates.
 double crowding(const WorldModel& world, const TeamPoints& home, Vec2 point) {
-  constexpr double kApart = 7.0;
-  double least = kApart;
+  double least = kNumbers.apart;
   for (int unum = 2; unum <= soccer::kPlayersPerTeam; ++unum) {
     if (unum == world.unum) continue;
-    least = std::min(least, distance(home[static_cast<std::size_t>(unum - 1)], point));
+    least = std::min(least, distance(home[base::index(unum - 1)], point));
   }
-  return kApart - least;
+  return kNumbers.apart - least;
 }
 
 double support_score(const WorldModel& world, const TeamPoints& home, Vec2 ball, Vec2 own,
                      Vec2 point) {
-  const Vec2 goal{soccer::kHalfLength, 0.0};
-  return 1.6 * lane_margin(world, ball, point, 2.5) + 0.5 * free_space(world, point, 5.0) -
-         0.25 * distance(point, goal) - 0.25 * distance(point, own) -
-         0.15 * distance(point, world.self.position) - 0.5 * crowding(world, home, point);
+  return kNumbers.lane * lane_margin(world, ball, point, kNumbers.max_lane) +
+         kNumbers.room * free_space(world, point, kNumbers.max_room) -
+         kNumbers.goal * distance(point, kOpponentGoal) - kNumbers.home * distance(point, own) -
+         kNumbers.way * distance(point, world.self.position) -
+         kNumbers.crowd * crowding(world, home, point);
 }
 
 }  // namespace
@@ -232,16 +228,14 @@ double support_score(const WorldModel& world, const TeamPoints& home, Vec2 ball,
 std::optional<Vec2> support_point(const WorldModel& world, const TeamPoints& home) {
   const PlannerParameters& parameters = *world.planner;
   const Vec2 ball = first_reach_point(world);
-  const Vec2 own = home[static_cast<std::size_t>(world.unum - 1)];
-  const double away = distance(own, ball);
-  if (world.goalie || !teammate_has_ball(world) || ball.x < parameters.support_ball_x)
+  const Vec2 own = home[base::index(world.unum - 1)];
+  if (world.goalie || !teammate_has_ball(world) || ball.x < parameters.support_ball_x ||
+      distance(own, ball) > parameters.support_distance || own.x < ball.x - 12.0 ||
+      world.self.stamina < parameters.support_stamina * world.server().stamina_max) {
     return std::nullopt;
-  if (away > parameters.support_distance || own.x < ball.x - 12.0) return std::nullopt;
-  if (world.self.stamina < parameters.support_stamina * world.server().stamina_max)
-    return std::nullopt;
+  }
 
-  Vec2 best = own;
-  double best_score = -1e9;
+  Highest<Vec2> best{-1e9, own};
   for (const double ring : kRings) {
     for (int i = 0; i < (ring > 0.0 ? kDirections : 1); ++i) {
       Vec2 point = own + soccer::polar_degrees(ring, 360.0 * i / kDirections);
@@ -249,14 +243,11 @@ std::optional<Vec2> support_point(const WorldModel& world, const TeamPoints& hom
       point.y = std::clamp(point.y, -soccer::kHalfWidth + 1.5, soccer::kHalfWidth - 1.5);
 
       if (distance(point, ball) < 5.0) continue;
-      const double value = support_score(world, home, ball, own, point);
-      if (value <= best_score) continue;
-      best_score = value;
-      best = point;
+      best.offer(support_score(world, home, ball, own, point), point);
     }
   }
 
-  return best;
+  return best.value;
 }
 
 }  // namespace cls::player

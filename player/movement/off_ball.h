@@ -10,7 +10,7 @@ namespace cls::player {
 
 /// Earliest point at which the agent blocks an opponent dribbling toward our goal. Empty if no
 /// opponent has or gets the ball, a teammate blocks earlier, or it takes too long.
-std::optional<soccer::Vec2> block_point(const WorldModel& world);
+std::optional<Vec2> block_point(const WorldModel& world);
 
 struct MarkRules {
   double near_goal = 0.0;  ///< opponents within this distance of our goal are marked, meters
@@ -25,7 +25,7 @@ MarkRules marking_in_open_play(const WorldModel& world);
 constexpr MarkRules kSetPlayMarking{58.0, 20.0, 1.8, 35.0};
 
 struct Mark {
-  soccer::Vec2 point;  ///< a step from the opponent toward our goal
+  Vec2 point;  ///< a step from the opponent toward our goal
   const PlayerState* opponent = nullptr;
 };
 /// Whom the agent marks. Opponents near our goal, nearest first, are assigned to the free field
@@ -37,6 +37,6 @@ std::optional<Mark> find_mark(const WorldModel& world, const TeamPoints& home,
 /// Best point near the home position (`home`, by unum - 1) to receive a pass from the teammate with
 /// the ball: open pass lane, space, near their goal, not offside. Empty in our half, when our team
 /// does not have the ball, and for players far from the ball or with low stamina.
-std::optional<soccer::Vec2> support_point(const WorldModel& world, const TeamPoints& home);
+std::optional<Vec2> support_point(const WorldModel& world, const TeamPoints& home);
 
 }  // namespace cls::player

@@ -1,25 +1,120 @@
-// Decides when to tackle and in which direction.
-#include "player/movement/tackle.h"
+// Decides when to tackle and in which direction: which team gets the ball that way.
+#include "player/movement/movement.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "player/movement/ball_race.h"
+#include "base/fixed_list.h"
+#include "base/index.h"
+#include "player/movement/movement_parameters.h"
+#include "player/world/candidates.h"
 #include "player/world/motion.h"
+#include "player/world/places.h"
 #include "player/world/planner_parameters.h"
-#include "soccer/pitch.h"
+#include "player/world/running.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::AngleDeg;
-using soccer::Vec2;
+/// Cycles until a team gets the ball; as many for both if it leaves the pitch before.
+struct RaceResult {
+  int ours = 0;
+  int theirs = 0;
+};
+
+/// The players who may run for the ball after a tackle of the agent, which lies on the ground
+/// itself. The world model must outlive it.
+class BallRace {
+ public:
+  /// `foul`: intentional, so that the opponent with the ball cannot move for some cycles.
+  BallRace(const WorldModel& world, bool foul);
+
+  RaceResult run(Vec2 velocity) const;
+
+ private:
+  struct Runner {
+    Vec2 from;
+    double control = 0.0;  ///< distance within which it kicks, meters
+    int delay = 0;         ///< cycles until it can run
+    bool ours = false;
+    std::size_t type = 0;  ///< index into types_
+  };
+
+  void add(const soccer::PlayerType& type, Runner runner);
+  void add_others(const PlayerList& players, bool ours, bool foul);
+  bool gets_ball(const Runner& runner, Vec2 ball, int cycle) const;
+
+  const WorldModel& world_;
+  base::FixedList<const soccer::PlayerType*, 22> types_;
+  base::FixedList<ReachTable, 22> reach_;  ///< by index into types_
+  base::FixedList<Runner, 22> runners_;
+};
+
+BallRace::BallRace(const WorldModel& world, bool foul) : world_(world) {
+  const soccer::ServerParams& server = world.server();
+  add(world.self_type(), {world.self.position, 0.0, foul ? 1 : server.tackle_cycles, true, 0});
+  add_others(world.teammates, true, false);
+  add_others(world.opponents, false, foul);
+}
+
+void BallRace::add(const soccer::PlayerType& type, Runner runner) {
+  const auto known = std::ranges::find(types_, &type);
+  runner.delay = std::max(0, runner.delay);
+  runner.type = base::index(known - types_.begin());
+
+  if (known == types_.end()) {
+    types_.push_back(&type);
+    reach_.push_back(ReachTable(world_.server(), type));
+  }
+
+  runner.control = type.kickable_area(world_.server().ball_size);
+  runners_.push_back(runner);
+}
+
+void BallRace::add_others(const PlayerList& players, bool ours, bool foul) {
+  constexpr int kMaxAge = 15;
+  const soccer::ServerParams& server = world_.server();
+  for (const PlayerState& player : players) {
+    if (player.ghost() || player.pos_count > kMaxAge || runners_.full()) continue;
+    if (ours && player.goalie) continue;  // must not catch the ball
+
+    const soccer::PlayerType& type = world_.type_of(player);
+    const bool fouled = foul && player.dist_from_ball < type.kickable_area(server.ball_size);
+    const int delay = player.tackling ? server.tackle_cycles / 2 : fouled ? server.foul_cycles : 0;
+    add(type, {player.position, 0.0, delay, ours, 0});
+  }
+}
+
+bool BallRace::gets_ball(const Runner& runner, Vec2 ball, int cycle) const {
+  if (cycle < runner.delay) return false;
+  const double far = runner.control + reach_[runner.type].run(cycle - runner.delay);
+  return (ball - runner.from).squared_length() <= far * far;
+}
+
+RaceResult BallRace::run(Vec2 velocity) const {
+  constexpr int kHorizon = 20;
+  RaceResult result{kHorizon, kHorizon};
+  Vec2 ball = world_.ball.position;
+
+  for (int cycle = 1; cycle < kHorizon; ++cycle) {
+    ball += velocity;
+    velocity *= world_.server().ball_decay;
+    if (outside_pitch(ball)) break;
+    for (const Runner& runner : runners_) {
+      int& first = runner.ours ? result.ours : result.theirs;
+      if (first == kHorizon && gets_ball(runner, ball, cycle)) first = cycle;
+    }
+    if (result.ours < kHorizon && result.theirs < kHorizon) break;
+  }
+
+  return result;
+}
 
 /// Ball velocity after a successful tackle in `direction`, degrees relative to the body.
 Vec2 tackled_velocity(const WorldModel& world, double direction) {
   const auto& server = world.server();
   const double ball = (world.ball.angle_from_self - world.self.body).abs();
-  const double share = 1.0 - std::fabs(soccer::math::normalize_degrees(direction)) / 180.0;
+  const double share = 1.0 - std::fabs(math::normalize_degrees(direction)) / 180.0;
   const double power = server.max_back_tackle_power +
                        (server.max_tackle_power - server.max_back_tackle_power) * share;
 
@@ -41,36 +136,30 @@ bool rolls_into_goal(const WorldModel& world, Vec2 velocity, double x) {
 }
 
 double outcome(const WorldModel& world, const BallRace& race, Vec2 velocity) {
-  if (rolls_into_goal(world, velocity, soccer::kHalfLength)) return 1e6;
-  if (rolls_into_goal(world, velocity, -soccer::kHalfLength)) return -1e6;
+  constexpr TackleParameters kNumbers = kMovement.tackle;
+  if (rolls_into_goal(world, velocity, soccer::kHalfLength)) return kNumbers.goal;
+  if (rolls_into_goal(world, velocity, -soccer::kHalfLength)) return -kNumbers.goal;
 
   const Vec2 there = coast(world.ball.position, velocity, world.server().ball_decay, 5);
-  const double from_goal = distance(there, {-soccer::kHalfLength, 0.0});
+  const double from_goal = distance(there, kOwnGoal);
   const double outwards = std::fabs(there.y) - std::fabs(world.ball.position.y);
-  constexpr double kPossession = 6.0;  // points per cycle of the lead
-  constexpr int kMaxLead = 5;
 
   const RaceResult result = race.run(velocity);
-  const int lead = std::clamp(result.theirs - result.ours, -kMaxLead, kMaxLead);
-  return 2.0 * from_goal + outwards + kPossession * lead;
+  const int lead = std::clamp(result.theirs - result.ours, -kNumbers.max_lead, kNumbers.max_lead);
+  return kNumbers.own_goal * from_goal + outwards + kNumbers.possession * lead;
 }
 
 double best_direction(const WorldModel& world, bool foul) {
   constexpr int kDirections = 40;
   const BallRace race(world, foul);
-  double best = 0.0;
-  double best_value = -1e9;
+  Highest<double> best{-1e9};
 
   for (int i = 0; i < kDirections; ++i) {
     const double direction = 360.0 * i / kDirections - 180.0;
-    const double value = outcome(world, race, tackled_velocity(world, direction));
-    if (value > best_value) {
-      best_value = value;
-      best = direction;
-    }
+    best.offer(outcome(world, race, tackled_velocity(world, direction)), direction);
   }
 
-  return best;
+  return best.value;
 }
 
 bool is_tackle_needed(const WorldModel& world) {
@@ -78,19 +167,15 @@ bool is_tackle_needed(const WorldModel& world) {
   if (world.kickable_opponent()) return true;
   if (rolls_into_goal(world, world.ball.velocity, -soccer::kHalfLength)) return true;
 
-  const int self = table.best_self_steps();
-  const int our_cycles = std::min(self, table.first_teammate_steps);
-  if (table.first_opponent_steps < our_cycles - 3) return true;
-  const Vec2 goal{soccer::kHalfLength, 0.0};
-  const bool facing = (AngleDeg::of(goal - world.self.position) - world.self.body).abs() < 45.0;
-  return self >= 5 && facing && distance(world.ball.position, goal) < 10.0;
+  if (table.first_opponent_steps < table.our_steps() - 3) return true;
+  const AngleDeg to_goal = AngleDeg::of(kOpponentGoal - world.self.position);
+  const bool facing = (to_goal - world.self.body).abs() < 45.0;
+  return table.best_self_steps() >= 5 && facing &&
+         distance(world.ball.position, kOpponentGoal) < 10.0;
 }
 
-bool in_own_area(const WorldModel& world) {
-  const Vec2 ball = world.ball.position;
-  return ball.x < -soccer::kHalfLength + soccer::kPenaltyAreaLength + 0.5 &&
-         std::fabs(ball.y) < soccer::kPenaltyAreaWidth / 2.0 + 0.5;
-}
+/// In our penalty area or at most half a meter beside it.
+bool in_own_area(const WorldModel& world) { return in_own_box(world.ball.position, -0.5); }
 
 /// True if the tackle would hit the back of an opponent with the ball who faces away from our goal:
 /// the referee calls about half of these tackles as fouls. Opponents who face our goal are tackled
@@ -111,7 +196,7 @@ bool hits_back(const WorldModel& world) {
     const double beside = std::fabs(cross(to_ball, relative)) / std::max(0.01, to_ball.length());
     if (beside > type.player_size + world.self_type().player_size + kSightError) continue;
 
-    const AngleDeg to_goal = AngleDeg::of(Vec2{-soccer::kHalfLength, 0.0} - opponent.position);
+    const AngleDeg to_goal = AngleDeg::of(kOwnGoal - opponent.position);
     const bool harmless = (opponent.body - to_goal).abs() > world.planner->area_back_angle;
     if (harmless && (opponent.body - AngleDeg::of(to_ball)).abs() < 90.0) return true;
   }

@@ -1,20 +1,14 @@
 // Updates ball and players by heard say messages: less accurate than own observations, but with
 // uniform numbers.
-#include "player/perception/hearing.h"
+#include "player/perception/perception.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "player/perception/say_message.h"
-#include "player/tracking/ball_tracking.h"
-#include "player/tracking/player_tracking.h"
+#include "player/tracking/tracking.h"
 
 namespace cls::player {
 namespace {
-
-using soccer::AngleDeg;
-using soccer::Side;
-using soccer::Vec2;
 
 // Error model of heard positions, fitted to recorded matches: a grid part and a part proportional
 // to the distance from the speaker.
@@ -22,8 +16,6 @@ constexpr double kGridDeviation = 0.25;
 constexpr double kDeviationPerMeter = 0.03;
 constexpr double kVelocityDeviation = 0.25;
 constexpr int kHeardAge = 1;
-
-double square(double x) { return x * x; }
 
 double deviation_of(const WorldModel& world, int speaker, Vec2 position) {
   const PlayerState* speaking = world.teammate(speaker);
@@ -96,12 +88,6 @@ void hear_ball(WorldModel& world, int speaker, const SayBall& said) {
   publish_ball(world);
 }
 
-PlayerState* find_number(PlayerList& list, int unum) {
-  PlayerState* found = std::find_if(list.begin(), list.end(),
-                                    [unum](const PlayerState& p) { return p.unum == unum; });
-  return found == list.end() ? nullptr : found;
-}
-
 // Cycles after which a seen number becomes unreliable: tracks get swapped where players cross far
 // away.
 constexpr int kReliableNumberAge = 30;
@@ -152,7 +138,7 @@ void hear_player(WorldModel& world, int speaker, const SaidPlayer& said, const d
   PlayerList& list = our_team ? world.teammates : world.opponents;
   const double variance = square(deviation_of(world, speaker, said.position));
 
-  PlayerState* track = find_number(list, unum);
+  PlayerState* track = find_number(list, side, unum);
   constexpr double kSame = 16.0;
   if (track != nullptr &&
       squared_mahalanobis(estimate_of(*track), said.position, variance) > kSame) {

@@ -1,24 +1,17 @@
 // Handles referee messages: play modes, goals, catches, shoot-out; and say messages.
-#include "player/perception/hearing.h"
+#include "player/perception/perception.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "base/text/number_text.h"
 #include "player/perception/player_types_message.h"
-#include "player/tracking/ball_tracking.h"
-#include "player/tracking/player_tracking.h"
+#include "player/tracking/tracking.h"
 #include "soccer/pitch.h"
-#include "soccer/play_mode.h"
 #include "soccer/protocol/scanner.h"
 
 namespace cls::player {
 namespace {
-
-using soccer::PlayMode;
-using soccer::Side;
-using soccer::Vec2;
 
 std::optional<Side> side_of_letter(char letter) {
   if (letter == 'l') return Side::kLeft;
@@ -167,9 +160,7 @@ void hear_message(WorldModel& world, const soccer::Hear& hear) {
   using Sender = soccer::Hear::Sender;
   if (hear.partial) return;
 
-  HeardMessage message;
-  message.time = world.game.time;
-  message.text = hear.text;
+  HeardMessage message{.time = world.game.time, .text = hear.text};
 
   switch (hear.sender) {
     case Sender::kTeammate:

@@ -5,16 +5,12 @@
 #include <array>
 #include <cmath>
 
-#include "player/estimates/ball_control.h"
-#include "player/estimates/intercept.h"
-#include "player/estimates/team_lines.h"
-#include "player/perception/hearing.h"
-#include "player/tracking/ball_tracking.h"
-#include "player/tracking/player_tracking.h"
-#include "player/tracking/self_localization.h"
+#include "base/index.h"
+#include "player/estimates/estimates.h"
+#include "player/tracking/tracking.h"
+#include "player/world/places.h"
 #include "soccer/directions.h"
 #include "soccer/messages/parameter_message.h"
-#include "soccer/pitch.h"
 #include "soccer/protocol/message_kind.h"
 
 namespace cls::player {
@@ -50,7 +46,7 @@ void copy_sense_body(WorldModel& world, const soccer::SenseBody& sense) {
   self.view_width = sense.width;
   self.view_quality = sense.quality;
   self.focus_distance = sense.focus_distance;
-  self.focus_direction = soccer::AngleDeg(sense.focus_direction);
+  self.focus_direction = AngleDeg(sense.focus_direction);
   self.attention_side = sense.attention_side;
   self.attention_unum = sense.attention_unum;
   self.tackle_count = sense.tackle_count;
@@ -109,13 +105,13 @@ void publish_pose(WorldModel& world) {
   const Gaussian<3>& pose = world.self_tracker.pose;
   SelfState& self = world.self;
   self.position = {pose.mean[0], pose.mean[1]};
-  self.body = soccer::AngleDeg(pose.mean[2]);
+  self.body = AngleDeg(pose.mean[2]);
   self.position_deviation = std::sqrt(0.5 * (pose.at(0, 0) + pose.at(1, 1)));
   self.body_deviation = std::sqrt(pose.at(2, 2));
 }
 
 int type_of_number(const std::array<int, soccer::kPlayersPerTeam>& types, int unum) {
-  return unum == 0 ? -1 : types[static_cast<std::size_t>(unum - 1)];
+  return unum == 0 ? -1 : types[base::index(unum - 1)];
 }
 
 void update_marks(const WorldModel& world, PlayerState& player) {
@@ -126,10 +122,10 @@ void update_marks(const WorldModel& world, PlayerState& player) {
 }
 
 void update_distances(const WorldModel& world, PlayerList& players) {
-  const soccer::Vec2 self = world.self.position;
-  const soccer::Vec2 ball = world.ball.position;
+  const Vec2 self = world.self.position;
+  const Vec2 ball = world.ball.position;
   // From the agent, from the ball.
-  base::FixedList<soccer::Vec2, 2 * PlayerList::capacity()> vectors;
+  base::FixedList<Vec2, 2 * PlayerList::capacity()> vectors;
 
   for (const PlayerState& player : players) {
     vectors.push_back(player.position - self);
@@ -141,7 +137,7 @@ void update_distances(const WorldModel& world, PlayerList& players) {
   for (std::size_t i = 0; i < players.size(); ++i) {
     PlayerState& player = players[i];
     player.dist_from_self = soccer::distance(player.position, self);
-    player.angle_from_self = soccer::AngleDeg(degrees[2 * i]);
+    player.angle_from_self = AngleDeg(degrees[2 * i]);
 
     if (world.ball.pos_count >= kNever) {
       player.dist_from_ball = kNever;
@@ -149,7 +145,7 @@ void update_distances(const WorldModel& world, PlayerList& players) {
     }
 
     player.dist_from_ball = soccer::distance(player.position, ball);
-    player.angle_from_ball = soccer::AngleDeg(degrees[2 * i + 1]);
+    player.angle_from_ball = AngleDeg(degrees[2 * i + 1]);
   }
 }
 
@@ -165,15 +161,14 @@ void update_ball(WorldModel& world) {
   BallState& ball = world.ball;
   ball.relative_position = ball.position - world.self.position;
   ball.dist_from_self = ball.pos_count < kNever ? ball.relative_position.length() : kNever;
-  ball.angle_from_self = soccer::AngleDeg::of(ball.relative_position);
+  ball.angle_from_self = AngleDeg::of(ball.relative_position);
 }
 
 /// Uniform number of a team's goalie: the player seen with the goalie mark, otherwise `known`.
 int goalie_of(const PlayerList& players, int known) {
-  for (const PlayerState& player : players) {
-    if (player.goalie && player.unum != 0) return player.unum;
-  }
-  return known;
+  const PlayerState* found = std::ranges::find_if(
+      players, [](const PlayerState& player) { return player.goalie && player.unum != 0; });
+  return found != players.end() ? found->unum : known;
 }
 
 /// Sets kickable without the safety margin when the ball is inside the kickable area and waiting is
@@ -189,10 +184,7 @@ void relax_kickable(WorldModel& world) {
   constexpr int kLateIntercept = 10;
   const int own = table.best_self_steps();
   const BallPath path = ball_path(world);
-  const soccer::Vec2 meeting = path[static_cast<std::size_t>(std::min(own, kInterceptHorizon))];
-  const bool leaves =
-      std::fabs(meeting.x) > soccer::kHalfLength || std::fabs(meeting.y) > soccer::kHalfWidth;
-
+  const bool leaves = outside_pitch(path[base::index(std::min(own, kInterceptHorizon))]);
   self.kickable = own >= kLateIntercept || table.first_opponent_steps + 2 <= own || leaves;
 }
 
@@ -267,18 +259,18 @@ void on_gaussian_see(WorldModel& world) { world.self.gaussian_see = true; }
 
 void on_change_player_type(WorldModel& world, const soccer::PlayerTypeChange& change) {
   if (change.unum < 1 || change.unum > soccer::kPlayersPerTeam) return;
-  if (change.goalie_side != soccer::Side::kNeutral) {
+  if (change.goalie_side != Side::kNeutral) {
     (change.goalie_side == world.our_side ? world.our_goalie_unum : world.their_goalie_unum) =
         change.unum;
     return;
   }
 
   if (!change.type) {  // an opponent: the new type is not reported
-    world.their_types[static_cast<std::size_t>(change.unum - 1)] = -1;
+    world.their_types[base::index(change.unum - 1)] = -1;
     return;
   }
 
-  world.our_types[static_cast<std::size_t>(change.unum - 1)] = *change.type;
+  world.our_types[base::index(change.unum - 1)] = *change.type;
   if (change.unum != world.unum) return;
 
   // A substitute has full stamina.

@@ -2,22 +2,25 @@
 #include "player/perception/perception_error.h"
 
 #include <algorithm>
+#include <numeric>
+
+#include "base/index.h"
 
 namespace cls::player {
 
 void PerceptionError::add(const WorldModel& world, const GroundTruth& truth) {
-  if (world.game.mode != soccer::PlayMode::kPlayOn) return;
+  if (world.game.mode != PlayMode::kPlayOn) return;
   ++cycles_;
 
-  const bool right = world.our_side == soccer::Side::kRight;
-  const auto own = [right](soccer::Vec2 v) { return right ? -v : v; };
-  const auto slot = [](soccer::Side side, int unum) {
-    return static_cast<std::size_t>(soccer::slot_of(side, unum));
+  const bool right = world.our_side == Side::kRight;
+  const auto own = [right](Vec2 v) { return right ? -v : v; };
+  const auto real = [&](Side side, int unum) {
+    return truth.players[base::index(soccer::slot_of(side, unum))];
   };
 
-  const GroundTruth::Player& self = truth.players[slot(world.our_side, world.unum)];
+  const GroundTruth::Player self = real(world.our_side, world.unum);
   self_.push_back(soccer::distance(world.self.position, own(self.position)));
-  const soccer::AngleDeg body(right ? self.body + 180.0 : self.body);
+  const AngleDeg body(right ? self.body + 180.0 : self.body);
   body_angle_.push_back((world.self.body - body).abs());
 
   if (world.ball.pos_count == 0) {
@@ -30,8 +33,8 @@ void PerceptionError::add(const WorldModel& world, const GroundTruth& truth) {
   const auto add_team = [&](const PlayerList& players, std::vector<double>& errors) {
     for (const PlayerState& player : players) {
       if (player.pos_count != 0 || player.unum == 0) continue;
-      const GroundTruth::Player& real = truth.players[slot(player.side, player.unum)];
-      if (real.present) errors.push_back(soccer::distance(player.position, own(real.position)));
+      const GroundTruth::Player there = real(player.side, player.unum);
+      if (there.present) errors.push_back(distance(player.position, own(there.position)));
     }
   };
 
@@ -41,9 +44,8 @@ void PerceptionError::add(const WorldModel& world, const GroundTruth& truth) {
 
 ErrorSummary PerceptionError::summary(std::vector<double> errors) {
   if (errors.empty()) return {};
-  std::sort(errors.begin(), errors.end());
-  double sum = 0.0;
-  for (const double error : errors) sum += error;
+  std::ranges::sort(errors);
+  const double sum = std::accumulate(errors.begin(), errors.end(), 0.0);
   const double n = static_cast<double>(errors.size());
   return {sum / n, errors[static_cast<std::size_t>(0.95 * n)], static_cast<int>(errors.size())};
 }

@@ -20,11 +20,11 @@ struct ErrorSummary {
 struct GroundTruth {
   struct Player {
     bool present = false;
-    soccer::Vec2 position;
+    Vec2 position;
     double body = 0.0;  ///< degrees
   };
-  soccer::Vec2 ball_position;
-  std::optional<soccer::Vec2> ball_velocity;  ///< missing in game logs of versions 1 and 2
+  Vec2 ball_position;
+  std::optional<Vec2> ball_velocity;  ///< missing in game logs of versions 1 and 2
   std::array<Player, soccer::kPlayersOnPitch> players;  ///< by slot
 };
 

@@ -1,38 +1,25 @@
 // Formats and parses player_types messages.
 #include "player/perception/player_types_message.h"
 
-#include <charconv>
+#include <limits>
+
+#include "base/index.h"
+#include "soccer/protocol/scanner.h"
 
 namespace cls::player {
 namespace {
 
 constexpr std::string_view kHead = "(player_types";
 
-class Reader {
- public:
-  explicit Reader(std::string_view text) : text_(text) {}
+/// Skips spaces, then consumes `wanted` if it is next.
+bool consume(soccer::Scanner& in, std::string_view wanted) {
+  while (in.optional(" ")) continue;
+  return in.optional(wanted);
+}
 
-  bool consume(char expected) {
-    skip_spaces();
-    if (text_.empty() || text_.front() != expected) return false;
-    text_.remove_prefix(1);
-    return true;
-  }
-  bool parse(int& number) {
-    skip_spaces();
-    const auto [end, code] = std::from_chars(text_.data(), text_.data() + text_.size(), number);
-    if (code != std::errc{}) return false;
-    text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
-    return true;
-  }
-
- private:
-  void skip_spaces() {
-    while (!text_.empty() && text_.front() == ' ') text_.remove_prefix(1);
-  }
-
-  std::string_view text_;
-};
+bool parse_number(soccer::Scanner& in, int low, int high, int& number) {
+  return consume(in, "") && in.integer(number, low, high);
+}
 
 }  // namespace
 
@@ -48,19 +35,22 @@ std::optional<TypeIds> parse_player_types(std::string_view text) {
   const std::size_t start = text.find(kHead);
   if (start == std::string_view::npos) return std::nullopt;
 
-  Reader in(text.substr(start + kHead.size()));
+  constexpr int kMaxType = std::numeric_limits<int>::max() - 1;  // larger ones do not fit
+  soccer::Scanner in(text.substr(start + kHead.size()));
   TypeIds types;
   types.fill(-1);
 
-  while (in.consume('(')) {
+  while (consume(in, "(")) {
     int unum = 0;
     int type = 0;
-    if (!in.parse(unum) || !in.parse(type) || !in.consume(')')) return std::nullopt;
-    if (unum < 1 || unum > soccer::kPlayersPerTeam || type < -1) return std::nullopt;
-    types[static_cast<std::size_t>(unum - 1)] = type;
+    if (!parse_number(in, 1, soccer::kPlayersPerTeam, unum) ||
+        !parse_number(in, -1, kMaxType, type) || !consume(in, ")")) {
+      return std::nullopt;
+    }
+    types[base::index(unum - 1)] = type;
   }
 
-  if (!in.consume(')')) return std::nullopt;
+  if (!consume(in, ")")) return std::nullopt;
   return types;
 }
 

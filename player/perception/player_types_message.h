@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "soccer/side.h"
+#include "player/world/vocabulary.h"
 
 namespace cls::player {
 

@@ -6,12 +6,8 @@
 #include <cstdint>
 #include <tuple>
 
-#include "soccer/side.h"
-
 namespace cls::player {
 namespace {
-
-using soccer::Vec2;
 
 constexpr std::string_view kDigits =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ ().+-*/?<>_0123456789";

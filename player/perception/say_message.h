@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "base/fixed_list.h"
-#include "soccer/geometry.h"
+#include "player/world/vocabulary.h"
 #include "soccer/parameters/server_params.h"
 
 namespace cls::player {
@@ -18,18 +18,18 @@ namespace cls::player {
 
 struct SaidPlayer {
   int number = 0;
-  soccer::Vec2 position;
+  Vec2 position;
 };
 
 /// 'b' + 5 characters: position (0.1 m) and velocity (0.1 m per cycle) in the next cycle.
 struct SayBall {
-  soccer::Vec2 position;
-  soccer::Vec2 velocity;
+  Vec2 position;
+  Vec2 velocity;
 };
 /// 'p' + 9: receiver, receive point (0.1 m), and the ball.
 struct SayPass {
   int receiver = 0;
-  soccer::Vec2 point;
+  Vec2 point;
   SayBall ball;
 };
 /// 'i' + 2
@@ -39,7 +39,7 @@ struct SayIntercept {
 };
 /// 'g' + 4: the opponents' goalie near its goal (0.1 m, 1 degree).
 struct SayGoalie {
-  soccer::Vec2 position;
+  Vec2 position;
   double body = 0.0;
 };
 /// 'e' + 7 (player: 0.555 m)
@@ -63,7 +63,7 @@ struct SaySetplay {
 };
 /// 'h' + 3 (0.2 m)
 struct SayPassRequest {
-  soccer::Vec2 point;
+  Vec2 point;
 };
 /// 's', 'r', 'c' + 1: remaining stamina, recovery, capacity as a fraction of the range from minimum
 /// to maximum.
@@ -78,7 +78,7 @@ struct SayCapacity {
 };
 /// 'D' + 3 (0.5 m)
 struct SayDribble {
-  soccer::Vec2 target;
+  Vec2 target;
   int count = 0;
 };
 /// 'G' + 9
@@ -92,19 +92,19 @@ struct SayPlayers {
 };
 /// 'S' + 4 (0.4 m, 6 degrees, stamina as a fraction in tenths)
 struct SaySelf {
-  soccer::Vec2 position;
+  Vec2 position;
   double body = 0.0;
   double stamina_fraction = 0.0;
 };
 /// 'T' and 'O' + 4 (0.7 m, 2 degrees): teammate or opponent, numbers 1 to 11.
 struct SayTeammate {
   int unum = 0;
-  soccer::Vec2 position;
+  Vec2 position;
   double body = 0.0;
 };
 struct SayOpponent {
   int unum = 0;
-  soccer::Vec2 position;
+  Vec2 position;
   double body = 0.0;
 };
 /// 'B' + 9 (player: 1 m, 2 degrees)

@@ -1,9 +1,6 @@
 // Replays recorded messages through perception.
 #include "player/perception/transcript.h"
 
-#include <string>
-#include <vector>
-
 #include "player/perception/perception.h"
 #include "soccer/commands/connection_request.h"
 #include "soccer/messages/parameter_message.h"

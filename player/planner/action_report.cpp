@@ -4,12 +4,15 @@
 namespace cls::player {
 namespace {
 
+constexpr std::array kCounts{&ActionCounts::done, &ActionCounts::failed, &ActionCounts::skipped,
+                             &ActionCounts::invalid, &ActionCounts::unimplemented};
+constexpr std::array kSums{&ActionReport::preprocess, &ActionReport::sure_shot,
+                           &ActionReport::intention,  &ActionReport::force_kick,
+                           &ActionReport::heard_pass, &ActionReport::lists,
+                           &ActionReport::empty,      &ActionReport::useless};
+
 void add(ActionCounts& into, const ActionCounts& from) {
-  into.done += from.done;
-  into.failed += from.failed;
-  into.skipped += from.skipped;
-  into.invalid += from.invalid;
-  into.unimplemented += from.unimplemented;
+  for (const auto count : kCounts) into.*count += from.*count;
 }
 
 }  // namespace
@@ -17,15 +20,7 @@ void add(ActionCounts& into, const ActionCounts& from) {
 void add(ActionReport& into, const ActionReport& from) {
   for (std::size_t i = 0; i < into.actions.size(); ++i) add(into.actions[i], from.actions[i]);
   for (std::size_t i = 0; i < into.say.size(); ++i) add(into.say[i], from.say[i]);
-
-  into.preprocess += from.preprocess;
-  into.sure_shot += from.sure_shot;
-  into.intention += from.intention;
-  into.force_kick += from.force_kick;
-  into.heard_pass += from.heard_pass;
-  into.lists += from.lists;
-  into.empty += from.empty;
-  into.useless += from.useless;
+  for (const auto sum : kSums) into.*sum += from.*sum;
 }
 
 }  // namespace cls::player

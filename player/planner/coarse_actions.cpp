@@ -3,15 +3,15 @@
 #include <array>
 #include <cmath>
 
+#include "player/planner/generator_parameters.h"
 #include "player/planner/generators.h"
+#include "player/world/places.h"
 #include "soccer/directions.h"
-#include "soccer/pitch.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::AngleDeg;
-using soccer::Vec2;
+constexpr CoarseParameters kNumbers = kGenerators.coarse;
 
 double coarse_speed(double length) {
   if (length >= 20.0) return 2.5;
@@ -29,7 +29,7 @@ int ball_cycles(const PlannerField& field, double length, double speed) {
 
 /// True if no opponent is within `degrees` of the pass lane.
 bool lane_open(const PlannerField& field, Vec2 from, Vec2 way, double length, double degrees) {
-  const double tangent = soccer::math::tan(soccer::math::to_radians(degrees));
+  const double tangent = math::tan(math::to_radians(degrees));
   for (const FieldOpponent& opponent : field.opponents) {
     const Vec2 relative = opponent.position - from;
     const double along = dot(relative, way) / length;
@@ -61,16 +61,15 @@ const std::array<Heading, 8>& eight_headings() {
 }  // namespace
 
 bool CoarseState::had_ball(int unum) const {
-  for (int at = node; at >= 0; at = plan.nodes[static_cast<std::size_t>(at)].parent) {
-    if (plan.nodes[static_cast<std::size_t>(at)].holder == unum) return true;
+  for (int at = node; at >= 0; at = plan.at(at).parent) {
+    if (plan.at(at).holder == unum) return true;
   }
   return false;
 }
 
 Vec2 CoarseState::position_of(const FieldPlayer& player) const {
-  for (int at = node; at > 0; at = plan.nodes[static_cast<std::size_t>(at)].parent) {
-    const PlanNode& state = plan.nodes[static_cast<std::size_t>(at)];
-    if (state.holder == player.unum) return state.ball;
+  for (int at = node; at > 0; at = plan.at(at).parent) {
+    if (plan.at(at).holder == player.unum) return plan.at(at).ball;
   }
   return player.position;
 }
@@ -79,32 +78,33 @@ void add_simple_passes(const CoarseState& state, std::vector<PlanAction>& out) {
   const PlannerField& field = state.field;
   const PlanNode& now = state.now();
   for (const FieldPlayer& teammate : field.teammates) {
-    if (teammate.unum == 0 || teammate.age > 10 || teammate.ghost || state.had_ball(teammate.unum))
+    if (teammate.unum == 0 || teammate.age > kNumbers.pass_age || teammate.ghost ||
+        state.had_ball(teammate.unum)) {
       continue;
-
-    const Vec2 way = teammate.position - now.ball;
-    const double length = way.length();
-    if (length < 4.0 || length > 35.0) continue;
-    if (teammate.position.x > std::max(field.world.lines.offside, now.ball.x)) continue;
+    }
 
     const Vec2 to = teammate.position;
-    if (to.x < -33.0 && std::fabs(to.y) < 23.0) continue;
+    const Vec2 way = to - now.ball;
+    const double length = way.length();
+    if (length < kNumbers.min_pass || length > kNumbers.max_pass) continue;
+    if (to.x > std::max(field.world.lines.offside, now.ball.x)) continue;
+    if (to.x < kNumbers.own_x && std::fabs(to.y) < kNumbers.own_y) continue;
     if (nearest_opponent(field, to) < field.parameters.later_pass_room) continue;
 
     const double speed = coarse_speed(length);
-    const double angle = (teammate.goalie || way.x < 0.0 ? 17.5 : 14.5) * 2.5 / speed;
+    const bool back = teammate.goalie || way.x < 0.0;
+    const double angle =
+        (back ? kNumbers.back_lane_angle : kNumbers.lane_angle) * kNumbers.lane_speed / speed;
     if (!lane_open(field, now.ball, way, length, angle)) continue;
 
-    PlanAction action;
-    action.category = PlanCategory::kPass;
-    action.tag = PlanTag::kSimplePass;
-    action.sender = now.holder;
-    action.target = teammate.unum;
-    action.target_point = to;
-    action.first_speed = speed;
-    action.kicks = 1;
-    action.duration = ball_cycles(field, length, speed) + 2;
-    out.push_back(action);
+    out.push_back({.category = PlanCategory::kPass,
+                   .tag = PlanTag::kSimplePass,
+                   .sender = now.holder,
+                   .target = teammate.unum,
+                   .target_point = to,
+                   .first_speed = speed,
+                   .duration = ball_cycles(field, length, speed) + 2,
+                   .kicks = 1});
   }
 }
 
@@ -112,34 +112,30 @@ void add_simple_dribbles(const CoarseState& state, std::vector<PlanAction>& out)
   const PlannerField& field = state.field;
   const PlanNode& now = state.now();
   const FieldPlayer* holder = field.our_player(now.holder);
-  if (holder == nullptr || holder->age > 5) return;
+  if (holder == nullptr || holder->age > kNumbers.dribble_age) return;
 
   for (const auto& [heading, unit] : eight_headings()) {
-    if (heading.abs() > 100.0 && now.ball.x < 16.0) continue;
-    for (double far = 5.25; far > 1.0; far -= 1.75) {
+    constexpr DribbleSearchParameters kDribbles = kGenerators.dribble;
+    if (heading.abs() > kDribbles.back_angle && now.ball.x < kDribbles.back_x) continue;
+    for (double far = kNumbers.longest_dribble; far > 1.0; far -= kNumbers.dribble_step) {
       const Vec2 end = now.ball + unit * far;
-      if (std::fabs(end.x) > soccer::kHalfLength - 1.0 ||
-          std::fabs(end.y) > soccer::kHalfWidth - 1.0) {
-        continue;
-      }
+      if (outside_pitch(end, kDribbles.inset)) continue;
 
       const int cycles = 2 + holder->reach->cycles(far - 0.5 * holder->control);
-      const bool open = std::none_of(
-          field.opponents.begin(), field.opponents.end(), [&](const FieldOpponent& opponent) {
-            const double grasp = opponent.control + opponent.reach->run(cycles + 1);
-            return squared_distance(opponent.position, end) <= grasp * grasp;
-          });
+      const bool open = std::ranges::none_of(field.opponents, [&](const FieldOpponent& opponent) {
+        const double grasp = opponent.control + opponent.reach->run(cycles + 1);
+        return squared_distance(opponent.position, end) <= grasp * grasp;
+      });
       if (!open) continue;
 
-      PlanAction action;
-      action.category = PlanCategory::kDribble;
-      action.tag = PlanTag::kSimpleDribble;
-      action.sender = action.target = now.holder;
-      action.target_point = end;
-      action.kicks = 1;
-      action.dashes = cycles - 1;
-      action.duration = cycles;
-      out.push_back(action);
+      out.push_back({.category = PlanCategory::kDribble,
+                     .tag = PlanTag::kSimpleDribble,
+                     .sender = now.holder,
+                     .target = now.holder,
+                     .target_point = end,
+                     .duration = cycles,
+                     .kicks = 1,
+                     .dashes = cycles - 1});
     }
   }
 }
@@ -147,11 +143,10 @@ void add_simple_dribbles(const CoarseState& state, std::vector<PlanAction>& out)
 bool can_shoot_from(const PlannerField& field, Vec2 ball, int holder, int max_age) {
   constexpr double kFar = 20.0;
   constexpr int kDirections = 15;
-  const Vec2 goal{soccer::kHalfLength, 0.0};
   const double range = field.parameters.shot_range;
 
   // A ball at no place, whose distance is not a number, is not in range.
-  const bool in_range = squared_distance(ball, goal) <= range * range;
+  const bool in_range = squared_distance(ball, kOpponentGoal) <= range * range;
   if (!in_range || ball.x >= soccer::kHalfLength) return false;
   const FieldPlayer* player = field.our_player(holder);
   if (player == nullptr || player->age > max_age) return false;
@@ -160,8 +155,8 @@ bool can_shoot_from(const PlannerField& field, Vec2 ball, int holder, int max_ag
   const double min_gap = self ? field.parameters.shot_gap : field.parameters.shot_gap_teammate;
   const double post = field.world.server().goal_width / 2.0 - 0.5;
 
-  const auto [low, high] =
-      soccer::direction_pair(Vec2{goal.x, -post} - ball, Vec2{goal.x, post} - ball);
+  const auto [low, high] = soccer::direction_pair(Vec2{kOpponentGoal.x, -post} - ball,
+                                                  Vec2{kOpponentGoal.x, post} - ball);
   struct Shadow {
     double direction;
     double half_width;
@@ -192,17 +187,16 @@ void add_simple_shot(const CoarseState& state, std::vector<PlanAction>& out) {
   const PlanNode& now = state.now();
   if (!can_shoot_from(state.field, now.ball, now.holder, 10)) return;
 
-  PlanAction action;
-  action.category = PlanCategory::kShoot;
-  action.tag = PlanTag::kSimpleShoot;
-  action.sender = action.target = now.holder;
-  action.target_point = {soccer::kHalfLength, 0.0};
-  action.first_speed = state.field.world.server().ball_speed_max;
-  action.kicks = 1;
-  action.duration = std::max(1, static_cast<int>(distance(now.ball, action.target_point) / 1.5));
-  action.final = true;
-
-  out.push_back(action);
+  const double cycles = distance(now.ball, kOpponentGoal) / kNumbers.shot_speed;
+  out.push_back({.category = PlanCategory::kShoot,
+                 .tag = PlanTag::kSimpleShoot,
+                 .sender = now.holder,
+                 .target = now.holder,
+                 .target_point = kOpponentGoal,
+                 .first_speed = state.field.world.server().ball_speed_max,
+                 .duration = std::max(1, static_cast<int>(cycles)),
+                 .kicks = 1,
+                 .final = true});
 }
 
 }  // namespace cls::player

@@ -2,18 +2,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
+#include "base/index.h"
+#include "player/planner/generator_parameters.h"
 #include "player/planner/generators.h"
 #include "player/world/leg_dash.h"
 #include "player/world/motion.h"
-#include "soccer/pitch.h"
+#include "player/world/places.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::AngleDeg;
-using soccer::Vec2;
-
+constexpr DribbleSearchParameters kNumbers = kGenerators.dribble;
 constexpr int kMaxDashes = 20;
 
 /// The turn between kick and dashes.
@@ -27,6 +28,8 @@ struct TurnPart {
 struct Course {
   std::array<Vec2, kMaxDashes + 4> positions;
   int steps = 0;
+
+  Vec2 end() const { return positions[base::index(steps)]; }
 };
 
 Course course_of(const WorldModel& world, AngleDeg heading, const TurnPart& turn, int dashes) {
@@ -47,7 +50,7 @@ Course course_of(const WorldModel& world, AngleDeg heading, const TurnPart& turn
     }
     position += velocity;
     velocity *= type.player_decay;
-    course.positions[static_cast<std::size_t>(cycle)] = position;
+    course.positions[base::index(cycle)] = position;
   }
 
   return course;
@@ -86,35 +89,43 @@ bool enough_stamina(const PlannerField& field, int dashes) {
 
 /// True if the ball collides with the agent.
 bool hits_self(const PlannerField& field, const Course& course, Vec2 velocity) {
-  const double clear = collide_distance(field.world) + 0.05;
+  const double clear = collide_distance(field.world) + kNumbers.body_gap;
 
   for (int cycle = 1; cycle < course.steps; ++cycle) {
     const Vec2 ball = field.ball + velocity * field.roll(cycle);
-    if (squared_distance(ball, course.positions[static_cast<std::size_t>(cycle)]) < clear * clear) {
-      return true;
-    }
+    if (squared_distance(ball, course.positions[base::index(cycle)]) < clear * clear) return true;
   }
 
   return false;
 }
 
-PlanAction dribble(const PlannerField& field, PlanTag tag, Vec2 end, Vec2 velocity, double turn,
-                   int turns, int dashes) {
-  PlanAction action;
+/// The dribble along a course to `end` if one kick suffices, and neither the agent nor an opponent
+/// with that extra reach stops the ball.
+std::optional<PlanAction> dribble_to(const PlannerField& field, PlanTag tag, Vec2 end,
+                                     AngleDeg heading, const Course& course, int turns,
+                                     double extra_reach) {
+  const Vec2 velocity = (end - field.ball) / field.roll(course.steps);
+  const double length = velocity.length();
+  if (length > field.world.server().ball_speed_max) return std::nullopt;
+  if ((velocity - field.ball_velocity).length() > field.kick_limit) return std::nullopt;
+  if (hits_self(field, course, velocity)) return std::nullopt;
+  if (length > 1e-6 &&
+      is_stopped(field, {velocity / length, length, course.steps}, {.extra_reach = extra_reach})) {
+    return std::nullopt;
+  }
 
-  action.category = PlanCategory::kDribble;
-  action.tag = tag;
-  action.sender = action.target = field.self.unum;
-  action.target_point = end;
-  action.first_velocity = velocity;
-  action.first_speed = velocity.length();
-  action.turn = turn;
-  action.kicks = 1;
-  action.turns = turns;
-  action.dashes = dashes;
-  action.duration = 1 + turns + dashes;
-
-  return action;
+  return PlanAction{.category = PlanCategory::kDribble,
+                    .tag = tag,
+                    .sender = field.self.unum,
+                    .target = field.self.unum,
+                    .target_point = end,
+                    .first_speed = length,
+                    .first_velocity = velocity,
+                    .turn = (heading - field.world.self.body).degrees(),
+                    .duration = course.steps,
+                    .kicks = 1,
+                    .turns = turns,
+                    .dashes = course.steps - 1 - turns};
 }
 
 /// True if an opponent can reach the end of a short dribble in time.
@@ -143,47 +154,30 @@ void add_short_dribbles(const PlannerField& field, std::vector<PlanAction>& out)
   if (!field.open_play) return;
 
   constexpr int kDirections = 16;
-  const double radius = collide_distance(world) + 0.2 * world.self_type().kickable_margin;
+  const double radius =
+      collide_distance(world) + kNumbers.near_radius * world.self_type().kickable_margin;
   const bool near_own_goal = world.self.position.x < -36.0 && std::fabs(world.self.position.y) < 20;
 
   for (int i = 0; i < kDirections; ++i) {
     const AngleDeg heading = world.self.body + 360.0 * i / kDirections;
-    if (heading.abs() > 100.0 && world.self.position.x < 16.0) continue;
+    if (heading.abs() > kNumbers.back_angle && world.self.position.x < kNumbers.back_x) continue;
     if (heading.abs() > 45.0 && near_own_goal &&
         (world.self.position.y < 0.0) != (heading.degrees() < 0.0)) {
       continue;
     }
 
     const TurnPart turning = turns_needed(world, heading);
-    const int turns = turning.turns;
-    if (turns > 2) continue;
+    if (turning.turns > 2) continue;
     for (int dashes = 4; dashes >= 2; --dashes) {
       if (!enough_stamina(field, dashes + (turning.dashes() ? 1 : 0))) continue;
       const Course course = course_of(world, heading, turning, dashes);
-      const Vec2 end =
-          course.positions[static_cast<std::size_t>(course.steps)] + soccer::polar(radius, heading);
-      if (std::fabs(end.x) > soccer::kHalfLength - 1.0 ||
-          std::fabs(end.y) > soccer::kHalfWidth - 1.0) {
-        continue;
-      }
-
-      const Vec2 velocity = (end - field.ball) / field.roll(course.steps);
-      if (velocity.length() > world.server().ball_speed_max) continue;
-      if ((velocity - field.ball_velocity).length() > field.kick_limit) continue;
-      if (hits_self(field, course, velocity)) continue;
+      const Vec2 end = course.end() + soccer::polar(radius, heading);
+      if (outside_pitch(end, kNumbers.inset)) continue;
       if (short_dribble_spoiled(field, end, heading, course.steps)) continue;
 
-      const double length = velocity.length();
-      if (length > 1e-6) {
-        StopRules rules;
-        rules.extra_reach = field.parameters.short_dribble_margin;
-        if (is_stopped(field, {velocity / length, length, course.steps}, rules)) continue;
-      }
-
-      const double turn = (heading - world.self.body).degrees();
-      PlanAction action =
-          dribble(field, PlanTag::kShortDribble, end, velocity, turn, turns, dashes);
-      out.push_back(action);
+      const auto action = dribble_to(field, PlanTag::kShortDribble, end, heading, course,
+                                     turning.turns, field.parameters.short_dribble_margin);
+      if (action) out.push_back(*action);
     }
   }
 }
@@ -194,7 +188,8 @@ void add_self_passes(const PlannerField& field, std::vector<PlanAction>& out) {
 
   const double x = field.ball.x;
   const int max_dashes = x < -20.0 ? 6 : x < 0.0 ? 7 : x < 10.0 ? 13 : x < 20.0 ? 15 : 20;
-  const double radius = collide_distance(world) + 0.4 * world.self_type().kickable_margin;
+  const double radius =
+      collide_distance(world) + kNumbers.far_radius * world.self_type().kickable_margin;
   const double max_turn =
       world.server().maxmoment /
       turn_resistance(world.self_type(), world.self.velocity * world.self_type().player_decay);
@@ -202,38 +197,28 @@ void add_self_passes(const PlannerField& field, std::vector<PlanAction>& out) {
   for (int i = 0; i < 60; ++i) {
     const AngleDeg heading(6.0 * i);
     const double off = (heading - world.self.body).abs();
-    if (heading.abs() > 85.0 && x < 41.0) continue;
+    if (heading.abs() > kNumbers.long_back_angle && x < kNumbers.long_back_x) continue;
     TurnPart turning{off > 1.0 ? 1 : 0, {}};
     if (world.leg_dashes) turning = turns_needed(world, heading);
-    const int turns = turning.turns;
-    if (turns > 1 || (off > max_turn && !turning.dashes())) continue;
+    if (turning.turns > 1 || (off > max_turn && !turning.dashes())) continue;
 
     int found = 0;
-    for (int dashes = max_dashes; dashes >= field.parameters.self_pass_dashes && found < 10;
+    for (int dashes = max_dashes;
+         dashes >= field.parameters.self_pass_dashes && found < kNumbers.long_per_heading;
          --dashes) {
       if (!enough_stamina(field, dashes + (turning.dashes() ? 1 : 0))) continue;
       const Course course = course_of(world, heading, turning, dashes);
-      const Vec2 end =
-          course.positions[static_cast<std::size_t>(course.steps)] + soccer::polar(radius, heading);
-      const Vec2 own_goal{-soccer::kHalfLength, 0.0};
-      if (std::fabs(end.x) > soccer::kHalfLength - 2.5 ||
-          std::fabs(end.y) > soccer::kHalfWidth - 3.0 || distance(end, own_goal) < 18.0) {
+      const Vec2 end = course.end() + soccer::polar(radius, heading);
+      if (std::fabs(end.x) > soccer::kHalfLength - kNumbers.long_inset_x ||
+          std::fabs(end.y) > soccer::kHalfWidth - kNumbers.long_inset_y ||
+          distance(end, kOwnGoal) < kNumbers.own_goal) {
         continue;
       }
 
-      const Vec2 velocity = (end - field.ball) / field.roll(course.steps);
-      if (velocity.length() > world.server().ball_speed_max) continue;
-      if ((velocity - field.ball_velocity).length() > field.kick_limit) continue;
-      if (hits_self(field, course, velocity)) continue;
-
-      const double length = velocity.length();
-      StopRules rules;
-      rules.extra_reach = field.parameters.self_pass_margin;
-      if (is_stopped(field, {velocity / length, length, course.steps}, rules)) continue;
-      if (opponent_gets_there(field, end, course.steps, true)) continue;
-
-      const double turn = (heading - world.self.body).degrees();
-      out.push_back(dribble(field, PlanTag::kSelfPass, end, velocity, turn, turns, dashes));
+      const auto action = dribble_to(field, PlanTag::kSelfPass, end, heading, course, turning.turns,
+                                     field.parameters.self_pass_margin);
+      if (!action || opponent_gets_there(field, end, course.steps, true)) continue;
+      out.push_back(*action);
       ++found;
     }
   }

@@ -1,16 +1,14 @@
 // Values of planner states.
-#include "player/planner/evaluation.h"
+#include "player/planner/planner.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "player/planner/generators.h"
-#include "soccer/pitch.h"
+#include "player/world/places.h"
 
 namespace cls::player {
 namespace {
-
-using soccer::Vec2;
 
 // Values of a goal, a shooting chance, one of the agent itself, and an impossible state.
 constexpr double kGoal = 1e7;
@@ -29,11 +27,9 @@ double ball_value(const PlannerField& field, const PlanNode& state, const FieldW
   if (state.holder == 0) return -kImpossible;
   if (ball.x > kGoalLine && between_posts) return kGoal;
   if (ball.x < -kGoalLine && between_posts) return -kGoal;
-  if (std::fabs(ball.x) > soccer::kHalfLength || std::fabs(ball.y) > soccer::kHalfWidth) {
-    return -kImpossible;
-  }
+  if (outside_pitch(ball)) return -kImpossible;
 
-  const double to_goal = distance(ball, {soccer::kHalfLength, 0.0});
+  const double to_goal = distance(ball, kOpponentGoal);
   double value = weights.x * (ball.x + soccer::kHalfLength) +
                  weights.goal_distance * std::max(0.0, weights.goal_radius - to_goal);
 
@@ -47,7 +43,7 @@ double ball_value(const PlannerField& field, const PlanNode& state, const FieldW
 }
 
 double default_value(const PlannerField& field, const Plan& plan, int node) {
-  const PlanNode& state = plan.nodes[static_cast<std::size_t>(node)];
+  const PlanNode& state = plan.at(node);
   const PlannerParameters& parameters = field.parameters;
   double value = ball_value(field, state,
                             {parameters.x_weight, parameters.goal_weight, parameters.goal_radius});

@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "player/ball_skills/kick.h"
+#include "base/index.h"
+#include "player/ball_skills/ball_skills.h"
 #include "player/world/motion.h"
 #include "soccer/interval.h"
-#include "soccer/pitch.h"
 
 namespace cls::player {
 namespace {
-
-using soccer::AngleDeg;
-using soccer::Vec2;
 
 constexpr int kUnknownTeamAge = 6;
 constexpr int kGettingUp = 5;  ///< cycles until a player on the ground runs
@@ -24,16 +21,12 @@ double unseen_run(int age, double speed) {
   constexpr int kCycles = 10;
   static const std::array<double, kCycles + 1> likelihood = [] {
     std::array<double, kCycles + 1> table;
-    for (int i = 0; i <= kCycles; ++i) {
-      table[static_cast<std::size_t>(i)] = soccer::math::exp(-i * i / 15.0);
-    }
+    for (int i = 0; i <= kCycles; ++i) table[base::index(i)] = math::exp(-i * i / 15.0);
     return table;
   }();
 
   double run = 0.0;
-  for (int i = 1; i <= std::min(kCycles, age); ++i) {
-    run += 0.8 * speed * likelihood[static_cast<std::size_t>(i)];
-  }
+  for (int i = 1; i <= std::min(kCycles, age); ++i) run += 0.8 * speed * likelihood[base::index(i)];
 
   return run;
 }
@@ -49,7 +42,7 @@ FieldPlayer field_player(const WorldModel& world, const PlayerState& player,
   out.ghost = player.ghost();
   out.lying = player.tackling;
   out.position = player.position;
-  out.velocity = player.velocity_valid() ? player.velocity : Vec2{};
+  out.velocity = player.known_velocity();
   out.rest = rest_point(out.position, out.velocity, type.player_decay);
   out.body = soccer::polar(1.0, player.body);
   out.body_known = player.body_count <= 1 + std::min(2, player.pos_count);
@@ -57,9 +50,9 @@ FieldPlayer field_player(const WorldModel& world, const PlayerState& player,
   out.unseen_run = unseen_run(player.pos_count, reach.settled_speed());
 
   constexpr double kMaxMoment = 180.0;
-  const double turn = soccer::math::to_radians(kMaxMoment / turn_resistance(type, out.velocity));
-  out.turn_cos = soccer::math::cos(turn);
-  out.turn_sin = soccer::math::sin(turn);
+  const double turn = math::to_radians(kMaxMoment / turn_resistance(type, out.velocity));
+  out.turn_cos = math::cos(turn);
+  out.turn_sin = math::sin(turn);
 
   out.type = &type;
   out.reach = &reach;
@@ -77,7 +70,7 @@ void prepare(FieldOpponent& opponent, double margin, bool in_box_catches, double
   opponent.speed = opponent.velocity.length();
 
   for (int cycle = 0; cycle <= kPlannerHorizon; ++cycle) {
-    const auto i = static_cast<std::size_t>(cycle);
+    const std::size_t i = base::index(cycle);
     opponent.drift[i] =
         coast(opponent.position, opponent.velocity, opponent.type->player_decay, cycle);
     // A player on the ground starts later.
@@ -102,15 +95,14 @@ PlannerField::PlannerField(const WorldModel& w, int cycles_held)
   }
 
   const auto reach_of = [&](int type) -> const ReachTable& {
-    const auto id = static_cast<std::size_t>(std::max(0, type));
+    const std::size_t id = base::index(std::max(0, type));
     return reach_[id < reach_.size() ? id : 0];
   };
 
   ball = world.ball.position;
-  ball_velocity = world.ball.velocity_valid() ? world.ball.velocity : Vec2{};
+  ball_velocity = world.ball.known_velocity();
   kick_limit = player::kick_limit(world);
-  open_play =
-      world.game.mode == soccer::PlayMode::kPlayOn || soccer::is_penalty_mode(world.game.mode);
+  open_play = world.game.mode == PlayMode::kPlayOn || soccer::is_penalty_mode(world.game.mode);
 
   PlayerState me;
   me.unum = world.unum;
@@ -155,10 +147,8 @@ int PlannerField::kicks_for(Vec2 direction, double speed) const {
 
 const FieldPlayer* PlannerField::our_player(int unum) const {
   if (unum == self.unum) return &self;
-  for (const FieldPlayer& teammate : teammates) {
-    if (teammate.unum == unum) return &teammate;
-  }
-  return nullptr;
+  const FieldPlayer* found = std::ranges::find(teammates, unum, &FieldPlayer::unum);
+  return found != teammates.end() ? found : nullptr;
 }
 
 Slack slack_for(double reach, double distance, const Slack& least) {

@@ -20,11 +20,11 @@ struct FieldPlayer {
   bool goalie = false;
   bool ghost = false;
   bool lying = false;
-  soccer::Vec2 position;
-  soccer::Vec2 velocity;
-  soccer::Vec2 rest;  ///< inertia point: where it stops without dashing
+  Vec2 position;
+  Vec2 velocity;
+  Vec2 rest;  ///< inertia point: where it stops without dashing
   bool body_known = false;
-  soccer::Vec2 body;       ///< unit vector
+  Vec2 body;               ///< unit vector
   double turn_cos = -1.0;  ///< of the maximum turn in one cycle
   double turn_sin = 0.0;
   double control = 0.0;     ///< distance within which it kicks
@@ -35,8 +35,8 @@ struct FieldPlayer {
 
 /// An opponent that may stop the ball.
 struct FieldOpponent : FieldPlayer {
-  double speed = 0.0;                                   ///< of `velocity`
-  std::array<soccer::Vec2, kPlannerHorizon + 1> drift;  ///< coasting positions by cycle
+  double speed = 0.0;                           ///< of `velocity`
+  std::array<Vec2, kPlannerHorizon + 1> drift;  ///< coasting positions by cycle
   /// Reach from there by cycle.
   std::array<double, kPlannerHorizon + 1> grasp;
 };
@@ -52,8 +52,8 @@ class PlannerField {
 
   const WorldModel& world;
   const PlannerParameters& parameters;
-  soccer::Vec2 ball;
-  soccer::Vec2 ball_velocity;
+  Vec2 ball;
+  Vec2 ball_velocity;
   double kick_limit = 0.0;  ///< maximum acceleration by one kick
   bool open_play = true;    ///< play_on or a penalty kick
   int held = 0;             ///< cycles since the agent got the ball
@@ -73,7 +73,7 @@ class PlannerField {
   double longest_roll() const { return world.server().ball_speed_max * roll_.back(); }
 
   /// Number of kicks for that speed along the unit vector: 1 to 3.
-  int kicks_for(soccer::Vec2 direction, double speed) const;
+  int kicks_for(Vec2 direction, double speed) const;
   /// Player of our team by number, including self; null if unknown.
   const FieldPlayer* our_player(int unum) const;
 
@@ -85,9 +85,9 @@ class PlannerField {
 
 /// A ball kicked by the agent.
 struct BallRoll {
-  soccer::Vec2 direction;  ///< unit vector
-  double speed = 0.0;      ///< first
-  int cycles = 0;          ///< until it reaches the target
+  Vec2 direction;      ///< unit vector
+  double speed = 0.0;  ///< first
+  int cycles = 0;      ///< until it reaches the target
 };
 
 /// Assumptions about opponents.
@@ -101,7 +101,7 @@ struct StopRules {
 bool is_stopped(const PlannerField& field, const BallRoll& roll, const StopRules& rules);
 
 /// Cycles until a player controls a ball at rest at `point`, including turns.
-int cycles_to_get(const FieldPlayer& player, soccer::Vec2 point);
+int cycles_to_get(const FieldPlayer& player, Vec2 point);
 
 /// Tolerated angle between body and running direction.
 struct Slack {
@@ -113,13 +113,13 @@ constexpr Slack kFifteenDegrees{0.96592582628906829, 0.25881904510252076};
 /// `least`.
 Slack slack_for(double reach, double distance, const Slack& least);
 /// Turns (cycles) until the player can run along `way` of `length` meters.
-int turns_to_face(const FieldPlayer& player, soccer::Vec2 way, double length, const Slack& slack);
+int turns_to_face(const FieldPlayer& player, Vec2 way, double length, const Slack& slack);
 
 /// Minimum cycles_to_get() of the opponents; kNever without opponents.
-int opponents_cycles_to(const PlannerField& field, soccer::Vec2 point, bool count_age);
+int opponents_cycles_to(const PlannerField& field, Vec2 point, bool count_age);
 /// True if an opponent gets there within `cycles`.
-bool opponent_gets_there(const PlannerField& field, soccer::Vec2 point, int cycles, bool count_age);
+bool opponent_gets_there(const PlannerField& field, Vec2 point, int cycles, bool count_age);
 /// Distance to the nearest opponent, meters; 1000 without opponents.
-double nearest_opponent(const PlannerField& field, soccer::Vec2 point);
+double nearest_opponent(const PlannerField& field, Vec2 point);
 
 }  // namespace cls::player

@@ -28,9 +28,9 @@ struct CoarseState {
   const Plan& plan;
   int node = 0;
 
-  const PlanNode& now() const { return plan.nodes[static_cast<std::size_t>(node)]; }
+  const PlanNode& now() const { return plan.at(node); }
   /// Position of our player in this state.
-  soccer::Vec2 position_of(const FieldPlayer& player) const;
+  Vec2 position_of(const FieldPlayer& player) const;
   /// True if the player had the ball on the path to this state.
   bool had_ball(int unum) const;
 };
@@ -40,6 +40,6 @@ void add_simple_dribbles(const CoarseState& state, std::vector<PlanAction>& out)
 void add_simple_shot(const CoarseState& state, std::vector<PlanAction>& out);
 
 /// True if the holder is in shooting range and sees a gap between the posts.
-bool can_shoot_from(const PlannerField& field, soccer::Vec2 ball, int holder, int max_age);
+bool can_shoot_from(const PlannerField& field, Vec2 ball, int holder, int max_age);
 
 }  // namespace cls::player

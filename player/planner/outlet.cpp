@@ -1,34 +1,20 @@
 // Simulates all directions and several speeds until a player gets the ball.
-#include "player/planner/outlet.h"
+#include "player/planner/planner.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "player/ball_skills/kick.h"
-#include "soccer/pitch.h"
+#include "player/ball_skills/ball_skills.h"
+#include "player/world/candidates.h"
+#include "player/world/places.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::Vec2;
-
 constexpr int kDirections = 60;
 constexpr std::array<double, 4> kSpeedShares{1.0, 0.8, 0.65,
                                              0.5};  ///< fractions of the maximum speed
-
-bool on_pitch(Vec2 point) {
-  return std::fabs(point.x) < soccer::kHalfLength && std::fabs(point.y) < soccer::kHalfWidth;
-}
-
-bool is_goal_kick(soccer::PlayMode mode) {
-  return mode == soccer::PlayMode::kGoalKickLeft || mode == soccer::PlayMode::kGoalKickRight;
-}
-
-bool in_own_box(Vec2 point) {
-  return point.x < -soccer::kHalfLength + soccer::kPenaltyAreaLength &&
-         std::fabs(point.y) < soccer::kPenaltyAreaWidth / 2.0;
-}
 
 /// True if the player reaches the ball position by that cycle.
 bool gets(const FieldPlayer& player, Vec2 ball, int cycle) {
@@ -40,7 +26,7 @@ bool gets(const FieldPlayer& player, Vec2 ball, int cycle) {
 class OutletSearch {
  public:
   explicit OutletSearch(const PlannerField& field)
-      : field_(field), goal_kick_(is_goal_kick(field.world.game.mode)) {
+      : field_(field), goal_kick_(without_side(field.world.game.mode) == PlayMode::kGoalKickLeft) {
     constexpr int kMaxAge = 15;
     for (const FieldPlayer& teammate : field.teammates) {
       const bool offside = field.open_play && teammate.position.x > field.world.lines.offside;
@@ -75,7 +61,7 @@ class OutletSearch {
 
     for (int cycle = 1; cycle <= kPlannerHorizon; ++cycle) {
       outlet.target = field_.ball + direction * (speed * field_.roll(cycle));
-      if (!on_pitch(outlet.target)) {
+      if (!inside_pitch(outlet.target)) {
         // Bonus: a kick-in gives us time to take positions.
         outlet.value = value_of_loss(outlet.target) + field_.parameters.outlet_kick_in;
         return outlet;
@@ -96,16 +82,14 @@ class OutletSearch {
 
   bool opponent_gets(Vec2 ball, int cycle) const {
     constexpr int kMaxCredit = 5;
-    return std::any_of(field_.opponents.begin(), field_.opponents.end(),
-                       [&](const FieldOpponent& opponent) {
-                         const int credit = std::min(opponent.age, kMaxCredit);
-                         return gets(opponent, ball, cycle + 1 + credit);
-                       });
+    return std::ranges::any_of(field_.opponents, [&](const FieldOpponent& opponent) {
+      return gets(opponent, ball, cycle + 1 + std::min(opponent.age, kMaxCredit));
+    });
   }
   bool teammate_gets(Vec2 ball, int cycle) const {
     // A goal kick is in play after leaving the penalty area.
     if (goal_kick_ && in_own_box(ball)) return false;
-    return std::any_of(teammates_.begin(), teammates_.end(), [&](const FieldPlayer* teammate) {
+    return std::ranges::any_of(teammates_, [&](const FieldPlayer* teammate) {
       return gets(*teammate, ball, cycle - field_.parameters.outlet_reaction);
     });
   }

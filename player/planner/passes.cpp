@@ -2,21 +2,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
+#include "player/planner/generator_parameters.h"
 #include "player/planner/generators.h"
+#include "player/world/candidates.h"
 #include "player/world/motion.h"
-#include "soccer/pitch.h"
+#include "player/world/places.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::AngleDeg;
-using soccer::Vec2;
+constexpr PassSearchParameters kNumbers = kGenerators.pass;
 
-bool inside(Vec2 point, double side_margin, double own_goal_margin) {
-  return std::fabs(point.x) < soccer::kHalfLength - side_margin &&
-         point.x > -soccer::kHalfLength + own_goal_margin &&
-         std::fabs(point.y) < soccer::kHalfWidth - side_margin;
+/// Inside the pitch by a margin, and not near our goal line.
+bool may_receive_at(Vec2 point, double margin) {
+  constexpr double kOwnGoalMargin = 5.0;
+  return inside_pitch(point, margin) && point.x > -soccer::kHalfLength + kOwnGoalMargin;
 }
 
 /// Points around a receiver for lead passes: rings of directions.
@@ -68,15 +70,13 @@ class PassSearch {
         continue;
       }
 
-      const double dist = distance(teammate.position, field.ball);
-      if (dist > parameters.pass_distance) continue;
+      if (distance(teammate.position, field.ball) > parameters.pass_distance) continue;
       if (teammate.position.x > world.lines.offside && field.open_play) continue;
-      if (teammate.goalie && teammate.position.x < -22.0) continue;
+      if (teammate.goalie && teammate.position.x < kNumbers.goalie_x) continue;
       receivers_.push_back(&teammate);
     }
 
-    const ReachTable usual(world.server(), world.parameters->type(0));
-    usual_speed_ = usual.settled_speed();
+    usual_speed_ = ReachTable(world.server(), world.parameters->type(0)).settled_speed();
   }
 
   void run() {
@@ -92,7 +92,7 @@ class PassSearch {
   int receiver_cycles(const FieldPlayer& receiver, Vec2 point, bool free_run) const {
     const Vec2 way = point - receiver.rest;
     double dist = way.length();
-    if (!free_run) dist = 1.05 * dist + receiver.unseen_run;
+    if (!free_run) dist = kNumbers.care * dist + receiver.unseen_run;
 
     const int turns = dist < receiver.control
                           ? 0
@@ -104,7 +104,7 @@ class PassSearch {
 
   bool nearest_receiver(const FieldPlayer& receiver, Vec2 point) const {
     const double own = squared_distance(receiver.rest, point);
-    return std::none_of(receivers_.begin(), receivers_.end(), [&](const FieldPlayer* other) {
+    return std::ranges::none_of(receivers_, [&](const FieldPlayer* other) {
       return other != &receiver && squared_distance(other->rest, point) < own;
     });
   }
@@ -137,12 +137,12 @@ class PassSearch {
       const int kicks = field_.kicks_for(direction, speed);
       if (!field_.open_play && !reachable_at_once(direction, speed)) continue;
 
-      StopRules rules;
-      rules.head_start = kicks - 1;
-      rules.count_age = tag != PlanTag::kStrictThrough ||
-                        (point.x < field_.world.lines.offside && point.x < 30.0);
-      rules.extra_reach =
-          point.x < 25.0 ? field_.parameters.pass_margin : field_.parameters.pass_margin_deep;
+      const PlannerParameters& parameters = field_.parameters;
+      const StopRules rules{
+          .head_start = kicks - 1,
+          .count_age = tag != PlanTag::kStrictThrough ||
+                       (point.x < field_.world.lines.offside && point.x < 30.0),
+          .extra_reach = point.x < 25.0 ? parameters.pass_margin : parameters.pass_margin_deep};
 
       const int arrives = n + kicks - 1;
       if (arrives >= theirs_from) continue;
@@ -163,19 +163,23 @@ class PassSearch {
   }
 
   void add(const FieldPlayer& receiver, Vec2 point, double speed, int n, int kicks, PlanTag tag) {
-    PlanAction action;
+    const bool behind_them =
+        field_.ball.x <= 30.0 && point.x > field_.world.lines.their_defense_players;
+    out_.push_back({.category = PlanCategory::kPass,
+                    .tag = tag,
+                    .sender = field_.self.unum,
+                    .target = receiver.unum,
+                    .target_point = point,
+                    .first_speed = speed,
+                    .duration = n + kicks,
+                    .kicks = kicks,
+                    .final = behind_them});
+  }
 
-    action.category = PlanCategory::kPass;
-    action.tag = tag;
-    action.sender = field_.self.unum;
-    action.target = receiver.unum;
-    action.target_point = point;
-    action.first_speed = speed;
-    action.duration = n + kicks;
-    action.kicks = kicks;
-    action.final = field_.ball.x <= 30.0 && point.x > field_.world.lines.their_defense_players;
-
-    out_.push_back(action);
+  /// Speed of a ball that the receiver can still control, with `dashes` toward it.
+  static double fastest_arrival(const FieldPlayer& receiver, double dashes) {
+    const double push = 100.0 * receiver.type->dash_power_rate * receiver.type->effort_max;
+    return receiver.control + dashes * push;
   }
 
   int fewest_cycles(double length) const {
@@ -190,39 +194,33 @@ class PassSearch {
     const double length = distance(point, field_.ball);
     const double own_area = kickable_area(field_.world);
 
-    if (length < 2.2 * own_area || length > 0.8 * field_.longest_roll()) return;
-    if (!inside(point, 1.5, 5.0)) return;
-    const Vec2 own_goal{-soccer::kHalfLength, 0.0};
-    if (distance(point, own_goal) < 18.0 && point.x < field_.ball.x) return;
+    if (length < kNumbers.shortest * own_area ||
+        length > kNumbers.longest * field_.longest_roll() || !may_receive_at(point, 1.5)) {
+      return;
+    }
+    if (distance(point, kOwnGoal) < kNumbers.own_goal && point.x < field_.ball.x) return;
 
-    const double push = 100.0 * receiver.type->dash_power_rate * receiver.type->effort_max;
-    Speeds speeds;
-    speeds.min_first = usual_speed_;
-    speeds.min_arrival = receiver.reach->settled_speed();
-    speeds.max_arrival = receiver.control + 1.8 * push;
-
+    const Speeds speeds{usual_speed_, receiver.reach->settled_speed(),
+                        fastest_arrival(receiver, kNumbers.direct_push)};
     const int ready = receiver.reach->cycles(receiver.unseen_run);
     const int first = std::max({3, fewest_cycles(length), ready});
     try_ball(receiver, point, first, first + 4, speeds, PlanTag::kStrictDirect);
   }
 
   void lead(const FieldPlayer& receiver) {
-    const double push = 100.0 * receiver.type->dash_power_rate * receiver.type->effort_max;
-    Speeds speeds;
-    speeds.min_first = usual_speed_;
-    speeds.min_arrival = field_.parameters.lead_arrival_speed;
-    speeds.max_arrival = receiver.control + 1.5 * push;
-
+    const Speeds speeds{usual_speed_, field_.parameters.lead_arrival_speed,
+                        fastest_arrival(receiver, kNumbers.lead_push)};
     for (std::size_t ring = 0; ring < kRings.size(); ++ring) {
       for (std::size_t i = 0; i < kRingDirections; i += ring < 2 ? 2 : 1) {
         const Vec2 point = receiver.rest + ring_points()[ring * kRingDirections + i];
         const double length = distance(point, field_.ball);
-        if (length < 3.0 || length > 0.8 * field_.longest_roll() || !inside(point, 2.0, 5.0)) {
+        if (length < 3.0 || length > kNumbers.longest * field_.longest_roll() ||
+            !may_receive_at(point, 2.0)) {
           continue;
         }
-
-        const Vec2 own_goal{-soccer::kHalfLength, 0.0};
-        if (distance(point, own_goal) < 18.0 && point.x < field_.ball.x + 1.0) continue;
+        if (distance(point, kOwnGoal) < kNumbers.own_goal && point.x < field_.ball.x + 1.0) {
+          continue;
+        }
         if (!nearest_receiver(receiver, point)) continue;
 
         const int ready = receiver_cycles(receiver, point, false);
@@ -237,10 +235,8 @@ class PassSearch {
     const double min_x = std::min({std::max(10.0, field_.ball.x + 10.0), offside - 10.0, 31.0});
     if (receiver.position.x < min_x - 30.0) return;
 
-    Speeds speeds;
-    speeds.min_first = field_.parameters.through_first_speed;
-    const double push = 100.0 * receiver.type->dash_power_rate * receiver.type->effort_max;
-    speeds.max_arrival = receiver.control + 1.5 * push;
+    const Speeds speeds{field_.parameters.through_first_speed, 0.0,
+                        fastest_arrival(receiver, kNumbers.lead_push)};
     const bool runs = receiver.velocity.length() > 0.2;
     const AngleDeg heading = runs ? AngleDeg::of(receiver.velocity) : AngleDeg();
 
@@ -248,14 +244,14 @@ class PassSearch {
       const bool on_its_way = runs && (heading - ray.angle).abs() < 15.0;
       for (double far = 6.0; far <= 30.0; far += 2.0) {
         const Vec2 point = receiver.rest + ray.unit * far;
-        if (point.x < min_x || !inside(point, 2.5, 5.0) || point.x > 50.0) continue;
+        if (point.x < min_x || !may_receive_at(point, 2.5) || point.x > 50.0) continue;
 
         const double length = distance(point, field_.ball);
-        if (length < 5.0 || length > 0.9 * field_.longest_roll()) continue;
+        if (length < 5.0 || length > kNumbers.longest_through * field_.longest_roll()) continue;
         if (!nearest_receiver(receiver, point)) continue;
 
         const int ready = receiver_cycles(receiver, point, true) + (on_its_way ? 0 : 1);
-        const int first = std::max({fewest_cycles(length), ready});
+        const int first = std::max(fewest_cycles(length), ready);
         try_ball(receiver, point, first, first + 3, speeds, PlanTag::kStrictThrough);
       }
     }
@@ -267,6 +263,53 @@ class PassSearch {
   double usual_speed_ = 1.0;
 };
 
+/// Smallest angle between a direction and the opponents up to `far` meters from the ball, degrees.
+double free_angle(const PlannerField& field, AngleDeg straight, double off, double far) {
+  double gap = 180.0;
+  for (const FieldOpponent& opponent : field.opponents) {
+    if (squared_distance(opponent.position, field.ball) > far * far) continue;
+    const AngleDeg there = AngleDeg::of(opponent.position - field.ball);
+    gap = std::min(gap, (there - straight - off).abs());
+  }
+
+  return gap;
+}
+
+/// The longest cross along a direction, up to `dist` meters, that its receiver gets first.
+std::optional<PlanAction> cross_along(const PlannerField& field, const FieldPlayer& receiver,
+                                      Vec2 direction, double dist) {
+  const double max = field.world.server().ball_speed_max;
+
+  for (double back = 0.0; back <= 3.6; back += 0.9) {
+    const double length = dist - back;
+    const Vec2 point = field.ball + direction * length;
+    const int ready = cycles_to_get(receiver, point) + 1;
+
+    for (int n = std::max(2, ready); n <= 12; ++n) {
+      const double speed = field.first_speed(length, n);
+      if (speed > max) continue;
+      if (speed < field.parameters.cross_speed * max) break;
+      if (speed * field.speed_left(n) < 1.0) break;
+
+      const int kicks = field.kicks_for(direction, speed);
+      if (!field.open_play && kicks > 1) continue;
+      const StopRules rules{.head_start = kicks - 1, .count_age = false};
+      if (is_stopped(field, {direction, speed, n}, rules)) continue;
+
+      return PlanAction{.category = PlanCategory::kPass,
+                        .tag = PlanTag::kCross,
+                        .sender = field.self.unum,
+                        .target = receiver.unum,
+                        .target_point = point,
+                        .first_speed = speed,
+                        .duration = std::max(1, n + kicks - 3),
+                        .kicks = kicks};
+    }
+  }
+
+  return std::nullopt;
+}
+
 }  // namespace
 
 void add_passes(const PlannerField& field, std::vector<PlanAction>& out) {
@@ -276,60 +319,28 @@ void add_passes(const PlannerField& field, std::vector<PlanAction>& out) {
 
 void add_crosses(const PlannerField& field, std::vector<PlanAction>& out) {
   const PlannerParameters& parameters = field.parameters;
-  const Vec2 goal{soccer::kHalfLength, 0.0};
-  if (distance(field.ball, goal) > parameters.cross_range) return;
+  if (distance(field.ball, kOpponentGoal) > parameters.cross_range) return;
   if (soccer::is_penalty_mode(field.world.game.mode)) return;
-  const double max = field.world.server().ball_speed_max;
-  const double own_area = kickable_area(field.world);
+  const double longest = field.world.server().ball_speed_max * field.roll(9);
+  const double shortest = kNumbers.shortest * kickable_area(field.world);
+
   for (const FieldPlayer& teammate : field.teammates) {
     if (teammate.unum == 0 || teammate.ghost || teammate.age >= 4 || teammate.lying) continue;
     if (teammate.position.x > field.world.lines.offside && field.open_play) continue;
-    if (distance(teammate.position, goal) > parameters.cross_target_range) continue;
+    if (distance(teammate.position, kOpponentGoal) > parameters.cross_target_range) continue;
     const double dist = distance(teammate.position, field.ball);
-    if (dist < 2.2 * own_area || dist > max * field.roll(9)) continue;
+    if (dist < shortest || dist > longest) continue;
+
     const AngleDeg straight = AngleDeg::of(teammate.position - field.ball);
-    PlanAction best;
-    double best_gap = -1.0;
+    Highest<PlanAction> best{-1.0};
     for (const double off : {-6.0, -3.0, 0.0, 3.0, 6.0}) {
-      const Vec2 direction = soccer::polar(1.0, straight + off);
-      double gap = 180.0;
-      for (const FieldOpponent& opponent : field.opponents) {
-        if (squared_distance(opponent.position, field.ball) > (dist + 2.0) * (dist + 2.0)) continue;
-        const AngleDeg there = AngleDeg::of(opponent.position - field.ball);
-        gap = std::min(gap, (there - straight - off).abs());
-      }
-      if (gap <= best_gap) continue;
-      for (double back = 0.0; back <= 3.6; back += 0.9) {
-        const double length = dist - back;
-        const Vec2 point = field.ball + direction * length;
-        const int ready = cycles_to_get(teammate, point) + 1;
-        bool found = false;
-        for (int n = std::max(2, ready); n <= 12 && !found; ++n) {
-          const double speed = field.first_speed(length, n);
-          if (speed > max) continue;
-          if (speed < parameters.cross_speed * max) break;
-          if (speed * field.speed_left(n) < 1.0) break;
-          const int kicks = field.kicks_for(direction, speed);
-          if (!field.open_play && kicks > 1) continue;
-          StopRules rules;
-          rules.head_start = kicks - 1;
-          rules.count_age = false;
-          if (is_stopped(field, {direction, speed, n}, rules)) continue;
-          best.category = PlanCategory::kPass;
-          best.tag = PlanTag::kCross;
-          best.sender = field.self.unum;
-          best.target = teammate.unum;
-          best.target_point = point;
-          best.first_speed = speed;
-          best.kicks = kicks;
-          best.duration = std::max(1, n + kicks - 3);
-          best_gap = gap;
-          found = true;
-        }
-        if (found) break;
-      }
+      const double gap = free_angle(field, straight, off, dist + 2.0);
+      if (gap <= best.score) continue;
+      const auto cross = cross_along(field, teammate, soccer::polar(1.0, straight + off), dist);
+      if (cross) best.offer(gap, *cross);
     }
-    if (best_gap >= 0.0) out.push_back(best);
+
+    if (best.score >= 0.0) out.push_back(best.value);
   }
 }
 

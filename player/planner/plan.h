@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "soccer/geometry.h"
+#include "base/index.h"
+#include "player/world/vocabulary.h"
 
 namespace cls::player {
 
@@ -30,10 +31,10 @@ struct PlanAction {
   PlanTag tag = PlanTag::kHold;
   int sender = 0;  ///< uniform numbers of our team
   int target = 0;
-  soccer::Vec2 target_point;
+  Vec2 target_point{};
   double first_speed = 0.0;
-  soccer::Vec2 first_velocity;  ///< of the ball, for dribbles
-  double turn = 0.0;            ///< total turn before the dashes, relative to the body
+  Vec2 first_velocity{};  ///< of the ball, for dribbles
+  double turn = 0.0;      ///< total turn before the dashes, relative to the body
   int duration = 0;
   int kicks = 0;
   int turns = 0;
@@ -47,7 +48,7 @@ struct PlanNode {
   int parent = -1;  ///< index of a node; -1 for the root
   int depth = 0;    ///< actions up to here
   int holder = 0;
-  soccer::Vec2 ball;
+  Vec2 ball{};
   int time = 0;  ///< cycles from now
   double our_defense_line = 0.0;
   double value = 0.0;
@@ -59,11 +60,10 @@ struct Plan {
   int best = 0;  ///< node with the highest value
 
   bool empty() const { return nodes.empty(); }
+  const PlanNode& at(int node) const { return nodes[base::index(node)]; }
   /// Node of the first action on the path to `node`; 0 for the root.
   int first_of(int node) const {
-    while (node > 0 && nodes[static_cast<std::size_t>(node)].parent > 0) {
-      node = nodes[static_cast<std::size_t>(node)].parent;
-    }
+    while (node > 0 && at(node).parent > 0) node = at(node).parent;
     return node;
   }
 };

@@ -4,37 +4,28 @@
 #include <algorithm>
 #include <cmath>
 
-#include "player/ball_skills/clear_ball.h"
-#include "player/ball_skills/hold_ball.h"
-#include "player/ball_skills/kick.h"
-#include "player/ball_skills/smart_kick.h"
+#include "player/ball_skills/ball_skills.h"
 #include "player/movement/movement.h"
 #include "player/perception/say_message.h"
 #include "player/planner/field.h"
-#include "player/planner/outlet.h"
-#include "player/planner/search.h"
+#include "player/planner/planner.h"
+#include "player/world/candidates.h"
 #include "player/world/motion.h"
+#include "player/world/places.h"
 #include "player/world/planner_parameters.h"
-#include "soccer/pitch.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::AngleDeg;
-using soccer::PlayMode;
-using soccer::Vec2;
-
-const Vec2 kTheirGoal{soccer::kHalfLength, 0.0};
+constexpr double kNearlyFull = 0.96;  ///< least share of the speed of a kick sequence
 
 void say_pass(ActionContext& c, const PlanAction& action) {
   const Vec2 ball = c.world.ball.position;
   const Vec2 velocity = soccer::with_length(action.target_point - ball, action.first_speed);
 
-  SayPass pass;
-  pass.receiver = action.target;
-  pass.point = action.target_point;
-  pass.ball = {ball + velocity, velocity * c.world.server().ball_decay};
-
+  const SayPass pass{action.target,
+                     action.target_point,
+                     {ball + velocity, velocity * c.world.server().ball_decay}};
   std::string text;
   if (append_say_message(pass, c.world.server(), text)) c.slots.say(text);
 }
@@ -62,7 +53,7 @@ bool pass(ActionContext& c, const PlanAction& action) {
 
   const bool kicked = at_once ? kick_one_step(world, c.slots, target, action.first_speed, false)
                               : smart_kick(world, c.slots, target, action.first_speed,
-                                           0.96 * action.first_speed, 3);
+                                           kNearlyFull * action.first_speed, 3);
   if (!kicked) return c.slots.has_body();
 
   say_pass(c, action);
@@ -76,17 +67,16 @@ bool dribble(ActionContext& c, const PlanAction& action) {
       world.game.mode == PlayMode::kPlayOn || soccer::is_penalty_mode(world.game.mode);
   if (!open || !kick_to_velocity(world, c.slots, action.first_velocity)) return false;
 
-  Intention& intention = c.memory.intention;
-  intention.kind = Intention::Kind::kDribble;
-  intention.target = action.target_point;
-  intention.heading = world.self.body + action.turn;
-  intention.turns = action.turns;
-  intention.dash_power = world.server().max_dash_power;
-  intention.dashes = action.dashes;
-  intention.last = world.game.time;
+  c.memory.intention = {.kind = Intention::Kind::kDribble,
+                        .target = action.target_point,
+                        .heading = world.self.body + action.turn,
+                        .turns = action.turns,
+                        .dash_power = world.server().max_dash_power,
+                        .dashes = action.dashes,
+                        .last = world.game.time};
 
   constexpr double kNearGoal = 18.0;
-  c.neck.kind = distance(action.target_point, kTheirGoal) < kNearGoal
+  c.neck.kind = distance(action.target_point, kOpponentGoal) < kNearGoal
                     ? NeckPlan::Kind::kGoalieOrScan
                     : NeckPlan::Kind::kScan;
 
@@ -95,24 +85,17 @@ bool dribble(ActionContext& c, const PlanAction& action) {
 
 bool shoot_hard(ActionContext& c) {
   const double max = c.world.server().ball_speed_max;
-  c.neck = {NeckPlan::Kind::kPoint, kTheirGoal};
-  if (c.world.game.mode == PlayMode::kPlayOn &&
-      smart_kick(c.world, c.slots, kTheirGoal, max, 0.96 * max, 3)) {
-    return true;
-  }
-  return kick_one_step(c.world, c.slots, kTheirGoal, max, true);
+  c.neck = {NeckPlan::Kind::kPoint, kOpponentGoal};
+  return (c.world.game.mode == PlayMode::kPlayOn &&
+          smart_kick(c.world, c.slots, kOpponentGoal, max, kNearlyFull * max, 3)) ||
+         kick_one_step(c.world, c.slots, kOpponentGoal, max, true);
 }
 
-/// Widest gap between the posts as seen from the ball: target and free angle.
-struct Gap {
-  Vec2 target;
-  double degrees = 0.0;
-};
-
-Gap widest_gap(const WorldModel& world) {
+/// Widest gap between the posts as seen from the ball: the target by its free angle in degrees.
+Highest<Vec2> widest_gap(const WorldModel& world) {
   constexpr int kTargets = 13;
   const double half = world.server().goal_width / 2.0 - 0.7;
-  Gap best;
+  Highest<Vec2> best{0.0};
 
   for (int i = 0; i < kTargets; ++i) {
     const Vec2 target{soccer::kHalfLength, half * (2.0 * i / (kTargets - 1) - 1.0)};
@@ -122,12 +105,11 @@ Gap widest_gap(const WorldModel& world) {
     double gap = 90.0;
     for (const PlayerState& opponent : world.opponents) {
       if (opponent.pos_count > 10 || opponent.dist_from_ball > way.length()) continue;
-      const double width = soccer::math::to_degrees(
-          soccer::math::atan2(opponent.goalie ? 1.2 : 0.8, std::max(0.3, opponent.dist_from_ball)));
+      const double width = math::to_degrees(
+          math::atan2(opponent.goalie ? 1.2 : 0.8, std::max(0.3, opponent.dist_from_ball)));
       gap = std::min(gap, (opponent.angle_from_ball - direction).abs() - width);
     }
-
-    if (gap > best.degrees) best = {target, gap};
+    best.offer(gap, target);
   }
   return best;
 }
@@ -136,18 +118,18 @@ Gap widest_gap(const WorldModel& world) {
 bool shoot_into_gap(ActionContext& c) {
   const WorldModel& world = c.world;
   const PlannerParameters& parameters = *world.planner;
-  if (distance(world.ball.position, kTheirGoal) > parameters.late_shot_range) return false;
+  if (distance(world.ball.position, kOpponentGoal) > parameters.late_shot_range) return false;
 
   const bool pressed = world.intercept.first_opponent_steps <= 2;
-  const Gap gap = widest_gap(world);
-  if (gap.degrees < (pressed ? parameters.late_shot_gap_pressed : parameters.late_shot_gap)) {
+  const auto [degrees, target] = widest_gap(world);
+  if (degrees < (pressed ? parameters.late_shot_gap_pressed : parameters.late_shot_gap)) {
     return false;
   }
 
   const double max = world.server().ball_speed_max;
-  c.neck = {NeckPlan::Kind::kPoint, gap.target};
-  if (!pressed && smart_kick(world, c.slots, gap.target, max, 0.9 * max, 2)) return true;
-  return kick_one_step(world, c.slots, gap.target, max, true);
+  c.neck = {NeckPlan::Kind::kPoint, target};
+  return (!pressed && smart_kick(world, c.slots, target, max, 0.9 * max, 2)) ||
+         kick_one_step(world, c.slots, target, max, true);
 }
 
 /// Free space of a hard pass: lateral distance of the nearest opponent in meters, reduced with its
@@ -172,10 +154,9 @@ double lane_room(const WorldModel& world, Vec2 target) {
 
 /// True if an opponent may tackle.
 bool is_pressed(const WorldModel& world) {
-  const double close = world.planner->lay_off_pressure;
-  return std::any_of(world.opponents.begin(), world.opponents.end(), [&](const auto& opponent) {
-    return opponent.dist_from_ball < close && opponent.pos_count <= 3 && !opponent.ghost() &&
-           !opponent.tackling;
+  return std::ranges::any_of(world.opponents, [&](const PlayerState& opponent) {
+    return opponent.dist_from_ball < world.planner->lay_off_pressure && opponent.pos_count <= 3 &&
+           !opponent.ghost() && !opponent.tackling;
   });
 }
 
@@ -188,32 +169,22 @@ bool lay_off(ActionContext& c) {
       since >= 0 && world.game.time.cycle - since >= world.planner->lay_off_cycles;
   if (!long_held && !is_pressed(world)) return false;
 
-  const PlayerState* best = nullptr;
-  double best_room = world.planner->lay_off_room;
+  Highest<const PlayerState*> best{world.planner->lay_off_room};
   for (const PlayerState& teammate : world.teammates) {
     if (teammate.pos_count > 8 || teammate.ghost() || teammate.goalie ||
-        teammate.position.x < -25.0)
+        teammate.position.x < -25.0 || teammate.position.x > world.lines.offside ||
+        teammate.dist_from_ball < 4.0 || teammate.dist_from_ball > 30.0) {
       continue;
-    if (teammate.dist_from_ball < 4.0 || teammate.dist_from_ball > 30.0) continue;
-    if (teammate.position.x > world.lines.offside) continue;
-
-    const double room = lane_room(world, teammate.position);
-    if (room > best_room) {
-      best_room = room;
-      best = &teammate;
     }
+    best.offer(lane_room(world, teammate.position), &teammate);
   }
 
-  if (best == nullptr) return false;
-  PlanAction action;
-  action.target = best->unum;
-  action.target_point = best->position;
+  if (best.value == nullptr) return false;
   constexpr double kArrival = 1.3;
-  action.first_speed =
-      std::min(world.server().ball_speed_max,
-               kArrival + best->dist_from_ball * (1.0 - world.server().ball_decay));
-
-  return pass(c, action);
+  const double speed = kArrival + best.value->dist_from_ball * (1.0 - world.server().ball_decay);
+  return pass(c, {.target = best.value->unum,
+                  .target_point = best.value->position,
+                  .first_speed = std::min(world.server().ball_speed_max, speed)});
 }
 
 bool hold(ActionContext& c) {
@@ -231,7 +202,7 @@ bool hold(ActionContext& c) {
 bool execute_plan(ActionContext& c, const Plan& plan, int node) {
   if (!c.world.self.kickable || plan.empty()) return false;
 
-  const PlanAction& action = plan.nodes[static_cast<std::size_t>(plan.first_of(node))].action;
+  const PlanAction& action = plan.at(plan.first_of(node)).action;
   switch (action.category) {
     case PlanCategory::kPass:
       return pass(c, action);
@@ -273,20 +244,16 @@ bool kick_outlet(ActionContext& c) {
 bool kick_out_of_danger(ActionContext& c) {
   const WorldModel& world = c.world;
   const PlannerParameters& parameters = *world.planner;
-  const Vec2 our_goal{-soccer::kHalfLength, 0.0};
-
   if (world.game.mode != PlayMode::kPlayOn ||
-      distance(world.ball.position, our_goal) > parameters.outlet_range) {
+      distance(world.ball.position, kOwnGoal) > parameters.outlet_range) {
     return false;
   }
 
   constexpr int kMaxAge = 10;
-  const bool pressed =
-      std::any_of(world.opponents.begin(), world.opponents.end(), [&](const PlayerState& opponent) {
-        return opponent.dist_from_ball < parameters.outlet_pressure && !opponent.ghost() &&
-               opponent.pos_count <= kMaxAge;
-      });
-
+  const bool pressed = std::ranges::any_of(world.opponents, [&](const PlayerState& opponent) {
+    return opponent.dist_from_ball < parameters.outlet_pressure && !opponent.ghost() &&
+           opponent.pos_count <= kMaxAge;
+  });
   return pressed && kick_outlet(c);
 }
 

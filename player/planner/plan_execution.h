@@ -2,8 +2,8 @@
 #pragma once
 
 #include "player/planner/action_context.h"
-#include "player/planner/evaluation.h"
 #include "player/planner/plan.h"
+#include "player/planner/planner.h"
 
 namespace cls::player {
 

@@ -1,5 +1,5 @@
 // Best-first search up to a maximum number of nodes.
-#include "player/planner/search.h"
+#include "player/planner/planner.h"
 
 #include <algorithm>
 #include <map>
@@ -15,7 +15,7 @@ class Search {
  public:
   Search(const PlannerField& field, const PlannerOptions& options, const NodeValue& value)
       : field_(field), options_(options), value_(value) {
-    plan_.nodes.reserve(static_cast<std::size_t>(options.max_nodes) + 1);
+    plan_.nodes.reserve(base::index(options.max_nodes) + 1);
   }
 
   Plan run() {
@@ -32,16 +32,11 @@ class Search {
   int count() const { return static_cast<int>(plan_.nodes.size()); }
 
   void add_root() {
-    PlanNode root;
-    root.action.sender = root.action.target = field_.self.unum;
-    root.action.target_point = field_.ball;
-    root.action.final = true;
-    root.holder = field_.self.unum;
-    root.ball = field_.ball;
-    root.our_defense_line = field_.world.lines.our_defense;
-
-    plan_.nodes.push_back(root);
-    plan_.nodes[0].value = value_(field_, plan_, 0);
+    const int self = field_.self.unum;
+    add({.action = {.sender = self, .target = self, .target_point = field_.ball, .final = true},
+         .holder = self,
+         .ball = field_.ball,
+         .our_defense_line = field_.world.lines.our_defense});
     open_.push({plan_.nodes[0].value, 0});
   }
 
@@ -63,22 +58,18 @@ class Search {
   }
 
   PlanNode child(int parent, const PlanAction& action) const {
-    const PlanNode& from = plan_.nodes[static_cast<std::size_t>(parent)];
-    PlanNode node;
-
-    node.action = action;
-    node.parent = parent;
-    node.depth = from.depth + 1;
-    node.holder = action.target;
-    node.ball = action.target_point;
-    node.time = from.time + action.duration;
-    node.our_defense_line = std::min(from.our_defense_line, node.ball.x);
-
-    return node;
+    const PlanNode& from = plan_.at(parent);
+    return {.action = action,
+            .parent = parent,
+            .depth = from.depth + 1,
+            .holder = action.target,
+            .ball = action.target_point,
+            .time = from.time + action.duration,
+            .our_defense_line = std::min(from.our_defense_line, action.target_point.x)};
   }
 
   /// Adds and evaluates a node.
-  void add(PlanNode node) {
+  void add(const PlanNode& node) {
     plan_.nodes.push_back(node);
     plan_.nodes.back().value = value_(field_, plan_, count() - 1);
   }
@@ -94,11 +85,11 @@ class Search {
       order.emplace_back(-plan_.nodes.back().value, i);
       plan_.nodes.pop_back();
     }
-    std::sort(order.begin(), order.end());
+    std::ranges::sort(order);
 
     std::map<std::pair<PlanTag, int>, int> taken;
     std::vector<PlanAction> best;
-    const auto max_count = static_cast<std::size_t>(std::max(10, options_.max_nodes / 3));
+    const std::size_t max_count = base::index(std::max(10, options_.max_nodes / 3));
     for (const auto& [value, i] : order) {
       const PlanAction& action = actions_[i];
       if (best.size() >= max_count) break;
@@ -117,7 +108,7 @@ class Search {
       const int index = count();
       add(child(parent, action));
       const PlanNode& node = plan_.nodes.back();
-      if (node.value > plan_.nodes[static_cast<std::size_t>(plan_.best)].value) plan_.best = index;
+      if (node.value > plan_.at(plan_.best).value) plan_.best = index;
       // Ties: the earlier node first.
       if (!action.final && node.depth < options_.max_depth) open_.push({node.value, -index});
     }

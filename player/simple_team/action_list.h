@@ -6,6 +6,8 @@
 
 namespace cls::player {
 
+using soccer::Vec2;
+
 /// Distance at which the target of a dribble is reached, meters.
 constexpr float kDribbleDistance = 1.0F;
 
@@ -39,7 +41,7 @@ struct TeamAction {
   float second = 0.0F;
   int count = 0;
 
-  soccer::Vec2 point() const { return {x, y}; }
+  Vec2 point() const { return {x, y}; }
 };
 
 /// Collects actions. The agent tries body actions in sequence until one succeeds and executes all
@@ -47,27 +49,35 @@ struct TeamAction {
 class ActionList {
  public:
   // Actions with the ball. Speeds are in meters per cycle.
-  void smart_kick(soccer::Vec2 target, double speed, double min_speed, int kicks);
-  void dribble(soccer::Vec2 target, double dash_power, int dashes);
-  void clear_ball();
+  void smart_kick(Vec2 target, double speed, double min_speed, int kicks) {
+    add(Kind::kSmartKick, target, speed, min_speed, kicks);
+  }
+  void dribble(Vec2 target, double dash_power, int dashes) {
+    add(Kind::kDribble, target, dash_power, 0.0, dashes);
+  }
+  void clear_ball() { add(Kind::kClearBall); }
 
   // Without the ball.
-  void intercept(soccer::Vec2 face);
-  void go_to(soccer::Vec2 target, double within, double dash_power);
-  void tackle_towards(soccer::Vec2 target, double min_probability);
-  void catch_ball();
-  void turn_to_ball();
-  void turn_to(soccer::Vec2 target);
-  void move_to(soccer::Vec2 target);
-  void stand_for_kick_off(soccer::Vec2 target);
-  void search_ball();
-  void play_penalty();
+  void intercept(Vec2 face) { add(Kind::kIntercept, face); }
+  void go_to(Vec2 target, double within, double dash_power) {
+    add(Kind::kGoTo, target, within, dash_power);
+  }
+  void tackle_towards(Vec2 target, double min_probability) {
+    add(Kind::kTackle, target, min_probability);
+  }
+  void catch_ball() { add(Kind::kCatch); }
+  void turn_to_ball() { add(Kind::kTurnToBall); }
+  void turn_to(Vec2 target) { add(Kind::kTurnTo, target); }
+  void move_to(Vec2 target) { add(Kind::kMoveTo, target); }
+  void stand_for_kick_off(Vec2 target) { add(Kind::kKickOff, target); }
+  void search_ball() { add(Kind::kSearchBall); }
+  void play_penalty() { add(Kind::kPenalty); }
 
   // Neck and view.
-  void watch_ball();
-  void watch_ball_or_scan(int ball_age);
-  void watch_goalie_or_scan();
-  void scan();
+  void watch_ball() { add(Kind::kWatchBall); }
+  void watch_ball_or_scan(int ball_age) { add(Kind::kWatchBallOrScan, {}, 0.0, 0.0, ball_age); }
+  void watch_goalie_or_scan() { add(Kind::kWatchGoalieOrScan); }
+  void scan() { add(Kind::kScan); }
 
   /// No decision has more.
   static constexpr std::size_t kMaxActions = 12;
@@ -76,8 +86,12 @@ class ActionList {
   bool places_itself = false;  ///< the agent must not place itself by its own formation
 
  private:
-  void add(TeamAction::Kind kind, soccer::Vec2 point = {}, double first = 0.0, double second = 0.0,
-           int count = 0);
+  using Kind = TeamAction::Kind;
+
+  void add(Kind kind, Vec2 point = {}, double first = 0.0, double second = 0.0, int count = 0) {
+    actions_.push_back({kind, static_cast<float>(point.x), static_cast<float>(point.y),
+                        static_cast<float>(first), static_cast<float>(second), count});
+  }
 
   base::FixedList<TeamAction, kMaxActions> actions_;
 };

@@ -10,8 +10,6 @@
 namespace cls::player {
 namespace {
 
-using soccer::Vec2;
-
 constexpr double kFullSpeed = 3.0;
 constexpr double kPassArrivalSpeed = 1.1;
 constexpr double kBallDecay = 0.94;
@@ -52,16 +50,14 @@ std::optional<Pass> pass_to(const Situation& now, const SeenPlayer& teammate) {
   target.y = std::clamp(target.y, -soccer::kHalfWidth + 1.0, soccer::kHalfWidth - 1.0);
 
   const double length = distance(now.ball, target);
-  if (length < kMinLength || length > kMaxLength || is_likely_offside(now, position))
-    return std::nullopt;
-
-  // No passes across the own goal: losing such a ball means conceding.
-  if (target.x < -30.0 && std::fabs(target.y) < 15.0 && target.x < now.ball.x) {
+  if (length < kMinLength || length > kMaxLength || is_likely_offside(now, position)) {
     return std::nullopt;
   }
 
+  // No passes across the own goal: losing such a ball means conceding.
+  const bool across = target.x < -30.0 && std::fabs(target.y) < 15.0 && target.x < now.ball.x;
   const double margin = now.lane_margin(now.ball, target, 0.9, 0.25);
-  if (margin < 0.0) return std::nullopt;
+  if (across || margin < 0.0) return std::nullopt;
 
   const double room = std::min(now.nearest_opponent_to(target), 10.0);
   const double value = value_of(target) + 0.6 * room + 0.8 * std::min(margin, 3.0);

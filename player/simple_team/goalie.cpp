@@ -9,22 +9,17 @@
 namespace cls::player {
 namespace {
 
-using soccer::Vec2;
-
-bool in_own_box(Vec2 point) {
+bool in_own_area(Vec2 point) {
   return point.x < -soccer::kHalfLength + soccer::kPenaltyAreaLength - 0.5 &&
          std::fabs(point.y) < soccer::kPenaltyAreaWidth / 2 - 0.5;
 }
 
 // On the line from the ball to the goal center; farther out when the ball is farther away.
 Vec2 keeping_point(const Situation& now) {
-  const Vec2 goal{-soccer::kHalfLength, 0.0};
   const Vec2 ball = now.ball + now.ball_velocity * 2.0;
-  const double out = std::clamp(distance(ball, goal) * 0.08, 1.2, 5.0);
-  Vec2 point = goal + with_length(ball - goal, out);
-  point.x = std::max(point.x, -soccer::kHalfLength + 0.8);
-  point.y = std::clamp(point.y, -6.0, 6.0);
-  return point;
+  const double out = std::clamp(distance(ball, kOurGoal) * 0.08, 1.2, 5.0);
+  const Vec2 point = kOurGoal + with_length(ball - kOurGoal, out);
+  return {std::max(point.x, kOurGoal.x + 0.8), std::clamp(point.y, -6.0, 6.0)};
 }
 
 }  // namespace
@@ -35,15 +30,15 @@ void keep_goal(const Situation& now, ActionList& list) {
     return;
   }
 
-  if (in_own_box(now.ball) && now.catch_probability > 0.85F) list.catch_ball();
+  if (in_own_area(now.ball) && now.catch_probability > 0.85F) list.catch_ball();
   if (now.kickable) {
     list.clear_ball();
   } else {
     const bool first = now.own_reach() <= now.opponents_reach() &&
                        now.own_reach() <= now.teammates_reach() && !now.teammate_kicks;
     const Vec2 meeting = now.ball + now.ball_velocity * std::min(now.own_reach(), 8);
-    if (first && in_own_box(meeting)) list.intercept({0.0, 0.0});
-    if (now.opponent_kicks && in_own_box(now.ball)) list.tackle_towards({0.0, 0.0}, 0.8);
+    if (first && in_own_area(meeting)) list.intercept({0.0, 0.0});
+    if (now.opponent_kicks && in_own_area(now.ball)) list.tackle_towards({0.0, 0.0}, 0.8);
 
     const Vec2 point = keeping_point(now);
     const bool is_near = distance(now.ball, point) < 30.0;

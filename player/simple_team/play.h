@@ -3,6 +3,7 @@
 
 #include "player/simple_team/action_list.h"
 #include "player/simple_team/situation.h"
+#include "soccer/geometry.h"
 
 namespace cls::player {
 
@@ -28,5 +29,11 @@ void bring_out_caught_ball(const Situation& now, ActionList& list);
 /// Set plays: the nearest player takes the team's own set play; all other players move to their
 /// home positions.
 void play_set_play(const Situation& now, ActionList& list);
+
+/// Home position for the current ball; never offside. The team attacks +x.
+Vec2 home_position(const Situation& now);
+
+/// Position in the own half before a kick-off.
+Vec2 kick_off_position(const Situation& now);
 
 }  // namespace cls::player

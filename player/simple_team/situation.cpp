@@ -10,22 +10,21 @@ constexpr double kFar = 1000.0;  // no opponent known
 
 }  // namespace
 
-double Situation::nearest_opponent_to(soccer::Vec2 point) const {
+double Situation::nearest_opponent_to(Vec2 point) const {
   double nearest = kFar;
-  for (const soccer::Vec2 opponent : opponents) {
+  for (const Vec2 opponent : opponents) {
     nearest = std::min(nearest, distance(point, opponent));
   }
   return nearest;
 }
 
-double Situation::lane_margin(soccer::Vec2 from, soccer::Vec2 to, double base,
-                              double spread) const {
-  const soccer::Vec2 way = to - from;
+double Situation::lane_margin(Vec2 from, Vec2 to, double base, double spread) const {
+  const Vec2 way = to - from;
   const double length = std::max(way.length(), 0.1);
   double margin = kFar;
 
-  for (const soccer::Vec2 opponent : opponents) {
-    const soccer::Vec2 relative = opponent - from;
+  for (const Vec2 opponent : opponents) {
+    const Vec2 relative = opponent - from;
     const double along = dot(relative, way) / length;
     if (along < 0.0) continue;
 
@@ -39,12 +38,11 @@ double Situation::lane_margin(soccer::Vec2 from, soccer::Vec2 to, double base,
 
 bool Situation::is_nearest_to_ball() const {
   const double own = distance(position, ball);
-  for (const SeenPlayer& teammate : teammates) {
-    if (teammate.goalie || teammate.age > kMaxAge) continue;
+  return std::ranges::none_of(teammates, [&](const SeenPlayer& teammate) {
     const double theirs = distance(teammate.position, ball);
-    if (theirs < own || (theirs == own && teammate.unum < unum)) return false;
-  }
-  return true;
+    return !teammate.goalie && teammate.age <= kMaxAge &&
+           (theirs < own || (theirs == own && teammate.unum < unum));
+  });
 }
 
 }  // namespace cls::player

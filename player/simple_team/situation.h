@@ -7,12 +7,14 @@
 
 namespace cls::player {
 
+using soccer::Vec2;
+
 /// Cycles to the ball when no player can reach it.
 constexpr int kNeverReached = 1000;
 
 /// The middle of each goal line.
-constexpr soccer::Vec2 kOurGoal{-soccer::kHalfLength, 0.0};
-constexpr soccer::Vec2 kTheirGoal{soccer::kHalfLength, 0.0};
+constexpr Vec2 kOurGoal{-soccer::kHalfLength, 0.0};
+constexpr Vec2 kTheirGoal{soccer::kHalfLength, 0.0};
 
 /// Play modes that the team tells apart.
 enum class TeamMode : unsigned char {
@@ -29,8 +31,8 @@ enum class TeamMode : unsigned char {
 /// A player as the agent estimates it.
 struct SeenPlayer {
   int unum = 0;
-  soccer::Vec2 position;
-  soccer::Vec2 velocity;
+  Vec2 position;
+  Vec2 velocity;
   int age = 0;  ///< cycles since its position was seen
   bool goalie = false;
   bool tackling = false;
@@ -48,13 +50,13 @@ struct Situation {
 
   int unum = 0;
   bool goalie = false;
-  soccer::Vec2 position;
+  Vec2 position;
   double stamina = 0.0;
   double catch_probability = 0.0;
   bool kickable = false;
 
-  soccer::Vec2 ball;
-  soccer::Vec2 ball_velocity;
+  Vec2 ball;
+  Vec2 ball_velocity;
   int ball_age = 0;
   /// Cycles until the agent, a teammate or an opponent can have the ball.
   int own_steps = kNeverReached;
@@ -65,7 +67,7 @@ struct Situation {
 
   double offside_line = 0.0;  ///< x at which teammates become offside
   base::FixedList<SeenPlayer, kMaxPlayers> teammates;
-  base::FixedList<soccer::Vec2, kMaxPlayers> opponents;  ///< not older than kMaxAge
+  base::FixedList<Vec2, kMaxPlayers> opponents;  ///< not older than kMaxAge
 
   bool ball_is_known() const { return ball_age < 10; }
   int own_reach() const { return kickable ? 0 : own_steps; }
@@ -73,11 +75,11 @@ struct Situation {
   int opponents_reach() const { return opponent_kicks ? 0 : opponents_steps; }
 
   /// Distance of the nearest opponent to a point; 1000 when none is known.
-  double nearest_opponent_to(soccer::Vec2 point) const;
+  double nearest_opponent_to(Vec2 point) const;
   /// Margin of a straight ball path: the smallest distance of an opponent from it, minus the
   /// distance the opponent covers meanwhile (`base` meters plus `spread` meters per meter of the
   /// path). Negative: an opponent intercepts.
-  double lane_margin(soccer::Vec2 from, soccer::Vec2 to, double base, double spread) const;
+  double lane_margin(Vec2 from, Vec2 to, double base, double spread) const;
 
   /// No teammate is nearer to the ball; equal distances go to the lower uniform number.
   bool is_nearest_to_ball() const;

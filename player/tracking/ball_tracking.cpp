@@ -1,5 +1,5 @@
 // Predicts the ball estimate between see messages and updates it by them.
-#include "player/tracking/ball_tracking.h"
+#include "player/tracking/tracking.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,20 +7,13 @@
 #include "player/tracking/observed_object.h"
 #include "player/world/view_cone.h"
 #include "soccer/interval.h"
-#include "soccer/math.h"
 
 namespace cls::player {
 namespace {
 
-namespace math = soccer::math;
 using soccer::Observation;
 using soccer::ObservedKind;
 using soccer::SenseBody;
-using soccer::Vec2;
-
-constexpr double kDiscDeviation = 0.408248290463863;  // see dead_reckoning.cpp
-
-double square(double x) { return x * x; }
 
 /// Acceleration of the ball in the next step, and its uncertainty.
 struct Push {
@@ -39,7 +32,7 @@ Push own_kick(const WorldModel& world, const soccer::Kick& kick) {
   const double direction = soccer::between(kick.direction, server.minmoment, server.maxmoment);
 
   const Vec2 offset = ball.position - self.position;
-  const double turn = (soccer::AngleDeg::of(offset) - self.body).abs() / 180.0;
+  const double turn = (AngleDeg::of(offset) - self.body).abs() / 180.0;
   const double gap = (offset.length() - type.player_size - server.ball_size) / type.kickable_margin;
   const double effect = power * type.kick_power_rate * (1.0 - 0.25 * turn - 0.25 * gap);
 
@@ -97,43 +90,19 @@ bool others_could_kick(const WorldModel& world) {
 
 void step(ObjectEstimate& state, const soccer::ServerParams& server, const Push& push) {
   if (!push.acceleration.is_zero()) {
-    Vec2 a = push.acceleration;
-    if (a.length() > server.ball_accel_max) a = soccer::with_length(a, server.ball_accel_max);
-    Vec2 v = Vec2{state.mean[2], state.mean[3]} + a;
-    if (v.length() > server.ball_speed_max) v = soccer::with_length(v, server.ball_speed_max);
+    const auto limited = [](Vec2 v, double max) {
+      return v.length() > max ? soccer::with_length(v, max) : v;
+    };
+    const Vec2 v = limited(
+        Vec2{state.mean[2], state.mean[3]} + limited(push.acceleration, server.ball_accel_max),
+        server.ball_speed_max);
     state.mean[2] = v.x;
     state.mean[3] = v.y;
   }
 
   const double speed = Vec2{state.mean[2], state.mean[3]}.length();
   const double noise = square(server.ball_rand * speed * kDiscDeviation) + square(push.deviation);
-  const double decay = server.ball_decay;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    state.mean[axis] += state.mean[axis + 2];
-    state.mean[axis + 2] *= decay;
-  }
-
-  // z' = F z with x' = x + v, v' = decay v, and the noise in v before the move.
-  const auto at = [&](std::size_t r, std::size_t c) -> double& { return state.at(r, c); };
-  for (std::size_t c = 0; c < 4; ++c) {
-    at(0, c) += at(2, c);
-    at(1, c) += at(3, c);
-    at(2, c) *= decay;
-    at(3, c) *= decay;
-  }
-  for (std::size_t r = 0; r < 4; ++r) {
-    at(r, 0) += at(r, 2);
-    at(r, 1) += at(r, 3);
-    at(r, 2) *= decay;
-    at(r, 3) *= decay;
-  }
-
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    at(axis, axis) += noise;
-    at(axis, axis + 2) += noise * decay;
-    at(axis + 2, axis) += noise * decay;
-    at(axis + 2, axis + 2) += noise * decay * decay;
-  }
+  advance_estimate(state, 1.0, server.ball_decay, noise, server.ball_decay);
 }
 
 /// Inflates the covariance for an unseen kick within the last `cycles`.
@@ -148,11 +117,6 @@ void inflate_covariance(ObjectEstimate& state, int cycles) {
     state.at(axis, axis + 2) += 0.8 * velocity * n;
     state.at(axis + 2, axis) += 0.8 * velocity * n;
   }
-}
-
-void drop_ball(WorldModel& world) {
-  world.ball_tracker.tracked = false;
-  world.ball.pos_count = world.ball.relative_pos_count = world.ball.vel_count = kNever;
 }
 
 void see_ball(WorldModel& world, const Observation& seen) {
@@ -199,7 +163,9 @@ void miss_ball(WorldModel& world) {
   if (!VisibleArea(world).must_show(ball.position, ball.position_deviation)) return;
   ++ball.ghost_count;
   constexpr int kMaxGhostCount = 2;
-  if (ball.ghost_count >= kMaxGhostCount) drop_ball(world);
+  if (ball.ghost_count < kMaxGhostCount) return;
+  world.ball_tracker.tracked = false;
+  ball.pos_count = ball.relative_pos_count = ball.vel_count = kNever;
 }
 
 }  // namespace
@@ -248,7 +214,7 @@ void advance_ball(WorldModel& world, const SenseBody& sense, int cycles) {
 }
 
 void observe_ball(WorldModel& world, const soccer::See& see) {
-  const auto seen = std::find_if(see.objects.begin(), see.objects.end(), [](const Observation& o) {
+  const auto seen = std::ranges::find_if(see.objects, [](const Observation& o) {
     return (o.kind == ObservedKind::kBall || o.kind == ObservedKind::kCloseBall) &&
            o.detail != soccer::ObservedDetail::kDirection;
   });

@@ -2,22 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "player/tracking/self_localization.h"
+#include "player/tracking/tracking.h"
 #include "player/world/leg_dash.h"
 #include "player/world/running.h"
 #include "soccer/interval.h"
-#include "soccer/math.h"
 
 namespace cls::player {
 namespace {
 
-namespace math = soccer::math;
-using soccer::AngleDeg;
-using soccer::Vec2;
-
-// Movement noise is a vector of uniform length up to player_rand * speed and uniform direction: its
-// standard deviation per axis is that maximum / sqrt 6.
-constexpr double kDiscDeviation = 0.408248290463863;
 constexpr double kUniformVariance = 1.0 / 12.0;  // of a uniform distribution of width 1
 // Position uncertainty after a collision: about one body radius.
 constexpr double kCollisionDeviation = 0.3;

@@ -2,18 +2,13 @@
 #include "player/tracking/observed_object.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
-
-#include "soccer/math.h"
 
 namespace cls::player {
 namespace {
 
-namespace math = soccer::math;
 using soccer::Observation;
 using soccer::ObservedDetail;
-using soccer::Vec2;
 
 constexpr double kHalfDegree = math::to_radians(0.5);
 constexpr double kUniformVariance = 1.0 / 3.0;  // of a uniform distribution of half width 1
@@ -27,8 +22,6 @@ constexpr double kGaussianDistanceChangeStep = 0.01;  // of the distance change 
 Vec2 perpendicular(Vec2 v) { return {-v.y, v.x}; }
 
 bool has_motion(const Observation& seen) { return seen.detail >= ObservedDetail::kMotion; }
-
-double square(double x) { return x * x; }
 
 /// The estimate in the frame whose first axis is the unit vector `e`: x along it, y across it.
 ObjectEstimate in_frame(const ObjectEstimate& estimate, Vec2 e) {
@@ -129,25 +122,51 @@ void add_motion(const Viewpoint& view, const ObservedPosition& observed, const O
 
 }  // namespace
 
+void advance_estimate(ObjectEstimate& estimate, double carry, double factor, double noise_variance,
+                      double decay) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    estimate.mean[axis] += carry * estimate.mean[axis + 2];
+    estimate.mean[axis + 2] *= factor;
+  }
+
+  // z' = F z for the rows and the columns of the covariance.
+  for (std::size_t c = 0; c < 4; ++c) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      estimate.at(axis, c) += carry * estimate.at(axis + 2, c);
+      estimate.at(axis + 2, c) *= factor;
+    }
+  }
+  for (std::size_t r = 0; r < 4; ++r) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      estimate.at(r, axis) += carry * estimate.at(r, axis + 2);
+      estimate.at(r, axis + 2) *= factor;
+    }
+  }
+
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    estimate.at(axis, axis) += noise_variance;
+    estimate.at(axis, axis + 2) += noise_variance * decay;
+    estimate.at(axis + 2, axis) += noise_variance * decay;
+    estimate.at(axis + 2, axis + 2) += noise_variance * decay * decay;
+  }
+}
+
 Viewpoint viewpoint(const WorldModel& world) {
   const SelfState& self = world.self;
   const Gaussian<3>& pose = world.self_tracker.pose;
 
-  Viewpoint view;
-  view.position = self.position;
-  view.velocity = self.velocity;
-  view.face = self.face().degrees();
-  view.position_variance = 0.5 * (pose.at(0, 0) + pose.at(1, 1));
-  view.face_variance = pose.at(2, 2);
-  view.focus_distance = self.focus_distance;
-  view.focus = self.position + soccer::polar_degrees(self.focus_distance,
-                                                     view.face + self.focus_direction.degrees());
-
-  view.gaussian = self.gaussian_see;
-  view.noise_rate = world.self_type().dist_noise_rate;
-  view.focus_noise_rate = world.self_type().focus_dist_noise_rate;
-
-  return view;
+  const double face = self.face().degrees();
+  return {.position = self.position,
+          .velocity = self.velocity,
+          .face = face,
+          .position_variance = 0.5 * (pose.at(0, 0) + pose.at(1, 1)),
+          .face_variance = pose.at(2, 2),
+          .focus_distance = self.focus_distance,
+          .focus = self.position + soccer::polar_degrees(self.focus_distance,
+                                                         face + self.focus_direction.degrees()),
+          .gaussian = self.gaussian_see,
+          .noise_rate = world.self_type().dist_noise_rate,
+          .focus_noise_rate = world.self_type().focus_dist_noise_rate};
 }
 
 ObservedPosition observed_position(const Viewpoint& view, const DistanceTable& distances,

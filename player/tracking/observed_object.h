@@ -13,13 +13,13 @@ using ObjectEstimate = Gaussian<4>;
 
 /// Observer: own pose with uncertainty, own velocity, focus point.
 struct Viewpoint {
-  soccer::Vec2 position;
-  soccer::Vec2 velocity;
+  Vec2 position;
+  Vec2 velocity;
   double face = 0.0;               ///< degrees
   double position_variance = 0.0;  ///< per axis, square meters
   double face_variance = 0.0;      ///< square degrees
   double focus_distance = 0.0;
-  soccer::Vec2 focus;
+  Vec2 focus;
   bool gaussian = false;          ///< distances have Gaussian noise
   double noise_rate = 0.0;        ///< of it, per meter of distance
   double focus_noise_rate = 0.0;  ///< per meter from the focus point
@@ -27,10 +27,15 @@ struct Viewpoint {
 
 Viewpoint viewpoint(const WorldModel& world);
 
+/// Advances an estimate by a step: the position by `carry` times the velocity, the velocity by
+/// `factor`. Noise with `noise_variance` per axis moves the object, and decays to its velocity.
+void advance_estimate(ObjectEstimate& estimate, double carry, double factor, double noise_variance,
+                      double decay);
+
 /// Position of an object according to one see message.
 struct ObservedPosition {
-  soccer::Vec2 position;           ///< middle of the feasible region
-  soccer::Vec2 direction;          ///< unit vector from the viewpoint
+  Vec2 position;                   ///< middle of the feasible region
+  Vec2 direction;                  ///< unit vector from the viewpoint
   DistanceRange range;             ///< without Gaussian noise
   double distance_variance = 0.0;  ///< Gaussian noise
   double distance = 0.0;
@@ -48,8 +53,7 @@ struct MahalanobisDistance {
   double determinant = 0.0;
 };
 /// `covariance` is that of an ObjectEstimate.
-MahalanobisDistance mahalanobis_distance(soccer::Vec2 position,
-                                         const std::array<double, 16>& covariance,
+MahalanobisDistance mahalanobis_distance(Vec2 position, const std::array<double, 16>& covariance,
                                          const ObservedPosition& observed);
 inline MahalanobisDistance mahalanobis_distance(const ObjectEstimate& estimate,
                                                 const ObservedPosition& observed) {
@@ -63,7 +67,7 @@ void update_estimate(ObjectEstimate& estimate, const Viewpoint& view,
 /// Estimate from a single observation; without observed motion the velocity is `velocity` with
 /// `velocity_variance` per axis.
 ObjectEstimate initial_estimate(const Viewpoint& view, const ObservedPosition& observed,
-                                const soccer::Observation& seen, soccer::Vec2 velocity,
+                                const soccer::Observation& seen, Vec2 velocity,
                                 double velocity_variance);
 
 }  // namespace cls::player

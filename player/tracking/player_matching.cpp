@@ -4,16 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.h"
 #include "player/tracking/assignment.h"
-#include "player/tracking/player_tracking.h"
-#include "soccer/math.h"
-#include "soccer/pitch.h"
+#include "player/tracking/tracking.h"
+#include "player/world/candidates.h"
+#include "player/world/places.h"
 
 namespace cls::player {
 namespace {
-
-namespace math = soccer::math;
-using soccer::Side;
 
 // Gates: maximum squared Mahalanobis distance of a match.
 constexpr double kGate = 16.0;
@@ -23,39 +21,20 @@ double squared_mahalanobis(const PlayerState& track, const PlayerObservation& ob
   return mahalanobis_distance(track.position, track.covariance, observation.observed).squared;
 }
 
-PlayerState* find_number(PlayerList& list, Side side, int unum) {
-  PlayerState* found = std::find_if(list.begin(), list.end(), [&](const PlayerState& p) {
-    return p.unum == unum && p.side == side;
-  });
-  return found == list.end() ? nullptr : found;
-}
-
 /// Nearest unmatched track within the gate; null if none.
 PlayerState* nearest_unmatched(PlayerList& list, const PlayerObservation& observation,
                                double gate) {
-  PlayerState* best = nullptr;
-  double least = gate;
-
+  Lowest<PlayerState*> best{gate};
   for (PlayerState& track : list) {
-    if (track.matched) continue;
-    const double squared = squared_mahalanobis(track, observation);
-    if (squared < least) {
-      least = squared;
-      best = &track;
-    }
+    if (!track.matched) best.offer(squared_mahalanobis(track, observation), &track);
   }
-
-  return best;
-}
-
-void erase(PlayerList& list, const PlayerState* track) {
-  list.erase(static_cast<std::size_t>(track - list.begin()));
+  return best.value;
 }
 
 /// Moves a lost player back to the tracks with a new id.
 PlayerState* restore_lost(WorldModel& world, PlayerState* lost) {
   const PlayerState old = *lost;
-  erase(world.lost, lost);
+  erase_track(world.lost, lost);
   PlayerState* track = new_player(world, old.side, old.unum);
   const int id = track->id;
   *track = old;
@@ -66,7 +45,7 @@ PlayerState* restore_lost(WorldModel& world, PlayerState* lost) {
 /// Moves a track of unknown team into a team.
 PlayerState* assign_team(WorldModel& world, PlayerState* unknown, Side side) {
   PlayerState moved = *unknown;
-  erase(world.unknowns, unknown);
+  erase_track(world.unknowns, unknown);
   PlayerState* track = new_player(world, side, 0);
   moved.side = side;
   *track = moved;
@@ -104,8 +83,7 @@ PlayerState* track_for_number(WorldModel& world, const PlayerObservation& observ
   }
 
   if (at_position->unum != 0) {
-    PlayerState gone = *at_position;  // that player is elsewhere
-    world.lost.push_back(gone);
+    world.lost.push_back(*at_position);  // that player is elsewhere
   }
 
   forget_lost(world, observation.side, unum);
@@ -204,16 +182,10 @@ void number_the_goalie(WorldModel& world, Side side) {
     return;
 
   const double toward = our_team ? -1.0 : 1.0;
-  PlayerState* last = nullptr;
-  for (PlayerState& track : list) {
-    if (last == nullptr || toward * track.position.x > toward * last->position.x) last = &track;
-  }
-
-  if (last == nullptr || last->unum != 0) return;
-  const bool in_area =
-      toward * last->position.x > soccer::kHalfLength - soccer::kPenaltyAreaLength &&
-      std::fabs(last->position.y) < 0.5 * soccer::kPenaltyAreaWidth;
-  if (!in_area) return;
+  PlayerState* last = std::ranges::max_element(
+      list, {}, [&](const PlayerState& track) { return toward * track.position.x; });
+  if (last == list.end() || last->unum != 0) return;
+  if (!in_own_box({-toward * last->position.x, last->position.y})) return;
 
   last->unum = unum;
   last->goalie = true;
@@ -227,13 +199,13 @@ void number_the_last(WorldModel& world, Side side) {
   constexpr int kRecent = 15;
 
   std::array<bool, soccer::kPlayersPerTeam + 1> taken{};
-  if (side == world.our_side) taken[static_cast<std::size_t>(world.unum)] = true;
+  if (side == world.our_side) taken[base::index(world.unum)] = true;
 
   PlayerState* unnumbered = nullptr;
   for (PlayerState& track : list) {
     if (track.unum != 0) {
       if (track.pos_count > kRecent) return;
-      taken[static_cast<std::size_t>(track.unum)] = true;
+      taken[base::index(track.unum)] = true;
     } else if (unnumbered != nullptr || !track.matched) {
       return;
     } else {
@@ -242,16 +214,10 @@ void number_the_last(WorldModel& world, Side side) {
   }
   if (unnumbered == nullptr) return;
 
-  int missing = 0;
-  for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
-    if (taken[static_cast<std::size_t>(unum)]) continue;
-    if (missing != 0) return;
-    missing = unum;
-  }
-  if (missing == 0) return;
-
-  unnumbered->unum = missing;
-  forget_lost(world, side, missing);
+  taken[0] = true;  // no number
+  if (std::ranges::count(taken, false) != 1) return;
+  unnumbered->unum = static_cast<int>(std::ranges::find(taken, false) - taken.begin());
+  forget_lost(world, side, unnumbered->unum);
 }
 
 void match_anonymous(WorldModel& world, const Viewpoint& view,

@@ -11,7 +11,7 @@ namespace cls::player {
 struct PlayerObservation {
   const soccer::Observation* seen = nullptr;
   ObservedPosition observed;
-  soccer::Side side = soccer::Side::kNeutral;
+  Side side = Side::kNeutral;
 };
 
 using PlayerObservationList = base::FixedList<PlayerObservation, 24>;

@@ -1,12 +1,13 @@
 // Predicts, updates and drops player tracks.
-#include "player/tracking/player_tracking.h"
+#include "player/tracking/tracking.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
+
+#include "base/index.h"
 
 #include "player/tracking/player_matching.h"
 #include "player/world/view_cone.h"
-#include "soccer/math.h"
 
 namespace cls::player {
 namespace {
@@ -14,8 +15,6 @@ namespace {
 using soccer::Observation;
 using soccer::ObservedDetail;
 using soccer::ObservedKind;
-using soccer::Side;
-using soccer::Vec2;
 
 // Motion model fitted to recorded matches: players keep running, so a step regains
 // kRunOn of the velocity lost to decay, with this noise per axis and step.
@@ -25,39 +24,10 @@ constexpr double kStepDeviation = 0.14;
 constexpr double kUnknownVelocityVariance = 0.04;
 constexpr double kLostDeviation = 12.0;  ///< of a lost player
 
-double square(double x) { return x * x; }
-
 void step(PlayerState& player, double decay) {
   ObjectEstimate b = estimate_of(player);
   const double carry = 1.0 + kRunOn * (1.0 / decay - 1.0);  // step length per velocity
-  const double velocity_factor = carry * decay;             // velocity after per velocity before
-
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    b.mean[axis] += carry * b.mean[axis + 2];
-    b.mean[axis + 2] *= velocity_factor;
-  }
-
-  for (std::size_t c = 0; c < 4; ++c) {
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      b.at(axis, c) += carry * b.at(axis + 2, c);
-      b.at(axis + 2, c) *= velocity_factor;
-    }
-  }
-  for (std::size_t r = 0; r < 4; ++r) {
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      b.at(r, axis) += carry * b.at(r, axis + 2);
-      b.at(r, axis + 2) *= velocity_factor;
-    }
-  }
-
-  const double noise = square(kStepDeviation);
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    b.at(axis, axis) += noise;
-    b.at(axis, axis + 2) += noise * decay;
-    b.at(axis + 2, axis) += noise * decay;
-    b.at(axis + 2, axis + 2) += noise * decay * decay;
-  }
-
+  advance_estimate(b, carry, carry * decay, square(kStepDeviation), decay);
   set_estimate(player, b);
 }
 
@@ -123,12 +93,12 @@ void update_track(PlayerState& track, const Viewpoint& view, const PlayerObserva
     track.vel_count = track.seen_vel_count = 0;
   }
   if (seen.detail == ObservedDetail::kPose) {
-    track.body = soccer::AngleDeg(view.face + seen.body);
-    track.face = soccer::AngleDeg(view.face + seen.head);
+    track.body = AngleDeg(view.face + seen.body);
+    track.face = AngleDeg(view.face + seen.head);
     track.body_count = track.face_count = 0;
   }
   if (seen.pointing) {
-    track.point_direction = soccer::AngleDeg(view.face + seen.point_direction);
+    track.point_direction = AngleDeg(view.face + seen.point_direction);
     track.point_count = 0;
   }
 
@@ -211,6 +181,16 @@ PlayerList& list_of(WorldModel& world, Side side) {
                                   : world.opponents;
 }
 
+PlayerState* find_number(PlayerList& list, Side side, int unum) {
+  PlayerState* found = std::ranges::find_if(
+      list, [&](const PlayerState& p) { return p.unum == unum && p.side == side; });
+  return found == list.end() ? nullptr : found;
+}
+
+void erase_track(PlayerList& list, const PlayerState* track) {
+  list.erase(base::index(track - list.begin()));
+}
+
 PlayerState* new_player(WorldModel& world, Side side, int unum) {
   PlayerState track;
   track.id = world.next_player_id++;
@@ -220,11 +200,7 @@ PlayerState* new_player(WorldModel& world, Side side, int unum) {
   PlayerList& list = list_of(world, side);
   if (!list.push_back(track)) {
     // Full: replace the track observed longest ago.
-    std::size_t oldest = 0;
-    for (std::size_t i = 1; i < list.size(); ++i) {
-      if (list[i].pos_count > list[oldest].pos_count) oldest = i;
-    }
-    list.erase(oldest);
+    erase_track(list, std::ranges::max_element(list, {}, &PlayerState::pos_count));
     list.push_back(track);
   }
 
@@ -238,13 +214,11 @@ void forget_lost(WorldModel& world, Side side, int unum) {
 }
 
 void sort_players(PlayerList& list) {
-  const auto before = [](const PlayerState& a, const PlayerState& b) {
-    const int left = a.unum == 0 ? soccer::kPlayersPerTeam + a.id : a.unum;
-    const int right = b.unum == 0 ? soccer::kPlayersPerTeam + b.id : b.unum;
-    return left != right ? left < right : a.id < b.id;
+  const auto rank = [](const PlayerState& player) {
+    return std::pair(player.unum == 0 ? soccer::kPlayersPerTeam + player.id : player.unum,
+                     player.id);
   };
-  if (!std::is_sorted(list.begin(), list.end(), before))
-    std::sort(list.begin(), list.end(), before);
+  if (!std::ranges::is_sorted(list, {}, rank)) std::ranges::sort(list, {}, rank);
 }
 
 void advance_players(WorldModel& world, int cycles) {

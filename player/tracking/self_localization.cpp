@@ -1,6 +1,6 @@
 // Self localization by landmarks: each distance and direction in a see message is an interval
 // observation of the pose.
-#include "player/tracking/self_localization.h"
+#include "player/tracking/tracking.h"
 
 #include <algorithm>
 #include <array>
@@ -10,18 +10,14 @@
 
 #include "base/fixed_list.h"
 #include "soccer/directions.h"
-#include "soccer/math.h"
 #include "soccer/pitch.h"
 
 namespace cls::player {
 namespace {
 
-namespace math = soccer::math;
 using soccer::Observation;
 using soccer::ObservedDetail;
 using soccer::ObservedKind;
-using soccer::PitchLine;
-using soccer::Vec2;
 
 constexpr double kDegreesPerRadian = 180.0 / math::kPi;
 constexpr double kHalfDegree = 0.5;
@@ -36,9 +32,7 @@ struct Pose {
 };
 
 /// Rotates by 180 degrees for the right team.
-Vec2 own_frame(Vec2 point, soccer::Side side) {
-  return side == soccer::Side::kRight ? -point : point;
-}
+Vec2 own_frame(Vec2 point, Side side) { return side == Side::kRight ? -point : point; }
 
 /// A border line in the own frame: a point on it, and its outward normal.
 struct LineGeometry {
@@ -46,25 +40,11 @@ struct LineGeometry {
   Vec2 outward;
 };
 
-LineGeometry line_geometry(std::uint8_t index, soccer::Side side) {
-  LineGeometry line;
-
-  switch (static_cast<PitchLine>(index)) {
-    case PitchLine::kLeft:
-      line = {{-soccer::kHalfLength, 0.0}, {-1.0, 0.0}};
-      break;
-    case PitchLine::kRight:
-      line = {{soccer::kHalfLength, 0.0}, {1.0, 0.0}};
-      break;
-    case PitchLine::kTop:
-      line = {{0.0, -soccer::kHalfWidth}, {0.0, -1.0}};
-      break;
-    case PitchLine::kBottom:
-      line = {{0.0, soccer::kHalfWidth}, {0.0, 1.0}};
-      break;
-  }
-
-  return {own_frame(line.point, side), own_frame(line.outward, side)};
+LineGeometry line_geometry(std::uint8_t index, Side side) {
+  static constexpr std::array<Vec2, soccer::kPitchLineCount> kOutward{
+      {{-1.0, 0.0}, {1.0, 0.0}, {0.0, -1.0}, {0.0, 1.0}}};  // by PitchLine
+  const Vec2 outward = own_frame(kOutward[index], side);
+  return {{outward.x * soccer::kHalfLength, outward.y * soccer::kHalfWidth}, outward};
 }
 
 /// Context of one see message.

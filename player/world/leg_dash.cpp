@@ -7,17 +7,13 @@
 #include "player/world/motion.h"
 #include "soccer/commands/rounding.h"
 #include "soccer/interval.h"
-#include "soccer/math.h"
 
 namespace cls::player {
 namespace {
 
-namespace math = soccer::math;
-using soccer::AngleDeg;
 using soccer::Dash;
 using soccer::LegDash;
 using soccer::ServerParams;
-using soccer::Vec2;
 
 double leg_cost(const Dash& leg) { return leg.power >= 0.0 ? leg.power / 2.0 : -leg.power; }
 

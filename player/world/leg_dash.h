@@ -10,21 +10,20 @@ namespace cls::player {
 
 /// What a dash does in the next step, without noise (docs/spec/simulation-model.md 4.3).
 struct DashEffect {
-  soccer::Vec2 acceleration;  ///< pitch axes
-  double turn = 0.0;          ///< of the body, degrees; positive: clockwise as printed angles
-  double cost = 0.0;          ///< stamina
+  Vec2 acceleration;  ///< pitch axes
+  double turn = 0.0;  ///< of the body, degrees; positive: clockwise as printed angles
+  double cost = 0.0;  ///< stamina
 };
 
 /// Effect of a dash of the agent with its current stamina and effort, and the body at `body`.
-DashEffect leg_dash_effect(const WorldModel& world, soccer::AngleDeg body,
-                           const soccer::LegDash& legs);
+DashEffect leg_dash_effect(const WorldModel& world, AngleDeg body, const soccer::LegDash& legs);
 
 /// A two-leg dash that turns the body by a given angle.
 struct LegTurn {
   soccer::LegDash legs;
-  soccer::Vec2 acceleration;  ///< pitch axes
-  double cost = 0.0;          ///< stamina
-  double progress = 0.0;      ///< acceleration in the direction to which the body turns
+  Vec2 acceleration;        ///< pitch axes
+  double cost = 0.0;        ///< stamina
+  double progress = 0.0;    ///< acceleration in the direction to which the body turns
   double efficiency = 0.0;  ///< progress as a share of what a plain dash for the same stamina gives
 };
 

@@ -6,9 +6,6 @@
 
 namespace cls::player {
 
-using soccer::AngleDeg;
-using soccer::Vec2;
-
 Vec2 speed_limited(Vec2 velocity, double max) {
   const double squared = velocity.squared_length();
   return squared > max * max ? velocity * (max / std::sqrt(squared)) : velocity;
@@ -92,9 +89,7 @@ Vec2 ball_after(Vec2 position, Vec2 velocity, int cycles, double decay) {
 }
 
 Vec2 first_reach_point(const WorldModel& world) {
-  const InterceptTable& table = world.intercept;
-  const int steps =
-      std::min({table.best_self_steps(), table.first_teammate_steps, table.first_opponent_steps});
+  const int steps = std::min(world.intercept.our_steps(), world.intercept.first_opponent_steps);
   return steps >= kNever ? world.ball.position : ball_after(world, steps);
 }
 

@@ -9,26 +9,25 @@ namespace cls::player {
 // Without noise; docs/spec/simulation-model.md 3.1, 4.2 to 4.4.
 
 /// Limits the length of a vector to `max`.
-soccer::Vec2 speed_limited(soccer::Vec2 velocity, double max);
+Vec2 speed_limited(Vec2 velocity, double max);
 
 /// Position after `cycles` without acceleration (closed form).
-soccer::Vec2 coast(soccer::Vec2 position, soccer::Vec2 velocity, double decay, int cycles);
+Vec2 coast(Vec2 position, Vec2 velocity, double decay, int cycles);
 /// Inertia point: where a body that never accelerates again comes to rest.
-soccer::Vec2 rest_point(soccer::Vec2 position, soccer::Vec2 velocity, double decay);
+Vec2 rest_point(Vec2 position, Vec2 velocity, double decay);
 /// Initial speed that covers `distance` in `cycles`.
 double first_speed(double distance, int cycles, double decay);
 /// `base` to a small non-negative integer power.
 double power_of(double base, int exponent);
 
 /// Turning by M degrees takes a moment of M times this factor.
-double turn_resistance(const soccer::PlayerType& type, soccer::Vec2 velocity);
+double turn_resistance(const soccer::PlayerType& type, Vec2 velocity);
 /// Maximum turn of the agent in this cycle, degrees.
 double max_turn(const WorldModel& world);
 
 /// Velocity added by a dash of the agent; `direction` relative to the current or given `body`.
-soccer::Vec2 dash_acceleration(const WorldModel& world, double power, double direction);
-soccer::Vec2 dash_acceleration(const WorldModel& world, soccer::AngleDeg body, double power,
-                               double direction);
+Vec2 dash_acceleration(const WorldModel& world, double power, double direction);
+Vec2 dash_acceleration(const WorldModel& world, AngleDeg body, double power, double direction);
 
 /// Maximum dash power, at most `power`, that does not decrease recovery.
 double safe_dash_power(const WorldModel& world, double power);
@@ -38,19 +37,19 @@ double kickable_area(const WorldModel& world);
 /// Distance below which ball and agent collide.
 double collide_distance(const WorldModel& world);
 /// Ball acceleration per unit of kick power, with the ball at `relative` (pitch axes).
-double kick_rate(const WorldModel& world, soccer::Vec2 relative, soccer::AngleDeg body);
+double kick_rate(const WorldModel& world, Vec2 relative, AngleDeg body);
 
 /// Agent position after coasting for `cycles`.
-soccer::Vec2 self_after(const WorldModel& world, int cycles);
+Vec2 self_after(const WorldModel& world, int cycles);
 /// Ball position after rolling freely for `cycles`.
-soccer::Vec2 ball_after(const WorldModel& world, int cycles);
+Vec2 ball_after(const WorldModel& world, int cycles);
 
 /// Position after `cycles` of free rolling, computed cycle by cycle; coast() is the closed form and
 /// differs in the last bits.
-soccer::Vec2 ball_after(soccer::Vec2 position, soccer::Vec2 velocity, int cycles, double decay);
+Vec2 ball_after(Vec2 position, Vec2 velocity, int cycles, double decay);
 
 /// Where the first player of either team intercepts the ball; the current ball position if none
 /// does.
-soccer::Vec2 first_reach_point(const WorldModel& world);
+Vec2 first_reach_point(const WorldModel& world);
 
 }  // namespace cls::player

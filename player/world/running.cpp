@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "soccer/math.h"
-
 namespace cls::player {
 
 double dash_rate(const soccer::ServerParams& server, double direction) {
-  const double off = std::fabs(soccer::math::normalize_degrees(direction));
+  const double off = std::fabs(math::normalize_degrees(direction));
   const double rate =
       off <= 90.0 ? server.side_dash_rate + (1.0 - server.side_dash_rate) * (1.0 - off / 90.0)
                   : server.back_dash_rate - (server.back_dash_rate - server.side_dash_rate) *

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "soccer/geometry.h"
+#include "player/world/vocabulary.h"
 #include "soccer/parameters/player_type.h"
 #include "soccer/parameters/server_params.h"
 
@@ -20,7 +20,7 @@ struct LegPushes {
   static constexpr int kStep = 5;  ///< degrees
   static constexpr std::size_t kCount = 180 / kStep + 1;
 
-  std::array<soccer::Vec2, kCount> push{};
+  std::array<Vec2, kCount> push{};
   std::array<double, kCount> per_forward{};  ///< power per forward push; 0: none straight sideways
 
   LegPushes() = default;

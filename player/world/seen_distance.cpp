@@ -4,13 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "soccer/math.h"
-
 namespace cls::player {
 namespace {
-
-namespace math = soccer::math;
-using soccer::Vec2;
 
 // Upper bound of printed distances, in tenths of a meter.
 constexpr int kTenths = 1400;

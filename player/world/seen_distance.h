@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "soccer/geometry.h"
+#include "player/world/vocabulary.h"
 
 namespace cls::player {
 
@@ -39,8 +39,7 @@ class DistanceTable {
 
   /// The range for a focus point at `focus` and an object on the ray from `eye` along the unit
   /// vector `direction`: the focus distance depends on the unknown distance.
-  DistanceRange range_along(double printed, soccer::Vec2 eye, soccer::Vec2 direction,
-                            soccer::Vec2 focus) const;
+  DistanceRange range_along(double printed, Vec2 eye, Vec2 direction, Vec2 focus) const;
 
  private:
   /// One quantization step: the distance it rounds to, and its ends.

@@ -1,17 +1,15 @@
 // Tables of the normal density and distribution, and the three regimes of a truncated normal.
-#include "player/world/truncated_normal.h"
+#include "player/world/gaussian.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
-#include "soccer/math.h"
+#include "player/world/vocabulary.h"
 
 namespace cls::player {
 namespace {
-
-namespace math = soccer::math;
 
 constexpr double kTableEnd = 6.0;
 constexpr int kPerUnit = 32;

@@ -4,17 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "soccer/math.h"
-
 namespace cls::player {
 namespace {
-
-namespace math = soccer::math;
 
 /// Calls `visit` for each range [from, to) of sectors around a direction: two ranges where they
 /// pass 180 degrees.
 template <typename Visit>
-void for_sectors_around(soccer::AngleDeg direction, double half_width, const Visit& visit) {
+void for_sectors_around(AngleDeg direction, double half_width, const Visit& visit) {
   const SectorRange range = sectors_around(direction, half_width);
   const int end = range.first + range.count;
   visit(range.first, std::min(end, ViewMemory::kSectors));
@@ -23,7 +19,7 @@ void for_sectors_around(soccer::AngleDeg direction, double half_width, const Vis
 
 }  // namespace
 
-SectorRange sectors_around(soccer::AngleDeg direction, double half_width) {
+SectorRange sectors_around(AngleDeg direction, double half_width) {
   constexpr int kSectors = ViewMemory::kSectors;
   const double center = (direction.degrees() + 180.0) / ViewMemory::kSectorDegrees - 0.5;
   if (!std::isfinite(center) || std::isnan(half_width)) return {};
@@ -33,13 +29,13 @@ SectorRange sectors_around(soccer::AngleDeg direction, double half_width) {
   return {(first + 2 * kSectors) % kSectors, std::clamp(end - first, 0, kSectors)};
 }
 
-int ViewMemory::sector_of(soccer::AngleDeg direction) {
+int ViewMemory::sector_of(AngleDeg direction) {
   const double sector = std::floor((direction.degrees() + 180.0) / kSectorDegrees);
   if (std::isnan(sector)) return 0;
   return static_cast<int>(std::clamp(sector, 0.0, kSectors - 1.0));
 }
 
-int ViewMemory::age_around(soccer::AngleDeg direction, double half_width) const {
+int ViewMemory::age_around(AngleDeg direction, double half_width) const {
   int sum = 0;
   for_sectors_around(direction, half_width, [&](int from, int to) {
     for (int sector = from; sector < to; ++sector) sum += ages[sector];
@@ -67,16 +63,8 @@ double view_angle(const soccer::ServerParams& server, soccer::ViewWidth width) {
   return server.visible_angle * share;
 }
 
-VisibleArea::VisibleArea(const WorldModel& world)
-    : eye_(world.self.position),
-      face_(world.self.face()),
-      toward_face_(soccer::polar(1.0, face_)),
-      half_angle_(0.5 * view_angle(world.server(), world.self.view_width)),
-      cosine_(half_angle_ < 180.0 ? math::cos(math::to_radians(half_angle_)) : -2.0),
-      near_(world.server().visible_distance - 0.1) {}
-
-bool VisibleArea::must_show(soccer::Vec2 position, double deviation) const {
-  const soccer::Vec2 offset = position - eye_;
+bool VisibleArea::must_show(Vec2 position, double deviation) const {
+  const Vec2 offset = position - eye_;
   const double distance = offset.length();
 
   constexpr double kSure = 2.5;  // standard deviations
@@ -86,7 +74,7 @@ bool VisibleArea::must_show(soccer::Vec2 position, double deviation) const {
   // Most objects are outside, and found so without their angle.
   if (soccer::dot(offset, toward_face_) < distance * cosine_) return false;
 
-  const double angle = (soccer::AngleDeg::of(offset) - face_).abs();
+  const double angle = (AngleDeg::of(offset) - face_).abs();
   const double margin = math::to_degrees(math::asin(blur / distance)) + 1.0;
   return angle + margin < half_angle_;
 }

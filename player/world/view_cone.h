@@ -16,9 +16,9 @@ struct ViewMemory {
 
   ViewMemory() { ages.fill(kNever); }
 
-  static int sector_of(soccer::AngleDeg direction);
+  static int sector_of(AngleDeg direction);
   /// Sum of the ages of the sectors within `half_width` degrees of `direction`.
-  int age_around(soccer::AngleDeg direction, double half_width) const;
+  int age_around(AngleDeg direction, double half_width) const;
 };
 
 /// Neighboring sectors of ViewMemory; the first one follows the last.
@@ -29,7 +29,7 @@ struct SectorRange {
 
 /// The sectors whose middle is within `half_width` degrees of `direction`; none where a number is
 /// not finite, as after nonsense of a faulty server.
-SectorRange sectors_around(soccer::AngleDeg direction, double half_width);
+SectorRange sectors_around(AngleDeg direction, double half_width);
 
 /// Call once per decision: increments the ages and resets those in the current view cone.
 void update_view_memory(ViewMemory& view, const WorldModel& world);
@@ -40,19 +40,23 @@ double view_angle(const soccer::ServerParams& server, soccer::ViewWidth width);
 /// What the current see message must show.
 class VisibleArea {
  public:
-  explicit VisibleArea(const WorldModel& world);
+  explicit VisibleArea(const WorldModel& world) : world_(world) {}
 
   /// True for an object at `position` with standard deviation `deviation` per axis inside the view
   /// cone or visible_distance, with a margin.
-  bool must_show(soccer::Vec2 position, double deviation) const;
+  bool must_show(Vec2 position, double deviation) const;
 
  private:
-  soccer::Vec2 eye_;
-  soccer::AngleDeg face_;
-  soccer::Vec2 toward_face_;  ///< unit vector
-  double half_angle_;         ///< of the view cone, degrees
-  double cosine_;             ///< of it; below -1 where the cone is everything
-  double near_;               ///< objects within this distance are seen in all directions
+  const WorldModel& world_;
+  Vec2 eye_ = world_.self.position;
+  AngleDeg face_ = world_.self.face();
+  Vec2 toward_face_ = soccer::polar(1.0, face_);  ///< unit vector
+  /// Of the view cone, degrees.
+  double half_angle_ = 0.5 * view_angle(world_.server(), world_.self.view_width);
+  /// Of it; below -1 where the cone is everything.
+  double cosine_ = half_angle_ < 180.0 ? math::cos(math::to_radians(half_angle_)) : -2.0;
+  /// Objects within this distance are seen in all directions.
+  double near_ = world_.server().visible_distance - 0.1;
 };
 
 }  // namespace cls::player

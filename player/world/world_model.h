@@ -2,22 +2,115 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "base/fixed_list.h"
 #include "player/formation/formation_set.h"
-#include "player/world/ball_state.h"
-#include "player/world/game_state.h"
+#include "player/world/age.h"
 #include "player/world/gaussian.h"
-#include "player/world/intercept_table.h"
 #include "player/world/match_parameters.h"
-#include "player/world/player_state.h"
-#include "player/world/self_state.h"
+#include "player/world/object_states.h"
+#include "player/world/vocabulary.h"
 #include "soccer/commands/player_command.h"
 #include "soccer/protocol/team_name.h"
 
 namespace cls::player {
+
+/// Shoot-out counters (docs/spec/proxy-behavior.md 3.8).
+struct PenaltyState {
+  Side field_side = Side::kNeutral;  ///< side of the goal in use
+  Side taker = Side::kNeutral;
+  int our_taken = 0;
+  int their_taken = 0;
+  int our_score = 0;
+  int their_score = 0;
+  int cycle = 0;  ///< start of the last setup, ready or taken mode
+};
+
+struct GameState {
+  GameTime time;
+  int see_time = -1;  ///< cycle of the last see; -1: none yet
+  GameTime last_see;  ///< the same with the stop counter
+  PlayMode mode = PlayMode::kBeforeKickOff;
+  bool goalie_catch =
+      false;  ///< free kick after a catch: the goalie of the mode's side holds the ball
+  Side caught_side = Side::kNeutral;  ///< side whose goalie caught the ball last
+  int caught_time = -1;               ///< cycle of that catch; -1: never
+  GameTime mode_start;                ///< when the current mode was announced
+  int last_set_play_start = 0;        ///< cycle when a mode other than play_on and penalties began
+  int set_play_count = 0;             ///< decisions since then
+  int our_score = 0;
+  int their_score = 0;
+  PenaltyState penalty;
+
+  /// Side named by the mode (for offenses the offender); neutral if none.
+  Side mode_side() const { return soccer::side(mode); }
+};
+
+/// True for a set play of `side`, including offenses of the other side.
+bool is_set_play_of(const GameState& game, Side side);
+
+/// True before a kick-off, and after a goal: players may move to their places.
+bool before_play(PlayMode mode);
+
+/// True for modes during which the server clock is stopped.
+bool clock_stopped(PlayMode mode);
+
+/// Starts a new step at `cycle`. While the clock is stopped, counts the steps from 1.
+void begin_step(GameState& game, int cycle);
+
+/// Default uniform number of the n-th kicker (from 1) of a shoot-out.
+int default_penalty_taker(int n);
+
+/// One way for the agent to intercept the ball: turns, then dashes. Without turns, the first dash
+/// may turn the body by `turn_angle` (leg_turn() with `dash_power`).
+struct InterceptPlan {
+  enum class Kind : std::uint8_t { kOmniDash, kTurnForwardDash, kTurnBackwardDash };
+
+  Kind kind = Kind::kOmniDash;
+  int turns = 0;
+  int dashes = 0;
+  bool leg_turn = false;        ///< the first dash turns the body
+  bool exhausting = false;      ///< drops stamina below the threshold where recovery decreases
+  double turn_angle = 0.0;      ///< total, degrees, relative to the body
+  double dash_power = 0.0;      ///< of the first dash
+  double dash_direction = 0.0;  ///< degrees relative to the body after turning
+  Vec2 self_position;           ///< own position at the end
+  double ball_distance = 0.0;   ///< to the ball at the end
+  double stamina = 0.0;         ///< left at the end
+
+  int steps() const { return turns + dashes; }
+};
+
+constexpr std::size_t kMaxInterceptPlans = 64;
+
+/// Steps are cycles from now; kNever: cannot reach it, or unknown. Ids are PlayerState::id; 0:
+/// none.
+struct InterceptTable {
+  int self_steps = kNever;             ///< of the fastest non-exhausting plan
+  int self_exhausting_steps = kNever;  ///< of the fastest exhausting plan
+  int first_teammate_steps = kNever;
+  int second_teammate_steps = kNever;
+  int first_opponent_steps = kNever;
+  int second_opponent_steps = kNever;
+  int first_teammate_id = 0;
+  int second_teammate_id = 0;
+  int first_opponent_id = 0;
+  int second_opponent_id = 0;
+  base::FixedList<InterceptPlan, kMaxInterceptPlans> plans;  ///< by steps, ascending
+
+  /// Minimum over exhausting and other plans.
+  int best_self_steps() const {
+    return self_steps < self_exhausting_steps ? self_steps : self_exhausting_steps;
+  }
+  /// Of the agent or its fastest teammate.
+  int our_steps() const {
+    return first_teammate_steps < best_self_steps() ? first_teammate_steps : best_self_steps();
+  }
+};
 
 struct PlannerParameters;
 
@@ -54,12 +147,12 @@ struct BallTracker {
 
 /// A say message heard from a player or coach, not decoded.
 struct HeardMessage {
-  GameTime time;
-  soccer::Side side = soccer::Side::kNeutral;
-  int unum = 0;                ///< 0: an opponent, or a coach
-  soccer::AngleDeg direction;  ///< global, to the speaker
+  GameTime time{};
+  Side side = Side::kNeutral;
+  int unum = 0;          ///< 0: an opponent, or a coach
+  AngleDeg direction{};  ///< global, to the speaker
   bool coach = false;
-  std::string text;
+  std::string text{};
 };
 
 /// Defense and offside lines (docs/spec/proxy-behavior.md 3.7).
@@ -74,8 +167,8 @@ struct TeamLines {
 
 /// Estimated last kicker.
 struct LastKick {
-  soccer::Side side = soccer::Side::kNeutral;  ///< neutral: ambiguous
-  int unum = 0;                                ///< 0: unknown
+  Side side = Side::kNeutral;  ///< neutral: ambiguous
+  int unum = 0;                ///< 0: unknown
 };
 
 /// Coordinates: the own team attacks +x on both sides; `Side` values are the server's. Plain and
@@ -83,7 +176,7 @@ struct LastKick {
 /// derived parts (intercept table, lines, kickable flags, probabilities).
 struct WorldModel {
   // Identity.
-  soccer::Side our_side = soccer::Side::kLeft;
+  Side our_side = Side::kLeft;
   int unum = 0;
   bool goalie = false;    ///< connected as goalie
   bool sideline = false;  ///< coach or trainer: `self` is unused, teammates holds the whole team
@@ -124,7 +217,7 @@ struct WorldModel {
   const soccer::PlayerType& type_of(const PlayerState& player) const {
     return parameters->type(player.type_id);
   }
-  soccer::Side their_side() const { return soccer::opponent(our_side); }
+  Side their_side() const { return soccer::opponent(our_side); }
   bool kickable_teammate() const { return kickable_teammate_id != 0; }
   bool kickable_opponent() const { return kickable_opponent_id != 0; }
 
@@ -134,5 +227,10 @@ struct WorldModel {
   /// Tracked player of any list by id; null if none.
   const PlayerState* player_by_id(int id) const;
 };
+
+/// True while a goalie of our team holds the ball after a catch.
+inline bool holds_caught_ball(const WorldModel& world) {
+  return world.game.goalie_catch && world.game.mode_side() == world.our_side;
+}
 
 }  // namespace cls::player

@@ -1,7 +1,7 @@
 // Rotating all positions, velocities and directions by 180 degrees.
 #include "proxy/messages/shoot_out_view.h"
 
-#include "player/estimates/team_lines.h"
+#include "player/estimates/estimates.h"
 
 namespace cls::proxy {
 namespace {
@@ -39,10 +39,12 @@ player::WorldModel rotated(const player::WorldModel& world) {
   player::SelfState& self = view.self;
   rotate_all(self.position, self.velocity, self.seen_position, self.seen_velocity, self.body,
              self.point_direction);
+
   player::BallState& ball = view.ball;
   rotate_all(ball.position, ball.velocity, ball.relative_position, ball.seen_position,
              ball.seen_relative_position, ball.seen_velocity, ball.heard_position,
              ball.heard_velocity, ball.angle_from_self);
+
   for (player::PlayerList* list : {&view.teammates, &view.opponents, &view.unknowns}) {
     for (player::PlayerState& player : *list) rotate_player(player);
   }

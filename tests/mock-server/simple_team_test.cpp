@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "player/simple_team/formation.h"
+#include "player/simple_team/play.h"
 #include "player/simple_team/situation.h"
 
 namespace cls::mock_server {
@@ -120,9 +120,11 @@ TEST(SimpleTeam, NearestPlayerTakesSetPlayOthersStayAway) {
   const auto* go = find(actions, Case::kBodyGoToPoint);
   ASSERT_NE(go, nullptr);
   EXPECT_NEAR(go->body_go_to_point().target_point().y(), 34.0, 1.0);
+
   place(*teammate.mutable_position(), 5, 33);
   actions = decide(state);
   go = find(actions, Case::kBodyGoToPoint);
+
   ASSERT_NE(go, nullptr);
   EXPECT_LT(go->body_go_to_point().target_point().y(), 25.0);
 }

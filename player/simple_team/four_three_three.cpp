@@ -1,15 +1,14 @@
 // The 4-3-3 as one table.
-#include "player/simple_team/formation.h"
+#include "player/simple_team/play.h"
 
 #include <algorithm>
 #include <array>
 
+#include "base/index.h"
 #include "soccer/pitch.h"
 
 namespace cls::player {
 namespace {
-
-using soccer::Vec2;
 
 // Position with the ball at the center mark, share of ball movement followed, and x range.
 struct HomePosition {
@@ -38,7 +37,7 @@ constexpr std::array<HomePosition, 11> kHomePositions = {{
 // clang-format on
 
 const HomePosition& entry_of(int unum) {
-  return kHomePositions[static_cast<std::size_t>(std::clamp(unum, 1, 11) - 1)];
+  return kHomePositions[base::index(std::clamp(unum, 1, 11) - 1)];
 }
 
 // The team has the ball or reaches it first.

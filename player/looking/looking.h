@@ -1,11 +1,39 @@
-// Neck actions, computed for the position and body after this cycle's body command.
+// Looking: actions of body and neck, of the neck alone, and of the view; completing a body command.
 #pragma once
+
+#include <vector>
 
 #include "player/commands/command_slots.h"
 #include "player/world/view_cone.h"
 #include "player/world/world_model.h"
+#include "soccer/commands/player_command.h"
 
 namespace cls::player {
+
+// docs/spec/proxy-behavior.md 4.4. All set the body slot, and fall back to scan_field() without a
+// valid own (or ball) position.
+
+/// Turns the body to the point; the neck adds what one turn cannot reach.
+bool body_neck_to_point(const WorldModel& world, const ViewMemory& view, CommandSlots& slots,
+                        Vec2 point);
+bool body_neck_to_ball(const WorldModel& world, const ViewMemory& view, CommandSlots& slots);
+
+/// Turns only the neck if it reaches the point with `angle_buf` degrees margin, otherwise also the
+/// body.
+bool neck_body_to_point(const WorldModel& world, const ViewMemory& view, CommandSlots& slots,
+                        Vec2 point, double angle_buf);
+bool neck_body_to_ball(const WorldModel& world, const ViewMemory& view, CommandSlots& slots,
+                       double angle_buf);
+
+/// Turns around with a wide view; searches a lost ball at its last seen position, then in the
+/// direction unseen for longest.
+bool scan_field(const WorldModel& world, const ViewMemory& view, CommandSlots& slots);
+
+/// Regains orientation: scan_field() with high view quality.
+bool emergency(const WorldModel& world, const ViewMemory& view, CommandSlots& slots);
+
+/// Turns body and neck to the direction unseen for longest.
+bool look_around(const WorldModel& world, const ViewMemory& view, CommandSlots& slots);
 
 // docs/spec/proxy-behavior.md 4.4. Call them after the body command is set. Each sets the neck slot
 // and returns true unless noted; the last call wins. "Stale" means not seen for more than
@@ -38,7 +66,7 @@ bool neck_turn_to_low_conf_teammate(const WorldModel& world, const ViewMemory& v
                                     CommandSlots& slots);
 /// The point if the neck can bring it into view, otherwise a scan.
 bool neck_turn_to_point(const WorldModel& world, const ViewMemory& view, CommandSlots& slots,
-                        soccer::Vec2 point);
+                        Vec2 point);
 /// To `angle` degrees relative to the body.
 bool neck_turn_to_relative(const WorldModel& world, CommandSlots& slots, double angle);
 /// Looks while intercepting in attack: opponent with the ball, goalie, teammates or ball.
@@ -58,11 +86,30 @@ struct NeckPlan {
     kOffensiveIntercept,
   };
   Kind kind = Kind::kNone;
-  soccer::Vec2 point;  ///< for kPoint
+  Vec2 point;  ///< for kPoint
 };
 
 /// False for kNone.
 bool execute_neck_plan(const NeckPlan& plan, const WorldModel& world, const ViewMemory& view,
                        CommandSlots& slots);
+
+/// Width with a see message every cycle.
+bool view_synch(CommandSlots& slots);
+/// Width by the distance of play (docs/spec/proxy-behavior.md 2.4).
+bool view_tactical(const WorldModel& world, CommandSlots& slots);
+
+/// Moves the focus point to `point`, or as near as its range (40 m) and the view cone allow. Call
+/// it after body and neck: the focus direction is relative to the face.
+bool focus_to_point(const WorldModel& world, CommandSlots& slots, Vec2 point);
+/// Moves the focus point back to the agent.
+bool focus_reset(const WorldModel& world, CommandSlots& slots);
+
+/// Replaces `out` with the body command, clamped and rounded like that of a Playmaker, and the
+/// default neck, view and focus (docs/spec/proxy-behavior.md 2.4). `body` is Dash, Turn, Kick,
+/// Tackle, Catch or Move; others, and those that the server would reject, become `turn 0`: then the
+/// result is false. Call it once per decision, after update_derived().
+bool complete_body_command(const WorldModel& world, ViewMemory& view,
+                           const soccer::PlayerCommand& body,
+                           std::vector<soccer::PlayerCommand>& out, bool with_done);
 
 }  // namespace cls::player

@@ -1,47 +1,48 @@
 // Selects an intercept plan and executes its first command.
-#include "player/movement/intercept.h"
+#include "player/movement/movement.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "player/movement/movement.h"
+#include "player/movement/movement_parameters.h"
+#include "player/world/candidates.h"
 #include "player/world/leg_dash.h"
 #include "player/world/motion.h"
-#include "soccer/pitch.h"
+#include "player/world/places.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::AngleDeg;
-using soccer::Vec2;
-
 using Kind = InterceptPlan::Kind;
 
-bool outside_pitch(Vec2 point) {
-  constexpr double kInset = 1.0;
-  return std::fabs(point.x) > soccer::kHalfLength - kInset ||
-         std::fabs(point.y) > soccer::kHalfWidth - kInset;
-}
+constexpr InterceptParameters kNumbers = kMovement.intercept;
+constexpr double kPitchInset = 1.0;  ///< balls nearer to the lines may leave the pitch, meters
 
 /// Penalty for players who reach the ball before this plan; zero or negative.
 double race_score(const WorldModel& world, int steps) {
   const InterceptTable& table = world.intercept;
   const PlayerState* opponent = world.player_by_id(table.first_opponent_id);
-  const int age = opponent != nullptr ? std::min(5, opponent->pos_count) : 0;
-  const double ahead_of_opponent = table.first_opponent_steps - age - (steps + 3);
-  const double ahead_of_teammate = table.first_teammate_steps - (steps + 3);
-  return 5.0 * std::min(0.0, ahead_of_opponent) + 0.5 * std::min(0.0, ahead_of_teammate);
+  const int age =
+      opponent != nullptr ? std::min(kNumbers.max_opponent_age, opponent->pos_count) : 0;
+  const int late = steps + kNumbers.others_delay;
+  const double ahead_of_opponent = table.first_opponent_steps - age - late;
+  const double ahead_of_teammate = table.first_teammate_steps - late;
+  return kNumbers.opponent_lead * std::min(0.0, ahead_of_opponent) +
+         kNumbers.teammate_lead * std::min(0.0, ahead_of_teammate);
 }
 
 double turn_score(const WorldModel& world, const InterceptPlan& plan) {
   if (plan.turns == 0) return 0.0;
   const double turn = std::fabs(plan.turn_angle);
 
-  // helios penalizes turns less and oscillates between plans; prefer continuing without a turn
-  // unless the turn is clearly better.
-  double score = -0.4;
-  if (plan.ball_distance > kickable_area(world) - 0.3) score -= 0.025 * turn;
-  if (plan.kind == Kind::kTurnBackwardDash && turn > 90.0) score -= 0.1 * (turn - 90.0);
+  // Prefer continuing without a turn unless the turn is clearly better.
+  double score = -kNumbers.turn;
+  if (plan.ball_distance > kickable_area(world) - kNumbers.edge) {
+    score -= kNumbers.turn_degree * turn;
+  }
+  if (plan.kind == Kind::kTurnBackwardDash && turn > 90.0) {
+    score -= kNumbers.back_degree * (turn - 90.0);
+  }
   return score;
 }
 
@@ -50,69 +51,64 @@ double slow_ball_score(const WorldModel& world, const InterceptPlan& plan, Vec2 
   const AngleDeg run = AngleDeg::of(plan.self_position - world.self.position);
   const double speed = velocity.length();
   if (plan.dashes > 0 && speed > 1e-3 && (AngleDeg::of(velocity) - run).abs() < 15.0) {
-    const double fast = 0.8 * world.self_type().real_speed_max(world.server().max_dash_power);
-    return -20.0 * std::max(0.0, fast - speed);
+    const double fast =
+        kNumbers.outrun_share * world.self_type().real_speed_max(world.server().max_dash_power);
+    return -kNumbers.outrun * std::max(0.0, fast - speed);
   }
 
-  const double missing = std::max(0.0, 0.55 - speed);
-  return -70.0 * missing * missing;
+  const double missing = std::max(0.0, kNumbers.min_ball_speed - speed);
+  return -kNumbers.slow_ball * missing * missing;
 }
 
 double plan_score(const WorldModel& world, const InterceptPlan& plan) {
   const int steps = plan.steps();
   const Vec2 ball = ball_after(world, steps);
-  if (outside_pitch(ball)) return -1000.0 - steps;
+  if (outside_pitch(ball, kPitchInset)) return -kNumbers.impossible - steps;
 
   const double area = kickable_area(world);
   const Vec2 velocity = world.ball.velocity * power_of(world.server().ball_decay, steps);
-  const double dx = ball.x - 44.0;
+  const double dx = ball.x - kNumbers.goal_x;
   const double dy = ball.y / 2.0;
 
-  // Cost per cycle: an earlier intercept is worth more than one farther upfield.
-  constexpr double kStepCost = 0.35;
-  double score = -0.2 * std::sqrt(dx * dx + dy * dy) - kStepCost * steps +
+  double score = -kNumbers.goal_meter * std::sqrt(dx * dx + dy * dy) - kNumbers.cycle * steps +
                  race_score(world, steps) + turn_score(world, plan) +
                  slow_ball_score(world, plan, velocity);
 
   const double moved = distance(plan.self_position, world.self.position);
-  score -= 0.3 * moved;
-  if (plan.ball_distance > area - 0.3) score -= 0.5 * moved;
-  if (plan.ball_distance > area - 0.4) score -= 3.0 * (plan.ball_distance - (area - 0.4)) + 0.5;
-  score += 1e-4 * (plan.stamina - world.self.stamina);
+  const double wide_edge = area - kNumbers.wide_edge;
+  score -= kNumbers.run * moved;
+  if (plan.ball_distance > area - kNumbers.edge) score -= kNumbers.edge_run * moved;
+  if (plan.ball_distance > wide_edge) {
+    score -= kNumbers.wide_edge_meter * (plan.ball_distance - wide_edge) + kNumbers.wide_edge_cost;
+  }
+  score += kNumbers.stamina * (plan.stamina - world.self.stamina);
 
   const double off_body = (world.ball.angle_from_self - world.self.body).abs();
-  if (world.kickable_opponent() && plan.kind != Kind::kTurnForwardDash && off_body > 40.0) {
-    score -= 100.0;
-  }
-
-  return score;
+  const bool duel = world.kickable_opponent() && plan.kind != Kind::kTurnForwardDash;
+  return duel && off_body > 40.0 ? score - kNumbers.duel : score;
 }
 
 /// The goalie prefers an early and close intercept.
 double goalie_score(const WorldModel& world, const InterceptPlan& plan) {
   const Vec2 ball = ball_after(world, plan.steps());
-  if (outside_pitch(ball)) return -1000.0 - plan.steps();
+  if (outside_pitch(ball, kPitchInset)) return -kNumbers.impossible - plan.steps();
   return race_score(world, plan.steps()) - plan.steps() - plan.ball_distance +
          turn_score(world, plan);
 }
 
 const InterceptPlan* best_plan(const WorldModel& world, bool save_recovery) {
-  const InterceptPlan* best = nullptr;
-  double best_score = 0.0;
-
   const bool own_area =
       world.goalie && world.ball.position.x < -soccer::kHalfLength + soccer::kPenaltyAreaLength;
 
+  Highest<const InterceptPlan*> best{0.0};
   for (const InterceptPlan& plan : world.intercept.plans) {
     if (save_recovery && plan.exhausting) continue;
     const double score = own_area ? goalie_score(world, plan) : plan_score(world, plan);
-    if (best == nullptr || score > best_score) {
-      best = &plan;
-      best_score = score;
-    }
+    if (best.value == nullptr) best = {score, &plan};
+    best.offer(score, &plan);
   }
 
-  return best;
+  return best.value;
 }
 
 /// Waits for the ball facing `face_point`, or the ball if the neck could not follow it.

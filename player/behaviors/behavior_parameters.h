@@ -1,0 +1,53 @@
+// Behavior numbers of whole roles: weights, distances and patience.
+#pragma once
+
+namespace cls::player {
+
+/// Say messages and attention. Source: chosen for cls.
+struct CommunicationParameters {
+  double near_ball = 60.0;   ///< relevance of a seen player: this over `softening` plus meters
+  double near_agent = 10.0;  ///< the same by the distance from the agent
+  double softening = 5.0;    ///< meters
+  double opponent = 1.5;     ///< factor of the relevance of opponents
+  int number_age = 10;       ///< maximum of a seen number, cycles
+  double say_ball = 12.0;    ///< distance from the ball within which the agent reports it, meters
+  double attention = 40.0;   ///< maximum distance of the teammate to listen to, meters
+};
+
+/// Dash powers on the way to home positions; planner_parameters.h has those that users tune.
+/// Source: docs/spec/proxy-behavior.md 6.4.
+struct PaceParameters {
+  double slowest = 0.5;  ///< factor of the usual pace
+  double fastest = 1.3;
+  double rest = 25.0;          ///< below the income of stamina while recovering
+  double behind_line = 20.0;   ///< full power behind our line, with the ball less far ahead, meters
+  double close_ball = 20.0;    ///< power near a teammate with the ball, meters
+  double attack_x = 25.0;      ///< saves stamina with a safe ball beyond this x
+  double attack_ahead = 10.0;  ///< and so far ahead of the agent, meters
+  int safe_lead = 6;           ///< cycles
+  double attack_share = 0.5;   ///< of the income
+  double attack_power = 10.0;  ///< minimum
+};
+
+/// Open part of the goal for a position of the goalie. Source: chosen for cls, in penalty kicks and
+/// matches against helios teams.
+struct GoalieParameters {
+  double shot_speed = 2.8;      ///< first, meters per cycle
+  double arms = 0.9;            ///< of the catchable area
+  double run = 0.85;            ///< of the run from rest
+  double passed_weight = 0.35;  ///< of a shot after a pass
+  double open_shot = 0.5;       ///< of a shot that is not covered, besides the meters missing
+  double max_missing = 3.0;     ///< meters
+  double way = 0.12;            ///< cost per meter from the agent
+  double line = 0.05;           ///< cost per meter from the usual line
+  double run_speed = 0.8;       ///< on short distances, meters per cycle
+};
+
+struct BehaviorParameters {
+  CommunicationParameters communication;
+  PaceParameters pace;
+  GoalieParameters goalie;
+};
+constexpr BehaviorParameters kBehaviors{};
+
+}  // namespace cls::player
