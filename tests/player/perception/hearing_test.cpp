@@ -1,6 +1,8 @@
 // Referee messages and say messages.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 #include "player/perception/perception.h"
@@ -9,9 +11,8 @@
 namespace cls::player {
 namespace {
 
-using soccer::PlayMode;
-using soccer::Side;
-using soccer::Vec2;
+using testing::Each;
+using testing::ElementsAre;
 
 WorldModel model(Side side) {
   WorldModel world;
@@ -32,32 +33,41 @@ void referee(WorldModel& world, int time, const std::string& word) {
   on_hear(world, hear);
 }
 
+/// A say message of a teammate, without its text.
+soccer::Hear said_by(int unum, int time) {
+  soccer::Hear hear;
+  hear.time = time;
+  hear.sender = soccer::Hear::Sender::kTeammate;
+  hear.unum = unum;
+  return hear;
+}
+
 TEST(Hearing, RecordsModeWithGameTime) {
   WorldModel world = model(Side::kLeft);
-  sense(world, 0);
-  sense(world, 0);
-  sense(world, 0);
+  for (int i = 0; i < 3; ++i) sense(world, 0);
   EXPECT_EQ(world.game.time.stopped, 3);
+
   referee(world, 0, "kick_off_l");
   EXPECT_EQ(world.game.mode, PlayMode::kKickOffLeft);
-  EXPECT_EQ(world.game.mode_start.cycle, 0);
-  EXPECT_EQ(world.game.mode_start.stopped, 3);
+  EXPECT_EQ(world.game.mode_start, (GameTime{0, 3}));
   EXPECT_EQ(world.game.last_set_play_start, 0);
   update_derived(world);
   update_derived(world);
   EXPECT_EQ(world.game.set_play_count, 2);
+
   sense(world, 0);
   EXPECT_EQ(world.game.time.stopped, 0);
   sense(world, 1);
   EXPECT_EQ(world.game.time.stopped, 0);
+
   referee(world, 1, "play_on");
   EXPECT_EQ(world.game.mode, PlayMode::kPlayOn);
   EXPECT_EQ(world.game.last_set_play_start, 0);
+
   referee(world, 57, "kick_in_r");
   EXPECT_EQ(world.game.last_set_play_start, 57);
   EXPECT_EQ(world.game.set_play_count, 0);
-  EXPECT_EQ(world.game.mode_start.cycle, 57);
-  EXPECT_EQ(world.game.mode_start.stopped, 0);
+  EXPECT_EQ(world.game.mode_start, (GameTime{57, 0}));
 }
 
 TEST(Hearing, CountsGoalsForScoringSide) {
@@ -111,12 +121,11 @@ TEST(Hearing, CountsShootOut) {
   referee(world, 700, "penalty_score_l");
   referee(world, 711, "penalty_setup_r");
   const PenaltyState& penalty = world.game.penalty;
+
   EXPECT_EQ(penalty.field_side, Side::kRight);
   EXPECT_EQ(penalty.taker, Side::kRight);
-  EXPECT_EQ(penalty.our_taken, 1);
-  EXPECT_EQ(penalty.their_taken, 1);
-  EXPECT_EQ(penalty.our_score, 0);
-  EXPECT_EQ(penalty.their_score, 1);
+  EXPECT_THAT((std::array{penalty.our_taken, penalty.their_taken}), Each(1));
+  EXPECT_THAT((std::array{penalty.our_score, penalty.their_score}), ElementsAre(0, 1));
   EXPECT_EQ(penalty.cycle, 711);
   EXPECT_EQ(default_penalty_taker(penalty.our_taken), 10);
   EXPECT_EQ(default_penalty_taker(12), 10);
@@ -135,13 +144,11 @@ TEST(Hearing, IgnoresOtherRefereeMessages) {
 TEST(Hearing, StoresSayMessagesForCurrentStep) {
   WorldModel world = model(Side::kLeft);
   sense(world, 8);
-  soccer::Hear hear;
-  hear.time = 8;
-  hear.sender = soccer::Hear::Sender::kTeammate;
-  hear.unum = 9;
+  soccer::Hear hear = said_by(9, 8);
   hear.direction = 30;
   hear.text = "some text";
   on_hear(world, hear);
+
   hear.partial = true;
   on_hear(world, hear);
   ASSERT_EQ(world.heard.size(), 1U);
@@ -155,12 +162,15 @@ TEST(Hearing, StoresSayMessagesForCurrentStep) {
 
 /// Delivers a say message of teammate `unum`.
 void say(WorldModel& world, int unum, const SayMessage& message) {
-  soccer::Hear hear;
-  hear.time = world.game.time.cycle;
-  hear.sender = soccer::Hear::Sender::kTeammate;
-  hear.unum = unum;
+  soccer::Hear hear = said_by(unum, world.game.time.cycle);
   ASSERT_TRUE(append_say_message(message, world.server(), hear.text));
   on_hear(world, hear);
+}
+
+SayPlayers one_player(const SaidPlayer& player) {
+  SayPlayers message;
+  message.players.push_back(player);
+  return message;
 }
 
 PlayerState seen_player(WorldModel& world, Side side, int unum, Vec2 position, int count) {
@@ -182,11 +192,10 @@ TEST(HeardSayMessages, SetUnseenBall) {
   const BallState& ball = world.ball;
   EXPECT_LT(soccer::distance(ball.position, {10.0, -5.0}), 0.1);
   EXPECT_LT(soccer::distance(ball.velocity, {0.5, 1.0}), 0.1);
-  EXPECT_EQ(ball.pos_count, 1);
-  EXPECT_EQ(ball.vel_count, 1);
-  EXPECT_EQ(ball.heard_pos_count, 0);
-  EXPECT_EQ(ball.heard_vel_count, 0);
+  EXPECT_THAT((std::array{ball.pos_count, ball.vel_count}), Each(1));
+  EXPECT_THAT((std::array{ball.heard_pos_count, ball.heard_vel_count}), Each(0));
   EXPECT_EQ(ball.seen_pos_count, kNever);
+
   sense(world, 9);
   EXPECT_EQ(ball.heard_pos_count, 1);
   EXPECT_EQ(ball.pos_count, 2);
@@ -202,6 +211,7 @@ TEST(HeardSayMessages, AddUnseenPlayersWithNumbers) {
   players.players.push_back({14, {-30.0, -10.0}});
   players.players.push_back({4, {1.0, 1.0}});  // the agent itself
   say(world, 2, players);
+
   ASSERT_NE(world.teammate(9), nullptr);
   ASSERT_NE(world.opponent(3), nullptr);
   EXPECT_EQ(world.teammate(4), nullptr);
@@ -217,8 +227,7 @@ TEST(HeardSayMessages, NumberUnnumberedTrack) {
   world.opponents.push_back(seen_player(world, Side::kRight, 0, {30.0, 5.0}, 0));
   world.opponents.push_back(seen_player(world, Side::kRight, 0, {30.0, -5.0}, 0));
   const int id = world.opponents[0].id;
-  SayPlayers players;
-  players.players.push_back({11 + 6, {30.4, 5.3}});
+  const SayPlayers players = one_player({11 + 6, {30.4, 5.3}});
   say(world, 2, players);
   ASSERT_NE(world.opponent(6), nullptr);
   EXPECT_EQ(world.opponent(6)->id, id);
@@ -232,8 +241,7 @@ TEST(HeardSayMessages, DoNotOverrideRecentlySeenNumber) {
   sense(world, 8);
   world.opponents.push_back(seen_player(world, Side::kRight, 6, {30.0, 5.0}, 2));
   world.opponents.push_back(seen_player(world, Side::kRight, 0, {30.0, -5.0}, 2));
-  SayPlayers players;
-  players.players.push_back({11 + 6, {30.0, -5.0}});
+  const SayPlayers players = one_player({11 + 6, {30.0, -5.0}});
   say(world, 2, players);
   EXPECT_GT(world.opponent(6)->position.y, 0.0);
   for (PlayerState& player : world.opponents) player.unum_count += 100;
@@ -244,9 +252,7 @@ TEST(HeardSayMessages, DoNotOverrideRecentlySeenNumber) {
 TEST(HeardSayMessages, IgnoreInvalidText) {
   WorldModel world = model(Side::kLeft);
   sense(world, 8);
-  soccer::Hear hear;
-  hear.sender = soccer::Hear::Sender::kTeammate;
-  hear.unum = 2;
+  soccer::Hear hear = said_by(2, 0);
   for (const char* text : {"hello", "b12", "", "Zzzzzzzzzz", "s9"}) {
     hear.text = text;
     on_hear(world, hear);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
@@ -50,84 +51,65 @@ PerceptionError measure(const std::string& transcript, const GroundTruths& truth
   return errors;
 }
 
-std::string text_of(const ErrorSummary& error) {
-  return fmt::format("{:.3f} / {:.3f} ({})", error.mean, error.p95, error.n);
+/// Errors of self, body angle, ball, ball velocity, teammates and opponents.
+using Errors = std::array<ErrorSummary, 6>;
+constexpr std::array<const char*, 6> kErrorNames{"self",          "body",      "ball",
+                                                 "ball velocity", "teammates", "opponents"};
+
+Errors errors_of(const PerceptionError& error) {
+  return {error.self(),          error.body_angle(), error.ball(),
+          error.ball_velocity(), error.teammates(),  error.opponents()};
+}
+
+void print(const Errors& errors) {
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const auto& [mean, p95, n] = errors[i];
+    fmt::print("{}{} {:.3f} / {:.3f} ({})", i == 0 ? "" : ", ", kErrorNames[i], mean, p95, n);
+  }
+  fmt::print("\n");
+}
+
+void expect_means_below(const Errors& errors, const std::array<double, 6>& limits) {
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    EXPECT_LT(errors[i].mean, limits[i]) << kErrorNames[i];
+  }
 }
 
 /// Accuracy of the helios proxy on the same input (README of the data set).
 struct HeliosAccuracy {
   const char* transcript;
   int unum;
-  ErrorSummary self;
-  ErrorSummary body_angle;
-  ErrorSummary ball;
-  ErrorSummary ball_velocity;
-  ErrorSummary teammates;
-  ErrorSummary opponents;
+  Errors errors;
 };
 
-const std::vector<HeliosAccuracy>& helios_accuracy() {
-  static const std::vector<HeliosAccuracy> table = {
-      {"player_l1_goalie",
-       1,
-       {0.020, 0.056, 459},
-       {0.40, 0.87, 459},
-       {1.384, 3.078, 177},
-       {0.115, 0.260, 40},
-       {1.794, 7.091, 1592},
-       {2.599, 10.981, 1627}},
-      {"player_l4",
-       4,
-       {0.048, 0.113, 459},
-       {0.72, 2.70, 459},
-       {0.573, 1.537, 192},
-       {0.080, 0.173, 148},
-       {0.664, 1.591, 1278},
-       {1.237, 2.251, 1458}},
-      {"player_l7",
-       7,
-       {0.055, 0.125, 459},
-       {0.63, 1.44, 459},
-       {0.355, 1.001, 264},
-       {0.062, 0.147, 239},
-       {0.626, 1.631, 797},
-       {0.618, 1.468, 1003}},
-      {"player_l10",
-       10,
-       {0.038, 0.094, 459},
-       {0.75, 3.39, 459},
-       {0.694, 2.109, 194},
-       {0.069, 0.209, 78},
-       {1.033, 2.352, 1449},
-       {0.770, 1.882, 1606}},
-  };
-  return table;
-}
-
-void expect_at_most(const ErrorSummary& got, const ErrorSummary& limit, double factor,
-                    const char* what, int unum) {
-  EXPECT_LE(got.mean, limit.mean * factor) << what << " of player " << unum;
-  EXPECT_LE(got.p95, limit.p95 * factor) << what << " of player " << unum;
-  EXPECT_GE(got.n, limit.n) << what << " of player " << unum;
-}
+// clang-format off
+const std::vector<HeliosAccuracy> kHelios = {
+    {"player_l1_goalie", 1,
+     {{{0.020, 0.056, 459}, {0.40, 0.87, 459}, {1.384, 3.078, 177},
+       {0.115, 0.260, 40}, {1.794, 7.091, 1592}, {2.599, 10.981, 1627}}}},
+    {"player_l4", 4,
+     {{{0.048, 0.113, 459}, {0.72, 2.70, 459}, {0.573, 1.537, 192},
+       {0.080, 0.173, 148}, {0.664, 1.591, 1278}, {1.237, 2.251, 1458}}}},
+    {"player_l7", 7,
+     {{{0.055, 0.125, 459}, {0.63, 1.44, 459}, {0.355, 1.001, 264},
+       {0.062, 0.147, 239}, {0.626, 1.631, 797}, {0.618, 1.468, 1003}}}},
+    {"player_l10", 10,
+     {{{0.038, 0.094, 459}, {0.75, 3.39, 459}, {0.694, 2.109, 194},
+       {0.069, 0.209, 78}, {1.033, 2.352, 1449}, {0.770, 1.882, 1606}}}},
+};
+// clang-format on
 
 TEST(PerceptionReplay, IsAccurateOnFixtureExcerpt) {
   const GroundTruths truth = read_truth(tests::read_file(tests::fixture("perception/game.rcg.gz")));
   const PerceptionError measured =
       measure(tests::read_file(tests::fixture("perception/player_7.txt.gz")), truth);
+  const Errors errors = errors_of(measured);
+  print(errors);
+
   EXPECT_EQ(measured.cycles(), 97);
-  EXPECT_LT(measured.self().mean, 0.015);
+  expect_means_below(errors, {0.015, 0.3, 0.12, 0.07, 0.6, 0.6});
   EXPECT_LT(measured.self().p95, 0.035);
-  EXPECT_LT(measured.body_angle().mean, 0.3);
-  EXPECT_LT(measured.ball().mean, 0.12);
   EXPECT_GE(measured.ball().n, 66);
-  EXPECT_LT(measured.ball_velocity().mean, 0.07);
-  EXPECT_LT(measured.teammates().mean, 0.6);
-  EXPECT_LT(measured.opponents().mean, 0.6);
-  fmt::print("self {}, body {}, ball {}, ball velocity {}, teammates {}, opponents {}\n",
-             text_of(measured.self()), text_of(measured.body_angle()), text_of(measured.ball()),
-             text_of(measured.ball_velocity()), text_of(measured.teammates()),
-             text_of(measured.opponents()));
 }
 
 // A player of cls on the embedded server, with Gaussian see and two-leg dashes. Without the noise
@@ -140,17 +122,11 @@ TEST(PerceptionReplay, IsAccurateWithGaussianSeeAndTwoLegDashes) {
       tests::read_file(tests::fixture("perception/gaussian_player_7.txt.gz"));
   EXPECT_NE(transcript.find("(dash (l "), std::string::npos);
   const PerceptionError measured = measure(transcript, truth);
-  fmt::print("self {}, body {}, ball {}, ball velocity {}, teammates {}, opponents {}\n",
-             text_of(measured.self()), text_of(measured.body_angle()), text_of(measured.ball()),
-             text_of(measured.ball_velocity()), text_of(measured.teammates()),
-             text_of(measured.opponents()));
+  const Errors errors = errors_of(measured);
+  print(errors);
+
   EXPECT_GT(measured.cycles(), 100);
-  EXPECT_LT(measured.self().mean, 0.03);
-  EXPECT_LT(measured.body_angle().mean, 0.4);
-  EXPECT_LT(measured.ball().mean, 0.25);
-  EXPECT_LT(measured.ball_velocity().mean, 0.03);
-  EXPECT_LT(measured.teammates().mean, 0.8);
-  EXPECT_LT(measured.opponents().mean, 0.8);
+  expect_means_below(errors, {0.03, 0.4, 0.25, 0.03, 0.8, 0.8});
 }
 
 TEST(Transcript, ReportsErrorsWithLineAndContinues) {
@@ -166,25 +142,24 @@ TEST(Transcript, ReportsErrorsWithLineAndContinues) {
   EXPECT_EQ(done.world.unum, 7);
 }
 
+WorldModel world_after(const std::string& transcript) {
+  return replay_transcript(transcript, [](const WorldModel&) {}).world;
+}
+
 TEST(Transcript, TakesTeamAndGoalieFromInitRequest) {
   const WorldModel world =
-      replay_transcript(
-          "C>S\t0\t(init Us (version 18) (goalie))\nS>C\t0\t(init r 1 before_kick_off)\n",
-          [](const WorldModel&) {})
-          .world;
+      world_after("C>S\t0\t(init Us (version 18) (goalie))\nS>C\t0\t(init r 1 before_kick_off)\n");
   EXPECT_EQ(world.our_team_name.view(), "Us");
   EXPECT_TRUE(world.goalie);
-  EXPECT_EQ(world.our_side, soccer::Side::kRight);
+  EXPECT_EQ(world.our_side, Side::kRight);
   EXPECT_EQ(world.unum, 1);
 }
 
 TEST(Transcript, TakesNumberFromReconnectRequest) {
   const WorldModel world =
-      replay_transcript("C>S\t0\t(reconnect Us 5)\nS>C\t0\t(reconnect r free_kick_l)\n",
-                        [](const WorldModel&) {})
-          .world;
+      world_after("C>S\t0\t(reconnect Us 5)\nS>C\t0\t(reconnect r free_kick_l)\n");
   EXPECT_EQ(world.our_team_name.view(), "Us");
-  EXPECT_EQ(world.our_side, soccer::Side::kRight);
+  EXPECT_EQ(world.our_side, Side::kRight);
   EXPECT_EQ(world.unum, 5);
 }
 
@@ -193,25 +168,25 @@ TEST(PerceptionReplay, IsAtLeastAsAccurateAsHelios) {
   if (!log) GTEST_SKIP() << "no data: set CLS_DATA";
   const GroundTruths truth = read_truth(tests::read_file(*log));
   fmt::print("mean / 95th percentile (samples)\n");
-  for (const HeliosAccuracy& helios : helios_accuracy()) {
+  for (const HeliosAccuracy& helios : kHelios) {
     const auto transcript =
         tests::data(std::string("aligned/udp/") + helios.transcript + ".txt.gz");
     ASSERT_TRUE(transcript);
     const PerceptionError measured = measure(tests::read_file(*transcript), truth);
-    fmt::print("{:2}: self {}, body {}, ball {}, ball velocity {}, teammates {}, opponents {}\n",
-               helios.unum, text_of(measured.self()), text_of(measured.body_angle()),
-               text_of(measured.ball()), text_of(measured.ball_velocity()),
-               text_of(measured.teammates()), text_of(measured.opponents()));
-    EXPECT_NEAR(measured.cycles(), 459,
-                1);  // the first or last cycle of play_on is counted differently
+    const Errors errors = errors_of(measured);
+    fmt::print("{:2}: ", helios.unum);
+    print(errors);
+
+    // The first or last cycle of play_on is counted differently.
+    EXPECT_NEAR(measured.cycles(), 459, 1);
     // Factors below 1 require a better accuracy than helios.
-    expect_at_most(measured.self(), helios.self, 0.6, "position", helios.unum);
-    expect_at_most(measured.body_angle(), helios.body_angle, 0.6, "body angle", helios.unum);
-    expect_at_most(measured.ball(), helios.ball, 0.85, "ball", helios.unum);
-    expect_at_most(measured.ball_velocity(), helios.ball_velocity, 1.0, "ball velocity",
-                   helios.unum);
-    expect_at_most(measured.teammates(), helios.teammates, 0.9, "teammates", helios.unum);
-    expect_at_most(measured.opponents(), helios.opponents, 0.85, "opponents", helios.unum);
+    constexpr std::array<double, 6> kFactors{0.6, 0.6, 0.85, 1.0, 0.9, 0.85};
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      const std::string what = fmt::format("{} of player {}", kErrorNames[i], helios.unum);
+      EXPECT_LE(errors[i].mean, helios.errors[i].mean * kFactors[i]) << what;
+      EXPECT_LE(errors[i].p95, helios.errors[i].p95 * kFactors[i]) << what;
+      EXPECT_GE(errors[i].n, helios.errors[i].n) << what;
+    }
   }
 }
 

@@ -9,8 +9,6 @@
 namespace cls::player {
 namespace {
 
-using soccer::Vec2;
-
 const soccer::ServerParams kServer;
 
 template <typename Message>
@@ -44,11 +42,13 @@ TEST(SayMessage, RecordedMessagesMatchGameLog) {
   expect_near(three.players[1].position, {6.36, 10.93}, 1.1);
   EXPECT_EQ(three.players[2].number, 9);
   expect_near(three.players[2].position, {-3.74, -18.00}, 0.5);
+
   // Cycle 26: the kick-off pass to the center forward.
   const auto pass = read<SayPass>("pk4PrIBSnx");
   EXPECT_EQ(pass.receiver, 11);
   expect_near(pass.ball.position, {-2.126, -0.732}, 0.06);
   expect_near(pass.ball.velocity, {1.359, -0.028}, 0.08);
+
   // Cycle 41.
   const auto both = read<SayBallPlayer>("BPapzn(<-F");
   expect_near(both.ball.position, {7.871, -14.665}, 0.3);
@@ -76,6 +76,7 @@ TEST(SayMessage, RoundTripsEveryKind) {
   three.players.push_back({1, {-52.5, 0.02}});
   const SayBall ball{{10.0, -20.0}, {1.2, -0.7}};
   const SayGoalie goalie{{48.2, -3.1}, -120.0};
+
   const std::pair<SayMessage, std::size_t> all[] = {
       {ball, 6},
       {SayPass{7, {3.0, 4.0}, ball}, 10},
@@ -101,6 +102,7 @@ TEST(SayMessage, RoundTripsEveryKind) {
   for (const auto& [message, length] : all) {
     const std::string text = written(message);
     EXPECT_EQ(text.size(), length) << text;
+
     std::string_view rest = text;
     const auto again = parse_say_message(rest, kServer);
     ASSERT_TRUE(again) << text;
@@ -108,16 +110,19 @@ TEST(SayMessage, RoundTripsEveryKind) {
     EXPECT_EQ(again->index(), message.index());
     EXPECT_EQ(written(*again), text);
   }
+
   const auto players = read<SayPlayers>(written(three));
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(players.players[i].number, three.players[i].number);
     expect_near(players.players[i].position, three.players[i].position, 0.32);
   }
+
   const auto both = read<SayBallGoalie>(written(SayBallGoalie{ball, goalie}));
   expect_near(both.ball.position, ball.position, 0.051);
   expect_near(both.ball.velocity, ball.velocity, 0.05);
   expect_near(both.goalie.position, goalie.position, 0.051);
   EXPECT_NEAR(both.goalie.body, -120.0, 0.5);
+
   const auto pass = read<SayPass>(written(SayPass{7, {3.0, 4.0}, ball}));
   EXPECT_EQ(pass.receiver, 7);
   expect_near(pass.point, {3.0, 4.0}, 0.07);
@@ -126,16 +131,14 @@ TEST(SayMessage, RoundTripsEveryKind) {
 
 TEST(SayMessage, RejectsUnsupportedValues) {
   std::string out = "x";
-  EXPECT_FALSE(append_say_message(SayPass{12, {}, {}}, kServer, out));
-  EXPECT_FALSE(append_say_message(SayIntercept{23, 1}, kServer, out));
-  EXPECT_FALSE(append_say_message(SayIntercept{1, 74}, kServer, out));
-  EXPECT_FALSE(append_say_message(SayGoalie{{30.0, 0.0}, 0.0}, kServer, out));
-  EXPECT_FALSE(append_say_message(SayGoalie{{50.0, 25.0}, 0.0}, kServer, out));
-  EXPECT_FALSE(append_say_message(SayOffsideLine{9.0}, kServer, out));
-  EXPECT_FALSE(append_say_message(SayDefenseLine{-9.0}, kServer, out));
-  EXPECT_FALSE(append_say_message(SayPlayers{}, kServer, out));
-  EXPECT_FALSE(append_say_message(SayTeammate{0, {}, 0.0}, kServer, out));
+  for (const SayMessage& message : std::initializer_list<SayMessage>{
+           SayPass{12, {}, {}}, SayIntercept{23, 1}, SayIntercept{1, 74},
+           SayGoalie{{30.0, 0.0}, 0.0}, SayGoalie{{50.0, 25.0}, 0.0}, SayOffsideLine{9.0},
+           SayDefenseLine{-9.0}, SayPlayers{}, SayTeammate{0, {}, 0.0}}) {
+    EXPECT_FALSE(append_say_message(message, kServer, out)) << message.index();
+  }
   EXPECT_EQ(out, "x");
+
   // Positions outside the pitch are clamped to its border.
   expect_near(read<SayBall>(written(SayBall{{60.0, -40.0}, {9.0, -9.0}})).position, {52.5, -34.0},
               1e-9);

@@ -13,15 +13,11 @@
 #include "player/tracking/observed_object.h"
 #include "player/world/gaussian.h"
 #include "player/world/seen_distance.h"
-#include "player/world/truncated_normal.h"
 #include "player/world/view_cone.h"
-#include "soccer/math.h"
 #include "soccer/random.h"
 
 namespace cls::player {
 namespace {
-
-namespace math = soccer::math;
 
 /// Moments of a standard normal on [low, high] by numerical integration.
 Moments integrated_moments(double low, double high) {
@@ -101,6 +97,7 @@ TEST(SeenDistance, RangeContainsTrueDistanceForUncertainFocusPoint) {
     const double error = random.uniform(0.0, 2.0);
     const double estimated = std::max(0.0, f + random.uniform(-error, error));
     const double seen = math::quantize(unrounded(d, f), 0.1);
+
     const DistanceRange range = table.range(seen, estimated, error);
     EXPECT_LE(range.low, d + 1e-9) << d << " " << f << " " << estimated << " " << error;
     EXPECT_GE(range.high, d - 1e-9) << d << " " << f << " " << estimated << " " << error;
@@ -112,26 +109,26 @@ TEST(SeenDistance, RangeAlongRayMatchesExhaustiveSearch) {
   const DistanceTable table(0.1);
   soccer::RandomStream random(9, "ray");
   for (int i = 0; i < 300; ++i) {
-    const soccer::Vec2 eye{random.uniform(-50.0, 50.0), random.uniform(-30.0, 30.0)};
-    const soccer::Vec2 direction = soccer::polar_degrees(1.0, random.uniform(-180.0, 180.0));
+    const Vec2 eye{random.uniform(-50.0, 50.0), random.uniform(-30.0, 30.0)};
+    const Vec2 direction = soccer::polar_degrees(1.0, random.uniform(-180.0, 180.0));
     const double d = random.uniform(1.0, 50.0);
     // Near the object, or anywhere.
-    const double near = i % 2 == 0 ? 2.0 : 40.0;
-    const soccer::Vec2 focus =
-        i % 2 == 0
-            ? eye + direction * d +
-                  soccer::polar_degrees(random.uniform(0.0, near), random.uniform(-180.0, 180.0))
-            : eye + soccer::polar_degrees(random.uniform(0.0, near), random.uniform(-180.0, 180.0));
+    const bool near = i % 2 == 0;
+    const Vec2 off = soccer::polar_degrees(random.uniform(0.0, near ? 2.0 : 40.0),
+                                           random.uniform(-180.0, 180.0));
+    const Vec2 focus = (near ? eye + direction * d : eye) + off;
     const auto at = [&](double distance) {
       return unrounded(distance, soccer::distance(eye + direction * distance, focus));
     };
     const double seen = math::quantize(at(d), 0.1);
+
     DistanceRange tried{1e9, -1e9};
     for (double t = 0.05; t < 1.5 * d + 5.0; t += 2e-3) {
       if (std::fabs(at(t) - seen) > 0.05) continue;
       tried.low = std::min(tried.low, t);
       tried.high = std::max(tried.high, t);
     }
+
     const DistanceRange range = table.range_along(seen, eye, direction, focus);
     EXPECT_LE(range.low, d + 1e-6) << i;
     EXPECT_GE(range.high, d - 1e-6) << i;
@@ -151,6 +148,7 @@ TEST(Assignment, FindsMinimumTotalCost) {
         table.cost[r][c] = std::floor(random.uniform(-5.0, 15.0));
       }
     }
+
     const auto column_of = assign(table);
     double total = 0.0;
     std::vector<bool> used(table.columns);
@@ -159,6 +157,7 @@ TEST(Assignment, FindsMinimumTotalCost) {
       used[column_of[r]] = true;
       total += table.cost[r][column_of[r]];
     }
+
     std::vector<std::size_t> order(table.columns);
     std::iota(order.begin(), order.end(), 0U);
     double least = 1e9;
@@ -166,7 +165,7 @@ TEST(Assignment, FindsMinimumTotalCost) {
       double sum = 0.0;
       for (std::size_t r = 0; r < table.rows; ++r) sum += table.cost[r][order[r]];
       least = std::min(least, sum);
-    } while (std::next_permutation(order.begin(), order.end()));
+    } while (std::ranges::next_permutation(order).found);
     EXPECT_DOUBLE_EQ(total, least);
   }
 }
@@ -196,6 +195,7 @@ void plain_condition(Gaussian<N>& estimate, const std::vector<Slab<N>>& slabs, i
       const double mean = dot(slab.direction, estimate.mean);
       const double rest = 1.0 / variance - sites[i].precision;
       if (rest <= 0.0) continue;
+
       const double rest_mean = (mean / variance - sites[i].shift) / rest;
       const Moments after =
           truncate_noisy({rest_mean, 1.0 / rest}, slab.low, slab.high, slab.noise_variance);
@@ -230,7 +230,7 @@ std::vector<Slab<3>> random_landmarks(const Gaussian<3>& prior, soccer::RandomSt
   const int landmarks = 1 + random.integer(30);
   for (int i = 0; i < landmarks; ++i) {
     const double distance = random.uniform(2.0, 90.0);
-    const soccer::Vec2 e = soccer::polar_degrees(1.0, random.uniform(-180.0, 180.0));
+    const Vec2 e = soccer::polar_degrees(1.0, random.uniform(-180.0, 180.0));
     const double per_meter = math::to_degrees(1.0) / distance;
     for (const auto& [direction, half] :
          {std::pair{VecN<3>{e.y * per_meter, -e.x * per_meter, -1.0}, 0.5},
@@ -245,8 +245,8 @@ std::vector<Slab<3>> random_landmarks(const Gaussian<3>& prior, soccer::RandomSt
 /// The intervals of an observed object as slabs with directions on the pitch.
 std::vector<Slab<4>> pitch_slabs(const Viewpoint& view, const ObservedPosition& observed,
                                  const soccer::Observation& seen) {
-  const soccer::Vec2 e = observed.direction;
-  const soccer::Vec2 n{-e.y, e.x};
+  const Vec2 e = observed.direction;
+  const Vec2 n{-e.y, e.x};
   const double d = observed.distance;
   const double half = math::to_radians(0.5);
   const double turned = math::to_radians(1.0) * d;
@@ -358,10 +358,10 @@ TEST(VisibleArea, IsTheViewConeLessTheMargin) {
   WorldModel world;
   for (int i = 0; i < 20000; ++i) {
     world.self.position = {random.uniform(-50.0, 50.0), random.uniform(-30.0, 30.0)};
-    world.self.body = soccer::AngleDeg(random.uniform(-180.0, 180.0));
-    world.self.neck = soccer::AngleDeg(random.uniform(-90.0, 90.0));
+    world.self.body = AngleDeg(random.uniform(-180.0, 180.0));
+    world.self.neck = AngleDeg(random.uniform(-90.0, 90.0));
     world.self.view_width = static_cast<soccer::ViewWidth>(random.integer(3));
-    const soccer::Vec2 offset =
+    const Vec2 offset =
         soccer::polar_degrees(random.uniform(0.0, 60.0), random.uniform(-180.0, 180.0));
     const double deviation = random.uniform(0.0, 2.0);
 
@@ -369,7 +369,7 @@ TEST(VisibleArea, IsTheViewConeLessTheMargin) {
     const double blur = 2.5 * deviation;
     bool expected = distance + blur < world.server().visible_distance - 0.1;
     if (!expected && distance > blur) {
-      const double angle = (soccer::AngleDeg::of(offset) - world.self.face()).abs();
+      const double angle = (AngleDeg::of(offset) - world.self.face()).abs();
       const double margin = math::to_degrees(math::asin(blur / distance)) + 1.0;
       expected = angle + margin < view_angle(world.server(), world.self.view_width) / 2.0;
     }
@@ -382,10 +382,10 @@ TEST(VisibleArea, IsTheViewConeLessTheMargin) {
 TEST(ViewMemory, DirectionThatIsNotANumberHasNoSectors) {
   ViewMemory view;
   for (int& age : view.ages) age = 3;
-  EXPECT_EQ(view.age_around(soccer::AngleDeg(std::nan("")), 30.0), 0);
-  EXPECT_EQ(view.age_around(soccer::AngleDeg(0.0), std::nan("")), 0);
-  EXPECT_EQ(ViewMemory::sector_of(soccer::AngleDeg(std::nan(""))), 0);
-  EXPECT_GT(view.age_around(soccer::AngleDeg(0.0), 30.0), 0);
+  EXPECT_EQ(view.age_around(AngleDeg(std::nan("")), 30.0), 0);
+  EXPECT_EQ(view.age_around(AngleDeg(0.0), std::nan("")), 0);
+  EXPECT_EQ(ViewMemory::sector_of(AngleDeg(std::nan(""))), 0);
+  EXPECT_GT(view.age_around(AngleDeg(0.0), 30.0), 0);
 }
 
 }  // namespace

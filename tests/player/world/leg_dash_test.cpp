@@ -6,23 +6,18 @@
 #include <cmath>
 
 #include "player/commands/command_slots.h"
-#include "player/movement/intercept.h"
 #include "player/movement/movement.h"
 #include "player/perception/perception.h"
 #include "player/world/motion.h"
-#include "soccer/math.h"
 #include "soccer/random.h"
-#include "tests/proxy/support/known_pitch.h"
 #include "tests/simulator/stage.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::player {
 namespace {
 
-namespace math = soccer::math;
-using soccer::AngleDeg;
 using soccer::Dash;
 using soccer::LegDash;
-using soccer::Vec2;
 using tests::KnownPitch;
 
 /// The world model of a player of the stage, which knows its state exactly.
@@ -32,9 +27,10 @@ WorldModel model_of(const tests::Stage& stage, const simulator::Player& player) 
   parameters->server = stage.world.params();
   parameters->types = stage.world.rules->types;
   world.parameters = parameters;
-  world.our_side = soccer::Side::kLeft;
+  world.our_side = Side::kLeft;
   world.unum = 1;
   world.leg_dashes = true;
+
   SelfState& self = world.self;
   self.type_id = player.type;
   self.position = player.position;
@@ -44,6 +40,7 @@ WorldModel model_of(const tests::Stage& stage, const simulator::Player& player) 
   self.effort = player.stamina.effort;
   self.recovery = player.stamina.recovery;
   self.capacity = player.stamina.capacity;
+
   return world;
 }
 
@@ -63,7 +60,7 @@ constexpr double kRounding = 1e-11;
 TEST(LegDash, PredictionEqualsSimulator) {
   soccer::RandomStream random(3, "legs");
   tests::Stage stage;
-  simulator::Player& player = stage.add(soccer::Side::kLeft, {});
+  simulator::Player& player = stage.add(Side::kLeft, {});
   stage.place_ball({-30.0, 20.0});
 
   for (int i = 0; i < 2000; ++i) {
@@ -101,14 +98,16 @@ TEST(LegDash, PredictionEqualsSimulator) {
 TEST(LegDash, SlotsSendWhatTheyPredict) {
   soccer::RandomStream random(4, "slots");
   tests::Stage stage;
-  simulator::Player& player = stage.add(soccer::Side::kLeft, {});
+  simulator::Player& player = stage.add(Side::kLeft, {});
   stage.place_ball({-30.0, 20.0});
+
   for (int i = 0; i < 300; ++i) {
     stage.place(player, {}, soccer::polar_degrees(0.3, random.uniform(-180.0, 180.0)));
     player.stamina.value = random.bernoulli(0.3) ? random.uniform(0.0, 40.0) : 4000.0;
     const WorldModel world = model_of(stage, player);
     CommandSlots slots(world);
     ASSERT_TRUE(slots.dash(random_legs(random)));
+
     std::vector<soccer::PlayerCommand> commands;
     slots.compose(commands);
     for (const auto& command : commands) {
@@ -116,6 +115,7 @@ TEST(LegDash, SlotsSendWhatTheyPredict) {
       EXPECT_TRUE(soccer::format(command, text));
       simulator::apply(stage.world, player.slot(), command, stage.events);
     }
+
     const Vec2 expected = slots.next_position();
     const AngleDeg body = slots.next_body();
     stage.step();
@@ -139,6 +139,7 @@ TEST(LegTurn, TurnsByTheAngleAndGainsMoreThanStraightLegs) {
     pitch.place_self({}, 20.0, {0.3, 0.2});
     const auto turn = leg_turn(pitch.world, angle, 100.0);
     ASSERT_TRUE(turn.has_value()) << angle;
+
     const DashEffect effect = leg_dash_effect(pitch.world, pitch.world.self.body, turn->legs);
     EXPECT_NEAR(effect.turn, angle, 1e-3) << "powers have three decimals";
     tests::expect_near(turn->acceleration, effect.acceleration, 1e-5);

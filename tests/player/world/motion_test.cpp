@@ -3,23 +3,26 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "player/perception/perception.h"
-#include "tests/proxy/support/known_pitch.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::Vec2;
 using tests::KnownPitch;
 
 TEST(Motion, DashRateDecreasesToSideAndIncreasesToBack) {
   const soccer::ServerParams server;
-  EXPECT_DOUBLE_EQ(dash_rate(server, 0.0), 1.0);
-  EXPECT_DOUBLE_EQ(dash_rate(server, 45.0), 0.7);
-  EXPECT_DOUBLE_EQ(dash_rate(server, -90.0), 0.4);
-  EXPECT_DOUBLE_EQ(dash_rate(server, 135.0), 0.55);
-  EXPECT_DOUBLE_EQ(dash_rate(server, 180.0), 0.7);
-  EXPECT_DOUBLE_EQ(dash_rate(server, 540.0), 0.7);
+  for (const auto& [direction, rate] : {std::pair{0.0, 1.0},
+                                        {45.0, 0.7},
+                                        {-90.0, 0.4},
+                                        {135.0, 0.55},
+                                        {180.0, 0.7},
+                                        {540.0, 0.7}}) {
+    EXPECT_DOUBLE_EQ(dash_rate(server, direction), rate) << direction;
+  }
 }
 
 TEST(Motion, DashAccelerationUsesPowerRateAndEffort) {
@@ -52,16 +55,16 @@ TEST(Motion, CyclesToRunFollowModel) {
   // Default type from rest: 0.6, then 0.6 * 0.4 + 0.6 = 0.84, then 0.936: 0.6, 1.44, 2.376.
   const soccer::ServerParams server;
   const soccer::PlayerType type;
-  EXPECT_EQ(cycles_to_run(server, type, -1.0), 0);
-  EXPECT_EQ(cycles_to_run(server, type, 0.59), 1);
-  EXPECT_EQ(cycles_to_run(server, type, 0.61), 2);
-  EXPECT_EQ(cycles_to_run(server, type, 1.45), 3);
+  for (const auto& [distance, cycles] :
+       {std::pair{-1.0, 0}, {0.59, 1}, {0.61, 2}, {1.45, 3}, {2.38, 4}}) {
+    EXPECT_EQ(cycles_to_run(server, type, distance), cycles);
+  }
+  // Constant 1 meter per cycle after losing 2/3 meter.
+  EXPECT_EQ(cycles_to_run(server, type, 50.0), 51);
+
   soccer::ServerParams stuck = server;
   stuck.max_dash_power = 0.0;
   EXPECT_GE(cycles_to_run(stuck, type, 10.0), 1'000'000);
-  EXPECT_EQ(cycles_to_run(server, type, 2.38), 4);
-  // Constant 1 meter per cycle after losing 2/3 meter.
-  EXPECT_EQ(cycles_to_run(server, type, 50.0), 51);
 }
 
 TEST(Motion, FullRunsFollowModelAndAnnouncedTypes) {

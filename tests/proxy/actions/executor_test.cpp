@@ -10,7 +10,7 @@
 #include "player/behaviors/automatic_play.h"
 #include "proxy/actions/action_handlers.h"
 #include "proxy/connection/action_names.h"
-#include "tests/proxy/support/known_pitch.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::proxy {
 namespace {
@@ -42,6 +42,7 @@ TEST(Executor, CountsOutcomesByName) {
     reply.add_actions()->mutable_turn()->set_relative_direction(90.0F);
     reply.add_actions()->mutable_turn_neck()->set_moment(std::numeric_limits<float>::infinity());
   });
+
   const ActionOutcomes outcomes = outcomes_by_name(pitch.report);
   EXPECT_EQ(outcomes, (ActionOutcomes{{"kick", {{"failed", 1}}},
                                       {"dash", {{"executed", 1}}},
@@ -86,6 +87,7 @@ TEST(Executor, LowLevelActionsBecomeCommands) {
   });
   EXPECT_DOUBLE_EQ(pitch.sent<soccer::Kick>()->power, 40.0);
   EXPECT_DOUBLE_EQ(pitch.sent<soccer::Kick>()->direction, -10.0);
+
   pitch.place_ball({1.5, 0.0});
   pitch.act([](PlayerActions& reply) {
     auto& tackle = *reply.add_actions()->mutable_tackle();
@@ -94,24 +96,29 @@ TEST(Executor, LowLevelActionsBecomeCommands) {
   });
   EXPECT_DOUBLE_EQ(pitch.sent<soccer::Tackle>()->angle_or_power, 30.0);
   EXPECT_TRUE(pitch.sent<soccer::Tackle>()->foul);
+
   KnownPitch goalie;
   goalie.make_goalie();
   goalie.place_ball({0.9, 0.0});
   goalie.act([](PlayerActions& reply) { reply.add_actions()->mutable_catch_(); });
+
   EXPECT_NE(goalie.sent<soccer::Catch>(), nullptr);
   KnownPitch waiting;
   waiting.set_mode(PlayMode::kBeforeKickOff);
+
   waiting.act([](PlayerActions& reply) {
     auto& move = *reply.add_actions()->mutable_move();
     move.set_x(-12.0F);
     move.set_y(3.0F);
   });
+
   EXPECT_DOUBLE_EQ(waiting.sent<soccer::Move>()->x, -12.0);
   waiting.act([](PlayerActions& reply) {
     auto& attention = *reply.add_actions()->mutable_attention_to();
     attention.set_side(protos::RIGHT);
     attention.set_unum(4);
   });
+
   ASSERT_NE(waiting.sent<soccer::AttentionTo>(), nullptr);
   EXPECT_EQ(waiting.sent<soccer::AttentionTo>()->team.kind, soccer::TeamReference::Kind::kOpponent);
 }
@@ -124,9 +131,11 @@ TEST(Executor, PreprocessTakesPrecedenceUnlessDisabled) {
   PlayerActions reply;
   reply.add_actions()->mutable_dash()->set_power(60.0F);
   pitch.act(reply);
+
   EXPECT_NE(pitch.sent<soccer::Move>(), nullptr);
   EXPECT_EQ(pitch.report.preprocess, 1);
   EXPECT_EQ(pitch.counts(PlayerAction::kDash).done, 0);
+
   reply.set_ignore_preprocess(true);
   pitch.act(reply);
   EXPECT_EQ(pitch.counts(PlayerAction::kDash).done, 1);
@@ -139,8 +148,10 @@ TEST(Executor, PreprocessesInPlayForEachReason) {
   EXPECT_TRUE(needs_preprocess(pitch.world));
   pitch.world.goalie = true;
   EXPECT_FALSE(needs_preprocess(pitch.world)) << "the goalie is more patient";
+
   pitch.world.ball.pos_count = 0;
   pitch.world.self.pos_count = player::kSelfPositionAgeLimit;
+
   EXPECT_TRUE(needs_preprocess(pitch.world));
   pitch.world.self.pos_count = 0;
   pitch.knock_down(1);
@@ -155,9 +166,11 @@ TEST(Executor, ShootsAutomaticallyWhenCertainUnlessDisabled) {
   reply.add_actions()->mutable_body_hold_ball();
   reply.set_ignore_shootinpreprocess(true);
   pitch.act(reply);
+
   EXPECT_EQ(pitch.report.sure_shot, 0);
   reply.set_ignore_shootinpreprocess(false);
   pitch.act(reply);
+
   EXPECT_EQ(pitch.report.sure_shot, 1);
   EXPECT_GT(pitch.world.ball.velocity.x, 1.0);
 }
@@ -170,9 +183,11 @@ TEST(Executor, KicksContestedBallAutomaticallyUnlessDisabled) {
   reply.add_actions()->mutable_turn()->set_relative_direction(10.0F);
   reply.set_ignore_doforcekick(true);
   pitch.act(reply);
+
   EXPECT_EQ(pitch.report.force_kick, 0);
   reply.set_ignore_doforcekick(false);
   pitch.act(reply);
+
   EXPECT_EQ(pitch.report.force_kick, 1);
   EXPECT_NE(pitch.sent<soccer::Kick>(), nullptr);
 }
@@ -187,6 +202,7 @@ TEST(Executor, IntentionTakesPrecedenceUnlessDisabled) {
   KnownPitch pitch;
   pitch.place_ball({0.6, 0.0});
   pitch.act(reply);
+
   ASSERT_TRUE(pitch.memory.intention.active());
   PlayerActions turn;
   turn.add_actions()->mutable_turn()->set_relative_direction(90.0F);
@@ -194,8 +210,10 @@ TEST(Executor, IntentionTakesPrecedenceUnlessDisabled) {
   pitch.act(turn);
   EXPECT_EQ(pitch.report.intention, 1);
   EXPECT_NE(pitch.sent<soccer::Dash>(), nullptr);
+
   turn.set_ignore_dointention(true);
   forbidden.act(turn);
+
   EXPECT_EQ(forbidden.report.intention, 0);
   EXPECT_NE(forbidden.sent<soccer::Turn>(), nullptr);
 }
@@ -205,6 +223,7 @@ TEST(Executor, KeepsPlaymakersNeckActionUnlessBehaviorQueuesOne) {
   pitch.place_ball({0.0, -30.0});
   pitch.act(
       [](PlayerActions& reply) { reply.add_actions()->mutable_turn_neck()->set_moment(70.0F); });
+
   EXPECT_DOUBLE_EQ(pitch.sent<soccer::TurnNeck>()->moment, 70.0);
   pitch.set_neck(0.0);
   pitch.world.ball.pos_count = 2;
@@ -212,6 +231,7 @@ TEST(Executor, KeepsPlaymakersNeckActionUnlessBehaviorQueuesOne) {
     reply.add_actions()->mutable_helios_basic_move();
     reply.add_actions()->mutable_turn_neck()->set_moment(70.0F);
   });
+
   EXPECT_NE(pitch.sent<soccer::TurnNeck>()->moment, 70.0);
 }
 
@@ -238,6 +258,7 @@ TEST(Executor, CountsUnknownActions) {
     reply.add_actions()->mutable_say();
     reply.add_actions()->mutable_dash()->set_power(10.0F);
   });
+
   EXPECT_EQ(pitch.counts(PlayerAction::ACTION_NOT_SET).unimplemented, 1);
   EXPECT_EQ(pitch.report.say[0].unimplemented, 1);
   EXPECT_NE(pitch.sent<soccer::Dash>(), nullptr) << "falls through to what can be done";
@@ -270,13 +291,16 @@ TEST(Executor, FormatsEverySayMessageAsHelios) {
   EXPECT_EQ(ball[0], 'b');
   const std::string pass =
       said([](protos::Say& say) { say.mutable_pass_message()->set_receiver_uniform_number(9); });
+
   EXPECT_EQ(pass.size(), 10U);
   EXPECT_EQ(pass[0], 'p');
+
   struct Case {
     int field;
     char header;
     std::size_t size;
   };
+
   // Messages that can be formatted with zero values, with header and length.
   for (const Case& c : {Case{9, 'F', 2}, Case{10, 'h', 4}, Case{11, 's', 2}, Case{12, 'r', 2},
                         Case{13, 'c', 2}, Case{14, 'D', 4}, Case{19, 'S', 5}}) {
@@ -287,6 +311,7 @@ TEST(Executor, FormatsEverySayMessageAsHelios) {
     ASSERT_EQ(text.size(), c.size) << c.field;
     EXPECT_EQ(text[0], c.header) << c.field;
   }
+
   EXPECT_EQ(said([](protos::Say& say) {
               say.mutable_offside_line_message()->set_offside_line_x(30.0F);
             })[0],
@@ -309,8 +334,10 @@ TEST(Executor, CountsTextsAndShapes) {
     circle.set_fill(true);
     reply.add_actions()->mutable_debug_client()->set_message("hello");
   });
+
   EXPECT_EQ(pitch.counts(PlayerAction::kLog).done, 2);
   EXPECT_EQ(pitch.counts(PlayerAction::kDebugClient).done, 1);
+
   pitch.act([](PlayerActions& reply) { reply.add_actions()->mutable_log(); });
   EXPECT_EQ(pitch.counts(PlayerAction::kLog).failed, 1) << "nothing set";
 }
@@ -338,6 +365,7 @@ void fill_numbers(google::protobuf::Message& message, double number) {
   for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
     const auto* field = message.GetDescriptor()->field(i);
     if (field->is_repeated()) continue;
+
     switch (field->cpp_type()) {
       case google::protobuf::FieldDescriptor::CPPTYPE_FLOAT:
         reflection.SetFloat(&message, field, static_cast<float>(number));
@@ -369,12 +397,14 @@ TEST(Executor, EveryActionAcceptsAnyNumberInAnySituation) {
         if (situation == 2)
           pitch.world.self.pos_count = pitch.world.ball.pos_count = player::kNever;
         if (situation == 3) pitch.knock_down(4);
+
         pitch.add_opponent(4, {1.9, 0.2});
         pitch.act([&](PlayerActions& reply) {
           PlayerAction& action = *reply.add_actions();
           const auto& reflection = *action.GetReflection();
           fill_numbers(*reflection.MutableMessage(&action, type->field(i)), number);
         });
+
         std::string text;
         for (const soccer::PlayerCommand& command : pitch.commands) {
           EXPECT_TRUE(soccer::format(command, text))

@@ -8,8 +8,8 @@
 
 #include "proto/playmaker.pb.h"
 #include "proxy/agent/debug_options.h"
-#include "tests/proxy/support/known_pitch.h"
 #include "tests/support/debug_packet.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::proxy {
 namespace {
@@ -41,6 +41,7 @@ TEST(DebugView, HasWhatThePlayerEstimates) {
   pitch.add_teammate(9, {20.0, 5.0}, 45.0);
   pitch.add_opponent(3, {30.0, -5.0}, 180.0);
   const DebugPacket read = parsed(packet(pitch));
+
   EXPECT_EQ(read.cycle, 100);
   EXPECT_EQ(read.side, 'l');
   EXPECT_EQ(read.unum, 7);
@@ -70,6 +71,7 @@ TEST(DebugView, HasTextsAndShapesOfThePlaymaker) {
   rectangle.set_width(3.0F);
   reply.add_actions()->mutable_log()->mutable_add_triangle();
   const DebugPacket read = parsed(packet(pitch, &reply, "(turn 1)(say \"ab1\")(done)"));
+
   EXPECT_THAT(read.items.at("message"), ElementsAre("(message \"say 'hi' now|to 9|\")"));
   EXPECT_THAT(read.items.at("line"), ElementsAre("(line 0 0 52.5 0 \"red\")"));
   EXPECT_THAT(read.items.at("circle"), ElementsAre("(circle 0 0 2.5)"));
@@ -98,6 +100,7 @@ TEST(DebugView, StaysReadableWithAnyReply) {
   reply.add_actions()->mutable_debug_client()->set_message(std::string(20'000, 'x'));
   auto& infinite = *reply.add_actions()->mutable_log()->mutable_add_circle();
   infinite.set_radius(std::numeric_limits<float>::infinity());
+
   for (int i = 0; i < 2000; ++i) {
     auto& line = *reply.add_actions()->mutable_log()->mutable_add_line();
     line.mutable_start()->set_x(1e30F);
@@ -105,6 +108,7 @@ TEST(DebugView, StaysReadableWithAnyReply) {
   }
   const std::string text = packet(pitch, &reply);
   EXPECT_LT(text.size(), kMaxDebugPacket);
+
   const DebugPacket read = parsed(text);
   EXPECT_FALSE(read.items.contains("circle"));
   EXPECT_GT(read.items.at("line").size(), 10U);
@@ -119,6 +123,7 @@ TEST(DebugOptions, ReadsTheServer) {
   EXPECT_EQ(options.server_address->port(), 7000);
   ASSERT_TRUE(set_debug_server(options, "[::1]:7000"));
   EXPECT_EQ(options.server_address->family(), AF_INET6);
+
   for (const char* wrong : {"127.0.0.1:", "127.0.0.1:0", "127.0.0.1:x", "127.0.0.1:70000"}) {
     const auto refused = set_debug_server(options, wrong);
     ASSERT_FALSE(refused) << wrong;

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "player/ball_skills/kick.h"
+#include "player/ball_skills/ball_skills.h"
 #include "player/movement/home_positions.h"
 #include "player/world/motion.h"
-#include "tests/proxy/support/known_pitch.h"
 #include "tests/proxy/support/wire_vector.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::proxy {
 namespace {
@@ -66,15 +66,18 @@ TEST_P(SmartKick, ReachesDesiredSpeedWithinThreeKicks) {
   KnownPitch pitch;
   pitch.place_self({}, c.body, c.velocity);
   pitch.place_ball(c.ball, c.ball_velocity);
+
   ASSERT_TRUE(pitch.world.self.kickable);
   const double decay = pitch.world.server().ball_decay;
   Vec2 from;
+
   int kicks = 0;
   do {
     from = pitch.world.ball.position;
     pitch.act(smart_kick_to(c.target, c.speed, c.speed * 0.95, 3));
     ++kicks;
   } while (kicks < 3 && pitch.world.ball.velocity.length() / decay < c.speed * 0.95);
+
   EXPECT_NEAR(pitch.world.ball.velocity.length() / decay, c.speed, 0.05 * c.speed);
   EXPECT_LT(off_course(pitch, from, c.target), 1.0);
   EXPECT_FALSE(pitch.touched_ball());
@@ -156,6 +159,7 @@ TEST(BodyHoldBall, KeepsBallAwayFromOpponent) {
   KnownPitch pitch;
   pitch.place_ball({0.5, 0.3});
   pitch.add_opponent(4, {1.7, 0.3});
+
   for (int i = 0; i < 20; ++i) {
     pitch.act([](protos::PlayerActions& reply) {
       reply.add_actions()->mutable_body_hold_ball()->set_do_turn(false);
@@ -165,6 +169,7 @@ TEST(BodyHoldBall, KeepsBallAwayFromOpponent) {
       EXPECT_FALSE(pitch.world.kickable_opponent()) << i;
     }
   }
+
   EXPECT_LT(pitch.world.ball.position.x, 0.2) << "behind the own body";
 }
 
@@ -200,11 +205,13 @@ TEST(BodyDribble, CarriesBallToTarget) {
       KnownPitch pitch;
       pitch.place_self({}, body);
       pitch.place_ball({0.5, -0.3});
+
       double farthest = 0.0;
       const int cycles = pitch.act_until(60, dribble_to({20.0, 6.0}, dashes), [&] {
         farthest = std::max(farthest, pitch.world.ball.dist_from_self);
         return distance(pitch.world.self.position, {20.0, 6.0}) < 1.5;
       });
+
       EXPECT_LT(cycles, 48) << body << " " << dashes;
       EXPECT_LT(farthest, 1.2 + 0.5 * dashes) << body << " " << dashes;
       EXPECT_FALSE(pitch.touched_ball()) << body << " " << dashes;
@@ -247,8 +254,10 @@ TEST(BodyAdvanceBall, KicksUpfieldIntoFreeSpace) {
   pitch.act_until(
       3, [](protos::PlayerActions& reply) { reply.add_actions()->mutable_body_advance_ball(); },
       [&] { return pitch.world.ball.velocity.length() > 1.8; });
+
   EXPECT_GT(pitch.world.ball.velocity.x, 0.7);
   pitch.roll(10);
+
   for (const player::PlayerState& opponent : pitch.world.opponents) {
     EXPECT_GT(opponent.dist_from_ball, 2.0);
   }
@@ -323,11 +332,13 @@ TEST(HeliosShoot, ScoresPastGoalie) {
   pitch.act_until(3, fill, [&] { return pitch.world.ball.velocity.length() > 2.0; });
   Vec2 ball = pitch.world.ball.position;
   double nearest = 100.0;
+
   while (ball.x < 52.5 && pitch.world.ball.velocity.length() > 0.1) {
     pitch.roll(1);
     ball = pitch.world.ball.position;
     nearest = std::min(nearest, distance(ball, {51.0, 2.5}));
   }
+
   EXPECT_GT(ball.x, 52.4);
   EXPECT_LT(std::fabs(ball.y), 7.01);
   EXPECT_GT(nearest, 1.2) << "out of the goalie's hands";
@@ -341,10 +352,12 @@ TEST(HeliosShoot, FailsWhenGoalieCanStopShot) {
   pitch.add_opponent(2, {45.0, 8.0});
   pitch.add_opponent(3, {42.0, 12.0});
   pitch.act([](protos::PlayerActions& reply) { reply.add_actions()->mutable_helios_shoot(); });
+
   EXPECT_EQ(pitch.counts(PlayerAction::kHeliosShoot).failed, 1);
   KnownPitch far;
   far.place_ball({0.6, 0.0});
   far.act([](protos::PlayerActions& reply) { reply.add_actions()->mutable_helios_shoot(); });
+
   EXPECT_EQ(far.counts(PlayerAction::kHeliosShoot).failed, 1);
 }
 
@@ -370,11 +383,13 @@ TEST(BodyTackleToPoint, FailsBelowMinimumProbabilityOrSpeed) {
       tackle.set_min_speed(speed);
     };
   };
+
   KnownPitch pitch;
   pitch.place_ball({1.9, 0.9});
   pitch.act(tackle_with(0.9F, 0.0F));
   pitch.place_ball({1.0, 0.0});
   pitch.act(tackle_with(0.9F, 1.0F));
+
   EXPECT_EQ(pitch.counts(PlayerAction::kBodyTackleToPoint).failed, 2);
 }
 
@@ -397,6 +412,7 @@ TEST(HeliosBasicTackle, TakesBallFromOpponent) {
     pitch.roll(1);
     taken += pitch.world.kickable_opponent() ? 0 : 1;
   }
+
   // It succeeds with 1 - 0.7^6 = 0.88.
   EXPECT_GE(taken, 14);
 }
@@ -424,6 +440,7 @@ TEST(HeliosBasicTackle, AvoidsFoulsNearOurGoal) {
     pitch.act(basic_tackle);
     return pitch.sent<soccer::Tackle>() != nullptr;
   };
+
   const Vec2 before_goal{-45.0, 3.0};
   EXPECT_FALSE(tackles(before_goal, {0.9, 0.1}, 10.0)) << "through the opponent's back";
   EXPECT_TRUE(tackles(before_goal, {2.0, 0.1}, 180.0)) << "the ball is between the players";
@@ -450,6 +467,7 @@ TEST(HeliosBasicMove, InterceptsBallOrRunsToHomePosition) {
   const auto fill = [](protos::PlayerActions& reply) {
     reply.add_actions()->mutable_helios_basic_move();
   };
+
   EXPECT_LT(nearest.act_until(12, fill, [&] { return nearest.world.self.kickable; }), 12);
   KnownPitch idle;
   idle.place_self({-40.0, 30.0});
@@ -457,6 +475,7 @@ TEST(HeliosBasicMove, InterceptsBallOrRunsToHomePosition) {
   idle.add_teammate(10, {0.6, 0.0});
   for (int i = 0; i < 100; ++i) idle.act(fill);
   const Vec2 home = home_positions(idle.world)[6];
+
   EXPECT_LT(distance(idle.world.self.position, home), 0.1 * idle.world.ball.dist_from_self + 0.5);
 }
 

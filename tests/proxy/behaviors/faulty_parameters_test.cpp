@@ -12,7 +12,7 @@
 #include "proxy/messages/state_message.h"
 #include "soccer/parameters/parameter.h"
 #include "tests/proxy/playmaker/random_message.h"
-#include "tests/proxy/support/known_pitch.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::proxy {
 namespace {
@@ -46,6 +46,7 @@ std::string change(Params& params, const soccer::ParameterTable<Params>& table,
 std::string change_parameters(KnownPitch& pitch, RandomMessages& random) {
   soccer::ServerParams server = pitch.world.server();
   std::vector<soccer::PlayerType> types = pitch.world.parameters->types;
+
   std::string what;
   for (std::size_t i = random.below(4) + 1; i > 0; --i) {
     if (random.one_in(2)) {
@@ -56,6 +57,7 @@ std::string change_parameters(KnownPitch& pitch, RandomMessages& random) {
       }
     }
   }
+
   on_server_param(pitch.world, server);
   for (const soccer::PlayerType& type : types) on_player_type(pitch.world, type);
   return what;
@@ -72,11 +74,13 @@ KnownPitch random_pitch(RandomMessages& random) {
   pitch.place_self(self, static_cast<double>(random.below(360)));
   pitch.place_ball(random.one_in(3) ? anywhere(random) : self + Vec2{0.6, 0.0},
                    {static_cast<double>(random.below(5)) - 2.0, 0.5});
+
   for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
     const int age = static_cast<int>(random.below(12));
     if (unum != pitch.world.unum) pitch.add_teammate(unum, anywhere(random), 30.0, age);
     pitch.add_opponent(unum, anywhere(random), 200.0, age);
   }
+
   if (random.one_in(4)) pitch.make_goalie();
   if (random.one_in(3)) {
     constexpr std::array kModes = {PlayMode::kKickOffLeft,  PlayMode::kKickInLeft,
@@ -87,6 +91,7 @@ KnownPitch random_pitch(RandomMessages& random) {
     pitch.set_shoot_out(random.one_in(2) ? PlayMode::kPenaltyTakenLeft
                                          : PlayMode::kPenaltyTakenRight);
   }
+
   return pitch;
 }
 
@@ -115,9 +120,11 @@ TEST(FaultyParameters, LetEveryActionEndWithCommandsThatTheServerReads) {
       const protos::PlayerActions reply = decision(random);
       SCOPED_TRACE(testing::Message()
                    << "seed " << seed << ": " << changed << reply.ShortDebugString());
+
       protos::State state;
       fill_state(pitch.world, HomePositions{}, true, state);
       EXPECT_FALSE(state.SerializeAsString().empty());
+
       pitch.act(reply);
       for (const soccer::PlayerCommand& command : pitch.commands) {
         std::string text;

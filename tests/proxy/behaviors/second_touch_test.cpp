@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "player/behaviors/behaviors.h"
-#include "tests/proxy/support/known_pitch.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::proxy {
 namespace {

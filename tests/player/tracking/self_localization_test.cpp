@@ -5,22 +5,18 @@
 #include <vector>
 
 #include "player/perception/perception.h"
-#include "soccer/math.h"
 #include "soccer/pitch.h"
 #include "soccer/random.h"
-#include "tests/player/perception/synthetic_senses.h"
+#include "tests/player/tracking/synthetic_senses.h"
 
 namespace cls::player {
 namespace {
 
-namespace math = soccer::math;
-using soccer::Side;
-using soccer::Vec2;
 using tests::TrueWorld;
 
 WorldModel model_of(Side side, int unum = 7) {
   WorldModel world;
-  on_init(world, {side, unum, soccer::PlayMode::kBeforeKickOff},
+  on_init(world, {side, unum, PlayMode::kBeforeKickOff},
           side == Side::kLeft ? tests::kLeftTeam : tests::kRightTeam, false);
   return world;
 }
@@ -33,7 +29,7 @@ double position_error(const WorldModel& world, const TrueWorld& truth) {
 
 double body_error(const WorldModel& world, const TrueWorld& truth) {
   const double turned = world.our_side == Side::kRight ? 180.0 : 0.0;
-  return (world.self.body - soccer::AngleDeg(truth.self.body + turned)).abs();
+  return (world.self.body - AngleDeg(truth.self.body + turned)).abs();
 }
 
 void sense_and_see(WorldModel& world, const TrueWorld& truth) {
@@ -61,11 +57,12 @@ SingleSees single_sees(Side side, soccer::ViewWidth width) {
     WorldModel world = model_of(side);
     on_sense_body(world, tests::sense_of(truth));
     on_see(world, see);
-    const bool landmarks = std::any_of(
-        see.objects.begin(), see.objects.end(),
-        [](const soccer::Observation& o) { return o.kind == soccer::ObservedKind::kLandmark; });
+
+    const bool landmarks = std::ranges::count(see.objects, soccer::ObservedKind::kLandmark,
+                                              &soccer::Observation::kind) > 0;
     EXPECT_EQ(world.self.pos_count, landmarks ? 0 : kNever);
     if (!landmarks) continue;
+
     ++sum.sees;
     const double error = position_error(world, truth);
     const double deviation = world.self.position_deviation;
@@ -73,6 +70,7 @@ SingleSees single_sees(Side side, soccer::ViewWidth width) {
     sum.body += body_error(world, truth);
     sum.position_surprise += error * error / (2.0 * deviation * deviation);
   }
+
   sum.position /= sum.sees;
   sum.body /= sum.sees;
   sum.position_surprise /= sum.sees;
@@ -80,17 +78,20 @@ SingleSees single_sees(Side side, soccer::ViewWidth width) {
 }
 
 TEST(SelfLocalization, LocalizesFromSingleSee) {
+  struct Limits {
+    soccer::ViewWidth width;
+    double position;
+    double body;
+  };
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    const SingleSees wide = single_sees(side, soccer::ViewWidth::kWide);
-    EXPECT_LT(wide.position, 0.025);
-    EXPECT_LT(wide.body, 0.04);
-    const SingleSees normal = single_sees(side, soccer::ViewWidth::kNormal);
-    EXPECT_LT(normal.position, 0.04);
-    EXPECT_LT(normal.body, 0.07);
-    const SingleSees narrow = single_sees(side, soccer::ViewWidth::kNarrow);
-    EXPECT_LT(narrow.position, 0.08);
-    EXPECT_LT(narrow.body, 0.25);
-    EXPECT_GT(narrow.sees, 380);
+    for (const auto& [width, position, body] : {Limits{soccer::ViewWidth::kWide, 0.025, 0.04},
+                                                Limits{soccer::ViewWidth::kNormal, 0.04, 0.07},
+                                                Limits{soccer::ViewWidth::kNarrow, 0.08, 0.25}}) {
+      const SingleSees sees = single_sees(side, width);
+      EXPECT_LT(sees.position, position);
+      EXPECT_LT(sees.body, body);
+      EXPECT_GT(sees.sees, 380);
+    }
   }
 }
 
@@ -117,25 +118,25 @@ struct Runner {
     std::vector<soccer::PlayerCommand> sent;
     tests::TruePlayer& self = truth.self;
     Vec2 acceleration;
+    const auto turn_by = [&](double degrees) {
+      const double noise = random.uniform(-server.player_rand, server.player_rand);
+      self.body = math::normalize_degrees(self.body + degrees * (1.0 + noise));
+    };
+
     const bool leaving = self.position.length() > 30.0;
     if (random.bernoulli(0.2) || leaving) {
       const double wanted =
           leaving ? math::normalize_degrees(soccer::direction_degrees(-self.position) - self.body)
                   : random.uniform(-180.0, 180.0);
       sent.push_back(soccer::Turn{wanted});
-      const double turned = wanted / (1.0 + type.inertia_moment * self.velocity.length());
-      self.body = math::normalize_degrees(
-          self.body + turned * (1.0 + random.uniform(-server.player_rand, server.player_rand)));
+      turn_by(wanted / (1.0 + type.inertia_moment * self.velocity.length()));
       ++counts.turn;
     } else if (leg_dashes) {
       const double left = random.uniform(0.0, 100.0);
       const double right = random.uniform(0.0, 100.0);
       sent.push_back(soccer::LegDash{soccer::Dash{left, 0.0}, soccer::Dash{right, 0.0}});
       acceleration = soccer::polar_degrees(0.5 * (left + right) * type.dash_power_rate, self.body);
-      const double turned =
-          math::to_degrees((left - right) * type.dash_power_rate / (2.0 * type.player_size));
-      self.body = math::normalize_degrees(
-          self.body + turned * (1.0 + random.uniform(-server.player_rand, server.player_rand)));
+      turn_by(math::to_degrees((left - right) * type.dash_power_rate / (2.0 * type.player_size)));
       ++counts.dash;
     } else {
       const double power = random.uniform(0.0, 100.0);
@@ -143,10 +144,12 @@ struct Runner {
       acceleration = soccer::polar_degrees(power * type.dash_power_rate, self.body);
       ++counts.dash;
     }
+
     const double neck = std::rint(random.uniform(-60.0, 60.0)) - self.neck;
     sent.push_back(soccer::TurnNeck{neck});
     self.neck += neck;
     ++counts.turn_neck;
+
     self.velocity += acceleration;
     const double speed = self.velocity.length();
     self.velocity += soccer::polar_degrees(random.uniform(0.0, server.player_rand * speed),
@@ -162,6 +165,13 @@ struct Runner {
     out.counts = counts;
     return out;
   }
+
+  /// One cycle of the player and its world model, with a see message or without.
+  void play(WorldModel& world, bool see) {
+    record_sent_commands(world, step());
+    on_sense_body(world, sense());
+    if (see) on_see(world, tests::see_of(truth));
+  }
 };
 
 struct RunErrors {
@@ -176,9 +186,7 @@ RunErrors errors_in_a_run(Runner& runner) {
   RunErrors errors;
   constexpr int kCycles = 300;
   for (int i = 0; i < kCycles; ++i) {
-    record_sent_commands(world, runner.step());
-    on_sense_body(world, runner.sense());
-    if (i % 2 == 0) on_see(world, tests::see_of(runner.truth));
+    runner.play(world, i % 2 == 0);
     EXPECT_NEAR(world.self.neck.degrees(), runner.truth.self.neck, 1e-9);
     errors.position += position_error(world, runner.truth) / kCycles;
     errors.body += body_error(world, runner.truth) / kCycles;
@@ -215,21 +223,15 @@ TEST_P(DeadReckoning, EstimatesItsVariance) {
     runner.leg_dashes = GetParam();
     runner.random = soccer::RandomStream(static_cast<std::uint64_t>(seed), "run");
     WorldModel world = model_of(Side::kLeft);
-    for (int i = 0; i < 20; ++i) {
-      record_sent_commands(world, runner.step());
-      on_sense_body(world, runner.sense());
-      on_see(world, tests::see_of(runner.truth));
-    }
-    for (int i = 0; i < 10; ++i) {
-      record_sent_commands(world, runner.step());
-      on_sense_body(world, runner.sense());
-    }
+    for (int i = 0; i < 30; ++i) runner.play(world, i < 20);
+
     EXPECT_EQ(world.self.pos_count, 10);
     const double error = position_error(world, runner.truth);
     const double deviation = world.self.position_deviation;
     position += error / kRuns;
     surprise += error * error / (2.0 * deviation * deviation) / kRuns;
   }
+
   EXPECT_LT(position, 0.15);
   EXPECT_GT(surprise, 0.5);
   EXPECT_LT(surprise, 2.0);
@@ -248,6 +250,7 @@ TEST(SelfLocalization, DetectsMoveByReferee) {
     ++truth.time;
     sense_and_see(world, truth);
   }
+
   truth.self.position = {-20.0, 12.0};
   ++truth.time;
   sense_and_see(world, truth);
@@ -260,11 +263,13 @@ TEST(SelfLocalization, AppliesOwnMoveCommandWithoutSee) {
   truth.self.position = {-3.0, -37.0};
   WorldModel world = model_of(Side::kLeft);
   sense_and_see(world, truth);
+
   record_sent_commands(world, {soccer::Move{-20.0, 10.0}});
   ++truth.time;
   soccer::SenseBody sense = tests::sense_of(truth);
   sense.counts.move = 1;
   on_sense_body(world, sense);
+
   EXPECT_LT(soccer::distance(world.self.position, {-20.0, 10.0}), 1e-9);
   EXPECT_EQ(world.self.pos_count, 0);
   EXPECT_EQ(world.self.seen_pos_count, 1);
@@ -329,6 +334,7 @@ TEST(SelfLocalization, ToleratesLostMessages) {
     worst = std::max(worst, position_error(world, runner.truth));
     mean += position_error(world, runner.truth) / 96.0;
   }
+
   EXPECT_LT(mean, 0.03);
   EXPECT_LT(worst, 0.5);  // a single see in the worst direction
 }
@@ -338,14 +344,9 @@ TEST(SelfLocalization, IsDeterministic) {
   WorldModel second = model_of(Side::kLeft);
   for (WorldModel* world : {&first, &second}) {
     Runner runner;
-    for (int i = 0; i < 50; ++i) {
-      record_sent_commands(*world, runner.step());
-      on_sense_body(*world, runner.sense());
-      on_see(*world, tests::see_of(runner.truth));
-    }
+    for (int i = 0; i < 50; ++i) runner.play(*world, true);
   }
-  EXPECT_EQ(first.self.position.x, second.self.position.x);
-  EXPECT_EQ(first.self.position.y, second.self.position.y);
+  EXPECT_EQ(first.self.position, second.self.position);
   EXPECT_EQ(first.self.body.degrees(), second.self.body.degrees());
 }
 

@@ -1,20 +1,19 @@
 // Formulas from the specification, independent of the proxy's inverse.
-#include "tests/player/perception/synthetic_senses.h"
+#include "tests/player/tracking/synthetic_senses.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "soccer/math.h"
 #include "soccer/pitch.h"
 
 namespace cls::tests {
 namespace {
 
 namespace math = soccer::math;
+
 using soccer::Observation;
 using soccer::ObservedDetail;
 using soccer::ObservedKind;
-using soccer::Vec2;
 
 double log_rounded(double value, double step) {
   return math::exp(math::quantize(math::log(value + math::kEps), step));
@@ -106,7 +105,7 @@ void add_player(const Eye& eye, const TruePlayer& player, soccer::See& see) {
     return;
   }
   if (seen.kind == ObservedKind::kPlayer) {
-    seen.team = player.side == soccer::Side::kLeft ? kLeftTeam : kRightTeam;
+    seen.team = player.side == Side::kLeft ? kLeftTeam : kRightTeam;
     if (player.tackling) seen.mark = soccer::ActionMark::kTackling;
     if (player.kicked) seen.mark = soccer::ActionMark::kKicked;
     if (seen.distance <= eye.world.unum_far) {
@@ -126,6 +125,7 @@ void add_lines(const Eye& eye, soccer::See& see) {
   const Vec2 p = eye.world.self.position;
   const bool inside = std::fabs(p.x) < soccer::kHalfLength && std::fabs(p.y) < soccer::kHalfWidth;
   int left = inside ? 1 : 2;
+
   for (int line = 0; line < soccer::kPitchLineCount && left > 0; ++line) {
     const bool vertical = line < 2;
     const double sign = line % 2 == 0 ? -1.0 : 1.0;

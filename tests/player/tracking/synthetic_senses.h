@@ -12,13 +12,16 @@
 
 namespace cls::tests {
 
+using soccer::Side;
+using soccer::Vec2;
+
 /// A player in server coordinates (never mirrored).
 struct TruePlayer {
-  soccer::Side side = soccer::Side::kLeft;
+  Side side = Side::kLeft;
   int unum = 1;
   bool goalie = false;
-  soccer::Vec2 position;
-  soccer::Vec2 velocity;
+  Vec2 position;
+  Vec2 velocity;
   double body = 0.0;
   double neck = 0.0;
   bool kicked = false;
@@ -31,8 +34,8 @@ struct TrueWorld {
   soccer::ViewWidth width = soccer::ViewWidth::kNormal;
   double focus_distance = 0.0;
   double focus_direction = 0.0;
-  soccer::Vec2 ball;
-  soccer::Vec2 ball_velocity;
+  Vec2 ball;
+  Vec2 ball_velocity;
   std::vector<TruePlayer> others;
   double unum_far = 20.0;                    ///< maximum distance at which numbers are visible
   soccer::RandomStream* gaussian = nullptr;  ///< draws of the Gaussian model; null: quantized

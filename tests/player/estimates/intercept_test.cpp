@@ -1,45 +1,20 @@
 // Intercept prediction: every plan is executed by the rules of motion and must end at the ball.
-#include "player/estimates/intercept.h"
+#include "player/estimates/estimates.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "player/perception/perception.h"
 #include "player/world/motion.h"
-#include "soccer/math.h"
 #include "soccer/random.h"
+#include "tests/player/estimates/known_world.h"
 
 namespace cls::player {
 namespace {
 
-namespace math = soccer::math;
-using soccer::Side;
-using soccer::Vec2;
-
-/// A world model as if every object had just been seen.
-WorldModel known_world() {
-  WorldModel world;
-  on_init(world, {Side::kLeft, 7, soccer::PlayMode::kPlayOn}, "Us", false);
-  world.self.pos_count = world.self.vel_count = world.self.body_count = 0;
-  world.self.stamina = 8000.0;
-  world.self.capacity = 130600.0;
-  world.ball.pos_count = world.ball.seen_pos_count = world.ball.vel_count = 0;
-  world.ball.relative_pos_count = 0;
-  return world;
-}
-
-PlayerState player(Side side, int unum, Vec2 position) {
-  PlayerState out;
-  static int id = 0;
-  out.id = ++id;
-  out.side = side;
-  out.unum = unum;
-  out.position = position;
-  out.pos_count = out.seen_pos_count = out.vel_count = 0;
-  return out;
-}
+using tests::add;
+using tests::known_world;
 
 /// Executes a plan without noise (docs/spec/simulation-model.md 4.2, 4.3 and 3.1); returns the
 /// final distance to the ball.
@@ -50,6 +25,7 @@ double distance_after(const WorldModel& world, const InterceptPlan& plan) {
   Vec2 velocity = world.self.velocity;
   double body = world.self.body.degrees();
   double missing = plan.turn_angle;
+
   for (int i = 0; i < plan.turns; ++i) {
     const double most = 180.0 / (1.0 + type.inertia_moment * velocity.length());
     const double turned = std::clamp(missing, -most, most);
@@ -58,6 +34,7 @@ double distance_after(const WorldModel& world, const InterceptPlan& plan) {
     position += velocity;
     velocity *= type.player_decay;
   }
+
   const Vec2 ball =
       ball_after(world.ball.position, world.ball.velocity, plan.steps(), server.ball_decay);
   for (int i = 0; i < plan.dashes; ++i) {
@@ -75,6 +52,7 @@ double distance_after(const WorldModel& world, const InterceptPlan& plan) {
     position += velocity;
     velocity *= type.player_decay;
   }
+
   return soccer::distance(position, ball);
 }
 
@@ -85,19 +63,21 @@ TEST(SelfIntercept, PlansEndAtBall) {
   for (int i = 0; i < 200; ++i) {
     WorldModel world = known_world();
     world.self.position = {random.uniform(-30.0, 30.0), random.uniform(-20.0, 20.0)};
-    world.self.body = soccer::AngleDeg(random.uniform(-180.0, 180.0));
+    world.self.body = AngleDeg(random.uniform(-180.0, 180.0));
     world.self.velocity = soccer::polar(random.uniform(0.0, 0.4), world.self.body);
     world.ball.position = world.self.position + soccer::polar_degrees(random.uniform(1.5, 20.0),
                                                                       random.uniform(-180, 180.0));
     world.ball.velocity =
         soccer::polar_degrees(random.uniform(0.0, 2.0), random.uniform(-180.0, 180.0));
     update_derived(world);
+
     const InterceptTable& table = world.intercept;
     if (table.plans.empty()) {  // the ball is too fast
       EXPECT_EQ(table.self_steps, kNever);
       ++hopeless;
       continue;
     }
+
     EXPECT_EQ(table.self_steps, table.plans[0].steps());
     const double area = world.self_type().kickable_area(0.085);
     for (const InterceptPlan& plan : table.plans) {
@@ -128,12 +108,10 @@ int first_reach(const WorldModel& world, double direction, double reach, int hor
 }
 
 int first_plan(const InterceptTable& table, double direction) {
-  for (const InterceptPlan& plan : table.plans) {
-    if (plan.kind == InterceptPlan::Kind::kOmniDash && plan.dash_direction == direction) {
-      return plan.steps();
-    }
-  }
-  return 0;
+  const InterceptPlan* found = std::ranges::find_if(table.plans, [&](const InterceptPlan& plan) {
+    return plan.kind == InterceptPlan::Kind::kOmniDash && plan.dash_direction == direction;
+  });
+  return found != table.plans.end() ? found->steps() : 0;
 }
 
 TEST(SelfIntercept, FindsFirstReachOfEveryDirection) {
@@ -141,7 +119,7 @@ TEST(SelfIntercept, FindsFirstReachOfEveryDirection) {
   int found = 0;
   for (int i = 0; i < 300; ++i) {
     WorldModel world = known_world();
-    world.self.body = soccer::AngleDeg(random.uniform(-180.0, 180.0));
+    world.self.body = AngleDeg(random.uniform(-180.0, 180.0));
     world.self.velocity =
         soccer::polar_degrees(random.uniform(0.0, 0.6), random.uniform(-180.0, 180.0));
     world.ball.position =
@@ -149,6 +127,7 @@ TEST(SelfIntercept, FindsFirstReachOfEveryDirection) {
     world.ball.velocity =
         soccer::polar_degrees(random.uniform(0.0, 2.0), random.uniform(-180.0, 180.0));
     update_derived(world);
+
     const double reach = world.self_type().kickable_area(world.server().ball_size) - 0.1;
     for (const double direction : {0.0, 45.0, -45.0, 90.0, -90.0, 135.0, -135.0, 180.0}) {
       const int first = first_reach(world, direction, reach, direction == 0.0 ? 50 : 12);
@@ -195,12 +174,13 @@ TEST(InterceptTable, RanksTeammatesAndOpponents) {
   WorldModel world = known_world();
   world.self.position = {-30.0, 0.0};
   world.ball.position = {0.0, 0.0};
-  world.teammates.push_back(player(Side::kLeft, 2, {-10.0, 0.0}));
-  world.teammates.push_back(player(Side::kLeft, 3, {5.0, 0.0}));
-  world.teammates.push_back(player(Side::kLeft, 4, {20.0, 0.0}));
-  world.opponents.push_back(player(Side::kRight, 5, {0.0, 0.5}));
-  world.opponents.push_back(player(Side::kRight, 6, {0.0, 25.0}));
+  add(world, Side::kLeft, 2, {-10.0, 0.0});
+  add(world, Side::kLeft, 3, {5.0, 0.0});
+  add(world, Side::kLeft, 4, {20.0, 0.0});
+  add(world, Side::kRight, 5, {0.0, 0.5});
+  add(world, Side::kRight, 6, {0.0, 25.0});
   update_derived(world);
+
   const InterceptTable& table = world.intercept;
   EXPECT_EQ(table.first_teammate_id, world.teammates[1].id);
   EXPECT_EQ(table.second_teammate_id, world.teammates[0].id);
@@ -218,15 +198,14 @@ TEST(InterceptTable, IgnoresOldPositionsAndIsEmptyBeforeKickOff) {
   WorldModel world = known_world();
   world.ball.position = {0.0, 0.0};
   world.self.position = {-30.0, 0.0};
-  world.teammates.push_back(player(Side::kLeft, 2, {-10.0, 0.0}));
-  world.teammates[0].pos_count = 10;
-  world.opponents.push_back(player(Side::kRight, 5, {4.0, 0.0}));
-  world.opponents[0].pos_count = 14;
+  add(world, Side::kLeft, 2, {-10.0, 0.0}, 10);
+  add(world, Side::kRight, 5, {4.0, 0.0}, 14);
   update_derived(world);
   EXPECT_EQ(world.intercept.first_teammate_steps, kNever);
   EXPECT_EQ(world.teammates[0].ball_reach_steps, kNever);
   EXPECT_LT(world.intercept.first_opponent_steps, kNever);
-  world.game.mode = soccer::PlayMode::kBeforeKickOff;
+
+  world.game.mode = PlayMode::kBeforeKickOff;
   update_derived(world);
   EXPECT_EQ(world.intercept.self_steps, kNever);
   EXPECT_EQ(world.intercept.first_opponent_steps, kNever);
@@ -238,8 +217,8 @@ TEST(InterceptTable, ChasingTakesLongerThanMeetingBall) {
   world.self.position = {-40.0, 0.0};
   world.ball.position = {0.0, 0.0};
   world.ball.velocity = {1.5, 0.0};
-  world.opponents.push_back(player(Side::kRight, 5, {-5.0, 0.0}));
-  world.opponents.push_back(player(Side::kRight, 6, {10.0, 1.0}));
+  add(world, Side::kRight, 5, {-5.0, 0.0});
+  add(world, Side::kRight, 6, {10.0, 1.0});
   update_derived(world);
   EXPECT_LT(world.opponents[1].ball_reach_steps, 8);
   EXPECT_GT(world.opponents[0].ball_reach_steps, 15);

@@ -2,24 +2,20 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "player/perception/perception.h"
 #include "player/perception/transcript.h"
-#include "player/tracking/player_tracking.h"
+#include "player/tracking/tracking.h"
 #include "soccer/random.h"
-#include "tests/player/perception/synthetic_senses.h"
+#include "tests/player/tracking/synthetic_senses.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::Side;
-using soccer::Vec2;
 using tests::TrueWorld;
 
 WorldModel gaussian_model() {
   WorldModel world;
-  on_init(world, {Side::kLeft, 7, soccer::PlayMode::kPlayOn}, tests::kLeftTeam, false);
+  on_init(world, {Side::kLeft, 7, PlayMode::kPlayOn}, tests::kLeftTeam, false);
   on_gaussian_see(world);
   return world;
 }
@@ -55,12 +51,14 @@ Accuracy single_sees(soccer::ViewWidth width, double focus_distance) {
     truth.focus_distance = focus_distance;
     truth.self.position = {random.uniform(-52.0, 52.0), random.uniform(-33.5, 33.5)};
     truth.self.body = random.uniform(-180.0, 180.0);
+
     WorldModel world = gaussian_model();
     for (int cycle = 0; cycle < 2; ++cycle, ++truth.time) {
       on_sense_body(world, tests::sense_of(truth));
       on_see(world, tests::see_of(truth));
     }
     if (world.self.pos_count != 0) continue;
+
     const Gaussian<3>& pose = world.self_tracker.pose;
     own.add(world.self.position, truth.self.position, pose.at(0, 0), pose.at(1, 1));
   }
@@ -69,16 +67,14 @@ Accuracy single_sees(soccer::ViewWidth width, double focus_distance) {
 
 TEST(GaussianSee, LocalizesAgent) {
   for (const double focus : {0.0, 20.0}) {
-    const Accuracy wide = single_sees(soccer::ViewWidth::kWide, focus);
-    EXPECT_LT(wide.mean_error(), 0.025);
-    expect_calibrated(wide);
-    const Accuracy normal = single_sees(soccer::ViewWidth::kNormal, focus);
-    EXPECT_LT(normal.mean_error(), 0.04);
-    expect_calibrated(normal);
-    const Accuracy narrow = single_sees(soccer::ViewWidth::kNarrow, focus);
-    EXPECT_LT(narrow.mean_error(), 0.09);
-    expect_calibrated(narrow);
-    EXPECT_GT(narrow.n, 470);
+    for (const auto& [width, limit] : {std::pair{soccer::ViewWidth::kWide, 0.025},
+                                       {soccer::ViewWidth::kNormal, 0.04},
+                                       {soccer::ViewWidth::kNarrow, 0.09}}) {
+      const Accuracy own = single_sees(width, focus);
+      EXPECT_LT(own.mean_error(), limit);
+      expect_calibrated(own);
+      EXPECT_GT(own.n, 470);
+    }
   }
 }
 

@@ -1,14 +1,18 @@
 // Player tracking: data association, uniform numbers, lost players.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <vector>
+
 #include "player/perception/perception.h"
-#include "tests/player/perception/synthetic_senses.h"
+#include "tests/player/tracking/synthetic_senses.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::Side;
-using soccer::Vec2;
+using testing::Each;
+using testing::ElementsAre;
 using tests::TruePlayer;
 using tests::TrueWorld;
 
@@ -17,7 +21,7 @@ struct Scene {
   WorldModel world;
 
   Scene() {
-    on_init(world, {Side::kLeft, 7, soccer::PlayMode::kPlayOn}, tests::kLeftTeam, false);
+    on_init(world, {Side::kLeft, 7, PlayMode::kPlayOn}, tests::kLeftTeam, false);
     truth.self.unum = 7;
     truth.self.position = {-20.0, 0.0};
     truth.width = soccer::ViewWidth::kWide;
@@ -25,13 +29,12 @@ struct Scene {
   }
 
   TruePlayer& add(Side side, int unum, Vec2 position, Vec2 velocity = {}) {
-    TruePlayer player;
+    TruePlayer& player = truth.others.emplace_back();
     player.side = side;
     player.unum = unum;
     player.position = position;
     player.velocity = velocity;
-    truth.others.push_back(player);
-    return truth.others.back();
+    return player;
   }
 
   void cycle(bool see = true) {
@@ -50,21 +53,22 @@ TEST(PlayerTracking, SetsAllFieldsFromNumberedObservation) {
   player.kicked = true;
   scene.add(Side::kRight, 1, {-5.0, -6.0}).goalie = true;
   scene.cycle();
+
   const PlayerState* seen = scene.world.opponent(9);
   ASSERT_NE(seen, nullptr);
   EXPECT_LT(soccer::distance(seen->position, {-8.0, 4.0}), 0.7);
   EXPECT_LT(soccer::distance(seen->velocity, {0.2, -0.1}), 0.13);
   EXPECT_NEAR(seen->body.degrees(), 135.0, 0.6);
   EXPECT_NEAR(seen->face.degrees(), 155.0, 0.6);
+
   EXPECT_EQ(seen->side, Side::kRight);
-  EXPECT_EQ(seen->pos_count, 0);
-  EXPECT_EQ(seen->vel_count, 0);
-  EXPECT_EQ(seen->body_count, 0);
-  EXPECT_EQ(seen->unum_count, 0);
+  EXPECT_THAT((std::array{seen->pos_count, seen->vel_count, seen->body_count, seen->unum_count}),
+              Each(0));
   EXPECT_EQ(seen->heard_pos_count, kNever);
   EXPECT_TRUE(seen->kicking);
   EXPECT_FALSE(seen->tackling);
   EXPECT_NEAR(seen->dist_from_self, 12.65, 0.7);
+
   EXPECT_EQ(scene.world.their_goalie_unum, 1);
   EXPECT_EQ(scene.world.last_kick.unum, 9);
   EXPECT_EQ(scene.world.their_team_name.view(), tests::kRightTeam);
@@ -77,6 +81,7 @@ TEST(PlayerTracking, RetainsNumberWhenOnlyTeamIsSeen) {
   scene.add(Side::kLeft, 11, {-5.0, 1.0});
   scene.cycle();
   const int id = scene.world.opponent(9)->id;
+
   scene.truth.unum_far = 5.0;
   for (int i = 0; i < 10; ++i) {
     for (TruePlayer& player : scene.truth.others) player.position += Vec2{0.6, 0.2};
@@ -86,6 +91,7 @@ TEST(PlayerTracking, RetainsNumberWhenOnlyTeamIsSeen) {
   EXPECT_EQ(scene.world.opponent(9)->id, id);
   EXPECT_EQ(scene.world.opponent(9)->unum_count, 10);
   EXPECT_EQ(scene.world.opponent(9)->pos_count, 0);
+
   for (const TruePlayer& player : scene.truth.others) {
     const PlayerState* track = player.side == Side::kLeft ? scene.world.teammate(player.unum)
                                                           : scene.world.opponent(player.unum);
@@ -102,16 +108,19 @@ TEST(PlayerTracking, CorrectsSwappedNumbers) {
   scene.truth.unum_far = 25.0;
   scene.cycle();
   ASSERT_NE(scene.world.opponent(10), nullptr);
+
   // They swap positions unseen and are then seen without numbers.
   std::swap(scene.truth.others[0].position, scene.truth.others[1].position);
   scene.truth.unum_far = 15.0;
   scene.cycle();
   ASSERT_NE(scene.world.opponent(9), nullptr);
   EXPECT_GT(scene.world.opponent(9)->position.y, 0.0);  // not detectable
+
   for (int i = 0; i < 12; ++i) {
     scene.truth.others[1].position.x -= 0.6;  // the one with number 10 comes near
     scene.cycle();
   }
+
   ASSERT_NE(scene.world.opponent(9), nullptr);
   ASSERT_NE(scene.world.opponent(10), nullptr);
   EXPECT_EQ(scene.world.opponent(10)->unum_count, 0);
@@ -187,6 +196,7 @@ TEST(PlayerTracking, IdentifiesGoalieByPosition) {
   scene.add(Side::kRight, 4, {35.0, 6.0});
   scene.cycle();
   ASSERT_EQ(scene.world.their_goalie_unum, 1);
+
   // Lost, and seen again from afar.
   for (int i = 0; i < 31; ++i) scene.cycle(false);
   EXPECT_EQ(scene.world.opponent(1), nullptr);
@@ -215,10 +225,8 @@ TEST(PlayerTracking, DropsPositionsBeforeKickOff) {
   scene.add(Side::kRight, 9, {-8.0, 4.0});
   scene.cycle();
   ASSERT_NE(scene.world.opponent(9), nullptr);
-  soccer::Hear hear;
-  hear.time = 1;
-  hear.text = "goal_l_1";
-  on_hear(scene.world, hear);
+
+  hear_referee(scene.world, 1, "goal_l_1");
   EXPECT_EQ(scene.world.opponent(9), nullptr);
   scene.truth.unum_far = 3.0;
   scene.cycle();
@@ -234,9 +242,9 @@ TEST(PlayerTracking, SortsListsByNumber) {
   for (const int unum : {11, 3, 8, 2}) scene.add(Side::kRight, unum, {-8.0, unum - 5.0});
   scene.add(Side::kRight, 4, {10.0, 12.0});  // too far for the number
   scene.cycle();
-  ASSERT_EQ(scene.world.opponents.size(), 5U);
-  const int expected[] = {2, 3, 8, 11, 0};
-  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(scene.world.opponents[i].unum, expected[i]);
+  std::vector<int> numbers;
+  for (const PlayerState& opponent : scene.world.opponents) numbers.push_back(opponent.unum);
+  EXPECT_THAT(numbers, ElementsAre(2, 3, 8, 11, 0));
 }
 
 }  // namespace

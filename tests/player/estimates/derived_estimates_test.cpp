@@ -1,34 +1,20 @@
 // Derived estimates: kick, catch and tackle probabilities, kickable players, lines, stamina.
 #include <gtest/gtest.h>
 
-#include "player/estimates/ball_control.h"
-#include "player/perception/perception.h"
+#include "player/estimates/estimates.h"
 #include "player/world/running.h"
+#include "tests/player/estimates/known_world.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::PlayMode;
-using soccer::Side;
-using soccer::Vec2;
+using tests::add;
+using tests::known_world;
 
-WorldModel known_world() {
-  WorldModel world;
-  on_init(world, {Side::kLeft, 7, PlayMode::kPlayOn}, "Us", false);
-  world.self.pos_count = world.self.vel_count = world.self.body_count = 0;
-  world.self.stamina = 8000.0;
-  world.ball.pos_count = world.ball.seen_pos_count = world.ball.vel_count = 0;
-  return world;
-}
-
-void add(WorldModel& world, Side side, int unum, Vec2 position, int count = 0) {
-  PlayerState out;
-  out.id = world.next_player_id++;
-  out.side = side;
-  out.unum = unum;
-  out.position = position;
-  out.pos_count = count;
-  (side == world.our_side ? world.teammates : world.opponents).push_back(out);
+/// Moves the ball, and derives what follows from that.
+void place_ball(WorldModel& world, Vec2 position) {
+  world.ball.position = position;
+  update_derived(world);
 }
 
 TEST(ActionProbabilities, KickableMarginGrowsWithAge) {
@@ -40,8 +26,7 @@ TEST(ActionProbabilities, KickableMarginGrowsWithAge) {
     update_action_probabilities(world);
     update_derived(world);
     EXPECT_TRUE(world.self.kickable) << count;
-    world.ball.position = {limit + 0.001, 0.0};
-    update_derived(world);
+    place_ball(world, {limit + 0.001, 0.0});
     if (count > 0) {
       EXPECT_FALSE(world.self.kickable) << count;
     }
@@ -60,28 +45,25 @@ TEST(ActionProbabilities, AreZeroForGhostBall) {
 
 TEST(ActionProbabilities, KickRateDecreasesWithDistanceAndAngle) {
   WorldModel world = known_world();
-  world.ball.position = {0.385, 0.0};
-  update_derived(world);
+  place_ball(world, {0.385, 0.0});
   EXPECT_NEAR(world.self.kick_rate, 0.027, 1e-9);
   world.ball.position = {-0.735, 0.0};  // behind, half of the margin away
   update_derived(world);
   EXPECT_NEAR(world.self.kick_rate, 0.027 * (1.0 - 0.25 - 0.125), 1e-9);
-  world.ball.position = {30.0, 0.0};
-  update_derived(world);
+  place_ball(world, {30.0, 0.0});
   EXPECT_DOUBLE_EQ(world.self.kick_rate, 0.0001);
 }
 
 TEST(ActionProbabilities, TackleFollowsServerFormula) {
   WorldModel world = known_world();
-  world.ball.position = {1.0, 0.5};
-  update_derived(world);
+  place_ball(world, {1.0, 0.5});
   // 1 - (1/2)^6 - (0.5/1.25)^6; the foul exponent is 10 and needs an opponent with the ball.
   EXPECT_NEAR(world.self.tackle_probability, 1.0 - 0.015625 - 0.004096, 1e-9);
   EXPECT_EQ(world.self.foul_probability, 0.0);
   add(world, Side::kRight, 9, {1.2, 0.6});
   update_derived(world);
   EXPECT_NEAR(world.self.foul_probability, 1.0 - 0.0009765625 - 0.0001048576, 1e-9);
-  world.self.body = soccer::AngleDeg(180.0);  // no backward tackle by default
+  world.self.body = AngleDeg(180.0);  // no backward tackle by default
   update_derived(world);
   EXPECT_EQ(world.self.tackle_probability, 0.0);
 }
@@ -91,11 +73,9 @@ TEST(ActionProbabilities, CatchIsReliableInsideReach) {
   // Default type: no stretch, so the reach is the diagonal of 1.2 x 0.5.
   EXPECT_NEAR(catch_reach(world).sure, 1.3, 1e-9);
   EXPECT_NEAR(catch_reach(world).farthest, 1.3, 1e-9);
-  world.ball.position = {1.2, 0.0};
-  update_derived(world);
+  place_ball(world, {1.2, 0.0});
   EXPECT_EQ(world.self.catch_probability, 1.0);
-  world.ball.position = {1.35, 0.0};
-  update_derived(world);
+  place_ball(world, {1.35, 0.0});
   EXPECT_EQ(world.self.catch_probability, 0.0);
   world.ball.position = {1.0, 0.0};
   world.self.catch_ban = 2;
@@ -127,6 +107,7 @@ TEST(Stamina, RecoveryIsComputedFromSenseBody) {
   sense.capacity = truth.capacity;
   sense.stamina = truth.stamina;
   on_sense_body(world, sense);
+
   double least = 1.0;
   for (int cycle = 1; cycle < 400; ++cycle) {
     truth.step(server, type, std::min(100.0, truth.stamina));
@@ -139,6 +120,7 @@ TEST(Stamina, RecoveryIsComputedFromSenseBody) {
     least = std::min(least, truth.recovery);
   }
   EXPECT_NEAR(least, 0.5, 1e-9);
+
   sense.time = 400;  // new half
   sense.stamina = 8000.0;
   sense.capacity = 130600.0;
@@ -176,6 +158,7 @@ TEST(TeamLines, FollowSecondLastPlayers) {
   world.their_goalie_unum = world.our_goalie_unum = 1;
   world.lines.our_defense = -25.0;
   world.lines.their_defense = 30.0;
+
   update_derived(world);
   EXPECT_DOUBLE_EQ(world.lines.our_defense, -25.0);
   EXPECT_DOUBLE_EQ(world.lines.their_defense, 30.0);
@@ -183,11 +166,12 @@ TEST(TeamLines, FollowSecondLastPlayers) {
   EXPECT_EQ(world.lines.offside_count, 0);
   EXPECT_DOUBLE_EQ(world.lines.our_defense_players, -25.0);
   EXPECT_DOUBLE_EQ(world.lines.their_defense_players, 30.0);
-  world.ball.position = {40.0, 0.0};
-  update_derived(world);
+
+  place_ball(world, {40.0, 0.0});
   EXPECT_DOUBLE_EQ(world.lines.their_defense, 40.0);
   EXPECT_DOUBLE_EQ(world.lines.their_defense_players, 30.0);
   EXPECT_DOUBLE_EQ(world.lines.offside, 40.0);
+
   world.game.mode = PlayMode::kKickInLeft;
   update_derived(world);
   EXPECT_DOUBLE_EQ(world.lines.offside, 52.5);
@@ -219,6 +203,7 @@ TEST(PlayerTypes, AreKnownForTeammatesAndDefaultForOpponents) {
   change.unum = 5;
   change.type.reset();
   on_change_player_type(world, change);
+
   add(world, Side::kLeft, 9, {0.0, 0.0});
   add(world, Side::kRight, 9, {0.0, 0.0});
   add(world, Side::kRight, 0, {5.0, 0.0});
@@ -228,6 +213,7 @@ TEST(PlayerTypes, AreKnownForTeammatesAndDefaultForOpponents) {
   EXPECT_EQ(world.opponents[0].type_id, 0);
   EXPECT_EQ(world.opponents[1].type_id, -1);
   EXPECT_EQ(world.type_of(world.opponents[1]).id, 0);
+
   change.unum = 7;
   change.type = 3;
   on_change_player_type(world, change);

@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "player/planner/action_memory.h"
-#include "player/planner/action_report.h"
+#include "player/planner/action_context.h"
 #include "player/world/world_model.h"
 #include "proto/playmaker.pb.h"
 #include "simulator/world/event.h"

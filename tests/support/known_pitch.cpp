@@ -1,5 +1,5 @@
 // Copies the simulator state into the agent's estimates.
-#include "tests/proxy/support/known_pitch.h"
+#include "tests/support/known_pitch.h"
 
 #include <memory>
 #include <stdexcept>

@@ -2,24 +2,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "player/formation/formation_file.h"
 #include "player/formation/formation_set.h"
-#include "player/formation/librcsc_formation.h"
 #include "player/formation/triangulation.h"
-#include "player/movement/home_positions.h"
-#include "tests/proxy/support/known_pitch.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::player {
 namespace {
 
-using soccer::PlayMode;
-using soccer::Vec2;
 using testing::HasSubstr;
 
 std::vector<Vec2> scattered(int count) {
@@ -32,15 +30,15 @@ std::vector<Vec2> scattered(int count) {
 
 TEST(Triangulation, IsDelaunayAndCoversConvexHull) {
   const std::vector<Vec2> points = scattered(60);
-  const std::vector<Triangle> triangles = triangulate(points);
   double area = 0.0;
-  for (const Triangle& t : triangles) {
+  for (const Triangle& t : triangulate(points)) {
     const Vec2 a = points[t[0]];
     const Vec2 b = points[t[1]];
     const Vec2 c = points[t[2]];
     const double doubled = cross(b - a, c - a);
     ASSERT_GT(doubled, 0.0);
     area += doubled / 2.0;
+
     // Circumcenter by the perpendicular bisectors.
     const Vec2 u = b - a;
     const Vec2 v = c - a;
@@ -50,21 +48,19 @@ TEST(Triangulation, IsDelaunayAndCoversConvexHull) {
     const double radius = distance(center, a);
     for (const Vec2 p : points) EXPECT_GE(distance(center, p), radius - 1e-6);
   }
+
   // Area of the convex hull by gift wrapping.
-  std::size_t start = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    if (points[i].x < points[start].x) start = i;
-  }
+  const Vec2 start = *std::ranges::min_element(points, {}, &Vec2::x);
   double hull = 0.0;
-  std::size_t at = start;
+  Vec2 at = start;
   do {
-    std::size_t next = at == 0 ? 1 : 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (i != at && cross(points[next] - points[at], points[i] - points[at]) < 0.0) next = i;
+    Vec2 next = at == points[0] ? points[1] : points[0];
+    for (const Vec2 point : points) {
+      if (cross(next - at, point - at) < 0.0) next = point;
     }
-    hull += cross(points[at], points[next]) / 2.0;
+    hull += cross(at, next) / 2.0;
     at = next;
-  } while (at != start);
+  } while (!(at == start));
   EXPECT_NEAR(area, hull, 0.01 * hull);
 }
 
@@ -79,10 +75,7 @@ TEST(Triangulation, IsEmptyForFewerThanThreeNonCollinearPoints) {
 Formation linear_formation(const std::vector<Vec2>& balls) {
   std::vector<FormationSample> samples;
   for (const Vec2 ball : balls) {
-    FormationSample sample;
-    sample.ball = ball;
-    sample.players.fill({2.0 * ball.x + ball.y, ball.x - 3.0 * ball.y});
-    samples.push_back(sample);
+    samples.emplace_back(ball).players.fill({2.0 * ball.x + ball.y, ball.x - 3.0 * ball.y});
   }
   return *Formation::make(samples);
 }
@@ -110,8 +103,7 @@ TEST(Formation, UsesNearestHullPointForBallOutside) {
 
 TEST(Formation, RejectsNoSamplesAndDuplicateBallPositions) {
   EXPECT_FALSE(Formation::make({}));
-  FormationSample sample;
-  sample.ball = {1.0, 2.0};
+  const FormationSample sample{{1.0, 2.0}, {}};
   const auto twice = Formation::make({sample, sample});
   ASSERT_FALSE(twice);
   EXPECT_EQ(twice.error().message, "two samples with the ball at (1, 2)");
@@ -150,27 +142,27 @@ TEST(FormationFile, RoundTripsToTheSameBits) {
 }
 
 TEST(FormationFile, ReportsErrorsWithLine) {
-  const auto error = [](const std::string& text) {
+  for (const auto& [text, error] : std::vector<std::pair<std::string, std::string>>{
+           {"", "f: empty"},
+           {"hello\n", "f:1: not a formation file"},
+           {"cls-formation 7\n", "f:1: unsupported version; use cls-formation 1"},
+           {"cls-formation 1\nball 1\n", "f:2: expected 'ball X Y'"},
+           {"cls-formation 1\nball 1 nan\n", "f:2: expected 'ball X Y'"},
+           {"cls-formation 1\n3 1 1\n", "f:2: player before the first 'ball X Y'"},
+           {"cls-formation 1\nball 0 0\n1 1 1\n1 2 2\n", "f:4: duplicate player 1"},
+           {"cls-formation 1\nball 0 0\n1 1 1\n", "f:3: missing player 2 in the sample"},
+           {"cls-formation 1\npair 2 2\n", "f:2: expected 'pair UNUM UNUM'"},
+           {"Formation UvA\n", "f: unknown method 'UvA'; supported: Static, DelaunayTriangulation"},
+           {"{\"method\": \"Static\"}", "f: missing 'method' or 'data'"},
+           {"{", "f: not valid JSON"},
+           {"{\"method\": \"Static\", \"data\": [{\"ball\": {\"x\": 0, \"y\": 0}}]}",
+            "f: data[0]: no player '1' with x and y"},
+           {"Formation DelaunayTriangulation 3\nBegin Samples 2 1\nBall 1 2\n1 3 4\n",
+            "f:4: the last sample is incomplete"}}) {
     const auto formation = parse_formation(text, "f");
-    return formation ? std::string("none") : formation.error().message;
-  };
-  EXPECT_EQ(error(""), "f: empty");
-  EXPECT_EQ(error("hello\n"), "f:1: not a formation file");
-  EXPECT_EQ(error("cls-formation 7\n"), "f:1: unsupported version; use cls-formation 1");
-  EXPECT_EQ(error("cls-formation 1\nball 1\n"), "f:2: expected 'ball X Y'");
-  EXPECT_EQ(error("cls-formation 1\nball 1 nan\n"), "f:2: expected 'ball X Y'");
-  EXPECT_EQ(error("cls-formation 1\n3 1 1\n"), "f:2: player before the first 'ball X Y'");
-  EXPECT_EQ(error("cls-formation 1\nball 0 0\n1 1 1\n1 2 2\n"), "f:4: duplicate player 1");
-  EXPECT_EQ(error("cls-formation 1\nball 0 0\n1 1 1\n"), "f:3: missing player 2 in the sample");
-  EXPECT_EQ(error("cls-formation 1\npair 2 2\n"), "f:2: expected 'pair UNUM UNUM'");
-  EXPECT_EQ(error("Formation UvA\n"),
-            "f: unknown method 'UvA'; supported: Static, DelaunayTriangulation");
-  EXPECT_EQ(error("{\"method\": \"Static\"}"), "f: missing 'method' or 'data'");
-  EXPECT_EQ(error("{"), "f: not valid JSON");
-  EXPECT_EQ(error("{\"method\": \"Static\", \"data\": [{\"ball\": {\"x\": 0, \"y\": 0}}]}"),
-            "f: data[0]: no player '1' with x and y");
-  EXPECT_EQ(error("Formation DelaunayTriangulation 3\nBegin Samples 2 1\nBall 1 2\n1 3 4\n"),
-            "f:4: the last sample is incomplete");
+    ASSERT_FALSE(formation) << text;
+    EXPECT_EQ(formation.error().message, error);
+  }
 }
 
 // The same two samples in each librcsc format; player n at (n, -n), then at (n + 0.5, 0).
@@ -222,6 +214,7 @@ TEST(FormationFile, ParsesLibrcscFormats) {
       "# CSV\nMethod,DelaunayTriangulation\nRoleNumber,1,2\nSampleData\nSize,2\nidx,ballX,ballY\n"
       "0," +
           row(false, ",") + "\n1," + row(true, ",") + "\n"};
+
   for (std::size_t i = 0; i < forms.size(); ++i) {
     const auto formation = parse_formation(forms[i], "form");
     ASSERT_TRUE(formation) << i << ": " << formation.error().message;
@@ -240,6 +233,7 @@ TEST(FormationFile, ParsesStaticLibrcscFormats) {
     text += unum + " Role  -" + unum + ".0   " + unum + "\n";
     csv += ",-" + unum + "," + unum;
   }
+
   for (const std::string& form : {text, csv + "\n"}) {
     const auto formation = parse_formation(form, "static");
     ASSERT_TRUE(formation) << formation.error().message;
@@ -254,6 +248,7 @@ TEST(FormationSet, BuiltInFormationsKeepAllPlayersOnPitch) {
     for (double x = -56.0; x <= 56.0; x += 7.0) {
       for (double y = -38.0; y <= 38.0; y += 7.6) {
         const TeamPoints points = formation.positions({x, y});
+
         for (std::size_t i = 0; i < points.size(); ++i) {
           EXPECT_LE(std::fabs(points[i].x), 52.5) << kind << " " << i;
           EXPECT_LE(std::fabs(points[i].y), 34.0) << kind << " " << i;
@@ -285,58 +280,16 @@ TEST(FormationSet, ReadsFolderInBothFormatsAndReportsMissingFile) {
     std::ofstream(folder.path() / (name + (own ? ".formation" : ".conf")))
         << (own ? "cls-formation 1\n" + own_sample("0 0") : json_form());
   }
+
   const auto set = read_formations(folder.path().string());
   ASSERT_TRUE(set) << set.error().message;
   EXPECT_EQ((*set)->of(FormationKind::kNormal).samples().size(), 2U);
   EXPECT_EQ((*set)->of(FormationKind::kBeforeKickOff).samples().size(), 1U);
+
   std::filesystem::remove(folder.path() / "goal-kick-our.formation");
   const auto missing = read_formations(folder.path().string());
   ASSERT_FALSE(missing);
-  EXPECT_THAT(missing.error().message, HasSubstr("goal-kick-our")) << missing.error().message;
-}
-
-TEST(HomePositions, FormationDependsOnFirstTeamAtBall) {
-  tests::KnownPitch pitch;
-  pitch.place_ball({10.0, 0.0});
-  pitch.add_opponent(5, {30.0, 0.0});
-  EXPECT_EQ(formation_kind(pitch.world), FormationKind::kOffense);
-  pitch.add_opponent(6, {10.5, 0.0});
-  EXPECT_EQ(formation_kind(pitch.world), FormationKind::kDefense);
-}
-
-TEST(HomePositions, FormationDependsOnPlayMode) {
-  tests::KnownPitch pitch;
-  const auto kind_in = [&](PlayMode mode) {
-    pitch.set_mode(mode);
-    return formation_kind(pitch.world);
-  };
-  EXPECT_EQ(kind_in(PlayMode::kBeforeKickOff), FormationKind::kBeforeKickOff);
-  EXPECT_EQ(kind_in(PlayMode::kGoalRight), FormationKind::kBeforeKickOff);
-  EXPECT_EQ(kind_in(PlayMode::kKickInLeft), FormationKind::kKickInOur);
-  EXPECT_EQ(kind_in(PlayMode::kCornerKickRight), FormationKind::kSetPlayTheir);
-  EXPECT_EQ(kind_in(PlayMode::kGoalKickLeft), FormationKind::kGoalKickOur);
-  EXPECT_EQ(kind_in(PlayMode::kGoalKickRight), FormationKind::kGoalKickTheir);
-  EXPECT_EQ(kind_in(PlayMode::kIndirectFreeKickLeft), FormationKind::kIndirectOur);
-  EXPECT_EQ(kind_in(PlayMode::kBackPassLeft), FormationKind::kIndirectTheir) << "our offense";
-  EXPECT_EQ(kind_in(PlayMode::kFreeKickLeft), FormationKind::kSetPlayOur);
-  pitch.place_ball({44.0, 3.0});
-  EXPECT_EQ(kind_in(PlayMode::kFoulChargeRight), FormationKind::kIndirectOur) << "in their area";
-  pitch.place_ball({0.0, 3.0});
-  EXPECT_EQ(kind_in(PlayMode::kFoulChargeRight), FormationKind::kSetPlayOur);
-}
-
-TEST(HomePositions, StayInOwnHalfBeforeKickOffAndOnsideInPlay) {
-  tests::KnownPitch pitch;
-  pitch.set_mode(PlayMode::kBeforeKickOff);
-  for (const Vec2 place : home_positions(pitch.world)) EXPECT_LE(place.x, 0.0);
-  pitch.set_mode(PlayMode::kPlayOn);
-  pitch.place_ball({5.0, 0.0});
-  pitch.add_opponent(1, {50.0, 0.0});
-  pitch.add_opponent(4, {12.0, 5.0});
-  ASSERT_LT(pitch.world.lines.offside, 13.0);
-  for (const Vec2 place : home_positions(pitch.world)) {
-    EXPECT_LE(place.x, pitch.world.lines.offside - 0.9);
-  }
+  EXPECT_THAT(missing.error().message, HasSubstr("goal-kick-our"));
 }
 
 }  // namespace
