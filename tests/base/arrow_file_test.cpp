@@ -242,6 +242,7 @@ TEST(ArrowFile, HasNamesUnitsAndMetadata) {
   writer.add(std::string_view("a"));
   writer.close();
   const Reader read(sink.bytes());
+
   ASSERT_EQ(read.columns().size(), 2U);
   EXPECT_EQ(read.columns()[0].name, "x");
   EXPECT_EQ(read.columns()[0].unit, "m");
@@ -266,6 +267,7 @@ TEST(ArrowFile, ReplacesBytesThatAreNotUtf8) {
   writer.add(
       std::string_view("a\xFF"
                        "b\xC3\xA4"));
+
   writer.close();
   EXPECT_EQ(Reader(sink.bytes()).columns()[0].texts[0],
             "a\xEF\xBF\xBD"
@@ -283,6 +285,7 @@ double random_value(ArrowType type, std::mt19937& random) {
   const auto whole = [&random](std::int64_t max) {
     return static_cast<double>(std::uniform_int_distribution<std::int64_t>(-max - 1, max)(random));
   };
+
   switch (type) {
     case ArrowType::kBool:
       return static_cast<double>(random() % 2);
@@ -302,6 +305,7 @@ double random_value(ArrowType type, std::mt19937& random) {
 RandomTable random_table(std::mt19937& random, std::size_t rows) {
   RandomTable table;
   const std::size_t count = 1 + random() % 6;
+
   for (std::size_t i = 0; i < count; ++i) {
     const auto type = static_cast<ArrowType>(random() % 7);
     const std::size_t list = type == ArrowType::kText || random() % 3 != 0 ? 0 : 1 + random() % 22;
@@ -311,6 +315,7 @@ RandomTable random_table(std::mt19937& random, std::size_t rows) {
 
   StringSink sink;
   ArrowWriter writer(sink, table.fields);
+
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t i = 0; i < count; ++i) {
       const ArrowField& field = table.fields[i];
@@ -330,6 +335,7 @@ RandomTable random_table(std::mt19937& random, std::size_t rows) {
       table.columns[i].numbers.push_back(null ? Cell() : Cell(cell));
     }
   }
+
   writer.close();
   table.file = sink.bytes();
   return table;
@@ -337,6 +343,7 @@ RandomTable random_table(std::mt19937& random, std::size_t rows) {
 
 TEST(ArrowFile, GivesBackRandomTables) {
   std::mt19937 random(38);
+
   for (int round = 0; round < 300; ++round) {
     const std::size_t rows = round % 50 == 0 ? 2 * ArrowWriter::kBatchRows + round : random() % 70;
     const RandomTable table = random_table(random, rows);

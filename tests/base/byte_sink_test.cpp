@@ -19,6 +19,7 @@ TEST(FileSink, WritesAllBytes) {
   const tests::TemporaryFolder folder;
   const auto path = folder.path() / "a.log";
   std::string expected;
+
   {
     auto sink = FileSink::create(path.string());
     ASSERT_TRUE(sink);
@@ -30,6 +31,7 @@ TEST(FileSink, WritesAllBytes) {
     EXPECT_TRUE((*sink)->close());
     EXPECT_TRUE((*sink)->close());
   }
+
   EXPECT_EQ(tests::read_file(path), expected);
 }
 
@@ -54,12 +56,14 @@ TEST(BackgroundSink, WritesAllBytesInOrder) {
   const std::string path = (folder.path() / "a.log.gz").string();
   auto sink = create_log_file(path, 1);
   ASSERT_TRUE(sink);
+
   std::string expected;
   for (int i = 0; i < 200'000; ++i) {
     const std::string line = "line " + std::to_string(i * 7919) + "\n";
     expected += line;
     (*sink)->write(line);
   }
+
   EXPECT_TRUE((*sink)->close());
   EXPECT_TRUE((*sink)->close());
   EXPECT_EQ(tests::read_file(path), expected);
@@ -87,6 +91,7 @@ TEST(OccupiedPath, NamesContentsOfFolder) {
 TEST(OccupiedPath, RenamesToFreeName) {
   const tests::TemporaryFolder folder;
   const auto path = folder.path() / "x";
+
   for (const char* expected : {"x.old", "x.old2", "x.old3"}) {
     std::ofstream(path) << expected;
     const auto renamed = set_aside(path);

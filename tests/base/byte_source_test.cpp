@@ -15,6 +15,7 @@ namespace {
 std::string gzip(const std::string& text) {
   z_stream stream = {};
   EXPECT_EQ(deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY), Z_OK);
+
   std::string out(deflateBound(&stream, text.size()) + 64, '\0');
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
   stream.avail_in = static_cast<uInt>(text.size());
@@ -72,6 +73,7 @@ TEST(Decompress, ReadsGzipOfOneOrMoreMembers) {
 TEST(Decompress, ReturnsBytesBeforeTruncation) {
   const std::string text = some_text();
   const std::string whole = gzip(text);
+
   for (const std::size_t size : {whole.size() / 2, whole.size() - 1, std::size_t{12}}) {
     const Contents result = decompress_all(std::string_view(whole).substr(0, size));
     EXPECT_EQ(result.error, "gzip data is truncated");
@@ -93,6 +95,7 @@ TEST(OpenSource, ReadsFileAndReportsMissingFile) {
   const std::string path = (folder.path() / "game.rcg").string();
   std::ofstream(path) << "ULG6\n";
   auto source = open_source(path);
+
   ASSERT_TRUE(source);
   EXPECT_EQ(read_in_chunks(**source).bytes, "ULG6\n");
   EXPECT_EQ(open_source("/nonexistent/game.rcg").error().message,
@@ -116,6 +119,7 @@ class SlowSource : public ByteSource {
 
 TEST(InputBuffer, FindsLinesForAllReadSizes) {
   const std::string text = some_text() + "\n\nthe rest";
+
   for (const std::size_t step : {std::size_t{1000000}, std::size_t{4096}, std::size_t{13}}) {
     SlowSource source(text, step);
     InputBuffer input(source);
@@ -142,6 +146,7 @@ TEST(InputBuffer, SkipsLineThatIsTooLong) {
   MemorySource source(text);
   InputBuffer input(source);
   std::string_view line;
+
   EXPECT_EQ(input.next_line(line), InputBuffer::Line::kWhole);
   EXPECT_EQ(input.next_line(line), InputBuffer::Line::kTooLong);
   EXPECT_EQ(line.substr(0, 3), "xxx");

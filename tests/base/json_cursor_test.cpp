@@ -29,11 +29,13 @@ class RandomDocument {
         return std::round((pick(2'000'000) - 1'000'000) * 10.0) / 1e4;
       case 4:
         return text();
+
       case 5: {
         Json list = Json::array();
         for (int i = pick(4); i > 0; --i) list.push_back(value(depth - 1));
         return list;
       }
+
       default: {
         Json object = Json::object();
         for (int i = pick(4); i > 0; --i) object[text()] = value(depth - 1);
@@ -71,17 +73,20 @@ Json parse(JsonCursor& in) {
       }
       return object;
     }
+
     case '[': {
       Json list = Json::array();
       in.open('[');
       while (in.next_element()) list.push_back(parse(in));
       return list;
     }
+
     case '"': {
       std::string text;
       in.string(text);
       return text;
     }
+
     case 'n':
       in.skip_value();
       return nullptr;
@@ -91,6 +96,7 @@ Json parse(JsonCursor& in) {
       in.scalar_text(text);
       return text == "1";
     }
+
     default: {
       double value = 0.0;
       in.number(value);

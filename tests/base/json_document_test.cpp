@@ -1,6 +1,7 @@
 // Errors in JSON files name their line.
 #include "base/text/json_document.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace cls::base {
@@ -35,6 +36,7 @@ TEST(JsonDocument, FindsLineOfPointer) {
 // The parser ends a comment there, too.
 TEST(JsonDocument, FindsLinesAfterCommentsThatEndEarly) {
   using namespace std::string_literals;
+
   for (const std::string& comment : {"//\r"s, "// x\0"s, "/*/ \n*/"s, "/**/"s}) {
     const auto read =
         JsonDocument::parse("script.json", "{\"a\": " + comment + "[1],\n\"b\": 2} //");
@@ -56,8 +58,7 @@ TEST(JsonDocument, ErrorsNameFileLineAndPointer) {
 TEST(JsonDocument, SyntaxErrorsNameLineAndColumn) {
   const auto bad = JsonDocument::parse("script.json", "{\n  \"a\": 1\n  \"b\": 2\n}\n");
   ASSERT_FALSE(bad);
-  EXPECT_EQ(bad.error().message.rfind("script.json:3:5: syntax error", 0), 0u)
-      << bad.error().message;
+  EXPECT_THAT(bad.error().message, testing::StartsWith("script.json:3:5: syntax error"));
 }
 
 TEST(JsonDocument, ReportsMissingFile) {

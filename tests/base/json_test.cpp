@@ -41,6 +41,7 @@ const std::vector<std::string>& documents() {
       "{}",
       R"([1, [2, [3.5, {}]], null, false])",
       R"({"b": 1, "a": {"c": [true, "x"], "d": null}, "b": 2})"};
+
   return texts;
 }
 
@@ -116,6 +117,7 @@ TEST(Json, FailsAsTheLibraryDoes) {
   same([](const auto& value) { return value.at("b").template get<std::string>(); });
   same([](const auto& value) { return value.at("a").at(0).template get<bool>(); });
   same([](auto value) { value.push_back(1); });
+
   for (const char* wrong : {"", "{", "[1,]", "1e999", "\"\xff\""}) {
     const auto library_parse = [&] {
       const Library ignored = Library::parse(wrong);

@@ -102,6 +102,7 @@ TEST(ScanNumber, StopsAfterTheNumber) {
 
 TEST(ScanNumber, MatchesFromCharsOnRandomNumbers) {
   std::mt19937 random(1);
+
   for (int i = 0; i < 200'000; ++i) {
     const double magnitude = std::ldexp(random() / 4294967296.0, static_cast<int>(random() % 29));
     std::string text;

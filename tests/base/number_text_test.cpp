@@ -74,6 +74,7 @@ TEST(NumberText, FormatsBoundaryValuesLikePrintf) {
     EXPECT_EQ(formatted(value), printf_g(value));
     EXPECT_EQ(formatted(-value), printf_g(-value));
   }
+
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(formatted(infinity), "inf");
   EXPECT_EQ(formatted(-infinity), "-inf");
@@ -86,6 +87,7 @@ class RandomValues {
     const double uniform = std::ldexp(static_cast<double>(engine_() >> 11), -53);
     const auto steps =
         static_cast<double>(static_cast<std::int64_t>(engine_() % 4000000) - 2000000);
+
     switch (kind) {
       case 0:
         return std::rint(steps / 10) * 0.1;
@@ -128,6 +130,7 @@ TEST(NumberText, FormatsMillionsOfRandomValuesLikePrintf) {
 
 TEST(NumberText, ParsesRandomNumbersLikeStrtod) {
   RandomValues values;
+
   for (int i = 0; i < 1000000; ++i) {
     const double value = values.next(i % 7);
     if (std::isinf(value)) continue;
@@ -174,9 +177,11 @@ TEST(NumberText, RejectsInvalidNumbers) {
 TEST(NumberText, RefusesIntegersBeyondTheRange) {
   EXPECT_EQ(parse_int("-2147483648"), std::numeric_limits<int>::min());
   EXPECT_EQ(parse_int("2147483647"), std::numeric_limits<int>::max());
+
   for (const char* text : {"2147483648", "-2147483649", "99999999999999999999"}) {
     EXPECT_FALSE(parse_int(text)) << text;
   }
+
   // Clients of the soccer server count on the nearest int.
   int value = 0;
   EXPECT_EQ(parse_int_prefix("99999999999999999999", value), 20u);
@@ -188,6 +193,7 @@ TEST(NumberText, RefusesIntegersBeyondTheRange) {
 
 TEST(NumberText, ShortestTextParsesToSameValue) {
   RandomValues values;
+
   for (int i = 0; i < 200000; ++i) {
     const double value = values.next(i % 7);
     if (std::isinf(value)) continue;

@@ -28,6 +28,7 @@ TEST(Printable, ReplacesControlsBeyondAscii) {
   EXPECT_EQ(printable("\xef\xbb\xbf"
                       "bom"),
             "?bom");
+
   EXPECT_EQ(printable("a\xe2\x80\x8b"
                       "b"),
             "a?b")

@@ -18,6 +18,7 @@ using std::chrono::steady_clock;
 TEST(SocketAddress, ParsesIpAddresses) {
   const auto v4 = parse_ip_address("127.0.0.1", 6000);
   const auto v6 = parse_ip_address("::1", 6000);
+
   ASSERT_TRUE(v4);
   ASSERT_TRUE(v6);
   EXPECT_EQ(v4->port(), 6000);
@@ -41,17 +42,20 @@ TEST(UdpSocket, SendsAndReceivesBatches) {
   ASSERT_TRUE(server);
   ASSERT_TRUE(client);
   ASSERT_TRUE(client->connect(*parse_ip_address("127.0.0.1", server->local_port())));
+
   OutgoingDatagrams outgoing;
   outgoing.add("a", true);
   outgoing.add("bc", false);
   EXPECT_TRUE(outgoing.send(*client));
   EXPECT_TRUE(outgoing.empty());
+
   IncomingDatagrams incoming;
   ASSERT_EQ(incoming.receive(*server), 0);
   ASSERT_EQ(incoming.size(), 2u);
   EXPECT_EQ(incoming.bytes(0), std::string_view("a\0", 2));
   EXPECT_EQ(incoming.bytes(1), "bc");
   EXPECT_EQ(server->send("reply", false, &incoming.sender(0)), 0);
+
   std::array<char, 16> buffer;
   std::size_t size = 0;
   SocketAddress sender;
@@ -66,6 +70,7 @@ TEST(ConnectTcp, ConnectsToListeningPortOnly) {
   SocketAddress address = *parse_ip_address("127.0.0.1", 0);
   ASSERT_EQ(::bind(listener.get(), address.get(), address.size), 0);
   ASSERT_EQ(::getsockname(listener.get(), address.get(), &address.size), 0);
+
   const auto deadline = steady_clock::now() + milliseconds(2000);
   EXPECT_FALSE(connect_tcp("127.0.0.1", address.port(), deadline));
   ASSERT_EQ(::listen(listener.get(), 4), 0);

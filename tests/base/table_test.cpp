@@ -54,6 +54,7 @@ TEST(Table, QuotesCsvCellsWhereNecessary) {
 TEST(Table, GuardsCsvCellsAgainstFormulas) {
   Table table;
   table.add_columns({"team", "x"});
+
   for (const char* cell : {"=cmd|'/C calc'!A0", "+1+1", "-2+3", "@SUM(A1)", "\t=1"}) {
     table.add_row({cell, "1"});
   }
@@ -70,6 +71,7 @@ TEST(Table, EscapesHtml) {
   table.add_column("<a>");
   table.add_column("n", Table::Align::kRight);
   table.add_row({"x & y", "1"});
+
   EXPECT_EQ(table.format_html(),
             "<table>\n<thead><tr><th scope=\"col\" class=\"w\">&lt;a&gt;</th>"
             "<th scope=\"col\">n</th></tr></thead>\n<tbody>\n"
@@ -92,6 +94,7 @@ TEST(Table, LinksCellsInMarkdownAndHtml) {
   table.add_row({"1", "folder"});
   table.add_row({"2", "folder"});
   table.link_last_row(1, "matches/2/?a&b");
+
   EXPECT_EQ(table.format_markdown(),
             "| match | logs |\n|---|---|\n| 1 | folder |\n| 2 | [folder](matches/2/?a&b) |\n");
   EXPECT_THAT(table.format_html(), HasSubstr("<a href=\"matches/2/?a&amp;b\">folder</a>"));
@@ -102,6 +105,7 @@ TEST(Table, SplitsColumnsIntoBlocksWithinWidth) {
   Table table;
   table.add_columns({"team", "aaaa", "bbbb", "cccc"});
   table.add_row({"X", "1", "2", "3"});
+
   EXPECT_EQ(table.format_text({1, 17}),
             " team  aaaa  bbbb\n X     1     2\n\n team  cccc\n X     3\n");
   EXPECT_EQ(table.format_text({0, 22}), "team  aaaa  bbbb  cccc\nX     1     2     3\n");
@@ -116,10 +120,12 @@ TEST(Table, CutsCellsWhereAllowedBeforeItSplits) {
   table.allow_cuts(1);
   table.add_row({"X", "1247 r 10; 3243 l 9", "a.rcg"});
   table.add_row({"Y", "\xc3\xb6\xc3\xb6\xc3\xb6\xc3\xb6 1247 r 10; 3", "b.rcg"});
+
   EXPECT_EQ(table.format_text({0, 26}),
             "team  goals          log\n"
             "X     1247 r 10;...  a.rcg\n"
             "Y     \xc3\xb6\xc3\xb6\xc3\xb6\xc3\xb6 1247 ...  b.rcg\n");
+
   for (const std::size_t width : {0U, 22U}) {
     EXPECT_THAT(table.format_text({0, width}), HasSubstr("1247 r 10; 3243 l 9"))
         << "where cuts do not suffice, blocks show everything";
@@ -141,6 +147,7 @@ TEST(Table, FoldsCellsOfAColumnThatMayFold) {
   table.add_row({"ball", "where the ball was seen by the agent"});
   table.add_row({"unum", "its number"});
   table.allow_folds(1);
+
   EXPECT_EQ(table.format_text({0, 26, 1}),
             "name  meaning\n"
             "ball  where the ball was\n"

@@ -50,6 +50,7 @@ TEST(WriteFileDurably, SyncsTheContentBeforeTheRenameAndTheNameAfterIt) {
   tests::TemporaryFolder folder;
   target = folder.path() / "plan.toml";
   syncs.clear();
+
   ASSERT_TRUE(write_file_durably(target, "seed = 7\n"));
   ASSERT_EQ(syncs.size(), 2u);
   EXPECT_FALSE(syncs[0].folder);
@@ -97,11 +98,13 @@ TEST(WriteFile, LeavesTheOldFileAndNoTemporaryOneWhenTheDiskIsFull) {
   tests::TemporaryFolder folder;
   target = folder.path() / "result.json";
   ASSERT_TRUE(write_file(target, "old"));
+
   Result<void> written;
   {
     const FileSizeLimit limit(100);
     written = write_file(target, std::string(1000, 'x'));
   }
+
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().message, "cannot write '" + target + "': File too large");
   EXPECT_EQ(read_file(target), "old");
@@ -145,6 +148,7 @@ TEST(WriteFile, FollowsNoLinkThatIsPlantedBesideTheFile) {
   tests::TemporaryFolder folder;
   const std::filesystem::path victim = folder.path() / "victim";
   ASSERT_TRUE(write_file(victim, "precious"));
+
   std::set<std::string> seen;
   for (int i = 0; i < 3; ++i) {
     auto replacement = Replacement::start(folder.path() / "rep.csv");
@@ -153,6 +157,7 @@ TEST(WriteFile, FollowsNoLinkThatIsPlantedBesideTheFile) {
     seen.insert(replacement->place().string());
   }
   EXPECT_EQ(seen.size(), 3u);
+
   std::filesystem::create_symlink(victim, folder.path() / "rep.csv.tmp");
   ASSERT_TRUE(write_file(folder.path() / "rep.csv", "table"));
   EXPECT_EQ(read_file(victim), "precious");
@@ -161,8 +166,10 @@ TEST(WriteFile, FollowsNoLinkThatIsPlantedBesideTheFile) {
 TEST(RemoveAbandoned, RemovesWhatAKilledProcessLeftAndNothingElse) {
   tests::TemporaryFolder folder;
   ASSERT_TRUE(write_file(folder.path() / "result.json", "whole"));
+
   auto alive = Replacement::start(folder.path() / "alive.json");
   ASSERT_TRUE(alive);
+
   const pid_t killed = ::fork();
   ASSERT_GE(killed, 0);
   if (killed == 0) {
@@ -183,6 +190,7 @@ TEST(WriteFile, LetsParallelWritersReplaceAFile) {
   const std::string file = folder.path() / "report.html";
   std::atomic<int> failed{0};
   std::vector<std::thread> writers;
+
   for (char letter : {'a', 'b', 'c', 'd'}) {
     writers.emplace_back([&, letter] {
       for (int i = 0; i < 200; ++i) failed += !write_file(file, std::string(5000, letter));
@@ -190,6 +198,7 @@ TEST(WriteFile, LetsParallelWritersReplaceAFile) {
   }
   for (std::thread& writer : writers) writer.join();
   EXPECT_EQ(failed, 0);
+
   const std::string last = read_file(file).value_or("");
   EXPECT_EQ(last, std::string(5000, last.empty() ? '?' : last.front()));
   EXPECT_THAT(names_in(folder.path()), testing::ElementsAre("report.html"));

@@ -56,6 +56,7 @@ TEST_P(LogStream, PassesOnTheFramesOfTheRecord) {
   Recorder recorder;
   FrameStream stream(source, recorder);
   const MatchRecord& rest = stream.read_all();
+
   EXPECT_EQ(recorder.seen, expected);
   EXPECT_EQ(stream.frames(), expected.size());
   EXPECT_EQ(rest.frames(), 0u);
@@ -79,6 +80,7 @@ TEST(FrameStream, KeepsFewFramesOfALongLog) {
   Recorder recorder;
   FrameStream stream(source, recorder);
   stream.read_all();
+
   EXPECT_GT(recorder.seen.size(), 1000u);
   EXPECT_LT(recorder.most, 200u);
 }

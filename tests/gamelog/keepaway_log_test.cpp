@@ -12,6 +12,7 @@ TEST(KeepawayLog, WritesHeaderAndOneLinePerEpisode) {
   writer.write_header(3, 2, 20, 17.5);
   writer.write_episode(1, 0, 93, KeepawayLoss::kOutOfBounds);
   writer.write_episode(2, 93, 120, KeepawayLoss::kTaken);
+
   EXPECT_EQ(sink.bytes(),
             "# Keepers: 3\n# Takers:  2\n# Region:  20 x 17.5\n#\n# Description of Fields:\n"
             "# 1) Episode number\n# 2) Start time in simulator steps (100ms)\n"

@@ -33,11 +33,13 @@ TEST_F(FindLogs, PairsLogsOfAMatch) {
   const std::string alone = make("a.rcl.gz");
   make("notes.txt");
   const FoundLogs found = find_logs({folder()});
+
   ASSERT_EQ(found.matches.size(), 2u);
   EXPECT_EQ(found.matches[0].game, "");
   EXPECT_EQ(found.matches[0].text, alone);
   EXPECT_EQ(found.matches[1].game, game);
   EXPECT_EQ(found.matches[1].text, text);
+
   const FoundLogs named = find_logs({game});
   EXPECT_EQ(named.matches.at(0).text, text);
   EXPECT_EQ(find_logs({text, game}).matches.size(), 1u);
@@ -71,6 +73,7 @@ TEST_F(FindLogs, ExpandsPatternsAndReportsMissingLogs) {
   make("sub/3.rcg");
   EXPECT_EQ(find_logs({folder() + "/?.rcg"}).matches.size(), 2u);
   EXPECT_EQ(find_logs({folder() + "/*"}).matches.size(), 3u);
+
   const FoundLogs none = find_logs({folder() + "/9.rcg", folder() + "/*.rcl", "-"});
   EXPECT_EQ(none.missing.size(), 2u);
   ASSERT_EQ(none.matches.size(), 1u);

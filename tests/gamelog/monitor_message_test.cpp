@@ -10,6 +10,9 @@
 #include <sstream>
 #include <vector>
 
+#include "base/index.h"
+#include "base/text/number_text.h"
+#include "base/text/split.h"
 #include "gamelog/rcg/binary_format.h"
 #include "soccer/messages/parameter_message.h"
 #include "tests/support/files.h"
@@ -26,14 +29,10 @@ class RcssserverMessages {
   RcssserverMessages() {
     std::istringstream lines(tests::read_file(tests::fixture("protocol/monitors.txt.gz")));
     for (std::string line; std::getline(lines, line);) {
-      std::vector<std::string> fields;
-      std::size_t begin = 0;
-      for (int i = 0; i < 3; ++i) {
-        const std::size_t tab = line.find('\t', begin);
-        fields.push_back(line.substr(begin, tab - begin));
-        begin = tab + 1;
-      }
-      messages_[fields[0]][std::stoi(fields[1])][std::stoi(fields[2])] = line.substr(begin);
+      const std::vector<std::string_view> fields = base::split(line, '\t');
+      const std::size_t begin = base::index(fields.at(3).data() - line.data());
+      messages_[std::string(fields[0])][*base::parse_int(fields[1])][*base::parse_int(fields[2])] =
+          line.substr(begin);
     }
   }
 
@@ -90,10 +89,12 @@ PlayerFrame player_of(const json& player) {
   frame.effort = player.at("effort");
   frame.recovery = player.at("recovery");
   frame.capacity = player.at("capacity");
+
   if (player.contains("fside")) {
     frame.attention_side = player.at("fside") == "l" ? soccer::Side::kLeft : soccer::Side::kRight;
     frame.attention_unum = player.at("fnum");
   }
+
   return frame;
 }
 
@@ -112,12 +113,14 @@ Frame frame_of(const std::string& json_text, const std::string& text) {
   frame.time = show.at("time");
   frame.stopped = show.value("stime", 0);
   frame.mode = *soccer::parse_play_mode(show.at("mode").get<std::string>());
+
   for (int i = 0; i < 2; ++i) {
     const json& team = show.at("team").at(i == 0 ? "l" : "r");
-    TeamFrame& out = frame.teams[static_cast<std::size_t>(i)];
+    TeamFrame& out = frame.teams[base::index(i)];
     if (!team.at("name").is_null()) out.name = team.at("name");
     out.score = team.at("score");
   }
+
   frame.ball_position = vector_of(show.at("ball"), "x", "y");
   frame.ball_velocity = vector_of(show.at("ball"), "vx", "vy");
   const auto counts = counts_in(text);
@@ -126,6 +129,11 @@ Frame frame_of(const std::string& json_text, const std::string& text) {
     frame.players[i].counts = counts_of(counts.at(i));
   }
   return frame;
+}
+
+/// The frame of a show in JSON and the newest of the text versions.
+Frame frame_of(const RcssserverMessages::ByVersion& show) {
+  return frame_of(show.at(-1), show.rbegin()->first >= 3 ? show.rbegin()->second : "");
 }
 
 std::string show_of(const Frame& frame, MonitorVersion version) {
@@ -137,18 +145,16 @@ std::string show_of(const Frame& frame, MonitorVersion version) {
 TEST(MonitorMessage, TextAndJsonShowsMatchRcssserver) {
   RcssserverMessages rcssserver;
   std::map<int, int> compared;
+
   for (const auto& [index, by_version] : rcssserver.of("show")) {
-    std::string text;
-    for (const int version : {3, 4, 5}) {
-      if (by_version.count(version) > 0) text = by_version.at(version);
-    }
-    const Frame frame = frame_of(by_version.at(-1), text);
+    const Frame frame = frame_of(by_version);
     for (const int version : {-1, 3, 4, 5}) {
       if (by_version.count(version) == 0) continue;
       EXPECT_EQ(show_of(frame, static_cast<MonitorVersion>(version)), by_version.at(version));
       ++compared[version];
     }
   }
+
   for (const int version : {-1, 3, 4, 5}) EXPECT_GE(compared[version], 2) << version;
 }
 
@@ -165,12 +171,9 @@ void expect_short_show(const std::string& actual, const std::string& expected) {
 
 TEST(MonitorMessage, Version1ShowsMatchRcssserver) {
   RcssserverMessages rcssserver;
+
   for (const auto& [index, by_version] : rcssserver.of("show")) {
-    std::string text;
-    for (const auto& [version, message] : by_version) {
-      if (version >= 3) text = message;
-    }
-    const Frame frame = frame_of(by_version.at(-1), text);
+    const Frame frame = frame_of(by_version);
     expect_short_show(show_of(frame, MonitorVersion::k1), bytes_of(by_version.at(1), 2052));
   }
 }
@@ -179,9 +182,11 @@ TEST(MonitorMessage, Version1ShowsMatchRcssserver) {
 void expect_long_show(const std::string& actual, const std::string& expected) {
   ASSERT_EQ(actual.size(), expected.size());
   EXPECT_EQ(actual.substr(0, 42), expected.substr(0, 42));
+
   for (std::size_t at = 44; at < 60; at += 4) {
     EXPECT_NEAR(read_int32(&actual[at]), read_int32(&expected[at]), 4) << at;
   }
+
   for (std::size_t player = 60; player < 1468; player += 64) {
     EXPECT_EQ(actual.substr(player, 4), expected.substr(player, 4));
     for (std::size_t at = player + 4; at < player + 32; at += 4) {
@@ -198,12 +203,9 @@ void expect_long_show(const std::string& actual, const std::string& expected) {
 
 TEST(MonitorMessage, Version2ShowsMatchRcssserver) {
   RcssserverMessages rcssserver;
+
   for (const auto& [index, by_version] : rcssserver.of("show")) {
-    std::string text;
-    for (const auto& [version, message] : by_version) {
-      if (version >= 3) text = message;
-    }
-    const Frame frame = frame_of(by_version.at(-1), text);
+    const Frame frame = frame_of(by_version);
     expect_long_show(show_of(frame, MonitorVersion::k2), bytes_of(by_version.at(2), 2056));
   }
 }
@@ -211,6 +213,7 @@ TEST(MonitorMessage, Version2ShowsMatchRcssserver) {
 TEST(MonitorMessage, TextsMatchRcssserver) {
   RcssserverMessages rcssserver;
   int stopped = 20;
+
   for (const auto& [index, by_version] : rcssserver.of("msg")) {
     const json message_json = json::parse(by_version.at(-1)).at("msg");
     stopped = message_json.value("stime", 0);
@@ -231,6 +234,7 @@ TEST(MonitorMessage, TextsMatchRcssserver) {
       EXPECT_STREQ(actual.c_str() + board + 2, expected.c_str() + board + 2);
     }
   }
+
   EXPECT_EQ(rcssserver.of("msg").size(), 2u);
 }
 
@@ -238,6 +242,7 @@ TEST(MonitorMessage, EscapesTextOnlyInJson) {
   std::string text;
   append_monitor_text(MonitorVersion::k5, 40, 0, 1, "(team_graphic_l (0 0 \"8 8 2 1\"))", text);
   EXPECT_EQ(text, "(msg 40 1 \"(team_graphic_l (0 0 \"8 8 2 1\"))\")");
+
   text.clear();
   append_monitor_text(MonitorVersion::kJson, 40, 0, 1, "a \"b\"", text);
   EXPECT_EQ(text, R"({"msg":{"time":40,"board":1,"message":"a \"b\""}})");
@@ -275,9 +280,11 @@ void expect_binary(RcssserverMessages& rcssserver, const std::string& kind, std:
     ASSERT_TRUE(soccer::parse(by_version.at(5), params));
     std::string actual;
     append_monitor_parameters(MonitorVersion::k2, params, actual);
+
     const std::string expected = bytes_of(by_version.at(2), 2056);
     ASSERT_EQ(actual.size(), expected.size());
     EXPECT_EQ(actual.substr(0, 2), expected.substr(0, 2));
+
     // Bytes after it, and after single two-byte numbers, are undefined.
     for (std::size_t at = 4; at < 4 + size; at += 4) {
       const bool alone = kind == "player_type" ? at == 4 : kind == "player_param" && at == 8;
@@ -304,6 +311,7 @@ TEST(MonitorMessage, SendsNoParametersToVersion1AndAllToVersion5) {
   const auto send = [&sent](std::string_view message) { sent.emplace_back(message); };
   send_monitor_parameters(MonitorVersion::k1, {}, {}, types, send);
   EXPECT_TRUE(sent.empty());
+
   send_monitor_parameters(MonitorVersion::k5, {}, {}, types, send);
   ASSERT_EQ(sent.size(), 5u);
   EXPECT_TRUE(sent[0].starts_with("(server_param (audio_cut_dist 50)"));

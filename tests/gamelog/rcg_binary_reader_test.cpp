@@ -1,6 +1,7 @@
 // Binary logs compared with values from an independent decoder in another language.
 #include "gamelog/rcg/format_readers.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@ namespace {
 
 using soccer::PlayMode;
 using soccer::Vec2;
+using testing::FieldsAre;
 
 MatchRecord read(std::string_view log) {
   base::MemorySource source(log);
@@ -38,6 +40,7 @@ TEST(ReadRcgVersion1, ReadsShowsAndMessages) {
   ASSERT_EQ(record.frames(), 59u);
   EXPECT_EQ(messages(record).front(), "(referee kick_off_l)");
   EXPECT_EQ(messages(record).back(), "(result 202611202100 HELIOS_L_1-vs-HELIOS_R_0)");
+
   const Frame early = frame_at(record, 11);
   EXPECT_EQ(early.time, 12);
   EXPECT_EQ(early.mode, PlayMode::kKickOffLeft);
@@ -47,6 +50,7 @@ TEST(ReadRcgVersion1, ReadsShowsAndMessages) {
   EXPECT_EQ(early.players[0].position, (Vec2{-791 / 16.0, -3 / 16.0}));
   EXPECT_EQ(early.players[20].body, -163);
   EXPECT_EQ(early.players[20].position, (Vec2{142 / 16.0, -191 / 16.0}));
+
   const Frame last = frame_at(record, 58);
   EXPECT_EQ(last.time, 400);
   EXPECT_EQ(last.mode, PlayMode::kTimeOver);
@@ -59,10 +63,12 @@ TEST(ReadRcgVersion2, ReadsShowsWithStoppedClock) {
   EXPECT_EQ(record.version, RcgVersion::kV2);
   EXPECT_TRUE(record.errors.empty());
   ASSERT_EQ(record.frames(), 63u);
+
   const Frame playing = frame_at(record, 30);
   EXPECT_EQ(playing.time, 31);
   EXPECT_EQ(playing.mode, PlayMode::kPlayOn);
   EXPECT_EQ(playing.ball_position, (Vec2{5, 35 / 16.0}));
+
   const Frame stopped = frame_at(record, 59);
   EXPECT_EQ(stopped.time, 31);
   EXPECT_EQ(stopped.stopped, 29);
@@ -73,6 +79,7 @@ TEST(ReadRcgVersion2, ReadsShowsWithStoppedClock) {
 
 TEST(ReadRcgVersion3, ReadsParametersAndTypes) {
   const MatchRecord record = read(excerpt("rcg-v3"));
+
   EXPECT_EQ(record.version, RcgVersion::kV3);
   EXPECT_TRUE(record.errors.empty());
   EXPECT_EQ(record.server.half_time, 20);
@@ -92,12 +99,15 @@ TEST(ReadRcgVersion3, ReadsParametersAndTypes) {
 
 TEST(ReadRcgVersion3, ReadsShowsInDegreesAndReorderedCounters) {
   const MatchRecord record = read(excerpt("rcg-v3"));
+
   ASSERT_EQ(record.frames(), 63u);
+
   const Frame frame = frame_at(record, 44);
   EXPECT_EQ(frame.time, 45);
   EXPECT_EQ(frame.mode, PlayMode::kPlayOn);
   EXPECT_NEAR(frame.ball_position.x, 4.2203826904296875, 5e-5);
   EXPECT_NEAR(frame.ball_velocity.y, 0.5459747314453125, 5e-5);
+
   const PlayerFrame& p = frame.players[20];
   EXPECT_EQ(p.type, 7);
   EXPECT_EQ(p.state, 1u);
@@ -109,14 +119,7 @@ TEST(ReadRcgVersion3, ReadsShowsInDegreesAndReorderedCounters) {
   EXPECT_TRUE(p.high_quality);
   EXPECT_NEAR(p.stamina, 7243.707565307617, 1e-3);
   EXPECT_EQ(p.capacity, -1);
-  EXPECT_EQ(p.counts.kick, 0);
-  EXPECT_EQ(p.counts.dash, 39);
-  EXPECT_EQ(p.counts.turn, 104);
-  EXPECT_EQ(p.counts.say, 6);
-  EXPECT_EQ(p.counts.turn_neck, 144);
-  EXPECT_EQ(p.counts.catches, 0);
-  EXPECT_EQ(p.counts.move, 1);
-  EXPECT_EQ(p.counts.change_view, 7);
+  EXPECT_THAT(p.counts, FieldsAre(0, 39, 104, 0, 1, 144, 7, 6, 0, 0, 0, 0));
   EXPECT_EQ(record.final_teams()[1].name, "HELIOS_R");
 }
 

@@ -44,10 +44,12 @@ std::string played_back(const MatchRecord& record) {
       writer.write_message({note.time, note.stopped}, message->board, message->text);
     }
   };
+
   for (std::size_t i = 0; i < record.frames(); ++i) {
     notes_until(i);
     writer.write_step(frame_at(record, i));
   }
+
   notes_until(record.frames());
   Frame last = frame_at(record, record.frames() - 1);
   last.stopped = record.notes.back().stopped;  // it continues after the last frame

@@ -25,6 +25,7 @@ std::string written_again(std::string_view log) {
   std::vector<soccer::PlayerType> types;
   Frame frame;
   bool header_written = false;
+
   for (const std::string_view line : tests::split_lines(log)) {
     base::Result<void> read;
     if (line.starts_with("(server_param ")) read = soccer::parse(line, server);
@@ -39,6 +40,7 @@ std::string written_again(std::string_view log) {
     tests::read_show(line, frame);
     writer.write_step(frame);
   }
+
   writer.write_end(frame);
   return sink.bytes();
 }
@@ -118,6 +120,7 @@ TEST(RcgText, FormatsAllPlayerValues) {
   player.attention_side = Side::kLeft;
   player.attention_unum = 2;
   player.counts = {0, 2, 2, 0, 2, 2, 2, 2, 1, 1, 1, 1};
+
   EXPECT_EQ(show_of_first_player(player),
             "(show 0 ((b) 0 0 0 0) ((l 1) 2 0x1 -5 5 0 0 30 90 (v h 60) (fp 10 20) (s 8000 0.92353 "
             "1 130600) (f l 2) (c 0 2 2 0 2 2 2 2 1 1 1 1))");
@@ -146,6 +149,7 @@ TEST(RcgText, RoundsLengthsAnglesAndStaminaSeparately) {
   player.stamina = 6107.0712345;
   player.effort = 0.9800414;
   player.capacity = 130552.4;
+
   EXPECT_EQ(show_of_first_player(player),
             "(show 0 ((b) 0 0 0 0) ((l 1) 0 0x140803 -50.5897 0 -0 0 165.21 -12.346 10.0001 "
             "-3.1416 (v l 45) (fp 0 0) (s 6107.07 0.980041 1 130552) (c 0 0 0 0 0 0 0 0 0 0 0 0))");
@@ -173,6 +177,7 @@ TEST(RcgWriter, WritesNothingBeforeKickOffAndOneFrameAfterTimeOver) {
   frame.mode = PlayMode::kBeforeKickOff;
   writer.write_step(frame);
   EXPECT_EQ(sink.bytes(), "");
+
   frame.time = 6000;
   frame.mode = PlayMode::kTimeOver;
   writer.write_step(frame);
@@ -181,6 +186,7 @@ TEST(RcgWriter, WritesNothingBeforeKickOffAndOneFrameAfterTimeOver) {
   EXPECT_EQ(lines[0], "(playmode 6000 time_over)");
   EXPECT_EQ(lines[1], "(team 6000 null null 0 0)");
   EXPECT_TRUE(lines[2].starts_with("(show 6000 "));
+
   writer.write_step(frame);
   EXPECT_EQ(tests::split_lines(sink.bytes()).size(), 3u);
 }
@@ -192,6 +198,7 @@ TEST(RcgWriter, SkipsPlayModesBetweenFrames) {
   frame.mode = PlayMode::kPlayOn;
   writer.write_step(frame);
   frame.mode = PlayMode::kBeforeKickOff;
+
   writer.write_step(frame);
   frame.mode = PlayMode::kPlayOn;
   writer.write_step(frame);
@@ -216,6 +223,7 @@ TEST(WithoutLocalPaths, ResetsOnlyFoldersFilesAndCommands) {
   params.team_l_start = "./start.sh";
   params.half_time = 20;
   const soccer::ServerParams shown = without_local_paths(params);
+
   EXPECT_EQ(shown.game_log_dir, "./");
   EXPECT_EQ(shown.landmark_file, "~/.rcssserver-landmark.xml");
   EXPECT_EQ(shown.team_l_start, "");

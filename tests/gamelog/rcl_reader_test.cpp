@@ -2,6 +2,7 @@
 // protocol's parser.
 #include "gamelog/rcl/rcl_reader.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -13,6 +14,9 @@
 
 namespace cls::gamelog {
 namespace {
+
+using testing::ElementsAre;
+using testing::Pair;
 
 RclRecord read(std::string_view log) {
   base::MemorySource source(log);
@@ -27,9 +31,11 @@ TEST(ReadRcl, ReadsPlayersCoachesTrainerAndReferee) {
       "177,31\t(referee free_kick_l)\n"
       "178,0\tSIM: 2.5e-05\n"
       "13,0\tRecv HELIOS_R_11: (dash 65.276)(done)\n");
+
   ASSERT_TRUE(record.errors.empty());
   ASSERT_EQ(record.lines.size(), 6u);
   EXPECT_EQ(record.teams, (std::vector<std::string>{"HELIOS_L", "HELIOS_R"}));
+
   const RclSource sources[] = {RclSource::kPlayer,  RclSource::kCoach, RclSource::kTrainer,
                                RclSource::kReferee, RclSource::kOther, RclSource::kPlayer};
   for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(record.lines[i].source, sources[i]) << i;
@@ -47,6 +53,7 @@ TEST(ReadRcl, ReadsLinesThatEndWithCarriageReturns) {
       "0,0\tRecv HELIOS_L_1: (init HELIOS_L (version 18) (goalie))\r\n"
       "177,31\t(referee free_kick_l)\r\n"
       "13,0\tRecv HELIOS_R_11: (dash 65.276)(done)\r\n");
+
   ASSERT_TRUE(record.errors.empty());
   ASSERT_EQ(record.lines.size(), 3u);
   EXPECT_EQ(record.text_of(record.lines[0]), "(init HELIOS_L (version 18) (goalie))");
@@ -63,12 +70,14 @@ TEST(ReadRcl, SplitsSenderAtLastUnderscore) {
       "1,0\tRecv A_12: (done)\n"
       "1,0\tRecv A: (done)\n"
       "1,0\tRecv A_1 (done)\n");
+
   EXPECT_EQ(record.teams, (std::vector<std::string>{"T,1:2_3", "Coach", "a-vs-b", "\xc3\xbc"}));
   EXPECT_EQ(record.lines[0].unum, 4);
   EXPECT_EQ(record.lines[1].unum, 7);
   EXPECT_EQ(record.text_of(record.lines[1]), "(say \"a: b\")");
   EXPECT_EQ(record.lines[2].source, RclSource::kCoach);
   EXPECT_EQ(record.lines[3].unum, 5);
+
   for (std::size_t i = 4; i < 7; ++i) EXPECT_EQ(record.lines[i].source, RclSource::kOther) << i;
 }
 
@@ -107,13 +116,10 @@ TEST(CommandCursor, FindsCommandsAndArguments) {
   using Kind = CommandKind;
   const auto found = commands(
       "(dash (l 50 10)(r 40))(turn_neck 44)(attentionto our 5)(pointto off) (done)(chase ball)");
-  ASSERT_EQ(found.size(), 6u);
-  EXPECT_EQ(found[0], std::make_pair(Kind::kDash, std::string("(l 50 10)(r 40)")));
-  EXPECT_EQ(found[1], std::make_pair(Kind::kTurnNeck, std::string("44")));
-  EXPECT_EQ(found[2], std::make_pair(Kind::kAttentionto, std::string("our 5")));
-  EXPECT_EQ(found[3].first, Kind::kPointto);
-  EXPECT_EQ(found[4], std::make_pair(Kind::kDone, std::string()));
-  EXPECT_EQ(found[5].first, Kind::kOther);
+
+  EXPECT_THAT(found, ElementsAre(Pair(Kind::kDash, "(l 50 10)(r 40)"), Pair(Kind::kTurnNeck, "44"),
+                                 Pair(Kind::kAttentionto, "our 5"), Pair(Kind::kPointto, "off"),
+                                 Pair(Kind::kDone, ""), Pair(Kind::kOther, "ball")));
 }
 
 TEST(CommandCursor, FindsNoCommandsInSayText) {
@@ -142,6 +148,7 @@ std::map<std::string, int> sorts_by_parser(const std::vector<soccer::PlayerComma
       "change_view", "synch_see",   "gaussian_see", "say",       "pointto",
       "pointto",     "attentionto", "attentionto",  "ear",       "clang",
       "sense_body",  "score",       "done",         "bye",       "compression"};
+
   std::map<std::string, int> result;
   for (const auto& command : parsed) ++result[kSorts[command.index()]];
   return result;
@@ -150,6 +157,7 @@ std::map<std::string, int> sorts_by_parser(const std::vector<soccer::PlayerComma
 void expect_same_commands_as_the_protocol(const RclRecord& record) {
   std::vector<soccer::PlayerCommand> parsed;
   std::size_t compared = 0;
+
   for (const RclLine& line : record.lines) {
     if (line.source != RclSource::kPlayer) continue;
     const std::string_view datagram = record.text_of(line);
@@ -162,6 +170,7 @@ void expect_same_commands_as_the_protocol(const RclRecord& record) {
     ASSERT_EQ(found, sorts_by_parser(parsed)) << datagram;
     ++compared;
   }
+
   EXPECT_GT(compared + 100, record.lines.size() * 4 / 5);
 }
 

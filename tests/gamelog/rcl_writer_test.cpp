@@ -36,8 +36,10 @@ TEST_F(RclWriterTest, MatchesRcssserverLines) {
   writer_.write_command(
       {13, 0}, of_player("HELIOS_R", 11,
                          "(dash 65.276)(turn_neck -3)(attentionto off)(done)(say \"R<yPPpzYy2\")"));
+
   writer_.write_referee({177, 31}, "free_kick_l");
   writer_.write_command({0, 0}, of_trainer("(init (version 15))"));
+
   EXPECT_EQ(sink_.bytes(),
             "0,0\tRecv HELIOS_L_1: (init HELIOS_L (version 18) (goalie))\n"
             "0,10\tRecv HELIOS_L_Coach: (eye on)\n"

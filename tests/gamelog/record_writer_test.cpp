@@ -96,6 +96,7 @@ std::string first_player(const std::string& log) {
 
 TEST(WriteRcg, OmitsDataUnknownToVersion) {
   const MatchRecord record = read(fixture("rcg-v6-excerpt"));
+
   EXPECT_EQ(first_player(written(record, RcgVersion::kV6)),
             "((l 2) 11 0x1 -24.4213 -4.8806 0.2302 0.0475 13.549 -90 (v h 180) (fp 0 0) (s 7940.75 "
             "0.870176 1 130559) (c 0 1 116 0 1 118 1 1 0 0 2 0)) ");
@@ -105,6 +106,7 @@ TEST(WriteRcg, OmitsDataUnknownToVersion) {
   EXPECT_EQ(first_player(written(record, RcgVersion::kV4)),
             "((l 2) 11 0x1 -24.4213 -4.8806 0.2302 0.0475 13.549 -90 (v h 180) (s 7940.75 0.870176 "
             "1) (c 0 1 116 0 1 118 1 1 0 0 2)) ");
+
   for (const RcgVersion version : {RcgVersion::kV4, RcgVersion::kV5}) {
     const MatchRecord again = read(written(record, version));
     EXPECT_EQ(again.version, version);
@@ -118,6 +120,7 @@ std::string version_7_excerpt() {
   std::string log;
   int height = 0;
   const std::string flat = fixture("rcg-v6-excerpt");
+
   for (const std::string_view line : tests::split_lines(flat)) {
     std::string changed(line == "ULG6" ? "ULG7" : line);
     const std::size_t ball = changed.find("((b)");
@@ -126,6 +129,7 @@ std::string version_7_excerpt() {
     }
     log += changed + "\n";
   }
+
   return log;
 }
 
@@ -134,8 +138,9 @@ TEST(WriteRcg, KeepsTheHeightOfVersion7) {
   const MatchRecord record = read(log);
   ASSERT_TRUE(record.errors.empty());
   expect_same(log, written(record, RcgVersion::kV7));
+
   const std::string json = written(record, RcgVersion::kJson);
-  EXPECT_NE(json.find("\"z\":1.5}"), std::string::npos);
+  EXPECT_THAT(json, HasSubstr("\"z\":1.5}"));
   const MatchRecord from_json = read(json);
   EXPECT_TRUE(from_json.has_ball_height);
   expect_same(log, written(from_json, RcgVersion::kV7));
@@ -145,10 +150,8 @@ TEST(WriteRcg, KeepsTheHeightOfVersion7) {
 TEST(WriteRcg, WritesSwitchesThatAreWordsAsJson) {
   MatchRecord record;
   record.parameter_lines = {"(server_param (auto_mode true)(use_offside false)(back_passes 0))"};
-  EXPECT_NE(written(record, RcgVersion::kJson)
-                .find("\"auto_mode\":true,\"use_offside\":false,\"back_passes\":false"),
-            std::string::npos)
-      << written(record, RcgVersion::kJson);
+  EXPECT_THAT(written(record, RcgVersion::kJson),
+              HasSubstr("\"auto_mode\":true,\"use_offside\":false,\"back_passes\":false"));
 }
 
 TEST(WriteRcg, ConvertsBinaryLogsToText) {
@@ -161,6 +164,7 @@ TEST(WriteRcg, ConvertsBinaryLogsToText) {
     EXPECT_EQ(again.final_teams(), record.final_teams());
     EXPECT_EQ(again.server.half_time, record.server.half_time);
     EXPECT_EQ(again.types.size(), record.types.size());
+
     for (std::size_t i = 0; i < record.frames(); ++i) {
       ASSERT_EQ(again.mode[i], record.mode[i]);
       ASSERT_EQ(again.stopped[i], record.stopped[i]);
@@ -185,6 +189,7 @@ TEST(GzipSink, RoundTripsCompressedData) {
   const tests::TemporaryFolder folder;
   const std::string log = fixture("match-start");
   const MatchRecord record = read(log);
+
   for (const char* name : {"a.rcg.gz", "b.rcg.gz", "c.rcg"}) {
     auto sink = base::create_sink((folder.path() / name).string());
     ASSERT_TRUE(sink);

@@ -3,14 +3,13 @@
 
 namespace cls::tests {
 
-using gamelog::kSlots;
-
 ScriptedMatch::ScriptedMatch() {
   next_.time = 1;
   next_.mode = soccer::PlayMode::kPlayOn;
   next_.teams[0].name = "A";
   next_.teams[1].name = "B";
-  for (int slot = 0; slot < static_cast<int>(kSlots); ++slot) {
+
+  for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
     const int unum = soccer::unum_of_slot(slot);
     const double side = soccer::sign(soccer::side_of_slot(slot));
     gamelog::PlayerFrame& player_frame = player(slot);
@@ -24,6 +23,7 @@ ScriptedMatch::ScriptedMatch() {
     player_frame.capacity = 130600;
     player_frame.view_width = 120;
   }
+
   append();
 }
 

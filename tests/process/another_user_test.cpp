@@ -21,9 +21,11 @@ TEST(AnotherUser, HasTheSameSandbox) {
        base::own_program()->string(), "--gtest_filter=Confinement.*:SocketOwnersTest.*:Landlock.*"},
       {"TMPDIR=" + folder.path().string(), "HOME=" + folder.path().string()}, folder.path());
   const auto tested = as_nobody.finish(std::chrono::seconds(120));
+
   if (tested.out.find("[==========]") == std::string::npos) {
     GTEST_SKIP() << "another user cannot start it: " << tested.err;
   }
+
   EXPECT_EQ(tested.exit_code, 0) << tested.out << tested.err;
   EXPECT_NE(tested.out.find("OK ] Confinement.ForbidsChangesOfOtherProcesses"), std::string::npos)
       << tested.out;

@@ -31,6 +31,7 @@ TEST(CommandPlan, FormatsEquivalentShellCommand) {
   CommandPlan plan;
   plan.argv = {"/opt/my team/start", "localhost", "1"};
   EXPECT_EQ(to_shell(plan), "'/opt/my team/start' localhost 1");
+
   plan.folder = "/opt/my team";
   plan.environment = {{"LANG", "C"}, {"DISPLAY", std::nullopt}};
   plan.cpus = {0, 2};
@@ -38,6 +39,7 @@ TEST(CommandPlan, FormatsEquivalentShellCommand) {
             "cd '/opt/my team' && env -u DISPLAY LANG=C taskset -c 0,2 '/opt/my team/start' "
             "localhost 1");
   EXPECT_EQ(to_shell(shell_command("x", "sleep 1; echo done")), "/bin/sh -c 'sleep 1; echo done'");
+
   plan = shell_command("x", "true");
   plan.folder = "/opt";
   plan.empty_environment = true;
@@ -58,8 +60,10 @@ TEST(CommandPlan, DecodesWhatWasEncoded) {
   plan.empty_environment = true;
   plan.files = {{"/usr", "/bin"}, {"/tmp/a b"}};
   const auto decoded = decode_plan(encode(plan));
+
   ASSERT_TRUE(decoded);
   EXPECT_EQ(*decoded, plan);
+
   plan.files.reset();
   EXPECT_EQ(decode_plan(encode(plan)), plan);
   EXPECT_FALSE(decode_plan("rubbish"));
@@ -70,9 +74,11 @@ TEST(CommandPlan, FindsProgramsAndReportsWhyNot) {
   EXPECT_EQ(find_program("sh")->filename(), "sh");
   EXPECT_EQ(find_program("rcssserver-from-nowhere").error().message,
             "rcssserver-from-nowhere: no such program on PATH");
+
   const tests::TemporaryFolder folder;
   const fs::path file = folder.path() / "start";
   EXPECT_EQ(find_program(file).error().message, file.string() + ": no such file");
+
   std::ofstream(file) << "#!/bin/sh\n";
   EXPECT_EQ(find_program(file).error().message, file.string() + " is not executable");
   ::chmod(file.c_str(), 0755);
@@ -101,12 +107,14 @@ TEST(FindProgram, NamesAMissingInterpreterOrLoader) {
   EXPECT_EQ(error_of(file, "#!"), "");
   EXPECT_EQ(error_of(file, "#! /opt/no/python3 -u\nx"),
             "its interpreter /opt/no/python3 does not exist");
+
   for (const char* script : {"#!/bin/sh\r\necho\r\n", "#!/usr/bin/env bash\r\n", "echo a\r\n"}) {
     EXPECT_EQ(error_of(file, script).substr(0, 45), "its first line ends with a carriage return; w")
         << script;
   }
   std::string program = tests::read_file("/proc/self/exe");
   EXPECT_EQ(error_of(file, program), "");
+
   const std::string loader = "/lib64/ld-linux";
   const std::size_t at = program.find(loader);
   ASSERT_NE(at, std::string::npos);

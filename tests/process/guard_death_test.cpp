@@ -68,6 +68,7 @@ TEST_F(GuardDeath, WorksWithIgnoredSignalsAndClosedStreams) {
   };
   while (!complete()) std::this_thread::sleep_for(10ms);
   EXPECT_EQ(tests::read_file(seen), "signals:\nfds: 0 1 2\nno input\n");
+
   ::kill(driver_->status().pid, SIGKILL);
   EXPECT_TRUE(processes_.nothing_left(2s));
 }
@@ -108,6 +109,7 @@ TEST_F(GuardDeath, InnerGuardDeletesItsFoldersWhenTheOuterKeeperIsKilled) {
   start(arguments);
   const std::filesystem::path scratch = driver_->last_lines().at(1);
   ASSERT_TRUE(std::filesystem::is_directory(scratch)) << scratch;
+
   const auto driver = read_process(driver_->status().pid);
   ASSERT_TRUE(driver);
   ::kill(driver->parent, SIGKILL);
@@ -119,6 +121,7 @@ TEST_F(GuardDeath, KeepsNoInheritedFileOpen) {
   start({fake_line("hang")});
   const std::string folder = "/proc/" + std::to_string(guard_pid()) + "/fd";
   int sockets = 0;
+
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string target = std::filesystem::read_symlink(entry.path()).string();
     if (target.starts_with("socket:")) ++sockets;

@@ -51,6 +51,7 @@ TEST_F(OutputLogTest, CollapsesRepeatedLines) {
   log.add("go on\n");
   for (int i = 0; i < 3; ++i) log.add("again\n");
   log.finish();
+
   EXPECT_EQ(written(), "start\ncannot open formation.conf\n  ×2310\ngo on\nagain\n  ×3\n");
   EXPECT_EQ(log.last_lines(3),
             (std::vector<std::string>{"cannot open formation.conf ×2310", "go on", "again ×3"}));
@@ -60,12 +61,14 @@ TEST_F(OutputLogTest, StopsAtSizeLimitAndStoresLastLines) {
   OutputLog log = open(1000);
   for (int i = 1; i <= 5000; ++i) log.add("line " + std::to_string(i) + "\n");
   EXPECT_LE(written().size(), 1000U);
+
   log.finish();
   const std::string text = written();
   EXPECT_EQ(text.substr(0, 7), "line 1\n");
   EXPECT_LT(text.size(), 3000U);
   EXPECT_THAT(text, HasSubstr("\nline 5000\n"));
   EXPECT_EQ(log.last_lines().size(), OutputLog::kMaxLastLines);
+
   // Every line is either written or counted.
   const std::size_t mark = text.find("[size limit of this log: ");
   ASSERT_NE(mark, std::string::npos);

@@ -26,6 +26,7 @@ std::vector<base::UniqueFd> take_all_marks() {
   constexpr int kFirst = 20000;
   constexpr int kLast = 31999;
   std::vector<base::UniqueFd> marks;
+
   for (int port = kFirst; port <= kLast; ++port) {
     base::UniqueFd mark(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
     sockaddr_un address{};
@@ -37,12 +38,14 @@ std::vector<base::UniqueFd> take_all_marks() {
       return {};
     marks.push_back(std::move(mark));
   }
+
   return marks;
 }
 
 TEST(Ports, ChoosesDistinctFreePorts) {
   const auto ports = ReservedPort::choose(30);
   ASSERT_TRUE(ports);
+
   std::set<int> numbers;
   for (const ReservedPort& port : *ports) {
     EXPECT_TRUE(port_is_free(Protocol::kTcp, port.number()));
@@ -65,6 +68,7 @@ TEST(Ports, ChoosesConsecutivePorts) {
 TEST(Ports, ChoosesWishedPortsIfAllAreFree) {
   auto held = ReservedPort::choose_row(3);
   ASSERT_TRUE(held);
+
   const int first = held->front().number();
   const auto others = ReservedPort::choose_row(3, first);
   ASSERT_TRUE(others);
@@ -80,6 +84,7 @@ TEST(Ports, ChoosesWishedPortsIfAllAreFree) {
 TEST(Ports, AreChosenAlsoWhenOthersHoldAllNames) {
   rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+
   rlimit many = before;
   many.rlim_cur = many.rlim_max;
   ::setrlimit(RLIMIT_NOFILE, &many);
@@ -101,6 +106,7 @@ TEST(Ports, AreChosenAlsoWhenOthersHoldAllNames) {
     ASSERT_TRUE(row) << row.error().message;
     EXPECT_EQ((*row)[2].number(), row->front().number() + 2);
   }).join();
+
   ::setrlimit(RLIMIT_NOFILE, &before);
   if (!skipped.empty()) GTEST_SKIP() << skipped;
 }
@@ -109,16 +115,19 @@ TEST(Ports, ReportsOwnerOfPortInUse) {
   MarkedHost processes;
   const auto ports = ReservedPort::choose(2);
   ASSERT_TRUE(ports);
+
   const int udp = (*ports)[0].number();
   const int tcp = (*ports)[1].number();
   EXPECT_TRUE(owners_of(Protocol::kUdp, udp).empty());
   EXPECT_FALSE(tcp_answers("127.0.0.1", tcp, 100));
+
   const auto child = processes.start_fake({"bind-udp", std::to_string(udp), "listen-tcp",
                                            std::to_string(tcp), "print", "bound", "hang"});
   ASSERT_TRUE(saw_line(*child, "bound"));
   EXPECT_FALSE(port_is_free(Protocol::kUdp, udp));
   EXPECT_TRUE(port_is_free(Protocol::kTcp, udp));
   EXPECT_FALSE(port_is_free(Protocol::kTcp, tcp));
+
   const int pid = child->status().pid;
   EXPECT_EQ(port_taken_text(Protocol::kUdp, udp), "UDP port " + std::to_string(udp) +
                                                       " is taken by cls_fake_proces (process " +

@@ -44,6 +44,7 @@ std::string error_of_start(const CommandPlan& plan) {
 TEST(ProcessHost, SaysThatItHasNoDescriptors) {
   rlimit limit{};
   ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &limit), 0);
+
   const int next = ::dup(STDERR_FILENO);
   ::close(next);
   const rlimit none_free{static_cast<rlim_t>(next), limit.rlim_max};
@@ -60,6 +61,7 @@ TEST(ProcessHost, StartsOrSaysWhyNotWithFewDescriptors) {
   const pid_t guard = Guard::active()->pid();
   rlimit before{};
   ASSERT_EQ(::prlimit(guard, RLIMIT_NOFILE, nullptr, &before), 0);
+
   int failed = 0;
   for (rlim_t limit = 5; limit < 14; ++limit) {
     const rlimit low{limit, before.rlim_max};
@@ -70,6 +72,7 @@ TEST(ProcessHost, StartsOrSaysWhyNotWithFewDescriptors) {
       EXPECT_TRUE((*child)->wait_gone(10s)) << limit;
     }
   }
+
   ASSERT_EQ(::prlimit(guard, RLIMIT_NOFILE, &before, nullptr), 0);
   EXPECT_GT(failed, 0);
   EXPECT_LT(failed, 9);
@@ -79,6 +82,7 @@ TEST(ProcessHost, ReportsExitCodeAndLastOutputLines) {
   MarkedHost processes;
   const auto child = processes.start_fake({"print", "hello", "print-error", "oh", "exit", "3"});
   ASSERT_TRUE(child->wait_exit(10s));
+
   const Child::Status status = child->status();
   EXPECT_EQ(to_text(*status.exit), "exit code 3");
   EXPECT_EQ(status.living, 0);
@@ -102,6 +106,7 @@ TEST(ProcessHost, ReportsWhyProgramCannotBeStarted) {
   plan.argv.front() = "no-such-program";
   EXPECT_EQ(error_of_start(plan),
             "cannot start the fake: no-such-program: no such program on PATH");
+
   const std::filesystem::path broken = folder.path() / "broken";
   std::ofstream(broken) << "#!/no/such/interpreter\n";
   ::chmod(broken.c_str(), 0755);
@@ -109,10 +114,12 @@ TEST(ProcessHost, ReportsWhyProgramCannotBeStarted) {
   EXPECT_EQ(error_of_start(plan),
             "cannot start the fake: " + broken.string() +
                 " cannot be started: its interpreter /no/such/interpreter does not exist");
+
   plan = fake({});
   plan.folder = folder.path() / "none";
   EXPECT_EQ(error_of_start(plan),
             "cannot start the fake: " + plan.folder.string() + ": no such folder");
+
   plan = fake({});
   plan.log = folder.path() / "none" / "x.log";
   EXPECT_EQ(error_of_start(plan), "cannot start the fake: cannot create " + plan.log.string() +
@@ -131,6 +138,7 @@ TEST(ProcessHost, RunsScriptsWithoutShebangLikeShells) {
   plan.name = "script";
   plan.argv = {script, "one", "2 3"};
   const auto child = processes.start(plan);
+
   ASSERT_TRUE(child->wait_gone(10s));
   EXPECT_EQ(child->last_lines(), Lines{"one and 2 3"});
 }
@@ -149,10 +157,12 @@ TEST(ProcessHost, PassesArgumentsFolderEnvironmentAndAffinity) {
   CommandPlan plan =
       fake({"print", "", "print", "a  'b' \"c\" $d *", "print-folder", "print-variable", "HOME",
             "print-variable", "CLS_TEST_NEW", "print-cpus"});
+
   plan.folder = folder.path();
   plan.environment = {{"HOME", std::nullopt}, {"CLS_TEST_NEW", "x y"}};
   plan.cpus = {0};
   const auto child = processes.start(plan);
+
   ASSERT_TRUE(child->wait_gone(10s));
   EXPECT_EQ(child->last_lines(),
             (Lines{"", "a  'b' \"c\" $d *",
@@ -166,9 +176,11 @@ TEST(ProcessHost, WritesLogOfEachChild) {
   CommandPlan plan = fake({"print", "one", "repeat", "1000", "again", "print-part", "end"});
   plan.log = folder.path() / "fake.log";
   const auto child = processes.start(plan);
+
   ASSERT_TRUE(child->wait_gone(10s));
   EXPECT_EQ(tests::read_file(plan.log), "one\nagain\n  ×1000\nend\n");
   EXPECT_EQ(child->log_error(), "");
+
   plan.log = "/dev/full";
   const auto unlucky = processes.start(plan);
   ASSERT_TRUE(unlucky->wait_gone(10s));
@@ -179,6 +191,7 @@ TEST(ProcessHost, StopsChildThatExitsOnSigterm) {
   MarkedHost processes;
   const auto child = processes.start_fake({"exit-on-term", "print", "up", "hang"});
   ASSERT_TRUE(saw_line(*child, "up"));
+
   const auto begin = Clock::now();
   child->end(10s);
   ASSERT_TRUE(child->wait_gone(5s));
@@ -191,6 +204,7 @@ TEST(ProcessHost, KillsChildThatIgnoresSigtermAfterGrace) {
   MarkedHost processes;
   const auto child = processes.start_fake({"ignore-term", "print", "up", "hang"});
   ASSERT_TRUE(saw_line(*child, "up"));
+
   const auto begin = Clock::now();
   child->end(300ms);
   ASSERT_TRUE(child->wait_gone(5s));
@@ -228,6 +242,7 @@ TEST(ProcessHost, DistinguishesScriptThatLeavesWorkersFromExit) {
   EXPECT_FALSE(child->status().gone);
   EXPECT_FALSE(has_ended(child->status()));
   EXPECT_FALSE(child->wait_gone(100ms));
+
   child->end(1s);
   ASSERT_TRUE(child->wait_gone(5s));
   EXPECT_TRUE(has_ended(child->status()));
@@ -242,6 +257,7 @@ TEST(ProcessHost, PassesOnlyNamedVariablesIfThePlanSaysSo) {
   plan.empty_environment = true;
   plan.environment = {{"GIVEN", "value"}};
   const auto child = processes.start(plan);
+
   ASSERT_TRUE(child->wait_gone(10s));
   EXPECT_EQ(child->last_lines(), (Lines{"unset ×2", "value: value"}));
 }
@@ -261,6 +277,7 @@ TEST(ProcessHost, TerminatesProgramBeforeDescendantsWhenGentle) {
   const auto child = processes.start(shell_command(
       "shell", "trap 'echo asked; exit 7' TERM; " + worker + " exit-on-term hang & echo up; wait"));
   ASSERT_TRUE(saw_line(*child, "up"));
+
   child->end(5s, true);
   ASSERT_TRUE(child->wait_gone(4s));
   EXPECT_EQ(to_text(*child->status().exit), "exit code 7");
@@ -279,6 +296,7 @@ TEST(ProcessHost, TerminatesChildOnDestruction) {
 TEST(ProcessHost, TerminatesAllChildrenOnDestruction) {
   std::shared_ptr<Child> child;
   std::string mark;
+
   {
     MarkedHost processes;
     mark = processes.mark;
@@ -286,6 +304,7 @@ TEST(ProcessHost, TerminatesAllChildrenOnDestruction) {
     processes.start_fake({"hang"});
     ASSERT_TRUE(saw_line(*child, "up"));
   }
+
   EXPECT_TRUE(tests::all_marked_gone(mark, 0ms));
   EXPECT_TRUE(child->status().gone);
   EXPECT_EQ(to_text(*child->status().exit), "killed by SIGKILL");
@@ -300,6 +319,7 @@ TEST(ProcessHost, TerminatesManyChildrenConcurrently) {
   for (const auto& child : children) ASSERT_TRUE(saw_line(*child, "up"));
   EXPECT_EQ(tests::marked_processes(processes.mark).size(), 52U);
   EXPECT_TRUE(processes.host.end_all(300ms));
+
   for (const auto& child : children) EXPECT_TRUE(child->status().gone);
   EXPECT_TRUE(processes.nothing_left());
 }
@@ -309,11 +329,13 @@ TEST(ProcessHost, LimitsLogOfFloodingChild) {
   MarkedHost processes;
   auto host = ProcessHost::create(100'000);
   ASSERT_TRUE(host);
+
   CommandPlan plan = fake({"flood"});
   plan.log = folder.path() / "flood.log";
   plan.environment = {{tests::kMarkVariable, processes.mark}};
   auto flood = host->start(plan);
   ASSERT_TRUE(flood);
+
   const auto other = processes.start_fake({"sleep", "0.2", "print", "done"});
   EXPECT_TRUE(saw_line(*other, "done"));
   std::this_thread::sleep_for(200ms);
@@ -329,6 +351,7 @@ TEST(ProcessHost, MeasuresCpuTimeOfAllDescendants) {
   const auto child = processes.start_fake(
       {"burn", "0.2", "burning-child", "0.3", "print", "half", "sleep", "0.3", "burn", "0.2"});
   ASSERT_TRUE(saw_line(*child, "half"));
+
   const double half = child->cpu_seconds();
   EXPECT_GE(half, 0.47);
   EXPECT_LE(half, 0.65);
@@ -343,6 +366,7 @@ TEST(ProcessHost, DistinguishesReadinessFromEarlyExit) {
   const auto never = [] { return false; };
   const auto dies = processes.start_fake({"sleep", "0.05", "exit", "1"});
   EXPECT_EQ(wait_until_ready(*dies, never, 10s, stop), Readiness::kEnded);
+
   const auto hangs = processes.start_fake({"hang"});
   EXPECT_EQ(wait_until_ready(*hangs, never, 50ms, stop), Readiness::kTimedOut);
   stop = SIGINT;
@@ -362,12 +386,14 @@ TEST(ProcessHost, KillsProgramWithItsKeeper) {
   MarkedHost processes;
   const auto child = processes.start_fake({"grandchild", "print", "up", "hang"});
   ASSERT_TRUE(saw_line(*child, "up"));
+
   const int pid = child->status().pid;
   int keeper = 0;
   for (const ProcessEntry& entry : descendants_of(::getpid())) {
     if (entry.pid == pid) keeper = entry.parent;
   }
   ASSERT_GT(keeper, 0);
+
   ::kill(keeper, SIGKILL);
   ASSERT_TRUE(child->wait_gone(5s));
   EXPECT_TRUE(processes.nothing_left(2s));
@@ -383,6 +409,7 @@ TEST(ProcessHost, ClosesAllDescriptors) {
   MarkedHost processes;
   processes.start_fake({"exit", "0"})->wait_gone(5s);
   const auto before = open_fds();
+
   for (int i = 0; i < 50; ++i) {
     ASSERT_TRUE(processes.start_fake({"print", "x"})->wait_gone(5s));
   }

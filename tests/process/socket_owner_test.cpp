@@ -86,6 +86,7 @@ TEST_F(SocketOwnersTest, KnowProcessesOutside) {
   }
   EXPECT_EQ(found.kind, Kind::kOutside);
   ASSERT_GT(found.pid, 1);
+
   ::kill(found.pid, SIGKILL);
 }
 

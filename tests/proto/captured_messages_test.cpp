@@ -30,11 +30,14 @@ namespace pb = google::protobuf;
 void list_unknown(const pb::Message& message, std::vector<std::string>& found) {
   const pb::Reflection& reflection = *message.GetReflection();
   const pb::UnknownFieldSet& unknown = reflection.GetUnknownFields(message);
+
   for (int i = 0; i < unknown.field_count(); ++i) {
     found.push_back(message.GetTypeName() + " " + std::to_string(unknown.field(i).number()));
   }
+
   std::vector<const pb::FieldDescriptor*> fields;
   reflection.ListFields(message, &fields);
+
   for (const pb::FieldDescriptor* field : fields) {
     if (field->cpp_type() == pb::FieldDescriptor::CPPTYPE_ENUM) {
       const int number = reflection.GetEnumValue(message, field);
@@ -85,6 +88,7 @@ Piece read_piece(pb::io::CodedInputStream& in, const pb::Descriptor& type) {
   std::string body;
   std::uint64_t number = 0;
   std::uint32_t length = 0;
+
   switch (WireFormatLite::GetTagWireType(tag)) {
     case WireFormatLite::WIRETYPE_VARINT: {
       const int start = in.CurrentPosition();
@@ -114,6 +118,7 @@ Piece read_piece(pb::io::CodedInputStream& in, const pb::Descriptor& type) {
     default:
       throw std::runtime_error("unexpected wire type");
   }
+
   piece.bytes += body;
   return piece;
 }
@@ -123,9 +128,11 @@ std::string with_sorted_maps(const std::string& bytes, const pb::Descriptor& typ
   pb::io::CodedInputStream in(reinterpret_cast<const std::uint8_t*>(bytes.data()),
                               static_cast<int>(bytes.size()));
   std::vector<Piece> pieces;
+
   while (in.CurrentPosition() < static_cast<int>(bytes.size())) {
     pieces.push_back(read_piece(in, type));
   }
+
   for (auto first = pieces.begin(); first != pieces.end();) {
     const auto last = std::find_if(first, pieces.end(),
                                    [&](const Piece& piece) { return piece.field != first->field; });
@@ -163,6 +170,7 @@ const pb::Descriptor& type_in(const fs::path& file) {
 std::size_t check_file(const fs::path& file) {
   const pb::Descriptor& type = type_in(file);
   const std::vector<std::string> messages = split_messages(read_file(file));
+
   for (std::size_t i = 0; i < messages.size(); ++i) {
     SCOPED_TRACE(file.filename().string() + " message " + std::to_string(i));
     const std::unique_ptr<pb::Message> message(
@@ -174,6 +182,7 @@ std::size_t check_file(const fs::path& file) {
     EXPECT_TRUE(written(*message) == with_sorted_maps(messages[i], type)) << "bytes differ";
     if (::testing::Test::HasFailure()) break;
   }
+
   return messages.size();
 }
 
@@ -210,6 +219,7 @@ TEST(CapturedMessages, OfWholeMatchAreKnownAndRoundTrip) {
 TEST(CapturedMessages, ReportUnknownFieldsAndEnumValues) {
   protos::State state;  // field 99 of the first teammate
   ASSERT_TRUE(state.ParseFromString("\x12\x05\x42\x03\x98\x06\x01"));
+
   protos::RegisterRequest request;  // agent_type 9
   ASSERT_TRUE(request.ParseFromString("\x08\x09"));
   std::vector<std::string> unknown;
@@ -241,6 +251,7 @@ TEST(CapturedMessages, RegisterAgents) {
 
 TEST(CapturedMessages, ContainServerParameters) {
   const auto server = parsed<protos::ServerParam>("SendServerParams.req.pb.gz").at(0);
+
   EXPECT_EQ(server.register_response().client_id(), 8);
   EXPECT_FLOAT_EQ(server.player_decay(), 0.4f);
   EXPECT_FLOAT_EQ(server.ball_decay(), 0.94f);
@@ -255,10 +266,12 @@ TEST(CapturedMessages, ContainServerParameters) {
   EXPECT_EQ(server.max_monitors(), -1);
   EXPECT_FLOAT_EQ(server.goal_width(), 14.02f);
   EXPECT_FLOAT_EQ(server.pitch_margin(), 5);
+
   const auto player = parsed<protos::PlayerParam>("SendPlayerParams.req.pb.gz").at(0);
   EXPECT_EQ(player.player_types(), 18);
   EXPECT_FLOAT_EQ(player.new_dash_power_rate_delta_min(), -0.0012f);
   EXPECT_FLOAT_EQ(player.catchable_area_l_stretch_max(), 1.3f);
+
   const auto type = parsed<protos::PlayerType>("SendPlayerType.req.pb.gz").at(3);
   EXPECT_EQ(type.id(), 3);
   EXPECT_FLOAT_EQ(type.player_decay(), 0.416252f);
@@ -269,8 +282,10 @@ TEST(CapturedMessages, ContainServerParameters) {
 
 TEST(CapturedMessages, ContainWorldModel) {
   const auto state = parsed<protos::State>("GetPlayerActions.req.pb.gz").at(2);
+
   EXPECT_EQ(state.register_response().uniform_number(), 4);
   EXPECT_FALSE(state.need_preprocess());
+
   const protos::WorldModel& world = state.world_model();
   EXPECT_EQ(world.our_team_name(), "PROXY");
   EXPECT_EQ(world.their_team_name(), "HELIOS_R");
@@ -300,6 +315,7 @@ TEST(CapturedMessages, ContainPlayerActions) {
   ASSERT_EQ(reply.actions(1).action_case(), protos::PlayerAction::kHeliosOffensivePlanner);
   EXPECT_TRUE(reply.actions(1).helios_offensive_planner().through_pass());
   EXPECT_FALSE(reply.actions(1).helios_offensive_planner().server_side_decision());
+
   const auto coach = parsed<protos::CoachActions>("GetCoachActions.rsp.pb.gz").at(0);
   EXPECT_EQ(coach.actions(0).action_case(), protos::CoachAction::kDoHeliosSubstitute);
 }

@@ -30,6 +30,7 @@ std::string type_of(const pb::FieldDescriptor& field) {
     const pb::Descriptor& entry = *field.message_type();
     return "map<" + plain_type(*entry.map_key()) + "," + plain_type(*entry.map_value()) + ">";
   }
+
   if (field.is_repeated()) {
     const bool unpacked = field.is_packable() && !field.is_packed();
     return (unpacked ? "unpacked repeated " : "repeated ") + plain_type(field);
@@ -44,11 +45,13 @@ std::string oneof_of(const pb::FieldDescriptor& field) {
 
 void list_message(const pb::Descriptor& message, Lines& lines) {
   lines.insert("message " + message.name());
+
   for (int i = 0; i < message.field_count(); ++i) {
     const pb::FieldDescriptor& field = *message.field(i);
     lines.insert("field " + message.name() + "." + field.name() + " " +
                  std::to_string(field.number()) + " " + type_of(field) + oneof_of(field));
   }
+
   for (int i = 0; i < message.nested_type_count(); ++i) {
     const pb::Descriptor& nested = *message.nested_type(i);
     if (!nested.options().map_entry()) lines.insert("nested message " + nested.full_name());
@@ -116,8 +119,9 @@ TEST(PlaymakerInterface, SpecificationIsComplete) {
   const Lines specified = list_specified();
   const auto count = [&](const std::string& word) {
     return std::count_if(specified.begin(), specified.end(),
-                         [&](const std::string& line) { return line.rfind(word, 0) == 0; });
+                         [&](const std::string& line) { return line.starts_with(word); });
   };
+
   EXPECT_EQ(count("rpc "), 10);
   EXPECT_EQ(count("enum "), 9);
   EXPECT_EQ(count("value "), 86);

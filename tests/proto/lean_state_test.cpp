@@ -44,6 +44,7 @@ protos::State small_state() {
   protos::WorldModel& world = *state.mutable_world_model();
   world.set_cycle(77);
   auto& ours = *world.mutable_our_players_dict();
+
   auto& theirs = *world.mutable_their_players_dict();
   for (const int number : {2, 3}) ours[number] = add_player(number, *world.add_teammates());
   theirs[5] = add_player(5, *world.add_opponents());
@@ -55,6 +56,7 @@ protos::State small_state() {
 TEST(LeanState, LacksThePlayersOfTheLists) {
   const protos::State state = lean(small_state());
   const protos::WorldModel& world = state.world_model();
+
   EXPECT_EQ(world.teammates_size(), 2);
   EXPECT_EQ(world.opponents_size(), 1);
   EXPECT_EQ(world.our_players_dict_size(), 1);
@@ -91,6 +93,7 @@ TEST(LeanState, StateWithoutPlayersStaysAsItIs) {
 
 TEST(LeanState, RecordedStatesComplete) {
   const std::string stream = tests::read_file(tests::fixture("grpc/GetPlayerActions.req.pb.gz"));
+
   for (const std::string& message : tests::split_messages(stream)) {
     protos::State state;
     ASSERT_TRUE(state.ParseFromString(message));

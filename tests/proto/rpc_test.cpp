@@ -14,6 +14,7 @@ TEST(Rpc, NamesFollowOrderOfEnumeration) {
       "SendPlayerType",  "SendInitMessage",   "GetPlayerActions",
       "GetCoachActions", "GetTrainerActions", "GetBestPlannerAction",
       "SendByeCommand"};
+
   EXPECT_EQ(agent_rpc_names(), expected);
   EXPECT_EQ(rpc_from_name("GetCoachActions"), Rpc::kGetCoachActions);
   EXPECT_EQ(rpc_from_name("GetCoachAction"), std::nullopt);
@@ -39,6 +40,7 @@ TEST(Rpc, IdentityIsReadFromEveryRequest) {
   identity.set_client_id(7);
   identity.set_team_name("cls");
   identity.set_uniform_number(4);
+
   for (int i = 1; i < kAgentRpcs; ++i) {
     const auto rpc = static_cast<Rpc>(i);
     const std::unique_ptr<google::protobuf::Message> request(request_prototype(rpc).New());

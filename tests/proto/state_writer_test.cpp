@@ -32,6 +32,7 @@ std::string written(const protos::State& state) {
 /// Sets every number of a message and of the messages in it to what takes the most bytes.
 void widen(Message& message) {
   const auto& reflection = *message.GetReflection();
+
   for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
     const FieldDescriptor* field = message.GetDescriptor()->field(i);
     if (field->is_repeated()) continue;
@@ -74,6 +75,7 @@ void widen_repeated(protos::WorldModel& world) {
 TEST(StateWriter, RecordedStatesHaveTheSameBytes) {
   const std::string stream = tests::read_file(tests::fixture("grpc/GetPlayerActions.req.pb.gz"));
   int states = 0;
+
   for (const std::string& message : tests::split_messages(stream)) {
     protos::State state;
     ASSERT_TRUE(state.ParseFromString(message));
@@ -105,6 +107,7 @@ TEST(StateWriter, WidestFieldsHaveTheSameBytes) {
 TEST(StateWriter, EmptyMessagesHaveTheSameBytes) {
   protos::State state;
   EXPECT_EQ(written(state), "");
+
   protos::WorldModel& world = *state.mutable_world_model();
   EXPECT_EQ(written(state), generated(state));
   world.add_teammates()->mutable_position();
@@ -132,6 +135,7 @@ TEST(StateWriter, WritesWhatIsKnownBesideFieldsOfLaterInterfaces) {
 
   protos::State read;
   ASSERT_TRUE(read.ParseFromString(written(state)));
+
   read.DiscardUnknownFields();
   EXPECT_EQ(generated(read), known);
 }

@@ -20,6 +20,8 @@
 namespace cls::soccer {
 namespace {
 
+std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
 TEST(Angles, NormalizeToClosedRange) {
   EXPECT_EQ(math::normalize_degrees(190), -170);
   EXPECT_EQ(math::normalize_degrees(-190), 170);
@@ -45,15 +47,14 @@ TEST(Interval, HasItsEndsInEitherOrder) {
 
 TEST(Directions, ArePairwiseTheSameBits) {
   const double values[] = {0.0, -0.0, 1e-9, -0.3, 1.0, -1.0, 52.5, -34.0, 1e300};
+
   for (const double y : values) {
     for (const double x : values) {
       const Vec2 a{x, y};
       const Vec2 b{-y, 0.7};
       const auto [first, second] = direction_pair(a, b);
-      EXPECT_EQ(std::bit_cast<std::uint64_t>(first),
-                std::bit_cast<std::uint64_t>(direction_degrees(a)));
-      EXPECT_EQ(std::bit_cast<std::uint64_t>(second),
-                std::bit_cast<std::uint64_t>(direction_degrees(b)));
+      EXPECT_EQ(bits(first), bits(direction_degrees(a)));
+      EXPECT_EQ(bits(second), bits(direction_degrees(b)));
     }
   }
 }
@@ -61,17 +62,17 @@ TEST(Directions, ArePairwiseTheSameBits) {
 TEST(Directions, OfManyVectorsAreTheSameBits) {
   RandomStream random(7, "directions");
   std::vector<Vec2> vectors = {{0.0, 0.0}, {-0.0, 0.0}, {-1.0, 0.0}, {-1.0, -0.0}, {0.0, -2.0}};
+
   while (vectors.size() < 997) {
     const double scale = math::exp(random.uniform(-40.0, 40.0));
     vectors.push_back({random.uniform(-1.0, 1.0) * scale, random.uniform(-1.0, 1.0)});
   }
-  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3},
-                                  std::size_t{4}, std::size_t{5}, vectors.size()}) {
+
+  for (const std::size_t count : {0UL, 1UL, 2UL, 3UL, 4UL, 5UL, vectors.size()}) {
     std::vector<double> degrees(count + 1, 7.0);
     directions(vectors.data(), count, degrees.data());
     for (std::size_t i = 0; i < count; ++i) {
-      EXPECT_EQ(std::bit_cast<std::uint64_t>(degrees[i]),
-                std::bit_cast<std::uint64_t>(direction_degrees(vectors[i])));
+      EXPECT_EQ(bits(degrees[i]), bits(direction_degrees(vectors[i])));
     }
     EXPECT_EQ(degrees[count], 7.0);
   }
@@ -80,17 +81,18 @@ TEST(Directions, OfManyVectorsAreTheSameBits) {
 TEST(Directions, OfManyVectorsInRadiansAndBackAreTheSameBits) {
   RandomStream random(8, "directions");
   std::vector<Vec2> vectors = {{0.0, 0.0}, {-0.0, 0.0}, {-1.0, -0.0}};
+
   while (vectors.size() < 103) {
     vectors.push_back({random.uniform(-60.0, 60.0), random.uniform(-40.0, 40.0)});
   }
-  for (const std::size_t count : {std::size_t{0}, std::size_t{3}, std::size_t{6}, vectors.size()}) {
+
+  for (const std::size_t count : {0UL, 3UL, 6UL, vectors.size()}) {
     std::vector<double> radians(count + 1, 7.0);
     directions_radians(vectors.data(), count, radians.data());
     std::vector<Vec2> units(count + 1, Vec2{7.0, 7.0});
     unit_vectors(radians.data(), count, units.data());
     for (std::size_t i = 0; i < count; ++i) {
-      EXPECT_EQ(std::bit_cast<std::uint64_t>(radians[i]),
-                std::bit_cast<std::uint64_t>(direction_radians(vectors[i])));
+      EXPECT_EQ(bits(radians[i]), bits(direction_radians(vectors[i])));
       EXPECT_EQ(units[i], polar_radians(1.0, radians[i]));
     }
     EXPECT_EQ(radians[count], 7.0);
@@ -162,6 +164,7 @@ TEST(MemoryChannel, PreservesOrderAndDetectsClosedPeer) {
   auto [server, client] = make_memory_channel();
   EXPECT_TRUE(server->send("one"));
   EXPECT_TRUE(server->send("two"));
+
   std::string message;
   ASSERT_TRUE(client->receive(message));
   EXPECT_EQ(message, "one");
@@ -170,6 +173,7 @@ TEST(MemoryChannel, PreservesOrderAndDetectsClosedPeer) {
   EXPECT_FALSE(client->receive(message));
   EXPECT_EQ(message, "two");
   EXPECT_FALSE(server->receive(message));
+
   server.reset();
   EXPECT_FALSE(client->send("three"));
 }

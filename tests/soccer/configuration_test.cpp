@@ -34,6 +34,7 @@ TEST(Configuration, ParsesFilesOfRcssserver) {
       "server::fixed_teamname_l = ''\n"
       "server::landmark_file = '~/.rcssserver-landmark.xml'\n"
       "server::ball_decay = 0.94\n";
+
   EXPECT_EQ(read(kFile),
             (Items{"server::version=19.0.0", "server::catch_ban_cycle=5", "server::coach=false",
                    "server::fixed_teamname_l=", "server::landmark_file=~/.rcssserver-landmark.xml",

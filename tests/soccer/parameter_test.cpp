@@ -42,6 +42,7 @@ TEST(SetParameter, AcceptsSpellingsOfRcssserver) {
   const auto set = [&](std::string_view name, std::string_view text) {
     return set_parameter(params, server_param_table(), name, text);
   };
+
   EXPECT_TRUE(set("ball_decay", "0.9"));
   EXPECT_EQ(params.ball_decay, 0.9);
   EXPECT_TRUE(set("ball_decay", "1"));
@@ -61,6 +62,7 @@ TEST(SetParameter, ReportsInvalidNamesAndValues) {
     const auto result = set_parameter(params, server_param_table(), name, text);
     return result ? std::string("accepted") : result.error().message;
   };
+
   EXPECT_EQ(message("half_tine", "3"), "unknown parameter 'half_tine'; did you mean 'half_time'?");
   EXPECT_EQ(message("zzz", "3"), "unknown parameter 'zzz'");
   EXPECT_EQ(message("half_tiem", "3"), "unknown parameter 'half_tiem'; did you mean 'half_time'?");

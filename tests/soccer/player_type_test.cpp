@@ -39,7 +39,9 @@ void expect_printed(double printed, double value) {
 
 TEST(PlayerTypes, MatchRcssserverForSeedOne) {
   const auto types = draw_player_types(ServerParams{}, PlayerParams{}, 1);
+
   ASSERT_EQ(types.size(), 18u);
+
   for (std::size_t i = 1; i < types.size(); ++i) {
     SCOPED_TRACE(i);
     const PlayerType& type = types[i];

@@ -60,6 +60,7 @@ TEST(CoachCommand, ReturnsErrorsOfRcssserver) {
   EXPECT_EQ(coach("(change_player_type x y)"), "illegal_command_form");
   EXPECT_EQ(coach("(say hello)"), "could_not_parse_say");
   EXPECT_EQ(coach("(say (advice (10 (true) (do our {1} (hold)))))(eye on)"), "could_not_parse_say");
+
   EXPECT_EQ(trainer("(move (player LeftTeam 1) -5 5 30 0.1)"), "illegal_command_form");
   EXPECT_EQ(trainer("(move (ball))"), "illegal_object_form");
   EXPECT_EQ(trainer("(move (player TA 12) 1 2)"), "illegal_object_form");
@@ -88,6 +89,7 @@ TEST(CoachCommand, FreeformReturnsTextBetweenQuotes) {
   ASSERT_FALSE(parse("(say (freeform \"a b(c)\"))", CoachRole::kOnlineCoach, command));
   EXPECT_EQ(std::get<CoachSay>(command).kind, ClangKind::kFreeform);
   EXPECT_EQ(std::get<CoachSay>(command).freeform(), "a b(c)");
+
   for (const char* text :
        {"(say (freeform \"\"))", "(say (freeform \"a!\"))", "(say (freeform a))",
         "(say (freeform \"a\" \"b\"))", "(say (freeform \"a\")", "(say (freeform \"a)",
@@ -98,6 +100,7 @@ TEST(CoachCommand, FreeformReturnsTextBetweenQuotes) {
 
 TEST(CoachCommand, InvalidXpmKeepsTileLocation) {
   CoachCommand command;
+
   EXPECT_EQ(parse("(team_graphic (3 4 \"8 8 1 1\"))", CoachRole::kOnlineCoach, command),
             ErrorCode::kInvalidXpmData);
   EXPECT_EQ(std::get<TeamGraphic>(command).x, 3);
@@ -110,6 +113,7 @@ TEST(CoachCommand, InvalidXpmKeepsTileLocation) {
 
 TEST(CoachCommand, DoesNotFormatWhatServerRejects) {
   std::string text = "before";
+
   for (const CoachCommand& command : std::vector<CoachCommand>{
            MoveBall{{std::nan(""), 0}, {}, {}}, MoveBall{{0, 0}, {}, Vec2{1, 1}},
            MovePlayer{"a b", 1, {0, 0}, {}, {}},

@@ -6,36 +6,23 @@
 namespace cls::soccer {
 namespace {
 
-// The error of a request to the game port, or "ok TEAM VERSION[ goalie]" and the like.
-std::string game(std::string_view datagram) {
-  GameRequest request;
-  if (const std::optional<ErrorCode> error = parse(datagram, request)) {
-    return std::string(name(*error));
-  }
-  std::string text;
-  std::visit([&](const auto& one) { format(one, text); }, request);
-  return text;
+void format(const GameRequest& request, std::string& text) {
+  std::visit([&](const auto& one) { soccer::format(one, text); }, request);
 }
 
-std::string coach(std::string_view datagram) {
-  CoachInit request;
-  if (const std::optional<ErrorCode> error = parse(datagram, request)) {
-    return std::string(name(*error));
-  }
+// The error of a request, or its text in the form of this program.
+template <typename Request>
+std::string read(std::string_view datagram) {
+  Request request;
+  if (const auto error = parse(datagram, request)) return std::string(name(*error));
   std::string text;
   format(request, text);
   return text;
 }
 
-std::string trainer(std::string_view datagram) {
-  TrainerInit request;
-  if (const std::optional<ErrorCode> error = parse(datagram, request)) {
-    return std::string(name(*error));
-  }
-  std::string text;
-  format(request, text);
-  return text;
-}
+std::string game(std::string_view datagram) { return read<GameRequest>(datagram); }
+std::string coach(std::string_view datagram) { return read<CoachInit>(datagram); }
+std::string trainer(std::string_view datagram) { return read<TrainerInit>(datagram); }
 
 TEST(ConnectionRequest, ParsesPlayerInitLikeRcssserver) {
   EXPECT_EQ(game("(init LeftTeam (version 19))"), "(init LeftTeam (version 19))");
@@ -57,6 +44,7 @@ TEST(ConnectionRequest, RejectsPlayerInitLikeRcssserver) {
   EXPECT_EQ(game("(init A"), "illegal_teamname_or_too_long_teamname");
   EXPECT_EQ(game("(init X"), "illegal_teamname_or_too_long_teamname");
   EXPECT_EQ(game("(init A B (version 18))"), "illegal_teamname_or_too_long_teamname");
+
   EXPECT_EQ(game("(init LeftTeam (foo))"), "illegal_command_form");
   EXPECT_EQ(game("(init LeftTeam (version x))"), "illegal_command_form");
   EXPECT_EQ(game("(init LeftTeam (version 18)"), "illegal_command_form");

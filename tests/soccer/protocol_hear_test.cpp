@@ -44,6 +44,7 @@ constexpr Case kRecorded[] = {
 
 TEST(Hear, ParsesAndFormatsAllForms) {
   Hear hear;
+
   for (const Case& one : kRecorded) {
     const base::Result<void> done = parse(one.text, hear);
     ASSERT_TRUE(done) << done.error().message;
@@ -58,6 +59,7 @@ TEST(Hear, ParsesAndFormatsAllForms) {
 
 TEST(Hear, ParsesSenderAndDirection) {
   Hear hear;
+
   ASSERT_TRUE(parse("(hear 36 -89 our 1 \"p2\")", hear));
   EXPECT_EQ(hear.direction, -89);
   EXPECT_EQ(hear.unum, 1);
@@ -90,6 +92,7 @@ TEST(Hear, RejectsInvalidForms) {
     Hear hear;
     EXPECT_FALSE(parse(text, hear)) << text;
   }
+
   Hear hear;
   EXPECT_EQ(parse("(hear 1 nobody \"a\")", hear).error().message,
             "hear: byte 8: expected 'an integer', found 'nobody \"a\")'");

@@ -17,9 +17,11 @@ TEST(MonitorCommand, ParsesPositionsInSixteenthsAndSidesAsSigns) {
   read<DispStart>("(dispstart)");
   read<DispBye>("(dispbye)");
   const auto foul = read<DispFoul>("(dispfoul -160 80 -1)");
+
   EXPECT_EQ(foul.position, (Vec2{-10.0, 5.0}));
   EXPECT_EQ(foul.side, Side::kRight);
   EXPECT_EQ(read<DispFoul>("(dispfoul 8 0 0)").side, Side::kNeutral);
+
   const auto placed = read<DispPlayer>("(dispplayer 1 11 -8 16 -90)");
   EXPECT_EQ(placed.side, Side::kLeft);
   EXPECT_EQ(placed.unum, 11);

@@ -47,6 +47,7 @@ TEST(ParameterMessage, FormatsDefaultTypeLikeRcssserver) {
 
 TEST(ParameterMessage, ParsesAllTypesOfValues) {
   ServerParams params;
+
   ASSERT_TRUE(
       parse("(server_param (goal_width 7.32)(half_time -1)(synch_mode 1)(use_offside 0)"
             "(text_log_dir \"a dir)/(x\")(team_l_start \"\"))",
@@ -83,6 +84,7 @@ TEST(ParameterMessage, ReportsByteOfError) {
     const base::Result<void> done = parse(text, params);
     return done ? "no error" : done.error().message;
   };
+
   EXPECT_EQ(error("(server_param (goal_width x))"),
             "server_param: byte 26: expected 'a number', found 'x))'");
   EXPECT_EQ(error("(server_param (synch_mode 2))"),

@@ -32,8 +32,10 @@ Command only(std::string_view datagram) {
 
 TEST(PlayerCommand, ParsesRecordedDatagrams) {
   const Dash dash = only<Dash>("(dash 100 -30)");
+
   EXPECT_EQ(dash.power, 100);
   EXPECT_EQ(dash.direction, -30);
+
   for (const char* datagram : {"(turn 0)(turn_neck 0)(change_view wide)(done)",
                                "(move -25 -5)(turn_neck 0)(done)",
                                "(ear (off opp))(clang (ver 7 8))",
@@ -68,6 +70,7 @@ TEST(PlayerCommand, ParsesAlternativeSpellings) {
   EXPECT_EQ(read(" ( turn\t10 )\n(done)\n"), "(turn 10)(done)");
   EXPECT_EQ(read("(turn+10)"), "(turn 10)");
   EXPECT_EQ(read("(kick 10+5)"), "(kick 10 5)");
+
   EXPECT_EQ(read("(kick 1.5.5)"), "(kick 1.5 0.5)");
   EXPECT_EQ(read("(dash (right 10 0)(left 20 0))"), "(dash (l 20 0) (r 10 0))");
   EXPECT_EQ(read("(dash (left 10 0))"), "(dash (l 10 0))");
@@ -181,6 +184,7 @@ TEST(PlayerCommand, DoesNotFormatWhatGrammarCannotExpress) {
     return TeamReference{TeamReference::Kind::kNamed, std::move(name)};
   };
   std::string text = "before";
+
   for (const PlayerCommand& command : std::vector<PlayerCommand>{
            Turn{std::nan("")}, Dash{infinity, 0}, Dash{100, -infinity}, Kick{1, std::nan("")},
            LegDash{}, LegDash{Dash{1, 2}, Dash{infinity, 0}}, Tackle{infinity, true}, Say{""},

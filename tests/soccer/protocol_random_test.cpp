@@ -75,10 +75,12 @@ SenseBody random_sense(Dice& dice) {
   sense.head_angle = dice.integer(-90, 90);
   sense.counts = {dice.integer(0, 9), dice.integer(0, 99), 3, 4, 5, 6, 7, 8, dice.integer(0, 9999)};
   sense.arm = {dice.integer(0, 9), 2, dice.number(), dice.integer(-180, 180), 5};
+
   if (dice.flip()) {
     sense.attention_side = dice.side();
     sense.attention_unum = dice.unum();
   }
+
   sense.attention_count = dice.integer(0, 99);
   sense.tackle_expires_in = dice.integer(0, 10);
   sense.collided_with_ball = dice.flip();
@@ -97,11 +99,13 @@ Observation random_player(Dice& dice) {
   object.detail = static_cast<ObservedDetail>(dice.integer(0, 1));
   if (dice.integer(0, 3) == 0) return object;
   object.team = dice.team();
+
   if (dice.flip()) {
     object.unum = static_cast<std::uint8_t>(dice.unum());
     object.goalie = dice.flip();
     if (object.detail == ObservedDetail::kPosition) object.detail = ObservedDetail::kPose;
   }
+
   if (object.detail == ObservedDetail::kDirection) return object;
   object.pointing = dice.flip();
   object.mark = static_cast<ActionMark>(dice.integer(0, 2));
@@ -111,14 +115,17 @@ Observation random_player(Dice& dice) {
 Observation random_object(Dice& dice) {
   Observation object;
   object.kind = static_cast<ObservedKind>(dice.integer(0, 7));
+
   if (object.kind == ObservedKind::kPlayer) {
     object = random_player(dice);
   } else {
     object.detail = static_cast<ObservedDetail>(dice.integer(0, 2));
   }
+
   if (object.kind == ObservedKind::kLandmark) {
     object.index = static_cast<std::uint8_t>(dice.integer(0, kLandmarkCount - 1));
   }
+
   if (object.kind == ObservedKind::kLine) {
     object.index = static_cast<std::uint8_t>(dice.integer(0, kPitchLineCount - 1));
   }
@@ -136,14 +143,17 @@ FullState random_full_state(Dice& dice) {
   FullState state;
   state.time = dice.integer(0, 6000);
   state.mode = static_cast<PlayMode>(dice.integer(1, kPlayModeCount - 1));
+
   if (dice.integer(0, 4) == 0) {
     state.mode = for_side(PlayMode::kFreeKickLeft, dice.side());
     state.ball_caught = true;
   }
+
   state.counts = {1, 2, 3, 4, 5, 6, 7, 8, 9};
   state.arm = {1, 2, dice.number(), 4, 5};
   state.ball_position = dice.vector();
   state.ball_velocity = dice.vector();
+
   for (int i = dice.integer(0, kPlayersOnPitch); i > 0; --i) {
     FullStatePlayer player;
     player.side = dice.side();
@@ -161,6 +171,7 @@ FullState random_full_state(Dice& dice) {
     player.card = static_cast<Card>(dice.integer(0, 2));
     state.players.push_back(player);
   }
+
   return state;
 }
 
@@ -168,6 +179,7 @@ GlobalView random_view(Dice& dice) {
   GlobalView view;
   view.is_look_reply = dice.flip();
   view.ball_position = dice.vector();
+
   for (int i = dice.integer(0, kPlayersOnPitch); i > 0; --i) {
     GlobalViewPlayer player;
     player.team = dice.team();
@@ -182,6 +194,7 @@ GlobalView random_view(Dice& dice) {
     player.card = static_cast<Card>(dice.integer(0, 2));
     view.players.push_back(player);
   }
+
   return view;
 }
 
@@ -192,6 +205,7 @@ Hear random_hear(Dice& dice, Recipient& recipient) {
   hear.sender = static_cast<Sender>(dice.integer(0, 7));
   recipient = Recipient::kPlayer;
   if (hear.sender == Sender::kPlayer) recipient = Recipient::kTrainer;
+
   hear.team = dice.team();
   hear.unum = dice.unum();
   hear.direction = dice.integer(-180, 180);
@@ -203,6 +217,7 @@ Hear random_hear(Dice& dice, Recipient& recipient) {
 
 TEST(ProtocolRandom, MessagesRoundTrip) {
   Dice dice;
+
   for (int i = 0; i < 5000; ++i) {
     const int version = dice.integer(14, 19);
     const auto versioned = [&](const auto& message, std::string& out) {
@@ -228,6 +243,7 @@ PlayerCommand random_command(Dice& dice) {
   const Dash dash{dice.number(), dice.number()};
   const TeamReference team{static_cast<TeamReference::Kind>(dice.integer(0, 4)),
                            "T" + dice.text("abc_-09", 0, 30)};
+
   switch (dice.integer(0, 17)) {
     case 0:
       return Turn{dice.number()};
@@ -272,6 +288,7 @@ PlayerCommand random_command(Dice& dice) {
 
 TEST(ProtocolRandom, CommandListsRoundTrip) {
   Dice dice;
+
   for (int i = 0; i < 20000; ++i) {
     std::string text;
     const int count = dice.integer(1, 8);
@@ -292,12 +309,14 @@ class AllParsers {
     commands_.clear();
     parse_player_commands(text, commands_);
     for (const PlayerCommand& command : commands_) ASSERT_TRUE(format(command, out_)) << text;
+
     for (const CoachRole role : {CoachRole::kOnlineCoach, CoachRole::kTrainer}) {
       if (!parse(text, role, coach_)) (void)format(coach_, out_);
     }
     if (!parse(text, game_)) std::visit([&](const auto& one) { format(one, out_); }, game_);
     if (!parse(text, coach_init_)) format(coach_init_, out_);
     if (!parse(text, trainer_init_)) format(trainer_init_, out_);
+
     if (parse(text, sense_)) format(sense_, 18, out_);
     if (parse(text, see_)) format(see_, out_);
     if (parse(text, hear_)) format(hear_, Recipient::kPlayer, out_);
@@ -329,6 +348,7 @@ class AllParsers {
 TEST(ProtocolRandom, CorruptMessagesDoNotCrash) {
   Dice dice;
   AllParsers parsers;
+
   for (const char* file : {"player-synch-v18.txt.gz", "scripted-clients-9.log.gz",
                            "coach-v18.txt.gz", "player-realtime-fullstate-v19.txt.gz"}) {
     int count = 0;
@@ -362,6 +382,7 @@ TEST(ProtocolRandom, CorruptMessagesDoNotCrash) {
 
 TEST(ProtocolRandom, LongHostileMessagesTakeLinearTime) {
   AllParsers parsers;
+
   for (const char* piece : {"(", ")", "(say ", "(say a", "\"", "(dash ", "9", "(turn 1)", "(p \"",
                             "((f c t) ", " ", "(move (", "(say (freeform (", "-", "e9"}) {
     std::string text;

@@ -1,5 +1,6 @@
 // Sensor messages of rcssserver: sense_body, see, fullstate, see_global.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "soccer/messages/full_state.h"
@@ -11,6 +12,9 @@
 
 namespace cls::soccer {
 namespace {
+
+using testing::ElementsAre;
+using testing::FieldsAre;
 
 template <typename Message>
 Message read(std::string_view text) {
@@ -36,6 +40,7 @@ constexpr std::string_view kSense18 =
 
 TEST(SenseBody, ParsesAllFields) {
   const SenseBody sense = read<SenseBody>(kSense18);
+
   EXPECT_EQ(sense.time, 12);
   EXPECT_EQ(sense.width, ViewWidth::kNarrow);
   EXPECT_EQ(sense.quality, ViewQuality::kHigh);
@@ -45,23 +50,14 @@ TEST(SenseBody, ParsesAllFields) {
   EXPECT_EQ(sense.speed, 0.42);
   EXPECT_EQ(sense.speed_direction, -29);
   EXPECT_EQ(sense.head_angle, 20);
-  EXPECT_EQ(sense.counts.kick, 3);
-  EXPECT_EQ(sense.counts.dash, 2);
-  EXPECT_EQ(sense.counts.turn, 1);
-  EXPECT_EQ(sense.counts.say, 4);
-  EXPECT_EQ(sense.counts.turn_neck, 5);
-  EXPECT_EQ(sense.counts.catches, 6);
-  EXPECT_EQ(sense.counts.move, 7);
-  EXPECT_EQ(sense.counts.change_view, 8);
-  EXPECT_EQ(sense.counts.change_focus, 9);
-  EXPECT_EQ(sense.arm.movable_in, 4);
-  EXPECT_EQ(sense.arm.expires_in, 19);
-  EXPECT_EQ(sense.arm.target_distance, 10);
-  EXPECT_EQ(sense.arm.target_direction, 20);
+
+  EXPECT_THAT(sense.counts, FieldsAre(3, 2, 1, 4, 5, 6, 7, 8, 9));
+  EXPECT_THAT(sense.arm, FieldsAre(4, 19, 10, 20, 1));
   EXPECT_EQ(sense.attention_side, Side::kLeft);
   EXPECT_EQ(sense.attention_unum, 2);
   EXPECT_EQ(sense.tackle_expires_in, 9);
   EXPECT_EQ(sense.tackle_count, 3);
+
   EXPECT_TRUE(sense.collided_with_ball);
   EXPECT_FALSE(sense.collided_with_player);
   EXPECT_TRUE(sense.collided_with_post);
@@ -70,6 +66,7 @@ TEST(SenseBody, ParsesAllFields) {
   EXPECT_TRUE(sense.has_focus_point);
   EXPECT_EQ(sense.focus_distance, 10);
   EXPECT_EQ(sense.focus_direction, -12.5);
+
   std::string text;
   format(sense, 18, text);
   EXPECT_EQ(text, kSense18);
@@ -84,6 +81,7 @@ TEST(SenseBody, OmitsFocusPointForOlderClients) {
   const SenseBody sense = read<SenseBody>(kSense14);
   EXPECT_FALSE(sense.has_focus_point);
   EXPECT_EQ(sense.attention_side, Side::kNeutral);
+
   std::string text;
   format(sense, 17, text);
   EXPECT_EQ(text, kSense14);
@@ -117,25 +115,27 @@ TEST(See, ParsesAllFormsOfObjects) {
       "((P) 3 150) ((F) 1.5 -170) ((G) 2 99) ((B) 0.7 -100) "
       "((p \"RightTeam\" 1 goalie) 6 -30 0 0 -30 -31 45 k) ((p \"TA\" 11) 7.4 5 0.1 2.2 3 -4) "
       "((p \"TA\") 30 5 -100) ((p \"TA\") 33.1 6 t) ((p) 60.3 2) ((l r) 64.1 60) ((l t) 6 -30))";
+
   const See see = read<See>(kText);
   EXPECT_EQ(see.time, 86);
-  ASSERT_EQ(see.objects.size(), 15u);
+  std::vector<ObservedKind> kinds;
+  for (const Observation& object : see.objects) kinds.push_back(object.kind);
+  using enum ObservedKind;
+  ASSERT_THAT(kinds, ElementsAre(kLandmark, kLandmark, kLandmark, kBall, kClosePlayer, kCloseFlag,
+                                 kCloseGoal, kCloseBall, kPlayer, kPlayer, kPlayer, kPlayer,
+                                 kPlayer, kLine, kLine));
+
   EXPECT_EQ(kLandmarks[see.objects[0].index].name, "f c t");
   EXPECT_EQ(see.objects[0].detail, ObservedDetail::kMotion);
-  EXPECT_EQ(see.objects[1].kind, ObservedKind::kLandmark);
   EXPECT_EQ(kLandmarks[see.objects[1].index].name, "g l");
   EXPECT_EQ(see.objects[1].detail, ObservedDetail::kPosition);
   EXPECT_EQ(see.objects[1].distance, 66.7);
   EXPECT_EQ(see.objects[1].direction, 34);
   EXPECT_EQ(see.objects[2].detail, ObservedDetail::kDirection);
   EXPECT_EQ(see.objects[2].direction, 27);
-  EXPECT_EQ(see.objects[3].kind, ObservedKind::kBall);
   EXPECT_EQ(see.objects[3].distance_change, 0.27);
   EXPECT_EQ(see.objects[3].direction_change, -1.5);
-  EXPECT_EQ(see.objects[4].kind, ObservedKind::kClosePlayer);
-  EXPECT_EQ(see.objects[5].kind, ObservedKind::kCloseFlag);
-  EXPECT_EQ(see.objects[6].kind, ObservedKind::kCloseGoal);
-  EXPECT_EQ(see.objects[7].kind, ObservedKind::kCloseBall);
+
   const Observation& goalie = see.objects[8];
   EXPECT_EQ(goalie.team.view(), "RightTeam");
   EXPECT_EQ(goalie.unum, 1);
@@ -153,8 +153,8 @@ TEST(See, ParsesAllFormsOfObjects) {
   EXPECT_EQ(see.objects[10].point_direction, -100);
   EXPECT_EQ(see.objects[11].mark, ActionMark::kTackling);
   EXPECT_TRUE(see.objects[12].team.empty());
-  EXPECT_EQ(see.objects[13].kind, ObservedKind::kLine);
   EXPECT_EQ(see.objects[13].index, static_cast<int>(PitchLine::kRight));
+
   std::string text;
   format(see, text);
   EXPECT_EQ(text, kText);
@@ -223,18 +223,11 @@ TEST(FullState, ParsesAllFields) {
       "(arm (movable 4) (expires 19) (target 10 20) (count 1)) (score 2 3) ((b) -1.5 0.25 1 -0) "
       "((p l 1 0) -3 -37 0 0 9.63341 20 10 0.349066 (focus_point 10 20) (stamina 8000 1 1 130450)) "
       "((p r 2 g 7) -6 -37 0.5 0 0 0 (focus_point 0 0) (stamina 8000 1 0.5 130600) k y))";
+
   const FullState state = read<FullState>(kText);
   EXPECT_EQ(state.mode, PlayMode::kFreeKickRight);
   EXPECT_TRUE(state.ball_caught);
-  EXPECT_EQ(state.counts.kick, 1);
-  EXPECT_EQ(state.counts.dash, 2);
-  EXPECT_EQ(state.counts.turn, 3);
-  EXPECT_EQ(state.counts.catches, 4);
-  EXPECT_EQ(state.counts.move, 5);
-  EXPECT_EQ(state.counts.turn_neck, 6);
-  EXPECT_EQ(state.counts.change_view, 7);
-  EXPECT_EQ(state.counts.say, 8);
-  EXPECT_EQ(state.counts.change_focus, 9);
+  EXPECT_THAT(state.counts, FieldsAre(1, 2, 3, 8, 6, 4, 5, 7, 9));
   EXPECT_EQ(state.our_score, 2);
   EXPECT_EQ(state.opponent_score, 3);
   EXPECT_EQ(state.ball_position, (Vec2{-1.5, 0.25}));
@@ -245,6 +238,7 @@ TEST(FullState, ParsesAllFields) {
   EXPECT_EQ(state.players[0].body, 9.63341);
   EXPECT_EQ(state.players[0].neck, 20);
   EXPECT_EQ(state.players[0].focus_direction, 20);
+
   const FullStatePlayer& goalie = state.players[1];
   EXPECT_EQ(goalie.side, Side::kRight);
   EXPECT_EQ(goalie.unum, 2);
@@ -254,6 +248,7 @@ TEST(FullState, ParsesAllFields) {
   EXPECT_EQ(goalie.recovery, 0.5);
   EXPECT_EQ(goalie.mark, ActionMark::kKicked);
   EXPECT_EQ(goalie.card, Card::kYellow);
+
   std::string text;
   format(state, 19, text);
   EXPECT_EQ(text, kText);
@@ -265,6 +260,7 @@ TEST(GlobalView, ParsesAllFields) {
       "((p \"LeftTeam\" 1) -10.2542 -9.52485 0 0.1 19 90) "
       "((p \"LeftTeam\" 2 goalie) -6 -37 0 0 0 -45 77 t) "
       "((p \"RightTeam\" 1) 3 -37 0 0 0 0 f r))";
+
   const GlobalView view = read<GlobalView>(kText);
   EXPECT_FALSE(view.is_look_reply);
   EXPECT_EQ(view.time, 7);
@@ -282,6 +278,7 @@ TEST(GlobalView, ParsesAllFields) {
   EXPECT_FALSE(view.players[2].pointing);
   EXPECT_EQ(view.players[2].mark, ActionMark::kFoulCharged);
   EXPECT_EQ(view.players[2].card, Card::kRed);
+
   std::string text;
   format(view, text);
   EXPECT_EQ(text, kText);

@@ -67,10 +67,12 @@ void check_server_message(const RecordedMessage& recorded, Counts& counts) {
     ++counts.passed["messages of older versions, left out"];
     return;
   }
+
   const auto versioned = [&](const auto& message, std::string& out) {
     format(message, recorded.version, out);
   };
   const auto plain = [](const auto& message, std::string& out) { format(message, out); };
+
   switch (message_kind(recorded.text)) {
     case MessageKind::kSenseBody:
       return check<SenseBody>(recorded, "sense_body", versioned, counts);
@@ -100,8 +102,10 @@ void check_server_message(const RecordedMessage& recorded, Counts& counts) {
     case MessageKind::kUnknown:
       break;
   }
+
   const bool monitor = recorded.role == Role::kMonitor &&
                        (recorded.text.starts_with("(show ") || recorded.text.starts_with("(msg "));
+
   ASSERT_TRUE(monitor) << recorded.place << ": " << recorded.text;
 }
 
@@ -118,9 +122,11 @@ void check_player_commands(const RecordedMessage& recorded, Counts& counts) {
   std::vector<PlayerCommand> again;
   ASSERT_FALSE(parse_player_commands(text, again)) << recorded.place << ": " << text;
   ASSERT_EQ(again.size(), commands.size()) << recorded.place;
+
   std::string text_again;
   for (const PlayerCommand& command : again) ASSERT_TRUE(format(command, text_again));
   ASSERT_EQ(text_again, text) << recorded.place;
+
   ++counts.passed["player datagrams"];
   counts.passed["player commands"] += static_cast<int>(commands.size());
   if (text == recorded.text) ++counts.passed["player datagrams with identical text"];
@@ -136,6 +142,7 @@ void check_coach_command(const RecordedMessage& recorded, Counts& counts) {
   }
   std::string text;
   ASSERT_TRUE(format(command, text)) << recorded.place;
+
   ++counts.passed["coach commands"];
   if (text == recorded.text) ++counts.passed["coach commands with identical text"];
 }
@@ -149,6 +156,7 @@ void check_client_message(const RecordedMessage& recorded, Counts& counts) {
 
 Counts check_files(const std::vector<std::filesystem::path>& files) {
   Counts counts;
+
   for (const std::filesystem::path& file : files) {
     for (const RecordedMessage& recorded : tests::read_transcript(file)) {
       if (recorded.from_server) {
@@ -159,6 +167,7 @@ Counts check_files(const std::vector<std::filesystem::path>& files) {
       if (testing::Test::HasFatalFailure()) return counts;
     }
   }
+
   return counts;
 }
 
@@ -174,6 +183,7 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
 TEST(ProtocolTranscript, ExcerptsRoundTripByteForByte) {
   const Counts counts = check_files(files_in(tests::fixture("protocol")));
   print("parsed messages in excerpts:", counts);
+
   for (const auto& [kind, min_count] : std::map<std::string, int>{{"sense_body", 500},
                                                                   {"see", 300},
                                                                   {"hear", 400},
@@ -210,6 +220,7 @@ std::optional<ErrorCode> error_of(const RecordedMessage& recorded) {
     const bool wrong = parse_player_commands(recorded.text, commands).has_value();
     return wrong ? std::optional(ErrorCode::kIllegalCommandForm) : std::nullopt;
   }
+
   CoachCommand command;
   return parse(recorded.text,
                recorded.role == Role::kTrainer ? CoachRole::kTrainer : CoachRole::kOnlineCoach,
@@ -226,9 +237,11 @@ void note_error(const RecordedMessage& recorded, Errors& errors) {
     return;
   }
   errors.connecting = recorded.text.starts_with("(init") || recorded.text.starts_with("(reconnect");
+
   // A trainer sends bye to a server that has exited.
   if (errors.connecting || recorded.text == "(bye)") return;
   const std::optional<ErrorCode> error = error_of(recorded);
+
   if (error && is_form_error(std::string(name(*error)))) {
     ++errors.expected[std::string(name(*error))];
   }
@@ -236,6 +249,7 @@ void note_error(const RecordedMessage& recorded, Errors& errors) {
 
 TEST(ProtocolTranscript, ParsersReturnSyntaxErrorsOfRcssserver) {
   int total = 0;
+
   for (const std::filesystem::path& file : files_in(tests::fixture("protocol"))) {
     std::map<std::string, Errors> clients;
     for (const RecordedMessage& recorded : tests::read_transcript(file)) {
@@ -247,6 +261,7 @@ TEST(ProtocolTranscript, ParsersReturnSyntaxErrorsOfRcssserver) {
       for (const auto& [name, count] : errors.received) total += count;
     }
   }
+
   EXPECT_GE(total, 20);
 }
 
@@ -259,6 +274,7 @@ TEST(ProtocolTranscript, AllRecordedMessagesRoundTripByteForByte) {
   files.insert(files.end(), more.begin(), more.end());
   const Counts counts = check_files(files);
   print("parsed recorded messages:", counts);
+
   for (const auto& [kind, min_count] : std::map<std::string, int>{{"sense_body", 7000},
                                                                   {"see", 4000},
                                                                   {"hear", 11000},
@@ -279,6 +295,7 @@ TEST(ProtocolTranscript, AllRecordedMessagesRoundTripByteForByte) {
 TEST(ProtocolTranscript, AllCommandsInTextLogsParse) {
   int datagrams = 0;
   std::vector<PlayerCommand> commands;
+
   for (const char* log : {"logs/helios-vs-helios-full.rcl.gz", "logs/cyrus-vs-helios-full.rcl.gz",
                           "noise-free/game.rcl.gz", "aligned/game.rcl.gz"}) {
     const auto path = tests::data(log);
@@ -298,6 +315,7 @@ TEST(ProtocolTranscript, AllCommandsInTextLogsParse) {
       ++datagrams;
     }
   }
+
   std::cout << datagrams << " player datagrams parsed\n";
   EXPECT_GT(datagrams, 300000);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace cls::soccer {
@@ -34,39 +35,45 @@ TEST(RandomStream, EmptyRangesConsumeNothing) {
   EXPECT_EQ(a.next(), b.next());
 }
 
-TEST(RandomStream, UniformHasExpectedMoments) {
-  RandomStream stream(3, "uniform");
+/// The mean of many draws, and their mean square distance from `center`.
+template <typename Draw>
+std::pair<double, double> moments(double center, Draw draw) {
+  constexpr int kDraws = 200000;
   double sum = 0.0;
   double squares = 0.0;
-  constexpr int kDraws = 200000;
   for (int i = 0; i < kDraws; ++i) {
-    const double x = stream.uniform(3.0, 1.0);
-    ASSERT_GE(x, 1.0);
-    ASSERT_LT(x, 3.0);
+    const double x = draw();
     sum += x;
-    squares += (x - 2.0) * (x - 2.0);
+    squares += (x - center) * (x - center);
   }
-  EXPECT_NEAR(sum / kDraws, 2.0, 0.01);
-  EXPECT_NEAR(squares / kDraws, 1.0 / 3.0, 0.01);
+  return {sum / kDraws, squares / kDraws};
+}
+
+TEST(RandomStream, UniformHasExpectedMoments) {
+  RandomStream stream(3, "uniform");
+  const auto draw = [&stream] {
+    const double x = stream.uniform(3.0, 1.0);
+    EXPECT_GE(x, 1.0);
+    EXPECT_LT(x, 3.0);
+    return x;
+  };
+
+  const auto [mean, variance] = moments(2.0, draw);
+  EXPECT_NEAR(mean, 2.0, 0.01);
+  EXPECT_NEAR(variance, 1.0 / 3.0, 0.01);
 }
 
 TEST(RandomStream, NormalHasExpectedMoments) {
   RandomStream stream(3, "normal");
-  double sum = 0.0;
-  double squares = 0.0;
-  constexpr int kDraws = 200000;
-  for (int i = 0; i < kDraws; ++i) {
-    const double x = stream.normal(5.0, 2.0);
-    sum += x;
-    squares += (x - 5.0) * (x - 5.0);
-  }
-  EXPECT_NEAR(sum / kDraws, 5.0, 0.03);
-  EXPECT_NEAR(squares / kDraws, 4.0, 0.06);
+  const auto [mean, variance] = moments(5.0, [&stream] { return stream.normal(5.0, 2.0); });
+  EXPECT_NEAR(mean, 5.0, 0.03);
+  EXPECT_NEAR(variance, 4.0, 0.06);
 }
 
 TEST(RandomStream, ShufflesAllElementsToAllPositions) {
   RandomStream stream(3, "order");
   std::vector<std::vector<int>> seen(5, std::vector<int>(5, 0));
+
   for (int i = 0; i < 5000; ++i) {
     std::vector<int> items(5);
     std::iota(items.begin(), items.end(), 0);

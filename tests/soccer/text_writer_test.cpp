@@ -13,6 +13,7 @@ namespace {
 TEST(TextWriter, AppendsLikeStdStringAtAllLengths) {
   std::string plain = "before ";
   std::string text = plain;
+
   {
     TextWriter out(text);
     for (int i = 0; i < 2000; ++i) {
@@ -29,6 +30,7 @@ TEST(TextWriter, AppendsLikeStdStringAtAllLengths) {
     out.append(std::string(10000, 'y'));
     plain += std::string(10000, 'y');
   }
+
   EXPECT_EQ(text, plain);
 }
 

@@ -34,6 +34,7 @@ int hex_value(char c) { return c <= '9' ? c - '0' : c - 'a' + 10; }
 // The inside of a quoted literal with \n, \t, \r, \\, \', \" and \xHH.
 std::string unescaped(const std::string& text) {
   std::string result;
+
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '\\' || i + 1 == text.size()) {
       result += text[i];
@@ -47,6 +48,7 @@ std::string unescaped(const std::string& text) {
       result += c == 'n' ? '\n' : c == 't' ? '\t' : c == 'r' ? '\r' : c;
     }
   }
+
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "base/index.h"
 #include "base/system/udp_socket.h"
 
 namespace cls::soccer {
@@ -53,15 +54,13 @@ class ServerSocket {
 
 std::string with_nul(std::string text) { return text + '\0'; }
 
-class UdpChannelTest : public testing::TestWithParam<bool> {
- protected:
-  std::unique_ptr<UdpClients> clients(int port, const std::string& host = "127.0.0.1") {
-    auto made = UdpClients::create(host, port);
-    EXPECT_TRUE(made);
-    if (GetParam()) (*made)->read_on_thread();
-    return std::move(*made);
-  }
-};
+std::unique_ptr<UdpClients> clients_of(int port, bool on_thread,
+                                       const std::string& host = "127.0.0.1") {
+  auto made = UdpClients::create(host, port);
+  EXPECT_TRUE(made);
+  if (on_thread) (*made)->read_on_thread();
+  return std::move(*made);
+}
 
 /// The next message within two seconds; empty if there is none.
 std::string next(UdpClients& clients, Channel& channel) {
@@ -73,116 +72,102 @@ std::string next(UdpClients& clients, Channel& channel) {
   return message;
 }
 
+/// A client, the well-known port of its server, and the server's port for it.
+class UdpChannelTest : public testing::TestWithParam<bool> {
+ protected:
+  /// The message of the client reaches the well-known port.
+  void reach(const std::string& message = "(init us)") {
+    channel_->send(message);
+    EXPECT_EQ(listener_.receive(), with_nul(message));
+  }
+  void answer(ServerSocket& from, const std::string& message) {
+    from.send_to(listener_.client(), with_nul(message));
+  }
+  std::string received() { return next(*clients_, *channel_); }
+
+  void expect_closed() {
+    EXPECT_TRUE(clients_->wait_until(steady_clock::now() + std::chrono::seconds(2)));
+    std::string message;
+    EXPECT_FALSE(channel_->receive(message));
+    EXPECT_FALSE(channel_->send("(turn 10)"));
+  }
+
+  ServerSocket listener_;
+  ServerSocket own_;
+  std::unique_ptr<UdpClients> clients_ = clients_of(listener_.port(), GetParam());
+  std::unique_ptr<Channel> channel_ = clients_->connect();
+};
+
 INSTANTIATE_TEST_SUITE_P(, UdpChannelTest, testing::Bool(),
                          [](const auto& which) { return which.param ? "OnThread" : "OnReceive"; });
 
 TEST_P(UdpChannelTest, AddsAndRemovesNul) {
-  ServerSocket listener;
-  const auto all = clients(listener.port());
-  const auto channel = all->connect();
-  EXPECT_TRUE(channel->send("(init us (version 18))"));
-  EXPECT_EQ(listener.receive(), with_nul("(init us (version 18))"));
-  listener.send_to(listener.client(), with_nul("(init l 1 before_kick_off)"));
-  EXPECT_EQ(next(*all, *channel), "(init l 1 before_kick_off)");
+  EXPECT_TRUE(channel_->send("(init us (version 18))"));
+  EXPECT_EQ(listener_.receive(), with_nul("(init us (version 18))"));
+  answer(listener_, "(init l 1 before_kick_off)");
+  EXPECT_EQ(received(), "(init l 1 before_kick_off)");
 }
 
 TEST_P(UdpChannelTest, SwitchesToPortOfReply) {
-  ServerSocket listener;
-  ServerSocket own;
-  const auto all = clients(listener.port());
-  const auto channel = all->connect();
-  channel->send("(init us)");
-  listener.receive();
-  own.send_to(listener.client(), with_nul("(init l 1 before_kick_off)"));
-  EXPECT_EQ(next(*all, *channel), "(init l 1 before_kick_off)");
-  channel->send("(turn 10)");
-  EXPECT_EQ(own.receive(), with_nul("(turn 10)"));
+  reach();
+  answer(own_, "(init l 1 before_kick_off)");
+  EXPECT_EQ(received(), "(init l 1 before_kick_off)");
+  channel_->send("(turn 10)");
+  EXPECT_EQ(own_.receive(), with_nul("(turn 10)"));
 
-  listener.send_to(listener.client(), with_nul("(error from elsewhere)"));
-  own.send_to(listener.client(), with_nul("(think)"));
-  EXPECT_EQ(next(*all, *channel), "(think)");
+  answer(listener_, "(error from elsewhere)");
+  answer(own_, "(think)");
+  EXPECT_EQ(received(), "(think)");
 }
 
 // Otherwise they could send to the server in its name.
 TEST_P(UdpChannelTest, LeavesItsPortToNoOtherOnAnyAddress) {
-  ServerSocket listener;
-  ServerSocket own;
-  const auto all = clients(listener.port());
-  const auto channel = all->connect();
-  channel->send("(init us)");
-  listener.receive();
-  own.send_to(listener.client(), with_nul("(init l 1 before_kick_off)"));
-  next(*all, *channel);
-  channel->send("(turn 10)");
-  const int port = listener.client().port();
+  reach();
+  answer(own_, "(init l 1 before_kick_off)");
+  received();
+  channel_->send("(turn 10)");
+
+  const int port = listener_.client().port();
   EXPECT_FALSE(base::UdpSocket::bind(*base::parse_ip_address("127.0.0.2", port)));
 }
 
 TEST_P(UdpChannelTest, RetriesAtWellKnownPortAfterRefusal) {
-  ServerSocket listener;
-  ServerSocket own;
-  const auto all = clients(listener.port());
-  const auto channel = all->connect();
-  channel->send("(reconnect us 3)");
-  listener.receive();
-  listener.send_to(listener.client(), with_nul("(error cannot_reconnect_while_playon)"));
-  EXPECT_EQ(next(*all, *channel), "(error cannot_reconnect_while_playon)");
-  channel->send("(reconnect us 3)");
-  EXPECT_EQ(listener.receive(), with_nul("(reconnect us 3)"));
-  own.send_to(listener.client(), with_nul("(reconnect l goal_l)"));
-  EXPECT_EQ(next(*all, *channel), "(reconnect l goal_l)");
+  reach("(reconnect us 3)");
+  answer(listener_, "(error cannot_reconnect_while_playon)");
+  EXPECT_EQ(received(), "(error cannot_reconnect_while_playon)");
+
+  reach("(reconnect us 3)");
+  answer(own_, "(reconnect l goal_l)");
+  EXPECT_EQ(received(), "(reconnect l goal_l)");
 }
 
 TEST_P(UdpChannelTest, IgnoresMessagesOfOtherHosts) {
-  ServerSocket listener;
   ServerSocket stranger("127.0.0.2");
-  const auto all = clients(listener.port());
-  const auto channel = all->connect();
-  channel->send("(init us)");
-  listener.receive();
-  stranger.send_to(listener.client(), with_nul("(think)"));
-  listener.send_to(listener.client(), with_nul("(init r 2 play_on)"));
-  EXPECT_EQ(next(*all, *channel), "(init r 2 play_on)");
+  reach();
+  answer(stranger, "(think)");
+  answer(listener_, "(init r 2 play_on)");
+  EXPECT_EQ(received(), "(init r 2 play_on)");
 }
 
 TEST_P(UdpChannelTest, DetectsClosedServerPort) {
-  int port = 0;
-  {
-    const ServerSocket listener;
-    port = listener.port();
-  }
-  const auto all = clients(port);
-  const auto channel = all->connect();
-  channel->send("(init us)");
-  EXPECT_TRUE(all->wait_until(steady_clock::now() + std::chrono::seconds(2)));
-  std::string message;
-  EXPECT_FALSE(channel->receive(message));
-  EXPECT_FALSE(channel->send("(init us)"));
+  listener_.close();
+  channel_->send("(init us)");
+  expect_closed();
 }
 
 TEST_P(UdpChannelTest, DetectsServerExit) {
-  ServerSocket listener;
-  ServerSocket own;
-  const auto all = clients(listener.port());
-  const auto channel = all->connect();
-  channel->send("(init us)");
-  listener.receive();
-  own.send_to(listener.client(), with_nul("(init l 1 before_kick_off)"));
-  next(*all, *channel);
-  own.close();
-  channel->send("(turn 10)");
-  EXPECT_TRUE(all->wait_until(steady_clock::now() + std::chrono::seconds(2)));
-  std::string message;
-  EXPECT_FALSE(channel->receive(message));
-  EXPECT_FALSE(channel->send("(turn 10)"));
+  reach();
+  answer(own_, "(init l 1 before_kick_off)");
+  received();
+
+  own_.close();
+  channel_->send("(turn 10)");
+  expect_closed();
 }
 
 TEST_P(UdpChannelTest, WaitsUntilDeadline) {
-  ServerSocket listener;
-  const auto all = clients(listener.port());
-  const auto channel = all->connect();
   const auto begin = steady_clock::now();
-  EXPECT_FALSE(all->wait_until(begin + milliseconds(30)));
+  EXPECT_FALSE(clients_->wait_until(begin + milliseconds(30)));
   EXPECT_GE(steady_clock::now() - begin, milliseconds(30));
 }
 
@@ -190,8 +175,9 @@ TEST_P(UdpChannelTest, SeparatesChannelsAndPreservesOrder) {
   constexpr int kClients = 11;
   constexpr int kMessages = 40;
   ServerSocket listener;
-  const auto all = clients(listener.port(), "localhost");
+  const auto all = clients_of(listener.port(), GetParam(), "localhost");
   std::vector<std::unique_ptr<Channel>> channels;
+
   for (int i = 0; i < kClients; ++i) {
     channels.push_back(all->connect());
     channels.back()->send("(init us)");
@@ -200,9 +186,10 @@ TEST_P(UdpChannelTest, SeparatesChannelsAndPreservesOrder) {
       listener.send_to(listener.client(), with_nul(std::to_string(100 * i + k)));
     }
   }
+
   for (int i = 0; i < kClients; ++i) {
     for (int k = 0; k < kMessages; ++k) {
-      EXPECT_EQ(next(*all, *channels[static_cast<std::size_t>(i)]), std::to_string(100 * i + k));
+      EXPECT_EQ(next(*all, *channels[base::index(i)]), std::to_string(100 * i + k));
     }
   }
 }
@@ -216,7 +203,9 @@ TEST(UdpChannelOnThread, RecordsArrivalTimesOfMessages) {
   listener.receive();
   const auto sent = steady_clock::now();
   listener.send_to(listener.client(), with_nul("(think)"));
+
   ASSERT_TRUE((*made)->wait_until(sent + std::chrono::seconds(2)));
+
   const auto noticed = steady_clock::now();
   std::this_thread::sleep_for(milliseconds(20));
   std::string message;
@@ -232,6 +221,7 @@ TEST(UdpChannelOnThread, ChannelsOutliveReader) {
   const auto channel = (*made)->connect();
   made->reset();
   std::string message;
+
   EXPECT_FALSE(channel->receive(message));
   EXPECT_TRUE(channel->send("(bye)"));
   EXPECT_EQ(listener.receive(), with_nul("(bye)"));
