@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/index.h"
+
 namespace cls::mock_server::example {
 namespace {
 
@@ -33,7 +35,7 @@ Situation situation_of(const protos::WorldModel& world) {
   now.their_steps = steps(world.kickable_opponent_existance(), table.first_opponent_id(),
                           table.first_opponent_reach_steps());
 
-  now.opponents.reserve(static_cast<std::size_t>(world.opponents_size()));
+  now.opponents.reserve(base::index(world.opponents_size()));
   for (const protos::Player& player : world.opponents()) {
     if (player.pos_count() <= kMaxAge) now.opponents.push_back(point_of(player.position()));
   }

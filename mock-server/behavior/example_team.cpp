@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "base/index.h"
 #include "mock-server/behavior/example_situation.h"
 
 namespace cls::mock_server {
@@ -47,7 +48,7 @@ struct Pass {
 
 const Home& home_of(const protos::Self& self) {
   const int unum = std::clamp(self.uniform_number(), 1, static_cast<int>(kFormation.size()));
-  return kFormation[static_cast<std::size_t>(unum - 1)];
+  return kFormation[base::index(unum - 1)];
 }
 
 void set(Vec2 place, protos::RpcVector2D& vector) {

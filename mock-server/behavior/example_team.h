@@ -10,9 +10,10 @@ namespace cls::mock_server {
 /// other language.
 class ExampleTeam : public Behavior {
  public:
-  /// Who marks, blocks and tackles when opponents have the ball, beside the first player at the
-  /// ball: all, as the proxy's defense wants, or one center back, while the others keep their
-  /// shape. Two teams of the first kind hardly let each other shoot; of the second kind they score.
+  /// Who marks, blocks and tackles when opponents have the ball, in addition to the first player
+  /// at the ball: all, as the proxy's defense wants, or one center back, while the others keep
+  /// their shape. Two teams of the first kind hardly let each other shoot; of the second kind they
+  /// score.
   enum class Defense { kAllMark, kOneMarks };
 
   explicit ExampleTeam(Defense defense) : defense_(defense) {}

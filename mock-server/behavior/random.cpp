@@ -4,6 +4,9 @@
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
 
+#include <type_traits>
+
+#include "proto/field_access.h"
 #include "proto/rpc.h"
 #include "soccer/random.h"
 
@@ -13,7 +16,6 @@ namespace {
 using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
-using google::protobuf::Reflection;
 using soccer::RandomStream;
 
 constexpr int kMaxActions = 4;
@@ -23,26 +25,23 @@ constexpr double kMaxValue = 100.0;  // meters, degrees, power: sometimes beyond
 void fill(Message& message, RandomStream& draw, int depth);
 
 void fill_scalar(Message& message, const FieldDescriptor& field, RandomStream& draw) {
-  const Reflection& access = *message.GetReflection();
-  switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_INT32:
-      return access.SetInt32(&message, &field, draw.integer(12));
-    case FieldDescriptor::CPPTYPE_FLOAT:
-      return access.SetFloat(&message, &field,
-                             static_cast<float>(draw.uniform(-kMaxValue, kMaxValue)));
-    case FieldDescriptor::CPPTYPE_DOUBLE:
-      return access.SetDouble(&message, &field, draw.uniform(-kMaxValue, kMaxValue));
-    case FieldDescriptor::CPPTYPE_BOOL:
-      return access.SetBool(&message, &field, draw.bernoulli(0.5));
-    case FieldDescriptor::CPPTYPE_ENUM: {
-      const auto& names = *field.enum_type();
-      return access.SetEnum(&message, &field, names.value(draw.integer(names.value_count())));
-    }
-    case FieldDescriptor::CPPTYPE_STRING:
-      return access.SetString(&message, &field, "random");
-    default:
-      return;
+  if (const auto* names = field.enum_type()) {
+    const auto* value = names->value(draw.integer(names->value_count()));
+    return message.GetReflection()->SetEnum(&message, &field, value);
   }
+
+  proto::with_access(field, [&](auto access) {
+    using Value = typename decltype(access)::Value;
+    if constexpr (std::is_same_v<Value, std::string>) {
+      access.put(message, field, "random");
+    } else if constexpr (std::is_same_v<Value, bool>) {
+      access.put(message, field, draw.bernoulli(0.5));
+    } else if constexpr (std::is_floating_point_v<Value>) {
+      access.put(message, field, static_cast<Value>(draw.uniform(-kMaxValue, kMaxValue)));
+    } else {
+      access.put(message, field, static_cast<Value>(draw.integer(12)));
+    }
+  });
 }
 
 void fill_oneof(Message& message, RandomStream& draw, int depth) {

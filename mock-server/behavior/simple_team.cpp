@@ -1,6 +1,8 @@
 // From a State to the situation of the simple team, from its actions to messages.
 #include "mock-server/behavior/simple_team.h"
 
+#include <utility>
+
 #include "player/simple_team/simple_team.h"
 
 namespace cls::mock_server {
@@ -11,23 +13,17 @@ soccer::Vec2 point_of(const protos::RpcVector2D& vector) { return {vector.x(), v
 player::TeamMode mode_of(const protos::WorldModel& world) {
   if (world.is_penalty_kick_mode()) return player::TeamMode::kPenalty;
 
-  switch (world.game_mode_type()) {
-    case protos::PlayOn:
-      return player::TeamMode::kPlayOn;
-    case protos::BeforeKickOff:
-    case protos::AfterGoal_:
-      return player::TeamMode::kBeforeKickOff;
-    case protos::KickOff_:
-      return player::TeamMode::kKickOff;
-    case protos::GoalKick_:
-      return player::TeamMode::kGoalKick;
-    case protos::GoalieCatch_:
-      return player::TeamMode::kGoalieCatch;
-    case protos::FreeKick_:
-      return player::TeamMode::kFreeKick;
-    default:
-      return player::TeamMode::kOther;
+  using enum player::TeamMode;
+  for (const auto& [wire, mode] : {std::pair{protos::PlayOn, kPlayOn},
+                                   {protos::BeforeKickOff, kBeforeKickOff},
+                                   {protos::AfterGoal_, kBeforeKickOff},
+                                   {protos::KickOff_, kKickOff},
+                                   {protos::GoalKick_, kGoalKick},
+                                   {protos::GoalieCatch_, kGoalieCatch},
+                                   {protos::FreeKick_, kFreeKick}}) {
+    if (wire == world.game_mode_type()) return mode;
   }
+  return kOther;
 }
 
 // Player id 0 in the intercept table: no player.
@@ -46,6 +42,7 @@ void read_ball(const protos::WorldModel& world, player::Situation& now) {
   now.ball = point_of(world.ball().position());
   now.ball_velocity = point_of(world.ball().velocity());
   now.ball_age = world.ball().pos_count();
+
   const protos::InterceptTable& table = world.intercept_table();
   now.own_steps = table.self_reach_steps();
   now.teammates_steps = reach(table.first_teammate_reach_steps(), table.first_teammate_id());
@@ -92,6 +89,7 @@ void set_turn_to(const player::TeamAction& action, protos::Body_TurnToPoint& tur
 
 void write(const player::TeamAction& action, protos::PlayerAction& out) {
   using Kind = player::TeamAction::Kind;
+
   switch (action.kind) {
     case Kind::kSmartKick:
       return set_smart_kick(action, *out.mutable_body_smart_kick());

@@ -6,7 +6,7 @@
 
 namespace cls::mock_server {
 
-/// What the simple team reads of a State.
+/// The parts of a State that the simple team reads.
 player::Situation situation_of(const protos::State& state);
 
 /// See play_simple_team().

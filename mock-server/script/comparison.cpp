@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 
+#include "base/index.h"
 #include "base/text/suggestion.h"
+#include "mock-server/script/json_parts.h"
 
 namespace cls::mock_server {
 namespace {
@@ -19,15 +21,11 @@ constexpr std::array<std::string_view, 8> kOperators = {
 Result<std::string> enum_name(const base::JsonValue& json,
                               const google::protobuf::EnumDescriptor& names) {
   TRY_INIT(const auto word, json.string());
-
-  std::vector<std::string_view> known;
-  for (int i = 0; i < names.value_count(); ++i) {
-    const std::string& name = names.value(i)->name();
-    if (name == word || name == word + "_") return name;
-    known.push_back(name);
+  for (const std::string& name : {word, word + "_"}) {
+    if (names.FindValueByName(name) != nullptr) return name;
   }
-  return json.error(
-      fmt::format("{} has no value '{}'{}", names.name(), word, base::did_you_mean(word, known)));
+  return json.error(fmt::format("{} has no value '{}'{}", names.name(), word,
+                                base::did_you_mean(word, value_names(names))));
 }
 
 Result<Value> operand(const base::JsonValue& json, const ValueKind& kind) {
@@ -53,6 +51,12 @@ Result<Value> operand(const base::JsonValue& json, const ValueKind& kind) {
 
 }  // namespace
 
+std::vector<std::string_view> value_names(const google::protobuf::EnumDescriptor& type) {
+  std::vector<std::string_view> names;
+  for (int i = 0; i < type.value_count(); ++i) names.push_back(type.value(i)->name());
+  return names;
+}
+
 std::string to_text(const Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.6g}", *number);
   if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
@@ -61,7 +65,7 @@ std::string to_text(const Value& value) {
 
 Result<Comparison::Part> Comparison::parse_part(std::string_view word, const base::JsonValue& json,
                                                 const ValueKind& kind) {
-  const auto found = std::find(kOperators.begin(), kOperators.end(), word);
+  const auto* const found = std::ranges::find(kOperators, word);
   if (found == kOperators.end()) {
     return json.error(
         fmt::format("unknown operator '{}' (known: {})", word, fmt::join(kOperators, " ")));
@@ -82,10 +86,8 @@ Result<Comparison::Part> Comparison::parse_part(std::string_view word, const bas
     return json.error("'between' needs two numbers");
   }
 
-  for (std::size_t i = 0; i < (list ? json.size() : 1); ++i) {
-    TRY_INIT(const auto value, operand(list ? json[i] : json, kind));
-    part.operands.push_back(value);
-  }
+  const auto parse_operand = [&kind](const base::JsonValue& each) { return operand(each, kind); };
+  TRY_INIT(part.operands, list ? list_of(json, parse_operand) : one_of(json, parse_operand));
   return part;
 }
 
@@ -109,13 +111,14 @@ Result<Comparison> Comparison::parse(const base::JsonValue& json, const ValueKin
 bool Comparison::holds(const Part& part, const Value& value) {
   const auto& operands = part.operands;
   const auto number = [](const Value& each) { return std::get<double>(each); };
+
   switch (part.what) {
     case Operator::kEqual:
       return value == operands[0];
     case Operator::kUnequal:
       return value != operands[0];
     case Operator::kIn:
-      return std::find(operands.begin(), operands.end(), value) != operands.end();
+      return std::ranges::find(operands, value) != operands.end();
     case Operator::kLess:
       return number(value) < number(operands[0]);
     case Operator::kAtMost:
@@ -131,8 +134,7 @@ bool Comparison::holds(const Part& part, const Value& value) {
 }
 
 bool Comparison::holds(const Value& value) const {
-  return std::all_of(parts_.begin(), parts_.end(),
-                     [&](const Part& part) { return holds(part, value); });
+  return std::ranges::all_of(parts_, [&](const Part& part) { return holds(part, value); });
 }
 
 std::string Comparison::text() const {
@@ -140,8 +142,8 @@ std::string Comparison::text() const {
   for (const Part& part : parts_) {
     std::vector<std::string> operands;
     for (const Value& value : part.operands) operands.push_back(to_text(value));
-    texts.push_back(fmt::format("{} {}", kOperators[static_cast<std::size_t>(part.what)],
-                                fmt::join(operands, ", ")));
+    texts.push_back(
+        fmt::format("{} {}", kOperators[base::index(part.what)], fmt::join(operands, ", ")));
   }
   return fmt::format("{}", fmt::join(texts, " and "));
 }

@@ -17,6 +17,9 @@ using Value = std::variant<double, bool, std::string>;
 
 std::string to_text(const Value& value);
 
+/// In the order of the .proto file.
+std::vector<std::string_view> value_names(const google::protobuf::EnumDescriptor& type);
+
 /// Type of a field; enum values are known by name.
 struct ValueKind {
   enum class Kind { kNumber, kBool, kString, kEnum, kMessage };

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <tuple>
 
+#include "mock-server/script/json_parts.h"
 #include "proto/playmaker.pb.h"
 
 namespace cls::mock_server {
@@ -17,12 +19,9 @@ using base::Result;
 constexpr std::size_t kMaxOrder = 32;
 
 Result<std::vector<proto::Rpc>> parse_order(const base::JsonValue& json) {
-  if (!json.is_array() || json.size() == 0) return json.error("must be a list of RPCs");
-  std::vector<proto::Rpc> order;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    TRY_INIT(const auto word, json[i].one_of(proto::agent_rpc_names()));
-    order.push_back(*proto::rpc_from_name(word));
-  }
+  constexpr std::string_view kNoList = "must be a list of RPCs";
+  TRY_INIT(auto order, list_of(json, parse_rpc, kNoList));
+  if (order.empty()) return json.error(kNoList);
   if (order.size() > kMaxOrder) return json.error("more than 32 calls");
   return order;
 }
@@ -38,37 +37,20 @@ Result<Expectation> parse_expectation(const base::JsonValue& json,
 
   Expectation what;
   what.name = fmt::format("line {}", json.line());
-  if (json.has("name")) {
-    TRY_INIT(const auto text, json["name"].string());
-    what.name = text;
-  }
-
-  if (json.has("order")) {
-    TRY_INIT(const auto order, parse_order(json["order"]));
-    what.order = order;
-    return what;
-  }
+  TRY(read_key(json, "name", what.name, parse_text));
+  TRY(read_key(json, "order", what.order, parse_order));
+  if (json.has("order")) return what;
 
   if (!json.has("rpc")) return json.error("needs \"rpc\" or \"order\"");
-  TRY_INIT(const auto word, json["rpc"].one_of(proto::agent_rpc_names()));
-  what.rpc = *proto::rpc_from_name(word);
-
-  if (json.has("when")) {
-    TRY_INIT(const auto when, SituationFilter::parse(json["when"], what.rpc));
-    what.when = when;
-  }
-  for (const auto& [key, member] :
-       {std::pair{"count", &what.count}, std::pair{"count_per_agent", &what.count_per_agent}}) {
-    if (!json.has(key)) continue;
-    TRY_INIT(const auto count, Comparison::parse_number(json[key]));
-    *member = count;
-  }
-
-  if (json.has("always")) {
-    TRY_INIT(auto always,
-             parse_conditions(*request_prototype(what.rpc).GetDescriptor(), json["always"]));
-    what.always = std::move(always);
-  }
+  TRY_INIT(what.rpc, parse_rpc(json["rpc"]));
+  TRY(read_key(json, "when", what.when, [&](const base::JsonValue& when) {
+    return SituationFilter::parse(when, what.rpc);
+  }));
+  TRY(read_key(json, "count", what.count, Comparison::parse_number));
+  TRY(read_key(json, "count_per_agent", what.count_per_agent, Comparison::parse_number));
+  TRY(read_key(json, "always", what.always, [&](const base::JsonValue& always) {
+    return parse_conditions(*request_prototype(what.rpc).GetDescriptor(), always);
+  }));
 
   if (!what.count && !what.count_per_agent && what.always.empty()) {
     return json.error("needs \"count\", \"count_per_agent\" or \"always\"");
@@ -77,13 +59,7 @@ Result<Expectation> parse_expectation(const base::JsonValue& json,
 }
 
 Result<std::vector<Expectation>> parse_expectations(const base::JsonValue& json) {
-  if (!json.is_array()) return json.error("must be a list");
-  std::vector<Expectation> list;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    TRY_INIT(auto what, parse_expectation(json[i]));
-    list.push_back(std::move(what));
-  }
-  return list;
+  return list_of(json, [](const base::JsonValue& each) { return parse_expectation(each); });
 }
 
 std::string Expectations::Agent::text() const {
@@ -135,11 +111,9 @@ std::string Expectations::order_failure(const Entry& entry) const {
   if (calls_.empty()) return "no agent called";
 
   for (const auto& [agent, calls] : calls_) {
-    const bool begins =
-        calls.size() >= order.size() && std::equal(order.begin(), order.end(), calls.begin());
-    if (!begins) {
-      return fmt::format("{} called {}, not {}", agent.text(), names(calls), names(order));
-    }
+    const auto first_calls = std::views::take(calls, std::ssize(order));
+    if (std::ranges::equal(first_calls, order)) continue;
+    return fmt::format("{} called {}, not {}", agent.text(), names(calls), names(order));
   }
   return {};
 }

@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-
 #include "base/text/suggestion.h"
+#include "mock-server/script/json_parts.h"
 #include "proto/playmaker.pb.h"
 #include "proto/status_name.h"
 #include "soccer/random.h"
@@ -28,22 +27,9 @@ Result<void> assign(const Result<T>& value, U& member) {
 }
 
 Result<void> parse_only(const base::JsonValue& json, Faults& faults) {
-  if (const auto keys = json.expect_keys({"cycle", "unum"}); !keys) return keys;
-  if (json.has("cycle")) {
-    if (const auto assigned = assign(parse_cycles(json["cycle"]), faults.cycles); !assigned)
-      return assigned;
-  }
-  if (json.has("unum")) return assign(parse_unums(json["unum"]), faults.unums);
-  return {};
-}
-
-Result<void> parse_rpcs(const base::JsonValue& json, std::vector<proto::Rpc>& rpcs) {
-  if (!json.is_array()) return json.error("must be a list of RPCs");
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    TRY_INIT(const auto name, json[i].one_of(proto::agent_rpc_names()));
-    rpcs.push_back(*proto::rpc_from_name(name));
-  }
-  return {};
+  TRY(json.expect_keys({"cycle", "unum"}));
+  TRY(read_key(json, "cycle", faults.cycles, parse_cycles));
+  return read_key(json, "unum", faults.unums, parse_unums);
 }
 
 Result<void> parse_fault(std::string_view key, const base::JsonValue& json, Faults& faults) {
@@ -60,7 +46,8 @@ Result<void> parse_fault(std::string_view key, const base::JsonValue& json, Faul
   if (key == "restart_at_cycle") return assign(json.integer(0, kMaxCycle), faults.restart_at_cycle);
   if (key == "restart_cycles") return assign(json.integer(0, kMaxCycle), faults.restart_cycles);
   if (key == "wrong_client_id") return assign(json.boolean(), faults.wrong_client_id);
-  if (key == "unimplemented") return parse_rpcs(json, faults.unimplemented);
+  if (key == "unimplemented")
+    return assign(list_of(json, parse_rpc, "must be a list of RPCs"), faults.unimplemented);
   if (key == "full_states") return assign(json.boolean(), faults.full_states);
   if (key == "slow_start_ms") return assign(json.integer(0, kMaxMs), faults.slow_start_ms);
   if (key == "seed") return assign(json.integer(0, kMaxMs), faults.seed);
@@ -69,8 +56,7 @@ Result<void> parse_fault(std::string_view key, const base::JsonValue& json, Faul
 
 bool applies_to(const Faults& faults, int unum, int cycle) {
   if (faults.cycles && !faults.cycles->contains(cycle)) return false;
-  return faults.unums.empty() ||
-         std::find(faults.unums.begin(), faults.unums.end(), unum) != faults.unums.end();
+  return faults.unums.empty() || std::ranges::find(faults.unums, unum) != faults.unums.end();
 }
 
 }  // namespace
@@ -88,15 +74,13 @@ Result<Faults> parse_faults(const base::JsonValue& json) {
                         "slow_start_ms", "only", "seed"}));
 
   Faults faults;
-  for (const std::string& key : json.keys()) {
-    TRY(parse_fault(key, json[key], faults));
-  }
+  for (const std::string& key : json.keys()) TRY(parse_fault(key, json[key], faults));
   return faults;
 }
 
 Result<int> status_code(std::string_view name) {
   const auto& names = proto::status_names();
-  const auto found = std::find(names.begin(), names.end(), name);
+  const auto found = std::ranges::find(names, name);
   if (found == names.end()) {
     return Error{fmt::format("no gRPC status '{}'{}", name, base::did_you_mean(name, names))};
   }
@@ -104,8 +88,7 @@ Result<int> status_code(std::string_view name) {
 }
 
 Fault draw_fault(const Faults& faults, proto::Rpc rpc, const google::protobuf::Message& request) {
-  const auto& unimplemented = faults.unimplemented;
-  if (std::find(unimplemented.begin(), unimplemented.end(), rpc) != unimplemented.end()) {
+  if (std::ranges::find(faults.unimplemented, rpc) != faults.unimplemented.end()) {
     return {Fault::What::kUnimplemented, 0};
   }
   if (!is_decision(rpc)) return {};
@@ -126,10 +109,10 @@ Fault draw_fault(const Faults& faults, proto::Rpc rpc, const google::protobuf::M
 
   Fault fault;
   fault.delay_ms = faults.delay_ms + draw.integer(faults.jitter_ms + 1);
-  for (const auto& [share, what] :
-       {std::pair{faults.drop, Fault::What::kHang}, std::pair{faults.error, Fault::What::kError},
-        std::pair{faults.garbage, Fault::What::kGarbage},
-        std::pair{faults.oversize, Fault::What::kOversize}}) {
+  for (const auto& [share, what] : {std::pair{faults.drop, Fault::What::kHang},
+                                    {faults.error, Fault::What::kError},
+                                    {faults.garbage, Fault::What::kGarbage},
+                                    {faults.oversize, Fault::What::kOversize}}) {
     if (draw.bernoulli(share) && fault.what == Fault::What::kNone) fault.what = what;
   }
   return fault;

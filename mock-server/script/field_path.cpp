@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 #include "base/text/split.h"
 #include "base/text/suggestion.h"
+#include "base/text/value_text.h"
+#include "proto/field_access.h"
 
 namespace cls::mock_server {
 namespace {
@@ -19,24 +22,6 @@ using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 using google::protobuf::Reflection;
-
-const FieldDescriptor* find_field(const Descriptor& type, std::string_view name) {
-  for (int i = 0; i < type.field_count(); ++i) {
-    if (type.field(i)->name() == name || type.field(i)->json_name() == name) return type.field(i);
-  }
-  return nullptr;
-}
-
-Error no_such_field(const Descriptor& type, std::string_view name) {
-  std::vector<std::string_view> names;
-  for (int i = 0; i < type.field_count(); ++i) names.push_back(type.field(i)->name());
-  return Error{
-      fmt::format("{} has no field '{}'{}", type.name(), name, base::did_you_mean(name, names))};
-}
-
-const FieldDescriptor* map_value(const FieldDescriptor& field) {
-  return field.message_type()->field(1);
-}
 
 // The kind of what a field (or an element of it) holds.
 ValueKind kind_of(const FieldDescriptor& field) {
@@ -56,43 +41,39 @@ ValueKind kind_of(const FieldDescriptor& field) {
 
 // A scalar of `message`, or element `index` of a list of scalars.
 Value scalar(const Message& message, const FieldDescriptor& field, int index) {
-  const Reflection& reflection = *message.GetReflection();
-  const bool list = field.is_repeated();
-  switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_BOOL:
-      return list ? reflection.GetRepeatedBool(message, &field, index)
-                  : reflection.GetBool(message, &field);
-    case FieldDescriptor::CPPTYPE_STRING:
-      return list ? reflection.GetRepeatedString(message, &field, index)
-                  : reflection.GetString(message, &field);
-    case FieldDescriptor::CPPTYPE_ENUM: {
-      const int number = list ? reflection.GetRepeatedEnumValue(message, &field, index)
-                              : reflection.GetEnumValue(message, &field);
-      const auto* named = field.enum_type()->FindValueByNumber(number);
-      return named == nullptr ? std::to_string(number) : named->name();
+  return proto::with_access(field, [&](auto access) -> Value {
+    auto value = access.get(message, field, index);
+    if constexpr (std::is_same_v<decltype(value), bool> ||
+                  std::is_same_v<decltype(value), std::string>) {
+      return value;
+    } else {
+      if (field.cpp_type() != FieldDescriptor::CPPTYPE_ENUM) return static_cast<double>(value);
+      const auto* named = field.enum_type()->FindValueByNumber(static_cast<int>(value));
+      return named == nullptr ? fmt::format("{}", value) : named->name();
     }
-    case FieldDescriptor::CPPTYPE_INT32:
-      return static_cast<double>(list ? reflection.GetRepeatedInt32(message, &field, index)
-                                      : reflection.GetInt32(message, &field));
-    case FieldDescriptor::CPPTYPE_INT64:
-      return static_cast<double>(list ? reflection.GetRepeatedInt64(message, &field, index)
-                                      : reflection.GetInt64(message, &field));
-    case FieldDescriptor::CPPTYPE_FLOAT:
-      return static_cast<double>(list ? reflection.GetRepeatedFloat(message, &field, index)
-                                      : reflection.GetFloat(message, &field));
-    default:
-      return list ? reflection.GetRepeatedDouble(message, &field, index)
-                  : reflection.GetDouble(message, &field);
-  }
+  });
 }
 
 }  // namespace
+
+const FieldDescriptor* find_field(const Descriptor& type, std::string_view name) {
+  for (int i = 0; i < type.field_count(); ++i) {
+    if (type.field(i)->name() == name || type.field(i)->json_name() == name) return type.field(i);
+  }
+  return nullptr;
+}
+
+std::string no_such_field(const Descriptor& type, std::string_view name) {
+  std::vector<std::string_view> names;
+  for (int i = 0; i < type.field_count(); ++i) names.push_back(type.field(i)->name());
+  return fmt::format("{} has no field '{}'{}", type.name(), name, base::did_you_mean(name, names));
+}
 
 Result<FieldPath::Step> FieldPath::compile_step(const Descriptor& type, std::string_view name,
                                                 std::string_view selector) {
   Step step;
   step.field = find_field(type, name);
-  if (step.field == nullptr) return no_such_field(type, name);
+  if (step.field == nullptr) return Error{no_such_field(type, name)};
   if (!step.field->is_repeated()) return step;
 
   if (selector == "*") {
@@ -101,10 +82,9 @@ Result<FieldPath::Step> FieldPath::compile_step(const Descriptor& type, std::str
     step.select = Select::kSize;
   } else {
     step.select = step.field->is_map() ? Select::kKey : Select::kIndex;
-    const auto [end, code] =
-        std::from_chars(selector.data(), selector.data() + selector.size(), step.number);
-    const bool whole = !selector.empty() && end == selector.data() + selector.size();
-    if (!whole || code != std::errc{} || (step.select == Select::kIndex && step.number < 0)) {
+    const std::optional<int> number = base::value_of<int>(selector);
+    step.number = number.value_or(0);
+    if (!number || (step.select == Select::kIndex && *number < 0)) {
       return Error{fmt::format("after '{}' comes {}, '*' or 'size', not '{}'", name,
                                step.field->is_map() ? "a key" : "an index from 0", selector)};
     }
@@ -129,7 +109,8 @@ Result<FieldPath> FieldPath::compile(const Descriptor& root, std::string_view te
              compile_step(*type, names[i], i + 1 < names.size() ? names[i + 1] : ""));
     path.steps_.push_back(step);
 
-    const FieldDescriptor& field = step.field->is_map() ? *map_value(*step.field) : *step.field;
+    const FieldDescriptor& field =
+        step.field->is_map() ? *step.field->message_type()->map_value() : *step.field;
     path.kind_ = step.select == Select::kSize ? ValueKind{} : kind_of(field);
     type = path.kind_.kind == ValueKind::Kind::kMessage ? field.message_type() : nullptr;
     if (step.select != Select::kField) ++i;
@@ -137,77 +118,65 @@ Result<FieldPath> FieldPath::compile(const Descriptor& root, std::string_view te
   return path;
 }
 
-void FieldPath::collect_elements(const Message& message, std::size_t at, bool& present,
-                                 std::vector<Value>& values) const {
+void FieldPath::collect_elements(const Message& message, std::size_t at, Found& found) const {
   const Step& step = steps_[at];
   const Reflection& reflection = *message.GetReflection();
-  const int size = reflection.FieldSize(message, step.field);
-  const bool last = at + 1 == steps_.size();
+  const auto add = [&found](Value value) {
+    found.present = true;
+    found.values.push_back(std::move(value));
+  };
 
-  for (int i = 0; i < size; ++i) {
+  for (int i = 0; i < reflection.FieldSize(message, step.field); ++i) {
     if (step.select == Select::kIndex && i != step.number) continue;
     if (step.field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) {
-      present = true;
-      values.push_back(scalar(message, *step.field, i));
+      add(scalar(message, *step.field, i));
       continue;
     }
 
     const Message* element = &reflection.GetRepeatedMessage(message, step.field, i);
     if (step.field->is_map()) {
-      const FieldDescriptor& key = *step.field->message_type()->field(0);
-      if (step.select == Select::kKey &&
-          scalar(*element, key, 0) != Value(static_cast<double>(step.number))) {
-        continue;
-      }
-      const FieldDescriptor& value = *map_value(*step.field);
+      const FieldDescriptor& key = *step.field->message_type()->map_key();
+      const Value wanted(static_cast<double>(step.number));
+      if (step.select == Select::kKey && scalar(*element, key, 0) != wanted) continue;
+      const FieldDescriptor& value = *step.field->message_type()->map_value();
       if (value.cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) {
-        present = true;
-        values.push_back(scalar(*element, value, 0));
+        add(scalar(*element, value, 0));
         continue;
       }
       element = &element->GetReflection()->GetMessage(*element, &value);
     }
 
-    if (last) {
-      present = true;
+    if (at + 1 == steps_.size()) {
+      found.present = true;
     } else {
-      collect(*element, at + 1, present, values);
+      collect(*element, at + 1, found);
     }
   }
 }
 
-void FieldPath::collect(const Message& message, std::size_t at, bool& present,
-                        std::vector<Value>& values) const {
+void FieldPath::collect(const Message& message, std::size_t at, Found& found) const {
   const Step& step = steps_[at];
   const Reflection& reflection = *message.GetReflection();
 
   if (step.select == Select::kSize) {
-    present = true;
-    values.emplace_back(static_cast<double>(reflection.FieldSize(message, step.field)));
+    found.present = true;
+    found.values.emplace_back(static_cast<double>(reflection.FieldSize(message, step.field)));
   } else if (step.select != Select::kField) {
-    collect_elements(message, at, present, values);
+    collect_elements(message, at, found);
   } else if (step.field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) {
-    present = true;
-    values.push_back(scalar(message, *step.field, 0));
+    found.present = true;
+    found.values.push_back(scalar(message, *step.field, 0));
   } else if (at + 1 == steps_.size()) {
-    present = reflection.HasField(message, step.field);
+    found.present = reflection.HasField(message, step.field);
   } else {
-    collect(reflection.GetMessage(message, step.field), at + 1, present, values);
+    collect(reflection.GetMessage(message, step.field), at + 1, found);
   }
 }
 
-std::vector<Value> FieldPath::values(const Message& message) const {
-  bool present = false;
-  std::vector<Value> values;
-  collect(message, 0, present, values);
-  return values;
-}
-
-bool FieldPath::present(const Message& message) const {
-  bool present = false;
-  std::vector<Value> values;
-  collect(message, 0, present, values);
-  return present;
+FieldPath::Found FieldPath::find(const Message& message) const {
+  Found found;
+  collect(message, 0, found);
+  return found;
 }
 
 Result<Condition> Condition::parse(const Descriptor& root, std::string_view path,
@@ -219,21 +188,18 @@ Result<Condition> Condition::parse(const Descriptor& root, std::string_view path
   condition.path_ = *std::move(compiled);
   if (json.is_object() && json.has("present")) {
     TRY(json.expect_keys({"present"}));
-    TRY_INIT(const auto present, json["present"].boolean());
-    condition.present_ = present;
-    return condition;
+    TRY_INIT(condition.present_, json["present"].boolean());
+  } else {
+    TRY_INIT(condition.comparison_, Comparison::parse(json, condition.path_.kind()));
   }
-
-  TRY_INIT(auto comparison, Comparison::parse(json, condition.path_.kind()));
-  condition.comparison_ = std::move(comparison);
   return condition;
 }
 
 bool Condition::holds(const Message& message) const {
   if (present_) return path_.present(message) == *present_;
   const std::vector<Value> values = path_.values(message);
-  return std::any_of(values.begin(), values.end(),
-                     [this](const Value& value) { return comparison_.holds(value); });
+  return std::ranges::any_of(values,
+                             [this](const Value& value) { return comparison_.holds(value); });
 }
 
 std::string Condition::complaint(const Message& message) const {

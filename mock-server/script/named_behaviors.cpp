@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "base/text/suggestion.h"
+#include "base/text/value_text.h"
 #include "mock-server/behavior/bundled.h"
 #include "mock-server/behavior/example_team.h"
 #include "mock-server/behavior/simple_team.h"
@@ -14,15 +13,9 @@ namespace cls::mock_server {
 namespace {
 
 base::Result<std::unique_ptr<Behavior>> make_random(std::string_view seed_text) {
-  std::uint64_t seed = 1;
-  if (!seed_text.empty()) {
-    const char* end = seed_text.data() + seed_text.size();
-    const auto [stop, code] = std::from_chars(seed_text.data(), end, seed);
-    if (code != std::errc{} || stop != end) {
-      return base::Error{fmt::format("mock behavior 'random:{}': invalid seed", seed_text)};
-    }
-  }
-  return make_random_behavior(seed);
+  const auto seed = base::value_of<std::uint64_t>(seed_text);
+  if (!seed) return base::Error{fmt::format("mock behavior 'random:{}': invalid seed", seed_text)};
+  return make_random_behavior(*seed);
 }
 
 }  // namespace
@@ -40,19 +33,15 @@ base::Result<std::unique_ptr<Behavior>> make_behavior(std::string_view name) {
   if (name == "simple") return std::unique_ptr<Behavior>(new SimpleTeam);
   if (name == "planner") return make_planner_behavior();
   if (name == "hold") return std::unique_ptr<Behavior>(new Hold);
-  if (name == "random") return make_random("");
+  if (name == "random" || name == "random:") return make_random_behavior(1);
   if (name.starts_with("random:")) return make_random(name.substr(7));
   if (name.starts_with("replay:")) return read_replay_behavior(std::string(name.substr(7)));
 
-  std::string message = fmt::format("unknown mock behavior '{}'", name);
   const std::string_view near = base::nearest_name(name, behavior_names());
-  if (near.empty()) {
-    message += fmt::format(" (known: {})", fmt::join(behavior_names(), ", "));
-  } else {
-    message += fmt::format("; did you mean '{}'?", near);
-  }
-
-  return base::Error{std::move(message)};
+  return base::Error{
+      fmt::format("unknown mock behavior '{}'{}", name,
+                  near.empty() ? fmt::format(" (known: {})", fmt::join(behavior_names(), ", "))
+                               : fmt::format("; did you mean '{}'?", near))};
 }
 
 }  // namespace cls::mock_server

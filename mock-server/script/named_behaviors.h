@@ -10,7 +10,7 @@
 
 namespace cls::mock_server {
 
-/// What `mock` without a name plays.
+/// The behavior of `mock` without a name.
 inline constexpr std::string_view kDefaultBehavior = "attack";
 
 /// Names without arguments that make_behavior() accepts.

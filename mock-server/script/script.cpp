@@ -5,9 +5,8 @@
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/util/json_util.h>
 
-#include <nlohmann/json.hpp>
-
-#include "base/text/suggestion.h"
+#include "base/text/json.h"
+#include "mock-server/script/json_parts.h"
 #include "mock-server/script/named_behaviors.h"
 #include "proto/rpc.h"
 
@@ -25,11 +24,7 @@ Result<void> check_element(const base::JsonValue& json, const FieldDescriptor& f
     return check_keys(json, *field.message_type());
   }
   if (field.cpp_type() == FieldDescriptor::CPPTYPE_ENUM && json.is_string()) {
-    std::vector<std::string_view> names;
-    for (int i = 0; i < field.enum_type()->value_count(); ++i) {
-      names.push_back(field.enum_type()->value(i)->name());
-    }
-    TRY(json.one_of(names));
+    TRY(json.one_of(value_names(*field.enum_type())));
   }
   return {};
 }
@@ -37,18 +32,14 @@ Result<void> check_element(const base::JsonValue& json, const FieldDescriptor& f
 Result<void> check_field(const base::JsonValue& json, const FieldDescriptor& field) {
   if (field.is_map()) {
     if (!json.is_object()) return json.error("must be an object");
-    const FieldDescriptor& value = *field.message_type()->field(1);
-    for (const std::string& key : json.keys()) {
-      if (const auto good = check_element(json[key], value); !good) return good;
-    }
+    const FieldDescriptor& value = *field.message_type()->map_value();
+    for (const std::string& key : json.keys()) TRY(check_element(json[key], value));
     return {};
   }
 
   if (!field.is_repeated()) return check_element(json, field);
   if (!json.is_array()) return json.error("must be a list");
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    if (const auto good = check_element(json[i], field); !good) return good;
-  }
+  for (std::size_t i = 0; i < json.size(); ++i) TRY(check_element(json[i], field));
   return {};
 }
 
@@ -57,19 +48,10 @@ Result<void> check_keys(const base::JsonValue& json, const Descriptor& type) {
     return json.error(fmt::format("must be an object with the fields of {}", type.name()));
   }
 
-  std::vector<std::string_view> names;
-  for (int i = 0; i < type.field_count(); ++i) names.push_back(type.field(i)->name());
-
   for (const std::string& key : json.keys()) {
-    const FieldDescriptor* field = type.FindFieldByName(key);
-    for (int i = 0; field == nullptr && i < type.field_count(); ++i) {
-      if (type.field(i)->json_name() == key) field = type.field(i);
-    }
-    if (field == nullptr) {
-      return json[key].error(
-          fmt::format("{} has no field '{}'{}", type.name(), key, base::did_you_mean(key, names)));
-    }
-    if (const auto good = check_field(json[key], *field); !good) return good;
+    const FieldDescriptor* field = find_field(type, key);
+    if (field == nullptr) return json[key].error(no_such_field(type, key));
+    TRY(check_field(json[key], *field));
   }
   return {};
 }
@@ -77,7 +59,7 @@ Result<void> check_keys(const base::JsonValue& json, const Descriptor& type) {
 /// Fills the empty `message` from protobuf's JSON mapping. Keys are checked here, with location and
 /// suggestion, values by protobuf.
 Result<void> read_message(const base::JsonValue& json, google::protobuf::Message& message) {
-  if (const auto keys = check_keys(json, *message.GetDescriptor()); !keys) return keys;
+  TRY(check_keys(json, *message.GetDescriptor()));
   const auto status = google::protobuf::util::JsonStringToMessage(json.json().dump(), &message);
   if (!status.ok()) return json.error(std::string(status.message()));
   return {};
@@ -91,12 +73,12 @@ Result<std::shared_ptr<const Behavior>> parse_behavior(const base::JsonValue& js
 }
 
 // A reply is the reply message, or only its list of actions.
-Result<std::shared_ptr<const google::protobuf::Message>> parse_reply(const base::JsonValue& json,
-                                                                     proto::Rpc rpc) {
+Result<std::shared_ptr<google::protobuf::Message>> parse_reply(const base::JsonValue& json,
+                                                               proto::Rpc rpc) {
   std::shared_ptr<google::protobuf::Message> reply(reply_prototype(rpc).New());
   if (!json.is_array()) {
     TRY(read_message(json, *reply));
-    return std::shared_ptr<const google::protobuf::Message>(std::move(reply));
+    return reply;
   }
 
   const auto* descriptor = reply->GetDescriptor()->FindFieldByName("actions");
@@ -104,7 +86,7 @@ Result<std::shared_ptr<const google::protobuf::Message>> parse_reply(const base:
     auto* action = reply->GetReflection()->AddMessage(reply.get(), descriptor);
     TRY(read_message(json[i], *action));
   }
-  return std::shared_ptr<const google::protobuf::Message>(std::move(reply));
+  return reply;
 }
 
 Result<ScriptRule> parse_rule(const base::JsonValue& json) {
@@ -117,21 +99,17 @@ Result<ScriptRule> parse_rule(const base::JsonValue& json) {
     rule.rpc = *proto::rpc_from_name(name);
   }
 
-  if (json.has("when")) {
-    TRY_INIT(auto when, SituationFilter::parse(json["when"], rule.rpc));
-    rule.when = std::move(when);
-  }
+  TRY(read_key(json, "when", rule.when, [&](const base::JsonValue& when) {
+    return SituationFilter::parse(when, rule.rpc);
+  }));
 
   if (!json.has("reply")) return json.error("needs \"reply\"");
   const base::JsonValue reply = json["reply"];
   if (reply.is_string()) {
-    TRY_INIT(auto behavior, parse_behavior(reply));
-    rule.behavior = std::move(behavior);
-    return rule;
+    TRY_INIT(rule.behavior, parse_behavior(reply));
+  } else {
+    TRY_INIT(rule.reply, parse_reply(reply, rule.rpc));
   }
-
-  TRY_INIT(auto message, parse_reply(reply, rule.rpc));
-  rule.reply = std::move(message);
   return rule;
 }
 
@@ -147,31 +125,12 @@ Result<std::shared_ptr<const Script>> parse_script(const base::JsonValue& json) 
   TRY(json.expect_keys(script_keys()));
   auto script = std::make_shared<Script>();
 
-  if (json.has("rules")) {
-    const base::JsonValue rules = json["rules"];
-    if (!rules.is_array()) return rules.error("must be a list");
-    for (std::size_t i = 0; i < rules.size(); ++i) {
-      TRY_INIT(auto rule, parse_rule(rules[i]));
-      script->rules.push_back(std::move(rule));
-    }
-  }
-
-  if (json.has("otherwise")) {
-    TRY_INIT(auto behavior, parse_behavior(json["otherwise"]));
-    script->otherwise = std::move(behavior);
-  } else {
-    script->otherwise = *make_behavior("hold");
-  }
-
-  if (json.has("expect")) {
-    TRY_INIT(auto expectations, parse_expectations(json["expect"]));
-    script->expectations = std::move(expectations);
-  }
-  if (json.has("faults")) {
-    TRY_INIT(auto faults, parse_faults(json["faults"]));
-    script->faults = std::move(faults);
-  }
-
+  script->otherwise = *make_behavior("hold");
+  TRY(read_key(json, "rules", script->rules,
+               [](const base::JsonValue& rules) { return list_of(rules, parse_rule); }));
+  TRY(read_key(json, "otherwise", script->otherwise, parse_behavior));
+  TRY(read_key(json, "expect", script->expectations, parse_expectations));
+  TRY(read_key(json, "faults", script->faults, parse_faults));
   return std::shared_ptr<const Script>(std::move(script));
 }
 

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -31,7 +30,7 @@ struct Script {
   Faults faults;
 };
 
-/// Keys of a script, for documents that contain one beside other keys.
+/// Keys of a script, for documents that contain one and other keys.
 const std::vector<std::string_view>& script_keys();
 
 /// Errors name file, line and JSON path.

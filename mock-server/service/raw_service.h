@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <functional>
 
-#include "mock-server/service/raw_call.h"
 #include "mock-server/service/responder.h"
+#include "mock-server/service/workspace.h"
 #include "proto/rpc.h"
 
 namespace cls::mock_server {

@@ -16,6 +16,7 @@ std::int64_t thread_cpu_nanoseconds() {
 int best_of(const protos::BestPlannerActionRequest& request) {
   int best = 0;
   double best_value = 0.0;
+
   bool found = false;
   for (const auto& [index, candidate] : request.pairs()) {
     const double value = candidate.evaluation();
@@ -25,6 +26,7 @@ int best_of(const protos::BestPlannerActionRequest& request) {
       best_value = value;
     }
   }
+
   return best;
 }
 

@@ -53,11 +53,11 @@ Fault Responder::choose_fault(Rpc rpc, const Message& request) {
   if (faults_.restart_at_cycle && is_decision(rpc)) {
     const int cycle = static_cast<const protos::State&>(request).world_model().cycle();
     const int elapsed = cycle - *faults_.restart_at_cycle;
-    if (elapsed >= 0) restarting_ = true;
-    if (elapsed >= 0 && elapsed < faults_.restart_cycles) return {Fault::What::kGone, 0};
-    if (elapsed >= 0 && clients_.count(caller_of(rpc, request).client_id) == 0) {
-      return {Fault::What::kUnknownClient, 0};
-    }
+    if (elapsed < 0) return fault;
+    restarting_ = true;
+    if (elapsed < faults_.restart_cycles) return {Fault::What::kGone, 0};
+    const bool known = clients_.contains(caller_of(rpc, request).client_id);
+    if (!known) return {Fault::What::kUnknownClient, 0};
   }
   return fault;
 }

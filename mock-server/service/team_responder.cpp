@@ -86,8 +86,8 @@ void register_team(TeamCall& call, const wire::RegisterTeamRequest& request,
   response.set_version(proto::kTeamPlaymakerVersion);
 
   const auto& offered = request.encodings();
-  if (call.lean_states() &&
-      std::find(offered.begin(), offered.end(), wire::LEAN_STATES) != offered.end()) {
+  const bool lean_offered = std::ranges::find(offered, wire::LEAN_STATES) != offered.end();
+  if (call.lean_states() && lean_offered) {
     response.set_encoding(wire::LEAN_STATES);
   }
 
@@ -108,25 +108,28 @@ void register_team(TeamCall& call, const wire::RegisterTeamRequest& request,
 }
 
 void respond(TeamCall& call, Rpc rpc, const Message& request, Message& response) {
+  // Each agent's call, of the RPC that `rpc_of` names.
+  const auto respond_to = [&call](const auto& agents, auto rpc_of, auto& replies) {
+    for (const auto& agent : agents) call.respond(agent, rpc_of(agent.agent()), replies);
+  };
+
   if (rpc == Rpc::kRegisterTeam) {
     register_team(call, static_cast<const wire::RegisterTeamRequest&>(request),
                   static_cast<wire::RegisterTeamResponse&>(response));
   } else if (rpc == Rpc::kGetTeamActions) {
-    auto& replies = *static_cast<wire::GetTeamActionsResponse&>(response).mutable_agents();
-    for (const auto& agent : static_cast<const wire::GetTeamActionsRequest&>(request).agents()) {
-      call.respond(agent, proto::decision_of(agent.agent()), replies);
-    }
+    respond_to(static_cast<const wire::GetTeamActionsRequest&>(request).agents(),
+               proto::decision_of,
+               *static_cast<wire::GetTeamActionsResponse&>(response).mutable_agents());
   } else if (rpc == Rpc::kGetBestPlannerActions) {
-    const auto& choices = static_cast<const wire::GetBestPlannerActionsRequest&>(request);
-    auto& replies = *static_cast<wire::GetBestPlannerActionsResponse&>(response).mutable_agents();
-    for (const auto& agent : choices.agents()) {
-      call.respond(agent, Rpc::kGetBestPlannerAction, replies);
-    }
+    respond_to(
+        static_cast<const wire::GetBestPlannerActionsRequest&>(request).agents(),
+        [](int) { return Rpc::kGetBestPlannerAction; },
+        *static_cast<wire::GetBestPlannerActionsResponse&>(response).mutable_agents());
   } else {
     google::protobuf::RepeatedPtrField<wire::AgentReply> none;
-    for (const auto& agent : static_cast<const wire::UnregisterTeamRequest&>(request).agents()) {
-      call.respond(agent, Rpc::kSendByeCommand, none);
-    }
+    respond_to(
+        static_cast<const wire::UnregisterTeamRequest&>(request).agents(),
+        [](int) { return Rpc::kSendByeCommand; }, none);
   }
 }
 

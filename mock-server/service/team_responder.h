@@ -1,8 +1,8 @@
 // Replies of the mock to the calls of a whole team: TeamPlaymaker.
 #pragma once
 
-#include "mock-server/service/raw_call.h"
 #include "mock-server/service/responder.h"
+#include "mock-server/service/workspace.h"
 
 namespace cls::mock_server {
 

@@ -1,22 +1,16 @@
-// Memory and bytes of calls that a callback service handles itself.
+// Memory of calls that a callback service handles itself.
 #pragma once
 
 #include <google/protobuf/arena.h>
 #include <google/protobuf/message.h>
-#include <grpcpp/grpcpp.h>
 
 #include <cstddef>
 #include <memory>
 #include <mutex>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace cls::mock_server {
-
-/// INTERNAL when the bytes are not a message of this type.
-grpc::Status parse(const grpc::ByteBuffer& bytes, google::protobuf::Message& message);
-grpc::Status serialize(const google::protobuf::Message& message, grpc::ByteBuffer& bytes);
-grpc::ByteBuffer buffer_of(const std::string& bytes);
 
 /// Memory of one call, reused: no allocation for each of the many parts of a State.
 class Workspace {
@@ -45,8 +39,19 @@ class WorkspacePool {
   /// does not see how gRPC waits for its calls.
   ~WorkspacePool() { const std::lock_guard lock(mutex_); }
 
-  std::unique_ptr<Workspace> acquire();
-  void release(std::unique_ptr<Workspace> workspace);
+  std::unique_ptr<Workspace> acquire() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return std::make_unique<Workspace>(size_);
+    auto workspace = std::move(idle_.back());
+    idle_.pop_back();
+    return workspace;
+  }
+
+  void release(std::unique_ptr<Workspace> workspace) {
+    workspace->reset();
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(workspace));
+  }
 
  private:
   std::size_t size_;
