@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <numeric>
 #include <string>
 #include <vector>
 
+#include "base/index.h"
+#include "bench/measure.h"
 #include "player/movement/home_positions.h"
 #include "proto/state_writer.h"
 #include "proxy/agent/player_agent.h"
@@ -21,8 +22,6 @@
 
 namespace cls::bench {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Returns the microseconds since `last` and sets it to now.
 double lap(Clock::time_point& last) {
@@ -72,6 +71,7 @@ class Parser {
       default:
         return 0.0;
     }
+
     return lap(last);
   }
 
@@ -102,6 +102,7 @@ void replay(const std::vector<tests::Spoken>& transcript, Cycles& cycles) {
   std::size_t bytes = 0;
   double parsed = 0.0;
   double perceived = 0.0;
+
   for (const tests::Spoken& spoken : transcript) {
     if (!spoken.by_server) continue;
     servers->send(spoken.message);
@@ -110,6 +111,7 @@ void replay(const std::vector<tests::Spoken>& transcript, Cycles& cycles) {
     agent.perceive();
     perceived += lap(last);
     if (!agent.decision_due()) continue;
+
     const player::WorldModel& world = agent.begin_decision();
     const double completed = lap(last);
     proxy::fill_state(world, player::home_positions(world), false, state);
@@ -118,14 +120,11 @@ void replay(const std::vector<tests::Spoken>& transcript, Cycles& cycles) {
     last = Clock::now();
     agent.act(actions);
     const double acted = lap(last);
+
     if (state.world_model().game_mode_type() == protos::PlayOn) {
-      Costs& costs = cycles.costs.emplace_back();
-      costs[kParse] = parsed;
-      costs[kModel] = perceived + completed;  // includes parsing; subtracted below
-      costs[kState] = built;
-      costs[kSerialize] = serialized;
-      costs[kSkills] = acted;
-      costs[kCycle] = perceived + completed + built + serialized + acted;
+      const double model = perceived + completed;  // includes parsing; subtracted below
+      cycles.costs.push_back(
+          {parsed, model, built, serialized, acted, model + built + serialized + acted});
       cycles.bytes += static_cast<double>(bytes);
     }
     parsed = perceived = 0.0;
@@ -139,6 +138,7 @@ const Cycles& measured() {
     Cycles best;
     const auto path = tests::data("aligned/udp/player_l7.txt.gz");
     if (!path) return best;
+
     const std::string text = tests::read_file(*path);
     const std::vector<tests::Spoken> transcript = tests::read_transcript(text);
     for (int i = 0; i < kReplays; ++i) {
@@ -151,6 +151,7 @@ const Cycles& measured() {
         }
       }
     }
+
     for (Costs& costs : best.costs) costs[kModel] -= costs[kParse];
     return best;
   }();
@@ -163,11 +164,14 @@ void agent(benchmark::State& bench, Part part) {
     bench.SkipWithError("no recorded logs: set CLS_DATA");
     return;
   }
+
   std::vector<double> us;
   for (const Costs& costs : cycles.costs) us.push_back(costs[part]);
-  std::sort(us.begin(), us.end());
+  std::ranges::sort(us);
+
   const double count = static_cast<double>(us.size());
   const double mean = std::accumulate(us.begin(), us.end(), 0.0) / count;
+
   for (auto _ : bench) bench.SetIterationTime(mean * 1e-6);
   bench.counters["p99_us"] = us[static_cast<std::size_t>(0.99 * (count - 1.0))];
   bench.counters["cycles"] = count;
@@ -177,7 +181,7 @@ void agent(benchmark::State& bench, Part part) {
 const bool registered = [] {
   for (int part = 0; part < kParts; ++part) {
     benchmark::RegisterBenchmark(
-        kNames[static_cast<std::size_t>(part)],
+        kNames[base::index(part)],
         [part](benchmark::State& bench) { agent(bench, static_cast<Part>(part)); })
         ->UseManualTime()
         ->Iterations(1)

@@ -1,16 +1,16 @@
 // Speed of reading, writing and evaluating game logs and text logs: a whole match of 6000 cycles
 // (CLS_DATA), else the start of one, repeated to the same length.
 #include <benchmark/benchmark.h>
-#include <zlib.h>
 
-#include <array>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "analysis/results/match_summary.h"
 #include "analysis/statistics/match_statistics.h"
 #include "analysis/statistics/statistics_json.h"
 #include "base/io/byte_sink.h"
+#include "base/io/gzip_sink.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "gamelog/rcg/record_writer.h"
 #include "gamelog/rcl/logged_commands.h"
@@ -95,18 +95,14 @@ BENCHMARK(read_game_log)
 
 // Size of the decompressed log in bytes.
 void read_gzip_game_log(benchmark::State& bench) {
-  std::string compressed(compressBound(game_log().size()) + 64, '\0');
-  z_stream stream = {};
-  deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(game_log().data()));
-  stream.avail_in = static_cast<uInt>(game_log().size());
-  stream.next_out = reinterpret_cast<Bytef*>(compressed.data());
-  stream.avail_out = static_cast<uInt>(compressed.size());
-  deflate(&stream, Z_FINISH);
-  compressed.resize(stream.total_out);
-  deflateEnd(&stream);
+  auto memory = std::make_unique<StringSink>();
+  const StringSink& compressed = *memory;
+  GzipSink sink(std::move(memory));
+  sink.write(game_log());
+  if (!sink.close()) bench.SkipWithError("gzip");
+
   for (auto _ : bench) {
-    const auto source = decompress(std::make_unique<MemorySource>(compressed));
+    const auto source = decompress(std::make_unique<MemorySource>(compressed.bytes()));
     benchmark::DoNotOptimize(read_rcg(*source).frames());
   }
   set_bytes(bench, game_log().size());

@@ -2,12 +2,12 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 #include <vector>
 
+#include "bench/measure.h"
 #include "player/planner/field.h"
-#include "player/planner/search.h"
+#include "player/planner/planner.h"
 #include "proxy/agent/player_agent.h"
 #include "soccer/memory_channel.h"
 #include "tests/support/files.h"
@@ -15,8 +15,6 @@
 
 namespace cls::bench {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// All kinds of actions, as upstream's samples request.
 player::PlannerOptions all_kinds() {
@@ -36,6 +34,7 @@ void plans_of(const std::string& file, std::vector<double>& times, std::size_t& 
   proxy::PlayerAgent agent(std::move(ours), options);
   const protos::PlayerActions no_actions;
   const std::string text = tests::read_file(*path);  // the lines refer to it
+
   for (const tests::Spoken& spoken : tests::read_transcript(text)) {
     if (!spoken.by_server) continue;
     servers->send(spoken.message);
@@ -44,15 +43,17 @@ void plans_of(const std::string& file, std::vector<double>& times, std::size_t& 
     agent.state();
     player::WorldModel world = agent.world();
     agent.act(no_actions);
+
     if (world.game.mode != soccer::PlayMode::kPlayOn || world.ball.dist_from_self > 10.0) continue;
     world.ball.position = world.self.position + soccer::polar(0.6, world.self.body);
     world.ball.velocity = world.self.velocity;
     world.self.kickable = true;
     world.self.kick_rate = 0.024;
+
     const auto before = Clock::now();
     const player::PlannerField field(world);
     const player::Plan plan = player::make_plan(field, all_kinds());
-    times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - before).count());
+    times.push_back(seconds_since(before) * 1e6);
     nodes += plan.nodes.size();
   }
 }
@@ -70,10 +71,12 @@ void plan(benchmark::State& bench) {
     bench.SkipWithError("no recorded logs: set CLS_DATA");
     return;
   }
-  std::sort(times.begin(), times.end());
+
+  std::ranges::sort(times);
   const auto quantile = [&](double part) {
     return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
   };
+
   bench.counters["plans"] = static_cast<double>(times.size());
   bench.counters["nodes"] = static_cast<double>(nodes) / static_cast<double>(times.size());
   bench.counters["p50_us"] = quantile(0.5);

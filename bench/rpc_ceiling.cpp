@@ -1,21 +1,23 @@
 // A minimal Playmaker, and teams that only call it.
 #include "bench/rpc_ceiling.h"
 
+#include <google/protobuf/arena.h>
 #include <grpcpp/grpcpp.h>
-#include <sys/resource.h>
+#include <grpcpp/support/message_allocator.h>
 
 #include <array>
 #include <barrier>
 #include <chrono>
 #include <cstdlib>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include "bench/message_pool.h"
+#include "bench/measure.h"
 #include "proto/grpc_settings.h"
 #include "proto/playmaker.grpc.pb.h"
 #include "proto/team_playmaker.grpc.pb.h"
@@ -29,7 +31,6 @@ namespace cls::bench {
 namespace {
 
 namespace wire = cls::playmaker::v1;
-using Clock = std::chrono::steady_clock;
 
 void decide(protos::PlayerActions& actions) {
   protos::Body_GoToPoint& go = *actions.add_actions()->mutable_body_go_to_point();
@@ -37,6 +38,65 @@ void decide(protos::PlayerActions& actions) {
   go.set_max_dash_power(100.0F);
   actions.add_actions()->mutable_neck_turn_to_ball_or_scan();
 }
+
+/// Request and response messages in reused memory: no allocation for each of their parts.
+/// For a callback service: SetMessageAllocatorFor_METHOD(). Must outlive the server. Retains as
+/// many pairs of messages as were in use at the same time.
+template <typename Request, typename Response>
+class MessagePool : public grpc::MessageAllocator<Request, Response> {
+ public:
+  MessagePool() = default;
+  MessagePool(const MessagePool&) = delete;
+  MessagePool& operator=(const MessagePool&) = delete;
+  ~MessagePool() override {
+    // Synchronizes with the last Release() on a thread of gRPC.
+    const std::lock_guard lock(mutex_);
+    idle_.clear();
+  }
+
+  grpc::MessageHolder<Request, Response>* AllocateMessages() override {
+    std::unique_ptr<Pair> pair;
+    {
+      const std::lock_guard lock(mutex_);
+      if (!idle_.empty()) {
+        pair = std::move(idle_.back());
+        idle_.pop_back();
+      }
+    }
+    if (pair == nullptr) pair = std::make_unique<Pair>(*this);
+    pair->prepare();
+    return pair.release();  // Release() returns it to the pool
+  }
+
+ private:
+  class Pair : public grpc::MessageHolder<Request, Response> {
+   public:
+    explicit Pair(MessagePool& pool)
+        : pool_(pool), block_(kBlockSize), arena_(block_.data(), block_.size()) {}
+
+    void prepare() {
+      arena_.Reset();
+      this->set_request(google::protobuf::Arena::CreateMessage<Request>(&arena_));
+      this->set_response(google::protobuf::Arena::CreateMessage<Response>(&arena_));
+    }
+
+    void Release() override {
+      const std::lock_guard lock(pool_.mutex_);
+      pool_.idle_.emplace_back(this);
+    }
+
+   private:
+    // Fits a State of a busy cycle; for a larger one the arena grows during that call.
+    static constexpr std::size_t kBlockSize = 96 * 1024;
+
+    MessagePool& pool_;
+    std::vector<char> block_;
+    google::protobuf::Arena arena_;
+  };
+
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Pair>> idle_;
+};
 
 grpc::ServerUnaryReactor* finish(grpc::CallbackServerContext* context) {
   grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
@@ -81,6 +141,7 @@ class MinimalTeamService : public wire::TeamPlaymaker::CallbackService {
                                            wire::GetTeamActionsResponse* response) override {
     static thread_local std::vector<char> block(2 << 20);
     google::protobuf::Arena arena(block.data(), block.size());
+
     for (const auto& agent : request->agents()) {
       auto& state = *google::protobuf::Arena::CreateMessage<protos::State>(&arena);
       if (!state.ParseFromString(agent.message())) throw std::runtime_error("unreadable State");
@@ -90,20 +151,12 @@ class MinimalTeamService : public wire::TeamPlaymaker::CallbackService {
       reply.set_agent(agent.agent());
       actions.SerializeToString(reply.mutable_message());
     }
+
     return finish(context);
   }
 
   wire::Encoding encoding_;
 };
-
-double cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6;
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 struct Match {
   explicit Match(wire::Encoding encoding) : team_service(encoding) {}
@@ -134,14 +187,17 @@ void start(Match& match, Transport transport, Asking asking) {
   builder.RegisterService(&match.service);
   builder.RegisterService(&match.team_service);
   builder.AddChannelArgument(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, proto::kTeamCallWindow);
+
   if (transport == Transport::kTcp) {
     builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &target.port);
   } else if (transport == Transport::kUnixSocket) {
     target.unix_path = (match.folder.path() / "socket").string();
     builder.AddListeningPort("unix:" + target.unix_path, grpc::InsecureServerCredentials());
   }
+
   match.server = builder.BuildAndStart();
   if (match.server == nullptr) throw std::runtime_error("cannot start the gRPC server to measure");
+
   for (auto& team : match.teams) {
     team = transport == Transport::kInProcess
                ? proxy::make_grpc_playmaker(
@@ -182,6 +238,7 @@ int play_in_two_threads(Match& match, const protos::State& state, Clock::time_po
     ++cycles;
     over = Clock::now() >= end;
   });
+
   const auto play = [&](proxy::Playmaker& team) {
     while (!over) {
       begin_all(team, state);
@@ -189,6 +246,7 @@ int play_in_two_threads(Match& match, const protos::State& state, Clock::time_po
       end_of_cycle.arrive_and_wait();
     }
   };
+
   std::thread other([&] { play(*match.teams[1]); });
   play(*match.teams[0]);
   other.join();
@@ -205,14 +263,16 @@ RpcCeiling measure_rpc_ceiling(Transport transport, int threads, Asking asking,
     begin_all(*team, state);
     receive_all(*team);
   }
+
   const auto begin = Clock::now();
-  const double cpu_begin = cpu_seconds();
+  const double cpu_begin = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
   const auto end =
       begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   const int cycles =
       threads == 2 ? play_in_two_threads(match, state, end) : play_in_one_thread(match, state, end);
-  const std::chrono::duration<double> took = Clock::now() - begin;
-  return {cycles / took.count(), (cpu_seconds() - cpu_begin) * 1e6 / cycles};
+  const double took = seconds_since(begin);
+  const double cpu = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu_begin;
+  return {cycles / took, cpu * 1e6 / cycles};
 }
 
 protos::State typical_state() {
@@ -222,9 +282,11 @@ protos::State typical_state() {
   const auto distance = [](const std::string& message) {
     return std::labs(static_cast<long>(message.size()) - kTypicalSize);
   };
+
   for (const std::string& message : tests::split_messages(stream)) {
     if (best.empty() || distance(message) < distance(best)) best = message;
   }
+
   protos::State state;
   if (!state.ParseFromString(best)) throw std::runtime_error("corrupt fixture");
   return state;

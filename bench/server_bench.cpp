@@ -1,9 +1,7 @@
 // Cost of a cycle of the embedded server, and of its parts.
 #include <benchmark/benchmark.h>
 
-#include <ctime>
-#include <vector>
-
+#include "bench/measure.h"
 #include "gamelog/rcg/rcg_text.h"
 #include "simulator/senses/body_sense.h"
 #include "simulator/senses/vision.h"
@@ -35,12 +33,7 @@ struct Match : tests::BareServer {
   }
 };
 
-/// CPU time of this thread, which other load on the host does not increase.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+double thread_seconds() { return bench::cpu_seconds(CLOCK_THREAD_CPUTIME_ID); }
 
 /// Measures time and allocations of the server only, not of its clients.
 void server_cycle(benchmark::State& state, bool logs) {
@@ -54,6 +47,7 @@ void server_cycle(benchmark::State& state, bool logs) {
     allocations += tests::allocation_count() - allocated;
     match.act();
   }
+
   state.counters["allocations"] =
       static_cast<double>(allocations) / static_cast<double>(state.iterations());
 }
@@ -81,6 +75,7 @@ void server_see(benchmark::State& state) {
   soccer::See message;
   std::string text;
   simulator::Slot slot = 0;
+
   for (auto _ : state) {
     simulator::RandomStream noise(1, "bench");
     simulator::see(model, world, slot, noise, message);

@@ -1,18 +1,17 @@
-// Cost of a tournament besides its matches: planning, store, processes.
+// Cost of a tournament in addition to its matches: planning, store, processes.
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
 #include <atomic>
 #include <chrono>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/text/json.h"
+#include "bench/measure.h"
+#include "league/schedule/schedule.h"
 #include "tests/support/command.h"
 #include "tests/support/temporary_folder.h"
 #include "tournament/run/match_executor.h"
 #include "tournament/run/tournament_run.h"
-#include "tournament/schedule/schedule.h"
 #include "tournament/store/folder.h"
 #include "tournament/store/store.h"
 
@@ -20,22 +19,11 @@ namespace cls::bench {
 namespace {
 
 using namespace tournament;
-using Clock = std::chrono::steady_clock;
-
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 TournamentConfig two_mocks(int rounds) {
   TournamentConfig config;
-  config.teams = {{"RED", "mock"}, {"BLUE", "mock"}};
-  config.rounds = rounds;
+  config.competition.teams = {{"RED", "mock"}, {"BLUE", "mock"}};
+  config.competition.rounds = rounds;
   return config;
 }
 
@@ -43,7 +31,7 @@ void plan_a_million_matches(benchmark::State& state) {
   const TournamentConfig config = two_mocks(500'000);
   for (auto _ : state) {
     const double before = peak_megabytes();
-    const auto fixtures = next_fixtures(config, {});
+    const auto fixtures = next_fixtures(config.competition, {});
     state.counters["matches"] = static_cast<double>(fixtures.size());
     state.counters["grown_MB"] = peak_megabytes() - before;
   }
@@ -51,7 +39,7 @@ void plan_a_million_matches(benchmark::State& state) {
 BENCHMARK(plan_a_million_matches)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 void store_a_million_rows(benchmark::State& state) {
-  const auto fixtures = next_fixtures(two_mocks(500'000), {});
+  const auto fixtures = next_fixtures(two_mocks(500'000).competition, {});
   for (auto _ : state) {
     const tests::TemporaryFolder folder;
     auto store = Store::open(folder.path() / kStoreFile);
@@ -98,6 +86,7 @@ void bookkeeping_per_match(benchmark::State& state) {
     options.folder = folder.path();
     options.config = two_mocks(kMatches / 2);
     TournamentObserver observer;
+
     const auto begin = Clock::now();
     const auto summary = run_tournament(
         options,
@@ -123,17 +112,20 @@ void matches_of_mocks(benchmark::State& state) {
                             "--json"});
     const auto played = playing.finish(std::chrono::minutes(15));
     const double elapsed = seconds_since(begin);
+
     if (played.exit_code != 0) {
       state.SkipWithError(played.err.c_str());
       return;
     }
-    const auto report = nlohmann::json::parse(played.out);
+
+    const auto report = base::Json::parse(played.out);
     double in_matches = 0.0;
     double processes = 0.0;
     for (const auto& match : report["matches"]) {
       in_matches += match["wall_seconds"].get<double>();
       processes += match["run_seconds"].get<double>() - match["wall_seconds"].get<double>();
     }
+
     const auto matches = static_cast<double>(report["matches"].size());
     state.counters["share_in_matches"] = in_matches / (kConcurrency * elapsed);
     state.counters["start_and_end_ms"] = 1e3 * processes / matches;

@@ -1,5 +1,6 @@
 // Training pools: world steps per second with random actions, features included, and resets.
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <cstdint>
 #include <string>
@@ -26,6 +27,7 @@ struct Arena {
     observations.resize(rows * setup.feature_count());
     rewards.resize(rows);
     cls_training_create(config.c_str(), &pool);
+
     cls_training_buffers buffers = {};
     buffers.struct_size = sizeof buffers;
     buffers.action_ids = {ids.data(), ids.size()};
@@ -37,6 +39,7 @@ struct Arena {
     buffers.truncated = {truncated.data(), kWorlds};
     buffers.status = {status.data(), kWorlds};
     cls_training_bind(pool, &buffers);
+
     draw();
     reset();
   }
@@ -71,12 +74,11 @@ struct Arena {
 // All players of both teams are agents.
 std::string config(int offense, int defense, int threads, bool world_model) {
   const std::string task = offense == 11 ? "Match" : "HalfFieldOffense";
-  return R"({"task": ")" + task + R"(", "features": "ego", "actions": "low", "agents": ")" +
-         (defense > 0 ? "both" : "offense") + R"(", "offense": )" + std::to_string(offense) +
-         R"(, "defense": )" + std::to_string(defense) + R"(, "num_envs": )" +
-         std::to_string(kWorlds) + R"(, "threads": )" + std::to_string(threads) +
-         R"(, "autoreset": "same_step", "obs": ")" + (world_model ? "world_model" : "full_state") +
-         R"("})";
+  return fmt::format(
+      R"({{"task": "{}", "features": "ego", "actions": "low", "agents": "{}", "offense": {}, )"
+      R"("defense": {}, "num_envs": {}, "threads": {}, "autoreset": "same_step", "obs": "{}"}})",
+      task, defense > 0 ? "both" : "offense", offense, defense, kWorlds, threads,
+      world_model ? "world_model" : "full_state");
 }
 
 void training_step(benchmark::State& bench) {

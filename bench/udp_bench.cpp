@@ -2,7 +2,6 @@
 #include <benchmark/benchmark.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <memory>
@@ -11,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/measure.h"
 #include "tests/support/command.h"
 #include "tests/support/rcssserver.h"
 #include "tests/support/scripted_player.h"
@@ -24,28 +24,26 @@ using namespace cls;
 constexpr int kHalfTimeSeconds = 300;
 constexpr int kMaxRequests = 50;  // init requests per player, five per second
 
-/// CPU time of all child processes that have exited.
-double children_cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_CHILDREN, &usage);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
 /// Starts a program with rcssserver's arguments and both logs.
 std::unique_ptr<tests::Command> start_server(std::vector<std::string> arguments, int port,
                                              const std::string& folder) {
-  for (const std::string& setting :
-       {std::string("synch_mode=on"), std::string("auto_mode=on"), std::string("kick_off_wait=5"),
-        std::string("connect_wait=1000000"), std::string("game_over_wait=5"),
-        std::string("nr_extra_halfs=0"), std::string("penalty_shoot_outs=off"),
-        "half_time=" + std::to_string(kHalfTimeSeconds), "port=" + std::to_string(port),
-        "coach_port=" + std::to_string(tests::free_udp_port()),
-        "olcoach_port=" + std::to_string(tests::free_udp_port())}) {
+  const std::vector<std::string> settings = {
+      "synch_mode=on",
+      "auto_mode=on",
+      "kick_off_wait=5",
+      "connect_wait=1000000",
+      "game_over_wait=5",
+      "nr_extra_halfs=0",
+      "penalty_shoot_outs=off",
+      "half_time=" + std::to_string(kHalfTimeSeconds),
+      "port=" + std::to_string(port),
+      "coach_port=" + std::to_string(tests::free_udp_port()),
+      "olcoach_port=" + std::to_string(tests::free_udp_port())};
+
+  for (const std::string& setting : settings) {
     arguments.push_back("server::" + setting);
   }
+
   return std::make_unique<tests::Command>(
       arguments, std::vector<std::string>{"RCSS_CONF_DIR=" + folder + "/conf", "USER=nobody"},
       folder);
@@ -63,6 +61,7 @@ class Teams {
         sockets_.push_back({channel->descriptor(), POLLIN, 0});
         players_.push_back(std::make_unique<tests::ScriptedPlayer>(std::move(channel), team));
         players_.back()->stand_at(positions[i]);
+
         for (int asked = 0; players_.back()->unum() == 0; ++asked) {
           if (asked == kMaxRequests) throw std::runtime_error("the server does not reply");
           players_.back()->join(i == 0);  // repeated until the server listens
@@ -85,8 +84,8 @@ class Teams {
 
  private:
   bool is_over() const {
-    return std::any_of(players_.begin(), players_.end(),
-                       [](const auto& player) { return player->heard_time_over(); });
+    return std::ranges::any_of(players_,
+                               [](const auto& player) { return player->heard_time_over(); });
   }
 
   std::vector<pollfd> sockets_;
@@ -96,19 +95,22 @@ class Teams {
 /// A match of 6000 cycles with 22 scripted clients on loopback. Measures the CPU time of the
 /// server, including the kernel's time for its messages.
 void match_over_udp(benchmark::State& state, const std::string& program) {
-  if (program.empty())
+  if (program.empty()) {
     return state.SkipWithError("rcssserver is neither on PATH nor in CLS_RCSSSERVER");
+  }
+
   std::vector<std::string> arguments = {program};
   if (program == tests::cls_binary()) arguments.push_back("server");
+
   for (auto _ : state) {
     const tests::TemporaryFolder folder;
     const int port = tests::free_udp_port();
-    const double before = children_cpu_seconds();
+    const double before = bench::children_cpu_seconds();
     const auto server = start_server(arguments, port, folder.path());
     Teams(port).play();
     server->send_signal(SIGINT);
     server->finish();
-    state.SetIterationTime(children_cpu_seconds() - before);
+    state.SetIterationTime(bench::children_cpu_seconds() - before);
   }
 }
 BENCHMARK_CAPTURE(match_over_udp, cls, tests::cls_binary().string())

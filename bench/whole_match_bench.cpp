@@ -1,13 +1,11 @@
-// A whole match as `cls match mock mock` plays it, beside the upper bound of gRPC alone, measured
-// in the same run.
+// A whole match as `cls match mock mock` plays it, compared with the upper bound of gRPC alone,
+// measured in the same run.
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
 #include <atomic>
-#include <ctime>
-#include <memory>
 
 #include "base/io/byte_sink.h"
+#include "bench/measure.h"
 #include "bench/rpc_ceiling.h"
 #include "match/match_setup.h"
 #include "match/sides/agent_side.h"
@@ -15,17 +13,7 @@
 namespace cls::bench {
 namespace {
 
-double process_cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
+double process_cpu_seconds() { return cpu_seconds(CLOCK_PROCESS_CPUTIME_ID); }
 
 double seconds(std::chrono::nanoseconds time) {
   return std::chrono::duration<double>(time).count();
@@ -36,7 +24,7 @@ double agent_seconds(const proxy::TeamTimes& times) {
 }
 
 // Both sides run in parallel on two cores, so their times add up to CPU time on an idle host. The
-// rest beside simulator, agents and mock is RPC: serializing, gRPC's client and server, its
+// rest after simulator, agents and mock is RPC: serializing, gRPC's client and server, its
 // threads.
 void report(benchmark::State& bench, const match::Match& match, double cpu) {
   const match::MatchResult result = match.result();
@@ -48,8 +36,10 @@ void report(benchmark::State& bench, const match::Match& match, double cpu) {
     agents += agent_seconds(side.team().times());
     mock += side.mock_cpu_seconds();
   }
+
   const double simulator = match.times().server;
   const auto us_per_step = [steps](double total) { return total * 1e6 / steps; };
+
   bench.counters["cycles_per_second"] = result.cycles_per_second;
   bench.counters["steps_per_second"] = steps / match.times().play;
   bench.counters["simulator_us"] = us_per_step(simulator);
@@ -71,6 +61,7 @@ void whole_match(benchmark::State& bench) {
           .cycles_per_second;
     };
     const double before = ceiling();
+
     const match::MatchOptions options;
     const std::atomic<int> no_signal{0};
     const match::TeamNames names{"mock_l", "mock_r"};
@@ -81,10 +72,12 @@ void whole_match(benchmark::State& bench) {
     match::MatchObserver observer;
     auto match =
         match::make_lockstep_match({options, names, 7, no_signal}, {&game_log, &text_log, &events});
+
     const double cpu = process_cpu_seconds();
     (*match)->play(observer);
     report(bench, **match, process_cpu_seconds() - cpu);
     bench.SetIterationTime((*match)->times().play);
+
     const double ceiling_mean = (before + ceiling()) / 2.0;
     bench.counters["ceiling"] = ceiling_mean;
     bench.counters["share"] = bench.counters["steps_per_second"] / ceiling_mean;
