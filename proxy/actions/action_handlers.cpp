@@ -3,21 +3,16 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
-#include "player/ball_skills/clear_ball.h"
-#include "player/ball_skills/dribble.h"
-#include "player/ball_skills/hold_ball.h"
-#include "player/ball_skills/kick.h"
-#include "player/ball_skills/smart_kick.h"
+#include "base/index.h"
+#include "player/ball_skills/ball_skills.h"
 #include "player/behaviors/behaviors.h"
-#include "player/looking/body_neck.h"
-#include "player/looking/neck.h"
-#include "player/looking/view.h"
-#include "player/movement/intercept.h"
+#include "player/looking/looking.h"
 #include "player/movement/movement.h"
-#include "player/movement/tackle.h"
 #include "player/planner/plan_execution.h"
 #include "proxy/messages/say_payload.h"
+#include "proxy/messages/state_message.h"
 #include "proxy/planner/offensive_planner.h"
 
 namespace cls::proxy {
@@ -30,8 +25,6 @@ using soccer::ViewWidth;
 using Action = protos::PlayerAction;
 using Context = ReplyContext;
 
-Vec2 vec(const protos::RpcVector2D& v) { return {v.x(), v.y()}; }
-
 soccer::Side side(protos::Side side) {
   return side == protos::RIGHT ? soccer::Side::kRight : soccer::Side::kLeft;
 }
@@ -41,27 +34,25 @@ const player::PlayerState* player(const player::WorldModel& world, protos::Side 
   return side(team) == world.our_side ? world.teammate(unum) : world.opponent(unum);
 }
 
-bool change_width(Context& c, protos::ViewWidth width) {
-  switch (width) {
-    case protos::NARROW:
-      return c.slots.change_view(ViewWidth::kNarrow);
-    case protos::NORMAL:
-      return c.slots.change_view(ViewWidth::kNormal);
-    case protos::WIDE:
-      return c.slots.change_view(ViewWidth::kWide);
-    default:
-      return false;
+bool change_width(Context& c, protos::ViewWidth wanted) {
+  for (const auto& [width, wire] : {std::pair{ViewWidth::kNarrow, protos::NARROW},
+                                    {ViewWidth::kNormal, protos::NORMAL},
+                                    {ViewWidth::kWide, protos::WIDE}}) {
+    if (wire == wanted) return c.slots.change_view(width);
   }
+  return false;
 }
 
 bool say(const protos::Say& say, Context& c) {
-  const auto kind = static_cast<std::size_t>(say.message_case());
+  const std::size_t kind = base::index(say.message_case());
   player::ActionCounts& counts = c.report.say[kind < c.report.say.size() ? kind : 0];
+
   const std::optional<player::SayMessage> message = say_message_of(say, c.world.server());
   if (!message) {
     ++counts.unimplemented;  // member of a later interface
     return false;
   }
+
   std::string text;
   const bool fits = append_say_message(*message, c.world.server(), text) && c.slots.say(text);
   ++(fits ? counts.done : counts.failed);
@@ -107,12 +98,16 @@ constexpr ActionClass kMain = ActionClass::kMain;
 constexpr ActionClass kSide = ActionClass::kSide;
 
 // clang-format off
-// Inside an expression, m is the member's message and c the context.
-#define CLS_ACTION(kind, member, name, expression)                   \
-  ActionEntry{Action::member, kind,                                  \
-              [](const Action& action, [[maybe_unused]] Context& c) -> bool { \
-                [[maybe_unused]] const auto& m = action.name();      \
-                return expression;                                   \
+// Inside an expression, m is the member's message and c the context; w, v and s are its world,
+// view memory and command slots.
+#define CLS_ACTION(kind, member, name, expression)                             \
+  ActionEntry{Action::member, kind,                                            \
+              [](const Action& action, [[maybe_unused]] Context& c) -> bool {  \
+                [[maybe_unused]] const auto& m = action.name();                \
+                [[maybe_unused]] const player::WorldModel& w = c.world;        \
+                [[maybe_unused]] auto& v = c.memory.view;                      \
+                [[maybe_unused]] player::CommandSlots& s = c.slots;            \
+                return expression;                                             \
               }}
 #define CLS_MAIN(...) CLS_ACTION(kMain, __VA_ARGS__)
 #define CLS_SIDE(...) CLS_ACTION(kSide, __VA_ARGS__)
@@ -120,91 +115,80 @@ constexpr ActionClass kSide = ActionClass::kSide;
 /// In the order of PlayerAction; null: no member set.
 constexpr std::array kEntries{
     ActionEntry{Action::ACTION_NOT_SET, kSide, nullptr},
-    CLS_MAIN(kDash, dash, c.slots.dash(m.power(), m.relative_direction())),
-    CLS_MAIN(kTurn, turn, c.slots.turn(m.relative_direction())),
-    CLS_MAIN(kKick, kick, c.slots.kick(m.power(), m.relative_direction())),
-    CLS_MAIN(kTackle, tackle, c.slots.tackle(m.power_or_dir(), m.foul())),
-    CLS_MAIN(kCatch, catch_, c.slots.catch_ball()),
-    CLS_MAIN(kMove, move, c.slots.move({m.x(), m.y()})),
-    CLS_SIDE(kTurnNeck, turn_neck, c.slots.turn_neck(m.moment())),
+    CLS_MAIN(kDash, dash, s.dash(m.power(), m.relative_direction())),
+    CLS_MAIN(kTurn, turn, s.turn(m.relative_direction())),
+    CLS_MAIN(kKick, kick, s.kick(m.power(), m.relative_direction())),
+    CLS_MAIN(kTackle, tackle, s.tackle(m.power_or_dir(), m.foul())),
+    CLS_MAIN(kCatch, catch_, s.catch_ball()),
+    CLS_MAIN(kMove, move, s.move({m.x(), m.y()})),
+    CLS_SIDE(kTurnNeck, turn_neck, s.turn_neck(m.moment())),
     CLS_SIDE(kChangeView, change_view, change_width(c, m.view_width())),
     CLS_SIDE(kSay, say, say(m, c)),
-    CLS_SIDE(kPointTo, point_to, c.slots.point_to({m.x(), m.y()})),
-    CLS_SIDE(kPointToOf, point_to_of, c.slots.point_to_off()),
-    CLS_SIDE(kAttentionTo, attention_to, c.slots.attention_to(side(m.side()), m.unum())),
-    CLS_SIDE(kAttentionToOf, attention_to_of, c.slots.attention_to_off()),
+    CLS_SIDE(kPointTo, point_to, s.point_to({m.x(), m.y()})),
+    CLS_SIDE(kPointToOf, point_to_of, s.point_to_off()),
+    CLS_SIDE(kAttentionTo, attention_to, s.attention_to(side(m.side()), m.unum())),
+    CLS_SIDE(kAttentionToOf, attention_to_of, s.attention_to_off()),
     CLS_SIDE(kLog, log, m.log_case() != protos::Log::LOG_NOT_SET),
     CLS_SIDE(kDebugClient, debug_client, true),
     CLS_MAIN(kBodyGoToPoint, body_go_to_point,
-             go_to_point(c.world, c.slots, vec(m.target_point()), m.distance_threshold(),
-                 m.max_dash_power())),
+             go_to_point(w, s, vec(m.target_point()), m.distance_threshold(), m.max_dash_power())),
     CLS_MAIN(kBodySmartKick, body_smart_kick,
-             smart_kick(c.world, c.slots, vec(m.target_point()), m.first_speed(),
-                 m.first_speed_threshold(), m.max_steps())),
-    CLS_MAIN(kBhvBeforeKickOff, bhv_before_kick_off,
-             before_kick_off(c.world, c.memory.view, c.slots, vec(m.point()))),
-    CLS_MAIN(kBhvBodyNeckToBall, bhv_body_neck_to_ball,
-             body_neck_to_ball(c.world, c.memory.view, c.slots)),
+             smart_kick(w, s, vec(m.target_point()), m.first_speed(), m.first_speed_threshold(),
+                 m.max_steps())),
+    CLS_MAIN(kBhvBeforeKickOff, bhv_before_kick_off, before_kick_off(w, v, s, vec(m.point()))),
+    CLS_MAIN(kBhvBodyNeckToBall, bhv_body_neck_to_ball, body_neck_to_ball(w, v, s)),
     CLS_MAIN(kBhvBodyNeckToPoint, bhv_body_neck_to_point,
-             body_neck_to_point(c.world, c.memory.view, c.slots, vec(m.point()))),
-    CLS_SIDE(kBhvEmergency, bhv_emergency, emergency(c.world, c.memory.view, c.slots)),
+             body_neck_to_point(w, v, s, vec(m.point()))),
+    CLS_SIDE(kBhvEmergency, bhv_emergency, emergency(w, v, s)),
     CLS_MAIN(kBhvGoToPointLookBall, bhv_go_to_point_look_ball,
-             go_to_point_look_ball(c.world, c.memory.view, c.slots, c.neck,
-                 vec(m.target_point()), m.distance_threshold(), m.max_dash_power())),
-    CLS_MAIN(kBhvNeckBodyToBall, bhv_neck_body_to_ball,
-             neck_body_to_ball(c.world, c.memory.view, c.slots, m.angle_buf())),
+             go_to_point_look_ball(w, v, s, c.neck, vec(m.target_point()),
+                 m.distance_threshold(), m.max_dash_power())),
+    CLS_MAIN(kBhvNeckBodyToBall, bhv_neck_body_to_ball, neck_body_to_ball(w, v, s, m.angle_buf())),
     CLS_MAIN(kBhvNeckBodyToPoint, bhv_neck_body_to_point,
-             neck_body_to_point(c.world, c.memory.view, c.slots, vec(m.point()), m.angle_buf())),
-    CLS_MAIN(kBhvScanField, bhv_scan_field, scan_field(c.world, c.memory.view, c.slots)),
-    CLS_MAIN(kBodyAdvanceBall, body_advance_ball, advance_ball(c.world, c.slots)),
-    CLS_MAIN(kBodyClearBall, body_clear_ball, clear_ball(c.world, c.slots)),
+             neck_body_to_point(w, v, s, vec(m.point()), m.angle_buf())),
+    CLS_MAIN(kBhvScanField, bhv_scan_field, scan_field(w, v, s)),
+    CLS_MAIN(kBodyAdvanceBall, body_advance_ball, advance_ball(w, s)),
+    CLS_MAIN(kBodyClearBall, body_clear_ball, clear_ball(w, s)),
     CLS_MAIN(kBodyDribble, body_dribble, dribble(m, c)),
     CLS_MAIN(kBodyGoToPointDodge, body_go_to_point_dodge,
-             go_to_point_dodge(c.world, c.slots, vec(m.target_point()), m.dash_power())),
+             go_to_point_dodge(w, s, vec(m.target_point()), m.dash_power())),
     CLS_MAIN(kBodyHoldBall, body_hold_ball, hold(m, c)),
     CLS_MAIN(kBodyIntercept, body_intercept,
-             intercept(c.world, c.slots, m.save_recovery(), vec(m.face_point()))),
+             intercept(w, s, m.save_recovery(), vec(m.face_point()))),
     CLS_MAIN(kBodyKickOneStep, body_kick_one_step,
-             kick_one_step(c.world, c.slots, vec(m.target_point()), m.first_speed(),
-                 m.force_mode())),
-    CLS_MAIN(kBodyStopBall, body_stop_ball, stop_ball(c.world, c.slots)),
-    CLS_MAIN(kBodyStopDash, body_stop_dash, stop_dash(c.world, c.slots, m.save_recovery())),
+             kick_one_step(w, s, vec(m.target_point()), m.first_speed(), m.force_mode())),
+    CLS_MAIN(kBodyStopBall, body_stop_ball, stop_ball(w, s)),
+    CLS_MAIN(kBodyStopDash, body_stop_dash, stop_dash(w, s, m.save_recovery())),
     CLS_MAIN(kBodyTackleToPoint, body_tackle_to_point,
-             tackle_to_point(c.world, c.slots, vec(m.target_point()), m.min_probability(),
-                 m.min_speed())),
-    CLS_MAIN(kBodyTurnToAngle, body_turn_to_angle,
-             turn_to_angle(c.world, c.slots, AngleDeg(m.angle()))),
-    CLS_MAIN(kBodyTurnToBall, body_turn_to_ball, turn_to_ball(c.world, c.slots, m.cycle())),
+             tackle_to_point(w, s, vec(m.target_point()), m.min_probability(), m.min_speed())),
+    CLS_MAIN(kBodyTurnToAngle, body_turn_to_angle, turn_to_angle(w, s, AngleDeg(m.angle()))),
+    CLS_MAIN(kBodyTurnToBall, body_turn_to_ball, turn_to_ball(w, s, m.cycle())),
     CLS_MAIN(kBodyTurnToPoint, body_turn_to_point,
-             turn_to_point(c.world, c.slots, vec(m.target_point()), m.cycle())),
-    CLS_SIDE(kFocusMoveToPoint, focus_move_to_point,
-             focus_to_point(c.world, c.slots, vec(m.target_point()))),
-    CLS_SIDE(kFocusReset, focus_reset, focus_reset(c.world, c.slots)),
-    CLS_SIDE(kNeckScanField, neck_scan_field, neck_scan_field(c.world, c.memory.view, c.slots)),
-    CLS_SIDE(kNeckScanPlayers, neck_scan_players,
-             neck_scan_players(c.world, c.memory.view, c.slots)),
+             turn_to_point(w, s, vec(m.target_point()), m.cycle())),
+    CLS_SIDE(kFocusMoveToPoint, focus_move_to_point, focus_to_point(w, s, vec(m.target_point()))),
+    CLS_SIDE(kFocusReset, focus_reset, focus_reset(w, s)),
+    CLS_SIDE(kNeckScanField, neck_scan_field, neck_scan_field(w, v, s)),
+    CLS_SIDE(kNeckScanPlayers, neck_scan_players, neck_scan_players(w, v, s)),
     CLS_SIDE(kNeckTurnToBallAndPlayer, neck_turn_to_ball_and_player,
-             neck_turn_to_ball_and_player(c.world, c.memory.view, c.slots,
-                 player(c.world, m.side(), m.uniform_number()), m.count_threshold())),
+             neck_turn_to_ball_and_player(w, v, s, player(w, m.side(), m.uniform_number()),
+                 m.count_threshold())),
     CLS_SIDE(kNeckTurnToBallOrScan, neck_turn_to_ball_or_scan,
-             neck_turn_to_ball_or_scan(c.world, c.memory.view, c.slots, m.count_threshold())),
-    CLS_SIDE(kNeckTurnToBall, neck_turn_to_ball,
-             neck_turn_to_ball(c.world, c.memory.view, c.slots)),
+             neck_turn_to_ball_or_scan(w, v, s, m.count_threshold())),
+    CLS_SIDE(kNeckTurnToBall, neck_turn_to_ball, neck_turn_to_ball(w, v, s)),
     CLS_SIDE(kNeckTurnToGoalieOrScan, neck_turn_to_goalie_or_scan,
-             neck_turn_to_goalie_or_scan(c.world, c.memory.view, c.slots, m.count_threshold())),
+             neck_turn_to_goalie_or_scan(w, v, s, m.count_threshold())),
     CLS_SIDE(kNeckTurnToLowConfTeammate, neck_turn_to_low_conf_teammate,
-             neck_turn_to_low_conf_teammate(c.world, c.memory.view, c.slots)),
+             neck_turn_to_low_conf_teammate(w, v, s)),
     CLS_SIDE(kNeckTurnToPlayerOrScan, neck_turn_to_player_or_scan,
-             neck_turn_to_player_or_scan(c.world, c.memory.view, c.slots,
-                 player(c.world, m.side(), m.uniform_number()), m.count_threshold())),
+             neck_turn_to_player_or_scan(w, v, s, player(w, m.side(), m.uniform_number()),
+                 m.count_threshold())),
     CLS_SIDE(kNeckTurnToPoint, neck_turn_to_point,
-             neck_turn_to_point(c.world, c.memory.view, c.slots, vec(m.target_point()))),
-    CLS_SIDE(kNeckTurnToRelative, neck_turn_to_relative,
-             neck_turn_to_relative(c.world, c.slots, m.angle())),
+             neck_turn_to_point(w, v, s, vec(m.target_point()))),
+    CLS_SIDE(kNeckTurnToRelative, neck_turn_to_relative, neck_turn_to_relative(w, s, m.angle())),
     CLS_SIDE(kViewChangeWidth, view_change_width, change_width(c, m.view_width())),
-    CLS_SIDE(kViewNormal, view_normal, c.slots.change_view(ViewWidth::kNormal)),
-    CLS_SIDE(kViewSynch, view_synch, view_synch(c.slots)),
-    CLS_SIDE(kViewWide, view_wide, c.slots.change_view(ViewWidth::kWide)),
+    CLS_SIDE(kViewNormal, view_normal, s.change_view(ViewWidth::kNormal)),
+    CLS_SIDE(kViewSynch, view_synch, view_synch(s)),
+    CLS_SIDE(kViewWide, view_wide, s.change_view(ViewWidth::kWide)),
     CLS_MAIN(kHeliosGoalie, helios_goalie, play_goalie(c)),
     CLS_MAIN(kHeliosGoalieMove, helios_goalie_move, goalie_move(c)),
     CLS_MAIN(kHeliosGoalieKick, helios_goalie_kick, goalie_kick(c)),
@@ -215,11 +199,11 @@ constexpr std::array kEntries{
     CLS_MAIN(kHeliosSetPlay, helios_set_play, play_set_play(c)),
     CLS_MAIN(kHeliosPenalty, helios_penalty, play_penalty(c)),
     CLS_SIDE(kHeliosCommunication, helios_communication, communicate(c)),
-    CLS_MAIN(kBhvDoForceKick, bhv_do_force_kick, kick_and_scan(force_kick(c.world, c.slots), c)),
+    CLS_MAIN(kBhvDoForceKick, bhv_do_force_kick, kick_and_scan(force_kick(w, s), c)),
     CLS_MAIN(kBhvDoHeardPassRecieve, bhv_do_heard_pass_recieve, receive_heard_pass(c)),
     CLS_MAIN(kHeliosBasicTackle, helios_basic_tackle, basic_tackle_and_look(m, c)),
     CLS_SIDE(kNeckOffensiveInterceptNeck, neck_offensive_intercept_neck,
-             neck_offensive_intercept(c.world, c.memory.view, c.slots)),
+             neck_offensive_intercept(w, v, s)),
     CLS_MAIN(kBhvGoalieFreeKick, bhv_goalie_free_kick, goalie_free_kick(c)),
 };
 #undef CLS_SIDE
@@ -229,7 +213,7 @@ constexpr std::array kEntries{
 
 constexpr bool in_field_order() {
   for (std::size_t i = 0; i < kEntries.size(); ++i) {
-    if (static_cast<std::size_t>(kEntries[i].member) != i) return false;
+    if (base::index(kEntries[i].member) != i) return false;
   }
   return true;
 }
@@ -238,8 +222,7 @@ static_assert(kEntries.size() == player::kActionKinds && in_field_order());
 }  // namespace
 
 const ActionEntry& action_entry(int member) {
-  const auto index = static_cast<std::size_t>(member);
-  return kEntries[member > 0 && index < kEntries.size() ? index : 0];
+  return kEntries[member > 0 && member < std::ssize(kEntries) ? base::index(member) : 0];
 }
 
 }  // namespace cls::proxy

@@ -5,7 +5,9 @@
 
 #include <cmath>
 
+#include "base/index.h"
 #include "player/behaviors/automatic_play.h"
+#include "player/movement/home_positions.h"
 #include "proto/playmaker.pb.h"
 #include "proxy/actions/action_handlers.h"
 
@@ -21,6 +23,7 @@ bool finite_field(const pb::Message& message, const pb::Reflection& reflection,
 bool all_finite(const pb::Message& message) {
   const pb::Descriptor& type = *message.GetDescriptor();
   const pb::Reflection& reflection = *message.GetReflection();
+
   // An action is one of 60 fields: ask for the set one instead of each.
   int in_oneofs = 0;
   for (int i = 0; i < type.real_oneof_decl_count(); ++i) {
@@ -43,6 +46,7 @@ bool finite_field(const pb::Message& message, const pb::Reflection& reflection,
                   const pb::FieldDescriptor& field) {
   const bool number = field.cpp_type() == pb::FieldDescriptor::CPPTYPE_FLOAT;
   const bool nested = field.cpp_type() == pb::FieldDescriptor::CPPTYPE_MESSAGE;
+
   if (field.is_repeated()) {
     const int size = number || nested ? reflection.FieldSize(message, &field) : 0;
     for (int i = 0; i < size; ++i) {
@@ -51,6 +55,7 @@ bool finite_field(const pb::Message& message, const pb::Reflection& reflection,
     }
     return true;
   }
+
   if (number) return std::isfinite(reflection.GetFloat(message, &field));
   if (nested && reflection.HasField(message, &field)) {
     return all_finite(reflection.GetMessage(message, &field));
@@ -67,24 +72,21 @@ player::ActionOutcome run_action(const protos::PlayerAction& action, const Actio
                                         : player::ActionOutcome::kFailed;
 }
 
-void count(player::ActionOutcome outcome, player::ActionCounts& counts) {
+std::int64_t& count_of(player::ActionOutcome outcome, player::ActionCounts& counts) {
   switch (outcome) {
     case player::ActionOutcome::kExecuted:
-      ++counts.done;
-      return;
+      return counts.done;
     case player::ActionOutcome::kFailed:
-      ++counts.failed;
-      return;
+      return counts.failed;
     case player::ActionOutcome::kSkipped:
-      ++counts.skipped;
-      return;
+      return counts.skipped;
     case player::ActionOutcome::kInvalid:
-      ++counts.invalid;
-      return;
+      return counts.invalid;
     case player::ActionOutcome::kUnimplemented:
-      ++counts.unimplemented;
-      return;
+      break;
   }
+
+  return counts.unimplemented;
 }
 
 /// Executes the list: main actions until one succeeds, all side actions.
@@ -93,21 +95,50 @@ void run_list(ReplyContext& context) {
   bool main_done = false;
   bool any_done = false;
   for (const protos::PlayerAction& action : context.reply.actions()) {
-    const int member = action.action_case();
-    const ActionEntry& entry = action_entry(member);
+    const ActionEntry& entry = action_entry(action.action_case());
     const player::ActionOutcome outcome = run_action(action, entry, main_done, context);
-    count(outcome, context.report.actions[static_cast<std::size_t>(entry.member)]);
+    ++count_of(outcome, context.report.actions[base::index(entry.member)]);
     context.memory.trace.outcomes.push_back(outcome);
     const bool success = outcome == player::ActionOutcome::kExecuted;
     any_done = any_done || success;
     main_done = main_done || (success && entry.kind == ActionClass::kMain);
   }
+
   ++context.report.lists;
   if (context.reply.actions().empty()) ++context.report.empty;
   if (!any_done) ++context.report.useless;
 }
 
+void go_home(const player::WorldModel& world, protos::PlayerActions& out) {
+  constexpr float kHomeDistance = 1.0F;
+  constexpr float kRunningPower = 70.0F;
+  const soccer::Vec2 home = own_home_position(world);
+  protos::Body_GoToPoint& go = *out.add_actions()->mutable_body_go_to_point();
+  go.mutable_target_point()->set_x(static_cast<float>(home.x));
+  go.mutable_target_point()->set_y(static_cast<float>(home.y));
+  go.set_distance_threshold(kHomeDistance);
+  go.set_max_dash_power(kRunningPower);
+}
+
 }  // namespace
+
+void choose_fallback_actions(const player::WorldModel& world, protos::PlayerActions& out) {
+  out.Clear();
+  const player::InterceptTable& table = world.intercept;
+  const bool may_touch = !is_set_play_of(world.game, world.their_side());
+  const bool first =
+      table.self_steps < player::kNever && table.self_steps <= table.first_teammate_steps;
+
+  if (world.self.kickable) {
+    out.add_actions()->mutable_body_clear_ball();
+  } else if (may_touch && first) {
+    out.add_actions()->mutable_body_intercept();
+  } else {
+    go_home(world, out);
+    out.add_actions()->mutable_body_turn_to_ball();
+  }
+  out.add_actions()->mutable_neck_turn_to_ball_or_scan();
+}
 
 void execute(const protos::PlayerActions& reply, const player::WorldModel& world,
              player::ActionMemory& memory, player::CommandSlots& slots,
@@ -115,12 +146,14 @@ void execute(const protos::PlayerActions& reply, const player::WorldModel& world
   player::NeckPlan neck;
   ReplyContext context{{world, memory, slots, neck, report, choice}, reply};
   player::begin_decision(context);
+
   player::AutomaticPlay automatic;
   automatic.preprocess = !reply.ignore_preprocess();
   automatic.sure_shot = !reply.ignore_shootinpreprocess();
   automatic.intention = !reply.ignore_dointention();
   automatic.force_kick = !reply.ignore_doforcekick();
   automatic.heard_pass = !reply.ignore_doheardpassrecieve();
+
   if (!play_automatically(context, automatic)) run_list(context);
   if (choice.chooser != player::PlanChoice::Chooser::kRequested) player::finish_decision(context);
 }

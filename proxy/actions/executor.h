@@ -3,8 +3,6 @@
 
 #include "player/commands/command_slots.h"
 #include "player/planner/action_context.h"
-#include "player/planner/action_memory.h"
-#include "player/planner/action_report.h"
 #include "player/world/world_model.h"
 
 namespace protos {
@@ -28,6 +26,10 @@ void execute(const protos::PlayerActions& reply, const player::WorldModel& world
 void execute(const protos::PlayerActions& reply, const player::WorldModel& world,
              player::ActionMemory& memory, player::CommandSlots& slots,
              player::ActionReport& report);
+
+/// Automatic play for missed decisions (OnLate::kDefault). Replaces `out`: clear the ball,
+/// intercept it when first, otherwise move to the home position; look at the ball.
+void choose_fallback_actions(const player::WorldModel& world, protos::PlayerActions& out);
 
 /// The decision without a reply (deadline exceeded or failed call): automatic actions (preprocess,
 /// view), and looking at the ball.

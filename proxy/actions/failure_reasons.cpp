@@ -1,88 +1,65 @@
-// Why actions fail, by action; docs/actions.md has the same texts.
+// Why actions fail; docs/actions.md has the same texts.
 #include "proxy/actions/failure_reasons.h"
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace cls::proxy {
 namespace {
 
-using Reason = std::pair<std::string_view, std::string_view>;
+struct Row {
+  std::string_view reason;
+  std::array<std::string_view, 8> actions;  // the rest is empty
+};
 
-constexpr std::string_view kLies = "the player lies on the ground";
-constexpr std::string_view kNotKickable = "ball not kickable";
-constexpr std::string_view kThere = "already there";
-constexpr std::string_view kFacing = "already facing (point, ball)";
-constexpr std::string_view kDown = "the player lies on the ground; a number is not finite";
-constexpr std::string_view kWidth = "width unchanged";
-constexpr std::string_view kAnyWidth = "width unchanged; no such width";
-constexpr std::string_view kPlayer = "player unknown";
-
-constexpr std::array kReasons{
-    Reason{"dash", kDown},
-    Reason{"turn", kDown},
-    Reason{"kick", "ball not kickable; the player lies on the ground; a number is not finite"},
-    Reason{"tackle", kDown},
-    Reason{"catch", "not the goalie; wrong play mode; ball unknown; the player lies on the ground"},
-    Reason{"move", "wrong play mode; the player lies on the ground; a number is not finite"},
-    Reason{"turn_neck", "a number is not finite"},
-    Reason{"change_view", kAnyWidth},
-    Reason{"point_to", "arm locked; own position unknown; a number is not finite"},
-    Reason{"point_to_of", "arm locked"},
-    Reason{"attention_to", "own uniform number; no such uniform number"},
-    Reason{"say",
-           "it does not fit or cannot be encoded (unknown uniform number, value out of range)"},
-    Reason{"log", "no field set"},
-    Reason{"body_go_to_point", kThere},
-    Reason{"body_go_to_point_dodge", kThere},
-    Reason{"bhv_go_to_point_look_ball", kThere},
-    Reason{"bhv_before_kick_off", "first cycles of the match"},
-    Reason{"body_stop_dash", "the player does not move"},
-    Reason{"body_turn_to_angle", kFacing},
-    Reason{"body_turn_to_point", kFacing},
-    Reason{"body_turn_to_ball", kFacing},
-    Reason{"body_intercept", kLies},
-    Reason{"body_kick_one_step", kNotKickable},
-    Reason{"body_smart_kick", "speed out of reach (the player holds the ball)"},
-    Reason{"body_stop_ball", kNotKickable},
-    Reason{"body_hold_ball", kNotKickable},
-    Reason{"body_dribble", kLies},
-    Reason{"body_advance_ball", kNotKickable},
-    Reason{"body_clear_ball", kNotKickable},
-    Reason{"body_tackle_to_point", "probability or speed too low"},
-    Reason{"neck_turn_to_ball_and_player", kPlayer},
-    Reason{"neck_turn_to_player_or_scan", kPlayer},
-    Reason{"neck_turn_to_relative", "a number is not finite"},
-    Reason{"view_change_width", kAnyWidth},
-    Reason{"view_normal", kWidth},
-    Reason{"view_synch", kWidth},
-    Reason{"view_wide", kWidth},
-    Reason{"focus_move_to_point", "own position unknown"},
-    Reason{"focus_reset", "own position unknown"},
-    Reason{"helios_basic_move", kLies},
-    Reason{"helios_basic_tackle", "no tackle would win the ball"},
-    Reason{"helios_shoot", "no such shot exists"},
-    Reason{"helios_goalie", kLies},
-    Reason{"helios_goalie_move", kLies},
-    Reason{"helios_goalie_kick", kNotKickable},
-    Reason{"bhv_goalie_free_kick", kLies},
-    Reason{"helios_set_play", kLies},
-    Reason{"helios_penalty", "no penalty shoot-out"},
-    Reason{"helios_offensive_planner",
-           "ball not kickable; no choice made with `server_side_decision`"},
-    Reason{"helios_basic_offensive", kLies},
-    Reason{"bhv_do_heard_pass_recieve", "no announced pass"},
-    Reason{"bhv_do_force_kick", "ball not contested"},
-    Reason{"helios_communication", "nothing seen"},
+constexpr std::array kRows{
+    Row{"the player lies on the ground; a number is not finite", {"dash", "turn", "tackle"}},
+    Row{"ball not kickable; the player lies on the ground; a number is not finite", {"kick"}},
+    Row{"not the goalie; wrong play mode; ball unknown; the player lies on the ground", {"catch"}},
+    Row{"wrong play mode; the player lies on the ground; a number is not finite", {"move"}},
+    Row{"a number is not finite", {"turn_neck", "neck_turn_to_relative"}},
+    Row{"width unchanged; no such width", {"change_view", "view_change_width"}},
+    Row{"arm locked; own position unknown; a number is not finite", {"point_to"}},
+    Row{"arm locked", {"point_to_of"}},
+    Row{"own uniform number; no such uniform number", {"attention_to"}},
+    Row{"it does not fit or cannot be encoded (unknown uniform number, value out of range)",
+        {"say"}},
+    Row{"no field set", {"log"}},
+    Row{"already there",
+        {"body_go_to_point", "body_go_to_point_dodge", "bhv_go_to_point_look_ball"}},
+    Row{"first cycles of the match", {"bhv_before_kick_off"}},
+    Row{"the player does not move", {"body_stop_dash"}},
+    Row{"already facing (point, ball)",
+        {"body_turn_to_angle", "body_turn_to_point", "body_turn_to_ball"}},
+    Row{"the player lies on the ground",
+        {"body_intercept", "body_dribble", "helios_basic_move", "helios_goalie",
+         "helios_goalie_move", "bhv_goalie_free_kick", "helios_set_play",
+         "helios_basic_offensive"}},
+    Row{"ball not kickable",
+        {"body_kick_one_step", "body_stop_ball", "body_hold_ball", "body_advance_ball",
+         "body_clear_ball", "helios_goalie_kick"}},
+    Row{"speed out of reach (the player holds the ball)", {"body_smart_kick"}},
+    Row{"probability or speed too low", {"body_tackle_to_point"}},
+    Row{"player unknown", {"neck_turn_to_ball_and_player", "neck_turn_to_player_or_scan"}},
+    Row{"width unchanged", {"view_normal", "view_synch", "view_wide"}},
+    Row{"own position unknown", {"focus_move_to_point", "focus_reset"}},
+    Row{"no tackle would win the ball", {"helios_basic_tackle"}},
+    Row{"no such shot exists", {"helios_shoot"}},
+    Row{"no penalty shoot-out", {"helios_penalty"}},
+    Row{"ball not kickable; no choice made with `server_side_decision`",
+        {"helios_offensive_planner"}},
+    Row{"no announced pass", {"bhv_do_heard_pass_recieve"}},
+    Row{"ball not contested", {"bhv_do_force_kick"}},
+    Row{"nothing seen", {"helios_communication"}},
 };
 
 }  // namespace
 
 std::string_view fails_when(std::string_view action) {
-  const auto found = std::find_if(kReasons.begin(), kReasons.end(),
-                                  [action](const Reason& each) { return each.first == action; });
-  return found != kReasons.end() ? found->second : std::string_view();
+  const auto* const found = std::ranges::find_if(kRows, [action](const Row& row) {
+    return !action.empty() && std::ranges::find(row.actions, action) != row.actions.end();
+  });
+  return found != kRows.end() ? found->reason : std::string_view();
 }
 
 }  // namespace cls::proxy

@@ -6,8 +6,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/index.h"
 #include "base/text/number_text.h"
-#include "proxy/actions/debug_log.h"
+#include "proxy/actions/debug_lines.h"
 #include "proxy/agent/debug_view.h"
 
 namespace cls::proxy {
@@ -51,10 +52,12 @@ base::Result<void> set_debug_server(DebugOptions& options, const std::string& te
     }
     port = *number;
   }
+
   auto address = base::resolve_udp(base::strip_brackets(text.substr(0, colon)), port);
   if (!address) {
     return base::Error{fmt::format("debug-server '{}': {}", text, address.error().message)};
   }
+
   options.server = text;
   options.server_address = *address;
   return {};
@@ -71,7 +74,7 @@ DebugClient::DebugClient(DebugOptions options) : options_(std::move(options)) {
 }
 
 void DebugClient::on_decision(const Decision& decision) {
-  Files& files = files_.at(static_cast<std::size_t>(decision.agent.unum()));
+  Files& files = files_.at(base::index(decision.agent.unum()));
   if (socket_ || !options_.view_folder.empty()) send_view(decision, files);
   if (!options_.log_folder.empty()) write_log(decision, files);
 }
@@ -94,15 +97,13 @@ void DebugClient::write_log(const Decision& decision, Files& files) {
   const player::GameTime now = decision.agent.world().game.time;
   const bool in_time = now.cycle >= options_.first_cycle && now.cycle <= options_.last_cycle;
   if (decision.reply == nullptr || !in_time || files.log_bytes > kMaxDebugBytes) return;
+
   text_.clear();
   for (const auto& action : decision.reply->actions()) {
     if (action.has_debug_client()) {
       append_debug_text(action.debug_client().message(), now, text_);
-    } else if (action.has_log()) {
-      const auto level = static_cast<std::uint32_t>(level_of(action.log()));
-      if (level == 0 || (level & options_.levels) != 0) {
-        append_debug_action(action.log(), now, text_);
-      }
+    } else if (action.has_log() && is_logged(action.log(), options_.levels)) {
+      append_debug_action(action.log(), now, text_);
     }
   }
   if (text_.empty()) return;

@@ -1,4 +1,4 @@
-// What soccerwindow2 is to get of a team's decisions.
+// Parts of a team's decisions that soccerwindow2 gets.
 #pragma once
 
 #include <cstdint>

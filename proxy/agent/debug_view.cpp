@@ -4,14 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
 #include <span>
 
+#include "base/overloaded.h"
 #include "base/text/decimal_text.h"
-#include "proto/playmaker.pb.h"
-#include "proxy/actions/debug_log.h"
+#include "proxy/actions/debug_lines.h"
+#include "proxy/actions/log_member.h"
 
 namespace cls::proxy {
 namespace {
@@ -89,11 +90,13 @@ void append_comment(const PlayerState& player, std::string& out) {
   fmt::format_to(std::back_inserter(out), "p{}v{}", player.pos_count, player.vel_count);
   if (player.vel_count <= kMaxVelocityAge) append_velocity(player.velocity, out);
   fmt::format_to(std::back_inserter(out), "f{}", player.face_count);
+
   if (player.tackling) {
     out += 't';
   } else if (player.kicking) {
     out += 'k';
   }
+
   fmt::format_to(std::back_inserter(out), ",{}\")", player.ball_reach_steps);
 }
 
@@ -102,14 +105,17 @@ void append_player(const PlayerState& player, char team, std::string& out) {
   out += " (";
   if (team == '\0' || player.unum == 0) out += 'u';
   if (team != '\0') out += team;
+
   if (team != '\0' && player.unum != 0) {
     fmt::format_to(std::back_inserter(out), " {} {}", player.unum, player.type_id);
   }
+
   append_point(player.position, kPositionDecimals, out);
   if (player.body_count < player::kPlayerFaceAgeLimit) {
     fmt::format_to(std::back_inserter(out), " (bd {})",
                    base::decimal_text(player.body.degrees(), 0));
   }
+
   if (player.point_count < kMaxPointAge) {
     fmt::format_to(std::back_inserter(out), " (pt {})",
                    base::decimal_text(player.point_direction.degrees(), 0));
@@ -146,11 +152,6 @@ void append_messages(const WorldModel& world, std::string_view sent, std::string
   if (!heard.empty()) fmt::format_to(std::back_inserter(out), " (hear {})", heard);
 }
 
-bool is_logged(const protos::Log& log, std::uint32_t levels) {
-  const auto level = static_cast<std::uint32_t>(level_of(log));
-  return level == 0 || (level & levels) != 0;
-}
-
 void append_texts(const protos::PlayerActions& reply, std::uint32_t levels, std::string& out) {
   std::string all;
   for (const auto& action : reply.actions()) {
@@ -168,14 +169,13 @@ void append_texts(const protos::PlayerActions& reply, std::uint32_t levels, std:
 // A shape, unless the packet has no room for it.
 void append_shape(std::string_view name, std::span<const float> numbers, std::string_view color,
                   std::string& out) {
-  if (!std::all_of(numbers.begin(), numbers.end(), [](float n) { return std::isfinite(n); })) {
-    return;
-  }
+  if (!std::ranges::all_of(numbers, [](float n) { return std::isfinite(n); })) return;
+
   std::string shape = fmt::format(" ({}", name);
   for (const float number : numbers) append_number(number, kShapeDecimals, shape);
   if (!color.empty()) {
     std::string quoted = quotable(color, kMaxColor);
-    std::replace(quoted.begin(), quoted.end(), ')', ' ');
+    std::ranges::replace(quoted, ')', ' ');
     fmt::format_to(std::back_inserter(shape), " \"{}\"", quoted);
   }
   shape += ')';
@@ -184,38 +184,30 @@ void append_shape(std::string_view name, std::span<const float> numbers, std::st
 }
 
 void append_shape(const protos::Log& log, std::string& out) {
-  using Log = protos::Log;
-  switch (log.log_case()) {
-    case Log::kAddLine: {
-      const auto& m = log.add_line();
-      append_shape("line", std::array{m.start().x(), m.start().y(), m.end().x(), m.end().y()},
-                   m.color(), out);
-      break;
-    }
-    case Log::kAddTriangle: {
-      const auto& m = log.add_triangle();
-      append_shape("tri",
-                   std::array{m.point1().x(), m.point1().y(), m.point2().x(), m.point2().y(),
-                              m.point3().x(), m.point3().y()},
-                   m.color(), out);
-      break;
-    }
-    case Log::kAddRectangle: {
-      const auto& m = log.add_rectangle();
-      append_shape("rect",
-                   std::array{m.left(), m.top(), m.left() + m.length(), m.top() + m.width()},
-                   m.color(), out);
-      break;
-    }
-    case Log::kAddCircle: {
-      const auto& m = log.add_circle();
-      append_shape("circle", std::array{m.center().x(), m.center().y(), m.radius()}, m.color(),
-                   out);
-      break;
-    }
-    default:
-      break;
-  }
+  const auto append = [&out](std::string_view name, std::initializer_list<float> numbers,
+                             const auto& m) {
+    append_shape(name, {numbers.begin(), numbers.size()}, m.color(), out);
+  };
+
+  visit_member(
+      log, base::Overloaded{
+               [&](const protos::AddLine& m) {
+                 append("line", {m.start().x(), m.start().y(), m.end().x(), m.end().y()}, m);
+               },
+               [&](const protos::AddTriangle& m) {
+                 append("tri",
+                        {m.point1().x(), m.point1().y(), m.point2().x(), m.point2().y(),
+                         m.point3().x(), m.point3().y()},
+                        m);
+               },
+               [&](const protos::AddRectangle& m) {
+                 append("rect", {m.left(), m.top(), m.left() + m.length(), m.top() + m.width()}, m);
+               },
+               [&](const protos::AddCircle& m) {
+                 append("circle", {m.center().x(), m.center().y(), m.radius()}, m);
+               },
+               [](const auto&) {},
+           });
 }
 
 }  // namespace
@@ -230,12 +222,14 @@ void format_debug_view(const WorldModel& world, std::string_view sent,
   append_ball(world.ball, out);
   append_players(world, out);
   append_messages(world, sent, out);
+
   if (reply != nullptr) {
     append_texts(*reply, levels, out);
     for (const auto& action : reply->actions()) {
       if (action.has_log() && is_logged(action.log(), levels)) append_shape(action.log(), out);
     }
   }
+
   out += ')';
 }
 

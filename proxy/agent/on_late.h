@@ -12,7 +12,7 @@ namespace cls::proxy {
 enum class OnLate : std::uint8_t {
   kHold,     ///< stands still and looks at the ball
   kLast,     ///< repeats the actions of the last reply
-  kDefault,  ///< automatic play: see fallback.h
+  kDefault,  ///< automatic play: see choose_fallback_actions()
 };
 
 inline constexpr auto kOnLateNames = base::enum_names<OnLate>("hold", "last", "default");

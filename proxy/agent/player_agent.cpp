@@ -6,13 +6,11 @@
 #include <utility>
 
 #include "base/overloaded.h"
-#include "base/text/enum_names.h"
 #include "player/behaviors/automatic_play.h"
 #include "player/movement/home_positions.h"
 #include "player/world/planner_parameters.h"
 #include "proxy/actions/executor.h"
-#include "proxy/actions/fallback.h"
-#include "proxy/messages/exact_view.h"
+#include "proxy/messages/full_state_view.h"
 #include "proxy/messages/shoot_out_view.h"
 #include "proxy/messages/state_message.h"
 #include "proxy/planner/planner_messages.h"
@@ -32,27 +30,28 @@ constexpr std::string_view kVersion19Parameter = "(dist_noise_rate ";
 // For servers that do not know version 19.
 constexpr int kOlderVersion = 18;
 
+// Appends the command, which can be formatted.
+void append(const soccer::PlayerCommand& command, std::string& datagram) {
+  const bool formatted = soccer::format(command, datagram);
+  assert(formatted);
+}
+
 // Settings, sent after the server has accepted the agent.
 std::string initial_commands(int protocol) {
-  std::vector<soccer::PlayerCommand> commands;
-  if (protocol < kSynchronousVersion) commands.push_back(soccer::SynchSee{});
+  std::string datagram;
+  if (protocol < kSynchronousVersion) append(soccer::SynchSee{}, datagram);
   // Opponents' say messages are noise and would use up hearing capacity.
-  commands.push_back(
-      soccer::Ear{false, soccer::TeamReference{soccer::TeamReference::Kind::kOpponent, ""}, {}});
+  append(soccer::Ear{false, soccer::TeamReference{soccer::TeamReference::Kind::kOpponent, ""}, {}},
+         datagram);
   // Without (clang ...) the server does not forward coach messages.
   constexpr int kMinCoachLanguage = 7;
   constexpr int kMaxCoachLanguage = 8;
-  commands.push_back(soccer::Clang{kMinCoachLanguage, kMaxCoachLanguage});
-  std::string datagram;
-  for (const soccer::PlayerCommand& command : commands) {
-    const bool formatted = soccer::format(command, datagram);
-    assert(formatted);
-  }
+  append(soccer::Clang{kMinCoachLanguage, kMaxCoachLanguage}, datagram);
   return datagram;
 }
 
 bool requests_choice(const protos::PlayerActions& actions) {
-  return std::any_of(actions.actions().begin(), actions.actions().end(), [](const auto& action) {
+  return std::ranges::any_of(actions.actions(), [](const auto& action) {
     return action.has_helios_offensive_planner() &&
            action.helios_offensive_planner().server_side_decision();
   });
@@ -69,17 +68,8 @@ bool is_counted(const soccer::PlayerCommand& command, soccer::PlayMode mode) {
 
 }  // namespace
 
-constexpr auto kFullStateUses =
-    base::enum_names<FullStateUse>("ignore", "reference", "override");
-
-std::string_view name(FullStateUse use) { return kFullStateUses.name(use); }
-
-std::optional<FullStateUse> parse_full_state_use(std::string_view text) {
-  return kFullStateUses.parse(text);
-}
-
 PlayerAgent::PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions options)
-    : server_(std::move(channel)), options_(std::move(options)) {
+    : Agent(std::move(channel)), options_(std::move(options)) {
   if (options_.formations != nullptr) world_.formations = options_.formations;
   if (options_.planner != nullptr) world_.planner = options_.planner;
 }
@@ -111,15 +101,18 @@ void PlayerAgent::handle_message() {
       on_see(world_, see_);
       if (see_.time == world_.game.time.cycle) timer_.on_see(server_.channel->received_at());
       break;
+
     case soccer::MessageKind::kHear:
       if (read(server_, hear_)) on_hear(world_, hear_);
       break;
+
     case soccer::MessageKind::kServerParam:
       if (!read_parameters(server_, world_)) break;
       timer_.set_synchronous(world_.server().synch_mode);
       timer_.set_slow_down(world_.server().slow_down_factor);
       use_version_19();
       break;
+
     case soccer::MessageKind::kPlayerParam:
     case soccer::MessageKind::kPlayerType:
       read_parameters(server_, world_);
@@ -150,6 +143,7 @@ void PlayerAgent::count_lost_commands() {
   const auto total = [](const soccer::CommandCounts& counts, int tackles) {
     return counts.kick + counts.dash + counts.turn + counts.catches + counts.move + tackles;
   };
+
   const player::SelfState& self = world_.self;
   const bool frozen =
       self.tackle_expires_in > 0 || self.foul_charged > 0 || sense_.foul_charged > 0;
@@ -178,8 +172,7 @@ void PlayerAgent::use_version_19() {
   world_.leg_dashes = offered && world_.planner->leg_dashes != 0;
   if (!offered || world_.planner->gaussian_see == 0) return;
   std::string command;
-  const bool formatted = soccer::format(soccer::PlayerCommand(soccer::GaussianSee{}), command);
-  assert(formatted);
+  append(soccer::GaussianSee{}, command);
   server_.channel->send(command);
 }
 
@@ -196,6 +189,7 @@ bool PlayerAgent::retry_with_older_version(const soccer::ErrorReply& error) {
 void PlayerAgent::handle_server_reply() {
   soccer::ServerReply reply;
   if (!read(server_, reply)) return;
+
   std::visit(
       base::Overloaded{
           [this](const soccer::Think&) { timer_.on_think(server_.channel->received_at()); },
@@ -225,13 +219,16 @@ const player::WorldModel& PlayerAgent::begin_decision(Instant now) {
     if (delay > kLateWakeup) ++statistics_.late_wakeups;
     statistics_.longest_wakeup = std::max(statistics_.longest_wakeup, delay);
   }
+
   phase_ = Phase::kAwaitingReply;
   timer_.decided();
+
   view_.reset();
   if (options_.full_state == FullStateUse::kOverride && has_full_state()) {
-    view_ = std::make_unique<player::WorldModel>(exact_view(world_, full_state_));
+    view_ = std::make_unique<player::WorldModel>(full_state_view(world_, full_state_));
     update_derived(*view_);
   }
+
   update_derived(world_);
   if (needs_shoot_out_view(world_)) {
     view_ = std::make_unique<player::WorldModel>(rotated(decision_world()));
@@ -249,7 +246,7 @@ const protos::State& PlayerAgent::state(Instant now) {
   fill_state(world, home_positions(world), needs_preprocess(world), state_);
   state_.clear_full_world_model();
   if (options_.full_state != FullStateUse::kIgnore && has_full_state()) {
-    player::WorldModel exact = exact_view(world_, full_state_);
+    player::WorldModel exact = full_state_view(world_, full_state_);
     update_derived(exact);
     fill_state(exact, home_positions(exact), false, full_view_);
     state_.mutable_full_world_model()->Swap(full_view_.mutable_world_model());
@@ -261,11 +258,12 @@ bool PlayerAgent::act(const protos::PlayerActions& actions) {
   const player::WorldModel& world = decision_world();
   if (options_.on_late == OnLate::kLast) last_actions_ = actions;
   choice_ = {};
+  player::CommandSlots slots(world);
+
   if (world.self.kickable && requests_choice(actions)) {
     // This attempt is repeated with the choice.
     choice_.chooser = player::PlanChoice::Chooser::kPlaymaker;
     player::ActionMemory memory = memory_;
-    player::CommandSlots slots(world);
     player::ActionReport report = statistics_.actions;
     execute(actions, world, memory, slots, report, choice_);
     if (choice_.chooser == player::PlanChoice::Chooser::kRequested) {
@@ -276,11 +274,9 @@ bool PlayerAgent::act(const protos::PlayerActions& actions) {
     }
     memory_ = std::move(memory);
     statistics_.actions = report;
-    send(slots);
-    return true;
+  } else {
+    execute(actions, world, memory_, slots, statistics_.actions, choice_);
   }
-  player::CommandSlots slots(world);
-  execute(actions, world, memory_, slots, statistics_.actions, choice_);
   send(slots);
   return true;
 }
@@ -301,6 +297,7 @@ void PlayerAgent::act_without_reply() {
   const player::WorldModel& world = decision_world();
   choice_ = {};
   player::CommandSlots slots(world);
+
   if (options_.on_late == OnLate::kDefault) choose_fallback_actions(world, last_actions_);
   if (options_.on_late == OnLate::kHold || last_actions_.actions_size() == 0) {
     execute_without_reply(world, memory_, slots, statistics_.actions);
@@ -315,8 +312,7 @@ void PlayerAgent::send(const player::CommandSlots& slots) {
   slots.compose(commands_, timer_.synchronous());
   server_.datagram.clear();
   for (const soccer::PlayerCommand& command : commands_) {
-    const bool formatted = soccer::format(command, server_.datagram);
-    assert(formatted && "slots hold only commands that can be formatted");
+    append(command, server_.datagram);
     if (!std::holds_alternative<soccer::Done>(command)) statistics_.count(command);
     awaits_count_ = awaits_count_ || is_counted(command, world_.game.mode);
   }
@@ -327,8 +323,7 @@ void PlayerAgent::send(const player::CommandSlots& slots) {
 
 void PlayerAgent::leave() {
   server_.datagram.clear();
-  const bool formatted = soccer::format(soccer::PlayerCommand(soccer::Bye{}), server_.datagram);
-  assert(formatted);
+  append(soccer::Bye{}, server_.datagram);
   server_.channel->send(server_.datagram);
 }
 

@@ -5,20 +5,17 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "player/commands/command_slots.h"
 #include "player/formation/formation_set.h"
 #include "player/perception/perception.h"
 #include "player/planner/action_context.h"
-#include "player/planner/action_memory.h"
-#include "player/world/world_model.h"
 #include "proto/playmaker.pb.h"
+#include "proxy/agent/full_state_use.h"
 #include "proxy/agent/on_late.h"
-#include "proxy/connection/agent_statistics.h"
+#include "proxy/connection/agent.h"
 #include "proxy/connection/decision_timer.h"
-#include "proxy/connection/server_connection.h"
 #include "soccer/channel.h"
 #include "soccer/commands/player_command.h"
 #include "soccer/messages/full_state.h"
@@ -30,33 +27,26 @@
 
 namespace cls::proxy {
 
-/// What a player does with the (fullstate ...) messages of a server that sends them.
-enum class FullStateUse : std::uint8_t {
-  kIgnore,
-  kReference,  ///< State::full_world_model has it; agents decide by their senses
-  kOverride,   ///< the world of a decision is the exact one
-};
-
-/// "ignore", "reference" and "override".
-std::string_view name(FullStateUse use);
-std::optional<FullStateUse> parse_full_state_use(std::string_view text);
-
-struct AgentOptions {
-  soccer::TeamName team_name;
-  bool goalie = false;
+/// Options that all players of a team share.
+struct PlayerOptions {
   /// Version of the text protocol, 14 to 19; 19 becomes 18 on servers that do not know it.
   int protocol = soccer::kDefaultProtocolVersion;
   OnLate on_late = OnLate::kHold;
-  int reconnect_unum = 0;  ///< not 0: take over this disconnected player
   std::shared_ptr<const player::FormationSet> formations;    ///< null: built-in
   std::shared_ptr<const player::PlannerParameters> planner;  ///< null: the defaults
   FullStateUse full_state = FullStateUse::kReference;
 };
 
+struct AgentOptions : PlayerOptions {
+  soccer::TeamName team_name;
+  bool goalie = false;
+  int reconnect_unum = 0;  ///< not 0: take over this disconnected player
+};
+
 /// Communicates with the server through its channel only. Sequence: connect(); perceive() until
 /// ready(); then per cycle perceive() and, when a decision is due, state() and one of the act
 /// functions. One decision per cycle: see decision_timer.h.
-class PlayerAgent {
+class PlayerAgent : public Agent {
  public:
   PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions options);
 
@@ -64,9 +54,6 @@ class PlayerAgent {
   bool connect();
   /// Handles all received messages; none while a decision is pending.
   void perceive();
-  /// True when uniform number, parameters and all player types are known.
-  bool ready() const { return proxy::ready(server_, world_); }
-  const ServerConnection& server() const { return server_; }
 
   /// `now` is used in real time only.
   bool decision_due(Instant now = {}) const { return !deciding() && timer_.due(now); }
@@ -78,8 +65,6 @@ class PlayerAgent {
   const player::WorldModel& begin_decision(Instant now = {});
   /// begin_decision(), and its world as a State. Valid until the next call.
   const protos::State& state(Instant now = {});
-  /// The last State; the caller sets its register_response.
-  protos::State& mutable_state() { return state_; }
   /// Executes the reply, sends the commands and (done). False when the Playmaker must choose among
   /// planned actions first: send planner_request(), then call act_on_planner_choice().
   bool act(const protos::PlayerActions& actions);
@@ -93,10 +78,6 @@ class PlayerAgent {
   /// Sends (bye).
   void leave();
 
-  /// Identity assigned by the Playmaker; part of every State.
-  const protos::RegisterResponse& identity() const { return state_.register_response(); }
-  bool has_identity() const { return state_.has_register_response(); }
-
   /// How the latest decision was executed, the plan that it needed (empty: none), and what was
   /// sent.
   const player::DecisionTrace& trace() const { return memory_.trace; }
@@ -106,12 +87,9 @@ class PlayerAgent {
   const std::string& sent_commands() const { return server_.datagram; }
 
   int unum() const { return world_.unum; }
-  const player::WorldModel& world() const { return world_; }
   /// The world that begin_decision() returned.
   const player::WorldModel& decision_world() const { return view_ ? *view_ : world_; }
   const AgentOptions& options() const { return options_; }
-  AgentStatistics& statistics() { return statistics_; }
-  const AgentStatistics& statistics() const { return statistics_; }
 
  private:
   enum class Phase : std::uint8_t {
@@ -130,16 +108,12 @@ class PlayerAgent {
   void send(const player::CommandSlots& slots);
   bool has_full_state() const;
 
-  ServerConnection server_;
   AgentOptions options_;
-  player::WorldModel world_;
   player::ActionMemory memory_;
-  AgentStatistics statistics_;
   DecisionTimer timer_;
   Phase phase_ = Phase::kIdle;
-  bool awaits_count_ = false;  ///< sent a command that the next sense_body must count
-  protos::State state_;
-  protos::PlayerActions last_actions_;        // kLast, kDefault
+  bool awaits_count_ = false;           ///< sent a command that the next sense_body must count
+  protos::PlayerActions last_actions_;  // kLast, kDefault
   std::unique_ptr<player::WorldModel> view_;  // rotated for a shoot-out, or exact
   player::PlanChoice choice_;
   protos::PlayerActions chosen_from_;  // the action list that needs a choice

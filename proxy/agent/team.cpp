@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cassert>
 #include <map>
+#include <tuple>
 #include <utility>
+
+#include "base/index.h"
 
 namespace cls::proxy {
 namespace {
@@ -53,8 +56,7 @@ Team::Team(TeamOptions options, Playmaker& playmaker)
 
 base::Result<void> Team::connect(const OpenChannel& open, const Serve& serve) {
   for (int i = 0; i < options_.players; ++i) {
-    const bool goalie = options_.goalie && i == 0;
-    if (const base::Result<void> done = connect_one(open, serve, goalie); !done) return done;
+    TRY(connect_one(open, serve, options_.goalie && i == 0));
   }
   return {};
 }
@@ -63,22 +65,18 @@ base::Result<void> Team::connect_one(const OpenChannel& open, const Serve& serve
   const std::string who = name_ + ", player " + std::to_string(players_.size() + 1) + ": ";
   std::unique_ptr<soccer::Channel> channel = open();
   if (channel == nullptr) return base::Error{who + "no connection to the soccer server"};
-  AgentOptions options;
-  options.team_name = options_.name;
-  options.goalie = goalie;
-  options.protocol = options_.protocol;
-  options.on_late = options_.on_late;
-  options.formations = options_.formations;
-  options.planner = options_.planner;
-  options.full_state = options_.full_state;
+
+  const PlayerOptions& shared = options_;
+  AgentOptions options{shared, options_.name, goalie};
   if (options_.reconnect) {
     options.reconnect_unum = options_.first_unum + static_cast<int>(players_.size());
   }
+
   auto agent = std::make_unique<PlayerAgent>(std::move(channel), options);
   if (const base::Result<void> entered = connect_agent(*agent, serve); !entered) {
     return base::Error{who + entered.error().message};
   }
-  if (has_player(agent->unum())) {
+  if (find_player(agent->unum()) != nullptr) {
     return base::Error{who + "the soccer server gave it number " + std::to_string(agent->unum()) +
                        ", which another player has"};
   }
@@ -91,6 +89,7 @@ TeamRegistration Team::registration() const {
   for (const auto& agent : players_) {
     team.agents.emplace_back(agent->unum(), register_request(*agent));
   }
+
   if (coach_ != nullptr) team.agents.emplace_back(coach_->number(), coach_registration());
   if (!team.agents.empty()) team.parameters = world().parameters;
   team.codec = options_.codec;
@@ -104,19 +103,25 @@ TeamRegistration Team::registration() const {
 RpcStatus Team::register_agents() {
   playmaker_->announce_team(registration());
   for (const auto& agent : players_) {
-    PlaymakerClient& client = clients_[static_cast<std::size_t>(agent->unum())].emplace(
-        agent->unum(), proto::Rpc::kGetPlayerActions, register_request(*agent),
-        agent->world().parameters);
-    RpcStatus status =
-        client.register_agent(*playmaker_, options_.start_timeout, agent->mutable_state());
-    if (const std::string warning = client.take_warning(); !warning.empty()) warn_once(warning);
-    if (!status.ok()) {
-      status.message = "player " + std::to_string(agent->unum()) + ": " + status.message;
-      return status;
-    }
+    const RpcStatus status =
+        register_agent(*agent, agent->unum(), proto::Rpc::kGetPlayerActions,
+                       register_request(*agent), "player " + std::to_string(agent->unum()));
+    if (!status.ok()) return status;
   }
   warn_of_shared_identity();
   return coach_ == nullptr ? RpcStatus{} : register_coach();
+}
+
+RpcStatus Team::register_agent(Agent& agent, int number, proto::Rpc decision,
+                               protos::RegisterRequest request, const std::string& who) {
+  PlaymakerClient& client =
+      clients_.at(base::index(number))
+          .emplace(number, decision, std::move(request), agent.world().parameters);
+  RpcStatus status =
+      client.register_agent(*playmaker_, options_.start_timeout, agent.mutable_state());
+  warn_once(client.take_warning());
+  if (!status.ok()) status.message = who + ": " + status.message;
+  return status;
 }
 
 void Team::warn_of_shared_identity() {
@@ -132,22 +137,21 @@ void Team::warn_of_shared_identity() {
   }
 }
 
-PlaymakerClient& Team::client_of(int unum) {
-  std::optional<PlaymakerClient>& client = clients_.at(static_cast<std::size_t>(unum));
+PlaymakerClient& Team::client_of(int number) {
+  std::optional<PlaymakerClient>& client = clients_.at(base::index(number));
   assert(client && "register_agents() comes before decisions");
   return *client;
 }
 
-bool Team::has_player(int unum) const {
-  return std::any_of(players_.begin(), players_.end(),
-                     [unum](const auto& agent) { return agent->unum() == unum; });
+PlayerAgent* Team::find_player(int unum) const {
+  const auto found = std::ranges::find(players_, unum, &PlayerAgent::unum);
+  return found != players_.end() ? found->get() : nullptr;
 }
 
 PlayerAgent& Team::player(int unum) const {
-  const auto found = std::find_if(players_.begin(), players_.end(),
-                                  [unum](const auto& agent) { return agent->unum() == unum; });
-  assert(found != players_.end());
-  return **found;
+  PlayerAgent* const found = find_player(unum);
+  assert(found != nullptr);
+  return *found;
 }
 
 int Team::begin_cycle() { return begin_decisions({}); }
@@ -160,13 +164,15 @@ int Team::begin_decisions(Instant now) {
     agent->perceive();
     watch.lap(times_.perceive);
     if (!agent->decision_due(now)) continue;
+
     agent->state(now);
     watch.lap(times_.state);
-    client_of(agent->unum())
-        .request_decision(*playmaker_, agent->mutable_state(), decision_limits(*agent, now));
+    request_decision(*agent, agent->unum(), decision_timeout(*agent, now),
+                     agent->timer().synchronous());
     watch.lap(times_.begin);
     ++begun;
   }
+
   begun += begin_coach_decision(now);
   playmaker_->send();
   outstanding_ += begun;
@@ -231,18 +237,16 @@ Instant Team::next_due() const {
   return next;
 }
 
-DecisionLimits Team::decision_limits(const PlayerAgent& agent, Instant now) const {
-  DecisionLimits time;
-  time.timeout = decision_timeout(agent, now);
-  time.server_waits = agent.timer().synchronous();
-  time.reconnect_within = options_.reconnect_within;
-  return time;
+void Team::request_decision(Agent& agent, int number, RpcTimeout timeout, bool server_waits) {
+  client_of(number).request_decision(*playmaker_, agent.mutable_state(),
+                                     {timeout, server_waits, options_.reconnect_within});
 }
 
 // In real time, a reply after the end of the cycle is useless.
 RpcTimeout Team::decision_timeout(const PlayerAgent& agent, Instant now) const {
   const bool unlimited = options_.decision_timeout == kNoTimeout;
   if (agent.timer().synchronous() || unlimited) return options_.decision_timeout;
+
   const soccer::ServerParams& server = agent.world().server();
   const RpcTimeout cycle(server.simulator_step * server.slow_down_factor);
   const auto elapsed = std::chrono::duration_cast<RpcTimeout>(now - agent.timer().cycle_began());
@@ -256,19 +260,20 @@ int Team::run_cycle() {
 }
 
 void Team::execute(Reply reply) {
-  if (reply.agent >= kCoachNumber) return handle_coach_reply(std::move(reply));
+  if (reply.agent >= kCoachNumber) {
+    if (decides(reply)) handle_coach_reply(reply);
+    return;
+  }
+
   PlayerAgent& agent = player(reply.agent);
   if (agent.awaits_planner_choice()) {
     --outstanding_;
     handle_planner_reply(agent, reply);
     return;
   }
-  PlaymakerClient& client = client_of(reply.agent);
-  const bool decided = client.handle_reply(*playmaker_, reply);
-  if (const std::string warning = client.take_warning(); !warning.empty()) warn_once(warning);
-  if (!decided) return;
-  --outstanding_;
-  count_reply(agent, client, reply);
+  if (!decides(reply)) return;
+
+  count_reply(agent, reply);
   const auto* actions = reply.as<protos::PlayerActions>();
   if (actions == nullptr) {
     agent.act_without_reply();
@@ -281,27 +286,39 @@ void Team::execute(Reply reply) {
   warn_of_server(agent.server().errors);
 }
 
-void Team::count_reply(PlayerAgent& agent, const PlaymakerClient& client, const Reply& reply) {
+bool Team::decides(Reply& reply) {
+  PlaymakerClient& client = client_of(reply.agent);
+  const bool decided = client.handle_reply(*playmaker_, reply);
+  warn_once(client.take_warning());
+  if (decided) --outstanding_;
+  return decided;
+}
+
+void Team::count_reply(PlayerAgent& agent, const Reply& reply) {
   AgentStatistics& statistics = agent.statistics();
   statistics.count(reply);
-  count_error(reply, agent.world().game.time.cycle, agent.identity(), agent.mutable_state());
-  if (client.reconnects() == statistics.reconnects) return;
-  statistics.reconnects = client.reconnects();
+  count_error(reply, agent, agent.mutable_state());
+
+  const int reconnects = client_of(reply.agent).reconnects();
+  if (reconnects == statistics.reconnects) return;
+  statistics.reconnects = reconnects;
   warn_once("connection to the Playmaker lost; players registered again at cycle " +
             std::to_string(agent.world().game.time.cycle));
 }
 
 // Replies arrive in any order: of the errors in a cycle, the one of the lowest agent is the first.
-void Team::count_error(const Reply& reply, int cycle, const protos::RegisterResponse& identity,
+void Team::count_error(const Reply& reply, const Agent& agent,
                        const google::protobuf::Message& request) {
   if (!is_error(reply.status)) return;
   ++errors_.count;
+  const int cycle = agent.world().game.time.cycle;
   const std::optional<PlaymakerError>& first = errors_.first;
   if (first && (warned_of_error_ || first->cycle != cycle || first->agent <= reply.agent)) return;
+
   PlaymakerError error = describe_error(reply, cycle);
   // A re-registration that fails has no decision to repeat.
   if (is_decision(reply.rpc) || reply.rpc == proto::Rpc::kGetBestPlannerAction) {
-    error.calls = client_of(reply.agent).recorded_handshake(identity);
+    error.calls = client_of(reply.agent).recorded_handshake(agent.identity());
     recording::RecordedCall call = record_call(reply.agent, reply.rpc, 1, request);
     call.set_status(reply.status.code != 0 ? reply.status.code : kUnknownStatus);
     call.set_message(reply.status.message);
@@ -319,7 +336,7 @@ void Team::report_decision(const PlayerAgent& agent, const protos::PlayerActions
 
 void Team::request_planner_choice(PlayerAgent& agent, const Reply& reply) {
   ++agent.statistics().planner_asked;
-  first_latency_.at(static_cast<std::size_t>(agent.unum())) = reply.latency;
+  first_latency_.at(base::index(agent.unum())) = reply.latency;
   const RpcTimeout timeout = decision_timeout(agent, std::chrono::steady_clock::now());
   playmaker_->begin(agent.unum(), proto::Rpc::kGetBestPlannerAction, agent.planner_request(),
                     timeout);
@@ -331,35 +348,36 @@ void Team::handle_planner_reply(PlayerAgent& agent, const Reply& reply) {
     agent.act_on_planner_choice(choice->index());
   } else {
     ++agent.statistics().planner_failed;
-    count_error(reply, agent.world().game.time.cycle, agent.identity(), agent.planner_request());
+    count_error(reply, agent, agent.planner_request());
     if (!is_error(reply.status)) {
       warn_once("the Playmaker chose no planned action: " + reply.status.message);
     }
     agent.act_on_planner_choice(std::nullopt);
   }
+
   // A choice that failed is not a missed decision: the list was received.
   report_decision(agent, &agent.chosen_from(), RpcStatus{},
-                  first_latency_.at(static_cast<std::size_t>(agent.unum())) + reply.latency);
+                  first_latency_.at(base::index(agent.unum())) + reply.latency);
   warn_of_actions(agent);
   warn_of_server(agent.server().errors);
 }
 
-RpcStatus Team::send_bye(int agent, const protos::RegisterResponse& identity) {
-  return playmaker_->call(agent, proto::Rpc::kSendByeCommand, identity, kByeTimeout).status;
+RpcStatus Team::send_bye(int number, const Agent& agent) {
+  return playmaker_->call(number, proto::Rpc::kSendByeCommand, agent.identity(), kByeTimeout)
+      .status;
 }
 
 void Team::leave() {
   bool responds = true;
   for (const auto& agent : players_) {
     if (responds && agent->has_identity()) {
-      responds = responds_to_bye(send_bye(agent->unum(), agent->identity()));
+      responds = responds_to_bye(send_bye(agent->unum(), *agent));
     }
     agent->leave();
   }
-  if (coach_ != nullptr && responds && coach_->has_identity()) {
-    send_bye(coach_->number(), coach_->identity());
-  }
-  if (coach_ != nullptr) coach_->leave();
+  if (coach_ == nullptr) return;
+  if (responds && coach_->has_identity()) send_bye(coach_->number(), *coach_);
+  coach_->leave();
 }
 
 soccer::Side Team::side() const {
@@ -376,6 +394,7 @@ MissedDecisions Team::missed_decisions() const {
     worst = {agent->unum(), statistics.consecutive_missed, statistics.last_failure};
   }
   if (coach_ == nullptr) return worst;
+
   // The team continues with a coach whose calls fail; a coach without replies delays the match.
   const AgentStatistics& statistics = coach_->statistics();
   const bool fails = statistics.last_failure.outcome == RpcOutcome::kError;
@@ -386,9 +405,8 @@ MissedDecisions Team::missed_decisions() const {
 }
 
 void Team::warn_once(const std::string& line) {
-  if (std::find(warnings_.begin(), warnings_.end(), line) == warnings_.end()) {
-    warnings_.push_back(line);
-  }
+  if (line.empty() || std::ranges::find(warnings_, line) != warnings_.end()) return;
+  warnings_.push_back(line);
 }
 
 void Team::warn_of_actions(const PlayerAgent& agent) {
@@ -398,6 +416,7 @@ void Team::warn_of_actions(const PlayerAgent& agent) {
       warn_once(std::string("the Playmaker ") + verb + " " +
                 std::string(name_of(static_cast<int>(kind))) + consequence);
     };
+
     for (std::size_t kind = 0; kind < warned.size(); ++kind) {
       ActionWarnings& given = warned[kind];
       if (counts[kind].unimplemented != 0 && !std::exchange(given.unimplemented, true)) {
@@ -408,24 +427,22 @@ void Team::warn_of_actions(const PlayerAgent& agent) {
       }
     }
   };
+
   warn(report.actions, warned_actions_, "sends action", action_name);
   warn(report.say, warned_say_, "sends say message", say_name);
 }
 
 void Team::warn_of_server(const ServerErrors& errors) {
-  if (errors.unreadable != 0) {
-    warn_once("unreadable message of the soccer server: " + errors.first_unreadable);
-  }
-  if (errors.errors != 0) {
-    warn_once("error of the soccer server: " + errors.first_error);
-  }
-  if (errors.warnings != 0) {
-    warn_once("warning of the soccer server: " + errors.first_warning);
+  for (const auto& [count, kind, first] :
+       {std::tuple{errors.unreadable, "unreadable message", &errors.first_unreadable},
+        {errors.errors, "error", &errors.first_error},
+        {errors.warnings, "warning", &errors.first_warning}}) {
+    if (count != 0) warn_once(std::string(kind) + " of the soccer server: " + *first);
   }
 }
 
 std::vector<std::string> Team::take_warnings() {
-  if (const std::string warning = playmaker_->take_warning(); !warning.empty()) warn_once(warning);
+  warn_once(playmaker_->take_warning());
   if (errors_.first && !std::exchange(warned_of_error_, true)) {
     warn_once(errors_.first->describe());
   }

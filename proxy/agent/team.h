@@ -21,11 +21,9 @@
 
 namespace cls::proxy {
 
-struct TeamOptions {
+struct TeamOptions : PlayerOptions {
   soccer::TeamName name;
   int players = soccer::kPlayersPerTeam;
-  int protocol = soccer::kDefaultProtocolVersion;
-  OnLate on_late = OnLate::kHold;
   RpcTimeout decision_timeout{10'000};  ///< kNoTimeout: none
   RpcTimeout start_timeout{20'000};     ///< for the Playmaker to start and answer Register
   RpcTimeout reconnect_within{3'000};   ///< see DecisionLimits
@@ -33,9 +31,6 @@ struct TeamOptions {
   int first_unum = 1;                   ///< first player to take over with `reconnect`
   bool reconnect = false;               ///< take over disconnected players
   bool goalie = true;                   ///< the first player is the goalie
-  std::shared_ptr<const player::FormationSet> formations;    ///< null: the built-in ones
-  std::shared_ptr<const player::PlannerParameters> planner;  ///< null: the defaults
-  FullStateUse full_state = FullStateUse::kReference;
   std::shared_ptr<const TeamGraphic> graphic;  ///< that the coach shows; null: none
   std::shared_ptr<TensorCodec> codec;          ///< null: the form TENSOR is not offered
   bool rated = false;                          ///< a match of a tournament or comparison
@@ -125,9 +120,9 @@ class Team {
   Instant heard_at() const;
   const TeamTimes& times() const { return times_; }
   MissedDecisions missed_decisions() const;
-  /// What the Playmaker answered with an error so far.
+  /// Calls that the Playmaker answered with an error so far.
   const PlaymakerErrors& errors() const { return errors_; }
-  /// Adds a warning unless it was added before.
+  /// Adds a warning unless it is empty or was added before.
   void warn_once(const std::string& line);
   /// Warnings since the last call, each once per team.
   std::vector<std::string> take_warnings();
@@ -141,27 +136,32 @@ class Team {
 
   base::Result<void> connect_one(const OpenChannel& open, const Serve& serve, bool goalie);
   void warn_of_shared_identity();
-  PlaymakerClient& client_of(int unum);
-  DecisionLimits decision_limits(const PlayerAgent& agent, Instant now) const;
+  PlaymakerClient& client_of(int number);
+  /// `who` names the agent in the message of a failure.
+  RpcStatus register_agent(Agent& agent, int number, proto::Rpc decision,
+                           protos::RegisterRequest request, const std::string& who);
+  void request_decision(Agent& agent, int number, RpcTimeout timeout, bool server_waits);
+  /// True when the reply is the result of a decision, not a part of the handshake.
+  bool decides(Reply& reply);
   TeamRegistration registration() const;
   protos::RegisterRequest coach_registration() const;
   RpcStatus register_coach();
   int begin_coach_decision(Instant now);
   RpcTimeout coach_timeout(Instant now) const;
-  void handle_coach_reply(Reply reply);
+  void handle_coach_reply(const Reply& reply);
   RpcTimeout decision_timeout(const PlayerAgent& agent, Instant now) const;
   void end_turn();
+  PlayerAgent* find_player(int unum) const;
   PlayerAgent& player(int unum) const;
-  bool has_player(int unum) const;
   void execute(Reply reply);
-  void count_reply(PlayerAgent& agent, const PlaymakerClient& client, const Reply& reply);
+  void count_reply(PlayerAgent& agent, const Reply& reply);
   void handle_planner_reply(PlayerAgent& agent, const Reply& reply);
   void request_planner_choice(PlayerAgent& agent, const Reply& reply);
   void report_decision(const PlayerAgent& agent, const protos::PlayerActions* actions,
                        const RpcStatus& status, std::chrono::microseconds latency) const;
-  void count_error(const Reply& reply, int cycle, const protos::RegisterResponse& identity,
+  void count_error(const Reply& reply, const Agent& agent,
                    const google::protobuf::Message& request);
-  RpcStatus send_bye(int agent, const protos::RegisterResponse& identity);
+  RpcStatus send_bye(int number, const Agent& agent);
   void warn_of_actions(const PlayerAgent& agent);
   void warn_of_coach_actions();
   void warn_of_server(const ServerErrors& trouble);

@@ -13,11 +13,13 @@ base::Result<void> Team::connect_coach(soccer::CoachRole role, const OpenChannel
   const std::string who = trainer ? "trainer: " : name_ + ", coach: ";
   std::unique_ptr<soccer::Channel> channel = open();
   if (channel == nullptr) return base::Error{who + "no connection to the soccer server"};
+
   CoachOptions options;
   options.role = role;
   options.team_name = trainer ? soccer::TeamName() : options_.name;
   options.protocol = options_.protocol;
   options.graphic = options_.graphic;
+
   auto coach = std::make_unique<CoachAgent>(std::move(channel), options);
   if (const base::Result<void> entered = connect_agent(*coach, serve); !entered) {
     return base::Error{who + entered.error().message};
@@ -35,15 +37,10 @@ protos::RegisterRequest Team::coach_registration() const {
 }
 
 RpcStatus Team::register_coach() {
-  const bool trainer = coach_->is_trainer();
-  PlaymakerClient& client = clients_[static_cast<std::size_t>(coach_->number())].emplace(
-      coach_->number(), trainer ? proto::Rpc::kGetTrainerActions : proto::Rpc::kGetCoachActions,
-      coach_registration(), coach_->world().parameters);
-  RpcStatus status =
-      client.register_agent(*playmaker_, options_.start_timeout, coach_->mutable_state());
-  if (const std::string warning = client.take_warning(); !warning.empty()) warn_once(warning);
-  if (!status.ok()) status.message = coach_->role_name() + (": " + status.message);
-  return status;
+  return register_agent(
+      *coach_, coach_->number(),
+      coach_->is_trainer() ? proto::Rpc::kGetTrainerActions : proto::Rpc::kGetCoachActions,
+      coach_registration(), coach_->role_name());
 }
 
 const player::WorldModel& Team::world() const {
@@ -61,11 +58,7 @@ int Team::begin_coach_decision(Instant now) {
     return 0;
   }
   coach_->state();
-  DecisionLimits time;
-  time.timeout = coach_timeout(now);
-  time.server_waits = synchronous();
-  time.reconnect_within = options_.reconnect_within;
-  client_of(coach_->number()).request_decision(*playmaker_, coach_->mutable_state(), time);
+  request_decision(*coach_, coach_->number(), coach_timeout(now), synchronous());
   return 1;
 }
 
@@ -74,22 +67,20 @@ RpcTimeout Team::coach_timeout(Instant now) const {
   return players_.empty() ? options_.decision_timeout : decision_timeout(*players_.front(), now);
 }
 
-void Team::handle_coach_reply(Reply reply) {
-  PlaymakerClient& client = client_of(reply.agent);
-  const bool decided = client.handle_reply(*playmaker_, reply);
-  if (const std::string warning = client.take_warning(); !warning.empty()) warn_once(warning);
-  if (!decided) return;
-  --outstanding_;
+// The result of a decision.
+void Team::handle_coach_reply(const Reply& reply) {
   if (reply.status.outcome == RpcOutcome::kUnimplemented) {
     // GetCoachActions is optional. A trainer exists because the user requested one.
     coach_->disable_requests();
-    if (coach_->is_trainer())
+    if (coach_->is_trainer()) {
       warn_once("the Playmaker does not implement GetTrainerActions: no trainer");
+    }
     coach_->act_without_reply();
     return;
   }
+
   coach_->statistics().count(reply);
-  count_error(reply, coach_->world().game.time.cycle, coach_->identity(), coach_->mutable_state());
+  count_error(reply, *coach_, coach_->mutable_state());
   if (const auto* orders = reply.as<protos::CoachActions>()) {
     coach_->act(*orders);
   } else if (const auto* trainer_orders = reply.as<protos::TrainerActions>()) {
@@ -97,6 +88,7 @@ void Team::handle_coach_reply(Reply reply) {
   } else {
     coach_->act_without_reply();
   }
+
   if (coach_->report().unknown > 0) {
     warn_once(std::string("the Playmaker's ") + coach_->role_name() +
               " sends an action unknown to this proxy: skipped");
@@ -107,9 +99,10 @@ void Team::handle_coach_reply(Reply reply) {
 
 void Team::warn_of_coach_actions() {
   const auto& invalid = coach_->report().invalid;
-  if (std::all_of(invalid.begin(), invalid.end(), [](auto count) { return count == 0; })) return;
+  if (std::ranges::all_of(invalid, [](auto count) { return count == 0; })) return;
+
   for (const auto& [name, outcomes] : outcomes_by_name(coach_->report(), coach_->is_trainer())) {
-    if (outcomes.count("invalid") == 0) continue;
+    if (!outcomes.contains("invalid")) continue;
     warn_once(
         std::string("the Playmaker's ") + coach_->role_name() + " sends " + name +
         " with an unknown player, type or play mode, or a number that is not finite: ignored");

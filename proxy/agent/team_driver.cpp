@@ -68,7 +68,8 @@ base::Result<void> TeamDriver::connect_all(const ShouldContinue& should_continue
     return options_.wrap && channel != nullptr ? options_.wrap(std::move(channel))
                                                : std::move(channel);
   };
-  if (auto done = team_.connect(open, serve); !done) return done;
+  TRY(team_.connect(open, serve));
+
   if (options_.coach_port != 0) {
     const auto connected = connect_coach(serve);
     if (!connected && team_.players().empty()) return connected;
@@ -90,6 +91,7 @@ base::Result<void> TeamDriver::connect_coach(const Serve& serve) {
   const auto connect = [&] {
     return team_.connect_coach(soccer::CoachRole::kOnlineCoach, open, serve);
   };
+
   base::Result<void> connected = connect();
   // A coach with a host of its own may come before the first player of its team.
   while (!connected && team_.players().empty() && lacks_team(connected.error().message)) {
@@ -104,8 +106,14 @@ bool TeamDriver::time_over() const {
   return team_.world().game.mode == soccer::PlayMode::kTimeOver;
 }
 
-void TeamDriver::finish_replies() {
-  while (team_.outstanding() > 0) team_.handle_reply(kPollInterval);
+std::optional<DriveResult> TeamDriver::end_of_run(Instant now, Instant last_message) const {
+  if (options_.leave_at_time_over && time_over()) return DriveResult::kTimeOver;
+  const milliseconds patience = time_over() ? options_.timeout_after_end : options_.server_timeout;
+  if (now - last_message <= patience) return std::nullopt;
+  const CoachAgent* coach = team_.coach();
+  const bool coach_hears =
+      coach != nullptr && now - coach->server().channel->received_at() < patience;
+  return coach_hears ? DriveResult::kPlayersUnheard : DriveResult::kServerUnresponsive;
 }
 
 DriveResult TeamDriver::run(const ShouldContinue& should_continue) {
@@ -116,6 +124,7 @@ DriveResult TeamDriver::run(const ShouldContinue& should_continue) {
       options_.before_decisions();
       last_message = steady_clock::now();
     }
+
     const auto now = steady_clock::now();
     const bool begun = team_.begin_decisions(now) > 0;
     last_message = std::max(last_message, team_.heard_at());
@@ -125,21 +134,14 @@ DriveResult TeamDriver::run(const ShouldContinue& should_continue) {
       team_.handle_reply(received && begun ? std::chrono::microseconds(0) : kReplyTimeout);
       continue;
     }
-    if (options_.leave_at_time_over && time_over()) {
-      end = DriveResult::kTimeOver;
-      break;
-    }
-    const milliseconds patience =
-        time_over() ? options_.timeout_after_end : options_.server_timeout;
-    if (now - last_message > patience) {
-      const bool coach_hears = team_.coach() != nullptr &&
-                               now - team_.coach()->server().channel->received_at() < patience;
-      end = coach_hears ? DriveResult::kPlayersUnheard : DriveResult::kServerUnresponsive;
+
+    if (const auto reason = end_of_run(now, last_message)) {
+      end = *reason;
       break;
     }
     clients_.wait_until(std::min(team_.next_due(), now + kPollInterval));
   }
-  finish_replies();
+  while (team_.outstanding() > 0) team_.handle_reply(kPollInterval);
   return end;
 }
 

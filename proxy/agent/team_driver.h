@@ -4,7 +4,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <string>
+#include <optional>
 
 #include "base/result.h"
 #include "proxy/agent/team.h"
@@ -58,8 +58,9 @@ class TeamDriver {
  private:
   base::Result<void> connect_all(const ShouldContinue& should_continue);
   base::Result<void> connect_coach(const Serve& serve);
-  void finish_replies();
   bool time_over() const;
+  /// The reason to leave now, while no reply is outstanding.
+  std::optional<DriveResult> end_of_run(Instant now, Instant last_message) const;
 
   Team& team_;
   soccer::UdpClients& clients_;

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "base/index.h"
 #include "player/perception/player_types_message.h"
 #include "proxy/coach/substitution.h"
 #include "proxy/messages/state_message.h"
@@ -26,14 +28,21 @@ bool is_type(const player::WorldModel& world, int type) {
 
 bool is_finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
-Vec2 vector(const protos::RpcVector2D& v) { return {v.x(), v.y()}; }
-
 /// Executed (with or without a command), or invalid.
 enum class Outcome { kDone, kInvalid };
 
-void count(CoachActionReport& report, int kind, Outcome outcome) {
-  auto& counts = outcome == Outcome::kDone ? report.done : report.invalid;
-  ++counts[static_cast<std::size_t>(kind)];
+void count(CoachActionReport& report, int kind, std::optional<Outcome> outcome) {
+  if (!outcome) {
+    ++report.unknown;
+  } else {
+    ++(*outcome == Outcome::kDone ? report.done : report.invalid)[base::index(kind)];
+  }
+}
+
+// Executed with one command.
+Outcome send(CoachCommand command, Commands& out) {
+  out.push_back(std::move(command));
+  return Outcome::kDone;
 }
 
 Outcome change_type(const protos::ChangePlayerType& action, const player::WorldModel& world,
@@ -41,8 +50,7 @@ Outcome change_type(const protos::ChangePlayerType& action, const player::WorldM
   if (!is_unum(action.uniform_number()) || !is_type(world, action.type())) {
     return Outcome::kInvalid;
   }
-  out.push_back(soccer::ChangePlayerType{action.uniform_number(), action.type()});
-  return Outcome::kDone;
+  return send(soccer::ChangePlayerType{action.uniform_number(), action.type()}, out);
 }
 
 // Sent only when changed and when the server accepts it: the number of messages is limited.
@@ -53,8 +61,7 @@ Outcome say_types(const player::WorldModel& world, CoachMemory& memory, Commands
   memory.said_in_vain = false;
   ++memory.freeforms_sent;
   const std::string text = "(freeform \"" + player::format_player_types(memory.said_types) + "\")";
-  out.push_back(soccer::CoachSay{soccer::ClangKind::kFreeform, text});
-  return Outcome::kDone;
+  return send(soccer::CoachSay{soccer::ClangKind::kFreeform, text}, out);
 }
 
 // Play mode of an enum value; nullopt for modes that a trainer cannot set.
@@ -76,32 +83,30 @@ std::string team_name(const player::WorldModel& world, bool own_team) {
 }
 
 Outcome move_ball(const protos::DoMoveBall& action, Commands& out) {
-  const Vec2 position = vector(action.position());
-  const Vec2 velocity = vector(action.velocity());
+  const Vec2 position = vec(action.position());
+  const Vec2 velocity = vec(action.velocity());
   if (!is_finite(position) || !is_finite(velocity)) return Outcome::kInvalid;
-  out.push_back(soccer::MoveBall{position, 0.0, velocity});
-  return Outcome::kDone;
+  return send(soccer::MoveBall{position, 0.0, velocity}, out);
 }
 
 Outcome move_player(const protos::DoMovePlayer& action, const player::WorldModel& world,
                     Commands& out) {
-  const Vec2 position = vector(action.position());
+  const Vec2 position = vec(action.position());
   const std::string team = team_name(world, action.our_side());
   if (!is_finite(position) || !std::isfinite(action.body_direction()) || team.empty() ||
       !is_unum(action.uniform_number())) {
     return Outcome::kInvalid;
   }
   // Without a velocity the player would retain the old one.
-  out.push_back(
-      soccer::MovePlayer{team, action.uniform_number(), position, action.body_direction(), Vec2{}});
-  return Outcome::kDone;
+  return send(
+      soccer::MovePlayer{team, action.uniform_number(), position, action.body_direction(), Vec2{}},
+      out);
 }
 
 Outcome change_mode(const protos::DoChangeMode& action, Commands& out) {
   const std::optional<PlayMode> mode = mode_of(action);
   if (!mode) return Outcome::kInvalid;
-  out.push_back(soccer::ChangeMode{*mode});
-  return Outcome::kDone;
+  return send(soccer::ChangeMode{*mode}, out);
 }
 
 Outcome change_type(const protos::DoChangePlayerType& action, const player::WorldModel& world,
@@ -110,79 +115,80 @@ Outcome change_type(const protos::DoChangePlayerType& action, const player::Worl
   if (team.empty() || !is_unum(action.uniform_number()) || !is_type(world, action.type())) {
     return Outcome::kInvalid;
   }
-  out.push_back(soccer::TrainerChangePlayerType{team, action.uniform_number(), action.type()});
-  return Outcome::kDone;
+  return send(soccer::TrainerChangePlayerType{team, action.uniform_number(), action.type()}, out);
+}
+
+// Nothing for an action without a known member.
+std::optional<Outcome> run(const protos::CoachAction& action, const player::WorldModel& world,
+                           CoachMemory& memory, Commands& out) {
+  using protos::CoachAction;
+  switch (action.action_case()) {
+    case CoachAction::kChangePlayerTypes:
+      return change_type(action.change_player_types(), world, out);
+    case CoachAction::kDoHeliosSubstitute:
+      substitute(world, memory, out);
+      return Outcome::kDone;
+    case CoachAction::kDoHeliosSayPlayerTypes:
+      return say_types(world, memory, out);
+    case CoachAction::ACTION_NOT_SET:
+      break;
+  }
+
+  return std::nullopt;
+}
+
+std::optional<Outcome> run(const protos::TrainerAction& action, const player::WorldModel& world,
+                           Commands& out) {
+  using protos::TrainerAction;
+  switch (action.action_case()) {
+    case TrainerAction::kDoKickOff:
+      return send(soccer::Start{}, out);
+    case TrainerAction::kDoMoveBall:
+      return move_ball(action.do_move_ball(), out);
+    case TrainerAction::kDoMovePlayer:
+      return move_player(action.do_move_player(), world, out);
+    case TrainerAction::kDoRecover:
+      return send(soccer::Recover{}, out);
+    case TrainerAction::kDoChangeMode:
+      return change_mode(action.do_change_mode(), out);
+    case TrainerAction::kDoChangePlayerType:
+      return change_type(action.do_change_player_type(), world, out);
+    case TrainerAction::ACTION_NOT_SET:
+      break;
+  }
+
+  return std::nullopt;
 }
 
 }  // namespace
 
 void execute(const protos::CoachActions& actions, const player::WorldModel& world,
              CoachMemory& memory, CoachActionReport& report, Commands& out) {
-  using protos::CoachAction;
-  for (const CoachAction& action : actions.actions()) {
-    const int kind = action.action_case();
-    switch (action.action_case()) {
-      case CoachAction::kChangePlayerTypes:
-        count(report, kind, change_type(action.change_player_types(), world, out));
-        break;
-      case CoachAction::kDoHeliosSubstitute:
-        substitute(world, memory, out);
-        count(report, kind, Outcome::kDone);
-        break;
-      case CoachAction::kDoHeliosSayPlayerTypes:
-        count(report, kind, say_types(world, memory, out));
-        break;
-      case CoachAction::ACTION_NOT_SET:
-        ++report.unknown;
-        break;
-    }
+  for (const protos::CoachAction& action : actions.actions()) {
+    count(report, action.action_case(), run(action, world, memory, out));
   }
 }
 
 void execute(const protos::TrainerActions& actions, const player::WorldModel& world,
              CoachActionReport& report, Commands& out) {
-  using protos::TrainerAction;
-  for (const TrainerAction& action : actions.actions()) {
-    const int kind = action.action_case();
-    switch (action.action_case()) {
-      case TrainerAction::kDoKickOff:
-        out.push_back(soccer::Start{});
-        count(report, kind, Outcome::kDone);
-        break;
-      case TrainerAction::kDoMoveBall:
-        count(report, kind, move_ball(action.do_move_ball(), out));
-        break;
-      case TrainerAction::kDoMovePlayer:
-        count(report, kind, move_player(action.do_move_player(), world, out));
-        break;
-      case TrainerAction::kDoRecover:
-        out.push_back(soccer::Recover{});
-        count(report, kind, Outcome::kDone);
-        break;
-      case TrainerAction::kDoChangeMode:
-        count(report, kind, change_mode(action.do_change_mode(), out));
-        break;
-      case TrainerAction::kDoChangePlayerType:
-        count(report, kind, change_type(action.do_change_player_type(), world, out));
-        break;
-      case TrainerAction::ACTION_NOT_SET:
-        ++report.unknown;
-        break;
-    }
+  for (const protos::TrainerAction& action : actions.actions()) {
+    count(report, action.action_case(), run(action, world, out));
   }
 }
 
 ActionOutcomes outcomes_by_name(const CoachActionReport& report, bool is_trainer) {
   const google::protobuf::Descriptor* type =
       is_trainer ? protos::TrainerAction::descriptor() : protos::CoachAction::descriptor();
+
   ActionOutcomes outcomes;
   for (int kind = 1; kind < kCoachActionKinds; ++kind) {
-    const auto index = static_cast<std::size_t>(kind);
+    const std::size_t index = base::index(kind);
     const google::protobuf::FieldDescriptor* field = type->FindFieldByNumber(kind);
     if (field == nullptr) continue;
     if (report.done[index] != 0) outcomes[field->name()]["executed"] = report.done[index];
     if (report.invalid[index] != 0) outcomes[field->name()]["invalid"] = report.invalid[index];
   }
+
   if (report.unknown != 0) outcomes["unknown"]["unimplemented"] = report.unknown;
   return outcomes;
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/index.h"
 #include "base/overloaded.h"
 #include "player/perception/perception.h"
 #include "proxy/coach/global_perception.h"
@@ -16,6 +17,8 @@
 namespace cls::proxy {
 namespace {
 
+bool is_unum(int unum) { return unum >= 1 && unum <= soccer::kPlayersPerTeam; }
+
 // "(move (ball) 1 2)" -> "move"
 std::string name_of(std::string_view command) {
   const std::size_t end = command.find_first_of(" )");
@@ -25,7 +28,7 @@ std::string name_of(std::string_view command) {
 }  // namespace
 
 CoachAgent::CoachAgent(std::unique_ptr<soccer::Channel> channel, CoachOptions options)
-    : server_(std::move(channel)), options_(std::move(options)) {}
+    : Agent(std::move(channel)), options_(std::move(options)) {}
 
 bool CoachAgent::connect() {
   // Version 19 is the same for coaches and trainers, and servers may not know it.
@@ -51,6 +54,7 @@ void CoachAgent::handle_message() {
       on_global_view(world_, view_);
       if (!world_.server().synch_mode) due_ = true;
       break;
+
     case soccer::MessageKind::kHear:
       if (!read(server_, hear_)) break;
       on_coach_hear(world_, hear_);
@@ -58,6 +62,7 @@ void CoachAgent::handle_message() {
         memory_.stamina.hear(world_, hear_.unum, hear_.text);
       }
       break;
+
     case soccer::MessageKind::kServerParam:
     case soccer::MessageKind::kPlayerParam:
     case soccer::MessageKind::kPlayerType:
@@ -77,6 +82,7 @@ void CoachAgent::handle_message() {
 void CoachAgent::handle_server_reply() {
   soccer::ServerReply reply;
   if (!read(server_, reply)) return;
+
   std::visit(base::Overloaded{
                  [this](const soccer::Think&) { due_ = true; },
                  [this](const soccer::CoachInitReply& init) {
@@ -87,20 +93,8 @@ void CoachAgent::handle_server_reply() {
                    if (is_trainer()) send(soccer::TrainerEar{true});
                  },
                  [this](const soccer::PlayerTypeChange& change) { change_type(change); },
-                 [this](const soccer::OkChangePlayerType& change) {
-                   // Confirms a trainer's own change; other changes are not reported to trainers.
-                   if (!is_trainer() || !change.type) return;
-                   auto& types =
-                       change.team == world_.our_team_name ? world_.our_types : world_.their_types;
-                   if (change.unum < 1 || change.unum > soccer::kPlayersPerTeam) return;
-                   types[static_cast<std::size_t>(change.unum - 1)] = *change.type;
-                 },
-                 [this](const soccer::OkTeamNames& names) {
-                   if (!is_trainer()) return;
-                   world_.our_team_name = names.left;
-                   world_.their_team_name = names.right;
-                   names_complete_ = !names.left.empty() && !names.right.empty();
-                 },
+                 [this](const soccer::OkChangePlayerType& change) { confirm_type(change); },
+                 [this](const soccer::OkTeamNames& names) { set_names(names); },
                  [this](const soccer::ErrorReply& error) { handle_error(error); },
                  [this](const soccer::WarningReply& warning) { handle(server_, warning); },
                  [](const auto&) {},
@@ -108,10 +102,23 @@ void CoachAgent::handle_server_reply() {
              reply);
 }
 
+// Confirms a trainer's own change; other changes are not reported to trainers.
+void CoachAgent::confirm_type(const soccer::OkChangePlayerType& change) {
+  if (!is_trainer() || !change.type || !is_unum(change.unum)) return;
+  const bool own = change.team == world_.our_team_name;
+  (own ? world_.our_types : world_.their_types)[base::index(change.unum - 1)] = *change.type;
+}
+
+void CoachAgent::set_names(const soccer::OkTeamNames& names) {
+  if (!is_trainer()) return;
+  world_.our_team_name = names.left;
+  world_.their_team_name = names.right;
+  names_complete_ = !names.left.empty() && !names.right.empty();
+}
+
 void CoachAgent::change_type(const soccer::PlayerTypeChange& change) {
   on_change_player_type(world_, change);
-  const bool is_number = change.unum >= 1 && change.unum <= soccer::kPlayersPerTeam;
-  if (change.goalie_side != soccer::Side::kNeutral || !is_number) return;
+  if (change.goalie_side != soccer::Side::kNeutral || !is_unum(change.unum)) return;
   if (change.type) {
     record_type_change(memory_, world_, change.unum, *change.type);
   } else {
@@ -133,15 +140,17 @@ const protos::State& CoachAgent::state() {
   assert(decision_due());
   deciding_ = true;
   complete_global(world_);
+
   if (!is_trainer()) {
     update_memory(memory_, world_);
     for (player::PlayerState& opponent : world_.opponents) {
-      const auto i = static_cast<std::size_t>(opponent.unum - 1);
+      const std::size_t i = base::index(opponent.unum - 1);
       int& known = world_.their_types[i];
       if (known < 0) known = memory_.analysis.found()[i];
       opponent.type_id = known;
     }
   }
+
   fill_coach_state(world_, options_.role, state_);
   return state_;
 }
@@ -193,11 +202,7 @@ void CoachAgent::send(const soccer::CoachCommand& command) {
 
 // Trainers have no (bye). Without views the server does not wait for them.
 void CoachAgent::leave() {
-  if (is_trainer()) {
-    send(soccer::Eye{false});
-  } else {
-    send(soccer::Bye{});
-  }
+  send(is_trainer() ? soccer::CoachCommand(soccer::Eye{false}) : soccer::Bye{});
 }
 
 }  // namespace cls::proxy

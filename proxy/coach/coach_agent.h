@@ -1,22 +1,18 @@
 // An online coach or a trainer: server messages, exact State, Playmaker's decision, commands.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "player/world/world_model.h"
 #include "proto/playmaker.pb.h"
 #include "proxy/coach/coach_actions.h"
 #include "proxy/coach/coach_memory.h"
 #include "proxy/coach/team_graphic.h"
-#include "proxy/connection/agent_statistics.h"
-#include "proxy/connection/server_connection.h"
+#include "proxy/connection/agent.h"
 #include "proxy/playmaker/playmaker.h"
 #include "soccer/channel.h"
 #include "soccer/commands/coach_command.h"
@@ -38,7 +34,7 @@ struct CoachOptions {
 /// Communicates with the server through its channel only. Sequence: connect(); perceive() until
 /// ready(); then per cycle perceive() and, when a decision is due, either state() and act() or
 /// act_without_reply(). A decision is due on (think) in synchronous mode, otherwise with each view.
-class CoachAgent {
+class CoachAgent : public Agent {
  public:
   CoachAgent(std::unique_ptr<soccer::Channel> channel, CoachOptions options);
 
@@ -46,9 +42,6 @@ class CoachAgent {
   bool connect();
   /// Handles all received messages; none while a decision is pending.
   void perceive();
-  /// True when parameters and all player types are known.
-  bool ready() const { return proxy::ready(server_, world_); }
-  const ServerConnection& server() const { return server_; }
 
   bool decision_due() const { return due_ && !deciding_; }
   /// True when the due decision is to be requested: the Playmaker implements the RPC, and the team
@@ -56,12 +49,8 @@ class CoachAgent {
   bool requests_decisions() const { return requests_enabled_ && !world_.our_team_name.empty(); }
   /// The Playmaker does not implement the RPC: request no more decisions.
   void disable_requests() { requests_enabled_ = false; }
-  bool deciding() const { return deciding_; }
-
   /// Completes the world model and returns the State for the due decision. Once per decision.
   const protos::State& state();
-  /// The last State; the caller sets its register_response.
-  protos::State& mutable_state() { return state_; }
   /// Executes the reply: sends the commands, one per datagram, and (done).
   void act(const protos::CoachActions& actions);
   void act(const protos::TrainerActions& actions);
@@ -69,17 +58,11 @@ class CoachAgent {
   /// Disconnects from the server.
   void leave();
 
-  const protos::RegisterResponse& identity() const { return state_.register_response(); }
-  bool has_identity() const { return state_.has_register_response(); }
-
   bool is_trainer() const { return options_.role == soccer::CoachRole::kTrainer; }
   /// Agent number at the Playmaker.
   int number() const { return is_trainer() ? kTrainerNumber : kCoachNumber; }
   const char* role_name() const { return is_trainer() ? "trainer" : "coach"; }
-  const player::WorldModel& world() const { return world_; }
   const CoachMemory& memory() const { return memory_; }
-  AgentStatistics& statistics() { return statistics_; }
-  const AgentStatistics& statistics() const { return statistics_; }
   const CoachActionReport& report() const { return report_; }
   /// Sent commands by protocol name, without zeros; (done) is not counted.
   const std::map<std::string, std::int64_t>& commands() const { return sent_; }
@@ -87,23 +70,21 @@ class CoachAgent {
  private:
   void handle_message();
   void handle_server_reply();
+  void confirm_type(const soccer::OkChangePlayerType& change);
+  void set_names(const soccer::OkTeamNames& names);
   void change_type(const soccer::PlayerTypeChange& change);
   void handle_error(const soccer::ErrorReply& error);
   void send(const soccer::CoachCommand& command);
   void send_commands();
   void show_graphic();
 
-  ServerConnection server_;
   CoachOptions options_;
-  player::WorldModel world_;
   CoachMemory memory_;
-  AgentStatistics statistics_;
   CoachActionReport report_;
   bool due_ = false;
   bool deciding_ = false;
   bool requests_enabled_ = true;
   bool names_complete_ = false;  ///< a trainer has received both
-  protos::State state_;
   std::map<std::string, std::int64_t> sent_;
   std::size_t tiles_sent_ = 0;  ///< of the graphic
 

@@ -1,17 +1,21 @@
 // Updating the memory.
 #include "proxy/coach/coach_memory.h"
 
+#include <iterator>
+
+#include "base/index.h"
+
 namespace cls::proxy {
 namespace {
 
+void count_use(CoachMemory& memory, int type) {
+  if (type >= 0 && type < std::ssize(memory.used)) ++memory.used[base::index(type)];
+}
+
 // Types on the field at the kick-off count as used.
 void count_lineup(CoachMemory& memory, const player::WorldModel& world) {
-  memory.used.assign(static_cast<std::size_t>(world.parameters->player.player_types), 0);
-  for (const int type : world.our_types) {
-    if (type >= 0 && static_cast<std::size_t>(type) < memory.used.size()) {
-      ++memory.used[static_cast<std::size_t>(type)];
-    }
-  }
+  memory.used.assign(base::index(world.parameters->player.player_types), 0);
+  for (const int type : world.our_types) count_use(memory, type);
 }
 
 }  // namespace
@@ -20,9 +24,7 @@ void record_type_change(CoachMemory& memory, const player::WorldModel& world, in
   memory.stamina.replace(world, unum);
   if (world.game.time.cycle <= 0 || memory.used.empty()) return;
   ++memory.substitutions;
-  if (type >= 0 && static_cast<std::size_t>(type) < memory.used.size()) {
-    ++memory.used[static_cast<std::size_t>(type)];
-  }
+  count_use(memory, type);
 }
 
 void update_memory(CoachMemory& memory, const player::WorldModel& world) {

@@ -1,8 +1,6 @@
-// An online coach's memory from cycle to cycle, beside the world model.
+// An online coach's memory from cycle to cycle, in addition to the world model.
 #pragma once
 
-#include <array>
-#include <string_view>
 #include <vector>
 
 #include "player/perception/player_types_message.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "base/index.h"
 #include "player/perception/say_message.h"
 
 namespace cls::proxy {
@@ -12,9 +13,7 @@ namespace {
 using soccer::Vec2;
 
 player::Stamina fresh(const player::WorldModel& world, int unum) {
-  const auto& types = world.our_types;
-  const soccer::PlayerType& type =
-      world.parameters->type(types[static_cast<std::size_t>(unum - 1)]);
+  const soccer::PlayerType& type = world.parameters->type(world.our_types[base::index(unum - 1)]);
   const soccer::ServerParams& server = world.server();
   return {server.stamina_max, type.effort_max, server.recover_init, server.stamina_capacity};
 }
@@ -34,11 +33,13 @@ double StaminaEstimate::dash_power(const player::WorldModel& world,
   constexpr double kPlausible = 1.5;  // above it, a trainer moved the player
   const soccer::ServerParams& server = world.server();
   const soccer::PlayerType& type = world.type_of(player);
+
   const Vec2 movement = player.position - before.position;
-  if (soccer::distance(movement * type.player_decay, player.velocity) > kCollided)
-    return before.power;
+  const Vec2 kept = movement * type.player_decay;
+  if (soccer::distance(kept, player.velocity) > kCollided) return before.power;
   const Vec2 push = movement - before.velocity;
   if (push.length() <= server.player_rand * movement.length()) return 0.0;
+
   const double direction = (soccer::AngleDeg::of(push) - player.body).degrees();
   const double rate = std::max(0.1, player::dash_rate(server, direction));
   const double power = push.length() / (rate * type.dash_power_rate * before.stamina.effort);
@@ -50,6 +51,7 @@ void StaminaEstimate::update(const player::WorldModel& world) {
   // Stamina is reset before each half of normal time.
   const bool is_reset = world.game.mode == soccer::PlayMode::kBeforeKickOff &&
                         now < world.server().normal_time_cycles();
+
   for (const player::PlayerState& teammate : world.teammates) {
     Track& one = track(teammate.unum);
     if (is_reset || one.cycle < 0) {
@@ -67,6 +69,7 @@ void StaminaEstimate::update(const player::WorldModel& world) {
 void StaminaEstimate::hear(const player::WorldModel& world, int unum, std::string_view text) {
   const soccer::ServerParams& server = world.server();
   player::Stamina& estimate = track(unum).stamina;
+
   while (const auto said = player::parse_say_message(text, server)) {
     if (const auto* stamina = std::get_if<player::SayStamina>(&*said)) {
       estimate.stamina = stamina->fraction * server.stamina_max;

@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "base/index.h"
 #include "player/world/running.h"
 #include "player/world/world_model.h"
 
@@ -19,9 +20,7 @@ class StaminaEstimate {
   /// A fresh player has that uniform number now.
   void replace(const player::WorldModel& world, int unum);
 
-  const player::Stamina& of(int unum) const {
-    return tracks_[static_cast<std::size_t>(unum - 1)].stamina;
-  }
+  const player::Stamina& of(int unum) const { return tracks_[base::index(unum - 1)].stamina; }
 
  private:
   struct Track {
@@ -35,7 +34,7 @@ class StaminaEstimate {
   static double dash_power(const player::WorldModel& world, const player::PlayerState& player,
                            const Track& before);
 
-  Track& track(int unum) { return tracks_[static_cast<std::size_t>(unum - 1)]; }
+  Track& track(int unum) { return tracks_[base::index(unum - 1)]; }
 
   std::array<Track, soccer::kPlayersPerTeam> tracks_{};
 };

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <utility>
+
+#include "base/index.h"
 
 namespace cls::proxy {
 namespace {
@@ -31,29 +35,28 @@ int fastest(const player::MatchParameters& parameters, const Pool& pool) {
   const auto speed = [&](int id) {
     return player::top_speed(parameters.server, parameters.type(id));
   };
-  double best_speed = 0.0;
-  for (int id = 0; id < static_cast<int>(pool.size()); ++id) {
-    if (pool[static_cast<std::size_t>(id)] > 0) best_speed = std::max(best_speed, speed(id));
-  }
-  int best = -1;
-  const auto is_better = [&](int id) {
-    if (best < 0) return true;
-    const soccer::PlayerType& one = parameters.type(id);
-    const soccer::PlayerType& other = parameters.type(best);
-    const int cycles = player::cycles_to_top_speed(parameters.server, one);
-    const int other_cycles = player::cycles_to_top_speed(parameters.server, other);
-    if (cycles != other_cycles) return cycles < other_cycles;
-    return cost_of_top_speed(parameters.server, one) < cost_of_top_speed(parameters.server, other);
+  // Less is better.
+  const auto rank = [&](int id) {
+    const soccer::PlayerType& type = parameters.type(id);
+    return std::pair(player::cycles_to_top_speed(parameters.server, type),
+                     cost_of_top_speed(parameters.server, type));
   };
-  for (int id = 0; id < static_cast<int>(pool.size()); ++id) {
-    if (pool[static_cast<std::size_t>(id)] <= 0 || speed(id) < best_speed - kAlike) continue;
-    if (is_better(id)) best = id;
+
+  double best_speed = 0.0;
+  for (int id = 0; id < std::ssize(pool); ++id) {
+    if (pool[base::index(id)] > 0) best_speed = std::max(best_speed, speed(id));
+  }
+
+  int best = -1;
+  for (int id = 0; id < std::ssize(pool); ++id) {
+    if (pool[base::index(id)] <= 0 || speed(id) < best_speed - kAlike) continue;
+    if (best < 0 || rank(id) < rank(best)) best = id;
   }
   return best;
 }
 
 Pool whole_pool(const soccer::PlayerParams& params) {
-  Pool pool(static_cast<std::size_t>(params.player_types), params.pt_max);
+  Pool pool(base::index(params.player_types), params.pt_max);
   if (params.allow_mult_default_type) pool[0] = soccer::kPlayersPerTeam + 1;
   return pool;
 }
@@ -64,11 +67,12 @@ void choose_lineup(const player::WorldModel& world, Commands& out) {
   const int goalie = world.our_goalie_unum != 0 ? world.our_goalie_unum : 1;
   if (world.teammate(goalie) != nullptr) out.push_back(soccer::ChangePlayerType{goalie, 0});
   --pool[0];
+
   for (const int unum : kOrder) {
     if (unum == goalie || world.teammate(unum) == nullptr) continue;
     const int type = fastest(parameters, pool);
     if (type < 0) return;
-    --pool[static_cast<std::size_t>(type)];
+    --pool[base::index(type)];
     out.push_back(soccer::ChangePlayerType{unum, type});
   }
 }
@@ -79,23 +83,23 @@ std::vector<int> tired_players(const player::WorldModel& world, const CoachMemor
     const double recovery = memory.stamina.of(teammate.unum).recovery;
     if (recovery < world.server().recover_init - kTired) tired.push_back(teammate.unum);
   }
-  std::stable_sort(tired.begin(), tired.end(), [&](int a, int b) {
-    return memory.stamina.of(a).recovery < memory.stamina.of(b).recovery;
-  });
+  std::ranges::stable_sort(tired, {}, [&](int unum) { return memory.stamina.of(unum).recovery; });
   return tired;
 }
 
 void replace_tired(const player::WorldModel& world, const CoachMemory& memory, Commands& out) {
   const player::MatchParameters& parameters = *world.parameters;
   Pool pool = whole_pool(parameters.player);
+
   for (std::size_t id = 0; id < pool.size() && id < memory.used.size(); ++id) {
     pool[id] -= memory.used[id];
   }
+
   int left = parameters.player.subs_max - memory.substitutions;
   for (const int unum : tired_players(world, memory)) {
     const int type = fastest(parameters, pool);
     if (left-- <= 0 || type < 0) return;
-    --pool[static_cast<std::size_t>(type)];
+    --pool[base::index(type)];
     out.push_back(soccer::ChangePlayerType{unum, type});
   }
 }
@@ -116,6 +120,7 @@ void substitute(const player::WorldModel& world, CoachMemory& memory, Commands& 
     choose_lineup(world, out);
     return;
   }
+
   const int end = world.server().normal_time_cycles();
   // The coach substitutes only in normal time.
   if (end <= 0 || now.cycle < end - kLastCycles || !is_stoppage(world)) return;

@@ -7,8 +7,10 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <span>
 #include <string_view>
 
+#include "base/index.h"
 #include "base/io/whole_file.h"
 #include "base/text/number_text.h"
 
@@ -35,12 +37,14 @@ std::vector<std::string> strings_in(std::string_view text) {
     const std::size_t comment = text.find("/*");
     const std::size_t quote = text.find('"');
     if (quote == std::string_view::npos) return strings;
+
     if (comment < quote) {
       const std::size_t end = text.find("*/", comment);
       if (end == std::string_view::npos) return strings;
       text.remove_prefix(end + 2);
       continue;
     }
+
     const std::size_t end = text.find('"', quote + 1);
     if (end == std::string_view::npos) return strings;
     strings.emplace_back(text.substr(quote + 1, end - quote - 1));
@@ -62,34 +66,44 @@ std::optional<std::array<int, 4>> read_header(std::string_view line) {
   return numbers;
 }
 
-Result<Picture> read_picture(const std::vector<std::string>& strings) {
-  if (strings.empty()) return Error{"no XPM file: it has no quoted text"};
-  const auto header = read_header(strings.front());
-  if (!header) return Error{fmt::format("no XPM header: \"{}\"", strings.front())};
-  const auto& [width, height, colors, characters] = *header;
+// Whether the header describes a team graphic, and as many lines as there are.
+Result<void> check(const std::array<int, 4>& header, std::size_t lines) {
+  const auto& [width, height, colors, characters] = header;
   if (characters != 1) {
     return Error{fmt::format("{} characters per pixel; a team graphic has 1", characters)};
   }
   const bool fits = width > 0 && height > 0 && width % kTile == 0 && height % kTile == 0 &&
                     width <= kMaxWidth && height <= kMaxHeight;
+
   if (!fits) {
     return Error{fmt::format("{} x {} pixels; a team graphic has multiples of {}, at most {} x {}",
                              width, height, kTile, kMaxWidth, kMaxHeight)};
   }
-  const std::size_t lines =
-      1 + static_cast<std::size_t>(std::max(colors, 0)) + static_cast<std::size_t>(height);
-  if (colors < 1 || strings.size() < lines) {
-    return Error{fmt::format("{} lines; its header names {}", strings.size(), lines)};
+
+  const std::size_t named = 1 + base::index(std::max(colors, 0)) + base::index(height);
+  if (colors < 1 || lines < named) {
+    return Error{fmt::format("{} lines; its header names {}", lines, named)};
   }
+  return {};
+}
+
+Result<Picture> read_picture(const std::vector<std::string>& strings) {
+  if (strings.empty()) return Error{"no XPM file: it has no quoted text"};
+  const auto header = read_header(strings.front());
+  if (!header) return Error{fmt::format("no XPM header: \"{}\"", strings.front())};
+  TRY(check(*header, strings.size()));
+  const std::size_t width = base::index((*header)[0]);
+  const std::size_t height = base::index((*header)[1]);
+  const std::size_t colors = base::index((*header)[2]);
 
   Picture picture;
-  for (std::size_t i = 1; i <= static_cast<std::size_t>(colors); ++i) {
+  for (std::size_t i = 1; i <= colors; ++i) {
     if (strings[i].empty()) return Error{fmt::format("color {} is empty", i)};
     picture.colors[strings[i].front()] = strings[i];
   }
-  for (std::size_t i = lines - static_cast<std::size_t>(height); i < lines; ++i) {
-    const std::string& row = strings[i];
-    if (row.size() != static_cast<std::size_t>(width)) {
+
+  for (const std::string& row : std::span(strings).subspan(1 + colors, height)) {
+    if (row.size() != width) {
       return Error{fmt::format("a row of {} pixels, not of {}", row.size(), width)};
     }
     for (const char pixel : row) {
@@ -108,6 +122,7 @@ soccer::TeamGraphic tile_at(const Picture& picture, std::size_t column, std::siz
     pixels.push_back(picture.rows[row * kTileSize + y].substr(column * kTileSize, kTileSize));
     for (const char pixel : pixels.back()) colors[pixel] = picture.colors.at(pixel);
   }
+
   soccer::TeamGraphic tile;
   tile.x = static_cast<int>(column);
   tile.y = static_cast<int>(row);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.h"
+
 namespace cls::proxy {
 namespace {
 
@@ -20,7 +22,7 @@ constexpr double kMinEvidence = 0.5;
 }  // namespace
 
 void TypeAnalysis::forget(int unum) {
-  const auto i = static_cast<std::size_t>(unum - 1);
+  const std::size_t i = base::index(unum - 1);
   tracks_[i] = {};
   types_[i] = -1;
 }
@@ -33,11 +35,10 @@ void TypeAnalysis::add_step(const player::MatchParameters& parameters, Track& tr
   if (length < kMinMovement) return;
   const double decay_ratio = soccer::dot(movement, velocity) / squared;
   if (std::fabs(soccer::cross(movement, velocity)) > kMovementError * length) return;
-  const bool fits = std::any_of(parameters.types.begin(), parameters.types.end(),
-                                [&](const soccer::PlayerType& type) {
-                                  return std::fabs(decay_ratio - type.player_decay) <
-                                         kMovementError * type.player_decay / length;
-                                });
+
+  const bool fits = std::ranges::any_of(parameters.types, [&](const soccer::PlayerType& type) {
+    return std::fabs(decay_ratio - type.player_decay) < kMovementError * type.player_decay / length;
+  });
   if (!fits) return;
   track.weighted_decay += decay_ratio * squared;
   track.weight += squared;
@@ -58,8 +59,9 @@ int TypeAnalysis::type_by(const player::MatchParameters& parameters, const Track
 void TypeAnalysis::update(const player::WorldModel& world) {
   const bool stopped = player::clock_stopped(world.game.mode);
   const int now = world.game.time.cycle;
+
   for (const player::PlayerState& opponent : world.opponents) {
-    const auto i = static_cast<std::size_t>(opponent.unum - 1);
+    const std::size_t i = base::index(opponent.unum - 1);
     Track& track = tracks_[i];
     if (!stopped && track.cycle == now - 1) {
       add_step(*world.parameters, track, opponent.position - track.position, opponent.velocity);

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "base/index.h"
 #include "proto/playmaker.pb.h"
 
 namespace cls::proxy {
@@ -27,6 +28,17 @@ std::string_view member_name(const google::protobuf::Descriptor* message, int nu
   return field != nullptr ? std::string_view(field->name()) : std::string_view("unknown");
 }
 
+// Calls `use` with name and counts of each action and say message.
+template <typename Use>
+void for_each_action(const player::ActionReport& report, Use use) {
+  for (int kind = 0; kind < player::kActionKinds; ++kind) {
+    use(std::string(action_name(kind)), report.actions[base::index(kind)]);
+  }
+  for (int kind = 0; kind < player::kSayKinds; ++kind) {
+    use("say." + std::string(say_name(kind)), report.say[base::index(kind)]);
+  }
+}
+
 }  // namespace
 
 std::string_view action_name(int kind) {
@@ -37,16 +49,19 @@ std::string_view say_name(int kind) { return member_name(protos::Say::descriptor
 
 ActionOutcomes outcomes_by_name(const player::ActionReport& report) {
   ActionOutcomes outcomes;
-  const auto add = [&outcomes](const std::string& name, const player::ActionCounts& counts) {
-    if (auto found = by_outcome(counts); !found.empty()) outcomes.emplace(name, std::move(found));
-  };
-  for (int kind = 0; kind < player::kActionKinds; ++kind) {
-    add(std::string(action_name(kind)), report.actions[static_cast<std::size_t>(kind)]);
-  }
-  for (int kind = 0; kind < player::kSayKinds; ++kind) {
-    add("say." + std::string(say_name(kind)), report.say[static_cast<std::size_t>(kind)]);
-  }
+  for_each_action(report, [&](std::string name, const player::ActionCounts& counts) {
+    auto found = by_outcome(counts);
+    if (!found.empty()) outcomes.emplace(std::move(name), std::move(found));
+  });
   return outcomes;
+}
+
+std::map<std::string, std::int64_t> unimplemented_by_name(const player::ActionReport& report) {
+  std::map<std::string, std::int64_t> by_name;
+  for_each_action(report, [&](const std::string& name, const player::ActionCounts& counts) {
+    if (counts.unimplemented != 0) by_name[name] += counts.unimplemented;
+  });
+  return by_name;
 }
 
 std::map<std::string, std::int64_t> automatic_by_name(const player::ActionReport& report) {

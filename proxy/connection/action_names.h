@@ -19,6 +19,9 @@ std::string_view say_name(int kind);
 using ActionOutcomes = std::map<std::string, std::map<std::string, std::int64_t>>;
 ActionOutcomes outcomes_by_name(const player::ActionReport& report);
 
+/// Requested actions unknown to this proxy, by the same names, without zeros.
+std::map<std::string, std::int64_t> unimplemented_by_name(const player::ActionReport& report);
+
 /// The proxy's own decisions by reason ("preprocess", "sure_shot", "intention", "force_kick",
 /// "heard_pass"), without zeros.
 std::map<std::string, std::int64_t> automatic_by_name(const player::ActionReport& report);

@@ -5,14 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "base/index.h"
 #include "proxy/connection/action_names.h"
 
 namespace cls::proxy {
 
 void LatencySamples::add(std::chrono::microseconds latency) {
-  const auto count =
-      std::clamp<std::int64_t>(latency.count(), 0, std::numeric_limits<std::uint32_t>::max());
-  samples_.push_back(static_cast<std::uint32_t>(count));
+  constexpr std::int64_t kMax = std::numeric_limits<std::uint32_t>::max();
+  samples_.push_back(
+      static_cast<std::uint32_t>(std::clamp<std::int64_t>(latency.count(), 0, kMax)));
 }
 
 void LatencySamples::add(const LatencySamples& others) {
@@ -40,15 +41,17 @@ std::string_view command_kind_name(std::size_t index) {
 }
 
 void AgentStatistics::count(const Reply& reply) {
-  ++outcomes[static_cast<std::size_t>(reply.status.outcome)];
+  ++outcomes[base::index(reply.status.outcome)];
   // Cancelled by the agent itself at the end of a match: not a failure.
   if (reply.status.outcome == RpcOutcome::kCancelled) return;
+
   ++decisions;
   if (reply.status.ok()) {
     consecutive_missed = 0;
     rpc_us.add(reply.latency);
     return;
   }
+
   ++missed;
   if (reply.status.outcome == RpcOutcome::kDeadline) ++late;
   max_consecutive_missed = std::max(max_consecutive_missed, ++consecutive_missed);
@@ -64,16 +67,7 @@ std::map<std::string, std::int64_t> AgentStatistics::commands_by_name() const {
 }
 
 std::map<std::string, std::int64_t> AgentStatistics::unimplemented_by_name() const {
-  std::map<std::string, std::int64_t> by_name;
-  for (int kind = 0; kind < player::kActionKinds; ++kind) {
-    const std::int64_t n = actions.actions[static_cast<std::size_t>(kind)].unimplemented;
-    if (n != 0) by_name[std::string(action_name(kind))] += n;
-  }
-  for (int kind = 0; kind < player::kSayKinds; ++kind) {
-    const std::int64_t n = actions.say[static_cast<std::size_t>(kind)].unimplemented;
-    if (n != 0) by_name["say." + std::string(say_name(kind))] += n;
-  }
-  return by_name;
+  return proxy::unimplemented_by_name(actions);
 }
 
 }  // namespace cls::proxy

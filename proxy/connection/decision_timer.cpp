@@ -28,6 +28,7 @@ void DecisionTimer::on_sense_body(Instant received_at, soccer::ViewWidth width) 
   open_ = true;
   cycle_began_ = received_at;
   ++since_see_;
+
   if (synchronous_) {
     due_at_ = Instant::max();
     return;

@@ -44,6 +44,7 @@ class OfflineLogs::File {
     const bool accepted = std::holds_alternative<soccer::PlayerInitReply>(reply) ||
                           std::holds_alternative<soccer::ReconnectReply>(reply);
     if (!accepted) return false;
+
     auto created = base::FileSink::create(fmt::format("{}-{}.ocl", stem_, unum_));
     if (created) {
       sink_ = *std::move(created);

@@ -1,4 +1,4 @@
-// What the server sends to the players of a team, as files for librcsc's offline clients.
+// Messages of the server to the players of a team, as files for librcsc's offline clients.
 #pragma once
 
 #include <memory>

@@ -5,7 +5,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "base/result.h"
@@ -26,13 +25,14 @@ struct ServerErrors {
 
   void add_unreadable(const std::string& reason, const std::string& message) {
     constexpr std::size_t kQuotedLength = 60;
-    if (unreadable++ == 0) first_unreadable = reason + ": " + message.substr(0, kQuotedLength);
+    add(reason + ": " + message.substr(0, kQuotedLength), unreadable, first_unreadable);
   }
-  void add_error(const std::string& text) {
-    if (errors++ == 0) first_error = text;
-  }
-  void add_warning(const std::string& text) {
-    if (warnings++ == 0) first_warning = text;
+  void add_error(const std::string& text) { add(text, errors, first_error); }
+  void add_warning(const std::string& text) { add(text, warnings, first_warning); }
+
+ private:
+  static void add(const std::string& text, std::int64_t& count, std::string& first) {
+    if (count++ == 0) first = text;
   }
 };
 

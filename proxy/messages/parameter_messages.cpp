@@ -22,7 +22,8 @@ using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
 // Names that differ between server parameter and message field.
-constexpr std::pair<std::string_view, std::string_view> kWireNames[] = {
+using WireName = std::pair<std::string_view, std::string_view>;
+constexpr WireName kWireNames[] = {
     {"catchable_area_l", "catch_area_l"},
     {"catchable_area_w", "catch_area_w"},
     {"ckick_margin", "corner_kick_margin"},
@@ -65,16 +66,17 @@ constexpr std::pair<std::string_view, std::string_view> kWireNames[] = {
 };
 
 std::string_view wire_name(std::string_view name) {
-  const auto* found = std::find_if(std::begin(kWireNames), std::end(kWireNames),
-                                   [name](const auto& pair) { return pair.first == name; });
+  const auto* found = std::ranges::find(kWireNames, name, &WireName::first);
   return found == std::end(kWireNames) ? name : found->second;
 }
+
+constexpr float f(double value) { return static_cast<float>(value); }
 
 template <typename Value>
 void set_field(Message& message, const FieldDescriptor& field, const Value& value) {
   const google::protobuf::Reflection& reflection = *message.GetReflection();
   if constexpr (std::is_same_v<Value, double>) {
-    reflection.SetFloat(&message, &field, static_cast<float>(value));
+    reflection.SetFloat(&message, &field, f(value));
   } else if constexpr (std::is_same_v<Value, int>) {
     reflection.SetInt32(&message, &field, value);
   } else if constexpr (std::is_same_v<Value, bool>) {
@@ -107,19 +109,20 @@ void fill_unannounced(protos::ServerParam& out) {
   out.set_dir_quantize_step(kDirQuantum);
   out.set_dir_quantize_step_l(kDirQuantum);
   out.set_dir_quantize_step_r(kDirQuantum);
+
   // Quantization by team is obsolete. Upstream uses the quantum of landmarks for the left team, and
   // Playmakers may depend on it.
   out.set_dist_quantize_step_l(out.landmark_dist_quantize_step());
   out.set_dist_quantize_step_r(out.dist_quantize_step());
   out.set_landmark_dist_quantize_step_l(out.landmark_dist_quantize_step());
   out.set_landmark_dist_quantize_step_r(out.landmark_dist_quantize_step());
+
   out.set_random_seed(-1);
   out.set_long_kick_power_factor(2.0F);
   out.set_long_kick_delay(2);
 }
 
 void fill_pitch(protos::ServerParam& out) {
-  constexpr auto f = [](double value) { return static_cast<float>(value); };
   constexpr double penalty_line = soccer::kHalfLength - soccer::kPenaltyAreaLength;
   out.set_pitch_half_length(f(soccer::kHalfLength));
   out.set_pitch_half_width(f(soccer::kHalfWidth));
@@ -145,8 +148,7 @@ void clear_but_identity(Out& out) {
 }  // namespace
 
 std::string_view server_parameter_of(std::string_view field) {
-  const auto* found = std::find_if(std::begin(kWireNames), std::end(kWireNames),
-                                   [field](const auto& pair) { return pair.second == field; });
+  const auto* found = std::ranges::find(kWireNames, field, &WireName::second);
   return found == std::end(kWireNames) ? field : found->first;
 }
 
@@ -154,10 +156,10 @@ void fill(const soccer::ServerParams& params, protos::ServerParam& out) {
   clear_but_identity(out);
   fill_from_table(params, soccer::server_param_table(), out);
   const soccer::PlayerType type = soccer::default_player_type(params);
-  out.set_control_radius_width(static_cast<float>(params.control_radius - params.player_size));
-  out.set_kickable_area(static_cast<float>(type.kickable_area(params.ball_size)));
-  out.set_catchable_area(static_cast<float>(catch_distance(params, 1.0)));
-  out.set_real_speed_max(static_cast<float>(player::top_speed(params, type)));
+  out.set_control_radius_width(f(params.control_radius - params.player_size));
+  out.set_kickable_area(f(type.kickable_area(params.ball_size)));
+  out.set_catchable_area(f(catch_distance(params, 1.0)));
+  out.set_real_speed_max(f(player::top_speed(params, type)));
   out.set_lcm_step(std::lcm(std::lcm(params.simulator_step, params.send_step),
                             std::lcm(params.recv_step, params.sense_body_step)));
   fill_unannounced(out);
@@ -174,14 +176,12 @@ void fill(const soccer::PlayerType& type, const soccer::ServerParams& server,
   clear_but_identity(out);
   fill_from_table(type, soccer::player_type_table(), out);
   const double speed = player::top_speed(server, type);
-  out.set_kickable_area(static_cast<float>(type.kickable_area(server.ball_size)));
-  out.set_reliable_catchable_dist(
-      static_cast<float>(catch_distance(server, 2.0 - type.catchable_area_l_stretch)));
-  out.set_max_catchable_dist(
-      static_cast<float>(catch_distance(server, type.catchable_area_l_stretch)));
-  out.set_real_speed_max(static_cast<float>(speed));
-  out.set_player_speed_max2(static_cast<float>(type.player_speed_max * type.player_speed_max));
-  out.set_real_speed_max2(static_cast<float>(speed * speed));
+  out.set_kickable_area(f(type.kickable_area(server.ball_size)));
+  out.set_reliable_catchable_dist(f(catch_distance(server, 2.0 - type.catchable_area_l_stretch)));
+  out.set_max_catchable_dist(f(catch_distance(server, type.catchable_area_l_stretch)));
+  out.set_real_speed_max(f(speed));
+  out.set_player_speed_max2(f(type.player_speed_max * type.player_speed_max));
+  out.set_real_speed_max2(f(speed * speed));
   out.set_cycles_to_reach_max_speed(player::cycles_to_top_speed(server, type));
 }
 

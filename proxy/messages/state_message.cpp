@@ -1,8 +1,10 @@
 // Filling the State: objects, match, teams, lines, intercept table.
 #include "proxy/messages/state_message.h"
 
+#include <initializer_list>
 #include <string>
 
+#include "base/index.h"
 #include "player/world/motion.h"
 #include "soccer/angle.h"
 #include "soccer/directions.h"
@@ -13,6 +15,7 @@ namespace {
 
 constexpr float f(double value) { return static_cast<float>(value); }
 float degrees(soccer::AngleDeg angle) { return f(angle.degrees()); }
+constexpr int wire_unum(int unum) { return unum == 0 ? -1 : unum; }
 
 protos::CardType wire_card(soccer::Card card) {
   return card == soccer::Card::kRed      ? protos::RED
@@ -90,23 +93,27 @@ void fill_own(const player::WorldModel& world, Message& out) {
   fill_vector({}, *out.mutable_heard_position(), angles);
   fill_vector(self.velocity, *out.mutable_velocity(), angles);
   fill_vector(self.seen_velocity, *out.mutable_seen_velocity(), angles);
+
   out.set_pos_count(self.pos_count);
   out.set_seen_pos_count(self.seen_pos_count);
   out.set_heard_pos_count(player::kNever);
   out.set_vel_count(self.vel_count);
   out.set_seen_vel_count(self.seen_vel_count);
   out.set_ghost_count(0);
+
   out.set_id(0);
   out.set_side(wire_side(world.our_side));
   out.set_uniform_number(world.unum);
   out.set_uniform_number_count(0);
   out.set_is_goalie(world.goalie);
+
   out.set_body_direction(degrees(self.body));
   out.set_body_direction_count(self.body_count);
   out.set_face_direction(degrees(self.face()));
   out.set_face_direction_count(self.body_count);
   out.set_point_to_direction(degrees(self.point_direction));
   out.set_point_to_direction_count(self.point_count);
+
   out.set_is_kicking(self.kicked);
   out.set_dist_from_ball(f(world.ball.dist_from_self));
   out.set_angle_from_ball(angle_from_ball(world.ball));
@@ -159,13 +166,31 @@ void fill_self_as_player(const player::WorldModel& world, protos::Player& out) {
 
 namespace {
 
+// Vectors and ages that players and the ball have in common.
+template <typename Object, typename Message>
+void fill_common_vectors(const Object& object, Angles& angles, Message& out) {
+  fill_vector(object.position, *out.mutable_position(), angles);
+  fill_vector(object.seen_position, *out.mutable_seen_position(), angles);
+  fill_vector(object.heard_position, *out.mutable_heard_position(), angles);
+  fill_vector(object.velocity, *out.mutable_velocity(), angles);
+  fill_vector(object.seen_velocity, *out.mutable_seen_velocity(), angles);
+}
+
+template <typename Object, typename Message>
+void fill_common_numbers(const Object& object, Message& out) {
+  out.set_pos_count(object.pos_count);
+  out.set_seen_pos_count(object.seen_pos_count);
+  out.set_heard_pos_count(object.heard_pos_count);
+  out.set_vel_count(object.vel_count);
+  out.set_seen_vel_count(object.seen_vel_count);
+  out.set_ghost_count(object.ghost_count);
+  out.set_dist_from_self(f(object.dist_from_self));
+  out.set_angle_from_self(degrees(object.angle_from_self));
+}
+
 void fill_player_vectors(const player::PlayerState& player, double decay, Angles& angles,
                          protos::Player& out) {
-  fill_vector(player.position, *out.mutable_position(), angles);
-  fill_vector(player.seen_position, *out.mutable_seen_position(), angles);
-  fill_vector(player.heard_position, *out.mutable_heard_position(), angles);
-  fill_vector(player.velocity, *out.mutable_velocity(), angles);
-  fill_vector(player.seen_velocity, *out.mutable_seen_velocity(), angles);
+  fill_common_vectors(player, angles, out);
   fill_vector(player::rest_point(player.position, player.velocity, decay),
               *out.mutable_inertia_final_point(), angles);
 }
@@ -180,25 +205,20 @@ void copy_player_vectors(const protos::Player& from, protos::Player& out) {
 }
 
 void fill_player_numbers(const player::PlayerState& player, protos::Player& out) {
-  out.set_pos_count(player.pos_count);
-  out.set_seen_pos_count(player.seen_pos_count);
-  out.set_heard_pos_count(player.heard_pos_count);
-  out.set_vel_count(player.vel_count);
-  out.set_seen_vel_count(player.seen_vel_count);
-  out.set_ghost_count(player.ghost_count);
-  out.set_dist_from_self(f(player.dist_from_self));
-  out.set_angle_from_self(degrees(player.angle_from_self));
+  fill_common_numbers(player, out);
   out.set_id(player.id);
   out.set_side(wire_side(player.side));
-  out.set_uniform_number(player.unum == 0 ? -1 : player.unum);
+  out.set_uniform_number(wire_unum(player.unum));
   out.set_uniform_number_count(player.unum_count);
   out.set_is_goalie(player.goalie);
+
   out.set_body_direction(degrees(player.body));
   out.set_body_direction_count(player.body_count);
   out.set_face_direction(degrees(player.face));
   out.set_face_direction_count(player.face_count);
   out.set_point_to_direction(degrees(player.point_direction));
   out.set_point_to_direction_count(player.point_count);
+
   out.set_is_kicking(player.kicking);
   out.set_dist_from_ball(f(player.dist_from_ball));
   out.set_angle_from_ball(degrees(player.angle_from_ball));
@@ -218,83 +238,39 @@ void fill_player(const player::PlayerState& player, double decay, protos::Player
 
 void fill_ball(const player::BallState& ball, protos::Ball& out) {
   Angles angles;
-  fill_vector(ball.position, *out.mutable_position(), angles);
+  fill_common_vectors(ball, angles, out);
   fill_vector(ball.relative_position, *out.mutable_relative_position(), angles);
-  fill_vector(ball.seen_position, *out.mutable_seen_position(), angles);
-  fill_vector(ball.heard_position, *out.mutable_heard_position(), angles);
-  fill_vector(ball.velocity, *out.mutable_velocity(), angles);
-  fill_vector(ball.seen_velocity, *out.mutable_seen_velocity(), angles);
   fill_vector(ball.heard_velocity, *out.mutable_heard_velocity(), angles);
-  out.set_pos_count(ball.pos_count);
-  out.set_seen_pos_count(ball.seen_pos_count);
-  out.set_heard_pos_count(ball.heard_pos_count);
-  out.set_vel_count(ball.vel_count);
-  out.set_seen_vel_count(ball.seen_vel_count);
+
+  fill_common_numbers(ball, out);
   out.set_heard_vel_count(ball.heard_vel_count);
   out.set_lost_count(ball.lost_count);
-  out.set_ghost_count(ball.ghost_count);
-  out.set_dist_from_self(f(ball.dist_from_self));
-  out.set_angle_from_self(degrees(ball.angle_from_self));
 }
 
 namespace {
 
-constexpr int wire_unum(int unum) { return unum == 0 ? -1 : unum; }
-
 // By PlayMode. drop_ball has no GameModeType; play continues in the same cycle.
-constexpr std::array<protos::GameModeType, soccer::kPlayModeCount> kWireModes = {
-    protos::BeforeKickOff,
-    protos::BeforeKickOff,
-    protos::TimeOver,
-    protos::PlayOn,
-    protos::KickOff_,
-    protos::KickOff_,
-    protos::KickIn_,
-    protos::KickIn_,
-    protos::FreeKick_,
-    protos::FreeKick_,
-    protos::CornerKick_,
-    protos::CornerKick_,
-    protos::GoalKick_,
-    protos::GoalKick_,
-    protos::AfterGoal_,
-    protos::AfterGoal_,
-    protos::PlayOn,
-    protos::OffSide_,
-    protos::OffSide_,
-    protos::PenaltyKick_,
-    protos::PenaltyKick_,
-    protos::FirstHalfOver,
-    protos::Pause,
-    protos::Human,
-    protos::FoulCharge_,
-    protos::FoulCharge_,
-    protos::FoulPush_,
-    protos::FoulPush_,
-    protos::FoulMultipleAttacker_,
-    protos::FoulMultipleAttacker_,
-    protos::FoulBallOut_,
-    protos::FoulBallOut_,
-    protos::BackPass_,
-    protos::BackPass_,
-    protos::FreeKickFault_,
-    protos::FreeKickFault_,
-    protos::CatchFault_,
-    protos::CatchFault_,
-    protos::IndFreeKick_,
-    protos::IndFreeKick_,
-    protos::PenaltySetup_,
-    protos::PenaltySetup_,
-    protos::PenaltyReady_,
-    protos::PenaltyReady_,
-    protos::PenaltyTaken_,
-    protos::PenaltyTaken_,
-    protos::PenaltyMiss_,
-    protos::PenaltyMiss_,
-    protos::PenaltyScore_,
-    protos::PenaltyScore_,
-    protos::IllegalDefense_,
-    protos::IllegalDefense_};
+constexpr auto kWireModes = [] {
+  using namespace protos;
+  std::array<GameModeType, soccer::kPlayModeCount> modes{};
+  std::size_t at = 0;
+  const auto add = [&](int variants, std::initializer_list<GameModeType> list) {
+    for (const GameModeType mode : list) {
+      for (int i = 0; i < variants; ++i) modes[at++] = mode;
+    }
+  };
+
+  add(1, {BeforeKickOff, BeforeKickOff, TimeOver, PlayOn});
+  add(2, {KickOff_, KickIn_, FreeKick_, CornerKick_, GoalKick_, AfterGoal_});
+  add(1, {PlayOn});
+  add(2, {OffSide_, PenaltyKick_});
+  add(1, {FirstHalfOver, Pause, Human});
+  add(2, {FoulCharge_, FoulPush_, FoulMultipleAttacker_, FoulBallOut_, BackPass_, FreeKickFault_,
+          CatchFault_, IndFreeKick_, PenaltySetup_, PenaltyReady_, PenaltyTaken_, PenaltyMiss_,
+          PenaltyScore_, IllegalDefense_});
+  return modes;
+}();
+static_assert(kWireModes.back() == protos::IllegalDefense_);
 
 protos::GameModeType wire_mode_of(const player::GameState& game) {
   return game.goalie_catch ? protos::GoalieCatch_ : wire_mode(game.mode);
@@ -304,21 +280,13 @@ void assign(std::string_view text, std::string* out) {
   if (*out != text) out->assign(text);
 }
 
-protos::InterceptActionType wire_plan_kind(player::InterceptPlan::Kind kind) {
-  switch (kind) {
-    case player::InterceptPlan::Kind::kOmniDash:
-      return protos::OMNI_DASH;
-    case player::InterceptPlan::Kind::kTurnForwardDash:
-      return protos::TURN_FORWARD_DASH;
-    case player::InterceptPlan::Kind::kTurnBackwardDash:
-      return protos::TURN_BACKWARD_DASH;
-  }
-  return protos::UNKNOWN_Intercept_Action_Type;
-}
+// By InterceptPlan::Kind.
+constexpr std::array kPlanKinds = {protos::OMNI_DASH, protos::TURN_FORWARD_DASH,
+                                   protos::TURN_BACKWARD_DASH};
 
 // `value`, the evaluation, stays unset.
 void fill_plan(const player::InterceptPlan& plan, Angles& angles, protos::InterceptInfo& out) {
-  out.set_action_type(wire_plan_kind(plan.kind));
+  out.set_action_type(kPlanKinds.at(base::index(plan.kind)));
   out.set_turn_steps(plan.turns);
   out.set_turn_angle(f(plan.turn_angle));
   out.set_dash_steps(plan.dashes);
@@ -350,11 +318,13 @@ void fill_intercept(const player::InterceptTable& table, protos::InterceptTable&
   out.set_second_teammate_id(table.second_teammate_id);
   out.set_first_opponent_id(table.first_opponent_id);
   out.set_second_opponent_id(table.second_opponent_id);
+
   auto& plans = *out.mutable_self_intercept_info();
   int count = 0;
   Angles angles;
-  for (const player::InterceptPlan& plan : table.plans)
+  for (const player::InterceptPlan& plan : table.plans) {
     fill_plan(plan, angles, element(plans, count++));
+  }
   shrink(plans, count);
 }
 
@@ -367,7 +337,7 @@ constexpr int kMaxKey = 22;
 // Removes entries of earlier cycles; `filled` marks current keys, shifted by kMaxKey.
 void remove_stale(const std::array<bool, 2 * kMaxKey + 1>& filled, PlayerMap& map) {
   for (auto entry = map.begin(); entry != map.end();) {
-    const bool current = filled[static_cast<std::size_t>(entry->first + kMaxKey)];
+    const bool current = filled[base::index(entry->first + kMaxKey)];
     entry = current ? std::next(entry) : map.erase(entry);
   }
 }
@@ -384,9 +354,10 @@ void fill_team(const player::WorldModel& world, const player::PlayerList& player
                PlayerMessages& list, PlayerMap& map) {
   std::array<bool, 2 * kMaxKey + 1> filled{};
   const auto entry = [&](int key) -> protos::Player& {
-    filled[static_cast<std::size_t>(key + kMaxKey)] = true;
+    filled[base::index(key + kMaxKey)] = true;
     return map[key];
   };
+
   base::FixedList<Numbered, player::PlayerList::capacity()> numbered;
   int unnumbered = 0;
   Angles angles;
@@ -398,6 +369,7 @@ void fill_team(const player::WorldModel& world, const player::PlayerList& player
     if (player.unum != 0) numbered.push_back({&player, &keyed});
   }
   angles.set();
+
   int count = 0;
   for (const Numbered& one : numbered) {
     protos::Player& listed = element(list, count++);
@@ -405,6 +377,7 @@ void fill_team(const player::WorldModel& world, const player::PlayerList& player
     fill_player_numbers(*one.player, listed);
   }
   shrink(list, count);
+
   if (with_self) fill_self_as_player(world, entry(world.unum));
   remove_stale(filled, map);
 }
@@ -421,7 +394,7 @@ void fill_unknowns(const player::WorldModel& world, PlayerMessages& list) {
 void fill_home(const HomePositions& home, protos::WorldModel& out) {
   auto& map = *out.mutable_helios_home_positions();
   for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
-    const soccer::Vec2 point = home[static_cast<std::size_t>(unum - 1)];
+    const soccer::Vec2 point = home[base::index(unum - 1)];
     protos::RpcVector2D& entry = map[unum];
     entry.set_x(f(point.x));
     entry.set_y(f(point.y));
@@ -433,6 +406,7 @@ void fill_penalty(const player::WorldModel& world, protos::WorldModel& out) {
     out.clear_penalty_kick_state();
     return;
   }
+
   const player::PenaltyState& penalty = world.game.penalty;
   protos::PenaltyKickState& state = *out.mutable_penalty_kick_state();
   state.set_on_field_side(wire_side(penalty.field_side));
@@ -448,7 +422,6 @@ void fill_penalty(const player::WorldModel& world, protos::WorldModel& out) {
 
 void fill_game(const player::WorldModel& world, protos::WorldModel& out) {
   const player::GameState& game = world.game;
-  const bool left = world.our_side == soccer::Side::kLeft;
   out.set_cycle(game.time.cycle);
   out.set_time_stopped(game.time.stopped);
   out.set_see_time(game.see_time);
@@ -460,6 +433,8 @@ void fill_game(const player::WorldModel& world, protos::WorldModel& out) {
   out.set_is_our_set_play(is_set_play_of(game, world.our_side));
   out.set_is_their_set_play(is_set_play_of(game, world.their_side()));
   out.set_is_penalty_kick_mode(soccer::is_penalty_mode(game.mode));
+
+  const bool left = world.our_side == soccer::Side::kLeft;
   out.set_our_team_score(game.our_score);
   out.set_their_team_score(game.their_score);
   out.set_left_team_score(left ? game.our_score : game.their_score);
@@ -484,10 +459,12 @@ void fill_teams(const player::WorldModel& world, protos::WorldModel& out) {
   out.set_our_side(wire_side(world.our_side));
   out.set_our_goalie_uniform_number(wire_unum(world.our_goalie_unum));
   out.set_their_goalie_uniform_number(wire_unum(world.their_goalie_unum));
+
   out.set_kickable_teammate_id(world.kickable_teammate_id);
   out.set_kickable_opponent_id(world.kickable_opponent_id);
   out.set_kickable_teammate_existance(world.kickable_teammate());
   out.set_kickable_opponent_existance(world.kickable_opponent());
+
   fill_team(world, world.teammates, !world.sideline, *out.mutable_teammates(),
             *out.mutable_our_players_dict());
   fill_team(world, world.opponents, false, *out.mutable_opponents(),
@@ -497,9 +474,7 @@ void fill_teams(const player::WorldModel& world, protos::WorldModel& out) {
 
 }  // namespace
 
-protos::GameModeType wire_mode(soccer::PlayMode mode) {
-  return kWireModes.at(static_cast<std::size_t>(mode));
-}
+protos::GameModeType wire_mode(soccer::PlayMode mode) { return kWireModes.at(base::index(mode)); }
 
 void fill_coach_state(const player::WorldModel& world, soccer::CoachRole role, protos::State& out) {
   protos::WorldModel& model = *out.mutable_world_model();

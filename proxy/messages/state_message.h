@@ -30,6 +30,7 @@ void fill_coach_state(const player::WorldModel& world, soccer::CoachRole role, p
 protos::GameModeType wire_mode(soccer::PlayMode mode);
 
 protos::Side wire_side(soccer::Side side);
+inline soccer::Vec2 vec(const protos::RpcVector2D& v) { return {v.x(), v.y()}; }
 /// Fills coordinates, and length and direction computed from the rounded coordinates.
 void fill(soccer::Vec2 vector, protos::RpcVector2D& out);
 void fill_self(const player::WorldModel& world, protos::Self& out);

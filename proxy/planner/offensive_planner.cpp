@@ -17,6 +17,10 @@ constexpr int kDefaultNodes = 500;
 constexpr int kMaxNodes = 10000;
 constexpr int kMaxDepth = 10;
 
+int limited(int wanted, int most, int by_default) {
+  return wanted > 0 ? std::min(wanted, most) : by_default;
+}
+
 /// The planner action that defines the tree of this decision: the first one in the reply.
 const protos::HeliosOffensivePlanner& tree_action(const protos::HeliosOffensivePlanner& action,
                                                   const ReplyContext& c) {
@@ -45,15 +49,14 @@ player::PlannerOptions planner_options(const protos::HeliosOffensivePlanner& act
   options.simple_pass = action.simple_pass();
   options.simple_dribble = action.simple_dribble();
   options.simple_shoot = action.simple_shoot();
-  options.max_depth =
-      action.max_depth() > 0 ? std::min(action.max_depth(), kMaxDepth) : kDefaultDepth;
-  options.max_nodes =
-      action.max_nodes() > 0 ? std::min(action.max_nodes(), kMaxNodes) : kDefaultNodes;
+  options.max_depth = limited(action.max_depth(), kMaxDepth, kDefaultDepth);
+  options.max_nodes = limited(action.max_nodes(), kMaxNodes, kDefaultNodes);
   return options;
 }
 
 bool run_offensive_planner(const protos::HeliosOffensivePlanner& action, ReplyContext& c) {
   if (!c.world.self.kickable || c.world.self.frozen()) return false;
+
   const protos::HeliosOffensivePlanner& tree_options = tree_action(action, c);
   const player::Plan& plan =
       plan_of_decision(c, planner_options(tree_options), node_value(tree_options));
@@ -61,6 +64,7 @@ bool run_offensive_planner(const protos::HeliosOffensivePlanner& action, ReplyCo
     return (!action.has_evaluation() && kick_out_of_danger(c)) ||
            execute_plan_or_hold(c, plan, plan.best);
   }
+
   switch (c.choice.chooser) {
     case player::PlanChoice::Chooser::kPlaymaker:
     case player::PlanChoice::Chooser::kRequested:

@@ -2,62 +2,29 @@
 #include "proxy/planner/planner_messages.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 
+#include "base/index.h"
+#include "base/text/enum_names.h"
 #include "proto/playmaker.pb.h"
 #include "proxy/messages/state_message.h"
 
 namespace cls::proxy {
 namespace {
 
-protos::RpcActionCategory category(player::PlanCategory category) {
-  switch (category) {
-    case player::PlanCategory::kHold:
-      return protos::AC_Hold;
-    case player::PlanCategory::kDribble:
-      return protos::AC_Dribble;
-    case player::PlanCategory::kPass:
-      return protos::AC_Pass;
-    case player::PlanCategory::kShoot:
-      return protos::AC_Shoot;
-    case player::PlanCategory::kClear:
-      return protos::AC_Clear;
-    case player::PlanCategory::kMove:
-      return protos::AC_Move;
-    case player::PlanCategory::kNoAction:
-      break;
-  }
-  return protos::AC_NoAction;
-}
+// By PlanCategory.
+constexpr std::array kCategories = {protos::AC_Hold,    protos::AC_Dribble, protos::AC_Pass,
+                                    protos::AC_Shoot,   protos::AC_Clear,   protos::AC_Move,
+                                    protos::AC_NoAction};
 
-const char* description(player::PlanTag tag) {
-  switch (tag) {
-    case player::PlanTag::kHold:
-      return "Hold";
-    case player::PlanTag::kStrictDirect:
-      return "strictDirect";
-    case player::PlanTag::kStrictLead:
-      return "strictLead";
-    case player::PlanTag::kStrictThrough:
-      return "strictThrough";
-    case player::PlanTag::kCross:
-      return "cross";
-    case player::PlanTag::kShortDribble:
-      return "shortDribble";
-    case player::PlanTag::kSelfPass:
-      return "SelfPass";
-    case player::PlanTag::kSimplePass:
-      return "actgenDirect";
-    case player::PlanTag::kSimpleDribble:
-      return "actgenDribble";
-    case player::PlanTag::kSimpleShoot:
-      return "shoot";
-  }
-  return "";
-}
+constexpr auto kDescriptions = base::enum_names<player::PlanTag>(
+    "Hold", "strictDirect", "strictLead", "strictThrough", "cross", "shortDribble", "SelfPass",
+    "actgenDirect", "actgenDribble", "shoot");
 
 void fill_action(const player::PlanNode& node, int index, protos::RpcCooperativeAction& out) {
   const player::PlanAction& action = node.action;
-  out.set_category(category(action.category));
+  out.set_category(kCategories.at(base::index(action.category)));
   out.set_index(index);
   out.set_sender_unum(action.sender);
   out.set_target_unum(action.target);
@@ -68,7 +35,7 @@ void fill_action(const player::PlanNode& node, int index, protos::RpcCooperative
   out.set_turn_count(action.turns);
   out.set_dash_count(action.dashes);
   out.set_final_action(action.final);
-  out.set_description(description(action.tag));
+  out.set_description(std::string(kDescriptions.name(action.tag)));
   out.set_parent_index(node.parent > 0 ? node.parent : -1);
 }
 
@@ -92,19 +59,20 @@ void fill_planner_request(const player::WorldModel& world, const player::Plan& p
                           const protos::State& state, protos::BestPlannerActionRequest& out) {
   *out.mutable_register_response() = state.register_response();
   *out.mutable_state() = state;
+
   auto& pairs = *out.mutable_pairs();
   pairs.clear();
-  for (std::size_t i = 0; i < plan.nodes.size(); ++i) {
-    const player::PlanNode& node = plan.nodes[i];
-    protos::RpcActionState& pair = pairs[static_cast<int>(i)];
-    fill_action(node, static_cast<int>(i), *pair.mutable_action());
+  int index = 0;
+  for (const player::PlanNode& node : plan.nodes) {
+    protos::RpcActionState& pair = pairs[index];
+    fill_action(node, index++, *pair.mutable_action());
     fill_state(world, node, *pair.mutable_predict_state());
     pair.set_evaluation(node.value);
   }
 }
 
 int first_action_of(const player::Plan& plan, int chosen) {
-  const bool known = chosen >= 0 && chosen < static_cast<int>(plan.nodes.size());
+  const bool known = chosen >= 0 && chosen < std::ssize(plan.nodes);
   return plan.first_of(known ? chosen : plan.best);
 }
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "player/planner/evaluation.h"
+#include "base/index.h"
+#include "player/planner/planner.h"
 #include "proto/playmaker.pb.h"
 #include "soccer/pitch.h"
 
@@ -20,10 +22,12 @@ double matrix_value(const protos::MatrixFieldEvaluator& matrix, Vec2 ball) {
     const double index = std::floor(from_edge / (size / count));
     return static_cast<int>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
   };
+
   double least = std::numeric_limits<double>::max();
   for (const auto& column : matrix.evals()) {
     for (const float value : column.evals()) least = std::min(least, static_cast<double>(value));
   }
+
   if (matrix.evals_size() == 0) return 0.0;
   const auto& column =
       matrix.evals(cell(ball.x + soccer::kHalfLength, soccer::kPitchLength, matrix.evals_size()));
@@ -43,32 +47,26 @@ double field_value(const player::PlannerField& field, const player::PlanNode& st
     weights.goal_radius = std::max(0.0F, helios.effective_max_ball_dist_to_goal());
     value += ball_value(field, state, weights);
   }
+
   if (evaluation.has_matrix_field_evaluator()) {
     value += matrix_value(evaluation.matrix_field_evaluator(), state.ball);
   }
+
   return value;
 }
 
 double kind_factor(const protos::ActionTypeEffector& factors, player::PlanTag first) {
-  const auto factor = [](float value) { return std::max(0.0, static_cast<double>(value)); };
-  switch (first) {
-    case player::PlanTag::kStrictDirect:
-      return factor(factors.direct_pass());
-    case player::PlanTag::kStrictLead:
-      return factor(factors.lead_pass());
-    case player::PlanTag::kStrictThrough:
-      return factor(factors.through_pass());
-    case player::PlanTag::kCross:
-      return factor(factors.cross());
-    case player::PlanTag::kShortDribble:
-      return factor(factors.short_dribble());
-    case player::PlanTag::kSelfPass:
-      return factor(factors.long_dribble());
-    case player::PlanTag::kHold:
-      return factor(factors.hold());
-    default:
-      return 1.0;
+  using player::PlanTag;
+  for (const auto& [tag, factor] : {std::pair{PlanTag::kStrictDirect, factors.direct_pass()},
+                                    {PlanTag::kStrictLead, factors.lead_pass()},
+                                    {PlanTag::kStrictThrough, factors.through_pass()},
+                                    {PlanTag::kCross, factors.cross()},
+                                    {PlanTag::kShortDribble, factors.short_dribble()},
+                                    {PlanTag::kSelfPass, factors.long_dribble()},
+                                    {PlanTag::kHold, factors.hold()}}) {
+    if (tag == first) return std::max(0.0, static_cast<double>(factor));
   }
+  return 1.0;
 }
 
 /// Entry for the integer part of `at`, 0 beyond the list. Positive entries count as zero; the list
@@ -83,31 +81,36 @@ double listed_effect(const List& list, double at) {
   return entry - worst;
 }
 
-double steps_of_nearest(const player::PlannerField& field, Vec2 point) {
-  double steps = 1000.0;
-  for (const player::FieldOpponent& opponent : field.opponents) {
-    if (opponent.unum == 0) continue;
-    const double dist = distance(opponent.position, point);
-    steps = std::min(steps, static_cast<double>(opponent.reach->cycles(dist)));
-  }
-  return steps;
-}
-
-double distance_of_nearest(const player::PlannerField& field, Vec2 point) {
+// The least `measure` of an opponent and its distance from the point.
+template <typename Measure>
+double least_of_opponents(const player::PlannerField& field, Vec2 point, Measure measure) {
   double least = 1000.0;
   for (const player::FieldOpponent& opponent : field.opponents) {
-    if (opponent.unum != 0) least = std::min(least, distance(opponent.position, point));
+    if (opponent.unum == 0) continue;
+    const double value = measure(opponent, distance(opponent.position, point));
+    least = std::min(least, value);
   }
   return least;
 }
 
+double steps_of_nearest(const player::PlannerField& field, Vec2 point) {
+  return least_of_opponents(field, point, [](const auto& opponent, double distance) {
+    return static_cast<double>(opponent.reach->cycles(distance));
+  });
+}
+
+double distance_of_nearest(const player::PlannerField& field, Vec2 point) {
+  return least_of_opponents(field, point, [](const auto&, double distance) { return distance; });
+}
+
 double with_effectors(const player::PlannerField& field, const player::Plan& plan, int node,
                       double value, const protos::PlannerEvaluationEffector& effectors) {
-  const player::PlanNode& state = plan.nodes[static_cast<std::size_t>(node)];
-  const player::PlanNode& first = plan.nodes[static_cast<std::size_t>(plan.first_of(node))];
+  const player::PlanNode& state = plan.nodes[base::index(node)];
+  const player::PlanNode& first = plan.nodes[base::index(plan.first_of(node))];
   if (effectors.has_action_type_effector()) {
     value *= kind_factor(effectors.action_type_effector(), first.action.tag);
   }
+
   if (effectors.has_opponent_effector()) {
     const auto& opponents = effectors.opponent_effector();
     const auto at = [&](bool first_layer) { return first_layer ? first.ball : state.ball; };
@@ -118,6 +121,7 @@ double with_effectors(const player::PlannerField& field, const player::Plan& pla
     value +=
         listed_effect(opponents.negetive_effect_by_reach_steps(), steps_of_nearest(field, reached));
   }
+
   if (effectors.has_teammate_effector()) {
     const auto& teammates = effectors.teammate_effector();
     const int holder = teammates.apply_based_on_first_layer() ? first.holder : state.holder;
@@ -131,16 +135,12 @@ double with_effectors(const player::PlannerField& field, const player::Plan& pla
 
 double evaluate(const player::PlannerField& field, const player::Plan& plan, int node,
                 const protos::PlannerEvaluation& evaluation) {
-  const player::PlanNode& state = plan.nodes[static_cast<std::size_t>(node)];
-  double value = 0.0;
-  const bool own_field = evaluation.has_field_evaluators() &&
-                         (evaluation.field_evaluators().has_helios_field_evaluator() ||
-                          evaluation.field_evaluators().has_matrix_field_evaluator());
-  if (own_field) {
-    value = field_value(field, state, evaluation.field_evaluators());
-  } else {
-    value = default_value(field, plan, node);
-  }
+  // Without the message both are unset.
+  const protos::PlannerFieldEvaluator& evaluators = evaluation.field_evaluators();
+  const bool own_field =
+      evaluators.has_helios_field_evaluator() || evaluators.has_matrix_field_evaluator();
+  const double value = own_field ? field_value(field, plan.nodes[base::index(node)], evaluators)
+                                 : default_value(field, plan, node);
   if (!evaluation.has_effectors()) return value;
   return with_effectors(field, plan, node, value, evaluation.effectors());
 }

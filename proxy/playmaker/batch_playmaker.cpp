@@ -5,17 +5,18 @@
 
 #include <algorithm>
 #include <array>
-#include <bitset>
 #include <cassert>
 #include <deque>
 #include <iterator>
 #include <map>
 #include <utility>
 
+#include "base/index.h"
 #include "proto/sorted_maps.h"
 #include "proto/state_writer.h"
 #include "proto/team_playmaker.pb.h"
 #include "proxy/messages/parameter_messages.h"
+#include "proxy/playmaker/forwarding_playmaker.h"
 #include "proxy/playmaker/playmaker_errors.h"
 #include "proxy/playmaker/replies.h"
 #include "proxy/playmaker/tensor_calls.h"
@@ -28,7 +29,12 @@ using google::protobuf::Message;
 using proto::Rpc;
 
 bool is_player(int agent) { return agent != kTeamNumber && agent < kCoachNumber; }
-std::size_t slot(int agent) { return static_cast<std::size_t>(agent); }
+
+// An array with an element for each agent.
+template <typename T>
+struct ByAgent : std::array<T, kAgentNumbers> {
+  T& of(int agent) { return this->at(base::index(agent)); }
+};
 
 // Adds an agent without its message; returns the bytes to write.
 std::string& add_agent(int agent, google::protobuf::RepeatedPtrField<wire::AgentMessage>& agents) {
@@ -72,22 +78,15 @@ class TeamCalls : public Playmaker {
 
   void announce_team(TeamRegistration team) override {
     team_ = std::move(team);
-    registered_.reset();
+    registered_.fill(false);
   }
 
   void begin(int agent, Rpc rpc, const Message& request, RpcTimeout timeout,
              bool wait_for_ready) override {
-    asked_.at(slot(agent)) = rpc;
+    asked_.of(agent) = rpc;
     if (is_decision(rpc)) {
-      const auto& state = static_cast<const protos::State&>(request);
-      if (decisions_.empty()) decisions_.request.set_cycle(state.world_model().cycle());
-      std::string& bytes = decisions_.add(agent, timeout, wait_for_ready);
-      if (tensors_.active() && is_player(agent)) {
-        const bool first = decisions_.request.agents_size() == 1;
-        tensors_.add_player(team_.world_of(agent), first, decisions_.request);
-      } else {
-        write_state(state, bytes);
-      }
+      add_decision(agent, static_cast<const protos::State&>(request),
+                   decisions_.add(agent, timeout, wait_for_ready));
     } else if (rpc == Rpc::kGetBestPlannerAction) {
       proto::write_with_sorted_maps(request, choices_.add(agent, timeout, wait_for_ready));
     } else if (rpc == Rpc::kRegister) {
@@ -113,15 +112,13 @@ class TeamCalls : public Playmaker {
   Reply call(int agent, Rpc rpc, const Message& /*request*/, RpcTimeout timeout) override {
     if (rpc == Rpc::kSendByeCommand) return goodbye(agent, timeout);
     if (rpc != Rpc::kRegister) return sent_with_registration(agent, rpc);
-    if (!registered_.test(slot(agent))) register_team(timeout);
+    if (!registered_.of(agent)) register_team(timeout);
     return refused_ ? empty_reply(agent, rpc) : registration_of(agent);
   }
 
   bool take_connection_loss(int agent) override {
-    if (inner_.take_connection_loss(kTeamNumber)) lost_.set();
-    const bool lost = lost_.test(slot(agent));
-    lost_.reset(slot(agent));
-    return lost;
+    if (inner_.take_connection_loss(kTeamNumber)) lost_.fill(true);
+    return std::exchange(lost_.of(agent), false);
   }
 
   std::optional<Reply> next_reply() override {
@@ -149,12 +146,10 @@ class TeamCalls : public Playmaker {
   /// A restarted Playmaker has no TeamPlaymaker: begins the calls that were to be one call.
   void begin_alone() {
     for (const auto& [agent, registration] : team_.agents) {
-      if (std::find(due_.begin(), due_.end(), agent) == due_.end()) continue;
-      inner_.begin(agent, Rpc::kRegister, registration, kRegisterTimeout);
+      if (is_due(agent)) inner_.begin(agent, Rpc::kRegister, registration, kRegisterTimeout);
     }
     for (const auto& one : decisions_.request.agents()) {
-      replies_.push_back(failed_reply(one.agent(), asked_.at(slot(one.agent())),
-                                      {RpcOutcome::kError, 0, "the Playmaker has restarted"}));
+      fail(one.agent(), {RpcOutcome::kError, 0, "the Playmaker has restarted"});
     }
     decisions_.clear();
   }
@@ -162,15 +157,29 @@ class TeamCalls : public Playmaker {
   /// A reply that is here already.
   std::optional<Reply> left_reply() {
     if (replies_.empty()) return std::nullopt;
-    Reply reply = std::move(replies_.front());
-    replies_.pop_front();
-    return reply;
+    return take_first(replies_);
   }
 
  private:
-  void write_state(const protos::State& state, std::string& bytes) {
-    const bool lean = encoding_ == wire::LEAN_STATES;
-    bytes = writer_.write(state, lean ? proto::StateForm::kLean : proto::StateForm::kWhole);
+  bool is_due(int agent) const { return std::ranges::find(due_, agent) != due_.end(); }
+
+  // The agent's call has failed, with the call of the team or alone.
+  void fail(int agent, RpcStatus status, std::chrono::microseconds latency = {}) {
+    replies_.push_back(failed_reply(agent, asked_.of(agent), std::move(status)));
+    replies_.back().latency = latency;
+  }
+
+  // A State, or a row of numbers, whose agent needs no `bytes`.
+  void add_decision(int agent, const protos::State& state, std::string& bytes) {
+    const bool first = decisions_.request.agents_size() == 1;
+    if (first) decisions_.request.set_cycle(state.world_model().cycle());
+
+    if (tensors_.active() && is_player(agent)) {
+      tensors_.add_player(team_.world_of(agent), first, decisions_.request);
+    } else {
+      const bool lean = encoding_ == wire::LEAN_STATES;
+      bytes = writer_.write(state, lean ? proto::StateForm::kLean : proto::StateForm::kWhole);
+    }
   }
 
   // The rest of the handshake of an agent: RegisterTeam carried it.
@@ -196,26 +205,24 @@ class TeamCalls : public Playmaker {
     calls.clear();
   }
 
-  // What a registration says beside its agents.
+  // The rest of a registration, next to its agents.
   void add_parameters(wire::RegisterTeamRequest& request) const {
     assert(team_.parameters != nullptr && "announce_team() comes first");
     const player::MatchParameters& parameters = *team_.parameters;
     request.set_version(proto::kTeamPlaymakerVersion);
-    protos::ServerParam server;
-    fill(parameters.server, server);
-    server.clear_register_response();
-    server.SerializeToString(request.mutable_server_params());
-    protos::PlayerParam player;
-    fill(parameters.player, player);
-    player.clear_register_response();
-    player.SerializeToString(request.mutable_player_params());
-    for (const soccer::PlayerType& type : parameters.types) {
-      protos::PlayerType message;
-      fill(type, parameters.server, message);
+
+    const auto write = [](auto message, std::string& bytes, const auto&... from) {
+      fill(from..., message);
       message.clear_register_response();
-      message.SerializeToString(request.add_player_types());
+      message.SerializeToString(&bytes);
+    };
+    write(protos::ServerParam(), *request.mutable_server_params(), parameters.server);
+    write(protos::PlayerParam(), *request.mutable_player_params(), parameters.player);
+    for (const soccer::PlayerType& type : parameters.types) {
+      write(protos::PlayerType(), *request.add_player_types(), type, parameters.server);
     }
     protos::InitMessage().SerializeToString(request.mutable_init_message());
+
     request.add_encodings(wire::STATES);
     request.add_encodings(wire::LEAN_STATES);
     TensorCalls::offer(team_, request);
@@ -227,36 +234,36 @@ class TeamCalls : public Playmaker {
     due_.clear();
     for (const auto& [agent, registration] : team_.agents) {
       registration.SerializeToString(&add_agent(agent, *request.mutable_agents()));
-      asked_.at(slot(agent)) = Rpc::kRegister;
+      asked_.of(agent) = Rpc::kRegister;
       due_.push_back(agent);
     }
     add_parameters(request);
     sequence_ = 0;
+
     Reply reply = inner_.call(kTeamNumber, Rpc::kRegisterTeam, request, timeout);
     // It is connected and leaves the call unanswered: it may know Register.
     if (reply.status.outcome == RpcOutcome::kDeadline) reply.status.outcome = RpcOutcome::kError;
     take_apart(reply);
     if (refused_) return;
+
     for (Reply& one : replies_) {
-      registered_.set(slot(one.agent));
-      registrations_taken_.at(slot(one.agent)) = std::move(one);
+      registered_.of(one.agent) = true;
+      registrations_taken_.of(one.agent) = std::move(one);
     }
     replies_.clear();
   }
 
   // The stored registration of this agent. A later Register makes a new call.
   Reply registration_of(int agent) {
-    registered_.reset(slot(agent));
-    return registrations_taken_.at(slot(agent));
+    registered_.of(agent) = false;
+    return registrations_taken_.of(agent);
   }
 
   Reply goodbye(int agent, RpcTimeout timeout) {
     if (!goodbye_) {
       wire::UnregisterTeamRequest request;
       for (const auto& [one, identity] : identities_) {
-        wire::AgentMessage& message = *request.add_agents();
-        message.set_agent(one);
-        message.set_message(identity);
+        add_agent(one, *request.mutable_agents()) = identity;
       }
       goodbye_ = inner_.call(kTeamNumber, Rpc::kUnregisterTeam, request, timeout).status;
     }
@@ -270,14 +277,12 @@ class TeamCalls : public Playmaker {
     rows_.clear();
     if (is_registration(reply.rpc) && refuses_batch(reply)) return;
     if (!reply.status.ok()) {
-      for (const int agent : due_) {
-        replies_.push_back(failed_reply(agent, asked_.at(slot(agent)), reply.status));
-        replies_.back().latency = reply.latency;
-      }
+      for (const int agent : due_) fail(agent, reply.status, reply.latency);
       return;
     }
+
     if (const auto* registered = reply.as<wire::RegisterTeamResponse>()) {
-      for (const int agent : due_) lost_.reset(slot(agent));
+      for (const int agent : due_) lost_.of(agent) = false;
       encoding_ = registered->encoding();
       hand_out(reply, registered->agents());
     } else if (const auto* actions = reply.as<wire::GetTeamActionsResponse>()) {
@@ -287,23 +292,31 @@ class TeamCalls : public Playmaker {
     }
   }
 
+  // The problem with a registration that the Playmaker has accepted; empty: none.
+  std::string problem_of(const wire::RegisterTeamResponse& registered) {
+    const base::Result<void> tensors = tensors_.choose(team_, registered);
+    if (registered.version() != proto::kTeamPlaymakerVersion) {
+      return fmt::format("it speaks version {} of TeamPlaymaker, not {}", registered.version(),
+                         proto::kTeamPlaymakerVersion);
+    }
+
+    if (!tensors) return tensors.error().message;
+    if (!tensors_.active() && registered.encoding() != wire::STATES &&
+        registered.encoding() != wire::LEAN_STATES) {
+      return fmt::format("it chose encoding {}, which was not offered",
+                         static_cast<int>(registered.encoding()));
+    }
+
+    return {};
+  }
+
   // Whether the Playmaker needs the calls of Game, or is refused with kRequired.
   bool refuses_batch(const Reply& reply) {
     const RpcOutcome outcome = reply.status.outcome;
-    const auto* registered = reply.as<wire::RegisterTeamResponse>();
-    base::Result<void> tensors;
-    if (registered != nullptr) tensors = tensors_.choose(team_, *registered);
     std::string why;
-    if (registered != nullptr && registered->version() != proto::kTeamPlaymakerVersion) {
-      why = fmt::format("it speaks version {} of TeamPlaymaker, not {}", registered->version(),
-                        proto::kTeamPlaymakerVersion);
-    } else if (!tensors) {
-      why = tensors.error().message;
-    } else if (registered != nullptr && !tensors_.active() &&
-               registered->encoding() != wire::STATES &&
-               registered->encoding() != wire::LEAN_STATES) {
-      why = fmt::format("it chose encoding {}, which was not offered",
-                        static_cast<int>(registered->encoding()));
+    if (const auto* registered = reply.as<wire::RegisterTeamResponse>()) {
+      why = problem_of(*registered);
+      if (why.empty()) return false;
     } else if (outcome == RpcOutcome::kError || outcome == RpcOutcome::kProtocolError) {
       why = reply.status.message;
     } else if (outcome == RpcOutcome::kUnimplemented) {
@@ -311,11 +324,9 @@ class TeamCalls : public Playmaker {
     } else {
       return false;
     }
+
     if (mode_ == BatchMode::kRequired) {
-      for (const int agent : due_) {
-        replies_.push_back(
-            failed_reply(agent, Rpc::kRegister, {RpcOutcome::kError, reply.status.code, why}));
-      }
+      for (const int agent : due_) fail(agent, {RpcOutcome::kError, reply.status.code, why});
       return true;
     }
     if (!why.empty()) warning_ = "the Playmaker decides for each agent alone: " + why;
@@ -326,7 +337,7 @@ class TeamCalls : public Playmaker {
   // Rows of players become action lists, unless the player has a reply of its own.
   void hand_out_actions(const Reply& team, const wire::GetTeamActionsResponse& response) {
     if (!tensors_.active()) return hand_out(team, response.agents());
-    std::copy_if(due_.begin(), due_.end(), std::back_inserter(rows_), is_player);
+    std::ranges::copy_if(due_, std::back_inserter(rows_), is_player);
     const base::Result<void> read = tensors_.read(response, rows_.size());
     if (!read || !tensors_.has_rows()) rows_.clear();
     hand_out(team, response.agents());
@@ -338,10 +349,11 @@ class TeamCalls : public Playmaker {
 
   // The reply in the agent's row of the actions; nullopt if it has none.
   std::optional<Reply> reply_in_row(const Reply& team, int agent) {
-    const auto place = std::find(rows_.begin(), rows_.end(), agent);
+    const auto place = std::ranges::find(rows_, agent);
     if (place == rows_.end()) return std::nullopt;
-    const Rpc rpc = asked_.at(slot(agent));
-    const auto row = static_cast<std::size_t>(place - rows_.begin());
+
+    const Rpc rpc = asked_.of(agent);
+    const std::size_t row = base::index(place - rows_.begin());
     const protos::PlayerActions* actions = tensors_.actions(row, team_.world_of(agent));
     if (actions == nullptr) {
       return failed_reply(
@@ -349,8 +361,9 @@ class TeamCalls : public Playmaker {
           {RpcOutcome::kProtocolError, 0,
            fmt::format("{}: the row of {} is not an action", name(team.rpc), agent_name(agent))});
     }
+
     Reply reply = empty_reply(agent, rpc);
-    Message& message = memory_.at(slot(agent)).create(rpc);
+    Message& message = memory_.of(agent).create(rpc);
     message.CopyFrom(*actions);
     reply.message = &message;
     reply.latency = team.latency;
@@ -359,38 +372,37 @@ class TeamCalls : public Playmaker {
 
   template <typename Replies>
   void hand_out(const Reply& team, const Replies& replies) {
-    std::bitset<kAgentNumbers> answered;
+    ByAgent<bool> answered{};
     for (const wire::AgentReply& one : replies) {
       const int agent = one.agent();
-      const bool due = std::find(due_.begin(), due_.end(), agent) != due_.end();
-      if (!due || answered.test(slot(agent))) {
+      const bool due = is_due(agent);
+      if (!due || answered.of(agent)) {
         warning_ =
             fmt::format("{}: {} for {}, {}", name(team.rpc), due ? "another reply" : "a reply",
                         agent_name(agent), due ? "ignored" : "who was not asked");
         continue;
       }
-      answered.set(slot(agent));
+      answered.of(agent) = true;
       replies_.push_back(reply_of(team, one));
     }
+
     for (const int agent : due_) {
-      if (answered.test(slot(agent))) continue;
+      if (answered.of(agent)) continue;
       if (std::optional<Reply> reply = reply_in_row(team, agent)) {
         replies_.push_back(std::move(*reply));
         continue;
       }
-      replies_.push_back(
-          failed_reply(agent, asked_.at(slot(agent)),
-                       {RpcOutcome::kDeadline, 0,
-                        fmt::format("{}: the reply lacks {}", name(team.rpc), agent_name(agent))}));
-      replies_.back().latency = team.latency;
+      fail(agent,
+           {RpcOutcome::kDeadline, 0,
+            fmt::format("{}: the reply lacks {}", name(team.rpc), agent_name(agent))},
+           team.latency);
     }
-    std::sort(replies_.begin(), replies_.end(),
-              [](const Reply& a, const Reply& b) { return a.agent < b.agent; });
+    std::ranges::sort(replies_, {}, &Reply::agent);
   }
 
   Reply reply_of(const Reply& team, const wire::AgentReply& one) {
     const int agent = one.agent();
-    const Rpc rpc = asked_.at(slot(agent));
+    const Rpc rpc = asked_.of(agent);
     Reply reply = empty_reply(agent, rpc);
     reply.latency = team.latency;
     if (one.code() != 0) {
@@ -398,7 +410,7 @@ class TeamCalls : public Playmaker {
       return reply;
     }
     if (rpc == Rpc::kRegister) identities_[agent] = one.message();
-    memory_.at(slot(agent)).parse(one.message(), reply);
+    memory_.of(agent).parse(one.message(), reply);
     return reply;
   }
 
@@ -406,58 +418,44 @@ class TeamCalls : public Playmaker {
   BatchMode mode_;
   bool refused_ = false;  // the Playmaker has no TeamPlaymaker
   TeamRegistration team_;
-  std::bitset<kAgentNumbers> registered_;  // not handed out yet
-  std::array<Reply, kAgentNumbers> registrations_taken_;
+  ByAgent<bool> registered_{};  // not handed out yet
+  ByAgent<Reply> registrations_taken_;
   Collected<wire::RegisterTeamRequest> registrations_;
   Collected<wire::GetTeamActionsRequest> decisions_;
   Collected<wire::GetBestPlannerActionsRequest> choices_;
-  std::array<Rpc, kAgentNumbers> asked_{};  // the latest call of each agent
-  std::vector<int> due_;                    // agents of the call in flight
-  std::vector<int> rows_;                   // players of the rows of actions in a reply
+  ByAgent<Rpc> asked_{};   // the latest call of each agent
+  std::vector<int> due_;   // agents of the call in flight
+  std::vector<int> rows_;  // players of the rows of actions in a reply
   TensorCalls tensors_;
   bool in_flight_ = false;
   std::uint64_t sequence_ = 0;
   wire::Encoding encoding_ = wire::STATES;
   proto::StateWriter writer_;
   std::deque<Reply> replies_;
-  std::array<ReplyMemory, kAgentNumbers> memory_;
-  std::bitset<kAgentNumbers> lost_;
+  ByAgent<ReplyMemory> memory_;
+  ByAgent<bool> lost_{};
   std::map<int, std::string> identities_;  // protos.RegisterResponse by agent
   std::optional<RpcStatus> goodbye_;
   std::string warning_;
 };
 
 /// The calls of Game, once the Playmaker has refused those of the team.
-class AgentCalls : public Playmaker {
+class AgentCalls : public ForwardingPlaymaker {
  public:
   /// `team` may have replies that were not handed out yet.
-  AgentCalls(Playmaker& inner, TeamCalls& team) : inner_(inner), team_(team) {}
-
-  void begin(int agent, Rpc rpc, const Message& request, RpcTimeout timeout,
-             bool wait_for_ready) override {
-    inner_.begin(agent, rpc, request, timeout, wait_for_ready);
-  }
-
-  Reply call(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) override {
-    return inner_.call(agent, rpc, request, timeout);
-  }
-
-  bool take_connection_loss(int agent) override { return inner_.take_connection_loss(agent); }
+  AgentCalls(Playmaker& inner, TeamCalls& team) : ForwardingPlaymaker(inner), team_(team) {}
 
   std::optional<Reply> next_reply() override {
     if (std::optional<Reply> reply = team_.left_reply()) return reply;
-    return inner_.next_reply();
+    return ForwardingPlaymaker::next_reply();
   }
 
   std::optional<Reply> next_reply_within(std::chrono::microseconds timeout) override {
     if (std::optional<Reply> reply = team_.left_reply()) return reply;
-    return inner_.next_reply_within(timeout);
+    return ForwardingPlaymaker::next_reply_within(timeout);
   }
 
-  void cancel() override { inner_.cancel(); }
-
  private:
-  Playmaker& inner_;
   TeamCalls& team_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "base/index.h"
 #include "proxy/playmaker/forwarding_playmaker.h"
 
 namespace cls::proxy {
@@ -41,19 +42,20 @@ class WatchedPlaymaker : public ForwardingPlaymaker {
 }  // namespace
 
 void CallWatch::begin(int agent, Rpc rpc) {
-  Call& call = calls_.at(static_cast<std::size_t>(agent));
+  Call& call = calls_.at(base::index(agent));
   call.rpc.store(rpc, std::memory_order_relaxed);
   call.begun.store(Clock::now().time_since_epoch().count(), std::memory_order_release);
 }
 
 void CallWatch::end(int agent) {
-  calls_.at(static_cast<std::size_t>(agent)).begun.store(0, std::memory_order_release);
+  calls_.at(base::index(agent)).begun.store(0, std::memory_order_release);
 }
 
 std::optional<AwaitedCall> CallWatch::oldest() const {
   std::array<Clock::rep, kAgentNumbers> begun{};  // 0: not awaited
   Clock::rep first = 0;
   int awaited = 0;
+
   for (std::size_t agent = 1; agent < begun.size(); ++agent) {
     begun[agent] = calls_[agent].begun.load(std::memory_order_acquire);
     if (begun[agent] == 0) continue;
@@ -61,12 +63,14 @@ std::optional<AwaitedCall> CallWatch::oldest() const {
     if (first == 0 || begun[agent] < first) first = begun[agent];
   }
   if (awaited == 0) return std::nullopt;
+
   AwaitedCall oldest;
   for (std::size_t agent = 1; agent < begun.size() && oldest.agent == 0; ++agent) {
     if (begun[agent] == 0 || Clock::duration(begun[agent] - first) > kSameCycle) continue;
     oldest.agent = static_cast<int>(agent);
     oldest.rpc = calls_[agent].rpc.load(std::memory_order_relaxed);
   }
+
   oldest.waited = Clock::now().time_since_epoch() - Clock::duration(first);
   oldest.others = awaited - 1;
   return oldest;

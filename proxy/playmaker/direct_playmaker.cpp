@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/index.h"
 #include "proxy/playmaker/replies.h"
 
 namespace cls::proxy {
@@ -50,8 +51,9 @@ class DirectPlaymaker : public Playmaker {
  private:
   Reply reply_to(int agent, Rpc rpc, const Message& request) {
     const auto started = std::chrono::steady_clock::now();
-    Message& message = memories_.at(static_cast<std::size_t>(agent)).create(rpc);
+    Message& message = memories_.at(base::index(agent)).create(rpc);
     handler_(rpc, request, message);
+
     Reply reply = empty_reply(agent, rpc);
     reply.message = &message;
     reply.latency = std::chrono::duration_cast<std::chrono::microseconds>(

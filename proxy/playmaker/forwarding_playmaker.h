@@ -1,4 +1,4 @@
-// The base of Playmakers that watch the calls to another one.
+// The base of Playmakers that watch or replace calls to another one.
 #pragma once
 
 #include <optional>
@@ -34,7 +34,7 @@ class ForwardingPlaymaker : public Playmaker {
 
  protected:
   /// A reply to a call that begin() started.
-  virtual void on_reply(const Reply& reply) = 0;
+  virtual void on_reply(const Reply& /*reply*/) {}
 
  private:
   std::optional<Reply> received(std::optional<Reply> reply) {

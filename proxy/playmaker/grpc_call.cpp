@@ -37,6 +37,7 @@ void GrpcCall::start(grpc::GenericStub& stub, grpc::CompletionQueue& queue, int 
                      proto::Rpc rpc, const google::protobuf::Message& request, RpcTimeout timeout,
                      bool wait_for_ready) {
   assert(!in_flight_ && "an agent has at most one call in flight");
+
   reader_.reset();
   context_.emplace();
   response_.Clear();
@@ -44,8 +45,10 @@ void GrpcCall::start(grpc::GenericStub& stub, grpc::CompletionQueue& queue, int 
   cancelled_ = false;
   in_flight_ = true;
   started_ = std::chrono::steady_clock::now();
+
   if (timeout != kNoTimeout) context_->set_deadline(deadline_after(timeout));
   context_->set_wait_for_ready(wait_for_ready);
+
   const grpc::ByteBuffer bytes =
       is_decision(rpc) ? serialize(static_cast<const protos::State&>(request), states_)
                        : serialize(request);

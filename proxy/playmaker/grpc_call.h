@@ -26,7 +26,6 @@ class GrpcCall {
   /// Serializes `request` and sends it.
   void start(grpc::GenericStub& stub, grpc::CompletionQueue& queue, int agent, proto::Rpc rpc,
              const google::protobuf::Message& request, RpcTimeout timeout, bool wait_for_ready);
-  bool in_flight() const { return in_flight_; }
   void cancel();
 
   /// Parses the reply; once, after the queue returned the call.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/index.h"
 #include "proto/grpc_settings.h"
 #include "proxy/playmaker/grpc_call.h"
 #include "proxy/playmaker/grpc_probe.h"
@@ -39,6 +40,7 @@ grpc::ChannelArguments channel_arguments(const GrpcTarget& target) {
   if (target.tls != nullptr && !target.tls->server_name.empty()) {
     arguments.SetSslTargetNameOverride(target.tls->server_name);
   }
+
   // The minimum backoff stays: it also limits each attempt, and a busy Playmaker accepts slowly.
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, kReconnectBackoffMs);
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, kReconnectBackoffMs / 4);
@@ -49,6 +51,7 @@ grpc::ChannelArguments channel_arguments(const GrpcTarget& target) {
   proto::limit_replies(arguments);
   arguments.SetMaxSendMessageSize(-1);
   arguments.SetInt(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, proto::kTeamCallWindow);
+
   // A retried decision would count twice, and retries need a copy of every request.
   arguments.SetInt(GRPC_ARG_ENABLE_RETRIES, 0);
   // Playmakers are near: ignore http_proxy of the environment and DNS service records.
@@ -57,13 +60,35 @@ grpc::ChannelArguments channel_arguments(const GrpcTarget& target) {
   return arguments;
 }
 
+/// How an agent reaches the Playmaker, and its call.
+struct Line {
+  std::string name;  ///< of the Playmaker, in messages
+  std::shared_ptr<grpc::Channel> channel;
+  std::unique_ptr<grpc::GenericStub> stub;
+  GrpcCall call;
+  bool answered = false;  ///< over the current connection
+  bool lost = false;      ///< not yet returned by take_connection_loss()
+
+  void open(std::string to, std::shared_ptr<grpc::Channel> over) {
+    name = std::move(to);
+    channel = std::move(over);
+    stub = std::make_unique<grpc::GenericStub>(channel);
+  }
+  bool is_connected() const { return channel->GetState(false) == GRPC_CHANNEL_READY; }
+
+  RpcStatus unavailable(const std::string& reason) const {
+    return {RpcOutcome::kUnavailable, static_cast<int>(grpc::StatusCode::UNAVAILABLE),
+            name + ": " + reason};
+  }
+};
+
+std::string in_ms(RpcTimeout time) { return std::to_string(time.count()) + " ms"; }
+
 class GrpcPlaymaker : public Playmaker {
  public:
-  GrpcPlaymaker(std::shared_ptr<grpc::Channel> channel, std::string name) : channels_{} {
+  GrpcPlaymaker(const std::shared_ptr<grpc::Channel>& channel, const std::string& name) {
     proto::apply_grpc_settings();
-    channels_.fill(std::move(channel));
-    names_.fill(std::move(name));
-    make_stubs();
+    for (Line& line : lines_) line.open(name, channel);
   }
 
   GrpcPlaymaker(const GrpcTarget& target, RpcTimeout team_reply)
@@ -71,21 +96,21 @@ class GrpcPlaymaker : public Playmaker {
     proto::apply_grpc_settings();
     const grpc::ChannelArguments arguments = channel_arguments(target);
     const auto credentials = credentials_for(target);
+    std::shared_ptr<grpc::Channel> channel;
+
     for (int agent = kTeamNumber; agent < kAgentNumbers; ++agent) {
-      const auto i = static_cast<std::size_t>(agent);
-      names_[i] = address(target, std::max(agent, 1));
-      const bool own = agent == kTeamNumber || names_[i] != names_[i - 1];
-      channels_[i] =
-          own ? grpc::CreateCustomChannel(names_[i], credentials, arguments) : channels_[i - 1];
+      const std::string name = address(target, std::max(agent, 1));
+      const bool own = agent == kTeamNumber || name != line_of(agent - 1).name;
+      if (own) channel = grpc::CreateCustomChannel(name, credentials, arguments);
+      line_of(agent).open(name, channel);
     }
-    make_stubs();
   }
 
   GrpcPlaymaker(const GrpcPlaymaker&) = delete;
   GrpcPlaymaker& operator=(const GrpcPlaymaker&) = delete;
 
   ~GrpcPlaymaker() override {
-    for (GrpcCall& call : calls_) call.cancel();
+    for (Line& line : lines_) line.call.cancel();
     queue_.Shutdown();
     void* tag = nullptr;
     bool ok = false;
@@ -99,7 +124,7 @@ class GrpcPlaymaker : public Playmaker {
       unsent_.push_back(cancelled_reply(agent, rpc));
       return;
     }
-    call_of(agent).start(stub_of(agent), queue_, agent, rpc, request, timeout, wait_for_ready);
+    start(agent, rpc, request, timeout, wait_for_ready);
     ++outstanding_;
   }
 
@@ -111,14 +136,14 @@ class GrpcPlaymaker : public Playmaker {
   // A channel that has lost its connection stays idle until the next call. Its state before a call
   // therefore shows every loss.
   bool take_connection_loss(int agent) override {
-    const auto i = static_cast<std::size_t>(agent);
-    if (target_ && answered_[i] && channels_[i]->GetState(false) != GRPC_CHANNEL_READY) {
-      for (std::size_t other = 0; other < channels_.size(); ++other) {
-        if (channels_[other] != channels_[i]) continue;
-        lost_[other] = std::exchange(answered_[other], false) || lost_[other];
+    Line& line = line_of(agent);
+    if (target_ && line.answered && !line.is_connected()) {
+      for (Line& other : lines_) {
+        if (other.channel != line.channel) continue;
+        other.lost = std::exchange(other.answered, false) || other.lost;
       }
     }
-    return std::exchange(lost_[i], false);
+    return std::exchange(line.lost, false);
   }
 
   std::optional<Reply> next_reply() override {
@@ -139,14 +164,12 @@ class GrpcPlaymaker : public Playmaker {
   void cancel() override { cancelled_.store(true, std::memory_order_relaxed); }
 
  private:
-  void make_stubs() {
-    for (std::size_t i = 0; i < stubs_.size(); ++i) {
-      stubs_[i] = std::make_unique<grpc::GenericStub>(channels_[i]);
-    }
+  Line& line_of(int agent) { return lines_.at(base::index(agent)); }
+  const Line& line_of(int agent) const { return lines_.at(base::index(agent)); }
+  void start(int agent, Rpc rpc, const Message& request, RpcTimeout timeout, bool wait_for_ready) {
+    Line& line = line_of(agent);
+    line.call.start(*line.stub, queue_, agent, rpc, request, timeout, wait_for_ready);
   }
-
-  GrpcCall& call_of(int agent) { return calls_.at(static_cast<std::size_t>(agent)); }
-  grpc::GenericStub& stub_of(int agent) { return *stubs_.at(static_cast<std::size_t>(agent)); }
   bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
 
   Reply unsent_reply() {
@@ -157,7 +180,7 @@ class GrpcPlaymaker : public Playmaker {
 
   void cancel_if_requested() {
     if (!cancelled()) return;
-    for (GrpcCall& call : calls_) call.cancel();
+    for (Line& line : lines_) line.call.cancel();
   }
 
   // The next call that completes within `timeout`, after finish(); null when none does.
@@ -167,6 +190,7 @@ class GrpcPlaymaker : public Playmaker {
     const auto deadline = gpr_time_add(gpr_now(GPR_CLOCK_MONOTONIC), timeout);
     const auto result = queue_.AsyncNext(&tag, &ok, deadline);
     assert(result != grpc::CompletionQueue::SHUTDOWN);
+
     if (result != grpc::CompletionQueue::GOT_EVENT) return nullptr;
     auto* call = static_cast<GrpcCall*>(tag);
     call->finish();
@@ -188,7 +212,7 @@ class GrpcPlaymaker : public Playmaker {
     assert(outstanding_ == 0 && "blocking calls do not mix with outstanding ones");
     const bool is_bye = rpc == Rpc::kSendByeCommand || rpc == Rpc::kUnregisterTeam;
     if (cancelled() && !is_bye) return cancelled_reply(agent, rpc);
-    call_of(agent).start(stub_of(agent), queue_, agent, rpc, request, timeout, wait_for_ready);
+    start(agent, rpc, request, timeout, wait_for_ready);
     return reply_of(wait(!is_bye));
   }
 
@@ -199,11 +223,13 @@ class GrpcPlaymaker : public Playmaker {
       reply.status = tls_status(agent);
       if (!reply.status.ok()) return reply;
     }
+
     assert(outstanding_ == 0 && "blocking calls do not mix with outstanding ones");
     if (cancelled()) return cancelled_reply(agent, rpc);
-    call_of(agent).start(stub_of(agent), queue_, agent, rpc, request, timeout, true);
+    start(agent, rpc, request, timeout, true);
     std::optional<RpcStatus> given_up;
     reply = reply_of(wait_for_registration(agent, rpc, given_up));
+
     if (given_up && !reply.status.ok()) {
       reply.status = *std::move(given_up);
       return reply;
@@ -216,6 +242,7 @@ class GrpcPlaymaker : public Playmaker {
   // not learn it, and one that is connected and leaves RegisterTeam unanswered does not know it.
   GrpcCall& wait_for_registration(int agent, Rpc rpc, std::optional<RpcStatus>& given_up) {
     using Clock = std::chrono::steady_clock;
+    Line& line = line_of(agent);
     auto next_probe = Clock::now() + kProbeInterval;
     std::optional<Clock::time_point> connected;
     for (;;) {
@@ -223,57 +250,45 @@ class GrpcPlaymaker : public Playmaker {
       GrpcCall* call = poll(gpr_time_from_millis(kCancelPollMs, GPR_TIMESPAN));
       if (call != nullptr) return *call;
       if (cancelled() || given_up || !target_) continue;
-      if (is_connected(agent)) {
+
+      if (line.is_connected()) {
         if (rpc != Rpc::kRegisterTeam || team_reply_ == kNoTimeout) continue;
         if (!connected) connected = Clock::now();
         if (Clock::now() - *connected < team_reply_) continue;
-        given_up = no_reply(agent, rpc, team_reply_);
-        call_of(agent).cancel();
+        given_up = no_reply(line, rpc, team_reply_);
+        line.call.cancel();
       } else if (Clock::now() >= next_probe) {
         const GrpcProbe probe = probe_grpc(*target_, agent);
         next_probe = Clock::now() + kProbeInterval;
-        if (!probe.is_other_protocol || is_connected(agent)) continue;
-        given_up = unavailable(agent, probe.problem);
-        call_of(agent).cancel();
+        if (!probe.is_other_protocol || line.is_connected()) continue;
+        given_up = line.unavailable(probe.problem);
+        line.call.cancel();
       }
     }
   }
 
-  RpcStatus no_reply(int agent, Rpc rpc, RpcTimeout limit) const {
+  static RpcStatus no_reply(const Line& line, Rpc rpc, RpcTimeout limit) {
     return {RpcOutcome::kDeadline, static_cast<int>(grpc::StatusCode::DEADLINE_EXCEEDED),
-            names_[static_cast<std::size_t>(agent)] + ": no reply to " + std::string(name(rpc)) +
-                " within " + std::to_string(limit.count()) + " ms"};
-  }
-
-  bool is_connected(int agent) const {
-    return channels_[static_cast<std::size_t>(agent)]->GetState(false) == GRPC_CHANNEL_READY;
-  }
-
-  RpcStatus unavailable(int agent, const std::string& reason) const {
-    return {RpcOutcome::kUnavailable, static_cast<int>(grpc::StatusCode::UNAVAILABLE),
-            names_[static_cast<std::size_t>(agent)] + ": " + reason};
+            line.name + ": no reply to " + std::string(name(rpc)) + " within " + in_ms(limit)};
   }
 
   // With wait_for_ready, a deadline without a connection means that the Playmaker is unreachable.
   void report_lost_connection(Reply& reply) const {
-    const auto i = static_cast<std::size_t>(reply.agent);
+    const Line& line = line_of(reply.agent);
     const bool unreachable = target_ && is_registration(reply.rpc) &&
-                             reply.status.outcome == RpcOutcome::kDeadline &&
-                             channels_[i]->GetState(false) != GRPC_CHANNEL_READY;
+                             reply.status.outcome == RpcOutcome::kDeadline && !line.is_connected();
     if (!unreachable) return;
-    const auto waited = std::chrono::duration_cast<std::chrono::milliseconds>(reply.latency);
     reply.status.outcome = RpcOutcome::kUnavailable;
-    reply.status.message = names_[i] + ": connection lost; no reconnection within " +
-                           std::to_string(waited.count()) + " ms";
+    reply.status.message = line.name + ": connection lost; no reconnection within " +
+                           in_ms(std::chrono::duration_cast<RpcTimeout>(reply.latency));
   }
 
   Reply reply_of(const GrpcCall& call) {
     const Reply& reply = call.reply();
-    answered_[static_cast<std::size_t>(reply.agent)] |= reply.status.ok();
+    Line& line = line_of(reply.agent);
+    line.answered = line.answered || reply.status.ok();
     // A loss that was noticed while the agent registered needs no second registration.
-    if (is_registration(reply.rpc) && reply.status.ok()) {
-      lost_[static_cast<std::size_t>(reply.agent)] = false;
-    }
+    if (is_registration(reply.rpc) && reply.status.ok()) line.lost = false;
     return reply;
   }
 
@@ -285,44 +300,33 @@ class GrpcPlaymaker : public Playmaker {
   }
 
   RpcStatus tls_status(int agent) const {
-    const std::string reason = target_ ? explain_tls_failure(*target_, agent) : std::string();
-    if (reason.empty()) return {};
-    return {RpcOutcome::kUnavailable, static_cast<int>(grpc::StatusCode::UNAVAILABLE),
-            names_[static_cast<std::size_t>(agent)] + ": " + reason};
+    const std::string reason = explain_tls_failure(*target_, agent);
+    return reason.empty() ? RpcStatus{} : line_of(agent).unavailable(reason);
   }
 
   // A registration waits for the Playmaker to come up, so an unreachable Playmaker also ends in a
   // deadline. A second call that does not wait distinguishes the two and returns the reason.
   Reply explain_deadline(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) {
-    const auto i = static_cast<std::size_t>(agent);
-    const std::string limit = std::to_string(timeout.count()) + " ms";
-    Reply reply = empty_reply(agent, rpc);
-    if (channels_[i]->GetState(false) == GRPC_CHANNEL_READY) {
-      reply.status = no_reply(agent, rpc, timeout);
-      return reply;
-    }
+    const Line& line = line_of(agent);
+    if (line.is_connected()) return failed_reply(agent, rpc, no_reply(line, rpc, timeout));
+
+    const std::string unreachable = "unreachable for " + in_ms(timeout);
     const std::string problem = target_ ? probe_grpc(*target_, agent).problem : std::string();
     if (!problem.empty()) {
-      reply.status = unavailable(agent, "unreachable for " + limit + ": " + problem);
-      return reply;
+      return failed_reply(agent, rpc, line.unavailable(unreachable + ": " + problem));
     }
-    reply = call_alone(agent, rpc, request, kProbeTimeout, false);
+
+    Reply reply = call_alone(agent, rpc, request, kProbeTimeout, false);
     if (reply.status.outcome == RpcOutcome::kUnavailable) {
-      reply.status.message =
-          names_[i] + ": unreachable for " + limit + " (" + reply.status.message + ")";
+      reply.status.message = line.name + ": " + unreachable + " (" + reply.status.message + ")";
     }
     return reply;
   }
 
   std::optional<GrpcTarget> target_;  // unset: an existing channel, whose state is not used
   RpcTimeout team_reply_ = kNoTimeout;
-  std::array<std::shared_ptr<grpc::Channel>, kAgentNumbers> channels_;
-  std::array<std::string, kAgentNumbers> names_;
-  std::array<std::unique_ptr<grpc::GenericStub>, kAgentNumbers> stubs_;
   grpc::CompletionQueue queue_;
-  std::array<GrpcCall, kAgentNumbers> calls_;
-  std::array<bool, kAgentNumbers> answered_{};  // over the current connection
-  std::array<bool, kAgentNumbers> lost_{};      // not yet returned by take_connection_loss()
+  std::array<Line, kAgentNumbers> lines_;  // by agent number
   int outstanding_ = 0;
   std::vector<Reply> unsent_;  // to calls begun after cancel()
   std::atomic<bool> cancelled_{false};
@@ -332,7 +336,7 @@ class GrpcPlaymaker : public Playmaker {
 
 std::unique_ptr<Playmaker> make_grpc_playmaker(std::shared_ptr<grpc::Channel> channel,
                                                std::string name) {
-  return std::make_unique<GrpcPlaymaker>(std::move(channel), std::move(name));
+  return std::make_unique<GrpcPlaymaker>(channel, name);
 }
 
 std::unique_ptr<Playmaker> make_grpc_playmaker(const GrpcTarget& target, RpcTimeout team_reply) {

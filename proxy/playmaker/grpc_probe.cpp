@@ -50,6 +50,7 @@ Answer read_answer(int fd) {
   std::array<char, 64> bytes{};
   if (::send(fd, kPreface.data(), kPreface.size(), MSG_NOSIGNAL) < 0) return Answer::kClosed;
   if (!base::wait_for_events(fd, POLLIN, deadline)) return Answer::kSilent;
+
   const auto size = ::recv(fd, bytes.data(), bytes.size(), 0);
   if (size <= 0) return Answer::kClosed;
   const std::string_view answer(bytes.data(), static_cast<std::size_t>(size));
@@ -68,6 +69,7 @@ GrpcProbe probe_grpc(const GrpcTarget& target, int agent) {
   const base::UniqueFd fd = connect_to(target, agent);
   if (!fd) return {"nothing listens at " + place, false};
   if (target.tls != nullptr) return {explain_tls_failure(target, agent), false};
+
   const Answer answer = read_answer(fd.get());
   if (answer == Answer::kHttp2) return {};
   if (answer == Answer::kSilent) {
@@ -78,6 +80,7 @@ GrpcProbe probe_grpc(const GrpcTarget& target, int agent) {
   if (answer == Answer::kHttp1) {
     return {"an HTTP server answers at " + place + ", it does not speak gRPC", true};
   }
+
   // Servers with TLS answer with an alert, or close the connection.
   const std::string tls = explain_tls_failure(target, agent);
   if (!tls.empty()) return {tls, true};

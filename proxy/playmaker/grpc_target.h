@@ -24,9 +24,17 @@ struct GrpcTarget {
 };
 
 /// Port of that agent.
-int port_of(const GrpcTarget& target, int agent);
+inline int port_of(const GrpcTarget& target, int agent) {
+  constexpr int kCoachStep = 13;
+  // Coach and trainer, agents 12 and 13, share a port.
+  const int step = !target.port_step ? 0 : agent > 11 ? kCoachStep : agent;
+  return target.port + step;
+}
 
 /// Address of that agent for gRPC: "HOST:PORT" or "unix:PATH".
-std::string address(const GrpcTarget& target, int agent);
+inline std::string address(const GrpcTarget& target, int agent) {
+  if (!target.unix_path.empty()) return "unix:" + target.unix_path;
+  return target.host + ":" + std::to_string(port_of(target, agent));
+}
 
 }  // namespace cls::proxy

@@ -39,6 +39,7 @@ Rpc Handshake::rpc() const {
 
 void Handshake::make_request() {
   request_.reset(request_prototype(rpc()).New());
+
   switch (rpc()) {
     case Rpc::kRegister:
       request_->CopyFrom(registration_);
@@ -56,12 +57,14 @@ void Handshake::make_request() {
     default:
       break;
   }
+
   set_identity(rpc(), identity_, *request_);
 }
 
 Handshake::Next Handshake::handle_reply(const Reply& reply) {
   const RpcOutcome outcome = reply.status.outcome;
   warning_.clear();
+
   if (position_ == 0 && outcome == RpcOutcome::kUnimplemented) {
     identity_ = identity_from(registration_);
     warning_ = "the Playmaker does not implement Register; using the first interface";
@@ -74,6 +77,7 @@ Handshake::Next Handshake::handle_reply(const Reply& reply) {
   } else if (!reply.status.ok()) {
     return Next::kFailed;
   }
+
   if (++position_ == calls()) return Next::kComplete;
   make_request();
   return Next::kCall;

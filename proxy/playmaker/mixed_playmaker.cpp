@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/index.h"
+
 namespace cls::proxy {
 namespace {
 
@@ -82,7 +84,7 @@ class MixedPlaymaker : public Playmaker {
   }
 
  private:
-  std::size_t index_of(int agent) const { return part_of_.at(static_cast<std::size_t>(agent)); }
+  std::size_t index_of(int agent) const { return part_of_.at(base::index(agent)); }
 
   std::optional<Reply> received(std::size_t part, std::optional<Reply> reply) {
     if (reply) --outstanding_[part];

@@ -53,7 +53,7 @@ struct Reply {
   }
 };
 
-/// What the agents of a team will register with.
+/// Registrations of the agents of a team.
 struct TeamRegistration {
   std::vector<std::pair<int, protos::RegisterRequest>> agents;  ///< by agent number, ascending
   std::shared_ptr<const player::MatchParameters> parameters;

@@ -7,7 +7,9 @@
 #include <cassert>
 #include <utility>
 
+#include "base/index.h"
 #include "proxy/playmaker/playmaker_errors.h"
+#include "proxy/playmaker/replies.h"
 
 namespace cls::proxy {
 namespace {
@@ -50,7 +52,7 @@ RpcStatus PlaymakerClient::register_agent(Playmaker& playmaker, RpcTimeout timeo
 }
 
 void PlaymakerClient::note_outcome(const Reply& reply) {
-  refused_.set(static_cast<std::size_t>(reply.rpc), !reply.status.ok());
+  refused_.set(base::index(reply.rpc), !reply.status.ok());
 }
 
 std::vector<recording::RecordedCall> PlaymakerClient::recorded_handshake(
@@ -59,8 +61,9 @@ std::vector<recording::RecordedCall> PlaymakerClient::recorded_handshake(
   Handshake handshake(registration_request_, parameters_);
   Reply reply;
   reply.message = &identity;
+
   for (auto next = Handshake::Next::kCall; next == Handshake::Next::kCall;) {
-    if (!refused_.test(static_cast<std::size_t>(handshake.rpc()))) {
+    if (!refused_.test(base::index(handshake.rpc()))) {
       calls.push_back(record_call(agent_, handshake.rpc(), 0, handshake.request()));
       if (handshake.rpc() == Rpc::kRegister) calls.back().set_reply(identity.SerializeAsString());
     }
@@ -112,6 +115,7 @@ void PlaymakerClient::begin_handshake_call(Playmaker& playmaker) {
       if (wait_for_ready) timeout = std::min(timeout, limits_.reconnect_within - elapsed);
     }
   }
+
   playmaker.begin(agent_, handshake_->rpc(), handshake_->request(), timeout, wait_for_ready);
 }
 
@@ -130,6 +134,7 @@ bool PlaymakerClient::handle_handshake_reply(Playmaker& playmaker, Reply& reply)
     if (reply.status.outcome != RpcOutcome::kDeadline) reregister();
     return true;
   }
+
   *state_->mutable_register_response() = handshake_->identity();
   std::string late =
       fmt::format("re-registration incomplete at the deadline of the decision ({} of {} calls)",
@@ -141,10 +146,9 @@ bool PlaymakerClient::handle_handshake_reply(Playmaker& playmaker, Reply& reply)
     registration_ = Registration::kReregistered;
     late = "re-registration took until the deadline of the decision";
   }
+
   if (!has_time()) {
-    reply = Reply{};
-    reply.agent = agent_;
-    reply.status = {RpcOutcome::kDeadline, 0, late};
+    reply = failed_reply(agent_, Rpc::kRegister, {RpcOutcome::kDeadline, 0, late});
     return true;
   }
   begin_call(playmaker);
@@ -159,6 +163,7 @@ bool PlaymakerClient::handle_decision_reply(Playmaker& playmaker, const Reply& r
       errors_ = 0;
       max_errors_ = kMaxErrors;
       return true;
+
     case RpcOutcome::kUnavailable: {
       reregister();
       const bool lost = playmaker.take_connection_loss(agent_);
@@ -168,11 +173,13 @@ bool PlaymakerClient::handle_decision_reply(Playmaker& playmaker, const Reply& r
       begin_handshake_call(playmaker);
       return false;
     }
+
     case RpcOutcome::kError:
       if (++errors_ < max_errors_) return true;
       max_errors_ *= 2;
       reregister();
       return true;
+
     default:
       return true;
   }

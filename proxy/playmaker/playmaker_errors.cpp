@@ -1,7 +1,9 @@
-// What an error of a Playmaker says.
+// Texts about errors of a Playmaker.
 #include "proxy/playmaker/playmaker_errors.h"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 #include "proto/status_name.h"
 
@@ -30,17 +32,18 @@ std::string agent_name(int agent) {
 }
 
 PlaymakerError describe_error(const Reply& reply, int cycle) {
-  PlaymakerError error;
-  error.agent = reply.agent;
-  error.cycle = cycle;
-  error.rpc = reply.rpc;
-  error.status = reply.status.outcome == RpcOutcome::kProtocolError
-                     ? "unreadable reply"
-                     : std::string(proto::status_name(reply.status.code));
-  const std::string prefix = std::string(name(reply.rpc)) + ": ";
-  error.message = reply.status.message;
-  if (error.message.rfind(prefix, 0) == 0) error.message.erase(0, prefix.size());
-  return error;
+  const bool unreadable = reply.status.outcome == RpcOutcome::kProtocolError;
+  const std::string prefix = fmt::format("{}: ", name(reply.rpc));
+  std::string message = reply.status.message;
+  if (message.starts_with(prefix)) message.erase(0, prefix.size());
+
+  return {.agent = reply.agent,
+          .cycle = cycle,
+          .rpc = reply.rpc,
+          .status =
+              std::string(unreadable ? "unreadable reply" : proto::status_name(reply.status.code)),
+          .message = std::move(message),
+          .calls = {}};
 }
 
 std::string PlaymakerError::describe() const {

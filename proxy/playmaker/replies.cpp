@@ -18,32 +18,26 @@ Message& ReplyMemory::create(Rpc rpc) {
 
 void ReplyMemory::parse(std::string_view bytes, Reply& reply) {
   Message& message = create(reply.rpc);
-  if (const std::size_t limit = proto::max_reply_bytes(reply.rpc); bytes.size() > limit) {
-    reply.status.outcome = RpcOutcome::kProtocolError;
-    reply.status.message = fmt::format("{}: reply of {} bytes, more than the {} that cls accepts",
-                                       name(reply.rpc), bytes.size(), limit);
-    return;
-  }
-  if (message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
+  const std::size_t limit = proto::max_reply_bytes(reply.rpc);
+
+  if (bytes.size() <= limit &&
+      message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
     reply.message = &message;
     return;
   }
+
   reply.status.outcome = RpcOutcome::kProtocolError;
-  reply.status.message = fmt::format("{}: reply of {} bytes is not a {}", name(reply.rpc),
-                                     bytes.size(), message.GetTypeName());
+  reply.status.message =
+      bytes.size() > limit ? fmt::format("{}: reply of {} bytes, more than the {} that cls accepts",
+                                         name(reply.rpc), bytes.size(), limit)
+                           : fmt::format("{}: reply of {} bytes is not a {}", name(reply.rpc),
+                                         bytes.size(), message.GetTypeName());
 }
 
-Reply empty_reply(int agent, Rpc rpc) {
-  Reply reply;
-  reply.agent = agent;
-  reply.rpc = rpc;
-  return reply;
-}
+Reply empty_reply(int agent, Rpc rpc) { return failed_reply(agent, rpc, {}); }
 
 Reply failed_reply(int agent, Rpc rpc, RpcStatus status) {
-  Reply reply = empty_reply(agent, rpc);
-  reply.status = std::move(status);
-  return reply;
+  return {.agent = agent, .rpc = rpc, .status = std::move(status)};
 }
 
 Reply cancelled_reply(int agent, Rpc rpc) {

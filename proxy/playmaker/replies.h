@@ -5,8 +5,9 @@
 #include <google/protobuf/message.h>
 
 #include <array>
-#include <cstddef>
+#include <deque>
 #include <string_view>
+#include <utility>
 
 #include "proto/rpc.h"
 #include "proxy/playmaker/playmaker.h"
@@ -27,6 +28,14 @@ class ReplyMemory {
   std::array<char, 8192> block_;
   google::protobuf::Arena arena_{block_.data(), block_.size()};
 };
+
+/// Removes the first element of a queue that is not empty.
+template <typename T>
+T take_first(std::deque<T>& queue) {
+  T first = std::move(queue.front());
+  queue.pop_front();
+  return first;
+}
 
 /// Ok, without a message.
 Reply empty_reply(int agent, proto::Rpc rpc);

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "base/index.h"
 #include "proxy/playmaker/forwarding_playmaker.h"
 
 namespace cls::proxy {
@@ -18,7 +19,7 @@ class ObservedPlaymaker : public ForwardingPlaymaker {
 
   void begin(int agent, Rpc rpc, const Message& request, RpcTimeout timeout,
              bool wait_for_ready) override {
-    auto& copy = requests_.at(static_cast<std::size_t>(agent));
+    auto& copy = requests_.at(base::index(agent));
     if (copy == nullptr || copy->GetDescriptor() != request.GetDescriptor()) {
       copy.reset(request.New());
     }
@@ -33,7 +34,7 @@ class ObservedPlaymaker : public ForwardingPlaymaker {
   }
 
   void on_reply(const Reply& reply) override {
-    report(reply, *requests_.at(static_cast<std::size_t>(reply.agent)));
+    report(reply, *requests_.at(base::index(reply.agent)));
   }
 
  private:

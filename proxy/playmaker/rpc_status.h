@@ -1,11 +1,11 @@
 // How a call ended.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "base/text/enum_names.h"
 #include "proto/rpc.h"
 
 namespace cls::proxy {
@@ -22,11 +22,10 @@ enum class RpcOutcome : std::uint8_t {
 };
 constexpr int kRpcOutcomes = 7;
 
-constexpr std::string_view name(RpcOutcome outcome) {
-  constexpr std::array<std::string_view, kRpcOutcomes> kNames = {
-      "ok", "deadline", "unavailable", "unimplemented", "protocol error", "cancelled", "error"};
-  return kNames.at(static_cast<std::size_t>(outcome));
-}
+constexpr auto kRpcOutcomeNames = base::enum_names<RpcOutcome>(
+    "ok", "deadline", "unavailable", "unimplemented", "protocol error", "cancelled", "error");
+
+constexpr std::string_view name(RpcOutcome outcome) { return kRpcOutcomeNames.name(outcome); }
 
 /// Outcome, gRPC status code and one line for the user.
 struct RpcStatus {

@@ -5,9 +5,9 @@
 
 #include <bit>
 #include <cstring>
-#include <string_view>
 #include <utility>
 
+#include "base/index.h"
 #include "base/overloaded.h"
 #include "player/world/motion.h"
 
@@ -34,6 +34,7 @@ void append_row(const std::vector<Number>& row, wire::Tensor& tensor) {
 void fill(const soccer::PlayerCommand& command, const player::WorldModel& world,
           protos::PlayerAction& out) {
   const auto number = [](double value) { return static_cast<float>(value); };
+
   std::visit(base::Overloaded{
                  [&](const soccer::Dash& dash) {
                    out.mutable_dash()->set_power(number(dash.power));
@@ -76,11 +77,13 @@ base::Result<void> TensorCalls::choose(const TeamRegistration& team,
                                        const wire::RegisterTeamResponse& response) {
   codec_ = nullptr;
   if (response.encoding() != wire::TENSOR) return {};
+
   if (team.codec == nullptr) return base::Error{"it chose encoding 2, which was not offered"};
   std::shared_ptr<TensorCodec> codec = team.codec->clone();
   const base::Result<TensorSizes> sizes = codec->choose(
       {response.feature_set(), response.action_set(), response.teammates(), response.opponents()});
   if (!sizes) return base::Error{"it chose " + sizes.error().message};
+
   codec_ = std::move(codec);
   sizes_ = *sizes;
   return {};
@@ -101,7 +104,8 @@ base::Result<void> TensorCalls::read(const wire::GetTeamActionsResponse& respons
   actions_.clear();
   const wire::Tensor& tensor = response.actions();
   if (tensor.data().empty()) return {};
-  const std::size_t numbers = players * static_cast<std::size_t>(sizes_.actions);
+
+  const std::size_t numbers = players * base::index(sizes_.actions);
   const bool fits = tensor.shape_size() == 2 && tensor.shape(0) == static_cast<int>(players) &&
                     tensor.shape(1) == sizes_.actions &&
                     tensor.data().size() == numbers * sizeof(float);
@@ -110,6 +114,7 @@ base::Result<void> TensorCalls::read(const wire::GetTeamActionsResponse& respons
                                    tensor.data().size(), fmt::join(tensor.shape(), ", "), players,
                                    sizes_.actions)};
   }
+
   actions_.resize(numbers);
   std::memcpy(actions_.data(), tensor.data().data(), tensor.data().size());
   return {};
@@ -117,9 +122,10 @@ base::Result<void> TensorCalls::read(const wire::GetTeamActionsResponse& respons
 
 const protos::PlayerActions* TensorCalls::actions(std::size_t row,
                                                   const player::WorldModel& world) {
-  const auto command =
-      codec_->decode(world, actions_.data() + row * static_cast<std::size_t>(sizes_.actions));
+  const float* const numbers = actions_.data() + row * base::index(sizes_.actions);
+  const auto command = codec_->decode(world, numbers);
   if (!command) return nullptr;
+
   list_.Clear();
   list_.set_ignore_preprocess(true);
   list_.set_ignore_doforcekick(true);

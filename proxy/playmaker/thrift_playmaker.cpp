@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/index.h"
 #include "base/system/tcp_connect.h"
 #include "base/system/unique_fd.h"
 #include "proxy/playmaker/replies.h"
@@ -86,13 +87,11 @@ class ThriftPlaymaker : public Playmaker {
   void cancel() override { cancelled_ = true; }
 
  private:
-  Connection& of(int agent) { return connections_.at(static_cast<std::size_t>(agent)); }
+  Connection& of(int agent) { return connections_.at(base::index(agent)); }
   std::string who(int agent) const { return address(target_, std::max(agent, 1)); }
 
   std::size_t outstanding() const {
-    const auto busy = std::count_if(connections_.begin(), connections_.end(),
-                                    [](const Connection& one) { return one.busy; });
-    return static_cast<std::size_t>(busy) + failed_.size();
+    return base::index(std::ranges::count(connections_, true, &Connection::busy)) + failed_.size();
   }
 
   void fail(int agent, Rpc rpc, grpc::StatusCode code, const std::string& text) {
@@ -108,6 +107,7 @@ class ThriftPlaymaker : public Playmaker {
     if (static_cast<int>(rpc) >= proto::kAgentRpcs) {
       return fail(agent, rpc, grpc::StatusCode::UNIMPLEMENTED, "Thrift has no call for a team");
     }
+
     Connection& one = of(agent);
     if (!one.fd && !connect(one, agent, rpc, connect_until)) return;
     one.sent.clear();
@@ -115,6 +115,7 @@ class ThriftPlaymaker : public Playmaker {
     one.rpc = rpc;
     one.begun = Clock::now();
     one.deadline = deadline;
+
     if (send_all(one)) {
       one.busy = true;
     } else {
@@ -139,6 +140,7 @@ class ThriftPlaymaker : public Playmaker {
       }
       std::this_thread::sleep_for(kConnectInterval);
     }
+
     const int on = 1;
     ::setsockopt(one.fd.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     one.received.clear();
@@ -160,6 +162,7 @@ class ThriftPlaymaker : public Playmaker {
         return false;
       }
     }
+
     return true;
   }
 
@@ -214,6 +217,7 @@ class ThriftPlaymaker : public Playmaker {
       agents.push_back(agent);
       wake = std::min(wake, one.deadline);
     }
+
     const auto left = std::chrono::ceil<milliseconds>(std::max(wake - now, Clock::duration(0)));
     ::poll(polled.data(), polled.size(), static_cast<int>(left.count()));
     for (std::size_t i = 0; i < polled.size(); ++i) {
@@ -262,6 +266,7 @@ class ThriftPlaymaker : public Playmaker {
       const bool endless =
           read.kind == Kind::kIncomplete && one.received.size() > proto::max_reply_bytes(one.rpc);
       if (read.kind == Kind::kIncomplete && !endless) return std::nullopt;
+
       Reply reply = empty_reply(agent, one.rpc);
       reply.latency = latency(one);
       if (endless || read.kind == Kind::kInvalid) {
@@ -270,6 +275,7 @@ class ThriftPlaymaker : public Playmaker {
         lose(one);
         return reply;
       }
+
       one.received.erase(0, read.size);
       if (read.sequence != one.sequence) continue;  // of a call that expired
 

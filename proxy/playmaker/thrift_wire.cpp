@@ -4,9 +4,15 @@
 #include <google/protobuf/descriptor.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <initializer_list>
+#include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "base/index.h"
+#include "proto/field_access.h"
 
 namespace cls::proxy {
 namespace {
@@ -37,35 +43,18 @@ constexpr std::uint32_t kReply = 2;
 constexpr std::uint32_t kException = 3;
 constexpr int kMaxDepth = 64;
 
+// By FieldDescriptor::CppType: int32, int64, uint32, uint64, double, float, bool, enum, string and
+// message, from 1.
+constexpr std::array<Type, FieldDescriptor::MAX_CPPTYPE + 1> kValueTypes = {
+    kStop, kI32, kI64, kI32, kI64, kDouble, kDouble, kBool, kI32, kString, kStruct};
+
 // Of one value; of a repeated field the type of its elements.
-Type value_type(const FieldDescriptor& field) {
-  switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_BOOL:
-      return kBool;
-    case FieldDescriptor::CPPTYPE_FLOAT:
-    case FieldDescriptor::CPPTYPE_DOUBLE:
-      return kDouble;
-    case FieldDescriptor::CPPTYPE_INT64:
-    case FieldDescriptor::CPPTYPE_UINT64:
-      return kI64;
-    case FieldDescriptor::CPPTYPE_STRING:
-      return kString;
-    case FieldDescriptor::CPPTYPE_MESSAGE:
-      return kStruct;
-    case FieldDescriptor::CPPTYPE_INT32:
-    case FieldDescriptor::CPPTYPE_UINT32:
-    case FieldDescriptor::CPPTYPE_ENUM:
-      break;
-  }
-  return kI32;
-}
+Type value_type(const FieldDescriptor& field) { return kValueTypes[base::index(field.cpp_type())]; }
 
 Type field_type(const FieldDescriptor& field) {
   if (field.is_map()) return kMap;
   return field.is_repeated() ? kList : value_type(field);
 }
-
-// ---- Writing ----
 
 class Writer {
  public:
@@ -78,11 +67,8 @@ class Writer {
       byte(static_cast<std::uint8_t>(value >> shift));
     }
   }
-  void i32(std::int32_t value) { number(static_cast<std::uint32_t>(value)); }
-  void text(std::string_view value) {
-    i32(static_cast<std::int32_t>(value.size()));
-    out_ += value;
-  }
+  template <typename Value>
+  void scalar(const Value& value);
   void field(Type type, int id) {
     byte(type);
     number(static_cast<std::uint16_t>(id));
@@ -90,55 +76,41 @@ class Writer {
   void structure(const Message& message);
 
  private:
-  void value(const Message& message, const FieldDescriptor& field, int index);
+  void value(const Message& message, const FieldDescriptor& field, int index = 0);
   void list(const Message& message, const FieldDescriptor& field);
   void map(const Message& message, const FieldDescriptor& field);
 
   std::string& out_;
 };
 
-// `index` of a repeated field; -1: the field itself.
-void Writer::value(const Message& message, const FieldDescriptor& field, int index) {
-  const Reflection& of = *message.GetReflection();
-  const bool one = index < 0;
-  switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_BOOL:
-      return byte(one ? of.GetBool(message, &field) : of.GetRepeatedBool(message, &field, index));
-    case FieldDescriptor::CPPTYPE_FLOAT: {
-      const float number32 =
-          one ? of.GetFloat(message, &field) : of.GetRepeatedFloat(message, &field, index);
-      return number(std::bit_cast<std::uint64_t>(static_cast<double>(number32)));
-    }
-    case FieldDescriptor::CPPTYPE_DOUBLE:
-      return number(std::bit_cast<std::uint64_t>(
-          one ? of.GetDouble(message, &field) : of.GetRepeatedDouble(message, &field, index)));
-    case FieldDescriptor::CPPTYPE_INT64:
-      return number(static_cast<std::uint64_t>(one ? of.GetInt64(message, &field)
-                                                   : of.GetRepeatedInt64(message, &field, index)));
-    case FieldDescriptor::CPPTYPE_UINT64:
-      return number(one ? of.GetUInt64(message, &field)
-                        : of.GetRepeatedUInt64(message, &field, index));
-    case FieldDescriptor::CPPTYPE_UINT32:
-      return number(one ? of.GetUInt32(message, &field)
-                        : of.GetRepeatedUInt32(message, &field, index));
-    case FieldDescriptor::CPPTYPE_INT32:
-      return i32(one ? of.GetInt32(message, &field) : of.GetRepeatedInt32(message, &field, index));
-    case FieldDescriptor::CPPTYPE_ENUM:
-      return i32(one ? of.GetEnumValue(message, &field)
-                     : of.GetRepeatedEnumValue(message, &field, index));
-    case FieldDescriptor::CPPTYPE_STRING:
-      return text(one ? of.GetString(message, &field)
-                      : of.GetRepeatedString(message, &field, index));
-    case FieldDescriptor::CPPTYPE_MESSAGE:
-      return structure(one ? of.GetMessage(message, &field)
-                           : of.GetRepeatedMessage(message, &field, index));
+template <typename Value>
+void Writer::scalar(const Value& value) {
+  if constexpr (std::is_same_v<Value, bool>) {
+    byte(value);
+  } else if constexpr (std::is_integral_v<Value>) {
+    number(static_cast<std::make_unsigned_t<Value>>(value));
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    number(std::bit_cast<std::uint64_t>(static_cast<double>(value)));
+  } else {
+    number(static_cast<std::uint32_t>(value.size()));
+    out_ += value;
   }
+}
+
+// `index`: of the element, in a repeated field.
+void Writer::value(const Message& message, const FieldDescriptor& field, int index) {
+  if (value_type(field) == kStruct) {
+    const Reflection& of = *message.GetReflection();
+    return structure(field.is_repeated() ? of.GetRepeatedMessage(message, &field, index)
+                                         : of.GetMessage(message, &field));
+  }
+  proto::with_access(field, [&](auto access) { scalar(access.get(message, field, index)); });
 }
 
 void Writer::list(const Message& message, const FieldDescriptor& field) {
   const int size = message.GetReflection()->FieldSize(message, &field);
   byte(value_type(field));
-  i32(size);
+  scalar(size);
   for (int i = 0; i < size; ++i) value(message, field, i);
 }
 
@@ -147,19 +119,21 @@ void Writer::map(const Message& message, const FieldDescriptor& field) {
   const Reflection& of = *message.GetReflection();
   const FieldDescriptor& key = *field.message_type()->map_key();
   const FieldDescriptor& mapped = *field.message_type()->map_value();
+
   std::vector<const Message*> entries;
   for (int i = 0; i < of.FieldSize(message, &field); ++i) {
     entries.push_back(&of.GetRepeatedMessage(message, &field, i));
   }
-  std::sort(entries.begin(), entries.end(), [&](const Message* a, const Message* b) {
-    return a->GetReflection()->GetInt32(*a, &key) < b->GetReflection()->GetInt32(*b, &key);
+  std::ranges::sort(entries, {}, [&key](const Message* entry) {
+    return entry->GetReflection()->GetInt32(*entry, &key);
   });
+
   byte(value_type(key));
   byte(value_type(mapped));
-  i32(static_cast<std::int32_t>(entries.size()));
+  number(static_cast<std::uint32_t>(entries.size()));
   for (const Message* entry : entries) {
-    value(*entry, key, -1);
-    value(*entry, mapped, -1);
+    value(*entry, key);
+    value(*entry, mapped);
   }
 }
 
@@ -176,13 +150,12 @@ void Writer::structure(const Message& message) {
     } else if (one.is_repeated()) {
       list(message, one);
     } else {
-      value(message, one, -1);
+      value(message, one);
     }
   }
+
   byte(kStop);
 }
-
-// ---- Reading ----
 
 // Every function returns false when it fails; then `missing` says whether more bytes may help.
 class Reader {
@@ -216,8 +189,19 @@ class Reader {
     std::uint32_t size = 0;
     return number(size) && size <= kMaxText && bytes(size, out);
   }
-  bool field(std::uint8_t& type, std::uint16_t& id) {
-    return number(type) && (type == kStop || number(id));
+  template <typename Value>
+  bool scalar(Value& out);
+
+  // Reads a struct; `use` reads the value of a field of this type and number.
+  template <typename Use>
+  bool fields(Use use) {
+    std::uint8_t type = 0;
+    std::uint16_t id = 0;
+    while (number(type)) {
+      if (type == kStop) return true;
+      if (!number(id) || !use(type, id)) return false;
+    }
+    return false;
   }
   bool skip(std::uint8_t type, int depth);
   bool structure(Message& message, int depth);
@@ -225,9 +209,8 @@ class Reader {
  private:
   static constexpr std::uint32_t kMaxText = 1U << 24;
 
-  bool skip_elements(std::uint32_t count, std::uint8_t type, int depth);
-  bool real_value(Message& message, const FieldDescriptor& field, bool repeated);
-  bool value(Message& message, const FieldDescriptor& field, bool repeated, int depth);
+  bool skip_elements(std::uint32_t count, std::initializer_list<std::uint8_t> types, int depth);
+  bool value(Message& message, const FieldDescriptor& field, int depth);
   bool list(Message& message, const FieldDescriptor& field, int depth);
   bool map(Message& message, const FieldDescriptor& field, int depth);
   bool field_value(Message& message, const FieldDescriptor& field, int depth);
@@ -236,9 +219,36 @@ class Reader {
   bool missing_ = false;
 };
 
-bool Reader::skip_elements(std::uint32_t count, std::uint8_t type, int depth) {
+template <typename Value>
+bool Reader::scalar(Value& out) {
+  if constexpr (std::is_same_v<Value, std::string>) {
+    std::string_view read;
+    if (!text(read)) return false;
+    out = read;
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    std::uint64_t bits = 0;
+    if (!number(bits)) return false;
+    out = static_cast<Value>(std::bit_cast<double>(bits));
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    std::uint8_t read = 0;
+    if (!number(read)) return false;
+    out = read != 0;
+  } else {
+    std::make_unsigned_t<Value> read = 0;
+    if (!number(read)) return false;
+    out = static_cast<Value>(read);
+  }
+
+  return true;
+}
+
+// Elements of these types, one after the other.
+bool Reader::skip_elements(std::uint32_t count, std::initializer_list<std::uint8_t> types,
+                           int depth) {
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (!skip(type, depth)) return false;
+    for (const std::uint8_t type : types) {
+      if (!skip(type, depth)) return false;
+    }
   }
   return true;
 }
@@ -248,8 +258,8 @@ bool Reader::skip(std::uint8_t type, int depth) {
   std::string_view ignored;
   std::uint8_t first = 0;
   std::uint8_t second = 0;
-  std::uint16_t id = 0;
   std::uint32_t count = 0;
+
   switch (type) {
     case kBool:
     case kByte:
@@ -264,100 +274,42 @@ bool Reader::skip(std::uint8_t type, int depth) {
     case kString:
       return text(ignored);
     case kStruct:
-      while (field(first, id)) {
-        if (first == kStop) return true;
-        if (!skip(first, depth + 1)) return false;
-      }
-      return false;
+      return fields([&](std::uint8_t field, int /*id*/) { return skip(field, depth + 1); });
     case kList:
     case kSet:
-      return number(first) && number(count) && skip_elements(count, first, depth + 1);
+      return number(first) && number(count) && skip_elements(count, {first}, depth + 1);
     case kMap:
-      if (!number(first) || !number(second) || !number(count)) return false;
-      for (std::uint32_t i = 0; i < count; ++i) {
-        if (!skip(first, depth + 1) || !skip(second, depth + 1)) return false;
-      }
-      return true;
+      return number(first) && number(second) && number(count) &&
+             skip_elements(count, {first, second}, depth + 1);
     default:
       return false;
   }
 }
 
-bool Reader::real_value(Message& message, const FieldDescriptor& field, bool repeated) {
-  const Reflection& of = *message.GetReflection();
-  std::uint64_t bits = 0;
-  if (!number(bits)) return false;
-  const auto read = std::bit_cast<double>(bits);
-  if (field.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE) {
-    repeated ? of.AddDouble(&message, &field, read) : of.SetDouble(&message, &field, read);
-  } else {
-    const auto narrow = static_cast<float>(read);
-    repeated ? of.AddFloat(&message, &field, narrow) : of.SetFloat(&message, &field, narrow);
+// Sets the field, or adds an element to a repeated one.
+bool Reader::value(Message& message, const FieldDescriptor& field, int depth) {
+  if (value_type(field) == kStruct) {
+    const Reflection& of = *message.GetReflection();
+    return structure(field.is_repeated() ? *of.AddMessage(&message, &field)
+                                         : *of.MutableMessage(&message, &field),
+                     depth + 1);
   }
-  return true;
-}
 
-bool Reader::value(Message& message, const FieldDescriptor& field, bool repeated, int depth) {
-  const Reflection& of = *message.GetReflection();
-  std::uint8_t flag = 0;
-  std::uint32_t word = 0;
-  std::uint64_t large = 0;
-  std::string_view quoted;
-  switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_BOOL:
-      if (!number(flag)) return false;
-      repeated ? of.AddBool(&message, &field, flag != 0) : of.SetBool(&message, &field, flag != 0);
-      return true;
-    case FieldDescriptor::CPPTYPE_FLOAT:
-    case FieldDescriptor::CPPTYPE_DOUBLE:
-      return real_value(message, field, repeated);
-    case FieldDescriptor::CPPTYPE_INT64:
-    case FieldDescriptor::CPPTYPE_UINT64: {
-      if (!number(large)) return false;
-      if (field.cpp_type() == FieldDescriptor::CPPTYPE_UINT64) {
-        repeated ? of.AddUInt64(&message, &field, large) : of.SetUInt64(&message, &field, large);
-      } else {
-        const auto read = static_cast<std::int64_t>(large);
-        repeated ? of.AddInt64(&message, &field, read) : of.SetInt64(&message, &field, read);
-      }
-      return true;
-    }
-    case FieldDescriptor::CPPTYPE_UINT32:
-      if (!number(word)) return false;
-      repeated ? of.AddUInt32(&message, &field, word) : of.SetUInt32(&message, &field, word);
-      return true;
-    case FieldDescriptor::CPPTYPE_INT32:
-    case FieldDescriptor::CPPTYPE_ENUM: {
-      if (!number(word)) return false;
-      const auto read = static_cast<std::int32_t>(word);
-      if (field.cpp_type() == FieldDescriptor::CPPTYPE_ENUM) {
-        repeated ? of.AddEnumValue(&message, &field, read)
-                 : of.SetEnumValue(&message, &field, read);
-      } else {
-        repeated ? of.AddInt32(&message, &field, read) : of.SetInt32(&message, &field, read);
-      }
-      return true;
-    }
-    case FieldDescriptor::CPPTYPE_STRING:
-      if (!text(quoted)) return false;
-      repeated ? of.AddString(&message, &field, std::string(quoted))
-               : of.SetString(&message, &field, std::string(quoted));
-      return true;
-    case FieldDescriptor::CPPTYPE_MESSAGE:
-      return structure(
-          repeated ? *of.AddMessage(&message, &field) : *of.MutableMessage(&message, &field),
-          depth + 1);
-  }
-  return false;
+  return proto::with_access(field, [&](auto access) {
+    typename decltype(access)::Value read{};
+    if (!scalar(read)) return false;
+    access.put(message, field, std::move(read));
+    return true;
+  });
 }
 
 bool Reader::list(Message& message, const FieldDescriptor& field, int depth) {
   std::uint8_t type = 0;
   std::uint32_t count = 0;
   if (!number(type) || !number(count)) return false;
-  if (type != value_type(field)) return skip_elements(count, type, depth + 1);
+  if (type != value_type(field)) return skip_elements(count, {type}, depth + 1);
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (!value(message, field, true, depth)) return false;
+    if (!value(message, field, depth)) return false;
   }
   return true;
 }
@@ -367,47 +319,40 @@ bool Reader::map(Message& message, const FieldDescriptor& field, int depth) {
   std::uint8_t mapped = 0;
   std::uint32_t count = 0;
   if (!number(key) || !number(mapped) || !number(count)) return false;
+
   const FieldDescriptor& key_field = *field.message_type()->map_key();
   const FieldDescriptor& mapped_field = *field.message_type()->map_value();
   const bool known = key == value_type(key_field) && mapped == value_type(mapped_field);
+  if (!known) return skip_elements(count, {key, mapped}, depth + 1);
+
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (!known) {
-      if (!skip(key, depth + 1) || !skip(mapped, depth + 1)) return false;
-      continue;
-    }
     Message& entry = *message.GetReflection()->AddMessage(&message, &field);
-    if (!value(entry, key_field, false, depth) || !value(entry, mapped_field, false, depth)) {
-      return false;
-    }
+    if (!value(entry, key_field, depth) || !value(entry, mapped_field, depth)) return false;
   }
   return true;
 }
 
 bool Reader::field_value(Message& message, const FieldDescriptor& field, int depth) {
   if (field.is_map()) return map(message, field, depth);
-  return field.is_repeated() ? list(message, field, depth) : value(message, field, false, depth);
+  return field.is_repeated() ? list(message, field, depth) : value(message, field, depth);
 }
 
 bool Reader::structure(Message& message, int depth) {
   if (depth > kMaxDepth) return false;
-  std::uint8_t type = 0;
-  std::uint16_t id = 0;
-  while (field(type, id)) {
-    if (type == kStop) return true;
+  return fields([&](std::uint8_t type, int id) {
     const FieldDescriptor* known = message.GetDescriptor()->FindFieldByNumber(id);
     const bool fits = known != nullptr && field_type(*known) == type;
-    if (fits ? !field_value(message, *known, depth) : !skip(type, depth + 1)) return false;
-  }
-  return false;
+    return fits ? field_value(message, *known, depth) : skip(type, depth + 1);
+  });
 }
 
 // The header of a message, in the strict form or in that of old writers.
 bool read_header(Reader& in, std::uint32_t& kind, std::int32_t& sequence, bool& valid) {
   std::uint32_t first = 0;
   std::string_view method;
-  std::uint32_t number = 0;
   valid = true;
   if (!in.number(first)) return false;
+
   if ((first & kVersionMask) == kVersion) {
     kind = first & 0xff;
     if (!in.text(method)) return false;
@@ -418,42 +363,23 @@ bool read_header(Reader& in, std::uint32_t& kind, std::int32_t& sequence, bool& 
     if (!valid || !in.bytes(first, method) || !in.number(type)) return false;
     kind = type;
   }
-  if (!in.number(number)) return false;
-  sequence = static_cast<std::int32_t>(number);
-  return true;
+  return in.scalar(sequence);
 }
 
 // Thrift's TApplicationException: text and type.
 bool read_exception(Reader& in, ThriftReply& reply) {
-  std::uint8_t type = 0;
-  std::uint16_t id = 0;
-  while (in.field(type, id)) {
-    if (type == kStop) return true;
-    std::string_view text;
-    std::uint32_t number = 0;
-    if (id == 1 && type == kString) {
-      if (!in.text(text)) return false;
-      reply.error = text;
-    } else if (id == 2 && type == kI32) {
-      if (!in.number(number)) return false;
-      reply.exception_type = static_cast<std::int32_t>(number);
-    } else if (!in.skip(type, 0)) {
-      return false;
-    }
-  }
-  return false;
+  return in.fields([&](std::uint8_t type, int id) {
+    if (id == 1 && type == kString) return in.scalar(reply.error);
+    if (id == 2 && type == kI32) return in.scalar(reply.exception_type);
+    return in.skip(type, 0);
+  });
 }
 
 // The struct of a result: field 0 is what the method returned.
 bool read_result(Reader& in, Message& message) {
-  std::uint8_t type = 0;
-  std::uint16_t id = 0;
-  while (in.field(type, id)) {
-    if (type == kStop) return true;
-    const bool returned = id == 0 && type == kStruct;
-    if (returned ? !in.structure(message, 0) : !in.skip(type, 0)) return false;
-  }
-  return false;
+  return in.fields([&](std::uint8_t type, int id) {
+    return id == 0 && type == kStruct ? in.structure(message, 0) : in.skip(type, 0);
+  });
 }
 
 }  // namespace
@@ -462,8 +388,8 @@ void append_thrift_call(std::string_view method, std::int32_t sequence, const Me
                         std::string& out) {
   Writer writer(out);
   writer.number(kVersion | kCall);
-  writer.text(method);
-  writer.i32(sequence);
+  writer.scalar(method);
+  writer.scalar(sequence);
   writer.field(kStruct, 1);
   writer.structure(request);
   writer.byte(kStop);
@@ -475,12 +401,14 @@ ThriftReply read_thrift_reply(std::string_view bytes, Message& message) {
   std::uint32_t kind = 0;
   bool valid = true;
   bool complete = read_header(in, kind, reply.sequence, valid);
+
   const bool is_reply = complete && (kind == kReply || kind == kException);
   if (is_reply) {
     message.Clear();
     complete = kind == kException ? read_exception(in, reply) : read_result(in, message);
   }
   if (!complete && in.missing() && valid) return reply;
+
   if (!complete || !is_reply) {
     reply.kind = ThriftReply::Kind::kInvalid;
     reply.error = "not a reply in Thrift's binary protocol";

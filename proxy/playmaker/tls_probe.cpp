@@ -7,10 +7,11 @@
 #include <openssl/x509v3.h>
 #include <poll.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <memory>
-#include <utility>
 
 #include "base/system/socket_address.h"
 #include "base/system/tcp_connect.h"
@@ -102,6 +103,8 @@ int run(SSL& connection, int fd, Clock::time_point limit, Step step) {
 
 std::string describe_verification(const SSL& connection, const std::string& name) {
   const long verdict = SSL_get_verify_result(&connection);
+  const std::string text = X509_verify_cert_error_string(verdict);
+
   switch (verdict) {
     case X509_V_OK:
       return {};
@@ -117,10 +120,9 @@ std::string describe_verification(const SSL& connection, const std::string& name
     case X509_V_ERR_UNABLE_TO_GET_ISSUER_CERT_LOCALLY:
     case X509_V_ERR_UNABLE_TO_VERIFY_LEAF_SIGNATURE:
     case X509_V_ERR_CERT_SIGNATURE_FAILURE:
-      return std::string("the certificate is not trusted: ") +
-             X509_verify_cert_error_string(verdict) + "; use --tls-ca FILE for its CA";
+      return "the certificate is not trusted: " + text + "; use --tls-ca FILE for its CA";
     default:
-      return std::string("the certificate is rejected: ") + X509_verify_cert_error_string(verdict);
+      return "the certificate is rejected: " + text;
   }
 }
 
@@ -131,12 +133,15 @@ std::string describe_alert(bool with_certificate) {
       (reason == SSL_R_SSLV3_ALERT_HANDSHAKE_FAILURE && !with_certificate)) {
     return kAsksForCertificate;
   }
-  if (reason == SSL_R_TLSV1_ALERT_UNKNOWN_CA || reason == SSL_R_SSLV3_ALERT_BAD_CERTIFICATE ||
-      reason == SSL_R_SSLV3_ALERT_CERTIFICATE_UNKNOWN ||
-      reason == SSL_R_SSLV3_ALERT_CERTIFICATE_EXPIRED ||
-      reason == SSL_R_TLSV1_ALERT_ACCESS_DENIED || reason == SSL_R_TLSV1_ALERT_DECRYPT_ERROR) {
+
+  constexpr std::array kRefusals = {
+      SSL_R_TLSV1_ALERT_UNKNOWN_CA,          SSL_R_SSLV3_ALERT_BAD_CERTIFICATE,
+      SSL_R_SSLV3_ALERT_CERTIFICATE_UNKNOWN, SSL_R_SSLV3_ALERT_CERTIFICATE_EXPIRED,
+      SSL_R_TLSV1_ALERT_ACCESS_DENIED,       SSL_R_TLSV1_ALERT_DECRYPT_ERROR};
+  if (std::ranges::find(kRefusals, reason) != kRefusals.end()) {
     return kRefusesCertificate + std::string(": ") + ERR_reason_error_string(ERR_peek_error());
   }
+
   return {};
 }
 
@@ -163,12 +168,14 @@ Probe perform_handshake(const GrpcTarget& target, int agent, const TlsFiles& fil
               base::connect_tcp(target.host, port_of(target, agent), limit),
               Context(SSL_CTX_new(TLS_client_method())), Connection(), limit};
   if (!probe.socket || probe.context == nullptr) return probe;
+
   add_authorities(*probe.context, files.authorities);
   use_certificate(*probe.context, files);
   SSL_CTX_set_cert_cb(probe.context.get(), on_certificate_request,
                       probe.certificate_requested.get());
   SSL_CTX_set_verify(probe.context.get(), SSL_VERIFY_NONE, nullptr);
   SSL_CTX_set_alpn_protos(probe.context.get(), kHttp2, sizeof(kHttp2) - 1);
+
   probe.connection.reset(SSL_new(probe.context.get()));
   SSL& connection = *probe.connection;
   SSL_set_fd(&connection, probe.socket.get());
@@ -183,12 +190,12 @@ Probe perform_handshake(const GrpcTarget& target, int agent, const TlsFiles& fil
 std::string explain_tls_failure(const GrpcTarget& target, int agent) {
   if (!target.unix_path.empty()) return {};
   const SigpipeBlocker blocker;
-  const TlsFiles none;
-  const TlsFiles& files = target.tls != nullptr ? *target.tls : none;
+  const TlsFiles files = target.tls != nullptr ? *target.tls : TlsFiles();
   const std::string name =
       files.server_name.empty() ? base::strip_brackets(target.host) : files.server_name;
   const Probe probe = perform_handshake(target, agent, files, name);
   if (probe.connection == nullptr) return {};
+
   if (target.tls == nullptr) {
     return probe.completed ? "the Playmaker uses TLS; use tls:" + address(target, agent) : "";
   }
@@ -196,13 +203,13 @@ std::string explain_tls_failure(const GrpcTarget& target, int agent) {
     const std::string alert = describe_alert(!files.certificate.empty());
     if (!alert.empty()) return alert;
     const bool timed_out = ERR_peek_error() == 0 && Clock::now() >= probe.limit;
-    return timed_out ? "no reply to the TLS handshake"
-                     : "the Playmaker does not use TLS; use " + address(target, agent) +
-                           " for plain text";
+    if (timed_out) return "no reply to the TLS handshake";
+    return "the Playmaker does not use TLS; use " + address(target, agent) + " for plain text";
   }
   if (std::string problem = describe_verification(*probe.connection, name); !problem.empty()) {
     return problem;
   }
+
   // In TLS 1.3 the server's alert about the client certificate arrives after the handshake.
   char byte = 0;
   SSL& connection = *probe.connection;

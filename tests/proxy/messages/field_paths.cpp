@@ -19,6 +19,7 @@ void walk(const Message& message, const std::string& prefix, const Visitor& visi
   std::vector<const FieldDescriptor*> fields;
   message.GetReflection()->ListFields(message, &fields);
   const bool entry = message.GetDescriptor()->options().map_entry();
+
   for (const FieldDescriptor* field : fields) {
     if (entry && field->name() == "key") continue;
     const std::string path = entry            ? prefix

@@ -5,7 +5,6 @@
 #include <google/protobuf/message.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <set>
 #include <string>
 #include <string_view>
@@ -67,6 +66,7 @@ void expect_same_fields(const Message& ours, const Message& theirs) {
   for (int i = 0; i < ours.GetDescriptor()->field_count(); ++i) {
     const FieldDescriptor& field = *ours.GetDescriptor()->field(i);
     SCOPED_TRACE(field.name());
+
     switch (field.cpp_type()) {
       case FieldDescriptor::CPPTYPE_FLOAT:
         EXPECT_FLOAT_EQ(reflection.GetFloat(ours, &field), reflection.GetFloat(theirs, &field));
@@ -106,6 +106,7 @@ Params with_every_value_set(const soccer::ParameterTable<Params>& table) {
         },
         row.member);
   }
+
   return params;
 }
 
@@ -163,6 +164,7 @@ TEST(ParameterMessages, MatchUpstreamForDefaults) {
   params.coach_port = 28001;
   params.olcoach_port = 28002;
   fill(params, ours);
+
   ASSERT_TRUE(real.ParseFromString(recorded("SendServerParams").at(0)));
   expect_same_fields(ours, real);
 }
@@ -177,6 +179,7 @@ TEST(ParameterMessages, SetEveryFieldExceptTexts) {
   fill(server_params, server);
   fill(with_every_value_set(soccer::player_param_table()), player);
   fill(player_type, server_params, type);
+
   const std::set<std::string> texts = {"replay_file",
                                        "landmark_file",
                                        "text_log_dir",
@@ -193,6 +196,7 @@ TEST(ParameterMessages, SetEveryFieldExceptTexts) {
                                        "fixed_teamname_l",
                                        "fixed_teamname_r",
                                        "control_radius_width"};  // radius 1 less player size 1
+
   EXPECT_EQ(unset_fields(server), texts);
   EXPECT_EQ(unset_fields(player), std::set<std::string>{});
   EXPECT_EQ(unset_fields(type), std::set<std::string>{});

@@ -70,6 +70,7 @@ void fill_everything(player::BallState& ball) {
   ball.position = {1.0, 2.0};
   ball.velocity = ball.seen_velocity = ball.heard_velocity = {-1.0, 0.5};
   ball.relative_position = ball.seen_position = ball.heard_position = {21.0, -13.0};
+
   ball.pos_count = ball.seen_pos_count = ball.heard_pos_count = 1;
   ball.vel_count = ball.seen_vel_count = ball.heard_vel_count = 2;
   ball.lost_count = ball.ghost_count = 1;
@@ -87,6 +88,7 @@ void fill_everything(player::InterceptTable& table) {
   table.second_teammate_id = 2;
   table.first_opponent_id = 3;
   table.second_opponent_id = 4;
+
   player::InterceptPlan plan;
   plan.kind = player::InterceptPlan::Kind::kTurnForwardDash;
   plan.turns = 1;
@@ -119,6 +121,7 @@ player::WorldModel full_world() {
   world.goalie = true;
   world.our_team_name = "us";
   world.their_team_name = "them";
+
   fill_everything(world.self);
   fill_everything(world.ball);
   fill_everything(world.intercept);
@@ -127,6 +130,7 @@ player::WorldModel full_world() {
   world.opponents.push_back(player(3, soccer::Side::kLeft, 6));
   world.opponents.push_back(player(4, soccer::Side::kLeft, 0));
   world.unknowns.push_back(player(5, soccer::Side::kNeutral, 0));
+
   world.lines = {-30.0, 31.0, -32.0, 33.0, 34.0, 2};
   world.last_kick = {soccer::Side::kLeft, 8};
   world.kickable_teammate_id = 1;
@@ -149,10 +153,8 @@ protos::State state_of(const player::WorldModel& world) {
 }
 
 Paths without(Paths paths, const std::vector<std::string>& prefixes) {
-  for (auto path = paths.begin(); path != paths.end();) {
-    bool gone = false;
-    for (const std::string& prefix : prefixes) gone |= path->rfind(prefix, 0) == 0;
-    path = gone ? paths.erase(path) : std::next(path);
+  for (const std::string& prefix : prefixes) {
+    std::erase_if(paths, [&](const std::string& path) { return path.starts_with(prefix); });
   }
   return paths;
 }
@@ -171,24 +173,21 @@ TEST(StateMessage, SetsEveryField) {
   world.game.mode = soccer::PlayMode::kPenaltyTakenRight;
   tests::add_field_paths(state_of(world), set);
 
-  const Paths possible = without(tests::all_field_paths(*protos::State::descriptor()),
-                                 {
-                                     "register_response",  // the agent's own business
-                                     "full_world_model",   // never known
-                                     // Unknown by definition of the interface.
-                                     "world_model.self.heard_position.",
-                                     "world_model.self.ghost_count",
-                                     "world_model.self.id",
-                                     "world_model.self.uniform_number_count",
-                                     "world_model.intercept_table.self_intercept_info.value",
-                                     "world_model.helios_home_positions.dist",
-                                     "world_model.helios_home_positions.angle",
-                                     "world_model.unknowns.side",
-                                 });
-  Paths missing;
-  for (const std::string& path : possible) {
-    if (set.count(path) == 0) missing.insert(path);
-  }
+  Paths missing = without(tests::all_field_paths(*protos::State::descriptor()),
+                          {
+                              "register_response",  // the agent's own business
+                              "full_world_model",   // never known
+                              // Unknown by definition of the interface.
+                              "world_model.self.heard_position.",
+                              "world_model.self.ghost_count",
+                              "world_model.self.id",
+                              "world_model.self.uniform_number_count",
+                              "world_model.intercept_table.self_intercept_info.value",
+                              "world_model.helios_home_positions.dist",
+                              "world_model.helios_home_positions.angle",
+                              "world_model.unknowns.side",
+                          });
+  std::erase_if(missing, [&](const std::string& path) { return set.contains(path); });
   EXPECT_EQ(missing, Paths{});
 }
 
@@ -196,8 +195,10 @@ TEST(StateMessage, WritesUnknownAsZeroWithAge1000) {
   player::WorldModel world;
   world.unum = 4;
   const protos::State state = state_of(world);
+
   EXPECT_FALSE(tests::has_unreal_number(state));
   const protos::WorldModel& model = state.world_model();
+
   EXPECT_EQ(model.self().pos_count(), 1000);
   EXPECT_TRUE(model.self().has_position());
   EXPECT_EQ(model.ball().seen_pos_count(), 1000);
@@ -226,12 +227,14 @@ TEST(StateMessage, UsesSidesOfServer) {
 TEST(StateMessage, ListsNumberedPlayersAndUsesNegativeKeysForOthers) {
   const protos::State state = state_of(full_world());
   const protos::WorldModel& model = state.world_model();
+
   ASSERT_EQ(model.opponents_size(), 1);
   EXPECT_EQ(model.opponents(0).uniform_number(), 6);
   ASSERT_EQ(model.their_players_dict_size(), 2);
   EXPECT_EQ(model.their_players_dict().at(-1).uniform_number(), -1);
   EXPECT_TRUE(MessageDifferencer::Equals(model.their_players_dict().at(6), model.opponents(0)));
   ASSERT_EQ(model.our_players_dict_size(), 2);
+
   const protos::Player& self = model.our_players_dict().at(10);
   EXPECT_EQ(self.id(), 0);
   EXPECT_EQ(self.dist_from_self(), 0.0F);
@@ -252,9 +255,11 @@ TEST(StateMessage, ClearsPreviousCycle) {
   protos::State reused;
   reused.mutable_register_response()->set_client_id(3);
   player::WorldModel crowded = full_world();
+
   for (int unum = 7; unum <= 11; ++unum) {
     crowded.opponents.push_back(player(unum, soccer::Side::kLeft, unum));
   }
+
   player::WorldModel lonely = full_world();
   lonely.opponents.clear();
   lonely.unknowns.clear();
@@ -262,6 +267,7 @@ TEST(StateMessage, ClearsPreviousCycle) {
   lonely.game.mode = soccer::PlayMode::kPlayOn;
   fill_state(crowded, some_home(), true, reused);
   fill_state(lonely, some_home(), false, reused);
+
   EXPECT_EQ(reused.register_response().client_id(), 3);
   reused.clear_register_response();
   protos::State fresh;
@@ -279,10 +285,12 @@ TEST(StateMessage, MapsEveryPlayMode) {
     const bool sided = model.game_mode_side() != protos::UNKNOWN;
     EXPECT_EQ(name.back() == '_', sided) << mode << " " << name;
   }
+
   player::WorldModel world;
   world.unum = 1;
   world.game.mode = soccer::PlayMode::kFreeKickLeft;
   world.game.goalie_catch = true;
+
   EXPECT_EQ(state_of(world).world_model().game_mode_type(), protos::GoalieCatch_);
 }
 
@@ -295,6 +303,7 @@ void replay(const std::string& player, const std::function<void(const protos::St
   PlayerAgent agent(std::move(ours), options);
   const std::string text =
       tests::read_file(*tests::data("aligned/udp/player_" + player + ".txt.gz"));
+
   for (const tests::Spoken& spoken : tests::read_transcript(text)) {
     if (!spoken.by_server) continue;
     servers->send(spoken.message);
@@ -303,6 +312,7 @@ void replay(const std::string& player, const std::function<void(const protos::St
     show(agent.state());
     agent.act(protos::PlayerActions());
   }
+
   EXPECT_EQ(agent.server().errors.unreadable, 0) << agent.server().errors.first_unreadable;
 }
 
@@ -326,6 +336,7 @@ const std::vector<std::pair<std::string, std::string>>& recorded_players() {
 /// Fields that follow from the messages without any estimate, by name.
 std::map<std::string, double> facts_of(const protos::State& state) {
   const protos::WorldModel& model = state.world_model();
+
   const protos::Self& self = model.self();
   return {
       {"cycle", model.cycle()},
@@ -382,12 +393,14 @@ TEST(StateMessage, MatchesUpstreamWhereNoEstimateIsNeeded) {
     });
     EXPECT_EQ(i, theirs.size());
   }
+
   EXPECT_EQ(differing, (std::map<std::string, int>{}));
 }
 
 TEST(StateMessage, SetsSameFieldsAsUpstream) {
   if (!tests::data("aligned/udp")) GTEST_SKIP() << "no data: set CLS_DATA";
   Paths ours;
+
   Paths theirs;
   for (const auto& [player, agent] : recorded_players()) {
     replay(player, [&](const protos::State& state) {
@@ -398,6 +411,7 @@ TEST(StateMessage, SetsSameFieldsAsUpstream) {
       tests::add_field_paths(state, theirs);
     }
   }
+
   theirs = without(
       theirs, {
                   "register_response",
@@ -411,10 +425,12 @@ TEST(StateMessage, SetsSameFieldsAsUpstream) {
                   // In this replay the ball was never missing at its expected position.
                   "world_model.ball.ghost_count",
               });
+
   Paths missing;
   for (const std::string& path : theirs) {
     if (ours.count(path) == 0) missing.insert(path);
   }
+
   EXPECT_GT(theirs.size(), 250U);
   EXPECT_EQ(missing, Paths{});
 }

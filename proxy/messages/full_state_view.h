@@ -9,6 +9,6 @@ namespace cls::proxy {
 /// The estimates of a world model, before update_derived(), replaced by the exact positions,
 /// velocities and directions of a (fullstate ...) message. Types of opponents are the exact ones,
 /// too; what the message does not have (stamina of others, heard messages, the clock) is unchanged.
-player::WorldModel exact_view(const player::WorldModel& world, const soccer::FullState& state);
+player::WorldModel full_state_view(const player::WorldModel& world, const soccer::FullState& state);
 
 }  // namespace cls::proxy

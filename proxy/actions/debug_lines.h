@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -20,8 +21,8 @@ inline constexpr std::size_t kMaxDebugBytes = 10 << 20;
 /// appending nothing, when no member is set.
 bool append_debug_action(const protos::Log& log, player::GameTime now, std::string& out);
 
-/// The LoggerLevel of the text or shape; 0 when no member is set.
-int level_of(const protos::Log& log);
+/// True when its LoggerLevel is one of these bits; level 0, and that of no member, always is.
+bool is_logged(const protos::Log& log, std::uint32_t levels);
 
 /// Formats a debug_client message as a text of level 0.
 void append_debug_text(std::string_view text, player::GameTime now, std::string& out);

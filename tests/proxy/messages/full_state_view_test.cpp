@@ -1,10 +1,10 @@
 // World models with the full state of the server.
-#include "proxy/messages/exact_view.h"
+#include "proxy/messages/full_state_view.h"
 
 #include <gtest/gtest.h>
 
 #include "player/perception/perception.h"
-#include "tests/proxy/support/known_pitch.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::proxy {
 namespace {
@@ -36,11 +36,12 @@ FullState state() {
   return full;
 }
 
-TEST(ExactView, ReplacesEstimates) {
+TEST(FullStateView, ReplacesEstimates) {
   KnownPitch pitch;
   pitch.add_teammate(9, {0.0, 0.0}, 0.0, 20);
   pitch.add_opponent(5, {1.0, 1.0});
-  const player::WorldModel exact = exact_view(pitch.world, state());
+  const player::WorldModel exact = full_state_view(pitch.world, state());
+
   EXPECT_EQ(exact.self.position, (soccer::Vec2{10.0, 2.0}));
   EXPECT_EQ(exact.self.face().degrees(), 20.0);
   EXPECT_EQ(exact.ball.relative_position, (soccer::Vec2{1.0, 0.0}));
@@ -55,11 +56,11 @@ TEST(ExactView, ReplacesEstimates) {
   EXPECT_EQ(exact.opponents[1].velocity, (soccer::Vec2{0.25, 0.0}));
 }
 
-TEST(ExactView, RotatesForATeamOnTheRight) {
+TEST(FullStateView, RotatesForATeamOnTheRight) {
   KnownPitch pitch;
   pitch.world.our_side = Side::kRight;
   pitch.world.unum = 2;
-  const player::WorldModel exact = exact_view(pitch.world, state());
+  const player::WorldModel exact = full_state_view(pitch.world, state());
   EXPECT_EQ(exact.self.position, (soccer::Vec2{-30.0, 5.0}));
   EXPECT_EQ(exact.ball.position, (soccer::Vec2{-11.0, -2.0}));
   EXPECT_EQ(exact.ball.velocity, (soccer::Vec2{-1.0, 0.5}));
@@ -68,9 +69,9 @@ TEST(ExactView, RotatesForATeamOnTheRight) {
   EXPECT_EQ(exact.opponents[0].body.degrees(), -150.0);
 }
 
-TEST(ExactView, CanBeCompleted) {
+TEST(FullStateView, CanBeCompleted) {
   KnownPitch pitch;
-  player::WorldModel exact = exact_view(pitch.world, state());
+  player::WorldModel exact = full_state_view(pitch.world, state());
   update_derived(exact);
   EXPECT_LT(exact.intercept.best_self_steps(), player::kNever);
   EXPECT_EQ(exact.their_goalie_unum, 1);
