@@ -84,7 +84,7 @@ TEST(ExampleTeam, RepliesAsInOtherLanguages) {
   }
 }
 
-// What the default team, mock:attack, does otherwise: only one player marks.
+// The default team, mock:attack, differs in one point: only one player marks.
 TEST(ExampleTeam, KeepsItsShapeIfOnlyOneMarks) {
   protos::State state;
   protos::WorldModel& world = *state.mutable_world_model();
@@ -93,11 +93,13 @@ TEST(ExampleTeam, KeepsItsShapeIfOnlyOneMarks) {
   world.mutable_intercept_table()->set_self_reach_steps(50);
   world.mutable_intercept_table()->set_first_teammate_id(5);
   world.mutable_intercept_table()->set_first_teammate_reach_steps(30);
+
   const auto marks = [&state](ExampleTeam::Defense defense) {
     protos::PlayerActions actions;
     ExampleTeam(defense).decide(state, actions);
     return actions.actions(0).has_helios_basic_move();
   };
+
   for (int unum = 2; unum <= 11; ++unum) {
     world.mutable_self()->set_uniform_number(unum);
     EXPECT_TRUE(marks(ExampleTeam::Defense::kAllMark)) << unum;

@@ -81,8 +81,10 @@ TEST(Expectations, ChecksOrderPerAgent) {
   order.add(proto::Rpc::kRegister, hello);
   for (int i = 0; i < 18; ++i) order.add(proto::Rpc::kSendPlayerType, type_for(1));
   order.add(proto::Rpc::kGetPlayerActions, state(1, 0));
+
   EXPECT_TRUE(order.failures().empty());
   order.add(proto::Rpc::kGetPlayerActions, state(2, 0));
+
   EXPECT_EQ(order.failures(),
             Lines{"expected (line 1): Reds player 2 called GetPlayerActions, not Register, "
                   "SendPlayerType, GetPlayerActions"});

@@ -145,6 +145,7 @@ TEST(Faults, DrawsFromSeedUnumAndCycle) {
     faults.error = 0.3;
     faults.jitter_ms = 50;
     faults.seed = seed;
+
     std::string text;
     for (int cycle = 0; cycle < 200; ++cycle) {
       protos::State state;
@@ -154,12 +155,15 @@ TEST(Faults, DrawsFromSeedUnumAndCycle) {
       text += fault.what == Fault::What::kError ? 'e' : '.';
       EXPECT_LE(fault.delay_ms, 50);
     }
+
     return text;
   };
+
   EXPECT_EQ(fates(1), fates(1));
   EXPECT_NE(fates(1), fates(2));
+
   const std::string text = fates(1);
-  EXPECT_NEAR(static_cast<double>(std::count(text.begin(), text.end(), 'e')), 60.0, 25.0);
+  EXPECT_NEAR(static_cast<double>(std::ranges::count(text, 'e')), 60.0, 25.0);
 }
 
 TEST(Faults, ApplyOnlyToGivenCyclesAndUnums) {
@@ -167,12 +171,14 @@ TEST(Faults, ApplyOnlyToGivenCyclesAndUnums) {
   faults.drop = 1.0;
   faults.cycles = CycleRange{10, 20, 1};
   faults.unums = {4};
+
   const auto dropped = [&](int unum, int cycle) {
     protos::State state;
     state.mutable_register_response()->set_uniform_number(unum);
     state.mutable_world_model()->set_cycle(cycle);
     return draw_fault(faults, proto::Rpc::kGetPlayerActions, state).what == Fault::What::kHang;
   };
+
   EXPECT_TRUE(dropped(4, 10));
   EXPECT_TRUE(dropped(4, 20));
   EXPECT_FALSE(dropped(4, 21));

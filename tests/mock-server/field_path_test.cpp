@@ -17,12 +17,14 @@ protos::State state() {
   world.mutable_self()->set_is_kickable(true);
   world.mutable_ball()->mutable_position()->set_x(12.5F);
   world.set_our_team_name("Reds");
+
   for (const int unum : {3, 9}) {
     protos::Player& teammate = *world.add_teammates();
     teammate.set_uniform_number(unum);
     teammate.mutable_position()->set_x(static_cast<float>(unum));
     (*world.mutable_our_players_dict())[unum] = teammate;
   }
+
   return state;
 }
 

@@ -48,6 +48,7 @@ TEST(Script, FirstMatchingRuleDecides) {
       {"when": {"state": {"ball.position.x": {">": 5}}}, "reply": [{"catch": {}}]},
       {"when": {"cycle": {"from": 100, "every": 10}}, "reply": []},
       {"reply": [{"say": {"wait_request_message": {}}}]}]})";
+
   EXPECT_EQ(first_action(rules, state(9, 10)), "kick { power: 80 }");
   EXPECT_EQ(first_action(rules, state(9, 20)), "dash { power: 100 }");
   EXPECT_EQ(first_action(rules, state(10, 15)), "dash { power: 100 }");
@@ -55,8 +56,10 @@ TEST(Script, FirstMatchingRuleDecides) {
   EXPECT_EQ(first_action(rules, state(2, 15)), "say { wait_request_message { } }");
   EXPECT_EQ(first_action(rules, state(2, 110)), "");
   EXPECT_EQ(first_action(rules, state(2, 111)), "say { wait_request_message { } }");
+
   protos::State near_goal = state(2, 15);
   near_goal.mutable_world_model()->mutable_ball()->mutable_position()->set_x(6.0F);
+
   EXPECT_EQ(first_action(rules, near_goal), "catch { }");
 }
 
@@ -82,9 +85,11 @@ TEST(Script, SupportsRulesForCoachAndTrainer) {
        "reply": [{"do_change_mode": {"game_mode_type": "PlayOn", "side": "LEFT"}}]}]})"));
   protos::CoachActions coach;
   behavior.decide_as_coach(state(12, 1), coach);
+
   EXPECT_EQ(coach.actions(0).change_player_types().type(), 5);
   protos::TrainerActions trainer;
   behavior.decide_as_trainer(state(13, 3), trainer);
+
   EXPECT_EQ(trainer.actions(0).do_change_mode().game_mode_type(), protos::PlayOn);
   protos::TrainerActions nothing;
   behavior.decide_as_trainer(state(13, 4), nothing);

@@ -44,16 +44,19 @@ TEST(MockServer, RepliesToEveryRpc) {
   protos::Empty empty;
   const auto ok = [](const grpc::Status& status) { return status.ok(); };
   const auto context = [] { return std::make_unique<grpc::ClientContext>(); };
+
   EXPECT_TRUE(ok(stub->SendServerParams(context().get(), {}, &empty)));
   EXPECT_TRUE(ok(stub->SendPlayerParams(context().get(), {}, &empty)));
   EXPECT_TRUE(ok(stub->SendPlayerType(context().get(), {}, &empty)));
   EXPECT_TRUE(ok(stub->SendInitMessage(context().get(), {}, &empty)));
   EXPECT_TRUE(ok(stub->SendByeCommand(context().get(), {}, &empty)));
+
   protos::PlayerActions player;
   EXPECT_TRUE(ok(stub->GetPlayerActions(context().get(), {}, &player)));
   EXPECT_GT(player.actions_size(), 0);
   protos::CoachActions coach;
   EXPECT_TRUE(ok(stub->GetCoachActions(context().get(), {}, &coach)));
+
   protos::TrainerActions trainer;
   EXPECT_TRUE(ok(stub->GetTrainerActions(context().get(), {}, &trainer)));
 }
@@ -92,11 +95,13 @@ std::string ask(const Server& server, const std::string& method, const std::stri
                                              grpc::InsecureChannelCredentials()));
   grpc::ClientContext context;
   grpc::CompletionQueue queue;
+
   const auto next = [&queue] {
     void* got = nullptr;
     bool ok = false;
     return queue.Next(&got, &ok) && ok;
   };
+
   const grpc::Slice slice(request);
   const grpc::ByteBuffer message(&slice, 1);
   grpc::ByteBuffer answer;
@@ -109,8 +114,10 @@ std::string ask(const Server& server, const std::string& method, const std::stri
   call->Read(&answer, tag);
   EXPECT_TRUE(next()) << method;
   call->Finish(&status, tag);
+
   EXPECT_TRUE(next());
   grpc::Slice bytes;
+
   EXPECT_TRUE(answer.DumpToSingleSlice(&bytes).ok());
   return {reinterpret_cast<const char*>(bytes.begin()), bytes.size()};
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/index.h"
 #include "player/behaviors/automatic_play.h"
 #include "proxy/actions/action_handlers.h"
 #include "proxy/connection/action_names.h"
@@ -411,7 +412,7 @@ TEST(Executor, EveryActionAcceptsAnyNumberInAnySituation) {
               << type->field(i)->name() << " " << number << " " << situation;
         }
         const player::ActionCounts& counts =
-            pitch.report.actions[static_cast<std::size_t>(type->field(i)->number())];
+            pitch.report.actions[base::index(type->field(i)->number())];
         EXPECT_EQ(counts.done + counts.failed, 1) << type->field(i)->name();
       }
     }

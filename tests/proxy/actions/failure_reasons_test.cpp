@@ -35,6 +35,7 @@ TEST(FailureReasons, AreThoseOfTheDocumentation) {
       named.insert(action);
     }
   });
+
   EXPECT_GE(named.size(), 45U);
   EXPECT_EQ(fails_when("view_wide"), "width unchanged");
   EXPECT_EQ(fails_when("no_such_action"), "");

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "tests/proxy/coach/coached_match.h"
 
@@ -124,12 +123,14 @@ TEST(AttentionTo, SetsAndClearsAttention) {
     action.mutable_attention_to()->set_side(protos::LEFT);
     action.mutable_attention_to()->set_unum(3);
   });
+
   EXPECT_EQ(match.self().attention, soccer::slot_of(Side::kLeft, 3));
   match.play = [](const proxy::PlayerAgent& player, PlayerActions& actions) {
     if (player.world().our_side == Side::kLeft && player.unum() == 7) {
       actions.add_actions()->mutable_attention_to_of();
     }
   };
+
   match.steps(3);
   EXPECT_EQ(match.self().attention, simulator::kNoPlayer);
 }
@@ -139,6 +140,7 @@ TEST(Say, IsHeardByListeningTeammate) {
   match.arrange([](simulator::World& world) {
     InPlay::put(world.player(Side::kLeft, 9), {10, 5});
   });
+
   match.play = [](const proxy::PlayerAgent& player, PlayerActions& actions) {
     if (player.world().our_side != Side::kLeft) return;
     if (player.unum() == 9) {
@@ -146,6 +148,7 @@ TEST(Say, IsHeardByListeningTeammate) {
       attention.set_side(protos::LEFT);
       attention.set_unum(7);
     }
+
     if (player.unum() != 7) return;
     auto& pass = *actions.add_actions()->mutable_say()->mutable_pass_message();
     pass.set_receiver_uniform_number(9);
@@ -154,12 +157,14 @@ TEST(Say, IsHeardByListeningTeammate) {
     pass.mutable_ball_position()->set_x(1.0F);
     pass.mutable_ball_velocity()->set_x(2.0F);
   };
+
   const auto heard = [&] {
     const auto& all = match.player(Side::kLeft, 9).world().heard;
-    return std::any_of(all.begin(), all.end(), [](const player::HeardMessage& message) {
+    return std::ranges::any_of(all, [](const player::HeardMessage& message) {
       return message.unum == 7 && message.text.starts_with("p");
     });
   };
+
   for (int i = 0; i < 5 && !heard(); ++i) match.steps(1);
   EXPECT_TRUE(heard());
 }

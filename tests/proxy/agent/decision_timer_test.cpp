@@ -69,6 +69,7 @@ TEST(DecisionTimer, WaitsLongerWithoutSynchronousSee) {
 TEST(DecisionTimer, DoesNotWaitWhenViewWidthExcludesSee) {
   const std::pair<ViewWidth, int> periods[] = {
       {ViewWidth::kNarrow, 1}, {ViewWidth::kNormal, 2}, {ViewWidth::kWide, 3}};
+
   for (const auto& [width, period] : periods) {
     DecisionTimer timer = real_time();
     timer.on_sense_body(at(0), width);

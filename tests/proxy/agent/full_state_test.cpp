@@ -55,6 +55,7 @@ class Recording {
         return &agent->state(Instant() + kLater);
       }
     }
+
     return nullptr;
   }
 

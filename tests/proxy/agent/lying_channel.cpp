@@ -1,4 +1,4 @@
-// What happens to each message of the server.
+// Changes to each message of the server.
 #include "tests/proxy/agent/lying_channel.h"
 
 #include <algorithm>
@@ -44,6 +44,7 @@ bool LyingChannel::receive(std::string& message) {
       distort(std::move(received));
     }
   }
+
   if (waiting_.empty()) return false;
   message = std::move(waiting_.front());
   waiting_.pop_front();
@@ -67,6 +68,7 @@ void LyingChannel::distort(std::string message) {
   const std::size_t kind = liar_.below(100);
   if (kind < 25) ++liar_.told;
   if (kind < 4) return;  // lost
+
   if (kind < 8) {
     message.resize(liar_.below(message.size() + 1));
   } else if (kind < 12) {
@@ -82,6 +84,7 @@ void LyingChannel::distort(std::string message) {
     ++liar_.told;
     message = liar_.mutator.mutate(std::move(message));
   }
+
   deliver(std::move(message));
 }
 

@@ -22,7 +22,7 @@ enum class Lies : std::uint8_t {
   kServer,   ///< they are also changed, invented, old, of other protocol versions
 };
 
-/// What all connections of a team share.
+/// State that all connections of a team share.
 struct Liar {
   explicit Liar(std::uint64_t seed) : random(seed), mutator(seed) {}
 

@@ -70,6 +70,7 @@ class LyingServer : public testing::Test {
     options.on_late = OnLate::kLast;
     Team team(options, *playmaker);
     if (from_the_start) liar.lies = lies;
+
     Outcome outcome;
     if (const auto joined = join(*server, team, liar); !joined) {
       outcome.refusal = joined.error().message;
@@ -86,13 +87,17 @@ class LyingServer : public testing::Test {
       outcome.honest_decisions = decisions(team);
       for (std::size_t i = 0; i < before.size(); ++i) outcome.honest_decisions[i] -= before[i];
     }
+
     outcome.messages = liar.messages;
     outcome.told = liar.told;
+
     for (const auto& player : team.players()) {
       outcome.unreadable += player->server().errors.unreadable;
     }
+
     const simulator::World& world = server->world();
     EXPECT_TRUE(std::isfinite(world.ball.position.x) && std::isfinite(world.ball.velocity.y));
+
     team.leave();
     return outcome;
   }
@@ -116,10 +121,12 @@ class LyingServer : public testing::Test {
       channels.back()->send("(init Others (version " + std::to_string(version) + "))");
       server.accept_clients();
     }
+
     for (int cycle = 0; cycle < 2; ++cycle) server.run_cycle();
     for (const auto& channel : channels) {
       for (std::string message; channel->receive(message);) liar.foreign.push_back(message);
     }
+
     EXPECT_GT(liar.foreign.size(), 100U);
     return channels;
   }
@@ -135,16 +142,19 @@ class LyingServer : public testing::Test {
     const auto open = [&](simulator::ListeningPort port) {
       return std::make_unique<LyingChannel>(server.connect(port), liar);
     };
+
     if (auto done = team.connect([&] { return open(simulator::ListeningPort::kPlayers); }, serve);
         !done) {
       return done;
     }
+
     if (auto done = team.connect_coach(
             CoachRole::kOnlineCoach, [&] { return open(simulator::ListeningPort::kOnlineCoaches); },
             serve);
         !done) {
       return done;
     }
+
     const RpcStatus registered = team.register_agents();
     EXPECT_TRUE(registered.ok()) << registered.message;
     return {};
@@ -185,6 +195,7 @@ TEST_F(LyingServer, TeamRecoversFromAFaultyNetwork) {
     messages += outcome.messages;
     told += outcome.told;
   }
+
   std::printf("%lld messages, %lld lies\n", static_cast<long long>(messages),
               static_cast<long long>(told));
 }

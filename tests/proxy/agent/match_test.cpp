@@ -33,6 +33,7 @@ TEST(Match, IsTheSameWithDirectCallsAndOverGrpc) {
 TEST(Match, RequestsEveryDecisionWithoutServerErrors) {
   MockMatch match(7, 2);
   match.play(kSteps);
+
   for (const int side : {0, 1}) {
     for (const auto& player : match.team(side).players()) {
       const proxy::AgentStatistics& statistics = player->statistics();

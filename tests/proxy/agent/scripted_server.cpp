@@ -1,8 +1,11 @@
 // Scripted messages of a soccer server.
 #include "tests/proxy/agent/scripted_server.h"
 
+#include <gtest/gtest.h>
+
 #include <utility>
 
+#include "base/index.h"
 #include "soccer/commands/connection_request.h"
 #include "soccer/memory_channel.h"
 #include "soccer/messages/parameter_message.h"
@@ -33,11 +36,22 @@ std::unique_ptr<soccer::Channel> ScriptedServer::open() {
   return std::move(client);
 }
 
+void ScriptedServer::admit(proxy::Team& team) {
+  EXPECT_TRUE(team.connect([this] { return open(); },
+                           [this] {
+                             serve();
+                             return true;
+                           }));
+  const proxy::RpcStatus introduced = team.register_agents();
+  EXPECT_TRUE(introduced.ok()) << introduced.message;
+  for (int unum = 1; unum <= 11; ++unum) take(unum);
+}
+
 void ScriptedServer::serve() {
   for (std::size_t i = 0; i < clients_.size(); ++i) {
     std::string message;
     while (clients_[i]->receive(message)) {
-      if (message.rfind("(init ", 0) != 0) {
+      if (!message.starts_with("(init ")) {
         said_[i].push_back(message);
       } else if (!refusal.empty()) {
         clients_[i]->send(refusal);
@@ -63,11 +77,13 @@ void ScriptedServer::accept(soccer::Channel& client, int unum) {
   soccer::format(player, version, text);
   client.send(text);
   soccer::PlayerType type = soccer::default_player_type(server);
+
   for (type.id = 0; type.id < player_types; ++type.id) {
     text.clear();
     soccer::format(type, version, text);
     client.send(text);
   }
+
   client.send("(ok synch_see)");
 }
 
@@ -88,7 +104,7 @@ void ScriptedServer::send_cycle(int cycle, bool think) {
 
 std::vector<std::string> ScriptedServer::take(int unum) {
   serve();
-  return std::exchange(said_.at(static_cast<std::size_t>(unum - 1)), {});
+  return std::exchange(said_.at(base::index(unum - 1)), {});
 }
 
 }  // namespace cls::tests

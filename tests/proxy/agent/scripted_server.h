@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/index.h"
+#include "proxy/agent/team.h"
 #include "soccer/channel.h"
 
 namespace cls::tests {
@@ -21,6 +23,8 @@ class ScriptedServer {
 
   /// Client side of a new connection.
   std::unique_ptr<soccer::Channel> open();
+  /// Connects and registers a team of eleven, as the test expects, and takes what they have sent.
+  void admit(proxy::Team& team);
   /// Handles received init commands: sends uniform number, parameters and types.
   void serve();
   /// Sends sense_body and see of the cycle to all players; `think` makes decisions due.
@@ -30,7 +34,7 @@ class ScriptedServer {
   std::vector<std::string> take(int unum);
 
  private:
-  soccer::Channel& client(int unum) { return *clients_.at(static_cast<std::size_t>(unum - 1)); }
+  soccer::Channel& client(int unum) { return *clients_.at(base::index(unum - 1)); }
   void accept(soccer::Channel& client, int unum);
 
   std::vector<std::unique_ptr<soccer::Channel>> clients_;

@@ -119,6 +119,7 @@ TEST_P(UdpMatch, PlaysInSynchronousModeWithoutMissedCycle) {
   const ShouldContinue go_on = [limit] { return steady_clock::now() < limit; };
   Side left("left", server.port, GetParam());
   Side right("right", server.port, GetParam());
+
   ASSERT_TRUE(wait_for_server(*left.clients, go_on));
   left.join(go_on);
   left.play(go_on);
@@ -127,9 +128,11 @@ TEST_P(UdpMatch, PlaysInSynchronousModeWithoutMissedCycle) {
   left.thread.join();
   right.thread.join();
   server.wait();
+
   EXPECT_EQ(server.end, simulator::UdpServerExit::kFinished);
   EXPECT_EQ(server.udp->world().clock.time, kCycles);
   EXPECT_EQ(server.udp->missed_cycles(), 0);
+
   for (const Side* side : {&left, &right}) {
     ASSERT_EQ(side->team.players().size(), 11U);
     for (const auto& player : side->team.players()) {
@@ -183,12 +186,14 @@ TEST(TeamDriver, EndsWhenOthersTakeOverItsPlayers) {
   Side left("left", server.port, false, driving);
   left.join(go_on);
   left.play(go_on);
+
   std::vector<std::unique_ptr<tests::UdpClient>> others;
   for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
     others.push_back(std::make_unique<tests::UdpClient>(server.port));
     others.back()->send("(reconnect left " + std::to_string(unum) + ")");
     EXPECT_TRUE(others.back()->wait().starts_with("(reconnect l before_kick_off)"));
   }
+
   left.thread.join();
   EXPECT_EQ(left.end, DriveResult::kPlayersUnheard);
 }
@@ -204,14 +209,9 @@ TEST(RealTime, DecidesOnSeeWithoutThinkAndSendsNoDone) {
   TeamOptions options;
   options.name = "us";
   Team team(options, playmaker);
-  ASSERT_TRUE(team.connect([&] { return server.open(); },
-                           [&] {
-                             server.serve();
-                             return true;
-                           }));
-  ASSERT_TRUE(team.register_agents().ok());
-  for (int unum = 1; unum <= 11; ++unum) server.take(unum);
+  server.admit(team);
   server.send_cycle(1, false);
+
   EXPECT_EQ(team.begin_decisions(steady_clock::now()), 11);
   EXPECT_EQ(team.outstanding(), 11);
   EXPECT_EQ(team.begin_decisions(steady_clock::now()), 0);
@@ -219,14 +219,17 @@ TEST(RealTime, DecidesOnSeeWithoutThinkAndSendsNoDone) {
   }
   EXPECT_EQ(team.outstanding(), 0);
   server.serve();
+
   for (int unum = 1; unum <= 11; ++unum) {
     const auto said = server.take(unum);
     ASSERT_EQ(said.size(), 1U);
-    EXPECT_THAT(said[0], HasSubstr("(turn 30)")) << said[0];
-    EXPECT_THAT(said[0], Not(HasSubstr("(done)"))) << said[0];
+    EXPECT_THAT(said[0], HasSubstr("(turn 30)"));
+    EXPECT_THAT(said[0], Not(HasSubstr("(done)")));
   }
+
   // The counters of the next sense_body do not move: the turns came too late.
   server.send_cycle(2, false);
+
   EXPECT_EQ(team.begin_decisions(steady_clock::now()), 11);
   EXPECT_EQ(team.players().front()->statistics().lost_commands, 1);
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/index.h"
 #include "proxy/playmaker/grpc_playmaker.h"
 #include "soccer/protocol/scanner.h"
 #include "tests/proxy/agent/scripted_server.h"
@@ -23,6 +24,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 using tests::FakePlaymaker;
 using tests::ScriptedServer;
 using Said = std::vector<std::string>;
@@ -50,9 +52,7 @@ RpcStatus failure(RpcOutcome outcome, std::string message = "") {
 struct Game {
   explicit Game(FakePlaymaker& playmaker, OnLate on_late = OnLate::kHold)
       : team(options(on_late), playmaker) {
-    EXPECT_TRUE(connect(team, server));
-    EXPECT_TRUE(team.register_agents().ok());
-    for (int unum = 1; unum <= 11; ++unum) server.take(unum);
+    server.admit(team);
   }
 
   ScriptedServer server;
@@ -67,11 +67,13 @@ std::vector<Said> play(FakePlaymaker& playmaker, int cycles) {
     actions.add_actions()->mutable_turn_neck()->set_moment(static_cast<float>(agent));
     return RpcStatus{};
   };
+
   Game game(playmaker);
   for (int cycle = 1; cycle <= cycles; ++cycle) {
     game.server.send_cycle(cycle);
     EXPECT_EQ(game.team.run_cycle(), 11);
   }
+
   std::vector<Said> said;
   for (int unum = 1; unum <= 11; ++unum) said.push_back(game.server.take(unum));
   return said;
@@ -108,8 +110,7 @@ TEST(Team, CallsInSequenceOfUpstreamProxy) {
   for (const int agent : {1, 4}) {
     const std::vector<std::string> recorded = recorded_life(std::to_string(agent));
     ASSERT_GT(recorded.size(), 100U);
-    const auto decisions =
-        std::count(recorded.begin(), recorded.end(), std::string("GetPlayerActions"));
+    const auto decisions = std::ranges::count(recorded, "GetPlayerActions");
     FakePlaymaker playmaker;
     Game game(playmaker);
     for (int cycle = 1; cycle <= decisions; ++cycle) {
@@ -126,12 +127,14 @@ TEST(Team, RegistersPlayersSequentiallyGoalieFirst) {
   Game game(playmaker);
   std::vector<std::string> registered;
   for (const std::string& call : playmaker.calls()) {
-    if (call.rfind("Register", 0) == 0) registered.push_back(call);
+    if (call.starts_with("Register")) registered.push_back(call);
   }
+
   ASSERT_EQ(registered.size(), 11U);
   EXPECT_EQ(registered.front(), "Register 1");
   EXPECT_EQ(registered.back(), "Register 11");
   EXPECT_EQ(playmaker.calls().size(), 11U * 22U);
+
   const auto& players = game.team.players();
   EXPECT_TRUE(players.front()->options().goalie);
   EXPECT_FALSE(players.back()->options().goalie);
@@ -154,6 +157,7 @@ TEST(Team, SendsSameCommandsForAnyOrderOfReplies) {
     return n % outstanding.size();
   };
   const std::vector<Said> said = play(in_order, 20);
+
   ASSERT_EQ(said.at(3).size(), 20U);
   EXPECT_THAT(said.at(3).at(4), HasSubstr("(done)"));
   EXPECT_EQ(play(reversed, 20), said);
@@ -164,7 +168,7 @@ TEST(Team, SendsCommandsOfCycleAndDoneInOneDatagram) {
   FakePlaymaker playmaker;
   const std::vector<Said> said = play(playmaker, 1);
   ASSERT_EQ(said.at(6).size(), 1U);
-  EXPECT_EQ(said.at(6).front().rfind("(dash 8)(turn_neck 7)", 0), 0U) << said.at(6).front();
+  EXPECT_THAT(said.at(6).front(), StartsWith("(dash 8)(turn_neck 7)"));
   EXPECT_THAT(said.at(6).front(), HasSubstr("(done)"));
 }
 
@@ -189,6 +193,7 @@ TEST(Team, CountsMissedDecisionsAndStillSendsDone) {
     const bool recovered = state.world_model().cycle() > 3;
     return found == outcomes.end() || recovered ? RpcStatus{} : failure(found->second, "broken");
   };
+
   Game game(playmaker);
   for (int cycle = 1; cycle <= 3; ++cycle) {
     game.server.send_cycle(cycle);
@@ -196,15 +201,18 @@ TEST(Team, CountsMissedDecisionsAndStillSendsDone) {
   }
   EXPECT_EQ(game.team.missed_decisions().consecutive, 3);
   EXPECT_EQ(game.team.missed_decisions().last.message, "broken");
+
   const auto& late = game.team.players().at(1)->statistics();
   EXPECT_EQ(late.decisions, 3);
   EXPECT_EQ(late.late, 3);
   EXPECT_EQ(late.missed, 3);
   EXPECT_EQ(late.rpc_us.size(), 0U);
+
   const auto& dead = game.team.players().at(2)->statistics();
   EXPECT_EQ(dead.late, 0);
   EXPECT_EQ(dead.missed, 3);
-  EXPECT_EQ(dead.outcomes.at(static_cast<std::size_t>(RpcOutcome::kUnavailable)), 3);
+  EXPECT_EQ(dead.outcomes.at(base::index(RpcOutcome::kUnavailable)), 3);
+
   for (const auto& [agent, outcome] : outcomes) {
     const Said said = game.server.take(agent);
     ASSERT_EQ(said.size(), 3U);
@@ -212,6 +220,7 @@ TEST(Team, CountsMissedDecisionsAndStillSendsDone) {
   }
   game.server.send_cycle(4);
   game.team.run_cycle();
+
   EXPECT_EQ(game.team.missed_decisions().consecutive, 0);
   EXPECT_EQ(late.max_consecutive_missed, 3);
   EXPECT_EQ(late.rpc_us.percentile(0.5), 20.0);
@@ -225,18 +234,22 @@ TEST(Team, FollowsOnLateOption) {
       actions.add_actions()->mutable_dash()->set_power(33.0F);
       return state.world_model().cycle() >= 2 ? failure(RpcOutcome::kDeadline) : RpcStatus{};
     };
+
     Game game(playmaker, on_late);
     for (int cycle = 1; cycle <= 2; ++cycle) {
       game.server.send_cycle(cycle);
       game.team.run_cycle();
     }
+
     const Said said = game.server.take(8);
     EXPECT_EQ(said.size(), 2U);
     EXPECT_THAT(said.front(), HasSubstr("(dash 33)"));
     return said.back();
   };
+
   EXPECT_THAT(said_late(OnLate::kHold), Not(HasSubstr("dash")));
   EXPECT_THAT(said_late(OnLate::kLast), HasSubstr("(dash 33)"));
+
   const std::string by_itself = said_late(OnLate::kDefault);
   EXPECT_THAT(by_itself, Not(HasSubstr("(dash 33)")));
   EXPECT_THAT(by_itself, HasSubstr("(done)"));
@@ -251,12 +264,14 @@ TEST(Team, PlaysWithPlaymakerOfFirstInterface) {
   };
   ScriptedServer server;
   Team team(options(), playmaker);
+
   ASSERT_TRUE(connect(team, server));
   ASSERT_TRUE(team.register_agents().ok());
   EXPECT_EQ(team.players().at(4)->identity().client_id(), 0);
   EXPECT_EQ(team.players().at(4)->identity().uniform_number(), 5);
   EXPECT_EQ(team.players().at(4)->identity().team_name(), "us");
   EXPECT_EQ(team.take_warnings().size(), 1U);
+
   server.send_cycle(1);
   EXPECT_EQ(team.run_cycle(), 11);
   EXPECT_EQ(team.missed_decisions().unum, 0);
@@ -334,7 +349,7 @@ TEST(Team, ContinuesAfterSecondReplyToInit) {
     EXPECT_EQ(game.team.players()[1]->world().our_side, soccer::Side::kLeft);
     const Said warnings = game.team.take_warnings();
     ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_THAT(warnings.front(), HasSubstr(second)) << warnings.front();
+    EXPECT_THAT(warnings.front(), HasSubstr(second));
   }
 }
 
@@ -368,8 +383,10 @@ TEST(Team, SendsByeOnlyForRegisteredPlayers) {
   Team team(options(), playmaker);
   ASSERT_TRUE(connect(team, server));
   ASSERT_FALSE(team.register_agents().ok());
+
   team.leave();
   const auto& calls = playmaker.calls();
+
   EXPECT_EQ(std::vector<std::string>(calls.end() - 2, calls.end()),
             (std::vector<std::string>{"SendByeCommand 1", "SendByeCommand 2"}));
   EXPECT_EQ(server.take(11).back(), "(bye)");
@@ -406,10 +423,12 @@ TEST(Team, CountsCommandsByKind) {
     return RpcStatus{};
   };
   Game game(playmaker);
+
   for (int cycle = 1; cycle <= 4; ++cycle) {
     game.server.send_cycle(cycle);
     game.team.run_cycle();
   }
+
   const auto commands = game.team.players().at(6)->statistics().commands_by_name();
   EXPECT_EQ(commands.at("dash"), 4);
   EXPECT_EQ(commands.count("done"), 0U);

@@ -26,11 +26,13 @@ struct Connected {
     options.team_name = "us";
     options.planner = parameters;
     agent = std::make_unique<PlayerAgent>(server.open(), options);
+
     EXPECT_TRUE(agent->connect());
     for (int i = 0; i < 2; ++i) {
       server.serve();
       agent->perceive();
     }
+
     sent = server.take(1);
     EXPECT_TRUE(agent->ready()) << agent->server().refusal;
     EXPECT_EQ(agent->server().errors.errors, 0);
@@ -67,11 +69,13 @@ TEST(Version19, ReportsRefusalOfBothVersions) {
   AgentOptions options;
   options.team_name = "us";
   PlayerAgent agent(server.open(), options);
+
   ASSERT_TRUE(agent.connect());
   for (int i = 0; i < 3; ++i) {
     server.serve();
     agent.perceive();
   }
+
   EXPECT_EQ(agent.server().refusal, "no_more_player_or_goalie_or_illegal_client_version");
   EXPECT_EQ(agent.server().errors.errors, 1);
 }

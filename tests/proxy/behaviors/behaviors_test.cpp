@@ -3,12 +3,13 @@
 
 #include <cmath>
 
+#include "base/index.h"
 #include "player/behaviors/behaviors.h"
-#include "player/estimates/team_lines.h"
+#include "player/estimates/estimates.h"
 #include "player/movement/home_positions.h"
 #include "player/perception/say_message.h"
 #include "proxy/messages/shoot_out_view.h"
-#include "tests/proxy/support/known_pitch.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::proxy {
 namespace {
@@ -55,6 +56,7 @@ TEST(HeliosGoalie, DoesNotCatchBallFromTackleOfTeammate) {
     pitch.act(kGoalie);
     return pitch.sent<soccer::Catch>() != nullptr;
   };
+
   const Vec2 beside{-48.0, 7.1};
   EXPECT_FALSE(catches({-50.0, 14.5}, beside));
   EXPECT_TRUE(catches({-40.0, 14.5}, beside)) << "far from the ball's way";
@@ -83,6 +85,7 @@ TEST(HeliosGoalie, SavesShots) {
     });
     if (pitch.sent<soccer::Catch>() != nullptr) ++saved;
   }
+
   EXPECT_GE(saved, 5);
 }
 
@@ -142,13 +145,16 @@ TEST(BhvGoalieFreeKick, WaitsMovesAndKicks) {
   pitch.world.game.caught_time = 100;
   pitch.set_time(101);
   pitch.act(kFreeKick);
+
   EXPECT_EQ(pitch.sent<soccer::Kick>(), nullptr) << "teammates need time";
   pitch.add_opponent(9, {-42.0, 10.0});
   pitch.add_opponent(10, {-42.0, 0.0});
   pitch.set_time(155);
   pitch.act(kFreeKick);
+
   ASSERT_NE(pitch.sent<soccer::Move>(), nullptr);
   EXPECT_LT(pitch.sent<soccer::Move>()->y, 0.0) << "in free space";
+
   pitch.place_self({-43.0, -10.0});
   pitch.place_ball({-42.4, -10.0});
   pitch.add_teammate(4, {-30.0, -22.0});
@@ -165,6 +171,7 @@ TEST(BhvGoalieFreeKick, NeverRunsWithCaughtBall) {
   pitch.set_mode(PlayMode::kFreeKickLeft);
   pitch.world.game.goalie_catch = true;
   pitch.world.game.caught_time = 100;
+
   for (int cycle = 151; cycle < 160; ++cycle) {
     pitch.set_time(cycle);
     pitch.act(kFreeKick);
@@ -191,11 +198,13 @@ KnownPitch kick_in() {
   pitch.world.game.set_play_count = 5;
   const Vec2 home = own_home_position(pitch.world);
   pitch.place_self(home);
+
   for (int unum = 2; unum <= 11; ++unum) {
     if (unum == 7) continue;
-    const Vec2 position = home_positions(pitch.world)[static_cast<std::size_t>(unum - 1)];
+    const Vec2 position = home_positions(pitch.world)[base::index(unum - 1)];
     pitch.add_teammate(unum, position);
   }
+
   return pitch;
 }
 
@@ -205,6 +214,7 @@ TEST(HeliosSetPlay, KickerGoesToBallWaitsAndPasses) {
   pitch.place_ball(pitch.world.self.position + Vec2{6.0, -5.0});
   for (player::PlayerState& teammate : pitch.world.teammates) teammate.position.x -= 25.0;
   const int kicker = set_play_kicker(pitch.world);
+
   ASSERT_NE(kicker, 0);
   if (kicker != pitch.world.unum) {
     // Another number is the kicker: play that one.
@@ -213,6 +223,7 @@ TEST(HeliosSetPlay, KickerGoesToBallWaitsAndPasses) {
       if (pitch.world.teammates[i].unum == kicker) pitch.world.teammates[i].unum = 7;
     }
   }
+
   const Vec2 ball = pitch.world.ball.position;
   int kicked_at = 0;
   for (int cycle = 1; cycle <= 95 && kicked_at == 0; ++cycle) {
@@ -223,6 +234,7 @@ TEST(HeliosSetPlay, KickerGoesToBallWaitsAndPasses) {
       ASSERT_LT(distance(pitch.world.ball.position, ball), 0.05) << "collided with the ball";
     }
   }
+
   EXPECT_GT(kicked_at, 12) << "not before teammates have taken positions";
   EXPECT_GT(pitch.world.ball.velocity.length(), 0.5);
 }
@@ -266,12 +278,14 @@ TEST(SetPlayKicker, HasOneOfTwoNearestHomePositions) {
   const int kicker = set_play_kicker(pitch.world);
   const player::TeamPoints homes = home_positions(pitch.world);
   const Vec2 ball = pitch.world.ball.position;
+
   int nearer = 0;
   for (std::size_t i = 1; i < homes.size(); ++i) {
-    if (distance(homes[i], ball) < distance(homes[static_cast<std::size_t>(kicker - 1)], ball)) {
+    if (distance(homes[i], ball) < distance(homes[base::index(kicker - 1)], ball)) {
       ++nearer;
     }
   }
+
   EXPECT_LE(nearer, 1);
   EXPECT_NE(kicker, 1) << "not the goalie";
 }
@@ -308,12 +322,14 @@ TEST(HeliosPenalty, GoalieTakesPositionAndOthersWait) {
   goalie.set_shoot_out(PlayMode::kPenaltySetupRight);
   goalie.world.game.penalty.field_side = Side::kLeft;
   for (int i = 0; i < 50; ++i) goalie.act(kPenalty);
+
   EXPECT_LT(distance(goalie.world.self.position, {-50.5, 0.0}), 1.5);
   KnownPitch waiting;
   waiting.world.unum = 5;
   waiting.set_shoot_out(PlayMode::kPenaltySetupLeft);
   waiting.place_self({20.0, 0.0});
   for (int i = 0; i < 60; ++i) waiting.act(kPenalty);
+
   EXPECT_LT(waiting.world.self.position.length(), 9.15);
 }
 
@@ -331,14 +347,17 @@ TEST(ShootOutView, RotatesSoThatTakerAttacksRight) {
   pitch.set_shoot_out(PlayMode::kPenaltyTakenLeft);
   EXPECT_FALSE(needs_shoot_out_view(pitch.world)) << "their goal is in use";
   pitch.world.game.penalty.field_side = Side::kLeft;
+
   ASSERT_TRUE(needs_shoot_out_view(pitch.world));
   const player::WorldModel view = rotated(pitch.world);
+
   EXPECT_EQ(view.self.position, (Vec2{12.0, -1.0}));
   EXPECT_NEAR(view.self.body.degrees(), 0.0, 1e-9);
   EXPECT_EQ(view.ball.velocity, (Vec2{0.5, -0.1}));
   EXPECT_EQ(view.opponents[0].position, (Vec2{51.0, 2.0}));
   EXPECT_NEAR((view.ball.angle_from_self - view.self.body).degrees(),
               (pitch.world.ball.angle_from_self - pitch.world.self.body).degrees(), 1e-9);
+
   pitch.set_shoot_out(PlayMode::kPenaltyTakenRight);
   EXPECT_TRUE(needs_shoot_out_view(pitch.world)) << "we defend the goal on the right";
 }
@@ -363,9 +382,11 @@ TEST(BhvDoHeardPassRecieve, RunsToAnnouncedPointAndContinues) {
   pitch.act(reply);
   EXPECT_EQ(pitch.report.heard_pass, 1) << "automatically";
   ASSERT_EQ(pitch.memory.intention.kind, player::Intention::Kind::kReceive);
+
   pitch.world.heard.clear();
   const double before = distance(pitch.world.self.position, point);
   for (int i = 0; i < 5; ++i) pitch.act(reply);
+
   EXPECT_GT(pitch.report.intention, 2);
   EXPECT_LT(distance(pitch.world.self.position, point), before - 1.0);
 }
@@ -385,11 +406,13 @@ TEST(HeliosCommunication, SaysVisibleBallAndPlayers) {
   for (player::PlayerState& player : pitch.world.opponents)
     player.seen_pos_count = player.unum_count = 0;
   pitch.act([](PlayerActions& reply) { reply.add_actions()->mutable_helios_communication(); });
+
   ASSERT_NE(pitch.sent<soccer::Say>(), nullptr);
   std::string_view text = pitch.sent<soccer::Say>()->text;
   const auto message = player::parse_say_message(text, pitch.world.server());
   ASSERT_TRUE(message);
   const auto* said = std::get_if<player::SayBallPlayer>(&*message);
+
   ASSERT_NE(said, nullptr);
   EXPECT_NEAR(said->ball.position.x, 6.0, 0.11) << "predicted position in the next cycle";
   EXPECT_EQ(said->player.number, 15);

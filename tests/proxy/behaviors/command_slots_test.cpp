@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 
-#include "tests/proxy/support/known_pitch.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::proxy {
 namespace {
@@ -38,6 +37,7 @@ TEST(CommandSlots, SendsTurnZeroWithoutBodyCommand) {
 TEST(CommandSlots, ComposesInWireOrder) {
   KnownPitch pitch;
   player::CommandSlots slots(pitch.world);
+
   EXPECT_TRUE(slots.say("abc"));
   EXPECT_TRUE(slots.attention_to(Side::kLeft, 5));
   EXPECT_TRUE(slots.point_to({10.0, 0.0}));
@@ -121,8 +121,10 @@ TEST(CommandSlots, AcceptsMoveBeforeKickOffAndAfterCatch) {
   EXPECT_EQ(text_of(slots), "(move -0.1 34)");
   pitch.set_mode(PlayMode::kFreeKickLeft);
   pitch.world.goalie = true;
+
   EXPECT_FALSE(slots.move({-40.0, 0.0}));
   pitch.world.game.goalie_catch = true;
+
   EXPECT_TRUE(slots.move({0.0, 30.0}));
   EXPECT_EQ(text_of(slots), "(move -37 19.16)");
 }
@@ -207,6 +209,7 @@ TEST(CommandSlots, RejectsNaN) {
   pitch.place_ball({0.6, 0.0});
   pitch.set_mode(PlayMode::kBeforeKickOff);
   player::CommandSlots slots(pitch.world);
+
   EXPECT_FALSE(slots.dash(kNaN));
   EXPECT_FALSE(slots.turn(kNaN));
   EXPECT_FALSE(slots.kick(kNaN, 0.0));

@@ -1,10 +1,8 @@
 // Neck, view, focus and arm actions: what comes into view.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "tests/proxy/support/known_pitch.h"
 #include "tests/proxy/support/wire_vector.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::proxy {
 namespace {
@@ -54,16 +52,19 @@ TEST(NeckTurnToBallOrScan, TurnsToBallOnlyWhenStale) {
   KnownPitch pitch;
   pitch.place_ball({0.0, 20.0});
   pitch.act(look(-1));
+
   EXPECT_TRUE(pitch.sees(pitch.world.ball.position));
   // A fresh ball: the neck scans its whole range within a few cycles.
   std::array<bool, 24> seen{};
+
   for (int i = 0; i < 6; ++i) {
     pitch.act(look(0));
     for (int d = 0; d < 24; ++d) {
       seen[d] = seen[d] || pitch.sees(soccer::polar_degrees(10.0, d * 10.0 - 115.0));
     }
   }
-  EXPECT_GE(std::count(seen.begin(), seen.end(), true), 22);
+
+  EXPECT_GE(std::ranges::count(seen, true), 22);
   pitch.world.ball.pos_count = 3;
   pitch.act(look(2));
   EXPECT_TRUE(pitch.sees(pitch.world.ball.position));
@@ -72,6 +73,7 @@ TEST(NeckTurnToBallOrScan, TurnsToBallOnlyWhenStale) {
 TEST(NeckScanField, TurnsToDirectionUnseenForLongest) {
   KnownPitch pitch;
   std::array<int, 24> unseen{};
+
   int longest = 0;
   for (int i = 0; i < 30; ++i) {
     pitch.act([](PlayerActions& reply) {
@@ -83,6 +85,7 @@ TEST(NeckScanField, TurnsToDirectionUnseenForLongest) {
       if (i > 6) longest = std::max(longest, unseen[d]);
     }
   }
+
   EXPECT_LE(longest, 8) << "240 degrees with a cone of 60";
 }
 
@@ -110,6 +113,7 @@ TEST(NeckTurnToBallAndPlayer, ShowsBothWhenTheyFit) {
   KnownPitch pitch;
   pitch.place_ball({10.0, 0.0});
   pitch.add_opponent(5, {10.0, 8.0}, 180.0, 4);
+
   const auto look = [](int threshold) {
     return [threshold](PlayerActions& reply) {
       keep_view(reply);
@@ -119,14 +123,17 @@ TEST(NeckTurnToBallAndPlayer, ShowsBothWhenTheyFit) {
       both.set_count_threshold(threshold);
     };
   };
+
   pitch.act(look(2));
   EXPECT_TRUE(pitch.sees({10.0, 0.0}));
   EXPECT_TRUE(pitch.sees({10.0, 8.0}));
+
   // Too far apart: only the ball.
   KnownPitch apart;
   apart.place_ball({10.0, 0.0});
   apart.add_opponent(5, {-8.0, 8.0}, 180.0, 4);
   apart.act(look(2));
+
   EXPECT_TRUE(apart.sees({10.0, 0.0}));
   pitch.act([](PlayerActions& reply) {
     reply.add_actions()->mutable_neck_turn_to_ball_and_player()->set_uniform_number(3);
@@ -138,6 +145,7 @@ TEST(NeckTurnToPlayerOrScan, TurnsToPlayerOfNamedSide) {
   KnownPitch pitch;
   pitch.add_teammate(5, {5.0, 12.0}, 0.0, 6);
   pitch.add_opponent(5, {5.0, -12.0}, 0.0, 6);
+
   const auto look = [](protos::Side side) {
     return [side](PlayerActions& reply) {
       keep_view(reply);
@@ -149,6 +157,7 @@ TEST(NeckTurnToPlayerOrScan, TurnsToPlayerOfNamedSide) {
   };
   pitch.act(look(protos::LEFT));
   EXPECT_TRUE(pitch.sees({5.0, 12.0}));
+
   pitch.act(look(protos::RIGHT));
   EXPECT_TRUE(pitch.sees({5.0, -12.0}));
 }
@@ -220,11 +229,13 @@ TEST(BhvBodyNeckToPoint, FacesPointWithBodyAndNeck) {
   });
   EXPECT_NEAR(pitch.world.self.body.degrees(), 135.0, 0.1);
   EXPECT_NEAR(pitch.world.self.face().degrees(), 135.0, 1.0);
+
   // Too fast for a full turn: the neck does the rest.
   pitch.place_self({}, 0.0, {0.4, 0.0});
   pitch.act([](PlayerActions& reply) {
     set(reply.add_actions()->mutable_bhv_body_neck_to_point()->mutable_point(), {0.4, 10.0});
   });
+
   EXPECT_NEAR(pitch.world.self.body.degrees(), 60.0, 0.1);
   EXPECT_NEAR(pitch.world.self.face().degrees(), 90.0, 1.0);
 }
@@ -245,11 +256,13 @@ TEST(BhvNeckBodyToPoint, TurnsBodyOnlyWhenNeckIsNotEnough) {
       to.set_angle_buf(5.0F);
     };
   };
+
   pitch.act(look({0.5, 10.0}));
   EXPECT_NEAR(pitch.world.self.face().degrees(), 87.0, 5.0);
   EXPECT_GT(pitch.world.self.body.abs(), 80.0) << "inside the buffer: the body turns";
   pitch.place_self({}, 0.0);
   pitch.act(look({10.0, 10.0}));
+
   EXPECT_NEAR(pitch.world.self.body.degrees(), 0.0, 1e-9);
   EXPECT_NEAR(pitch.world.self.face().degrees(), 45.0, 1.0);
 }
@@ -303,14 +316,17 @@ TEST(ViewActions, SetWidth) {
   pitch.act([](PlayerActions& reply) { reply.add_actions()->mutable_view_normal(); });
   EXPECT_EQ(pitch.world.self.view_width, ViewWidth::kNormal);
   pitch.act([](PlayerActions& reply) { reply.add_actions()->mutable_view_synch(); });
+
   EXPECT_EQ(pitch.world.self.view_width, ViewWidth::kNarrow);
   pitch.act([](PlayerActions& reply) {
     reply.add_actions()->mutable_view_change_width()->set_view_width(protos::WIDE);
   });
+
   EXPECT_EQ(pitch.world.self.view_width, ViewWidth::kWide);
   pitch.act([](PlayerActions& reply) {
     reply.add_actions()->mutable_change_view()->set_view_width(protos::NORMAL);
   });
+
   EXPECT_EQ(pitch.world.self.view_width, ViewWidth::kNormal);
   pitch.act([](PlayerActions& reply) {
     reply.add_actions()->mutable_change_view()->set_view_width(static_cast<protos::ViewWidth>(9));
@@ -365,9 +381,11 @@ TEST(PointTo, PointsArmAtPoint) {
     point.set_x(11.0F);
     point.set_y(2.0F);
   });
+
   ASSERT_NE(pitch.sent<soccer::PointTo>(), nullptr);
   EXPECT_NEAR(pitch.sent<soccer::PointTo>()->distance, 10.0, 0.01);
   EXPECT_NEAR(pitch.sent<soccer::PointTo>()->direction, -70.0, 0.01) << "off the face";
+
   pitch.roll(5);
   pitch.act([](PlayerActions& reply) { reply.add_actions()->mutable_point_to_of(); });
   EXPECT_NE(pitch.sent<soccer::PointToOff>(), nullptr);

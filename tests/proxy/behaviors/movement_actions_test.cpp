@@ -2,10 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "tests/proxy/support/known_pitch.h"
 #include "tests/proxy/support/wire_vector.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::proxy {
 namespace {
@@ -52,9 +50,11 @@ TEST_P(GoToPoint, ReachesPointAndStops) {
            pitch.world.self.velocity.length() < 0.05;
   };
   const int cycles = pitch.act_until(100, go_to(c.target, c.threshold), there);
+
   // Two turns, acceleration and braking in addition to one meter per cycle.
   EXPECT_LE(cycles, static_cast<int>(way) + 9);
   EXPECT_TRUE(there());
+
   for (int i = 0; i < 10; ++i) pitch.act(go_to(c.target, c.threshold));
   EXPECT_LT(distance(pitch.world.self.position, c.target), c.threshold);
   EXPECT_EQ(pitch.sent<soccer::Turn>()->moment, 0.0);
@@ -87,6 +87,7 @@ TEST(BodyGoToPointDodge, RunsAroundPlayerInTheWay) {
   KnownPitch pitch;
   pitch.add_opponent(4, {4.0, 0.05});
   double nearest = 100.0;
+
   const int cycles = pitch.act_until(
       25,
       [](protos::PlayerActions& reply) {
@@ -98,6 +99,7 @@ TEST(BodyGoToPointDodge, RunsAroundPlayerInTheWay) {
         nearest = std::min(nearest, pitch.world.opponents[0].dist_from_self);
         return distance(pitch.world.self.position, {9.0, 0.0}) < 0.6;
       });
+
   EXPECT_LT(cycles, 25);
   EXPECT_GT(nearest, 0.6) << "two player radii";
 }
@@ -155,8 +157,10 @@ TEST(BodyTurnToPoint, FacesPointFromCoastingPosition) {
     set(point.mutable_target_point(), {0.2, 5.0});
     point.set_cycle(1);
   };
+
   pitch.act(turn);
   EXPECT_NEAR(pitch.world.self.body.degrees(), 90.0, 0.1);
+
   pitch.place_self({0.2, 0.0}, 90.0);
   pitch.act(turn);
   EXPECT_EQ(pitch.counts(PlayerAction::kBodyTurnToPoint).failed, 1) << "already facing it";
@@ -179,9 +183,11 @@ TEST(BhvBeforeKickOff, MovesToPointAndScans) {
     set(reply.add_actions()->mutable_bhv_before_kick_off()->mutable_point(), {-20.0, 12.0});
   };
   pitch.act(wait);
+
   EXPECT_LT(distance(pitch.world.self.position, {-20.0, 12.0}), 0.01);
   // After arriving it scans all directions.
   std::array<bool, 36> seen{};
+
   for (int i = 0; i < 20; ++i) {
     pitch.act(wait);
     for (int d = 0; d < 36; ++d) {
@@ -189,7 +195,8 @@ TEST(BhvBeforeKickOff, MovesToPointAndScans) {
                 pitch.sees(pitch.world.self.position + soccer::polar_degrees(9.0, d * 10.0 + 3.0));
     }
   }
-  EXPECT_EQ(std::count(seen.begin(), seen.end(), true), 36);
+
+  EXPECT_EQ(std::ranges::count(seen, true), 36);
 }
 
 TEST(BhvBeforeKickOff, StaysOutOfCenterCircleWithoutKickOff) {
@@ -201,6 +208,7 @@ TEST(BhvBeforeKickOff, StaysOutOfCenterCircleWithoutKickOff) {
   kicker.set_mode(PlayMode::kBeforeKickOff);
   kicker.set_time(0, 8);
   kicker.act(wait);
+
   EXPECT_NEAR(kicker.world.self.position.x, -0.01, 1e-6);
   KnownPitch other;
   other.place_self({-20.0, 0.0});
@@ -208,6 +216,7 @@ TEST(BhvBeforeKickOff, StaysOutOfCenterCircleWithoutKickOff) {
   other.set_mode(PlayMode::kBeforeKickOff);
   other.set_time(0, 8);
   other.act(wait);
+
   EXPECT_NEAR(other.world.self.position.length(), 9.65, 0.01);
 }
 

@@ -1,11 +1,9 @@
 // Success rates of skills with rcssserver's noise.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "soccer/random.h"
-#include "tests/proxy/support/known_pitch.h"
 #include "tests/proxy/support/wire_vector.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::proxy {
 namespace {
@@ -36,6 +34,7 @@ TEST(UnderNoise, SmartKickReachesNearlyFullSpeed) {
   constexpr double kSpeed = 2.8;
   soccer::RandomStream random(1, "smart kick");
   int done = 0;
+
   double error = 0.0;
   for (int trial = 0; trial < kTrials; ++trial) {
     KnownPitch pitch = kickable_ball(random, static_cast<std::uint64_t>(trial));
@@ -56,6 +55,7 @@ TEST(UnderNoise, SmartKickReachesNearlyFullSpeed) {
     done += velocity.length() > 0.85 * kSpeed && off < 6.0 ? 1 : 0;
     error += off / kTrials;
   }
+
   EXPECT_GE(done, 97);
   EXPECT_LT(error, 2.0);
 }
@@ -65,6 +65,7 @@ TEST(UnderNoise, DribbleCoversThirtyMeters) {
   const Vec2 target{10.0, 5.0};
   constexpr int kTrials = 50;
   int arrived = 0;
+
   int cycles = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
     KnownPitch pitch(Noise::kReal, static_cast<std::uint64_t>(trial));
@@ -83,6 +84,7 @@ TEST(UnderNoise, DribbleCoversThirtyMeters) {
         [&] { return distance(pitch.world.self.position, target) < 1.5; });
     arrived += distance(pitch.world.ball.position, target) < 4.0 ? 1 : 0;
   }
+
   EXPECT_GE(arrived, 49);
   // A run without the ball takes 31 cycles and a turn.
   EXPECT_LT(cycles, 42 * kTrials);
@@ -93,6 +95,7 @@ TEST(UnderNoise, InterceptReachesBallNearlyOptimally) {
   constexpr int kTrials = 100;
   int got = 0;
   int cycles = 0;
+
   int quickest = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
     KnownPitch pitch(Noise::kReal, static_cast<std::uint64_t>(trial));
@@ -109,6 +112,7 @@ TEST(UnderNoise, InterceptReachesBallNearlyOptimally) {
         [&] { return pitch.world.self.kickable; });
     got += pitch.world.self.kickable ? 1 : 0;
   }
+
   EXPECT_EQ(got, kTrials);
   EXPECT_LT(cycles, quickest * 1.25);
 }
@@ -127,6 +131,7 @@ TEST(UnderNoise, HoldBallShieldsBallFromTwoOpponents) {
       if (cycle > 1 && (pitch.world.kickable_opponent() || !pitch.world.self.kickable)) ++lost;
     }
   }
+
   EXPECT_LE(lost, 6) << "of 540 cycles";
 }
 
@@ -135,6 +140,7 @@ TEST(UnderNoise, GoToPointStopsAtTarget) {
   for (int trial = 0; trial < 50; ++trial) {
     KnownPitch pitch(Noise::kReal, static_cast<std::uint64_t>(trial));
     pitch.place_self({}, random.uniform(-180.0, 180.0));
+
     const Vec2 target = around(random, 0.6, 20.0);
     const int cycles = pitch.act_until(
         60,

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <memory>
 #include <optional>
 #include <set>
 #include <vector>
@@ -12,11 +11,10 @@
 #include "player/behaviors/behaviors.h"
 #include "player/movement/home_positions.h"
 #include "player/movement/off_ball.h"
-#include "player/planner/evaluation.h"
 #include "player/planner/generators.h"
-#include "player/planner/outlet.h"
 #include "player/planner/plan_execution.h"
-#include "tests/proxy/support/known_pitch.h"
+#include "player/planner/planner.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::proxy {
 namespace {
@@ -53,6 +51,7 @@ TEST(PlannerParameters, RefusesWrongNamesAndValues) {
     const auto set = set_planner_parameter(parameters, name, value);
     return set ? "accepted" : set.error().message;
   };
+
   EXPECT_EQ(error("x_wieght", 1.0), "unknown parameter 'x_wieght'; did you mean 'x_weight'?");
   EXPECT_EQ(error("x_weight", 10.1), "x_weight: must be a number from 0 to 10 (points/m)");
   EXPECT_EQ(error("x_weight", std::numeric_limits<double>::quiet_NaN()),
@@ -75,6 +74,7 @@ TEST(PlannerParameters, ChangeTheValueOfStates) {
   plan.nodes.push_back(node);
   const auto value = [&] { return default_value(player::PlannerField(pitch.world), plan, 0); };
   const double usual = value();
+
   const auto change = [&](std::string_view name, double to) {
     const auto before = pitch.world.planner;
     pitch.set_parameter(name, to);
@@ -82,6 +82,7 @@ TEST(PlannerParameters, ChangeTheValueOfStates) {
     pitch.world.planner = before;
     return changed;
   };
+
   EXPECT_NEAR(change("cycle_cost", 1.25), -12.0, 1e-9);
   EXPECT_NEAR(change("action_cost", 3.0), -4.0, 1e-9);
   EXPECT_NEAR(change("x_weight", 2.0), 62.5, 1e-9);
@@ -89,9 +90,11 @@ TEST(PlannerParameters, ChangeTheValueOfStates) {
   EXPECT_NEAR(change("pressure_cost", 2.5), -2.0, 1e-9);
   EXPECT_NEAR(change("pressure_distance", 1.0), 3.0, 1e-9);
   EXPECT_DOUBLE_EQ(change("hold_pressure_cost", 5.0), 0.0) << "a pass";
+
   plan.nodes[0].depth = 0;
   const double held = value();
   pitch.set_parameter("hold_pressure_cost", 5.0);
+
   EXPECT_NEAR(value() - held, -10.0, 1e-9);
 }
 
@@ -102,6 +105,7 @@ TEST(PlannerParameters, ChangeWhichPassesAreGenerated) {
   pitch.add_opponent(2, {46.0, -30.0});
   pitch.add_opponent(4, {10.0, 4.0});
   pitch.add_teammate(9, {16.0, 9.0});
+
   const auto passes = [&] {
     std::vector<player::PlanAction> actions;
     add_passes(player::PlannerField(pitch.world), actions);
@@ -109,8 +113,10 @@ TEST(PlannerParameters, ChangeWhichPassesAreGenerated) {
   };
   const std::size_t usual = passes();
   pitch.set_parameter("pass_margin", 3.0);
+
   EXPECT_LT(passes(), usual);
   pitch.set_parameter("pass_margin", 0.0);
+
   EXPECT_GT(passes(), usual);
   pitch.set_parameter("pass_distance", 10.0);
   EXPECT_EQ(passes(), 0U);
@@ -121,9 +127,10 @@ TEST(PlannerParameters, ChangeWhenTheBallIsLaidOff) {
   pitch.place_ball({0.6, 0.0});
   pitch.add_teammate(5, {-8.0, 14.0});
   pitch.add_opponent(4, {2.1, 0.0});
-  pitch.add_opponent(6, {-1.2, 10.6});  // four meters beside the lane
+  pitch.add_opponent(6, {-1.2, 10.6});  // four meters next to the lane
   player::Plan hold;
   hold.nodes.emplace_back();
+
   const auto lays_off = [&] {
     player::NeckPlan neck;
     player::PlanChoice choice;
@@ -132,8 +139,10 @@ TEST(PlannerParameters, ChangeWhenTheBallIsLaidOff) {
     EXPECT_TRUE(execute_plan(context, hold, 0));
     return slots.say_text().starts_with('p');  // a pass is announced
   };
+
   EXPECT_FALSE(lays_off());
   pitch.set_parameter("lay_off_pressure", 2.0);
+
   EXPECT_TRUE(lays_off());
   pitch.set_parameter("lay_off_room", 5.0);
   EXPECT_FALSE(lays_off());
@@ -155,11 +164,13 @@ TEST(PlannerParameters, ShiftHomePositionsOfFieldPlayers) {
   pitch.place_ball({0.0, 0.0});
   pitch.add_opponent(1, {50.0, 0.0});
   pitch.add_opponent(2, {48.0, 0.0});
+
   ASSERT_EQ(formation_kind(pitch.world), player::FormationKind::kOffense);
   const player::TeamPoints usual = home_positions(pitch.world);
   pitch.set_parameter("shift_offense", 4.0);
   pitch.set_parameter("shift_defense", -20.0);
   const player::TeamPoints shifted = home_positions(pitch.world);
+
   EXPECT_EQ(shifted[0].x, usual[0].x) << "the goalie stays";
   for (std::size_t i = 1; i < usual.size(); ++i) {
     EXPECT_NEAR(shifted[i].x, usual[i].x + 4.0, 1e-9) << i + 1;
@@ -178,14 +189,17 @@ TEST(PlannerParameters, ChangeWhoIsMarked) {
   const auto mark = [&] {
     return find_mark(pitch.world, homes, marking_in_open_play(pitch.world));
   };
+
   ASSERT_TRUE(mark());
   const double usual = mark()->point.x;
   pitch.set_parameter("mark_step", 4.0);
   EXPECT_LT(mark()->point.x, usual - 2.0);
   pitch.set_parameter("mark_range", 10.0);
+
   EXPECT_FALSE(mark());
   pitch.set_parameter("mark_range", 38.0);
   pitch.set_parameter("mark_way", 0.1);
+
   EXPECT_FALSE(mark());
   pitch.set_parameter("mark_way", 11.0);
   pitch.set_parameter("mark_ball_x", -40.0);
@@ -205,10 +219,12 @@ TEST(PlannerParameters, ChangeTackles) {
     const auto* sent = pitch.sent<soccer::Tackle>();
     return sent == nullptr ? std::optional<bool>() : sent->foul;
   };
+
   const Vec2 midfield{0.0, 3.0};
   EXPECT_EQ(tackle(midfield, {0.9, 0.1}, 10.0, "fouls", 1.0), true);
   EXPECT_EQ(tackle(midfield, {0.9, 0.1}, 10.0, "fouls", 0.0), false);
   EXPECT_EQ(tackle(midfield, {0.9, 0.1}, 10.0, "tackle_chance", 1.0), std::nullopt);
+
   const Vec2 before_goal{-45.0, 3.0};
   EXPECT_EQ(tackle(before_goal, {-0.9, 0.1}, 175.0, "area_back_angle", 100.0), false);
   EXPECT_EQ(tackle(before_goal, {-0.9, 0.1}, 175.0, "area_back_angle", 0.0), std::nullopt);
@@ -231,6 +247,7 @@ TEST(PlannerParameters, ChangePaceAndRestingOfRuns) {
   const auto power = [&] { return normal_dash_power(pitch.world, recovering); };
   pitch.set_parameter("pace", 0.0);
   set_stamina_share(pitch, 0.5);
+
   EXPECT_DOUBLE_EQ(running_pace(pitch.world), 1.0) << "the same at all times";
   const double usual = power();
   pitch.set_parameter("pace", 4.0);
@@ -243,14 +260,18 @@ TEST(PlannerParameters, ChangePaceAndRestingOfRuns) {
   set_stamina_share(pitch, 2.0);
   EXPECT_DOUBLE_EQ(running_pace(pitch.world), 1.3);
   pitch.set_parameter("pace", 0.0);
+
   EXPECT_DOUBLE_EQ(power(), usual);
   pitch.set_parameter("run_power", 0.85);
+
   EXPECT_NEAR(power(), 0.5 * usual, 1e-9);
   pitch.set_stamina(4500.0);
   power();
+
   EXPECT_FALSE(recovering);
   pitch.set_parameter("tired_below", 0.6);
   power();
+
   EXPECT_TRUE(recovering);
   pitch.set_parameter("tired_below", 0.4);
   pitch.set_parameter("rested_above", 0.5);

@@ -2,22 +2,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <memory>
 #include <vector>
 
+#include "base/index.h"
 #include "player/perception/say_message.h"
-#include "player/planner/evaluation.h"
 #include "player/planner/field.h"
 #include "player/planner/generators.h"
-#include "player/planner/search.h"
+#include "player/planner/planner.h"
 #include "player/world/motion.h"
 #include "proxy/actions/executor.h"
 #include "proxy/planner/offensive_planner.h"
 #include "proxy/planner/planner_messages.h"
 #include "proxy/planner/playmaker_evaluation.h"
-#include "tests/proxy/support/known_pitch.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::proxy {
 namespace {
@@ -89,6 +87,7 @@ TEST(Passes, ArriveBeforeAnyOpponent) {
       }
     }
   }
+
   EXPECT_GT(passes, 10);
 }
 
@@ -155,15 +154,18 @@ TEST(Dribbles, EndAtPlannedPoint) {
   player::PlannerOptions options;
   options.passes = options.cross = options.long_dribble = false;
   const player::Plan plan = make_plan(field, options);
-  const player::PlanAction action = plan.nodes[static_cast<std::size_t>(plan.best)].action;
+  const player::PlanAction action = plan.nodes[base::index(plan.best)].action;
+
   ASSERT_EQ(action.category, player::PlanCategory::kDribble);
   pitch.act(only_dribble);
+
   ASSERT_TRUE(pitch.memory.intention.active());
   for (int cycle = 1; cycle < action.duration; ++cycle) {
     PlayerActions nothing;
     pitch.act(nothing);
     EXPECT_FALSE(pitch.touched_ball());
   }
+
   EXPECT_LT(distance(pitch.world.ball.position, action.target_point), 0.1);
   EXPECT_TRUE(pitch.world.self.kickable);
 }
@@ -175,13 +177,16 @@ TEST(HeliosOffensivePlanner, PassesToAnnouncedPoint) {
       plan_with([](protos::HeliosOffensivePlanner& planner) { planner.set_direct_pass(true); });
   pitch.act(only_direct);
   while (pitch.world.self.kickable) pitch.act(only_direct);
+
   ASSERT_NE(pitch.sent<soccer::Say>(), nullptr);
   std::string_view text = pitch.sent<soccer::Say>()->text;
   const auto said = player::parse_say_message(text, pitch.world.server());
   ASSERT_TRUE(said);
   EXPECT_EQ(std::get<player::SayPass>(*said).receiver, 9);
+
   double nearest = 100.0;
   const Vec2 announced = std::get<player::SayPass>(*said).point;
+
   for (int i = 0; i < 30; ++i) {
     pitch.roll(1);
     nearest = std::min(nearest, distance(pitch.world.ball.position, announced));
@@ -209,6 +214,7 @@ TEST(HeliosOffensivePlanner, KicksOutOfDangerBeforeOurGoal) {
         plan_with([](protos::HeliosOffensivePlanner& planner) { planner.set_direct_pass(true); }));
     return pitch.world.ball.velocity;
   };
+
   const Vec2 away = kick({-44.0, 10.0});
   EXPECT_GT(away.y, 0.5) << "not through the middle, " << away.x << ", " << away.y;
   EXPECT_GT(away.length(), 1.5);
@@ -228,14 +234,17 @@ TEST(HeliosOffensivePlanner, RespectsMaxNodesAndMaxDepth) {
   protos::HeliosOffensivePlanner action;
   tests::allow_everything(action);
   action.set_max_nodes(20);
+
   EXPECT_LE(make_plan(field, planner_options(action)).nodes.size(), 20U);
   action.set_max_nodes(0);
   action.set_max_depth(1);
+
   for (const player::PlanNode& node : make_plan(field, planner_options(action)).nodes) {
     EXPECT_LE(node.depth, 1);
   }
   action.set_max_depth(0);
   const player::Plan deep = make_plan(field, planner_options(action));
+
   EXPECT_TRUE(std::any_of(deep.nodes.begin(), deep.nodes.end(),
                           [](const player::PlanNode& node) { return node.depth > 1; }));
   EXPECT_LE(deep.nodes.size(), 500U);
@@ -250,7 +259,7 @@ player::PlanAction best_first(const KnownPitch& pitch,
                 [&](const player::PlannerField& of, const player::Plan& planned, int node) {
                   return evaluate(of, planned, node, evaluation);
                 });
-  return plan.nodes[static_cast<std::size_t>(plan.first_of(plan.best))].action;
+  return plan.nodes[base::index(plan.first_of(plan.best))].action;
 }
 
 TEST(PlannerEvaluation, ExcludesActionTypesWithFactorZero) {
@@ -259,9 +268,11 @@ TEST(PlannerEvaluation, ExcludesActionTypesWithFactorZero) {
   protos::PlannerEvaluation evaluation;
   auto& types = *evaluation.mutable_effectors()->mutable_action_type_effector();
   types.set_direct_pass(1.0F);
+
   EXPECT_EQ(best_first(pitch, evaluation).tag, player::PlanTag::kStrictDirect);
   types.set_direct_pass(0.0F);
   types.set_long_dribble(1.0F);
+
   EXPECT_EQ(best_first(pitch, evaluation).tag, player::PlanTag::kSelfPass);
   types.set_long_dribble(0.0F);
   types.set_hold(1.0F);
@@ -308,11 +319,13 @@ TEST(PlannerEvaluation, FollowsHeliosWeightsAndOpponentEffect) {
   protos::PlannerEvaluation evaluation;
   auto& helios = *evaluation.mutable_field_evaluators()->mutable_helios_field_evaluator();
   helios.set_x_coefficient(1.0F);
+
   EXPECT_GT(best_first(pitch, evaluation).target_point.x, 0.5);
   // Only the distance to opponents counts; one is in front.
   helios.set_x_coefficient(0.0F);
   pitch.add_opponent(4, {9.0, 0.0});
   auto& opponents = *evaluation.mutable_effectors()->mutable_opponent_effector();
+
   for (int i = 0; i < 25; ++i) {
     opponents.add_negetive_effect_by_distance(static_cast<float>(i - 25));
   }

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
+#include "base/index.h"
 #include "player/behaviors/behaviors.h"
 #include "player/movement/home_positions.h"
 #include "player/movement/off_ball.h"
-#include "player/planner/evaluation.h"
-#include "player/planner/outlet.h"
-#include "tests/proxy/support/known_pitch.h"
+#include "player/planner/planner.h"
+#include "tests/support/known_pitch.h"
 
 namespace cls::proxy {
 namespace {
@@ -104,16 +104,18 @@ TEST(Marking, AssignsOnePlayerPerOpponent) {
   const player::TeamPoints homes = home_positions(pitch.world);
   pitch.add_opponent(10, {-40.0, -26.0});
   pitch.add_opponent(11, {-38.0, -10.0});
+
   for (int unum = 2; unum <= 8; ++unum) {
-    if (unum != 7) pitch.add_teammate(unum, homes[static_cast<std::size_t>(unum - 1)]);
+    if (unum != 7) pitch.add_teammate(unum, homes[base::index(unum - 1)]);
   }
+
   pitch.place_self(homes[6]);
   int markers = 0;
   for (int unum = 2; unum <= 8; ++unum) {
     KnownPitch other = pitch;
     if (unum != 7) {  // the same pitch from another player's perspective
       other.world.unum = unum;
-      other.place_self(homes[static_cast<std::size_t>(unum - 1)]);
+      other.place_self(homes[base::index(unum - 1)]);
       for (player::PlayerState& teammate : other.world.teammates) {
         if (teammate.unum != unum) continue;
         teammate.unum = 7;
@@ -122,6 +124,7 @@ TEST(Marking, AssignsOnePlayerPerOpponent) {
     }
     if (find_mark(other.world, homes, player::kSetPlayMarking)) ++markers;
   }
+
   EXPECT_EQ(markers, 2);
 }
 
@@ -131,9 +134,11 @@ TEST(Marking, CoversWingerBehindTheDefenseAtKickIn) {
   pitch.set_mode(PlayMode::kKickInRight);
   pitch.place_ball({-22.7, 34.0});
   const player::TeamPoints homes = home_positions(pitch.world);
+
   for (int unum = 2; unum <= 8; ++unum) {
-    if (unum != 5) pitch.add_teammate(unum, homes[static_cast<std::size_t>(unum - 1)]);
+    if (unum != 5) pitch.add_teammate(unum, homes[base::index(unum - 1)]);
   }
+
   pitch.place_self({-20.0, 22.5});
   pitch.add_opponent(10, {-37.0, 0.0});
   pitch.add_opponent(11, {-39.0, 16.0});
@@ -141,6 +146,7 @@ TEST(Marking, CoversWingerBehindTheDefenseAtKickIn) {
   const std::optional<player::Mark> mark = find_mark(pitch.world, homes, player::kSetPlayMarking);
   ASSERT_TRUE(mark);
   EXPECT_EQ(mark->opponent->unum, 9);
+
   player::MarkRules nearer = player::kSetPlayMarking;
   nearer.max_cost_near_goal = 0.0;
   EXPECT_FALSE(find_mark(pitch.world, homes, nearer)) << "too far away";
@@ -184,9 +190,11 @@ TEST(Support, IsEmptyWithoutOurAttack) {
   KnownPitch pitch = attack();
   const player::TeamPoints homes = home_positions(pitch.world);
   pitch.set_stamina(3000.0);
+
   EXPECT_FALSE(support_point(pitch.world, homes)) << "low stamina";
   KnownPitch own_half = attack();
   own_half.place_ball({-20.0, 25.0});
+
   EXPECT_FALSE(support_point(own_half.world, home_positions(own_half.world)));
   KnownPitch theirs;
   theirs.world.unum = 11;
@@ -211,6 +219,7 @@ TEST(GoaliePosition, CoversBothCornersAgainstWing) {
     });
     if (pitch.sent<soccer::Catch>() != nullptr) ++saved;
   }
+
   EXPECT_GE(saved, 5);
 }
 
@@ -239,6 +248,7 @@ TEST(PlannerEvaluation, PrefersEarlierOfEqualStates) {
   plan.nodes.push_back(node);
   const double late = default_value(field, plan, 0);
   plan.nodes[0].time = 12;
+
   EXPECT_GT(default_value(field, plan, 0), late);
 }
 

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 
+#include "base/index.h"
 #include "proxy/coach/coach_actions.h"
 #include "proxy/coach/global_perception.h"
 #include "proxy/messages/state_message.h"
@@ -37,9 +37,7 @@ void say_types(CoachActions& actions) {
 const protos::Player& numbered(const google::protobuf::RepeatedPtrField<protos::Player>& players,
                                int unum) {
   static const protos::Player no_player;
-  const auto found = std::find_if(players.begin(), players.end(), [unum](const auto& player) {
-    return player.uniform_number() == unum;
-  });
+  const auto found = std::ranges::find(players, unum, &protos::Player::uniform_number);
   return found == players.end() ? no_player : *found;
 }
 
@@ -66,16 +64,20 @@ TEST(ChangePlayerTypes, SubstitutesWithFullStaminaAfterKickOff) {
   match.arrange([](simulator::World& world) {
     world.player(Side::kLeft, 7).stamina = {1000.0, 0.6, 0.5, 10000.0};
   });
+
   const int free_type = [&] {
     std::set<int> taken;
-    for (int unum = 1; unum <= 11; ++unum)
+    for (int unum = 1; unum <= 11; ++unum) {
       taken.insert(match.world().player(Side::kLeft, unum).type);
+    }
     int type = 0;
-    while (taken.count(type) != 0) ++type;
+    while (taken.contains(type)) ++type;
     return type;
   }();
+
   match.step_as_coach(change(7, free_type));
   match.steps(1);
+
   EXPECT_EQ(match.world().player(Side::kLeft, 7).type, free_type);
   EXPECT_EQ(match.world().team(Side::kLeft).substitutions, 1);
   EXPECT_EQ(match.world().player(Side::kLeft, 7).stamina.recovery, 1.0);
@@ -104,12 +106,12 @@ TEST(DoHeliosSubstitute, AssignsDistinctFastTypesBeforeKickOff) {
     return std::min(type.player_speed_max, type.real_speed_max(world.params().max_dash_power));
   };
   for (int unum = 1; unum <= 11; ++unum) types.insert(world.player(Side::kRight, unum).type);
+
   EXPECT_EQ(types.size(), 11u) << "all different";
   EXPECT_EQ(world.player(Side::kRight, 1).type, 0) << "the goalie";
   EXPECT_GE(speed_of(11), speed_of(8)) << "forwards are quicker than midfielders";
   EXPECT_EQ(match.coach().commands().at("change_player_type"), 11) << "once";
-  EXPECT_EQ(match.coach().server().errors.warnings, 0)
-      << match.coach().server().errors.first_warning;
+  EXPECT_EQ(match.coach().server().errors.first_warning, "");
 }
 
 TEST(DoHeliosSubstitute, ReplacesTiredPlayersDuringStoppage) {
@@ -117,6 +119,7 @@ TEST(DoHeliosSubstitute, ReplacesTiredPlayersDuringStoppage) {
   CoachedMatch match(CoachRole::kOnlineCoach, Side::kLeft, false, 30);
   // Three players run up and down all the time, below the stamina at which recovery falls.
   const std::set<int> runners = {4, 7, 10, 11};
+
   match.play = [&](const proxy::PlayerAgent& player, protos::PlayerActions& actions) {
     const player::WorldModel& world = player.world();
     if (world.our_side != Side::kLeft || runners.count(player.unum()) == 0) return;
@@ -124,6 +127,7 @@ TEST(DoHeliosSubstitute, ReplacesTiredPlayersDuringStoppage) {
     dash.set_power(100.0F);
     dash.set_relative_direction(world.game.time.cycle / 15 % 2 == 0 ? 0.0F : 180.0F);
   };
+
   match.steps_until(PlayMode::kKickOffLeft);
   match.set_mode(PlayMode::kPlayOn);
   match.arrange([](simulator::World& world) {
@@ -133,6 +137,7 @@ TEST(DoHeliosSubstitute, ReplacesTiredPlayersDuringStoppage) {
   });
   for (int i = 0; i < 250; ++i) match.step_as_coach(substitute);
   EXPECT_EQ(match.coach().commands().count("change_player_type"), 0u) << "not while the ball runs";
+
   std::set<int> tired;
   for (int unum = 1; unum <= 11; ++unum) {
     const double truth = match.world().player(Side::kLeft, unum).stamina.recovery;
@@ -142,14 +147,15 @@ TEST(DoHeliosSubstitute, ReplacesTiredPlayersDuringStoppage) {
   EXPECT_EQ(tired, runners);
   match.set_mode(PlayMode::kFreeKickLeft);
   for (int i = 0; i < 5; ++i) match.step_as_coach(substitute);
+
   int fresh = 0;
   for (const int unum : runners) {
     if (match.world().player(Side::kLeft, unum).stamina.recovery > 0.99) ++fresh;
   }
+
   EXPECT_EQ(fresh, 3) << "as many as the rules allow";
   EXPECT_EQ(match.world().team(Side::kLeft).substitutions, 3);
-  EXPECT_EQ(match.coach().server().errors.warnings, 0)
-      << match.coach().server().errors.first_warning;
+  EXPECT_EQ(match.coach().server().errors.first_warning, "");
 }
 
 // The coach identifies the opponents' types from their movement and sends them to the players,
@@ -161,21 +167,24 @@ TEST(DoHeliosSayPlayerTypes, SendsOpponentTypesToPlayers) {
     dash.set_power(100.0F);
     dash.set_relative_direction(player.world().game.time.cycle / 7 % 2 == 0 ? 0.0F : 180.0F);
   };
+
   match.steps_until(PlayMode::kKickOffLeft);
   match.set_mode(PlayMode::kPlayOn);
   for (int i = 0; i < 60; ++i) match.step_as_coach(say_types);
+
   EXPECT_EQ(match.coach().commands().count("say"), 0u) << "the server would not take it in play";
   match.set_mode(PlayMode::kFreeKickLeft);
   for (int i = 0; i < 4; ++i) match.step_as_coach(say_types);
   EXPECT_EQ(match.coach().commands().at("say"), 1) << "nothing new, nothing said";
-  EXPECT_EQ(match.coach().server().errors.errors, 0) << match.coach().server().errors.first_error;
+  EXPECT_EQ(match.coach().server().errors.first_error, "");
+
   for (int unum = 1; unum <= 11; ++unum) {
     const int type = match.world().player(Side::kLeft, unum).type;
     EXPECT_EQ(numbered(match.state().world_model().opponents(), unum).type_id(), type) << unum;
-    EXPECT_EQ(match.player(Side::kRight, 6).world().their_types[static_cast<std::size_t>(unum - 1)],
-              type)
+    EXPECT_EQ(match.player(Side::kRight, 6).world().their_types[base::index(unum - 1)], type)
         << unum;
   }
+
   for (const protos::Player& seen : match.world_model(Side::kRight, 6).opponents()) {
     EXPECT_EQ(seen.type_id(), match.world().player(Side::kLeft, seen.uniform_number()).type);
   }
@@ -196,16 +205,19 @@ TEST(DoHeliosSayPlayerTypes, RepeatsWhatTheServerRefused) {
     dash.set_power(100.0F);
     dash.set_relative_direction(player.world().game.time.cycle / 7 % 2 == 0 ? 0.0F : 180.0F);
   };
+
   match.steps_until(PlayMode::kKickOffLeft);
   match.set_mode(PlayMode::kPlayOn);
   match.steps(60);
   match.set_mode(PlayMode::kFreeKickLeft);
+
   match.arrange([](simulator::World& world) {
     simulator::Player& kicker = world.player(Side::kLeft, 9);
     kicker.position = {-10.0, 20.0};
     kicker.velocity = world.ball.velocity = {};
     world.ball.position = {-9.4, 20.0};
   });
+
   is_at_ball = true;
   match.steps(10);  // the kicker looks for the ball
   kicks = true;
@@ -213,20 +225,23 @@ TEST(DoHeliosSayPlayerTypes, RepeatsWhatTheServerRefused) {
   kicks = false;
   ASSERT_EQ(match.coach().commands().at("say"), 1);
   match.step_as_coach(say_types);
+
   ASSERT_EQ(match.world().mode, PlayMode::kPlayOn);
   const auto type_heard_of = [&](int unum) {
-    return match.player(Side::kRight, 6).world().their_types[static_cast<std::size_t>(unum - 1)];
+    return match.player(Side::kRight, 6).world().their_types[base::index(unum - 1)];
   };
   for (int i = 0; i < 60; ++i) match.step_as_coach(say_types);
   ASSERT_NE(type_heard_of(5), match.world().player(Side::kLeft, 5).type);
   EXPECT_EQ(match.coach().memory().freeforms_sent, 0) << "the server does not count it";
   EXPECT_EQ(match.coach().commands().at("say"), 1);
+
   match.set_mode(PlayMode::kFreeKickLeft);
   match.arrange([](simulator::World& world) { world.ball.velocity = {}; });
   for (int i = 0; i < 4; ++i) match.step_as_coach(say_types);
+
   EXPECT_EQ(match.coach().commands().at("say"), 2) << "once again";
   EXPECT_EQ(type_heard_of(5), match.world().player(Side::kLeft, 5).type);
-  EXPECT_EQ(match.coach().server().errors.errors, 0) << match.coach().server().errors.first_error;
+  EXPECT_EQ(match.coach().server().errors.first_error, "");
 }
 
 // The server does not send the play mode to a late coach.
@@ -249,6 +264,7 @@ TEST(CoachState, IsExactInCoordinatesOfTeam) {
     match.steps(1);
     const protos::WorldModel& model = match.state().world_model();
     const double sign = side == Side::kLeft ? 1.0 : -1.0;
+
     EXPECT_FALSE(model.has_self());
     EXPECT_EQ(model.our_side(), side == Side::kLeft ? protos::LEFT : protos::RIGHT);
     EXPECT_NEAR(model.ball().position().x(), sign * match.world().ball.position.x, 1e-4);
@@ -257,6 +273,7 @@ TEST(CoachState, IsExactInCoordinatesOfTeam) {
     EXPECT_EQ(model.teammates_size(), 11);
     EXPECT_EQ(model.opponents_size(), 11);
     EXPECT_EQ(model.our_players_dict_size(), 11);
+
     for (const protos::Player& player : model.opponents()) {
       const auto& truth = match.world().player(soccer::opponent(side), player.uniform_number());
       EXPECT_NEAR(player.position().x(), sign * truth.position.x, 1e-4);
@@ -264,6 +281,7 @@ TEST(CoachState, IsExactInCoordinatesOfTeam) {
       EXPECT_EQ(player.pos_count(), 0);
       EXPECT_EQ(player.is_goalie(), player.uniform_number() == 1);
     }
+
     EXPECT_EQ(model.cycle(), match.world().clock.time);
     EXPECT_EQ(model.our_goalie_uniform_number(), 1);
   }
@@ -295,10 +313,12 @@ TEST(DoMoveBall, SetsPositionAndVelocity) {
     set(move.mutable_position(), {12.0, -20.0});
     set(move.mutable_velocity(), {1.0, 0.5});
   });
+
   // Moved before the step, which it then rolled.
   EXPECT_NEAR(match.world().ball.position.x, 13.0, 1e-6);
   EXPECT_NEAR(match.world().ball.position.y, -19.5, 1e-6);
   EXPECT_NEAR(match.world().ball.velocity.x, 0.94, 1e-6);
+
   match.wish([](TrainerActions& actions) {
     set(actions.add_actions()->mutable_do_move_ball()->mutable_position(), {-3.0, 4.0});
   });
@@ -312,6 +332,7 @@ TEST(DoMovePlayer, SetsPositionOfPlayersOfBothTeamsWithoutVelocity) {
     world.player(Side::kLeft, 4).velocity = {0.4, 0.0};
     world.player(Side::kRight, 9).velocity = {0.0, 0.4};
   });
+
   match.wish([](TrainerActions& actions) {
     for (const bool ours : {true, false}) {
       auto& move = *actions.add_actions()->mutable_do_move_player();
@@ -321,8 +342,10 @@ TEST(DoMovePlayer, SetsPositionOfPlayersOfBothTeamsWithoutVelocity) {
       move.set_body_direction(ours ? 60.0F : -120.0F);
     }
   });
+
   const auto& ours = match.world().player(Side::kLeft, 4);
   const auto& theirs = match.world().player(Side::kRight, 9);
+
   EXPECT_NEAR(ours.position.x, -15.0, 1e-6);
   EXPECT_NEAR(ours.position.y, 11.0, 1e-6);
   EXPECT_NEAR(ours.body, soccer::math::to_radians(60.0), 1e-6);
@@ -356,12 +379,15 @@ TEST(DoChangePlayerType, ChangesPlayersOfBothTeamsWithoutLimit) {
       }
     }
   });
+
   for (int unum = 2; unum <= 6; ++unum) {
     EXPECT_EQ(match.world().player(Side::kLeft, unum).type, 17);
     EXPECT_EQ(match.world().player(Side::kRight, unum).type, 17);
   }
+
   EXPECT_EQ(match.world_model(Side::kLeft, 3).self().type_id(), 17);
   match.steps(1);
+
   EXPECT_EQ(numbered(match.state().world_model().opponents(), 3).type_id(), 17);
 }
 
@@ -398,12 +424,14 @@ TEST_P(DoChangeMode, SetsPlayMode) {
         match.arrange([](simulator::World& world) { world.ball.position.x = -50.0; });
       }
     }
+
     match.step_as_trainer([&](TrainerActions& actions) {
       auto& change = *actions.add_actions()->mutable_do_change_mode();
       change.set_game_mode_type(c.mode);
       change.set_side(side);
     });
     match.steps(1);
+
     EXPECT_EQ(match.coach().commands().at("change_mode"), 1);
     EXPECT_EQ(match.world().mode, side == protos::LEFT ? c.left : c.right);
     EXPECT_EQ(match.coach().world().game.mode, match.world().mode) << "as all clients hear";
@@ -435,7 +463,7 @@ constexpr ModeCase kModes[] = {
 
 INSTANTIATE_TEST_SUITE_P(Modes, DoChangeMode, testing::ValuesIn(kModes), [](const auto& one) {
   std::string name = protos::GameModeType_Name(one.param.mode);
-  name.erase(std::remove(name.begin(), name.end(), '_'), name.end());
+  std::erase(name, '_');
   return name;
 });
 
@@ -469,35 +497,41 @@ TEST(TrainerActions, IgnoresInvalidActions) {
     auto& type = *actions.add_actions()->mutable_do_change_player_type();
     type.set_uniform_number(3);
     type.set_type(99);
+
     for (const auto mode : {protos::PenaltyKick_, protos::PenaltyOnfield_, protos::PenaltyFoul_,
                             protos::GoalieCatch_, protos::ExtendHalf, protos::MODE_MAX}) {
       actions.add_actions()->mutable_do_change_mode()->set_game_mode_type(mode);
     }
+
     actions.add_actions();
   });
+
   const proxy::CoachActionReport& report = match.coach().report();
   EXPECT_EQ(report.invalid[protos::TrainerAction::kDoMoveBall], 1);
   EXPECT_EQ(report.invalid[protos::TrainerAction::kDoMovePlayer], 1);
   EXPECT_EQ(report.invalid[protos::TrainerAction::kDoChangePlayerType], 1);
   EXPECT_EQ(report.invalid[protos::TrainerAction::kDoChangeMode], 6);
   EXPECT_EQ(report.unknown, 1);
+
   const proxy::ActionOutcomes outcomes = outcomes_by_name(report, true);
   EXPECT_EQ(outcomes.at("do_change_mode").at("invalid"), 6);
   EXPECT_EQ(outcomes.at("unknown").at("unimplemented"), 1);
   EXPECT_EQ(match.world().mode, PlayMode::kPlayOn);
   EXPECT_EQ(match.world().ball.position, ball);
-  EXPECT_EQ(match.coach().server().errors.errors, 0) << match.coach().server().errors.first_error;
+  EXPECT_EQ(match.coach().server().errors.first_error, "");
 }
 
 TEST(TrainerState, IsExactInCoordinatesOfLeftTeam) {
   Trained match;
   match.steps(1);
   const protos::WorldModel& model = match.state().world_model();
+
   EXPECT_EQ(model.our_side(), protos::UNKNOWN);
   EXPECT_EQ(model.our_team_name(), "left");
   EXPECT_EQ(model.their_team_name(), "right");
   EXPECT_FALSE(model.has_self());
   ASSERT_EQ(model.teammates_size(), 11);
+
   for (const protos::Player& player : model.teammates()) {
     const auto& truth = match.world().player(Side::kLeft, player.uniform_number());
     EXPECT_NEAR(player.position().x(), truth.position.x, 1e-4);

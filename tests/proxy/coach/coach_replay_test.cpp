@@ -46,6 +46,7 @@ void compare(const protos::RpcVector2D& a, const protos::RpcVector2D& b, double&
 void compare(const Players& ours, const Players& theirs, bool own_team, Difference& out) {
   const auto mine = by_number(ours);
   const auto others = by_number(theirs);
+
   for (const auto& [unum, other] : others) {
     const auto found = mine.find(unum);
     if (found == mine.end()) {
@@ -69,6 +70,7 @@ void compare(const Players& ours, const Players& theirs, bool own_team, Differen
     ++out.opponent_types_known;
     out.opponent_types_other += player.type_id() == other->type_id() ? 0 : 1;
   }
+
   out.missing += static_cast<int>(mine.size() > others.size() ? mine.size() - others.size() : 0);
 }
 
@@ -79,11 +81,13 @@ void compare(const State& ours, const State& theirs, Difference& out) {
   compare(a.ball().velocity(), b.ball().velocity(), out.velocity);
   compare(a.teammates(), b.teammates(), true, out);
   compare(a.opponents(), b.opponents(), false, out);
+
   // At the end of the match upstream's coach disconnects without handling the last messages.
   if (a.game_mode_type() == protos::TimeOver) return;
   const auto field = [&](const char* name, auto x, auto y) {
     if (x != y) out.fields[name].push_back(b.cycle());
   };
+
   field("our_team_name", a.our_team_name(), b.our_team_name());
   field("their_team_name", a.their_team_name(), b.their_team_name());
   field("our_side", a.our_side(), b.our_side());

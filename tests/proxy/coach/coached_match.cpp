@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/index.h"
 #include "simulator/referee/referee.h"
 
 namespace cls::tests {
@@ -32,11 +33,13 @@ CoachedMatch::CoachedMatch(soccer::CoachRole role, soccer::Side side, bool noise
   server_ = std::move(*server);
   players_.resize(soccer::kPlayersOnPitch);
   states_.resize(players_.size());
+
   for (std::size_t i = 0; i < players_.size(); ++i) {
     const bool left = i < soccer::kPlayersPerTeam;
     join(players_[i], left ? soccer::Side::kLeft : soccer::Side::kRight,
          i % soccer::kPlayersPerTeam == 0);
   }
+
   join_coach(role, side);
 }
 
@@ -76,6 +79,7 @@ void CoachedMatch::run(const std::function<void()>& decide) {
     if (play) play(player, actions);
     player.act(actions);
   }
+
   coach_->perceive();
   if (!coach_->decision_due()) throw std::runtime_error("the coach was not asked to think");
   if (!coach_->requests_decisions()) return coach_->act_without_reply();
@@ -118,11 +122,11 @@ void CoachedMatch::set_mode(soccer::PlayMode mode) {
 }
 
 proxy::PlayerAgent& CoachedMatch::player(soccer::Side side, int unum) {
-  return *players_.at(static_cast<std::size_t>(soccer::slot_of(side, unum)));
+  return *players_.at(base::index(soccer::slot_of(side, unum)));
 }
 
 const protos::WorldModel& CoachedMatch::world_model(soccer::Side side, int unum) const {
-  return states_.at(static_cast<std::size_t>(soccer::slot_of(side, unum))).world_model();
+  return states_.at(base::index(soccer::slot_of(side, unum))).world_model();
 }
 
 }  // namespace cls::tests

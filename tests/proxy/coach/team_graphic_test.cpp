@@ -40,6 +40,7 @@ TEST_F(TeamGraphicFile, BecomesTilesWithTheirOwnColors) {
       file("/* XPM */\nstatic char *a[] = {\n/* columns \"rows\" */\n\"16 8 3 1\",\n\"a c red\",\n"
            "\"b c blue\",\n\"  c black\",\n/* pixels */\n" +
            rows(8, "aaaaaaaa bbbbbbb") + "};\n"));
+
   ASSERT_TRUE(tiles) << tiles.error().message;
   ASSERT_EQ(tiles->size(), 2U);
   EXPECT_THAT((*tiles)[0].xpm,

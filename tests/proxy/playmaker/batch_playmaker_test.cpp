@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/index.h"
 #include "proto/team_playmaker.pb.h"
 #include "proxy/playmaker/tensor_codec.h"
 
@@ -24,7 +25,7 @@ namespace wire = cls::playmaker::v1;
 
 constexpr RpcTimeout kPatience = 10s;
 
-/// What a Playmaker would reply to one call, made by agent or team.
+/// The reply of a Playmaker to one call, made by agent or team.
 struct Answer {
   RpcStatus status;
   std::unique_ptr<Message> message;
@@ -104,6 +105,7 @@ Answer answer_as_team(int agent, Rpc rpc, const Message& request) {
     }
     return reply_with(response);
   }
+
   if (rpc == Rpc::kGetTeamActions) {
     wire::GetTeamActionsResponse response;
     for (const auto& one : static_cast<const wire::GetTeamActionsRequest&>(request).agents()) {
@@ -111,6 +113,7 @@ Answer answer_as_team(int agent, Rpc rpc, const Message& request) {
     }
     return reply_with(response);
   }
+
   if (rpc == Rpc::kGetBestPlannerActions) {
     wire::GetBestPlannerActionsResponse response;
     for (const auto& one :
@@ -121,12 +124,14 @@ Answer answer_as_team(int agent, Rpc rpc, const Message& request) {
     }
     return reply_with(response);
   }
+
   if (rpc == Rpc::kUnregisterTeam) return reply_with(wire::UnregisterTeamResponse());
   if (rpc == Rpc::kRegister) {
     protos::RegisterResponse identity;
     identity.set_client_id(agent);
     return reply_with(identity);
   }
+
   if (rpc == Rpc::kGetPlayerActions) return reply_with(dash_of(agent));
   return reply_with(protos::Empty());
 }
@@ -199,6 +204,7 @@ TEST_F(BatchPlaymakerTest, RegistersTeamWithOneCall) {
                     .call(agent, Rpc::kSendInitMessage, protos::InitMessage(), kPatience)
                     .status.ok());
   }
+
   EXPECT_EQ(connection_->calls, std::vector<std::string>{"0 RegisterTeam"});
 }
 
@@ -213,12 +219,15 @@ TEST_F(BatchPlaymakerTest, RegistrationCarriesParametersOnce) {
   parameters->types.resize(3);
   playmaker().announce_team({{{4, registration(4)}}, parameters});
   register_agent(4);
+
   EXPECT_EQ(sent.version(), 1);
   protos::ServerParam server;
+
   ASSERT_TRUE(server.ParseFromString(sent.server_params()));
   EXPECT_EQ(server.half_time(), 77);
   EXPECT_FALSE(server.has_register_response());
   EXPECT_EQ(sent.player_types_size(), 3);
+
   protos::RegisterRequest agent;
   ASSERT_TRUE(agent.ParseFromString(sent.agents(0).message()));
   EXPECT_EQ(agent.uniform_number(), 4);
@@ -234,6 +243,7 @@ TEST_F(BatchPlaymakerTest, SendsDecisionsOfCycleAsOneCall) {
   for (const int agent : {1, 2, 12}) begin_decision(agent);
   playmaker().send();
   const std::vector<Reply> all = replies();
+
   EXPECT_EQ(connection_->calls.back(), "0 GetTeamActions");
   EXPECT_EQ(sent.cycle(), 7);
   EXPECT_EQ(sent.sequence(), 1U);
@@ -250,6 +260,7 @@ TEST_F(BatchPlaymakerTest, SendsStatesInTheEncodingThatThePlaymakerChose) {
   protos::Player& mate = *state.mutable_world_model()->add_teammates();
   mate.set_uniform_number(5);
   (*state.mutable_world_model()->mutable_our_players_dict())[5] = mate;
+
   for (const wire::Encoding chosen : {wire::LEAN_STATES, wire::STATES}) {
     protos::State received;
     connection_->answer = [&](int agent, Rpc rpc, const Message& request) {
@@ -260,10 +271,12 @@ TEST_F(BatchPlaymakerTest, SendsStatesInTheEncodingThatThePlaymakerChose) {
                   (std::vector<int>{wire::STATES, wire::LEAN_STATES}));
         static_cast<wire::RegisterTeamResponse&>(*answer.message).set_encoding(chosen);
       }
+
       if (rpc == Rpc::kGetTeamActions) {
         const auto& sent = static_cast<const wire::GetTeamActionsRequest&>(request);
         EXPECT_TRUE(received.ParseFromString(sent.agents(0).message()));
       }
+
       return answer;
     };
     register_all();
@@ -305,8 +318,10 @@ TEST_F(BatchPlaymakerTest, ErrorOfOneAgentConcernsThatAgentOnly) {
     response.mutable_agents(0)->set_error("my brain\nhurts");
     response.mutable_agents(1)->set_message("\xff\xff");
   });
+
   for (const int agent : {1, 2, 12}) begin_decision(agent);
   const std::vector<Reply> all = replies();
+
   ASSERT_EQ(all.size(), 3U);
   EXPECT_EQ(all[0].status.outcome, RpcOutcome::kError);
   EXPECT_EQ(all[0].status.message, "GetPlayerActions: my brain hurts");
@@ -348,8 +363,10 @@ TEST_F(BatchPlaymakerTest, PlaymakerWithoutServiceGetsCallsOfAgentsWithoutWarnin
   register_all();
   for (const int agent : {1, 2}) begin_decision(agent);
   playmaker().send();
+
   EXPECT_EQ(replies().size(), 2U);
   EXPECT_EQ(playmaker().take_warning(), "");
+
   const std::vector<std::string> expected = {"0 RegisterTeam",     "1 Register",
                                              "2 Register",         "12 Register",
                                              "1 GetPlayerActions", "2 GetPlayerActions"};
@@ -421,15 +438,17 @@ TEST_F(BatchPlaymakerTest, SendsRowsOfPlayersAndHandsOutRowsOrReplies) {
   team.parameters = std::make_shared<player::MatchParameters>();
   team.codec = std::make_shared<NumberCodec>();
   team.world_of = [&](int agent) -> const player::WorldModel& {
-    return worlds.at(static_cast<std::size_t>(agent));
+    return worlds.at(base::index(agent));
   };
   playmaker().announce_team(std::move(team));
   wire::GetTeamActionsRequest sent;
+
   connection_->answer = [&](int agent, Rpc rpc, const Message& request) {
     Answer answer = answer_as_team(agent, rpc, request);
     if (rpc == Rpc::kRegisterTeam) {
       static_cast<wire::RegisterTeamResponse&>(*answer.message).set_encoding(wire::TENSOR);
     }
+
     if (rpc == Rpc::kGetTeamActions) {
       sent.CopyFrom(request);
       auto& response = static_cast<wire::GetTeamActionsResponse&>(*answer.message);
@@ -441,11 +460,14 @@ TEST_F(BatchPlaymakerTest, SendsRowsOfPlayersAndHandsOutRowsOrReplies) {
       response.mutable_actions()->set_data(
           std::string(reinterpret_cast<const char*>(rows.data()), sizeof rows));
     }
+
     return answer;
   };
+
   register_all();
   for (const int agent : {1, 2, 3, 12}) begin_decision(agent);
   const std::vector<Reply> all = replies();
+
   ASSERT_EQ(sent.agents_size(), 4);
   EXPECT_TRUE(sent.agents(0).message().empty());
   EXPECT_FALSE(sent.agents(3).message().empty()) << "the coach has a State";
@@ -493,8 +515,10 @@ TEST_F(BatchPlaymakerTest, ConnectionLossConcernsAllAgentsWhoRegisterAgainTogeth
     EXPECT_FALSE(playmaker().take_connection_loss(agent));
     playmaker().begin(agent, Rpc::kRegister, registration(agent), kPatience);
   }
+
   playmaker().send();
   const std::vector<Reply> all = replies();
+
   ASSERT_EQ(all.size(), 3U);
   EXPECT_EQ(all[1].rpc, Rpc::kRegister);
   EXPECT_EQ(all[1].as<protos::RegisterResponse>()->client_id(), 102);
@@ -534,6 +558,7 @@ TEST_F(BatchPlaymakerTest, SaysGoodbyeOnceWithAllIdentities) {
     if (rpc == Rpc::kUnregisterTeam) sent.CopyFrom(request);
     return answer_as_team(agent, rpc, request);
   };
+
   for (const int agent : {1, 2, 12}) {
     EXPECT_TRUE(playmaker()
                     .call(agent, Rpc::kSendByeCommand, protos::RegisterResponse(), kPatience)
@@ -541,6 +566,7 @@ TEST_F(BatchPlaymakerTest, SaysGoodbyeOnceWithAllIdentities) {
   }
   EXPECT_EQ(connection_->calls.size(), 2U);
   ASSERT_EQ(sent.agents_size(), 3);
+
   protos::RegisterResponse identity;
   ASSERT_TRUE(identity.ParseFromString(sent.agents(2).message()));
   EXPECT_EQ(identity.client_id(), 112);

@@ -65,9 +65,11 @@ TEST(DirectPlaymaker, FailsCallsAfterCancelExceptBye) {
   EXPECT_TRUE(playmaker->next_reply()->status.ok());
   playmaker->begin(1, Rpc::kGetPlayerActions, state_of(1), kNoTimeout);
   const std::optional<Reply> cancelled = playmaker->next_reply();
+
   ASSERT_TRUE(cancelled);
   EXPECT_EQ(cancelled->status.outcome, RpcOutcome::kCancelled);
   EXPECT_EQ(cancelled->message, nullptr);
+
   const protos::RegisterResponse identity;
   EXPECT_EQ(
       playmaker->call(1, Rpc::kSendPlayerType, protos::PlayerType(), kNoTimeout).status.outcome,

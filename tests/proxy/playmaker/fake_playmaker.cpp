@@ -21,6 +21,7 @@ Reply FakePlaymaker::handshake_reply(int agent, Rpc rpc, const Message& request)
   if (handshake_status) reply.status = handshake_status(method, agent);
   if (!reply.status.ok()) return reply;
   reply.message = &reply_prototype(rpc);
+
   if (rpc == Rpc::kRegister) {
     const auto& registration = static_cast<const protos::RegisterRequest&>(request);
     protos::RegisterResponse& identity = identities_[agent];
@@ -30,6 +31,7 @@ Reply FakePlaymaker::handshake_reply(int agent, Rpc rpc, const Message& request)
     identity.set_uniform_number(registration.uniform_number());
     reply.message = &identity;
   }
+
   return reply;
 }
 

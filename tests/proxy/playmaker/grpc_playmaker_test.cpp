@@ -24,16 +24,10 @@ using namespace std::chrono_literals;
 using proto::Rpc;
 using std::chrono::steady_clock;
 using tests::GameService;
+using tests::loopback;
 using tests::PlaymakerServer;
 
 constexpr RpcTimeout kPatience = 10s;
-
-GrpcTarget loopback(int port) {
-  GrpcTarget target;
-  target.host = "127.0.0.1";
-  target.port = port;
-  return target;
-}
 
 int unused_port() {
   GameService service;
@@ -140,11 +134,14 @@ TEST(GrpcPlaymaker, SendsAllCallsOfCycleConcurrently) {
         static_cast<float>(state.register_response().uniform_number()));
     return grpc::Status::OK;
   };
+
   PlaymakerServer server(service);
   const auto playmaker = make_grpc_playmaker(loopback(server.port()));
+
   for (int agent = 1; agent <= 11; ++agent) {
     playmaker->begin(agent, Rpc::kGetPlayerActions, state_of(agent), kPatience);
   }
+
   std::set<int> answered;
   while (const auto reply = playmaker->next_reply()) {
     ASSERT_TRUE(reply->status.ok()) << reply->status.message;
@@ -177,7 +174,7 @@ TEST(GrpcPlaymaker, ReportsUnreachablePlaymakerWithinTimeout) {
   EXPECT_LT(steady_clock::now() - start, 3s);
   EXPECT_EQ(status.outcome, RpcOutcome::kUnavailable);
   EXPECT_THAT(status.message, HasSubstr("127.0.0.1:" + std::to_string(port)));
-  EXPECT_THAT(status.message, HasSubstr("nothing listens")) << status.message;
+  EXPECT_THAT(status.message, HasSubstr("nothing listens"));
   EXPECT_EQ(status.message.find('\n'), std::string::npos);
 }
 
@@ -192,8 +189,9 @@ TEST(GrpcPlaymaker, DistinguishesLateFromUnreachablePlaymaker) {
   const auto playmaker = make_grpc_playmaker(loopback(server.port()));
   const RpcStatus status = playmaker->call(1, Rpc::kRegister, request_of(1), 200ms).status;
   leave = true;
+
   EXPECT_EQ(status.outcome, RpcOutcome::kDeadline);
-  EXPECT_THAT(status.message, HasSubstr("no reply to Register")) << status.message;
+  EXPECT_THAT(status.message, HasSubstr("no reply to Register"));
 }
 
 TEST(GrpcPlaymaker, LimitsTheReplyToRegisterTeamOnceConnected) {
@@ -206,6 +204,7 @@ TEST(GrpcPlaymaker, LimitsTheReplyToRegisterTeamOnceConnected) {
       return grpc::Status::CANCELLED;
     }
   };
+
   SilentService service;
   PlaymakerServer server(service);
   const auto playmaker = make_grpc_playmaker(loopback(server.port()), 200ms);
@@ -213,6 +212,7 @@ TEST(GrpcPlaymaker, LimitsTheReplyToRegisterTeamOnceConnected) {
                                ->call(kTeamNumber, Rpc::kRegisterTeam,
                                       cls::playmaker::v1::RegisterTeamRequest(), kPatience)
                                .status;
+
   EXPECT_EQ(status.outcome, RpcOutcome::kDeadline);
   EXPECT_EQ(status.message, "127.0.0.1:" + std::to_string(server.port()) +
                                 ": no reply to RegisterTeam within 200 ms");
@@ -230,10 +230,12 @@ TEST(GrpcPlaymaker, FailsAtDeadlineAndCallsAgain) {
   const auto start = steady_clock::now();
   const Reply late = decision(*playmaker, 2, 150ms);
   const auto waited = steady_clock::now() - start;
+
   EXPECT_EQ(late.status.outcome, RpcOutcome::kDeadline);
   EXPECT_EQ(late.message, nullptr);
   EXPECT_GE(waited, 140ms);
   EXPECT_LT(waited, 5s);
+
   slow = false;
   EXPECT_TRUE(decision(*playmaker, 2, kPatience).status.ok());
 }
@@ -269,6 +271,7 @@ TEST(GrpcPlaymaker, ReportsPlaymakerThatStopsDuringCall) {
     std::this_thread::sleep_for(100ms);
     return grpc::Status::OK;
   };
+
   PlaymakerServer server(service);
   const auto playmaker = make_grpc_playmaker(loopback(server.port()));
   playmaker->begin(1, Rpc::kGetPlayerActions, state_of(1), kPatience);
@@ -278,6 +281,7 @@ TEST(GrpcPlaymaker, ReportsPlaymakerThatStopsDuringCall) {
   });
   const Reply reply = playmaker->next_reply().value();
   killer.join();
+
   EXPECT_EQ(reply.status.outcome, RpcOutcome::kUnavailable) << reply.status.message;
 }
 
@@ -359,13 +363,16 @@ TEST(GrpcPlaymaker, SerializesEqualStatesToEqualBytesForAnyMapOrder) {
   Recorder service;
   PlaymakerServer server(service);
   const auto playmaker = make_grpc_playmaker(loopback(server.port()));
+
   for (const protos::State* state : {&grown, &shrunk}) {
     playmaker->begin(1, Rpc::kGetPlayerActions, *state, kPatience);
     EXPECT_TRUE(playmaker->next_reply()->status.ok());
   }
+
   const std::vector<std::string> requests = service.requests();
   ASSERT_EQ(requests.size(), 2U);
   EXPECT_EQ(requests[0], requests[1]);
+
   protos::State read;
   ASSERT_TRUE(read.ParseFromString(requests[0]));
   EXPECT_EQ(read.world_model().our_players_dict().at(7).id(), 7);
@@ -470,9 +477,11 @@ TEST(GrpcPlaymaker, CanBeDestroyedWithCallsInFlight) {
   };
   PlaymakerServer server(service);
   auto playmaker = make_grpc_playmaker(loopback(server.port()));
+
   for (int agent = 1; agent <= 11; ++agent) {
     playmaker->begin(agent, Rpc::kGetPlayerActions, state_of(agent), kNoTimeout);
   }
+
   playmaker.reset();
   leave = true;
   SUCCEED();

@@ -12,6 +12,7 @@
 
 #include "base/system/unique_fd.h"
 #include "proxy/playmaker/grpc_playmaker.h"
+#include "tests/proxy/playmaker/playmaker_server.h"
 
 namespace cls::proxy {
 namespace {
@@ -85,6 +86,7 @@ class BareServer {
     std::string bytes;
     if (!connection_ || !read(24, bytes)) return;
     send(kSettings, 0, none, "");
+
     while (read(9, bytes)) {
       const auto byte = [&bytes](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
       const std::size_t size = std::size_t{byte(0)} << 16 | std::size_t{byte(1)} << 8 | byte(2);
@@ -108,22 +110,20 @@ class BareServer {
 
 RpcStatus status_of(const std::string& content_type, const std::string& data) {
   const BareServer server(content_type, data);
-  GrpcTarget target;
-  target.host = "127.0.0.1";
-  target.port = server.port();
-  const auto playmaker = make_grpc_playmaker(target);
+  const auto playmaker = make_grpc_playmaker(tests::loopback(server.port()));
   playmaker->begin(1, proto::Rpc::kGetPlayerActions, protos::State(), 5s);
   return playmaker->next_reply().value_or(Reply{}).status;
 }
 
 TEST(IncompleteReply, IsNotADecision) {
-  for (const auto& [content_type, data] :
-       {std::pair("application/grpc", ""s), std::pair("application/grpc", "\0\0\0\0\x64ten!"s),
-        std::pair("application/grpc", "\0\xff\xff\xff\xff\x0a"s),
-        std::pair("application/grpc", "\0\0"s), std::pair("text/html", ""s)}) {
+  for (const auto& [content_type, data] : {std::pair("application/grpc", ""s),
+                                           {"application/grpc", "\0\0\0\0\x64ten!"s},
+                                           {"application/grpc", "\0\xff\xff\xff\xff\x0a"s},
+                                           {"application/grpc", "\0\0"s},
+                                           {"text/html", ""s}}) {
     const RpcStatus status = status_of(content_type, data);
     EXPECT_FALSE(status.ok()) << content_type << ' ' << data.size();
-    EXPECT_THAT(status.message, HasSubstr("GetPlayerActions")) << status.message;
+    EXPECT_THAT(status.message, HasSubstr("GetPlayerActions"));
   }
 }
 

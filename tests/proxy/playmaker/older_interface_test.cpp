@@ -10,7 +10,6 @@
 #include <set>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "proto/rpc.h"
 #include "proxy/agent/team.h"
@@ -133,6 +132,7 @@ class OlderPlaymaker : public grpc::CallbackGenericService {
           playmaker_.answer(method_, std::string(bytes.begin(), bytes.end()), answer);
       const grpc::Slice slice(answer);
       answer_ = grpc::ByteBuffer(&slice, 1);
+
       if (status.ok()) {
         StartWriteAndFinish(&answer_, grpc::WriteOptions(), status);
       } else {
@@ -161,11 +161,13 @@ class OlderPlaymaker : public grpc::CallbackGenericService {
     const auto request = messages_.make(proto::request_prototype(rpc).GetDescriptor()->name());
     if (!request->ParseFromString(bytes)) ++unreadable_;
     const auto answer = messages_.make(proto::reply_prototype(rpc).GetDescriptor()->name());
+
     if (rpc == Rpc::kRegister) {
       answer->GetReflection()->SetInt32(answer.get(),
                                         answer->GetDescriptor()->FindFieldByName("client_id"),
                                         900 + number_in(*request, "uniform_number"));
     }
+
     if (rpc == Rpc::kGetPlayerActions) decide(*request, *answer);
     reply = answer->SerializeAsString();
     return grpc::Status::OK;
@@ -200,36 +202,30 @@ TEST_P(OlderInterface, PlaysFromRegisterToBye) {
   constexpr int kCycles = 5;
   OlderPlaymaker older(GetParam());
   tests::PlaymakerServer of_playmaker(older);
-  GrpcTarget target;
-  target.host = "127.0.0.1";
-  target.port = of_playmaker.port();
-  const auto playmaker = make_grpc_playmaker(target);
+  const auto playmaker = make_grpc_playmaker(tests::loopback(of_playmaker.port()));
   ScriptedServer server;
   TeamOptions options;
   options.name = "us";
   Team team(options, *playmaker);
-  ASSERT_TRUE(team.connect([&] { return server.open(); },
-                           [&] {
-                             server.serve();
-                             return true;
-                           }));
-  const RpcStatus introduced = team.register_agents();
-  ASSERT_TRUE(introduced.ok()) << introduced.message;
-  for (int unum = 1; unum <= 11; ++unum) server.take(unum);
+  server.admit(team);
+
   for (int cycle = 1; cycle <= kCycles; ++cycle) {
     server.send_cycle(cycle);
     EXPECT_EQ(team.run_cycle(), 11);
   }
+
   team.leave();
   EXPECT_EQ(older.decisions(), 11 * kCycles);
   EXPECT_EQ(older.unreadable(), 0);
   EXPECT_EQ(older.strangers(), 0);
+
   for (const auto& player : team.players()) {
     EXPECT_EQ(player->statistics().missed, 0) << player->statistics().last_failure.message;
     EXPECT_EQ(player->identity().client_id(), GetParam() == kFirst ? 0 : 900 + player->unum());
     const auto said = server.take(player->unum());
-    EXPECT_THAT(said.front(), HasSubstr("(dash 44)")) << said.front();
+    EXPECT_THAT(said.front(), HasSubstr("(dash 44)"));
   }
+
   EXPECT_EQ(team.take_warnings().size(), GetParam() == kFirst ? 1U : 0U);
 }
 

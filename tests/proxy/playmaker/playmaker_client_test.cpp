@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/index.h"
 #include "proxy/agent/team.h"
 #include "proxy/playmaker/grpc_playmaker.h"
 #include "tests/proxy/agent/scripted_server.h"
@@ -36,14 +37,7 @@ RpcStatus failure(RpcOutcome outcome, std::string message = "broken") {
 struct Game {
   explicit Game(Playmaker& playmaker, TeamOptions options = named())
       : team(std::move(options), playmaker) {
-    EXPECT_TRUE(team.connect([&] { return server.open(); },
-                             [&] {
-                               server.serve();
-                               return true;
-                             }));
-    const RpcStatus introduced = team.register_agents();
-    EXPECT_TRUE(introduced.ok()) << introduced.message;
-    for (int unum = 1; unum <= 11; ++unum) server.take(unum);
+    server.admit(team);
   }
 
   static TeamOptions named() {
@@ -59,10 +53,10 @@ struct Game {
     }
   }
   const AgentStatistics& statistics(int unum) const {
-    return team.players().at(static_cast<std::size_t>(unum - 1))->statistics();
+    return team.players().at(base::index(unum - 1))->statistics();
   }
   int client_id(int unum) const {
-    return team.players().at(static_cast<std::size_t>(unum - 1))->identity().client_id();
+    return team.players().at(base::index(unum - 1))->identity().client_id();
   }
 
   ScriptedServer server;
@@ -71,7 +65,7 @@ struct Game {
 };
 
 int calls_of(const FakePlaymaker& playmaker, const std::string& call) {
-  return static_cast<int>(std::count(playmaker.calls().begin(), playmaker.calls().end(), call));
+  return static_cast<int>(std::ranges::count(playmaker.calls(), call));
 }
 
 TEST(PlaymakerClient, ReregistersBeforeDecisionAfterConnectionLoss) {
@@ -86,8 +80,10 @@ TEST(PlaymakerClient, ReregistersBeforeDecisionAfterConnectionLoss) {
   for (int unum = 1; unum <= 11; ++unum) playmaker.lost.insert(unum);
   const auto before = playmaker.calls().size();
   game.play_to(3);
+
   EXPECT_EQ(playmaker.calls().size() - before, 11U * (kHandshake + 1U));
-  EXPECT_EQ(playmaker.calls().back().rfind("GetPlayerActions", 0), 0U);
+  EXPECT_TRUE(playmaker.calls().back().starts_with("GetPlayerActions"));
+
   game.play_to(4);
   EXPECT_EQ(asked_by, (std::vector<int>{104, 104, 1104, 1104}));
   EXPECT_EQ(game.client_id(4), 1104);
@@ -109,8 +105,10 @@ TEST(PlaymakerClient, RepeatsDecisionInSameCycleWhenConnectionIsLostDuringCall) 
     playmaker.lost.insert(agent);
     return failure(RpcOutcome::kUnavailable);
   };
+
   Game game(playmaker);
   game.play_to(3);
+
   EXPECT_EQ(game.statistics(6).decisions, 3);
   EXPECT_EQ(game.statistics(6).missed, 0);
   EXPECT_EQ(game.statistics(6).reconnects, 1);
@@ -142,8 +140,10 @@ TEST(PlaymakerClient, ReregistersAfterThreeConsecutiveErrorsThenAfterSix) {
   game.play_to(4);
   EXPECT_EQ(calls_of(playmaker, "Register 7"), 2);
   game.play_to(9);
+
   EXPECT_EQ(calls_of(playmaker, "Register 7"), 2);
   game.play_to(10);
+
   EXPECT_EQ(calls_of(playmaker, "Register 7"), 3);
   EXPECT_EQ(game.statistics(7).missed, 10);
   EXPECT_EQ(game.statistics(7).reconnects, 0) << "no successful decision since";
@@ -186,11 +186,14 @@ TEST(PlaymakerClient, MissesDecisionsUntilReregistrationSucceeds) {
   for (int unum = 1; unum <= 11; ++unum) playmaker.lost.insert(unum);
   closed = true;
   game.play_to(4);
+
   EXPECT_EQ(game.statistics(2).missed, 3);
   EXPECT_EQ(game.team.missed_decisions().last.message, "unreachable");
   EXPECT_EQ(game.server.take(2).size(), 4U) << "the server still gets (done)";
+
   closed = false;
   game.play_to(5);
+
   EXPECT_EQ(game.statistics(2).missed, 3);
   EXPECT_EQ(game.statistics(2).consecutive_missed, 0);
   EXPECT_EQ(game.statistics(2).reconnects, 1);
@@ -207,8 +210,10 @@ TEST(PlaymakerClient, ContinuesHandshakeAfterDeadline) {
   game.play_to(1);
   playmaker.lost.insert(9);
   game.play_to(2);
+
   EXPECT_EQ(game.statistics(9).missed, 1);
   EXPECT_EQ(game.statistics(9).late, 1);
+
   game.play_to(3);
   EXPECT_EQ(game.statistics(9).missed, 1);
   EXPECT_EQ(calls_of(playmaker, "Register 9"), 2);
@@ -236,11 +241,13 @@ TEST(Team, WarnsWhenPlayersGetSameClientId) {
     response.set_uniform_number(request.uniform_number());
     return grpc::Status::OK;
   };
+
   tests::PlaymakerServer server(service);
   const auto playmaker = make_grpc_playmaker(server.in_process_channel(), "mock");
   Game game(*playmaker);
   const std::vector<std::string> expected = {
       "the Playmaker assigned players 1 and 2 the same client_id 7"};
+
   EXPECT_EQ(game.team.take_warnings(), expected);
   TeamOptions options = Game::named();
   options.shared_playmaker = false;
@@ -273,16 +280,15 @@ TEST(PlaymakerClient, ReconnectsToRestartedProcessOverGrpc) {
     NumberingPlaymaker first(100);
     auto server = std::make_unique<tests::PlaymakerServer>(first.service);
     const int port = server->port();
-    GrpcTarget target;
-    target.host = "127.0.0.1";
-    target.port = port;
-    const auto playmaker = make_grpc_playmaker(target);
+    const auto playmaker = make_grpc_playmaker(tests::loopback(port));
+
     TeamOptions options = Game::named();
     options.reconnect_within = 30s;
     options.decision_timeout = 30s;
     Game game(*playmaker, options);
     game.play_to(3);
     server->stop();
+
     NumberingPlaymaker second(200);
     std::unique_ptr<tests::PlaymakerServer> again;
     std::thread starter([&] {
@@ -291,6 +297,7 @@ TEST(PlaymakerClient, ReconnectsToRestartedProcessOverGrpc) {
     });
     game.play_to(6);
     starter.join();
+
     for (int unum = 1; unum <= 11; ++unum) {
       EXPECT_EQ(game.statistics(unum).missed, 0) << game.statistics(unum).last_failure.message;
       EXPECT_EQ(game.statistics(unum).reconnects, 1);
@@ -314,8 +321,10 @@ TEST(PlaymakerClient, WaitsOnceForProcessThatDoesNotRestart) {
   game.play_to(2);
   server->stop();
   game.play_to(5);
+
   EXPECT_EQ(game.statistics(1).missed, 3);
   const RpcStatus last = game.team.missed_decisions().last;
+
   EXPECT_EQ(last.outcome, RpcOutcome::kUnavailable) << last.message;
   EXPECT_EQ(game.statistics(1).late, 0);
 }

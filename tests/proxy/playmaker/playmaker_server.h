@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "proto/playmaker.grpc.pb.h"
+#include "proxy/playmaker/grpc_target.h"
 
 namespace cls::tests {
 
@@ -50,6 +51,14 @@ class GameService : public protos::Game::Service {
   std::vector<std::string> calls_;
   std::atomic<int> last_client_id_{0};
 };
+
+/// A Playmaker at that port of this host.
+inline proxy::GrpcTarget loopback(int port) {
+  proxy::GrpcTarget target;
+  target.host = "127.0.0.1";
+  target.port = port;
+  return target;
+}
 
 /// Serves on a loopback port; port 0 selects a free port.
 class PlaymakerServer {

@@ -4,8 +4,10 @@
 #include <google/protobuf/descriptor.h>
 
 #include <array>
-#include <cstring>
 #include <limits>
+#include <type_traits>
+
+#include "proto/field_access.h"
 
 namespace cls::tests {
 namespace {
@@ -42,6 +44,7 @@ double RandomMessages::number() {
                                     180.0,
                                     -180.0,
                                     360.0};
+
   if (one_in(4)) return kExtremes[below(kExtremes.size())];
   constexpr std::array kScales = {1.0, 10.0, 60.0, 200.0, 1e6};
   const double unit = static_cast<double>(below(1 << 20)) / (1 << 19) - 1.0;
@@ -68,57 +71,27 @@ std::string RandomMessages::text() {
   return std::string(kTexts[below(kTexts.size())]);
 }
 
-void RandomMessages::set(Message& message, const FieldDescriptor& field, int depth) {
-  const google::protobuf::Reflection& to = *message.GetReflection();
-  switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_MESSAGE:
-      return fill(*to.MutableMessage(&message, &field), depth + 1);
-    case FieldDescriptor::CPPTYPE_ENUM:
-      return to.SetEnumValue(&message, &field, static_cast<int>(integer()));
-    case FieldDescriptor::CPPTYPE_STRING:
-      return to.SetString(&message, &field, text());
-    case FieldDescriptor::CPPTYPE_FLOAT:
-      return to.SetFloat(&message, &field, static_cast<float>(number()));
-    case FieldDescriptor::CPPTYPE_DOUBLE:
-      return to.SetDouble(&message, &field, number());
-    case FieldDescriptor::CPPTYPE_BOOL:
-      return to.SetBool(&message, &field, one_in(2));
-    case FieldDescriptor::CPPTYPE_INT32:
-      return to.SetInt32(&message, &field, static_cast<std::int32_t>(integer()));
-    case FieldDescriptor::CPPTYPE_INT64:
-      return to.SetInt64(&message, &field, integer());
-    case FieldDescriptor::CPPTYPE_UINT32:
-      return to.SetUInt32(&message, &field, static_cast<std::uint32_t>(integer()));
-    case FieldDescriptor::CPPTYPE_UINT64:
-      return to.SetUInt64(&message, &field, static_cast<std::uint64_t>(integer()));
+// Sets a field, or adds an element. Maps are repeated entries.
+void RandomMessages::put(Message& message, const FieldDescriptor& field, int depth) {
+  if (field.message_type() != nullptr) {
+    const google::protobuf::Reflection& to = *message.GetReflection();
+    return fill(field.is_repeated() ? *to.AddMessage(&message, &field)
+                                    : *to.MutableMessage(&message, &field),
+                depth + 1);
   }
-}
 
-// Adds an element. Maps are repeated entries.
-void RandomMessages::add(Message& message, const FieldDescriptor& field, int depth) {
-  const google::protobuf::Reflection& to = *message.GetReflection();
-  switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_MESSAGE:
-      return fill(*to.AddMessage(&message, &field), depth + 1);
-    case FieldDescriptor::CPPTYPE_ENUM:
-      return to.AddEnumValue(&message, &field, static_cast<int>(integer()));
-    case FieldDescriptor::CPPTYPE_STRING:
-      return to.AddString(&message, &field, text());
-    case FieldDescriptor::CPPTYPE_FLOAT:
-      return to.AddFloat(&message, &field, static_cast<float>(number()));
-    case FieldDescriptor::CPPTYPE_DOUBLE:
-      return to.AddDouble(&message, &field, number());
-    case FieldDescriptor::CPPTYPE_BOOL:
-      return to.AddBool(&message, &field, one_in(2));
-    case FieldDescriptor::CPPTYPE_INT32:
-      return to.AddInt32(&message, &field, static_cast<std::int32_t>(integer()));
-    case FieldDescriptor::CPPTYPE_INT64:
-      return to.AddInt64(&message, &field, integer());
-    case FieldDescriptor::CPPTYPE_UINT32:
-      return to.AddUInt32(&message, &field, static_cast<std::uint32_t>(integer()));
-    case FieldDescriptor::CPPTYPE_UINT64:
-      return to.AddUInt64(&message, &field, static_cast<std::uint64_t>(integer()));
-  }
+  proto::with_access(field, [&](auto access) {
+    using Value = typename decltype(access)::Value;
+    if constexpr (std::is_same_v<Value, std::string>) {
+      access.put(message, field, text());
+    } else if constexpr (std::is_same_v<Value, bool>) {
+      access.put(message, field, one_in(2));
+    } else if constexpr (std::is_floating_point_v<Value>) {
+      access.put(message, field, static_cast<Value>(number()));
+    } else {
+      access.put(message, field, static_cast<Value>(integer()));
+    }
+  });
 }
 
 void RandomMessages::fill(Message& message, int depth) {
@@ -127,16 +100,17 @@ void RandomMessages::fill(Message& message, int depth) {
     const google::protobuf::OneofDescriptor& choice = *type.oneof_decl(i);
     if (one_in(20)) continue;
     const auto member = static_cast<int>(below(static_cast<std::size_t>(choice.field_count())));
-    set(message, *choice.field(member), depth);
+    put(message, *choice.field(member), depth);
   }
+
   for (int i = 0; i < type.field_count(); ++i) {
     const FieldDescriptor& field = *type.field(i);
     if (field.real_containing_oneof() != nullptr) continue;
     if (field.is_repeated()) {
       const std::size_t count = depth > kMaxDepth ? 0 : below(4);
-      for (std::size_t k = 0; k < count; ++k) add(message, field, depth);
+      for (std::size_t k = 0; k < count; ++k) put(message, field, depth);
     } else if (!one_in(4) && depth <= kMaxDepth) {
-      set(message, field, depth);
+      put(message, field, depth);
     }
   }
 }
@@ -152,6 +126,7 @@ std::string RandomMessages::damaged(std::string bytes) {
       return bytes;
     case 2:
       return bytes + nested_groups(below(20'000));
+
     case 3: {
       std::string noise;
       for (std::size_t i = below(64); i > 0; --i) noise += static_cast<char>(below(256));
@@ -163,6 +138,7 @@ std::string RandomMessages::damaged(std::string bytes) {
       for (int i = 0; i < 100'000 && repeated.size() < limit; ++i) repeated += bytes;
       return repeated;
     }
+
     default:
       return bytes + std::string("\x82\x80\x01\x05later", 9);  // a field of a later interface
   }

@@ -29,9 +29,7 @@ class RandomMessages {
   bool one_in(std::size_t n) { return below(n) == 0; }
 
  private:
-  void set(google::protobuf::Message& message, const google::protobuf::FieldDescriptor& field,
-           int depth);
-  void add(google::protobuf::Message& message, const google::protobuf::FieldDescriptor& field,
+  void put(google::protobuf::Message& message, const google::protobuf::FieldDescriptor& field,
            int depth);
   double number();
   std::int64_t integer();

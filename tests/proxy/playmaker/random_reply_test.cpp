@@ -96,6 +96,7 @@ class RandomPlaymaker {
                 static_cast<protos::RegisterResponse&>(reply));
       return response;
     }
+
     if (rpc == Rpc::kRegisterTeam) {
       introduce_team(static_cast<const wire::RegisterTeamRequest&>(request),
                      static_cast<wire::RegisterTeamResponse&>(reply));
@@ -103,16 +104,19 @@ class RandomPlaymaker {
     }
     const bool decides = is_decision(rpc) || rpc == Rpc::kGetBestPlannerAction ||
                          rpc == Rpc::kGetTeamActions || rpc == Rpc::kGetBestPlannerActions;
+
     if (!decides) {
       response.bytes = later_field();
       return response;
     }
+
     if (random_.one_in(50)) {
       response.status = {static_cast<grpc::StatusCode>(random_.below(17)), "on \x1b[2J purpose"};
       return response;
     }
     if (random_.one_in(500)) response.delay_ms = static_cast<int>(random_.below(30));
     if (random_.one_in(2000)) response.hangs = true;
+
     if (rpc == Rpc::kGetTeamActions && !random_.one_in(10)) {
       answer_each(static_cast<const wire::GetTeamActionsRequest&>(request),
                   static_cast<wire::GetTeamActionsResponse&>(reply));
@@ -161,6 +165,7 @@ class RandomPlaymaker {
       reply.set_code(static_cast<int>(random_.below(40)) - 10);
       reply.set_error("on purpose");
     }
+
     if (random_.one_in(10)) random_.fill(*response.mutable_actions());
   }
 
@@ -203,6 +208,7 @@ class RandomReplies : public testing::TestWithParam<Form> {
     Team left(options("left"), *playmaker);
     Team right(options("right"), *opponent);
     for (Team* team : {&left, &right}) join(*server, *team);
+
     std::int64_t earlier_replies = 0;
     for (int i = 0; i < kCycles && !HasFatalFailure(); ++i) {
       if (i == kRestart && GetParam().transport != Transport::kInProcess) {
@@ -217,10 +223,12 @@ class RandomReplies : public testing::TestWithParam<Form> {
       left.finish_cycle();
       right.finish_cycle();
     }
+
     check(left, *server);
     left.leave();
     right.leave();
     server->finish();
+
     check_log(game_log.bytes());
     return earlier_replies + random->replies();
   }
@@ -252,6 +260,7 @@ class RandomReplies : public testing::TestWithParam<Form> {
         random.serve(address_);
         break;
     }
+
     return make_grpc_playmaker(target);
   }
 
@@ -289,6 +298,7 @@ class RandomReplies : public testing::TestWithParam<Form> {
           << "a decision without a counted effect";
       EXPECT_EQ(player->server().errors.unreadable, 0) << player->server().errors.first_unreadable;
     }
+
     const simulator::World& world = server.world();
     EXPECT_TRUE(std::isfinite(world.ball.position.x) && std::isfinite(world.ball.velocity.y));
   }

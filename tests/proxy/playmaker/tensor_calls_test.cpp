@@ -96,12 +96,14 @@ TEST_F(TensorCallsTest, WritesARowPerPlayer) {
   one_.game.mode = soccer::PlayMode::kKickOffLeft;
   calls_.add_player(one_, true, request);
   calls_.add_player(two_, false, request);
+
   EXPECT_EQ(request.play_mode(), "kick_off_l");
   ASSERT_EQ(request.features().shape_size(), 2);
   EXPECT_EQ(request.features().shape(0), 2);
   EXPECT_EQ(request.features().shape(1), 2);
   std::array<float, 4> numbers{};
   ASSERT_EQ(request.features().data().size(), sizeof numbers);
+
   std::memcpy(numbers.data(), request.features().data().data(), sizeof numbers);
   EXPECT_EQ(numbers, (std::array<float, 4>{1.0F, 0.0F, 2.0F, 12.5F}));
   EXPECT_EQ(request.masks().data(), std::string("\1\0\1\0", 4));
@@ -112,11 +114,13 @@ TEST_F(TensorCallsTest, TurnsRowsIntoActionLists) {
   set_actions({1.0F, 80.0F, 0.0F, 0.0F}, 2, 2);
   ASSERT_TRUE(calls_.read(actions_, 2));
   const protos::PlayerActions* list = calls_.actions(0, one_);
+
   ASSERT_NE(list, nullptr);
   EXPECT_EQ(list->actions(0).dash().power(), 80.0F);
   EXPECT_EQ(list->actions(0).dash().relative_direction(), 45.0F);
   EXPECT_TRUE(list->actions(1).has_neck_turn_to_ball_or_scan());
   EXPECT_TRUE(list->ignore_preprocess());
+
   list = calls_.actions(1, two_);
   ASSERT_NE(list, nullptr);
   EXPECT_EQ(list->actions(0).turn().relative_direction(), 30.0F);
@@ -130,9 +134,11 @@ TEST_F(TensorCallsTest, RefusesOtherShapesAndRowsThatAreNoAction) {
   EXPECT_FALSE(calls_.has_rows());
   actions_.mutable_actions()->mutable_shape()->Set(0, 4);
   EXPECT_FALSE(calls_.read(actions_, 2));
+
   actions_.Clear();
   EXPECT_TRUE(calls_.read(actions_, 2));
   EXPECT_FALSE(calls_.has_rows());
+
   set_actions({1.0F, std::numeric_limits<float>::quiet_NaN(), 5.0F, 0.0F}, 2, 2);
   ASSERT_TRUE(calls_.read(actions_, 2));
   EXPECT_EQ(calls_.actions(0, one_), nullptr);

@@ -47,6 +47,7 @@ TEST(ThriftWire, ReadsRepliesOfTheLibrary) {
   protos::PlayerActions actions;
   const std::string bytes = recorded("actions-reply.bin");
   const ThriftReply reply = read_thrift_reply(bytes + "more", actions);
+
   ASSERT_EQ(reply.kind, Kind::kReply) << reply.error;
   EXPECT_EQ(reply.sequence, 9);
   EXPECT_EQ(reply.size, bytes.size());
@@ -75,6 +76,7 @@ TEST(ThriftWire, WaitsForTheRestOfAReply) {
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_EQ(read_thrift_reply(bytes.substr(0, size), actions).kind, Kind::kIncomplete) << size;
   }
+
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     for (const char wrong : {'\x00', '\x0f', '\x7f', '\xff'}) {
       std::string changed = bytes;
@@ -83,6 +85,7 @@ TEST(ThriftWire, WaitsForTheRestOfAReply) {
       EXPECT_LE(reply.size, changed.size());
     }
   }
+
   EXPECT_EQ(read_thrift_reply("HTTP/1.1 400 Bad Request\r\n\r\n", actions).kind, Kind::kInvalid);
 }
 
@@ -96,8 +99,10 @@ TEST(ThriftWire, SkipsWhatItDoesNotKnow) {
       "\x0e\x00\x65\x04\x00\x00\x00\x00"
       "\x0b\x00\x01\x00\x00\x00\x01x"
       "\x08\x00\x02\x00\x00\x00\x01\x00\x00";
+
   const std::string bytes(kBytes, sizeof kBytes - 1);
   const ThriftReply reply = read_thrift_reply(bytes, response);
+
   ASSERT_EQ(reply.kind, Kind::kReply) << reply.error;
   EXPECT_EQ(reply.sequence, 5);
   EXPECT_EQ(response.client_id(), 0);
@@ -180,6 +185,7 @@ TEST(ThriftPlaymaker, CallsAndDropsLateReplies) {
     FakeServer::reply(client, late);
     FakeServer::reply(client, next);
   });
+
   EXPECT_TRUE(playmaker->call(12, Rpc::kRegister, coach(), 5s).status.ok());
   playmaker->begin(12, Rpc::kGetCoachActions, protos::State(), 50ms);
   const auto missed = playmaker->next_reply();
@@ -187,12 +193,15 @@ TEST(ThriftPlaymaker, CallsAndDropsLateReplies) {
   EXPECT_EQ(missed->status.outcome, RpcOutcome::kDeadline);
   playmaker->begin(12, Rpc::kGetCoachActions, protos::State(), 5s);
   const auto reply = playmaker->next_reply();
+
   ASSERT_TRUE(reply);
   EXPECT_TRUE(reply->status.ok()) << reply->status.message;
   EXPECT_NE(reply->as<protos::CoachActions>(), nullptr);
   EXPECT_FALSE(playmaker->next_reply());
+
   const Reply team = playmaker->call(0, Rpc::kRegisterTeam, coach(), 5s);
   EXPECT_EQ(team.status.outcome, RpcOutcome::kUnimplemented);
+
   playmaker->cancel();
   EXPECT_EQ(playmaker->call(12, Rpc::kRegister, coach(), 5s).status.outcome,
             RpcOutcome::kCancelled);
@@ -211,13 +220,16 @@ TEST(ThriftPlaymaker, ReportsLostConnections) {
     FakeServer::sequence_of_call(garbage);
     ::send(garbage.get(), "HTTP/1.1 400\r\n\r\n", 16, MSG_NOSIGNAL);
   });
+
   EXPECT_TRUE(playmaker->call(3, Rpc::kRegister, coach(), 5s).status.ok());
   playmaker->begin(3, Rpc::kGetPlayerActions, protos::State(), 5s);
   const auto broken = playmaker->next_reply();
+
   ASSERT_TRUE(broken);
   EXPECT_EQ(broken->status.outcome, RpcOutcome::kUnavailable);
   EXPECT_TRUE(playmaker->take_connection_loss(3));
   EXPECT_FALSE(playmaker->take_connection_loss(3)) << "once";
+
   const Reply garbage = playmaker->call(3, Rpc::kRegister, coach(), 5s);
   EXPECT_EQ(garbage.status.outcome, RpcOutcome::kProtocolError);
   EXPECT_THAT(garbage.status.message, HasSubstr("not a reply in Thrift's binary protocol"));

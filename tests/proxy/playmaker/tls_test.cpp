@@ -17,6 +17,7 @@ namespace cls::proxy {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 using namespace std::chrono_literals;
 using tests::Authority;
 using tests::Identity;
@@ -33,9 +34,7 @@ std::shared_ptr<grpc::ServerCredentials> secured(const Identity& identity,
 }
 
 GrpcTarget target_at(int port, TlsFiles files) {
-  GrpcTarget target;
-  target.host = "127.0.0.1";
-  target.port = port;
+  GrpcTarget target = tests::loopback(port);
   target.tls = std::make_shared<TlsFiles>(std::move(files));
   return target;
 }
@@ -63,7 +62,7 @@ class Tls : public testing::Test {
     const RpcStatus status = registered_at(target_at(server.port(), trusting()));
     EXPECT_EQ(status.outcome, RpcOutcome::kUnavailable);
     const std::string place = at(server.port());
-    EXPECT_EQ(status.message.rfind(place, 0), 0U) << status.message;
+    EXPECT_THAT(status.message, StartsWith(place));
     return status.message.substr(std::min(place.size(), status.message.size()));
   }
 
@@ -94,8 +93,8 @@ TEST_F(Tls, ReportsInvalidCertificateImmediately) {
             "the certificate is not valid for '127.0.0.1'; use --tls-name for another name");
   const Authority stranger;
   const std::string untrusted = error_for(stranger.issue("127.0.0.1"));
-  EXPECT_EQ(untrusted.rfind("the certificate is not trusted: ", 0), 0U) << untrusted;
-  EXPECT_THAT(untrusted, HasSubstr("--tls-ca")) << untrusted;
+  EXPECT_THAT(untrusted, StartsWith("the certificate is not trusted: "));
+  EXPECT_THAT(untrusted, HasSubstr("--tls-ca"));
 }
 
 TEST_F(Tls, SendsClientCertificateWhenRequired) {
@@ -106,14 +105,17 @@ TEST_F(Tls, SendsClientCertificateWhenRequired) {
   EXPECT_EQ(without.message,
             at(server.port()) +
                 "the Playmaker requires a client certificate; use --tls-cert and --tls-key");
+
   const Authority stranger;
   const Identity unknown = stranger.issue("us.example");
   files.certificate = unknown.certificate;
   files.key = unknown.key;
   const RpcStatus refused = registered_at(target_at(server.port(), files), 1s);
+
   EXPECT_FALSE(refused.ok());
   EXPECT_THAT(refused.message, HasSubstr("the Playmaker rejects the client certificate"))
       << refused.message;
+
   const Identity known = authority_.issue("us.example");
   files.certificate = known.certificate;
   files.key = known.key;
@@ -145,7 +147,7 @@ TEST_F(Tls, ReportsUnreachableServerWithoutTlsReason) {
   { port = tests::PlaymakerServer(service_).port(); }
   EXPECT_EQ(explain_tls_failure(target_at(port, trusting()), 1), "");
   const RpcStatus status = registered_at(target_at(port, trusting()), 300ms);
-  EXPECT_THAT(status.message, HasSubstr("unreachable for")) << status.message;
+  EXPECT_THAT(status.message, HasSubstr("unreachable for"));
 }
 
 }  // namespace
