@@ -116,8 +116,8 @@ std::string ask(const Server& server, const std::string& method, const std::stri
   call->Finish(&status, tag);
 
   EXPECT_TRUE(next());
-  grpc::Slice bytes;
 
+  grpc::Slice bytes;
   EXPECT_TRUE(answer.DumpToSingleSlice(&bytes).ok());
   return {reinterpret_cast<const char*>(bytes.begin()), bytes.size()};
 }

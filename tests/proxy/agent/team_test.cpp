@@ -422,8 +422,8 @@ TEST(Team, CountsCommandsByKind) {
     actions.add_actions()->mutable_dash()->set_power(50.0F);
     return RpcStatus{};
   };
-  Game game(playmaker);
 
+  Game game(playmaker);
   for (int cycle = 1; cycle <= 4; ++cycle) {
     game.server.send_cycle(cycle);
     game.team.run_cycle();

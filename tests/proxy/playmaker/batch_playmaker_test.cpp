@@ -6,6 +6,7 @@
 #include <array>
 #include <deque>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <utility>
@@ -176,14 +177,46 @@ class BatchPlaymakerTest : public testing::Test {
     while (std::optional<Reply> reply = playmaker().next_reply()) all.push_back(*reply);
     return all;
   }
-  /// Changes the reply to GetTeamActions.
-  void alter_actions(std::function<void(wire::GetTeamActionsResponse&)> alter) {
-    connection_->answer = [alter = std::move(alter)](int agent, Rpc rpc, const Message& request) {
+  /// Begins the decisions of these agents and takes the replies.
+  std::vector<Reply> decide(std::initializer_list<int> agents) {
+    for (const int agent : agents) begin_decision(agent);
+    return replies();
+  }
+
+  /// Changes the reply to a call of the team.
+  template <typename Response, typename Alter>
+  void alter(Rpc altered, Alter alter_response) {
+    connection_->answer = [=](int agent, Rpc rpc, const Message& request) {
       Answer answer = answer_as_team(agent, rpc, request);
-      if (rpc == Rpc::kGetTeamActions) {
-        alter(static_cast<wire::GetTeamActionsResponse&>(*answer.message));
-      }
+      if (rpc == altered) alter_response(static_cast<Response&>(*answer.message));
       return answer;
+    };
+  }
+  template <typename Alter>
+  void alter_registration(Alter alter_response) {
+    alter<wire::RegisterTeamResponse>(Rpc::kRegisterTeam, alter_response);
+  }
+  template <typename Alter>
+  void alter_actions(Alter alter_response) {
+    alter<wire::GetTeamActionsResponse>(Rpc::kGetTeamActions, alter_response);
+  }
+  /// Stores the latest request of this RPC.
+  void capture(Rpc captured, Message& sent) {
+    connection_->answer = [=, &sent](int agent, Rpc rpc, const Message& request) {
+      if (rpc == captured) sent.CopyFrom(request);
+      return answer_as_team(agent, rpc, request);
+    };
+  }
+  void fail_all(RpcOutcome outcome) {
+    connection_->answer = [=](int, Rpc, const Message&) {
+      return Answer{failure(outcome), nullptr};
+    };
+  }
+  /// Fails the calls of the team, but not those of its agents.
+  void fail_team(RpcOutcome outcome) {
+    connection_->answer = [=](int agent, Rpc rpc, const Message& request) {
+      return agent == kTeamNumber ? Answer{failure(outcome), nullptr}
+                                  : answer_as_team(agent, rpc, request);
     };
   }
 
@@ -210,10 +243,7 @@ TEST_F(BatchPlaymakerTest, RegistersTeamWithOneCall) {
 
 TEST_F(BatchPlaymakerTest, RegistrationCarriesParametersOnce) {
   wire::RegisterTeamRequest sent;
-  connection_->answer = [&](int agent, Rpc rpc, const Message& request) {
-    if (rpc == Rpc::kRegisterTeam) sent.CopyFrom(request);
-    return answer_as_team(agent, rpc, request);
-  };
+  capture(Rpc::kRegisterTeam, sent);
   auto parameters = std::make_shared<player::MatchParameters>();
   parameters->server.half_time = 77;
   parameters->types.resize(3);
@@ -221,8 +251,8 @@ TEST_F(BatchPlaymakerTest, RegistrationCarriesParametersOnce) {
   register_agent(4);
 
   EXPECT_EQ(sent.version(), 1);
-  protos::ServerParam server;
 
+  protos::ServerParam server;
   ASSERT_TRUE(server.ParseFromString(sent.server_params()));
   EXPECT_EQ(server.half_time(), 77);
   EXPECT_FALSE(server.has_register_response());
@@ -236,10 +266,7 @@ TEST_F(BatchPlaymakerTest, RegistrationCarriesParametersOnce) {
 TEST_F(BatchPlaymakerTest, SendsDecisionsOfCycleAsOneCall) {
   register_all();
   wire::GetTeamActionsRequest sent;
-  connection_->answer = [&](int agent, Rpc rpc, const Message& request) {
-    if (rpc == Rpc::kGetTeamActions) sent.CopyFrom(request);
-    return answer_as_team(agent, rpc, request);
-  };
+  capture(Rpc::kGetTeamActions, sent);
   for (const int agent : {1, 2, 12}) begin_decision(agent);
   playmaker().send();
   const std::vector<Reply> all = replies();
@@ -302,8 +329,7 @@ TEST_F(BatchPlaymakerTest, SendsPlannerChoicesOfCycleAsOneCall) {
 TEST_F(BatchPlaymakerTest, OnlyAgentsThatReplyLacksMissTheirDecision) {
   register_all();
   alter_actions([](auto& response) { response.mutable_agents()->DeleteSubrange(0, 1); });
-  for (const int agent : {1, 2}) begin_decision(agent);
-  const std::vector<Reply> all = replies();
+  const std::vector<Reply> all = decide({1, 2});
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[0].agent, 1);
   EXPECT_EQ(all[0].status.outcome, RpcOutcome::kDeadline);
@@ -318,9 +344,7 @@ TEST_F(BatchPlaymakerTest, ErrorOfOneAgentConcernsThatAgentOnly) {
     response.mutable_agents(0)->set_error("my brain\nhurts");
     response.mutable_agents(1)->set_message("\xff\xff");
   });
-
-  for (const int agent : {1, 2, 12}) begin_decision(agent);
-  const std::vector<Reply> all = replies();
+  const std::vector<Reply> all = decide({1, 2, 12});
 
   ASSERT_EQ(all.size(), 3U);
   EXPECT_EQ(all[0].status.outcome, RpcOutcome::kError);
@@ -332,23 +356,18 @@ TEST_F(BatchPlaymakerTest, ErrorOfOneAgentConcernsThatAgentOnly) {
 TEST_F(BatchPlaymakerTest, IgnoresSecondRepliesAndRepliesOfOthersWithWarning) {
   register_all();
   alter_actions([](auto& response) { *response.add_agents() = response.agents(0); });
-  begin_decision(1);
-  EXPECT_EQ(replies().size(), 1U);
+  EXPECT_EQ(decide({1}).size(), 1U);
   EXPECT_EQ(playmaker().take_warning(), "GetTeamActions: another reply for player 1, ignored");
   alter_actions([](auto& response) { response.add_agents()->set_agent(-5); });
-  begin_decision(1);
-  EXPECT_EQ(replies().size(), 1U);
+  EXPECT_EQ(decide({1}).size(), 1U);
   EXPECT_EQ(playmaker().take_warning(), "GetTeamActions: a reply for player -5, who was not asked");
   EXPECT_EQ(playmaker().take_warning(), "");
 }
 
 TEST_F(BatchPlaymakerTest, FailureOfCallConcernsAllItsAgents) {
   register_all();
-  connection_->answer = [](int, Rpc, const Message&) {
-    return Answer{failure(RpcOutcome::kDeadline), nullptr};
-  };
-  for (const int agent : {1, 2}) begin_decision(agent);
-  const std::vector<Reply> all = replies();
+  fail_all(RpcOutcome::kDeadline);
+  const std::vector<Reply> all = decide({1, 2});
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[0].status.outcome, RpcOutcome::kDeadline);
   EXPECT_EQ(all[1].rpc, Rpc::kGetPlayerActions);
@@ -356,10 +375,7 @@ TEST_F(BatchPlaymakerTest, FailureOfCallConcernsAllItsAgents) {
 }
 
 TEST_F(BatchPlaymakerTest, PlaymakerWithoutServiceGetsCallsOfAgentsWithoutWarning) {
-  connection_->answer = [](int agent, Rpc rpc, const Message& request) {
-    return agent == kTeamNumber ? Answer{failure(RpcOutcome::kUnimplemented), nullptr}
-                                : answer_as_team(agent, rpc, request);
-  };
+  fail_team(RpcOutcome::kUnimplemented);
   register_all();
   for (const int agent : {1, 2}) begin_decision(agent);
   playmaker().send();
@@ -374,23 +390,14 @@ TEST_F(BatchPlaymakerTest, PlaymakerWithoutServiceGetsCallsOfAgentsWithoutWarnin
 }
 
 TEST_F(BatchPlaymakerTest, OtherFailureOfRegistrationIsOneWarning) {
-  connection_->answer = [](int agent, Rpc rpc, const Message& request) {
-    return agent == kTeamNumber ? Answer{failure(RpcOutcome::kError), nullptr}
-                                : answer_as_team(agent, rpc, request);
-  };
+  fail_team(RpcOutcome::kError);
   register_all();
   EXPECT_EQ(playmaker().take_warning(), "the Playmaker decides for each agent alone: broken");
   EXPECT_EQ(connection_->calls.size(), 4U);
 }
 
 TEST_F(BatchPlaymakerTest, OtherVersionOfServiceIsOneWarning) {
-  connection_->answer = [](int agent, Rpc rpc, const Message& request) {
-    Answer answer = answer_as_team(agent, rpc, request);
-    if (rpc == Rpc::kRegisterTeam) {
-      static_cast<wire::RegisterTeamResponse&>(*answer.message).set_version(2);
-    }
-    return answer;
-  };
+  alter_registration([](auto& response) { response.set_version(2); });
   register_all();
   EXPECT_EQ(playmaker().take_warning(),
             "the Playmaker decides for each agent alone: it speaks version 2 of TeamPlaymaker, "
@@ -398,13 +405,7 @@ TEST_F(BatchPlaymakerTest, OtherVersionOfServiceIsOneWarning) {
 }
 
 TEST_F(BatchPlaymakerTest, EncodingThatWasNotOfferedIsOneWarning) {
-  connection_->answer = [](int agent, Rpc rpc, const Message& request) {
-    Answer answer = answer_as_team(agent, rpc, request);
-    if (rpc == Rpc::kRegisterTeam) {
-      static_cast<wire::RegisterTeamResponse&>(*answer.message).set_encoding(wire::TENSOR);
-    }
-    return answer;
-  };
+  alter_registration([](auto& response) { response.set_encoding(wire::TENSOR); });
   register_all();
   EXPECT_EQ(playmaker().take_warning(),
             "the Playmaker decides for each agent alone: it chose encoding 2, which was not "
@@ -465,8 +466,7 @@ TEST_F(BatchPlaymakerTest, SendsRowsOfPlayersAndHandsOutRowsOrReplies) {
   };
 
   register_all();
-  for (const int agent : {1, 2, 3, 12}) begin_decision(agent);
-  const std::vector<Reply> all = replies();
+  const std::vector<Reply> all = decide({1, 2, 3, 12});
 
   ASSERT_EQ(sent.agents_size(), 4);
   EXPECT_TRUE(sent.agents(0).message().empty());
@@ -481,18 +481,13 @@ TEST_F(BatchPlaymakerTest, SendsRowsOfPlayersAndHandsOutRowsOrReplies) {
 }
 
 TEST_F(BatchPlaymakerTest, PlaymakerThatLeavesRegistrationUnansweredIsAskedForEachAgent) {
-  connection_->answer = [](int agent, Rpc rpc, const Message& request) {
-    return agent == kTeamNumber ? Answer{failure(RpcOutcome::kDeadline), nullptr}
-                                : answer_as_team(agent, rpc, request);
-  };
+  fail_team(RpcOutcome::kDeadline);
   register_all();
   EXPECT_EQ(playmaker().take_warning(), "the Playmaker decides for each agent alone: broken");
 }
 
 TEST_F(BatchPlaymakerTest, RequiredServiceThatIsMissingIsAnError) {
-  connection_->answer = [](int, Rpc, const Message&) {
-    return Answer{failure(RpcOutcome::kUnimplemented), nullptr};
-  };
+  fail_all(RpcOutcome::kUnimplemented);
   playmaker(BatchMode::kRequired);
   const Reply reply = register_agent(1);
   EXPECT_EQ(reply.status.outcome, RpcOutcome::kError);
@@ -500,9 +495,7 @@ TEST_F(BatchPlaymakerTest, RequiredServiceThatIsMissingIsAnError) {
 }
 
 TEST_F(BatchPlaymakerTest, UnreachablePlaymakerIsNotAskedForAgents) {
-  connection_->answer = [](int, Rpc, const Message&) {
-    return Answer{failure(RpcOutcome::kUnavailable), nullptr};
-  };
+  fail_all(RpcOutcome::kUnavailable);
   EXPECT_EQ(register_agent(1).status.outcome, RpcOutcome::kUnavailable);
   EXPECT_EQ(connection_->calls, std::vector<std::string>{"0 RegisterTeam"});
 }
@@ -539,10 +532,7 @@ TEST_F(BatchPlaymakerTest, WaitsForConnectionOnlyAsLongAsAgentsThatWait) {
 
 TEST_F(BatchPlaymakerTest, PlaymakerRestartedWithoutServiceGetsCallsOfAgents) {
   register_all();
-  connection_->answer = [](int agent, Rpc rpc, const Message& request) {
-    return agent == kTeamNumber ? Answer{failure(RpcOutcome::kUnimplemented), nullptr}
-                                : answer_as_team(agent, rpc, request);
-  };
+  fail_team(RpcOutcome::kUnimplemented);
   for (const int agent : {1, 2}) {
     playmaker().begin(agent, Rpc::kRegister, registration(agent), kPatience);
   }
@@ -554,10 +544,7 @@ TEST_F(BatchPlaymakerTest, PlaymakerRestartedWithoutServiceGetsCallsOfAgents) {
 TEST_F(BatchPlaymakerTest, SaysGoodbyeOnceWithAllIdentities) {
   register_all();
   wire::UnregisterTeamRequest sent;
-  connection_->answer = [&](int agent, Rpc rpc, const Message& request) {
-    if (rpc == Rpc::kUnregisterTeam) sent.CopyFrom(request);
-    return answer_as_team(agent, rpc, request);
-  };
+  capture(Rpc::kUnregisterTeam, sent);
 
   for (const int agent : {1, 2, 12}) {
     EXPECT_TRUE(playmaker()
