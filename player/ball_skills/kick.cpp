@@ -32,6 +32,27 @@ bool kick_by(const WorldModel& world, CommandSlots& slots, Vec2 change) {
   return slots.kick(power_for(world, change), (AngleDeg::of(change) - world.self.body).degrees());
 }
 
+/// Change of the ball's velocity that stops it beside the agent.
+Vec2 stopping_change(const WorldModel& world) {
+  const Vec2 velocity = world.ball.known_velocity();
+  const Vec2 relative = world.ball.position - world.self.position;
+  const double dist = relative.length();
+  const double gap =
+      soccer::between(dist, collide_distance(world) + 0.1, kickable_area(world) - 0.1);
+  const Vec2 outwards = dist > 1e-6 ? relative / dist : soccer::polar(1.0, world.self.body);
+
+  const Vec2 next_self = self_after(world, 1);
+  Vec2 desired = next_self + outwards * gap - world.ball.position;
+  if ((desired - velocity).length() > kick_limit(world)) {
+    // Too fast to stop: reduce the speed and let the ball come closer.
+    desired = next_self + outwards * (collide_distance(world) + 0.1) - world.ball.position;
+  }
+
+  return desired - velocity;
+}
+
+constexpr double kWorthwhilePower = 0.5;
+
 }  // namespace
 
 bool kick_to_velocity(const WorldModel& world, CommandSlots& slots, Vec2 velocity) {
@@ -62,31 +83,6 @@ bool kick_one_step(const WorldModel& world, CommandSlots& slots, Vec2 target, do
 
   return hold_ball(world, slots, false, {});
 }
-
-namespace {
-
-/// Change of the ball's velocity that stops it beside the agent.
-Vec2 stopping_change(const WorldModel& world) {
-  const Vec2 velocity = world.ball.known_velocity();
-  const Vec2 relative = world.ball.position - world.self.position;
-  const double dist = relative.length();
-  const double gap =
-      soccer::between(dist, collide_distance(world) + 0.1, kickable_area(world) - 0.1);
-  const Vec2 outwards = dist > 1e-6 ? relative / dist : soccer::polar(1.0, world.self.body);
-
-  const Vec2 next_self = self_after(world, 1);
-  Vec2 desired = next_self + outwards * gap - world.ball.position;
-  if ((desired - velocity).length() > kick_limit(world)) {
-    // Too fast to stop: reduce the speed and let the ball come closer.
-    desired = next_self + outwards * (collide_distance(world) + 0.1) - world.ball.position;
-  }
-
-  return desired - velocity;
-}
-
-constexpr double kWorthwhilePower = 0.5;
-
-}  // namespace
 
 bool stop_needs_kick(const WorldModel& world) {
   return power_for(world, stopping_change(world)) >= kWorthwhilePower;

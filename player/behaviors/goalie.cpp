@@ -206,6 +206,28 @@ bool go_to_position(ActionContext& c) {
          wait_in_position(c, ball);
 }
 
+/// Candidate position farthest from opponents.
+Vec2 roomiest_position(const WorldModel& world) {
+  static constexpr std::array<Vec2, 3> kPlaces{{{-43.0, 10.0}, {-43.0, -10.0}, {-43.0, 0.0}}};
+  Highest<Vec2> best{-1.0, kPlaces[0]};
+
+  for (const Vec2 position : kPlaces) {
+    double room = 100.0;
+    for (const PlayerState& opponent : world.opponents) {
+      if (opponent.position_valid()) room = std::min(room, distance(opponent.position, position));
+    }
+    best.offer(room, position);
+  }
+
+  return best.value;
+}
+
+bool wait(ActionContext& c) {
+  c.neck.kind = NeckPlan::Kind::kScan;
+  const Vec2 upfield{0.0, 0.0};
+  return body_neck_to_point(c.world, c.memory.view, c.slots, upfield);
+}
+
 }  // namespace
 
 bool in_own_penalty_area(Vec2 point, double inset) {
@@ -236,32 +258,6 @@ bool play_goalie(ActionContext& c) {
   if (c.world.self.kickable && goalie_kick(c)) return true;
   return goalie_move(c);
 }
-
-namespace {
-
-/// Candidate position farthest from opponents.
-Vec2 roomiest_position(const WorldModel& world) {
-  static constexpr std::array<Vec2, 3> kPlaces{{{-43.0, 10.0}, {-43.0, -10.0}, {-43.0, 0.0}}};
-  Highest<Vec2> best{-1.0, kPlaces[0]};
-
-  for (const Vec2 position : kPlaces) {
-    double room = 100.0;
-    for (const PlayerState& opponent : world.opponents) {
-      if (opponent.position_valid()) room = std::min(room, distance(opponent.position, position));
-    }
-    best.offer(room, position);
-  }
-
-  return best.value;
-}
-
-bool wait(ActionContext& c) {
-  c.neck.kind = NeckPlan::Kind::kScan;
-  const Vec2 upfield{0.0, 0.0};
-  return body_neck_to_point(c.world, c.memory.view, c.slots, upfield);
-}
-
-}  // namespace
 
 bool goalie_free_kick(ActionContext& c) {
   const WorldModel& world = c.world;

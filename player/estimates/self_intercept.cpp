@@ -1,6 +1,7 @@
 // Intercept plans of the agent, simulated cycle by cycle with stamina.
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "player/estimates/estimates.h"
 #include "player/world/leg_dash.h"
@@ -97,6 +98,17 @@ struct Runner {
   /// One full-power dash along the unit vector `heading` with dash rate `rate`.
   void dash(Vec2 heading, double rate, DashCourse& course) {
     push(heading * (rate * course.at(dashes++).push));
+  }
+
+  /// `cycles` of dashes, without those that would overrun `target`.
+  void dash_up_to(Vec2 target, Vec2 heading, double rate, int cycles, DashCourse& course) {
+    for (int i = 0; i < cycles; ++i) {
+      if (soccer::dot(target - position, heading) > 0.0) {
+        dash(heading, rate, course);
+      } else {
+        coast();
+      }
+    }
   }
 };
 
@@ -243,14 +255,7 @@ struct Search {
                    DashCourse& course) const {
     const double missing = soccer::dot(target - runner.position, heading);
     if (rate > unlimited_rate || missing <= 0.0) {
-      for (int i = 0; i < cycles; ++i) {
-        if (soccer::dot(target - runner.position, heading) > 0.0) {
-          runner.dash(heading, rate, course);
-        } else {
-          runner.coast();
-        }
-      }
-      return;
+      return runner.dash_up_to(target, heading, rate, cycles, course);
     }
 
     const double along = soccer::dot(runner.velocity, heading);
@@ -435,13 +440,7 @@ struct Search {
     runner.push(turn->acceleration);
     ++runner.dashes;
     const Vec2 unit = polar(1.0, world.self.body + angle);
-    for (int i = 1; i < step; ++i) {
-      if (soccer::dot(target - runner.position, unit) > 0.0) {
-        runner.dash(unit, forward_rate, course);
-      } else {
-        runner.coast();
-      }
-    }
+    runner.dash_up_to(target, unit, forward_rate, step - 1, course);
 
     if (!reaches(runner.position, step)) return false;
     add(runner, Kind::kTurnForwardDash, 0, step, angle, 0.0);
@@ -480,12 +479,9 @@ void plan_self_intercept(const WorldModel& world, const BallPath& path, Intercep
   search.turning(aims, true);
   if (world.leg_dashes) search.turning_while_dashing();
 
-  std::sort(table.plans.begin(), table.plans.end(),
-            [](const InterceptPlan& a, const InterceptPlan& b) {
-              if (a.steps() != b.steps()) return a.steps() < b.steps();
-              if (a.turns != b.turns) return a.turns < b.turns;
-              return a.stamina > b.stamina;
-            });
+  std::ranges::sort(table.plans, {}, [](const InterceptPlan& plan) {
+    return std::tuple(plan.steps(), plan.turns, -plan.stamina);
+  });
 
   for (const InterceptPlan& plan : table.plans) {
     int& steps = plan.exhausting ? table.self_exhausting_steps : table.self_steps;

@@ -59,33 +59,6 @@ int cycles_to_block(const WorldModel& world, const soccer::PlayerType& type, Vec
   return kMaxBlockCycles + 1;
 }
 
-}  // namespace
-
-std::optional<Vec2> block_point(const WorldModel& world) {
-  const std::optional<Possession> possession = possession_of_opponents(world);
-  if (!possession) return std::nullopt;
-
-  const Vec2 here = self_after(world, 1);
-  const int own =
-      cycles_to_block(world, world.self_type(), here, world.self.body, true, *possession);
-  if (own > kMaxBlockCycles) return std::nullopt;
-
-  for (const PlayerState& teammate : world.teammates) {
-    if (teammate.goalie || teammate.ghost() || teammate.pos_count > 10 || teammate.tackling)
-      continue;
-    const Vec2 from = teammate.position + teammate.known_velocity();
-    const int other = cycles_to_block(world, world.type_of(teammate), from, teammate.body,
-                                      teammate.body_count <= 2, *possession);
-    const bool by_number = other == own && teammate.unum != 0 && teammate.unum < world.unum;
-    if (other < own || by_number) return std::nullopt;
-  }
-
-  const Vec2 step = dribble_direction(possession->ball) * kDribbleSpeed;
-  return possession->ball + step * std::max(0, own - possession->cycles);
-}
-
-namespace {
-
 // Marking.
 
 constexpr int kMaxMarkAge = 12;
@@ -107,56 +80,6 @@ double marking_cost(const WorldModel& world, int unum, Vec2 home, Vec2 opponent)
   if (teammate != nullptr && teammate->pos_count <= kMaxMarkAge) here = teammate->position;
   return (1.0 - kHomeShare) * distance(here, opponent) + kHomeShare * distance(home, opponent);
 }
-
-}  // namespace
-
-MarkRules marking_in_open_play(const WorldModel& world) {
-  const PlannerParameters& parameters = *world.planner;
-  return {parameters.mark_range, parameters.mark_way, parameters.mark_step};
-}
-
-std::optional<Mark> find_mark(const WorldModel& world, const TeamPoints& home,
-                              const MarkRules& rules) {
-  if (!their_attack(world) || world.goalie) return std::nullopt;
-  const Vec2 ball = first_reach_point(world);
-
-  base::FixedList<const PlayerState*, 22> attackers;
-  for (const PlayerState& opponent : world.opponents) {
-    constexpr double kHasBall = 2.5;
-    if (opponent.goalie || opponent.ghost() || opponent.pos_count > kMaxMarkAge) continue;
-    if (distance(opponent.position, kOwnGoal) > rules.near_goal) continue;
-    if (distance(opponent.position, ball) < kHasBall) continue;
-    attackers.push_back(&opponent);
-  }
-
-  std::ranges::sort(attackers, {}, [](const PlayerState* attacker) {
-    return distance(attacker->position, kOwnGoal);
-  });
-
-  std::array<bool, soccer::kPlayersPerTeam> taken{};
-  for (const PlayerState* attacker : attackers) {
-    constexpr double kNear = 35.0;
-    const bool near = distance(attacker->position, kOwnGoal) < kNear;
-    Lowest<int> marker{near ? std::max(rules.max_cost, rules.max_cost_near_goal) : rules.max_cost};
-    for (int unum = 2; unum <= soccer::kPlayersPerTeam; ++unum) {
-      const std::size_t i = base::index(unum - 1);
-      if (taken[i] || unum == world.our_goalie_unum) continue;
-      marker.offer(marking_cost(world, unum, home[i], attacker->position), unum);
-    }
-
-    if (marker.value == 0) continue;
-    taken[base::index(marker.value - 1)] = true;
-    if (marker.value != world.unum) continue;
-
-    const Vec2 there =
-        attacker->position + (attacker->velocity_valid() ? attacker->velocity * 2.0 : Vec2{});
-    return Mark{there + soccer::with_length(kOwnGoal - there, rules.step), attacker};
-  }
-
-  return std::nullopt;
-}
-
-namespace {
 
 // Support.
 
@@ -224,6 +147,76 @@ double support_score(const WorldModel& world, const TeamPoints& home, Vec2 ball,
 }
 
 }  // namespace
+
+std::optional<Vec2> block_point(const WorldModel& world) {
+  const std::optional<Possession> possession = possession_of_opponents(world);
+  if (!possession) return std::nullopt;
+
+  const Vec2 here = self_after(world, 1);
+  const int own =
+      cycles_to_block(world, world.self_type(), here, world.self.body, true, *possession);
+  if (own > kMaxBlockCycles) return std::nullopt;
+
+  for (const PlayerState& teammate : world.teammates) {
+    if (teammate.goalie || teammate.ghost() || teammate.pos_count > 10 || teammate.tackling) {
+      continue;
+    }
+    const Vec2 from = teammate.position + teammate.known_velocity();
+    const int other = cycles_to_block(world, world.type_of(teammate), from, teammate.body,
+                                      teammate.body_count <= 2, *possession);
+    const bool by_number = other == own && teammate.unum != 0 && teammate.unum < world.unum;
+    if (other < own || by_number) return std::nullopt;
+  }
+
+  const Vec2 step = dribble_direction(possession->ball) * kDribbleSpeed;
+  return possession->ball + step * std::max(0, own - possession->cycles);
+}
+
+MarkRules marking_in_open_play(const WorldModel& world) {
+  const PlannerParameters& parameters = *world.planner;
+  return {parameters.mark_range, parameters.mark_way, parameters.mark_step};
+}
+
+std::optional<Mark> find_mark(const WorldModel& world, const TeamPoints& home,
+                              const MarkRules& rules) {
+  if (!their_attack(world) || world.goalie) return std::nullopt;
+  const Vec2 ball = first_reach_point(world);
+
+  base::FixedList<const PlayerState*, 22> attackers;
+  for (const PlayerState& opponent : world.opponents) {
+    constexpr double kHasBall = 2.5;
+    if (opponent.goalie || opponent.ghost() || opponent.pos_count > kMaxMarkAge) continue;
+    if (distance(opponent.position, kOwnGoal) > rules.near_goal) continue;
+    if (distance(opponent.position, ball) < kHasBall) continue;
+    attackers.push_back(&opponent);
+  }
+
+  std::ranges::sort(attackers, {}, [](const PlayerState* attacker) {
+    return distance(attacker->position, kOwnGoal);
+  });
+
+  std::array<bool, soccer::kPlayersPerTeam> taken{};
+  for (const PlayerState* attacker : attackers) {
+    constexpr double kNear = 35.0;
+    const bool near = distance(attacker->position, kOwnGoal) < kNear;
+    Lowest<int> marker{near ? std::max(rules.max_cost, rules.max_cost_near_goal) : rules.max_cost};
+    for (int unum = 2; unum <= soccer::kPlayersPerTeam; ++unum) {
+      const std::size_t i = base::index(unum - 1);
+      if (taken[i] || unum == world.our_goalie_unum) continue;
+      marker.offer(marking_cost(world, unum, home[i], attacker->position), unum);
+    }
+
+    if (marker.value == 0) continue;
+    taken[base::index(marker.value - 1)] = true;
+    if (marker.value != world.unum) continue;
+
+    const Vec2 there =
+        attacker->position + (attacker->velocity_valid() ? attacker->velocity * 2.0 : Vec2{});
+    return Mark{there + soccer::with_length(kOwnGoal - there, rules.step), attacker};
+  }
+
+  return std::nullopt;
+}
 
 std::optional<Vec2> support_point(const WorldModel& world, const TeamPoints& home) {
   const PlannerParameters& parameters = *world.planner;

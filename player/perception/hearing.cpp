@@ -27,68 +27,52 @@ void set_ball(WorldModel& world, PlayMode mode) {
       soccer::side(mode) == world.our_side ? 1.0 : -1.0;  // 1: their goal, -1: our goal
   const Vec2 estimated = world.ball.position;
   const double half = estimated.y > 0.0 ? 1.0 : -1.0;
+  const bool tracked = world.ball_tracker.tracked;
+  const double blurred = 1.0 + world.ball.position_deviation;
 
   switch (without_side(mode)) {
     case PlayMode::kBeforeKickOff:
     case PlayMode::kKickOffLeft:
-      place_ball(world, {0.0, 0.0}, kExact);
-      break;
+      return place_ball(world, {0.0, 0.0}, kExact);
     case PlayMode::kCornerKickLeft: {
       const double margin = world.server().ckick_margin;
-      place_ball(world,
-                 {toward * (soccer::kHalfLength - margin), half * (soccer::kHalfWidth - margin)},
-                 kExact);
-      break;
+      const double x = toward * (soccer::kHalfLength - margin);
+      return place_ball(world, {x, half * (soccer::kHalfWidth - margin)}, kExact);
     }
-    case PlayMode::kGoalKickLeft:
-      place_ball(world,
-                 {-toward * (soccer::kHalfLength - soccer::kGoalAreaLength),
-                  half * 0.5 * soccer::kGoalAreaWidth},
-                 kExact);
-      break;
+    case PlayMode::kGoalKickLeft: {
+      const double x = -toward * (soccer::kHalfLength - soccer::kGoalAreaLength);
+      return place_ball(world, {x, half * 0.5 * soccer::kGoalAreaWidth}, kExact);
+    }
     case PlayMode::kKickInLeft: {
-      if (!world.ball_tracker.tracked) break;
       const double x = std::clamp(estimated.x, -soccer::kHalfLength, soccer::kHalfLength);
-      place_ball(world, {x, half * soccer::kHalfWidth}, 1.0 + world.ball.position_deviation);
-      break;
+      if (tracked) place_ball(world, {x, half * soccer::kHalfWidth}, blurred);
+      return;
     }
     case PlayMode::kFreeKickLeft:
     case PlayMode::kIndirectFreeKickLeft:
-      if (world.ball_tracker.tracked) {
-        place_ball(world, estimated, 1.0 + world.ball.position_deviation);
-      }
-      break;
+      if (tracked) place_ball(world, estimated, blurred);
+      return;
     default:
-      break;
+      return;
   }
 }
 
 /// Modes in which players use move commands or the server moves them.
 bool players_are_placed(PlayMode mode) {
-  const PlayMode kind = without_side(mode);
-  return kind == PlayMode::kBeforeKickOff || kind == PlayMode::kGoalLeft ||
-         kind == PlayMode::kPenaltySetupLeft;
+  return before_play(mode) || without_side(mode) == PlayMode::kPenaltySetupLeft;
 }
 
 void count_penalty(WorldModel& world, PlayMode mode, int time) {
   PenaltyState& penalty = world.game.penalty;
   const bool our_team = soccer::side(mode) == world.our_side;
-  switch (without_side(mode)) {
-    case PlayMode::kPenaltySetupLeft:
-      ++(our_team ? penalty.our_taken : penalty.their_taken);
-      penalty.taker = soccer::side(mode);
-      penalty.cycle = time;
-      break;
-    case PlayMode::kPenaltyReadyLeft:
-    case PlayMode::kPenaltyTakenLeft:
-      penalty.taker = soccer::side(mode);
-      penalty.cycle = time;
-      break;
-    case PlayMode::kPenaltyScoreLeft:
-      ++(our_team ? penalty.our_score : penalty.their_score);
-      break;
-    default:
-      break;
+  const PlayMode kind = without_side(mode);
+  const bool begins = kind == PlayMode::kPenaltySetupLeft;
+
+  if (begins) ++(our_team ? penalty.our_taken : penalty.their_taken);
+  if (kind == PlayMode::kPenaltyScoreLeft) ++(our_team ? penalty.our_score : penalty.their_score);
+  if (begins || kind == PlayMode::kPenaltyReadyLeft || kind == PlayMode::kPenaltyTakenLeft) {
+    penalty.taker = soccer::side(mode);
+    penalty.cycle = time;
   }
 }
 

@@ -200,29 +200,20 @@ void on_init(WorldModel& world, const soccer::PlayerInitReply& reply, soccer::Te
 }
 
 base::Result<void> on_parameter_message(WorldModel& world, std::string_view message) {
-  base::Result<void> result;
+  const auto apply = [&](auto values, const auto& update) {
+    base::Result<void> parsed = soccer::parse(message, values);
+    if (parsed) update(world, values);
+    return parsed;
+  };
 
   switch (soccer::message_kind(message)) {
-    case soccer::MessageKind::kServerParam: {
-      soccer::ServerParams params;
-      result = soccer::parse(message, params);
-      if (result) on_server_param(world, params);
-      break;
-    }
-    case soccer::MessageKind::kPlayerParam: {
-      soccer::PlayerParams params;
-      result = soccer::parse(message, params);
-      if (result) on_player_param(world, params);
-      break;
-    }
-    default: {
-      soccer::PlayerType type = soccer::default_player_type(world.server());
-      result = soccer::parse(message, type);
-      if (result) on_player_type(world, type);
-    }
+    case soccer::MessageKind::kServerParam:
+      return apply(soccer::ServerParams(), on_server_param);
+    case soccer::MessageKind::kPlayerParam:
+      return apply(soccer::PlayerParams(), on_player_param);
+    default:
+      return apply(soccer::default_player_type(world.server()), on_player_type);
   }
-
-  return result;
 }
 
 void on_server_param(WorldModel& world, const soccer::ServerParams& params) {

@@ -47,12 +47,9 @@ class Replay {
       case MessageKind::kHear:
         return apply(text, hear_, on_hear);
       case MessageKind::kServerParam:
-        return apply(text, server_, on_server_param);
       case MessageKind::kPlayerParam:
-        return apply(text, player_, on_player_param);
       case MessageKind::kPlayerType:
-        type_ = soccer::default_player_type(server_);
-        return apply(text, type_, on_player_type);
+        return on_parameter_message(world_, text);
       case MessageKind::kReply:
         return reply(text);
       default:
@@ -73,8 +70,7 @@ class Replay {
 
   Result<void> reply(std::string_view text) {
     soccer::ServerReply reply;
-    Result<void> parsed = soccer::parse(text, reply);
-    if (!parsed) return parsed;
+    TRY(soccer::parse(text, reply));
 
     if (const auto* init = std::get_if<soccer::PlayerInitReply>(&reply)) {
       on_init(world_, *init, init_.team, init_.goalie);
@@ -99,9 +95,6 @@ class Replay {
   soccer::SenseBody sense_;
   soccer::See see_;
   soccer::Hear hear_;
-  soccer::ServerParams server_;
-  soccer::PlayerParams player_;
-  soccer::PlayerType type_;
 };
 
 }  // namespace

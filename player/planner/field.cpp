@@ -78,6 +78,84 @@ void prepare(FieldOpponent& opponent, double margin, bool in_box_catches, double
   }
 }
 
+constexpr Slack kTwentyDegrees{0.93969262078590838, 0.34202014332566873};
+
+/// Cycles before the player runs along `way`.
+int cycles_before_run(const FieldPlayer& player, Vec2 way, double length) {
+  return turns_to_face(player, way, length, slack_for(player.control, length, kFifteenDegrees)) +
+         (player.lying ? kGettingUp : 0);
+}
+
+int age_credit(const PlannerField& field, const FieldPlayer& player, bool count_age) {
+  return count_age ? std::min(player.age, field.parameters.opponent_credit) : 0;
+}
+
+/// True if `holds` for an opponent. Consecutive candidates are similar: tries the one first for
+/// which it held the last time.
+template <typename Condition>
+bool any_opponent(const PlannerField& field, std::size_t& last, Condition holds) {
+  const auto& opponents = field.opponents;
+  if (last < opponents.size() && holds(opponents[last])) return true;
+  for (std::size_t i = 0; i < opponents.size(); ++i) {
+    if (i == last || !holds(opponents[i])) continue;
+    last = i;
+    return true;
+  }
+
+  return false;
+}
+
+/// True if the opponent controls the ball in `now` cycles at the end of `way`, as seen from its
+/// coasting position. A turn costs one or two cycles.
+bool stops_there(const PlannerField& field, const FieldOpponent& opponent, Vec2 way, double length,
+                 int now, const StopRules& rules) {
+  const double unseen = rules.count_age ? opponent.unseen_run : 0.0;
+  const double run =
+      length - opponent.control - field.parameters.opponent_margin - unseen - rules.extra_reach;
+  if (run <= 0.0) return true;
+
+  constexpr double kArmsLength = 0.2;
+  const Slack slack = slack_for(opponent.control + kArmsLength, length, kTwentyDegrees);
+  const int turns = turns_to_face(opponent, way, length, slack);
+
+  constexpr int kMaxCredit = 3;
+  const int credit = rules.count_age ? std::min(kMaxCredit, opponent.age) : 0;
+  return opponent.reach->run(now + credit - turns - (opponent.lying ? kGettingUp : 0)) >= run;
+}
+
+bool stops(const PlannerField& field, const BallRoll& roll, const StopRules& rules,
+           const FieldOpponent& opponent) {
+  const double way_length = roll.speed * field.roll(roll.cycles);
+
+  const auto at = [&](int cycle) {
+    return static_cast<std::size_t>(std::min(kPlannerHorizon, cycle + rules.head_start));
+  };
+
+  // Quick rejection: the whole path is out of reach.
+  const Vec2 relative = opponent.drift[at(roll.cycles)] - field.ball;
+  const double along = soccer::between(dot(relative, roll.direction), 0.0, way_length);
+  const double far = opponent.grasp[at(roll.cycles)] + opponent.speed * 2.0 + rules.extra_reach;
+  if ((relative - roll.direction * along).squared_length() > far * far) return false;
+
+  // Maximum closing speed of ball and opponent; a faulty server may send types that never run.
+  const double closing =
+      std::max(0.0, roll.speed + opponent.speed + opponent.type->player_speed_max);
+  const Vec2 step = roll.direction * roll.speed;
+
+  for (int cycle = 1; cycle <= roll.cycles; ++cycle) {
+    const Vec2 way = field.ball + step * field.roll(cycle) - opponent.drift[at(cycle)];
+    const double length = way.length();
+    const double gap = length - opponent.grasp[at(cycle)] - rules.extra_reach;
+    if (gap > 0.0) {
+      cycle += static_cast<int>(std::min<double>(gap / closing, kPlannerHorizon));
+    } else if (stops_there(field, opponent, way, length, static_cast<int>(at(cycle)), rules)) {
+      return true;
+    }
+  }
+
+  return false;
+}
+
 }  // namespace
 
 PlannerField::PlannerField(const WorldModel& w, int cycles_held)
@@ -165,37 +243,6 @@ int turns_to_face(const FieldPlayer& player, Vec2 way, double length, const Slac
   return error_cos >= player.turn_cos * slack.cos - player.turn_sin * slack.sin ? 1 : 2;
 }
 
-namespace {
-
-constexpr Slack kTwentyDegrees{0.93969262078590838, 0.34202014332566873};
-
-/// Cycles before the player runs along `way`.
-int cycles_before_run(const FieldPlayer& player, Vec2 way, double length) {
-  return turns_to_face(player, way, length, slack_for(player.control, length, kFifteenDegrees)) +
-         (player.lying ? kGettingUp : 0);
-}
-
-int age_credit(const PlannerField& field, const FieldPlayer& player, bool count_age) {
-  return count_age ? std::min(player.age, field.parameters.opponent_credit) : 0;
-}
-
-/// True if `holds` for an opponent. Consecutive candidates are similar: tries the one first for
-/// which it held the last time.
-template <typename Condition>
-bool any_opponent(const PlannerField& field, std::size_t& last, Condition holds) {
-  const auto& opponents = field.opponents;
-  if (last < opponents.size() && holds(opponents[last])) return true;
-  for (std::size_t i = 0; i < opponents.size(); ++i) {
-    if (i == last || !holds(opponents[i])) continue;
-    last = i;
-    return true;
-  }
-
-  return false;
-}
-
-}  // namespace
-
 int cycles_to_get(const FieldPlayer& player, Vec2 point) {
   const Vec2 way = point - player.rest;
   const double length = way.length();
@@ -236,61 +283,6 @@ double nearest_opponent(const PlannerField& field, Vec2 point) {
   }
   return std::sqrt(least);
 }
-
-namespace {
-
-/// True if the opponent controls the ball in `now` cycles at the end of `way`, as seen from its
-/// coasting position. A turn costs one or two cycles.
-bool stops_there(const PlannerField& field, const FieldOpponent& opponent, Vec2 way, double length,
-                 int now, const StopRules& rules) {
-  const double unseen = rules.count_age ? opponent.unseen_run : 0.0;
-  const double run =
-      length - opponent.control - field.parameters.opponent_margin - unseen - rules.extra_reach;
-  if (run <= 0.0) return true;
-
-  constexpr double kArmsLength = 0.2;
-  const Slack slack = slack_for(opponent.control + kArmsLength, length, kTwentyDegrees);
-  const int turns = turns_to_face(opponent, way, length, slack);
-
-  constexpr int kMaxCredit = 3;
-  const int credit = rules.count_age ? std::min(kMaxCredit, opponent.age) : 0;
-  return opponent.reach->run(now + credit - turns - (opponent.lying ? kGettingUp : 0)) >= run;
-}
-
-bool stops(const PlannerField& field, const BallRoll& roll, const StopRules& rules,
-           const FieldOpponent& opponent) {
-  const double way_length = roll.speed * field.roll(roll.cycles);
-
-  const auto at = [&](int cycle) {
-    return static_cast<std::size_t>(std::min(kPlannerHorizon, cycle + rules.head_start));
-  };
-
-  // Quick rejection: the whole path is out of reach.
-  const Vec2 relative = opponent.drift[at(roll.cycles)] - field.ball;
-  const double along = soccer::between(dot(relative, roll.direction), 0.0, way_length);
-  const double far = opponent.grasp[at(roll.cycles)] + opponent.speed * 2.0 + rules.extra_reach;
-  if ((relative - roll.direction * along).squared_length() > far * far) return false;
-
-  // Maximum closing speed of ball and opponent; a faulty server may send types that never run.
-  const double closing =
-      std::max(0.0, roll.speed + opponent.speed + opponent.type->player_speed_max);
-  const Vec2 step = roll.direction * roll.speed;
-
-  for (int cycle = 1; cycle <= roll.cycles; ++cycle) {
-    const Vec2 way = field.ball + step * field.roll(cycle) - opponent.drift[at(cycle)];
-    const double length = way.length();
-    const double gap = length - opponent.grasp[at(cycle)] - rules.extra_reach;
-    if (gap > 0.0) {
-      cycle += static_cast<int>(std::min<double>(gap / closing, kPlannerHorizon));
-    } else if (stops_there(field, opponent, way, length, static_cast<int>(at(cycle)), rules)) {
-      return true;
-    }
-  }
-
-  return false;
-}
-
-}  // namespace
 
 bool is_stopped(const PlannerField& field, const BallRoll& roll, const StopRules& rules) {
   return any_opponent(field, field.last_stopper, [&](const FieldOpponent& opponent) {

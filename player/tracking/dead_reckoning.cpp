@@ -26,16 +26,13 @@ struct Executed {
 
 Executed executed(const SelfTracker& tracker, const soccer::CommandCounts& before,
                   const soccer::CommandCounts& after) {
-  Executed out;
-  out.turn = after.turn > before.turn && tracker.sent.turn.has_value();
-  out.dash = after.dash > before.dash && tracker.sent.dash.has_value();
-  out.leg_dash = after.dash > before.dash && tracker.sent.leg_dash.has_value();
-  out.move = after.move > before.move && tracker.sent.move.has_value();
-  out.turn_neck = after.turn_neck > before.turn_neck && tracker.sent.turn_neck.has_value();
-  out.unknown_turn =
-      (after.turn > before.turn && !tracker.sent.turn) || after.turn > before.turn + 1;
-
-  return out;
+  const SentCommands& sent = tracker.sent;
+  return {.turn = after.turn > before.turn && sent.turn,
+          .dash = after.dash > before.dash && sent.dash,
+          .leg_dash = after.dash > before.dash && sent.leg_dash,
+          .move = after.move > before.move && sent.move,
+          .turn_neck = after.turn_neck > before.turn_neck && sent.turn_neck,
+          .unknown_turn = (after.turn > before.turn && !sent.turn) || after.turn > before.turn + 1};
 }
 
 /// Turns the body estimate; returns the variance of the noise, which the caller adds.

@@ -17,6 +17,32 @@ constexpr std::size_t kCells = 1200;
 // Below this distance the logarithmic steps are finer than 0.1 m: no lookup.
 constexpr double kFine = 0.05;
 
+/// The ray from the observer to an object, and the focus point relative to it.
+struct FocusRay {
+  double foot = 0.0;    ///< point of the ray nearest to the focus point
+  double height = 0.0;  ///< distance of the focus point from the ray
+
+  double focus_distance(double d) const { return Vec2{d - foot, height}.length(); }
+
+  /// Solves d - focus_distance(d) = value; the left side is non-decreasing.
+  double at_difference(double value, double low, double high) const {
+    if (low - focus_distance(low) >= value) return low;
+    if (high - focus_distance(high) <= value) return high;
+    const double span = foot - value;
+    if (std::fabs(span) < 1e-9) return low;
+    return std::clamp(0.5 * (foot * foot + height * height - value * value) / span, low, high);
+  }
+
+  /// Next distance beyond `d` at which the focus distance leaves [ends.low, ends.high].
+  double leaves(double d, const DistanceRange& ends) const {
+    if (d < foot) {
+      if (ends.low <= height) return foot;
+      return foot - std::sqrt(ends.low * ends.low - height * height);
+    }
+    return foot + std::sqrt(std::max(0.0, ends.high * ends.high - height * height));
+  }
+};
+
 }  // namespace
 
 double gaussian_distance_variance(double rate, double distance, double focus_rate,
@@ -132,36 +158,6 @@ DistanceRange DistanceTable::range(double printed, double focus_distance,
   const double half = kHalfTenth + 0.5 * step_ * printed;
   return {std::max(0.0, printed - half), printed + half};
 }
-
-namespace {
-
-/// The ray from the observer to an object, and the focus point relative to it.
-struct FocusRay {
-  double foot = 0.0;    ///< point of the ray nearest to the focus point
-  double height = 0.0;  ///< distance of the focus point from the ray
-
-  double focus_distance(double d) const { return Vec2{d - foot, height}.length(); }
-
-  /// Solves d - focus_distance(d) = value; the left side is non-decreasing.
-  double at_difference(double value, double low, double high) const {
-    if (low - focus_distance(low) >= value) return low;
-    if (high - focus_distance(high) <= value) return high;
-    const double span = foot - value;
-    if (std::fabs(span) < 1e-9) return low;
-    return std::clamp(0.5 * (foot * foot + height * height - value * value) / span, low, high);
-  }
-
-  /// Next distance beyond `d` at which the focus distance leaves [ends.low, ends.high].
-  double leaves(double d, const DistanceRange& ends) const {
-    if (d < foot) {
-      if (ends.low <= height) return foot;
-      return foot - std::sqrt(ends.low * ends.low - height * height);
-    }
-    return foot + std::sqrt(std::max(0.0, ends.high * ends.high - height * height));
-  }
-};
-
-}  // namespace
 
 DistanceRange DistanceTable::range_along(double printed, Vec2 eye, Vec2 direction,
                                          Vec2 focus) const {
