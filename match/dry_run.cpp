@@ -25,10 +25,8 @@ void add(std::string& text, const process::CommandPlan& plan) {
 // The command of a Playmaker, or a comment on one that runs already.
 Result<void> add_playmaker(std::string& text, const MatchOptions& options, const TeamNames& names,
                            soccer::Side side, const Endpoint& endpoint, const fs::path& folder) {
-  const bool left = side != soccer::Side::kRight;
-  const bool trainer = side == soccer::Side::kNeutral;
   for (const Endpoint& part : endpoint.parts) {
-    if (auto added = add_playmaker(text, options, names, side, part, folder); !added) return added;
+    TRY(add_playmaker(text, options, names, side, part, folder));
   }
   if (endpoint.kind == Endpoint::Kind::kMixed) return {};
   if (endpoint.kind != Endpoint::Kind::kRun) {
@@ -36,12 +34,14 @@ Result<void> add_playmaker(std::string& text, const MatchOptions& options, const
                    endpoint.text);
     return {};
   }
+
   TRY_INIT(const auto port, process::ReservedPort::choose(1));
-  const RunValues values = {port.front().number(), side, left ? names.left : names.right,
+  const bool trainer = side == soccer::Side::kNeutral;
+  const RunValues values = {port.front().number(), side, trainer ? names.left : names[side],
                             options.seed.value_or(0), endpoint.label};
   process::CommandPlan plan = run_plan(endpoint.command, values, folder);
   plan.limits = options.limits;
-  if (!trainer) plan.cpus = left ? options.left_cpus : options.right_cpus;
+  if (!trainer) plan.cpus = options.cpus[side];
   add(text, plan);
   return {};
 }
@@ -54,6 +54,7 @@ Result<std::string> dry_run(const MatchOptions& options) {
       fs::absolute(options.folder.empty()
                        ? fs::path("runs") / fmt::format("UTC-{}-vs-{}", names.left, names.right)
                        : options.folder);
+
   MatchPlan plan;
   std::string text = "# soccer server: embedded, in this process\n";
   if (mode_of(options) != MatchMode::kLockstep) {
@@ -62,6 +63,7 @@ Result<std::string> dry_run(const MatchOptions& options) {
     text = fmt::format("# soccer server: {}\n", options.server_choice.text);
     if (plan.server) add(text, *plan.server);
   }
+
   for (const auto side : soccer::kBothSides) {
     const auto& team = plan.teams[side];
     if (!team) {
@@ -71,6 +73,7 @@ Result<std::string> dry_run(const MatchOptions& options) {
     for (const AgentPlan& agent : team->agents) add(text, agent.command);
     for (const process::CommandPlan& kill : team->kills) add(text, kill);
   }
+
   if (options.trainer) {
     TRY(add_playmaker(text, options, names, soccer::Side::kNeutral, *options.trainer, folder));
   }

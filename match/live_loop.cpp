@@ -23,11 +23,11 @@ MatchMode LiveLoop::mode() const {
 // ---- start
 
 void LiveLoop::warn_of_deadline() {
-  const bool has_agents = options_.left.has_playmaker() || options_.right.has_playmaker();
   const auto deadline = decision_deadline(options_);
-  if (!has_agents || mode_of(options_) != MatchMode::kSynch || !deadline) return;
+  if (!has_agents(options_) || mode_of(options_) != MatchMode::kSynch || !deadline) return;
   if (*deadline <= kServerWait) return;
-  watch_.warn(
+
+  guard_.warn(
       fmt::format("--rpc-deadline {} ms: a soccer server in synchronous mode continues "
                   "without a reply after {} ms",
                   deadline->count(), kServerWait.count()));
@@ -37,33 +37,33 @@ void LiveLoop::warn_of_deadline() {
 void LiveLoop::prepare() {
   warn_of_deadline();
   for (const auto& side : sides_) {
-    if (watch_.ended() || side->prepared()) continue;
-    watch_.observer().on_phase(fmt::format("waiting for {}", side->who()));
-    watch_.wait_for(*side, [&side] { return side->prepared(); });
+    if (guard_.ended() || side->prepared()) continue;
+    guard_.observer().on_phase(fmt::format("waiting for {}", side->who()));
+    guard_.wait_for(*side, [&side] { return side->prepared(); });
   }
-  if (!watch_.ended()) watch_.observer().on_phase("waiting for the soccer server");
+  if (!guard_.ended()) guard_.observer().on_phase("waiting for the soccer server");
 }
 
 // ---- cycles
 
 void LiveLoop::play(const Hooks& hooks) {
-  watch_.observer().on_phase("playing");
+  guard_.observer().on_phase("playing");
   began_ = stepped_at_ = Clock::now();
-  watch_.begin_cycle();
+  guard_.begin_cycle();
 
-  while (!watch_.ended() && !is_over()) {
+  while (!guard_.ended() && !is_over()) {
     server_.poll();
     observe();
     const bool turn = turn_is_due();
     if (turn) take_turn(hooks);
 
-    watch_.check();
-    watch_.report_warnings();
+    guard_.check();
+    guard_.report_warnings();
     report_disconnects();
     if (!turn) continue;
     const MatchView after = view();
     for (MatchHooks* hook : hooks) {
-      if (!hook->after_cycle(after)) watch_.end({});
+      if (!hook->after_cycle(after)) guard_.end({});
     }
   }
 
@@ -72,27 +72,27 @@ void LiveLoop::play(const Hooks& hooks) {
 }
 
 void LiveLoop::observe() {
-  const SourceProgress now = watch_.progress();
+  const SourceProgress now = guard_.progress();
   if (now.steps > steps_) {
     steps_ = now.steps;
     stepped_at_ = Clock::now();
   }
-  if (Clock::now() - stepped_at_ < server_.quiet_time()) watch_.begin_cycle();
+  if (Clock::now() - stepped_at_ < server_.quiet_time()) guard_.begin_cycle();
   if (now.match.cycle > 0) {
     last_cycle_ = Clock::now();
     if (first_cycle_ == Clock::time_point{}) first_cycle_ = last_cycle_;
   }
 
-  watch_.follow_clock(now);
-  watch_.observer().on_cycle(now.match);
+  guard_.follow_clock(now);
+  guard_.observer().on_cycle(now.match);
   if (const auto line = speed_.estimate(now.match, steps_, Clock::now() - began_)) {
-    watch_.observer().on_notice(*line);
+    guard_.observer().on_notice(*line);
   }
 }
 
 MatchView LiveLoop::view() const {
   MatchView view;
-  view.progress = watch_.progress().match;
+  view.progress = guard_.progress().match;
   for (const auto& side : sides_) {
     const auto seen = side->seen();
     if (seen && !view.ball) view.ball = seen->ball;
@@ -101,12 +101,11 @@ MatchView LiveLoop::view() const {
 }
 
 bool LiveLoop::takes_turns() const {
-  return std::any_of(sides_.begin(), sides_.end(),
-                     [](const auto& side) { return side->turns() != nullptr; });
+  return std::ranges::any_of(sides_, [](const auto& side) { return side->turns() != nullptr; });
 }
 
 bool LiveLoop::turn_is_due() const {
-  return takes_turns() && std::all_of(sides_.begin(), sides_.end(), [](const auto& side) {
+  return takes_turns() && std::ranges::all_of(sides_, [](const auto& side) {
            const TurnTaker* turns = side->turns();
            return turns == nullptr || turns->at_turn();
          });
@@ -115,7 +114,7 @@ bool LiveLoop::turn_is_due() const {
 void LiveLoop::take_turn(const Hooks& hooks) {
   const MatchView view = this->view();
   for (MatchHooks* hook : hooks) hook->before_decisions(view);
-  if (!hooks.empty()) watch_.begin_cycle();
+  if (!hooks.empty()) guard_.begin_cycle();
   for (const auto& side : sides_) {
     if (TurnTaker* turns = side->turns()) turns->begin_turn(view.progress.cycle);
   }
@@ -123,42 +122,43 @@ void LiveLoop::take_turn(const Hooks& hooks) {
 
 // Agents that leave because the match has ended are not reported.
 void LiveLoop::report_disconnects() {
-  if (is_over() || watch_.ended()) return;
+  if (is_over() || guard_.ended()) return;
   for (const ReportedConnections& team : server_.status().teams) {
     std::size_t& reported = reported_disconnects_[team.name];
     const std::vector<int> left(team.disconnected.begin() + static_cast<std::ptrdiff_t>(reported),
                                 team.disconnected.end());
     reported = team.disconnected.size();
     if (left.empty()) continue;
-    watch_.warn(fmt::format("player{} {} of {} left the match at cycle {}",
+
+    guard_.warn(fmt::format("player{} {} of {} left the match at cycle {}",
                             left.size() == 1 ? "" : "s", fmt::join(left, ", "), team.name,
-                            watch_.moment().cycle));
+                            guard_.moment().cycle));
   }
 }
 
 // ---- end
 
+bool LiveLoop::has_seen(bool SeenMatch::*what) const {
+  return std::ranges::any_of(sides_, [what](const auto& side) {
+    const auto seen = side->seen();
+    return seen && *seen.*what;
+  });
+}
+
 bool LiveLoop::at_cycle_limit() const {
   return options_.cycles && (server_.progress().match.cycle >= *options_.cycles ||
-                             std::any_of(sides_.begin(), sides_.end(), [](const auto& side) {
-                               const auto seen = side->seen();
-                               return seen && seen->at_cycle_limit;
-                             }));
+                             has_seen(&SeenMatch::at_cycle_limit));
 }
 
 bool LiveLoop::is_over() const {
-  return server_.finished() || at_cycle_limit() ||
-         std::any_of(sides_.begin(), sides_.end(), [](const auto& side) {
-           const auto seen = side->seen();
-           return seen && seen->finished;
-         });
+  return server_.finished() || at_cycle_limit() || has_seen(&SeenMatch::finished);
 }
 
 void LiveLoop::end_by_final_failure() {
   for (const auto& side : sides_) {
-    if (watch_.ended()) return;
-    if (auto failure = side->final_failure(watch_.moment())) {
-      watch_.end_by_side(*side, *std::move(failure));
+    if (guard_.ended()) return;
+    if (auto failure = side->final_failure(guard_.moment())) {
+      guard_.end_by_side(*side, *std::move(failure));
     }
   }
 }
@@ -174,7 +174,7 @@ void LiveLoop::finish(const MatchEnd& end) {
   if (!held_at_turn) {
     for (const auto& side : sides_) side->end_play();
   }
-  server_.finish(state, watch_.signal());
+  server_.finish(state, guard_.signal());
 }
 
 LoopTimes LiveLoop::times() const {

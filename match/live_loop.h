@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
+#include "match/match_guard.h"
 #include "match/match_loop.h"
 #include "match/match_speed.h"
-#include "match/match_watch.h"
 #include "match/server/external_server.h"
 
 namespace cls::match {
@@ -20,11 +20,11 @@ class LiveLoop : public MatchLoop {
  public:
   /// All must outlive the loop.
   LiveLoop(const MatchOptions& options, ExternalServer& server, const Sides& sides,
-           MatchWatch& watch)
+           MatchGuard& guard)
       : options_(options),
         server_(server),
         sides_(sides),
-        watch_(watch),
+        guard_(guard),
         speed_(options, sides, MatchSpeed::Measure::kWholeMatch) {}
 
   MatchMode mode() const override;
@@ -47,6 +47,8 @@ class LiveLoop : public MatchLoop {
   void take_turn(const Hooks& hooks);
   void report_disconnects();
   void end_by_final_failure();
+  /// True if the agents of a side have seen this.
+  bool has_seen(bool SeenMatch::*what) const;
   bool at_cycle_limit() const;
   bool takes_turns() const;
   MatchView view() const;
@@ -54,7 +56,7 @@ class LiveLoop : public MatchLoop {
   const MatchOptions& options_;
   ExternalServer& server_;
   const Sides& sides_;
-  MatchWatch& watch_;
+  MatchGuard& guard_;
   MatchSpeed speed_;
   std::int64_t steps_ = 0;        ///< most that was seen by any source
   Clock::time_point stepped_at_;  ///< when that was

@@ -11,7 +11,7 @@
 namespace cls::match {
 namespace {
 
-// How long signals and limits may go unnoticed.
+// The time for which signals and limits may go unnoticed.
 constexpr std::chrono::milliseconds kTurnWait{20};
 
 double in_seconds(std::chrono::nanoseconds time) {
@@ -23,8 +23,8 @@ double in_seconds(std::chrono::nanoseconds time) {
 void LockstepLoop::play(const Hooks& hooks) {
   arrange(hooks);
   began_ = Clock::now();
-  watch_.begin_cycle();
-  while (!watch_.ended() && !is_over()) play_cycle(hooks);
+  guard_.begin_cycle();
+  while (!guard_.ended() && !is_over()) play_cycle(hooks);
   played_ = Clock::now() - began_;
   times_.play = in_seconds(played_);
 }
@@ -42,7 +42,7 @@ void LockstepLoop::arrange(const Hooks& hooks) {
 void LockstepLoop::play_cycle(const Hooks& hooks) {
   const Clock::time_point free = Clock::now();
   throttle();
-  watch_.begin_cycle();
+  guard_.begin_cycle();
 
   const Clock::time_point begin = Clock::now();
   server_.step([&hooks](simulator::World& world, simulator::Events& events) {
@@ -56,33 +56,33 @@ void LockstepLoop::play_cycle(const Hooks& hooks) {
   take_turn(hooks);
   times_.sides += in_seconds(Clock::now() - stepped);
 
-  watch_.check();
-  watch_.report_warnings();
+  guard_.check();
+  guard_.report_warnings();
   const MatchView after = view();
   for (MatchHooks* hook : hooks) {
-    if (!hook->after_cycle(after)) watch_.end({});
+    if (!hook->after_cycle(after)) guard_.end({});
   }
 }
 
 void LockstepLoop::throttle() const {
   if (!options_.speed) return;
   keep_pace(began_, server_.progress().steps, options_.server.simulator_step, *options_.speed,
-            [this] { return watch_.signal() != 0; });
+            [this] { return guard_.signal() != 0; });
 }
 
 void LockstepLoop::observe() {
-  watch_.begin_cycle();
-  const SourceProgress now = watch_.progress();
-  watch_.follow_clock(now);
-  watch_.observer().on_cycle(now.match);
+  guard_.begin_cycle();
+  const SourceProgress now = guard_.progress();
+  guard_.follow_clock(now);
+  guard_.observer().on_cycle(now.match);
   if (const auto line = speed_.estimate(now.match, now.steps, Clock::now() - began_)) {
-    watch_.observer().on_notice(*line);
+    guard_.observer().on_notice(*line);
   }
 }
 
 MatchView LockstepLoop::view() const {
   const simulator::World& world = server_.world();
-  return {.progress = watch_.progress().match,
+  return {.progress = guard_.progress().match,
           .stoppage = world.clock.stoppage,
           .ball = world.ball.position,
           .world = &world};
@@ -91,7 +91,7 @@ MatchView LockstepLoop::view() const {
 void LockstepLoop::take_turn(const Hooks& hooks) {
   const MatchView view = this->view();
   for (MatchHooks* hook : hooks) hook->before_decisions(view);
-  if (!hooks.empty()) watch_.begin_cycle();
+  if (!hooks.empty()) guard_.begin_cycle();
 
   const Clock::time_point begin = Clock::now();
   for (const auto& side : sides_) {
@@ -102,7 +102,7 @@ void LockstepLoop::take_turn(const Hooks& hooks) {
   }
   wait_for_decisions();
   wait_for_external_clients();
-  watch_.begin_cycle();  // every reply is in: the stall limit must not expire after this
+  guard_.begin_cycle();  // every reply is in: the stall limit must not expire after this
   speed_.add_turns(Clock::now() - begin);
 
   for (const auto& side : sides_) {
@@ -114,9 +114,9 @@ void LockstepLoop::wait_for_decisions() {
   for (const auto& side : sides_) {
     TurnTaker* turns = side->turns();
     if (turns == nullptr) continue;
-    watch_.wait_for(*side, [turns] { return turns->wait_turn(kTurnWait); });
+    guard_.wait_for(*side, [turns] { return turns->wait_turn(kTurnWait); });
   }
-  if (!watch_.ended()) return;
+  if (!guard_.ended()) return;
 
   cancel_calls();
   for (const auto& side : sides_) {
@@ -126,16 +126,15 @@ void LockstepLoop::wait_for_decisions() {
 
 // External clients have as long as a Playmaker, and may miss as many cycles.
 void LockstepLoop::wait_for_external_clients() {
-  if (watch_.ended()) return;
-  const auto found = std::find_if(sides_.begin(), sides_.end(),
-                                  [](const auto& side) { return side->is_external(); });
+  if (guard_.ended()) return;
+  const auto found = std::ranges::find_if(sides_, is_external);
   if (found == sides_.end()) return;
 
   const MatchSide& external = **found;
   const auto deadline = reply_timeout(options_);
   const Clock::time_point begin = Clock::now();
   bool done = false;
-  const bool waited = watch_.wait_for(external, [&] {
+  const bool waited = guard_.wait_for(external, [&] {
     done = server_.wait_for_commands(kTurnWait);
     return done || (deadline && Clock::now() >= begin + *deadline);
   });
@@ -143,11 +142,11 @@ void LockstepLoop::wait_for_external_clients() {
 
   missed_by_external_ = done ? 0 : missed_by_external_ + 1;
   if (missed_by_external_ <= options_.max_missed) return;
-  watch_.end(
+  guard_.end(
       {.reason = EndReason::kLate,
        .message = fmt::format("{}: not all players sent (done) in {} cycles in a row, up to cycle "
                               "{}",
-                              external.who(), missed_by_external_, watch_.moment().cycle),
+                              external.who(), missed_by_external_, guard_.moment().cycle),
        .fault = external.identity().side});
 }
 

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <optional>
 
+#include "match/match_guard.h"
 #include "match/match_loop.h"
 #include "match/match_speed.h"
-#include "match/match_watch.h"
 #include "match/server/embedded_server.h"
 
 namespace cls::match {
@@ -17,11 +17,11 @@ class LockstepLoop : public MatchLoop {
  public:
   /// All must outlive the loop.
   LockstepLoop(const MatchOptions& options, EmbeddedServer& server, const Sides& sides,
-               MatchWatch& watch)
+               MatchGuard& guard)
       : options_(options),
         server_(server),
         sides_(sides),
-        watch_(watch),
+        guard_(guard),
         speed_(options, sides, MatchSpeed::Measure::kCycles) {}
 
   MatchMode mode() const override { return MatchMode::kLockstep; }
@@ -51,7 +51,7 @@ class LockstepLoop : public MatchLoop {
   const MatchOptions& options_;
   EmbeddedServer& server_;
   const Sides& sides_;
-  MatchWatch& watch_;
+  MatchGuard& guard_;
   MatchSpeed speed_;
   LoopTimes times_;
   Clock::time_point began_;

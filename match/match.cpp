@@ -7,8 +7,6 @@
 #include <chrono>
 #include <utility>
 
-#include "match/live_loop.h"
-#include "match/lockstep_loop.h"
 #include "match/match_fault.h"
 
 namespace cls::match {
@@ -20,28 +18,15 @@ bool has_missed(const PlayerResult& agent) { return agent.missed > 0 || agent.re
 
 }  // namespace
 
-Match::Match(const MatchOptions& options, std::unique_ptr<EmbeddedServer> server, Sides sides,
-             std::uint64_t seed, const std::atomic<int>& stop_signal)
+Match::Match(const MatchOptions& options, std::unique_ptr<Server> server, Sides sides,
+             const MakeLoop& make_loop, std::uint64_t seed, const std::atomic<int>& stop_signal)
     : options_(options),
       seed_(seed),
       server_(std::move(server)),
       sides_(std::move(sides)),
-      watch_(options, *server_, sides_, stop_signal),
-      loop_(std::make_unique<LockstepLoop>(options, static_cast<EmbeddedServer&>(*server_), sides_,
-                                           watch_)) {
-  watch_.follow(*loop_);
-}
-
-Match::Match(const MatchOptions& options, std::unique_ptr<ExternalServer> server, Sides sides,
-             std::uint64_t seed, const std::atomic<int>& stop_signal)
-    : options_(options),
-      seed_(seed),
-      server_(std::move(server)),
-      sides_(std::move(sides)),
-      watch_(options, *server_, sides_, stop_signal),
-      loop_(std::make_unique<LiveLoop>(options, static_cast<ExternalServer&>(*server_), sides_,
-                                       watch_)) {
-  watch_.follow(*loop_);
+      guard_(options, *server_, sides_, stop_signal),
+      loop_(make_loop(sides_, guard_)) {
+  guard_.follow(*loop_);
 }
 
 void Match::add_hooks(MatchHooks& hooks) {
@@ -54,15 +39,15 @@ void Match::add_hooks(MatchHooks& hooks) {
 }
 
 void Match::play(MatchObserver& observer) {
-  watch_.report_to(observer);
+  guard_.report_to(observer);
   loop_->prepare();
   start_server();
   join_sides();
   shake_hands();
-  watch_.report_warnings();
+  guard_.report_warnings();
 
-  if (!watch_.ended()) {
-    watch_.begin_play();
+  if (!guard_.ended()) {
+    guard_.begin_play();
     for (const auto& side : sides_) side->begin_play();
     loop_->play(hooks_);
   }
@@ -74,22 +59,22 @@ void Match::play(MatchObserver& observer) {
 // ---- start
 
 void Match::start_server() {
-  watch_.start_server();
+  guard_.start_server();
   const std::string monitor = server_->monitor_address();
-  if (!watch_.ended() && !monitor.empty()) {
-    watch_.observer().on_notice(fmt::format("monitors may attach at {}", monitor));
+  if (!guard_.ended() && !monitor.empty()) {
+    guard_.observer().on_notice(fmt::format("monitors may attach at {}", monitor));
   }
 }
 
 void Match::join_sides() {
   std::vector<std::string> joined;
   for (const auto& side : sides_) {
-    if (watch_.ended()) return;
-    watch_.observer().on_phase(fmt::format("{} joins", side->identity().name));
-    watch_.wait_for(*side, [&] {
+    if (guard_.ended()) return;
+    guard_.observer().on_phase(fmt::format("{} joins", side->identity().name));
+    guard_.wait_for(*side, [&] {
       if (auto failure = side->join(server_->status(), joined)) {
-        if (loop_->blames(*side)) MatchWatch::attribute(*side, *failure);
-        watch_.end(*std::move(failure));
+        if (loop_->blames(*side)) MatchGuard::attribute(*side, *failure);
+        guard_.end(*std::move(failure));
       }
       return side->joined();
     });
@@ -97,31 +82,31 @@ void Match::join_sides() {
   }
 
   // A side alone waits for its Playmaker with a limit of its own.
-  if (sides_.size() == 1) watch_.begin_cycle();
+  if (sides_.size() == 1) guard_.begin_cycle();
 }
 
 void Match::shake_hands() {
   for (const auto& side : sides_) {
-    if (watch_.ended()) return;
+    if (guard_.ended()) return;
     side->begin_handshake();
     if (!side->wait_handshake(kHandshakeWait)) {
-      watch_.observer().on_phase(fmt::format("waiting for {}", side->who()));
-      watch_.wait_for(*side, [&side] { return side->wait_handshake(kHandshakeWait); });
+      guard_.observer().on_phase(fmt::format("waiting for {}", side->who()));
+      guard_.wait_for(*side, [&side] { return side->wait_handshake(kHandshakeWait); });
     }
-    watch_.check();
+    guard_.check();
   }
 }
 
 // ---- end
 
 void Match::finish() {
-  watch_.end({});
-  loop_->finish(watch_.how());
+  guard_.end({});
+  loop_->finish(guard_.how());
   for (const auto& side : sides_) side->leave();
   for (const auto& side : sides_) side->terminate();
   for (const auto& side : sides_) {
     for (const std::string& line : side->failed_expectations()) {
-      watch_.warn(fmt::format("{}: {}", side->identity().name, line));
+      guard_.warn(fmt::format("{}: {}", side->identity().name, line));
     }
   }
 
@@ -142,8 +127,7 @@ std::vector<AgentProgress> Match::agent_progress() const {
 void Match::add_sides() {
   for (const auto& side : sides_) {
     TeamResult team = side->result();
-    if (std::any_of(team.players.begin(), team.players.end(), has_missed) ||
-        (team.coach && team.coach->missed > 0)) {
+    if (std::ranges::any_of(team.players, has_missed) || (team.coach && team.coach->missed > 0)) {
       result_.deterministic = false;
     }
     if (is_trainer(*side)) {
@@ -160,20 +144,20 @@ void Match::make_result() {
   result_.server_kind = options_.server_choice.text;
   add_sides();
 
-  const MatchEnd& end = watch_.how();
+  const MatchEnd& end = guard_.how();
   result_.end_reason = end.reason;
   result_.message = end.message;
   result_.failure = end.failure;
   result_.fault = end.fault;
   result_.try_again = end.try_again;
-  result_.signal = watch_.signal();
+  result_.signal = guard_.signal();
   result_.processes = std::move(processes_);
 
-  const std::vector<std::string>& warnings = watch_.warnings();
+  const std::vector<std::string>& warnings = guard_.warnings();
   result_.warnings = warnings;
   server_->add_result(result_, agent_progress());
   for (std::size_t i = warnings.size(); i < result_.warnings.size(); ++i) {
-    watch_.observer().on_warning(result_.warnings[i]);
+    guard_.observer().on_warning(result_.warnings[i]);
   }
 
   const double seconds = loop_->times().play;

@@ -2,16 +2,17 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "match/match_guard.h"
 #include "match/match_loop.h"
-#include "match/match_watch.h"
 #include "match/result/match_observer.h"
 #include "match/result/match_result.h"
-#include "match/server/embedded_server.h"
-#include "match/server/external_server.h"
+#include "match/server/match_server.h"
 #include "match/sides/match_side.h"
 #include "match/terms/match_options.h"
 
@@ -20,14 +21,13 @@ namespace cls::match {
 /// Use: add_hooks, play once, then result(). The sides use threads of their own.
 class Match {
  public:
-  /// A match in lockstep. `sides`: left, right, and the trainer if there is one. `options` and
-  /// `stop_signal` must outlive the match.
-  Match(const MatchOptions& options, std::unique_ptr<EmbeddedServer> server, Sides sides,
-        std::uint64_t seed, const std::atomic<int>& stop_signal);
+  /// Makes what advances the sides on the server of the match.
+  using MakeLoop = std::function<std::unique_ptr<MatchLoop>(const Sides&, MatchGuard&)>;
 
-  /// A match over UDP. `sides` may also be one side alone, wherever it plays (`cls proxy`).
-  Match(const MatchOptions& options, std::unique_ptr<ExternalServer> server, Sides sides,
-        std::uint64_t seed, const std::atomic<int>& stop_signal);
+  /// `sides`: left, right, and the trainer if there is one; or, over UDP, one side alone, wherever
+  /// it plays (`cls proxy`). `options` and `stop_signal` must outlive the match.
+  Match(const MatchOptions& options, std::unique_ptr<Server> server, Sides sides,
+        const MakeLoop& make_loop, std::uint64_t seed, const std::atomic<int>& stop_signal);
 
   /// Several hooks are called in this order. Before play(); they must outlive the match.
   void add_hooks(MatchHooks& hooks);
@@ -54,7 +54,7 @@ class Match {
   std::uint64_t seed_;
   std::unique_ptr<Server> server_;
   Sides sides_;
-  MatchWatch watch_;
+  MatchGuard guard_;
   std::unique_ptr<MatchLoop> loop_;
   Hooks hooks_;
   std::vector<ProcessResult> processes_;

@@ -10,8 +10,6 @@
 
 namespace cls::match {
 
-bool is_trainer(const MatchSide& side) { return side.identity().side == soccer::Side::kNeutral; }
-
 std::vector<const MatchSide*> sides_awaited_for(const Sides& sides,
                                                 std::chrono::duration<double> limit) {
   std::vector<const MatchSide*> found;
@@ -30,6 +28,7 @@ void blame(const MatchSide& side, const MatchMoment& moment, MatchEnd& end) {
   } else if (!side.is_external()) {
     end.failure = playmaker_failure(side.identity().side);
   }
+
   const auto call = side.awaited_reply();
   if (!call || !end.failure) return;
   end.failure->rpc = name(call->rpc);
@@ -44,11 +43,13 @@ void blame_unresponsive(const Sides& sides, const std::optional<soccer::PerSide<
     if (!awaited_s) return true;
     return (*awaited_s)[side] > kComparable * std::max(awaited_s->left, awaited_s->right);
   };
+
   auto suspects = sides_awaited_for(sides, kServerWait);
   for (const auto& side : sides) {
     if (side->is_external() && has_waited(side->identity().side)) suspects.push_back(side.get());
   }
   if (suspects.size() != 1) return;
+
   end.message += ": those of " + suspects.front()->who();
   if (!is_trainer(*suspects.front())) end.fault = suspects.front()->identity().side;
 }

@@ -1,4 +1,4 @@
-// Who is at fault when a match ends early.
+// The side at fault when a match ends early.
 #pragma once
 
 #include <chrono>
@@ -13,8 +13,6 @@
 #include "soccer/per_side.h"
 
 namespace cls::match {
-
-bool is_trainer(const MatchSide& side);
 
 /// The sides whose Playmaker has kept the match waiting for longer than `limit`.
 std::vector<const MatchSide*> sides_awaited_for(const Sides& sides,

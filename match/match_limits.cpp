@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <thread>
+#include <tuple>
 
 namespace cls::match {
 namespace {
@@ -37,12 +38,11 @@ bool MatchLimits::interrupted_within(std::chrono::milliseconds time) const {
 
 void MatchLimits::follow(const SourceProgress& progress) {
   steps_ = progress.steps;
-  const MatchProgress& now = progress.match;
-  const MatchProgress& then = moved_.match;
-  if (now.cycle == then.cycle && now.mode == then.mode && now.left_score == then.left_score &&
-      now.right_score == then.right_score) {
-    return;
-  }
+  const auto place = [](const MatchProgress& at) {
+    return std::tuple(at.cycle, at.mode, at.left_score, at.right_score);
+  };
+  if (place(progress.match) == place(moved_.match)) return;
+
   moved_ = progress;
   moved_at_ = Clock::now();
 }
@@ -58,6 +58,7 @@ std::optional<EndReason> MatchLimits::exceeded() const {
     return EndReason::kTimedOut;
   }
   if (options_.no_deadline) return std::nullopt;
+
   if (!last_cycle_ && seconds_since(start_) > options_.start_timeout_s) return EndReason::kRefused;
   if (last_cycle_ && seconds_since(*last_cycle_) > options_.stall_after_s) {
     return EndReason::kStalled;

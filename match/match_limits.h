@@ -7,11 +7,13 @@
 #include <optional>
 #include <string>
 
-#include "match/result/end_reason.h"
 #include "match/result/match_observer.h"
 #include "match/terms/match_options.h"
+#include "soccer/end_reason.h"
 
 namespace cls::match {
+
+using soccer::EndReason;
 
 /// Polled by the match's thread.
 class MatchLimits {
@@ -25,8 +27,8 @@ class MatchLimits {
   /// A new cycle has begun: the stall limit counts from here, and replaces the start limit.
   void begin_cycle() { last_cycle_ = Clock::now(); }
 
-  /// Where the match is: the stall limit is exceeded as well while steps are made, but the game
-  /// clock is stopped for longer than any wait of the referee.
+  /// Takes the place of the match: the stall limit is exceeded as well while steps are made, but
+  /// the game clock is stopped for longer than any wait of the referee.
   void follow(const SourceProgress& progress);
   /// True when that is the stall.
   bool clock_stands() const;

@@ -1,4 +1,4 @@
-// How a match advances from its first cycle to its last: in lockstep, or as its server does.
+// Advances a match from its first cycle to its last: in lockstep, or as its server does.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace cls::match {
 
 using Hooks = std::vector<MatchHooks*>;
 
-/// Where the wall time of the cycles went, in seconds.
+/// Parts of the wall time of the cycles, in seconds.
 struct LoopTimes {
   double server = 0.0;  ///< steps; in lockstep only
   double sides = 0.0;   ///< waiting for decisions; in lockstep only

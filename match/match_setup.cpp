@@ -1,8 +1,11 @@
 // One constructor of sides for each kind of server.
 #include "match/match_setup.h"
 
+#include <map>
 #include <utility>
 
+#include "match/live_loop.h"
+#include "match/lockstep_loop.h"
 #include "match/saved/saved_match.h"
 #include "match/sides/external_side.h"
 #include "match/sides/lockstep_agents.h"
@@ -30,17 +33,17 @@ proxy::RpcTimeout team_reply_timeout(const MatchOptions& options) {
 }
 
 SideSetup side_setup(const MatchSetup& setup, Side side) {
+  const bool trainer = side == Side::kNeutral;
   SideSetup result;
   result.side = side;
-  result.name = side == Side::kRight ? setup.names.right : setup.names.left;
+  result.name = trainer ? setup.names.left : setup.names[side];
   result.seed = setup.seed;
   result.folder = setup.folder;
   result.host = setup.host;
   result.batch = setup.options.batch;
   result.team_reply = team_reply_timeout(setup.options);
   result.limits = setup.options.limits;
-  if (side == Side::kLeft) result.cpus = setup.options.left_cpus;
-  if (side == Side::kRight) result.cpus = setup.options.right_cpus;
+  if (!trainer) result.cpus = setup.options.cpus[side];
   return result;
 }
 
@@ -60,6 +63,7 @@ Result<TeamPlans> plan_external_teams(const MatchSetup& setup, EmbeddedServer& s
     for (const Side side : soccer::kBothSides) {
       const Endpoint& endpoint = endpoint_of(setup.options, side);
       if (endpoint.kind != Endpoint::Kind::kTeam) continue;
+
       TeamValues values = team_values(setup.options, setup.names, side, kHost, ports, setup.folder);
       values.coach = false;
       TRY_INIT(auto plan, team_plan(endpoint, values));
@@ -67,6 +71,7 @@ Result<TeamPlans> plan_external_teams(const MatchSetup& setup, EmbeddedServer& s
       plans[side] = std::move(plan);
       server.expect_external_team(side, endpoint.parts.empty() ? "" : values.team_name);
     }
+
     if (opened || (!plans.left && !plans.right)) break;
     TRY_INIT(const auto chosen, server.open_player_port(takes_ports));
     ports = chosen;
@@ -75,9 +80,8 @@ Result<TeamPlans> plan_external_teams(const MatchSetup& setup, EmbeddedServer& s
 }
 
 ExternalSide::OnOtherName on_other_name(const MatchOptions& options, Side side) {
-  const std::string& wanted = side == Side::kLeft ? options.left_name : options.right_name;
-  return wanted.empty() || options.own_names ? ExternalSide::OnOtherName::kWarn
-                                             : ExternalSide::OnOtherName::kRefuse;
+  return options.names[side].empty() || options.own_names ? ExternalSide::OnOtherName::kWarn
+                                                          : ExternalSide::OnOtherName::kRefuse;
 }
 
 NetworkSettings network_settings(const MatchSetup& setup, const MatchPlan& plan, Side side) {
@@ -89,6 +93,7 @@ NetworkSettings network_settings(const MatchSetup& setup, const MatchPlan& plan,
     settings.trainer_port = plan.ports.trainer;
     return settings;
   }
+
   if (options.coach) settings.coach_port = plan.ports.coach;
   // The embedded server has a cycle limit of its own.
   if (options.server_choice.kind != ServerChoice::Kind::kEmbedded) {
@@ -97,6 +102,31 @@ NetworkSettings network_settings(const MatchSetup& setup, const MatchPlan& plan,
   settings.hold_turns = options.step;
   settings.speed = options.speed;
   return settings;
+}
+
+// The sides of a match: external teams on `server`, and those whose agents `agents_of` makes.
+template <class OnOtherNameOf, class AgentsOf>
+Result<Sides> make_sides(const MatchSetup& setup, TeamPlans teams, Server& server,
+                         const OnOtherNameOf& on_other_name_of, const AgentsOf& agents_of) {
+  Sides sides;
+  for (const Side side : sides_of(setup.options)) {
+    if (side != Side::kNeutral && teams[side]) {
+      sides.push_back(std::make_unique<ExternalSide>(
+          identity_of(setup, side), *std::move(teams[side]), on_other_name_of(setup.options, side),
+          server, *setup.host));
+      continue;
+    }
+
+    const SideSetup values = side_setup(setup, side);
+    const Endpoint& endpoint = endpoint_of(setup.options, side);
+    TRY_INIT(auto connection, connect_playmaker(endpoint, values));
+    TRY_INIT(auto agents,
+             agents_of(side, AgentParts{identity_of(setup, side), std::move(connection),
+                                        team_options(values, endpoint, setup.options),
+                                        setup.options, values.cpus}));
+    sides.push_back(std::move(agents));
+  }
+  return sides;
 }
 
 }  // namespace
@@ -110,33 +140,29 @@ Result<std::unique_ptr<Match>> make_lockstep_match(const MatchSetup& setup,
   if (options.resumed != nullptr && options.branch_seed) {
     embedded.branch(options.resumed->steps(), *options.branch_seed);
   }
+
   TRY_INIT(auto teams, plan_external_teams(setup, embedded));
-  Sides sides;
   bool match_thread_taken = false;
-  for (const Side side : sides_of(options)) {
-    if (side != Side::kNeutral && (teams)[side]) {
-      sides.push_back(std::make_unique<ExternalSide>(
-          identity_of(setup, side), *std::move((teams)[side]), ExternalSide::OnOtherName::kAccept,
-          embedded, *setup.host));
-      continue;
-    }
-    const SideSetup values = side_setup(setup, side);
-    const Endpoint& endpoint = endpoint_of(options, side);
-    auto playmaker = connect_playmaker(endpoint, values);
-    if (!playmaker) return playmaker.error();
+  const auto agents_of = [&](Side side, AgentParts parts) -> Result<std::unique_ptr<MatchSide>> {
+    PlaymakerConnection& connection = parts.connection;
     if (options.resumed != nullptr) {
-      playmaker->playmaker =
-          proxy::resume_with(std::move(playmaker->playmaker), replies_of(*options.resumed, side));
+      connection.playmaker =
+          proxy::resume_with(std::move(connection.playmaker), replies_of(*options.resumed, side));
     }
+
     const bool on_match_thread =
-        playmaker->direct && values.cpus.empty() && !std::exchange(match_thread_taken, true);
-    auto agents = std::make_unique<LockstepAgents>(identity_of(setup, side), *std::move(playmaker),
-                                                   team_options(values, endpoint, options), options,
-                                                   values.cpus, embedded);
+        connection.direct && parts.cpus.empty() && !std::exchange(match_thread_taken, true);
+    auto agents = std::make_unique<LockstepAgents>(std::move(parts), embedded);
     if (on_match_thread) agents->take_turns_on_match_thread();
-    sides.push_back(std::move(agents));
-  }
-  return std::make_unique<Match>(options, std::move(server), std::move(sides), setup.seed,
+    return std::unique_ptr<MatchSide>(std::move(agents));
+  };
+  const auto accept = [](const MatchOptions&, Side) { return ExternalSide::OnOtherName::kAccept; };
+  TRY_INIT(auto sides, make_sides(setup, std::move(teams), embedded, accept, agents_of));
+
+  const auto loop = [&](const Sides& all, MatchGuard& guard) {
+    return std::make_unique<LockstepLoop>(options, embedded, all, guard);
+  };
+  return std::make_unique<Match>(options, std::move(server), std::move(sides), loop, setup.seed,
                                  setup.stop_signal);
 }
 
@@ -147,23 +173,18 @@ Result<std::unique_ptr<Match>> make_external_match(const MatchSetup& setup, Matc
   for (const Side side : sides_of(options)) network[side] = network_settings(setup, plan, side);
   auto server =
       std::make_unique<ExternalServer>(options, std::move(plan), setup.host, setup.folder);
-  Sides sides;
-  for (const Side side : sides_of(options)) {
-    if (side != Side::kNeutral && teams[side]) {
-      sides.push_back(
-          std::make_unique<ExternalSide>(identity_of(setup, side), *std::move(teams[side]),
-                                         on_other_name(options, side), *server, *setup.host));
-      continue;
-    }
-    const SideSetup values = side_setup(setup, side);
-    const Endpoint& endpoint = endpoint_of(options, side);
-    TRY_INIT(auto playmaker, connect_playmaker(endpoint, values));
-    TRY_INIT(auto agents, NetworkAgents::create(identity_of(setup, side), std::move(playmaker),
-                                                team_options(values, endpoint, options), options,
-                                                values.cpus, network[side]));
-    sides.push_back(std::move(agents));
-  }
-  return std::make_unique<Match>(options, std::move(server), std::move(sides), setup.seed,
+  ExternalServer& external = *server;
+
+  const auto agents_of = [&](Side side, AgentParts parts) -> Result<std::unique_ptr<MatchSide>> {
+    TRY_INIT(auto agents, NetworkAgents::create(std::move(parts), network[side]));
+    return std::unique_ptr<MatchSide>(std::move(agents));
+  };
+  TRY_INIT(auto sides, make_sides(setup, std::move(teams), external, on_other_name, agents_of));
+
+  const auto loop = [&](const Sides& all, MatchGuard& guard) {
+    return std::make_unique<LiveLoop>(options, external, all, guard);
+  };
+  return std::make_unique<Match>(options, std::move(server), std::move(sides), loop, setup.seed,
                                  setup.stop_signal);
 }
 

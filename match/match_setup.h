@@ -13,7 +13,7 @@
 
 namespace cls::match {
 
-/// What both kinds of matches are made from. Everything must outlive the match.
+/// The parts of both kinds of matches. Everything must outlive the match.
 struct MatchSetup {
   const MatchOptions& options;
   const TeamNames& names;
@@ -23,7 +23,7 @@ struct MatchSetup {
   std::filesystem::path folder = {};     ///< for their logs
 };
 
-/// Where a match in lockstep writes its logs; null: none. All must outlive the match.
+/// The logs of a match in lockstep; null: none. All must outlive the match.
 struct LockstepLogs {
   base::ByteSink* game_log = nullptr;
   base::ByteSink* text_log = nullptr;

@@ -29,13 +29,8 @@ DecisionTimes decision_times(const Sides& sides) {
 
 // More than one decision in a hundred.
 bool is_often_late(const TeamResult& team) {
-  std::int64_t decisions = 0;
-  std::int64_t late = 0;
-  for (const PlayerResult& player : team.players) {
-    decisions += player.decisions;
-    late += player.late;
-  }
-  return late * 100 > decisions;
+  const ReplySummary sum = reply_summary(team);
+  return sum.late * 100 > sum.decisions;
 }
 
 }  // namespace
@@ -60,7 +55,7 @@ void MatchSpeed::add_turns(Duration wall) {
 // In real time, or slowed down by --speed.
 bool MatchSpeed::is_paced() const {
   return options_.speed.has_value() || mode_of(options_) == MatchMode::kRealtime ||
-         std::any_of(sides_.begin(), sides_.end(), [](const auto& side) {
+         std::ranges::any_of(sides_, [](const auto& side) {
            const auto seen = side->seen();
            return seen && seen->mode == MatchMode::kRealtime;
          });
@@ -68,6 +63,7 @@ bool MatchSpeed::is_paced() const {
 
 SpeedResult MatchSpeed::shares(Duration played) const {
   if (measure_ == Measure::kCycles) return meter_.result();
+
   SpeedMeter meter;
   std::array<SpeedMeter::SideTurn, 3> turns;
   Duration longest{0};
@@ -80,15 +76,16 @@ SpeedResult MatchSpeed::shares(Duration played) const {
     }
     longest = std::max(longest, turns[i].times.total);
   }
+
   longest = std::min(longest, played);
   meter.add_turns(longest, std::span(turns).first(sides_.size()));
   is_paced() ? meter.add_clock(played - longest) : meter.add_server(played - longest);
+
   SpeedResult result = meter.result();
-  const bool hidden =
-      !awaited_s_ && std::any_of(sides_.begin(), sides_.end(),
-                                 [](const auto& side) { return side->is_external(); });
-  if (hidden && result.limited_by == SpeedLimit::kServer)
+  const bool hidden = !awaited_s_ && std::ranges::any_of(sides_, is_external);
+  if (hidden && result.limited_by == SpeedLimit::kServer) {
     result.limited_by = SpeedLimit::kServerAndTeams;
+  }
   return result;
 }
 
@@ -96,6 +93,7 @@ std::optional<std::string> MatchSpeed::estimate(const MatchProgress& now, std::i
                                                 Duration played) {
   if (estimated_ || now.last_cycle <= 0 || now.cycle <= 0) return std::nullopt;
   if (!kick_off_) kick_off_ = Moment{played, steps};
+
   const Duration since = played - kick_off_->played;
   if (since < kEstimateAfter || steps - kick_off_->steps < kStepsOfEstimate) return std::nullopt;
   if (sides_.size() == 1 || is_paced()) return std::nullopt;

@@ -21,7 +21,7 @@ namespace cls::match {
 class MatchSpeed {
  public:
   using Duration = std::chrono::nanoseconds;
-  /// What is measured: each cycle by add_step() and add_turns(), or the match as a whole, in which
+  /// The measured unit: each cycle by add_step() and add_turns(), or the match as a whole, in which
   /// the time without decisions belongs to the server or to its clock.
   enum class Measure { kCycles, kWholeMatch };
 
@@ -33,7 +33,7 @@ class MatchSpeed {
   /// Adds the decisions of a cycle in lockstep, which took `wall`. The sides have no work now.
   void add_turns(Duration wall);
 
-  /// How long the server has waited for the programs of external teams: their turns. Where they are
+  /// The waits of the server for the programs of external teams: their turns. Where they are
   /// not known, their time is the server's.
   void set_awaited(const std::optional<soccer::PerSide<double>>& seconds) { awaited_s_ = seconds; }
 

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <chrono>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <random>
@@ -12,9 +11,8 @@
 
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
+#include "match/hooks/debug_action_log.h"
 #include "match/hooks/debug_clients.h"
-#include "match/hooks/debug_log.h"
-#include "match/hooks/error_recording.h"
 #include "match/hooks/match_saver.h"
 #include "match/hooks/missed_log.h"
 #include "match/hooks/rpc_recorder.h"
@@ -45,8 +43,8 @@ class FirstError {
   void add(const std::string& error) {
     if (text_.empty()) text_ = error;
   }
-  void close(base::FileSink& sink) {
-    if (const auto closed = sink.close(); !closed) add(closed.error().message);
+  void add(const Result<void>& done) {
+    if (!done) add(done.error().message);
   }
   const std::string& text() const { return text_; }
 
@@ -64,108 +62,71 @@ recording::RecordingHeader recording_header(const MatchSetup& setup) {
   return header;
 }
 
-/// A hook that a match has for its folder, with what it says at the end.
-struct FileHook {
-  std::unique_ptr<MatchHooks> hooks;               ///< null: not wanted
-  std::function<std::string()> close = nothing;    ///< why a file is not complete, or nothing
-  std::function<std::string()> problem = nothing;  ///< why the match is refused, or nothing
-  std::function<void(MatchResult&)> add_result = [](MatchResult&) {};
+using FolderHook = std::unique_ptr<FolderHooks>;
+using FolderHookList = std::vector<FolderHook>;
 
-  static std::string nothing() { return {}; }
-};
-
-template <typename Hook>
-FileHook closed_at_end(std::unique_ptr<Hook> hook) {
-  Hook* closed = hook.get();
-  return {.hooks = std::move(hook), .close = [closed] { return closed->close(); }};
+// A hook that is made without errors.
+template <FolderHook (*make)(const MatchSetup&)>
+Result<FolderHook> wanted(const MatchSetup& setup) {
+  return make(setup);
 }
 
-Result<FileHook> debug_log(const MatchSetup& setup) {
-  return closed_at_end(std::make_unique<DebugLog>(setup.folder));
+FolderHook debug_actions(const MatchSetup& setup) {
+  return std::make_unique<DebugActionLog>(setup.folder);
 }
 
-Result<FileHook> missed_log(const MatchSetup& setup) {
-  return closed_at_end(std::make_unique<MissedLog>(setup.folder));
+FolderHook missed_log(const MatchSetup& setup) { return std::make_unique<MissedLog>(setup.folder); }
+
+FolderHook resume_check(const MatchSetup& setup) {
+  if (setup.options.resumed == nullptr) return nullptr;
+  return std::make_unique<ResumeCheck>(setup.options.resumed);
 }
 
-Result<FileHook> resume_check(const MatchSetup& setup) {
-  if (setup.options.resumed == nullptr) return FileHook{};
-  auto check = std::make_unique<ResumeCheck>(setup.options.resumed);
-  const ResumeCheck* resumed = check.get();
-  return FileHook{.hooks = std::move(check), .problem = [resumed] { return resumed->problem(); }};
-}
-
-Result<FileHook> match_saver(const MatchSetup& setup) {
+FolderHook match_saver(const MatchSetup& setup) {
   const MatchOptions& options = setup.options;
-  if (!options.save_at) return FileHook{};
-  return closed_at_end(std::make_unique<MatchSaver>(
-      options.save_file, *options.save_at,
-      describe_match(options, setup.seed, setup.names.left, setup.names.right)));
+  if (!options.save_at) return nullptr;
+  return std::make_unique<MatchSaver>(options.save_file, *options.save_at,
+                                      describe_match(options, setup.seed, setup.names));
 }
 
-Result<FileHook> rpc_recorder(const MatchSetup& setup) {
-  if (setup.options.record_rpc.empty()) return FileHook{};
+FolderHook world_model_recorder(const MatchSetup& setup) {
+  if (!setup.options.record_world_models) return nullptr;
+  return std::make_unique<WorldModelRecorder>(setup.folder, setup.names);
+}
+
+FolderHook situation_run(const MatchSetup& setup) {
+  const MatchOptions& options = setup.options;
+  if (options.loaded_book == nullptr) return nullptr;
+  return std::make_unique<SituationRun>(*options.loaded_book, setup.seed, options.situations,
+                                        situation_cycles(options));
+}
+
+FolderHook debug_clients(const MatchSetup& setup) {
+  if (!setup.options.debug.wanted()) return nullptr;
+  return std::make_unique<DebugClients>(setup.options.debug);
+}
+
+Result<FolderHook> rpc_recorder(const MatchSetup& setup) {
+  if (setup.options.record_rpc.empty()) return FolderHook();
   TRY_INIT(auto recorder, RpcRecorder::create(setup.options.record_rpc, recording_header(setup)));
-  return closed_at_end(std::move(recorder));
+  return FolderHook(std::move(recorder));
 }
 
-Result<FileHook> world_model_recorder(const MatchSetup& setup) {
-  if (!setup.options.record_world_models) return FileHook{};
-  return closed_at_end(
-      std::make_unique<WorldModelRecorder>(setup.folder, setup.names.left, setup.names.right));
-}
-
-Result<FileHook> situation_run(const MatchSetup& setup) {
-  const MatchOptions& options = setup.options;
-  if (options.loaded_book == nullptr) return FileHook{};
-  auto run = std::make_unique<SituationRun>(*options.loaded_book, setup.seed, options.situations,
-                                            situation_cycles(options));
-  const SituationRun* played = run.get();
-  return FileHook{.hooks = std::move(run),
-                  .add_result = [played](MatchResult& result) { result.book = played->result(); }};
-}
-
-Result<FileHook> debug_clients(const MatchSetup& setup) {
-  if (!setup.options.debug.wanted()) return FileHook{};
-  return closed_at_end(std::make_unique<DebugClients>(setup.options.debug));
-}
-
-/// In the order of their calls.
-constexpr std::array kFileHooks = {situation_run,        debug_log,    missed_log,
-                                   resume_check,         match_saver,  rpc_recorder,
-                                   world_model_recorder, debug_clients};
+/// In the order of their calls; null: not wanted.
+constexpr std::array<Result<FolderHook> (*)(const MatchSetup&), 8> kFolderHooks = {
+    wanted<situation_run>,        wanted<debug_actions>, wanted<missed_log>,
+    wanted<resume_check>,         wanted<match_saver>,   rpc_recorder,
+    wanted<world_model_recorder>, wanted<debug_clients>};
 
 /// Those that the options ask for.
-class FileHooks {
- public:
-  static Result<FileHooks> create(const MatchSetup& setup) {
-    FileHooks all;
-    for (const auto& make : kFileHooks) {
-      TRY_INIT(auto hook, make(setup));
-      if (hook.hooks != nullptr) all.hooks_.push_back(std::move(hook));
-    }
-    return all;
+Result<FolderHookList> make_hooks(const MatchSetup& setup) {
+  FolderHookList all;
+  for (const auto& make : kFolderHooks) {
+    TRY_INIT(auto hook, make(setup));
+    if (hook != nullptr) all.push_back(std::move(hook));
   }
-
-  void add_to(Match& match) {
-    for (const FileHook& hook : hooks_) match.add_hooks(*hook.hooks);
-  }
-  /// Why the match is refused, or an empty string.
-  std::string problem() const {
-    FirstError first;
-    for (const FileHook& hook : hooks_) first.add(hook.problem());
-    return first.text();
-  }
-  void add_results(MatchResult& result) const {
-    for (const FileHook& hook : hooks_) hook.add_result(result);
-  }
-  void close(FirstError& error) {
-    for (const FileHook& hook : hooks_) error.add(hook.close());
-  }
-
- private:
-  std::vector<FileHook> hooks_;
-};
+  return all;
+}
 
 constexpr soccer::PerSide<const char*> kErrorFiles = {kLeftErrorFile, kRightErrorFile};
 
@@ -176,6 +137,7 @@ void record_errors(const MatchSetup& setup, const Match& match, MatchResult& res
     const proxy::PlaymakerErrors* errors = side->errors();
     if (errors == nullptr || !errors->first || which == soccer::Side::kNeutral) continue;
     if (errors->first->calls.empty()) continue;
+
     const char* file = kErrorFiles[which];
     const auto written =
         write_error_recording(setup.folder / file, recording_header(setup), which, *errors->first);
@@ -197,16 +159,21 @@ void add_late_warnings(const fs::path& folder, MatchResult& result, MatchObserve
 }
 
 // Plays with all hooks; the sides are gone when this returns.
-MatchResult play(const MatchSetup& setup, std::unique_ptr<Match> match, FileHooks& files,
+MatchResult play(const MatchSetup& setup, std::unique_ptr<Match> match, const FolderHookList& files,
                  MatchHooks* hooks, MatchObserver& observer) {
-  files.add_to(*match);
+  for (const FolderHook& hook : files) match->add_hooks(*hook);
   if (hooks != nullptr) match->add_hooks(*hooks);
   match->play(observer);
+
   MatchResult result = match->result();
-  files.add_results(result);
-  if (std::string problem = files.problem(); !problem.empty()) {
+  FirstError problem;
+  for (const FolderHook& hook : files) {
+    hook->add_result(result);
+    problem.add(hook->problem());
+  }
+  if (!problem.text().empty()) {
     result.end_reason = EndReason::kRefused;
-    result.message = std::move(problem);
+    result.message = problem.text();
   }
   record_errors(setup, *match, result);
   return result;
@@ -232,6 +199,18 @@ MatchResult refused(const MatchSetup& setup, std::string message, bool try_again
   return result;
 }
 
+// Closes the files of a match whose logs are `complete`; the first error becomes that of the
+// result.
+void close_files(const Result<void>& complete, base::FileSink& events, const FolderHookList& files,
+                 MatchResult& result) {
+  FirstError error;
+  error.add(complete);
+  error.add(events.close());
+  for (const FolderHook& hook : files) error.add(hook->close());
+  error.add(result.write_error);
+  result.write_error = error.text();
+}
+
 // A match without a cycle has no logs.
 void remove_logs(const fs::path& folder, MatchResult& result) {
   for (std::string* log : {&result.rcg, &result.rcl}) {
@@ -243,27 +222,24 @@ void remove_logs(const fs::path& folder, MatchResult& result) {
 
 // The one fixed port that a match in lockstep may need.
 bool stock_port_is_taken(const MatchSetup& setup) {
-  const bool external = !setup.options.left.has_playmaker() || !setup.options.right.has_playmaker();
-  return external && !process::taken_port(process::Protocol::kUdp, {ServerPorts().player}).empty();
+  return has_external_team(setup.options) &&
+         !process::taken_port(process::Protocol::kUdp, {ServerPorts().player}).empty();
 }
 
 Result<MatchResult> play_lockstep(const MatchSetup& setup, MatchHooks* hooks,
                                   MatchObserver& observer) {
   TRY_INIT(auto logs, MatchLogs::create(setup.folder, setup.options.server));
   TRY_INIT(const auto event_file, create_file(setup, kEventsFile));
-  TRY_INIT(auto files, FileHooks::create(setup));
+  TRY_INIT(auto files, make_hooks(setup));
+
   EventRecorder events(*event_file);
   auto match = make_lockstep_match(setup, {logs.game(), logs.text(), &events});
   events.start(setup.names, setup.seed);
   MatchResult result = match ? play(setup, *std::move(match), files, hooks, observer)
                              : refused(setup, match.error().message, stock_port_is_taken(setup));
   events.end(result);
-  FirstError error;
-  if (const auto closed = logs.close(result); !closed) error.add(closed.error().message);
-  error.close(*event_file);
-  files.close(error);
-  error.add(result.write_error);
-  result.write_error = error.text();
+
+  close_files(logs.close(result), *event_file, files, result);
   if (result.steps == 0) remove_logs(setup.folder, result);
   return result;
 }
@@ -271,10 +247,9 @@ Result<MatchResult> play_lockstep(const MatchSetup& setup, MatchHooks* hooks,
 Result<MatchResult> play_over_udp(const MatchSetup& setup, MatchHooks* hooks,
                                   MatchObserver& observer) {
   TRY_INIT(const auto event_file, create_file(setup, kEventsFile));
-  TRY_INIT(auto files, FileHooks::create(setup));
-  FirstError error;
+  TRY_INIT(auto files, make_hooks(setup));
+
   MatchResult result;
-  EventRecorder events(*event_file);
   auto plan = plan_match(setup.options, setup.names, setup.seed, setup.folder);
   if (!plan) return refused(setup, plan.error().message, false);
   if (const std::string in_use = port_in_use(*plan); !in_use.empty()) {
@@ -285,13 +260,11 @@ Result<MatchResult> play_over_udp(const MatchSetup& setup, MatchHooks* hooks,
                    : refused(setup, match.error().message, false);
   }
   result.deterministic = false;
+
+  EventRecorder events(*event_file);
   write_events(events, setup.folder, result);
   const auto converted = convert_server_logs(setup.folder, setup.options.server, result);
-  if (!converted) error.add(converted.error().message);
-  error.close(*event_file);
-  files.close(error);
-  error.add(result.write_error);
-  result.write_error = error.text();
+  close_files(converted, *event_file, files, result);
   return result;
 }
 
@@ -306,23 +279,36 @@ TeamNames team_names(const MatchOptions& options) {
   const auto name = [](const std::string& given, const Endpoint& endpoint) {
     return given.empty() ? default_team_name(endpoint) : given;
   };
-  return distinct_names(name(options.left_name, options.left),
-                        name(options.right_name, options.right));
+  return distinct_names(name(options.names.left, options.left),
+                        name(options.names.right, options.right));
 }
+
+namespace {
+
+// Manifest and result, of a match that is over.
+void write_documents(const MatchSetup& setup, const fs::path& folder, ManifestTimes times,
+                     MatchResult& result) {
+  times.ended = base::utc_now();
+  times.server_version = result.server_version;
+  for (const auto& [file, text] :
+       {std::pair(kManifestFile, manifest_json(setup.options, setup.names, setup.seed, times)),
+        std::pair(kResultFile, to_json(result))}) {
+    const auto written = base::write_file_durably(folder / file, text);
+    if (!written && result.write_error.empty()) result.write_error = written.error().message;
+  }
+}
+
+}  // namespace
 
 Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observer,
                               const std::atomic<int>& stop_signal, MatchHooks* hooks) {
   const auto start = std::chrono::steady_clock::now();
   const TeamNames names = team_names(options);
   const std::uint64_t seed = options.seed.value_or(random_seed());
-  ManifestTimes times;
-  times.started = base::utc_now();
+  const ManifestTimes times = {.started = base::utc_now()};
   TRY_INIT(const auto folder, make_match_folder(options, names));
-  if (const auto written =
-          base::write_file(folder / kManifestFile, manifest_json(options, names, seed, times));
-      !written) {
-    return written.error();
-  }
+  TRY(base::write_file(folder / kManifestFile, manifest_json(options, names, seed, times)));
+
   std::optional<process::ProcessHost> host;
   if (starts_programs(options)) {
     TRY_INIT(auto created, process::ProcessHost::create());
@@ -330,13 +316,16 @@ Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observ
   }
   const MatchSetup setup{
       options, names, seed, stop_signal, host ? &*host : nullptr, fs::absolute(folder)};
+
   std::vector<std::string> warnings = settings_without_effect(options);
   for (std::string& line : sandbox_warnings(options, folder)) warnings.push_back(std::move(line));
   for (const std::string& warning : warnings) observer.on_warning(warning);
   observer.on_folder(setup.folder, running_game_log(options));
+
   auto result = mode_of(options) == MatchMode::kLockstep ? play_lockstep(setup, hooks, observer)
                                                          : play_over_udp(setup, hooks, observer);
   if (!result) return result;
+
   result->folder = folder.string();
   result->warnings.insert(result->warnings.begin(), warnings.begin(), warnings.end());
   add_late_warnings(folder, *result, observer);
@@ -344,14 +333,7 @@ Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observ
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   // For tournaments, which read only the document.
   if (!result->write_error.empty()) result->warnings.push_back(result->write_error);
-  times.ended = base::utc_now();
-  times.server_version = result->server_version;
-  for (const auto& [file, text] :
-       {std::pair(kManifestFile, manifest_json(options, names, seed, times)),
-        std::pair(kResultFile, to_json(*result))}) {
-    const auto written = base::write_file_durably(folder / file, text);
-    if (!written && result->write_error.empty()) result->write_error = written.error().message;
-  }
+  write_documents(setup, folder, times, *result);
   return result;
 }
 

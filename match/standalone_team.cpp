@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "match/hooks/debug_clients.h"
+#include "match/live_loop.h"
 #include "match/match.h"
 #include "match/server/external_server.h"
 #include "match/sides/network_agents.h"
@@ -65,6 +66,7 @@ base::Result<std::unique_ptr<NetworkAgents>> make_agents(const StandaloneTeamOpt
   settings.trainer_port = options.trainer_port;
   settings.leave_at_time_over = false;
   settings.on_ready = options.on_ready;
+
   if (offline != nullptr) {
     const int first = options.team.reconnect ? options.team.first_unum : 0;
     settings.wrap = [offline, unum = first](std::unique_ptr<soccer::Channel> channel) mutable {
@@ -78,11 +80,13 @@ base::Result<std::unique_ptr<NetworkAgents>> make_agents(const StandaloneTeamOpt
       return make_playmaker(target, thrift, batch);
     };
   }
+
   PlaymakerConnection connection;
   connection.playmaker = make_playmaker(options.playmaker, options.thrift, batch);
-  return NetworkAgents::create({soccer::Side::kLeft, std::string(options.team.name.view()),
-                                address(options.playmaker, first_number(options))},
-                               std::move(connection), options.team, match, {}, std::move(settings));
+  const SideIdentity identity = {soccer::Side::kLeft, std::string(options.team.name.view()),
+                                 address(options.playmaker, first_number(options))};
+  return NetworkAgents::create({identity, std::move(connection), options.team, match},
+                               std::move(settings));
 }
 
 void add_statistics(StandaloneTeamResult& result, PlayerResult player,
@@ -108,7 +112,7 @@ void add_statistics(StandaloneTeamResult& result, const proxy::Team& team) {
 }  // namespace
 
 std::string to_json(const StandaloneTeamOptions& options, const StandaloneTeamResult& result) {
-  using Json = nlohmann::ordered_json;
+  using base::Json;
   const Json document = {{"schema", "cls.proxy/1"},
                          {"team", options.team.name.view()},
                          {"side", result.right_side ? "right" : "left"},
@@ -136,16 +140,20 @@ StandaloneTeamResult run_standalone_team(const StandaloneTeamOptions& options,
     result.message = agents.error().message;
     return result;
   }
+
   const NetworkAgents& team = **agents;
+  Sides sides;
+  sides.push_back(*std::move(agents));
   MatchPlan plan;
   plan.server_host = options.server_host;
   plan.ports.player = options.server_port;
-  Sides sides;
-  sides.push_back(*std::move(agents));
-  Match match(match_options,
-              std::make_unique<ExternalServer>(match_options, std::move(plan), nullptr,
-                                               std::filesystem::path()),
-              std::move(sides), 0, stop_signal);
+  auto server = std::make_unique<ExternalServer>(match_options, std::move(plan), nullptr,
+                                                 std::filesystem::path());
+  const auto loop = [&match_options, &external = *server](const Sides& all, MatchGuard& guard) {
+    return std::make_unique<LiveLoop>(match_options, external, all, guard);
+  };
+  Match match(match_options, std::move(server), std::move(sides), loop, 0, stop_signal);
+
   DebugClients debug(options.debug);
   if (options.debug.wanted()) match.add_hooks(debug);
   match.play(observer);
@@ -153,6 +161,7 @@ StandaloneTeamResult run_standalone_team(const StandaloneTeamOptions& options,
   if (std::string error = offline.close(); result.write_error.empty()) {
     result.write_error = std::move(error);
   }
+
   result.end_reason = match.result().end_reason;
   result.message = match.result().message;
   result.signal = match.result().signal;

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "match/result/end_reason.h"
 #include "match/result/match_observer.h"
 #include "match/result/match_result.h"
 #include "proxy/agent/debug_options.h"
 #include "proxy/agent/team.h"
 #include "proxy/playmaker/batch_playmaker.h"
 #include "proxy/playmaker/grpc_target.h"
+#include "soccer/end_reason.h"
 
 namespace cls::match {
 

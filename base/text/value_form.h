@@ -20,11 +20,11 @@ enum class ValueKind {
 
 struct ValueForm {
   ValueKind kind = ValueKind::kText;
-  std::optional<double> min;
-  std::optional<double> max;
-  bool above_min = false;          ///< `min` itself is too small
-  std::vector<std::string> words;  ///< the only texts that fit; empty: any
-  std::string phrase;              ///< of texts that must not be empty: "a folder"
+  std::optional<double> min{};
+  std::optional<double> max{};
+  bool above_min = false;            ///< `min` itself is too small
+  std::vector<std::string> words{};  ///< the only texts that fit; empty: any
+  std::string phrase{};              ///< of texts that must not be empty: "a folder"
 };
 
 /// True if the text has the form. Numbers have no "+", no "0x10", no "nan" or "inf".

@@ -1,42 +1,29 @@
-// soccerwindow2's view of both sides.
+// The view of both sides for soccerwindow2.
 #pragma once
 
-#include <array>
-#include <string>
-
-#include "match/hooks/match_hooks.h"
+#include "match/hooks/side_hooks.h"
 #include "proxy/agent/debug_client.h"
 
 namespace cls::match {
 
-/// A proxy::DebugClient for each side.
-class DebugClients : public MatchHooks {
+/// Passes the decisions of a side to a proxy::DebugClient.
+class DebugClientOfSide : public SideDecisions {
  public:
-  explicit DebugClients(const proxy::DebugOptions& options)
-      : sides_{SideClient(options), SideClient(options)} {}
+  explicit DebugClientOfSide(const proxy::DebugOptions& options) : client_(options) {}
 
-  SideListener* listener(soccer::Side side) override {
-    return &sides_[side == soccer::Side::kRight ? 1 : 0];
-  }
+  void on_decision(const proxy::Decision& decision) override { client_.on_decision(decision); }
 
   /// Writes the rest of the files. Returns the error, or an empty string.
-  std::string close() {
-    const std::string left = sides_[0].client.close();
-    const std::string right = sides_[1].client.close();
-    return left.empty() ? right : left;
-  }
+  std::string close() { return client_.close(); }
 
  private:
-  struct SideClient : SideListener {
-    explicit SideClient(const proxy::DebugOptions& options) : client(options) {}
-    proxy::DecisionListener* decisions() override { return &client; }
-    bool needs_calls() const override { return false; }
-    void on_call(const proxy::RpcCall& /*call*/) override {}
+  proxy::DebugClient client_;
+};
 
-    proxy::DebugClient client;
-  };
-
-  std::array<SideClient, 2> sides_;
+class DebugClients : public SideHooks<DebugClientOfSide> {
+ public:
+  explicit DebugClients(const proxy::DebugOptions& options)
+      : SideHooks({DebugClientOfSide(options), DebugClientOfSide(options)}) {}
 };
 
 }  // namespace cls::match

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "match/result/match_observer.h"
 #include "match/sides/match_side.h"
@@ -43,6 +44,17 @@ class MatchHooks {
   /// After all decisions of the cycle (over UDP: after they were allowed). False ends the match as
   /// finished.
   virtual bool after_cycle(const MatchView& /*view*/) { return true; }
+};
+
+/// Hooks of a match with a folder, which have a say in its result.
+class FolderHooks : public MatchHooks {
+ public:
+  /// After the match: adds what only the hooks know.
+  virtual void add_result(MatchResult& /*result*/) const {}
+  /// Why the match is refused after all, or an empty string.
+  virtual std::string problem() const { return {}; }
+  /// Completes the files. Returns the first error, or an empty string.
+  virtual std::string close() { return {}; }
 };
 
 }  // namespace cls::match

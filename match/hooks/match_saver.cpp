@@ -1,4 +1,4 @@
-// Collects replies by agent, so that their order does not depend on their arrival.
+// Saves replies at a cycle; compares situations.
 #include "match/hooks/match_saver.h"
 
 #include <fmt/format.h>
@@ -10,18 +10,12 @@
 
 namespace cls::match {
 
-MatchSaver::MatchSaver(std::filesystem::path file, int cycle, saved::SavedMatch match)
-    : file_(std::move(file)), cycle_(cycle), match_(std::move(match)) {}
-
-SideListener* MatchSaver::listener(soccer::Side side) {
-  return &sides_[side == soccer::Side::kRight ? 1 : 0];
-}
-
-void MatchSaver::SideSaver::on_call(const proxy::RpcCall& call) {
+void RepliesOfSide::on_call(const proxy::RpcCall& call) {
   if (!saving_) return;
   if (!is_decision(call.rpc) && call.rpc != proto::Rpc::kGetBestPlannerAction) return;
+
   saved::SavedReply& reply = replies_[call.agent].emplace_back();
-  reply.set_side(side_);
+  reply.set_side(side_number(side_));
   reply.set_agent(call.agent);
   reply.set_rpc(std::string(name(call.rpc)));
   if (call.reply != nullptr) call.reply->SerializeToString(reply.mutable_reply());
@@ -30,7 +24,7 @@ void MatchSaver::SideSaver::on_call(const proxy::RpcCall& call) {
   reply.set_message(call.status.message);
 }
 
-void MatchSaver::SideSaver::move_to(saved::SavedMatch& match) {
+void RepliesOfSide::move_to(saved::SavedMatch& match) {
   for (auto& [agent, replies] : replies_) {
     for (saved::SavedReply& reply : replies) *match.add_replies() = std::move(reply);
   }
@@ -42,16 +36,17 @@ bool MatchSaver::after_cycle(const MatchView& view) {
   ++steps_;
   last_cycle_ = view.progress.cycle;
   if (saved_ || view.progress.cycle < cycle_) return true;
+
   saved_ = true;
   match_.set_cycle(view.progress.cycle);
   match_.set_steps(steps_);
   match_.set_situation(situation_of(*view.world));
-  for (SideSaver& side : sides_) side.move_to(match_);
+  for (RepliesOfSide* side : {&sides_.left, &sides_.right}) side->move_to(match_);
   error_ = proto::write_saved_match(file_.string(), std::move(match_));
   return true;
 }
 
-std::string MatchSaver::close() const {
+std::string MatchSaver::close() {
   if (saved_) return error_;
   return fmt::format("--save-at {}: the match ended at cycle {}; {} was not written", cycle_,
                      last_cycle_, file_.string());

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "match/saved/saved_match.h"
+
 namespace cls::match {
 namespace {
 
@@ -31,26 +33,24 @@ base::Result<std::unique_ptr<RpcRecorder>> RpcRecorder::create(
   return std::unique_ptr<RpcRecorder>(new RpcRecorder(std::move(writer)));
 }
 
-SideListener* RpcRecorder::listener(soccer::Side side) {
-  return &sides_[side == soccer::Side::kRight ? 1 : 0];
-}
-
-bool RpcRecorder::SideRecorder::has_call(int agent, proto::Rpc rpc) const {
-  return std::any_of(calls_.begin(), calls_.end(), [&](const recording::RecordedCall& call) {
+bool CallsOfSide::has_call(int agent, proto::Rpc rpc) const {
+  return std::ranges::any_of(calls_, [&](const recording::RecordedCall& call) {
     return call.status() == 0 && call.agent() == agent && call.rpc() == name(rpc);
   });
 }
 
-void RpcRecorder::SideRecorder::on_call(const proxy::RpcCall& call) {
+void CallsOfSide::on_call(const proxy::RpcCall& call) {
   // A late reply in real time falls into the next cycle; each agent decides once in a step.
   if (is_decision(call.rpc) && has_call(call.agent, call.rpc)) end_cycle();
+
   recording::RecordedCall& recorded = calls_.emplace_back();
-  recorded.set_side(side_);
+  recorded.set_side(side_number(side_));
   recorded.set_agent(call.agent);
   recorded.set_rpc(std::string(name(call.rpc)));
   recorded.set_step(step_);
   write_deterministically(call.request, *recorded.mutable_request());
   if (call.reply != nullptr) write_deterministically(*call.reply, *recorded.mutable_reply());
+
   recorded.set_status(call.status.code);
   if (!call.status.ok()) {
     // An exceeded deadline has no status of the Playmaker.
@@ -59,14 +59,13 @@ void RpcRecorder::SideRecorder::on_call(const proxy::RpcCall& call) {
   }
 }
 
-void RpcRecorder::SideRecorder::flush() {
-  std::stable_sort(calls_.begin(), calls_.end(),
-                   [](const auto& a, const auto& b) { return a.agent() < b.agent(); });
+void CallsOfSide::flush() {
+  std::ranges::stable_sort(calls_, {}, &recording::RecordedCall::agent);
   recorder_.write(calls_);
   calls_.clear();
 }
 
-void RpcRecorder::SideRecorder::end_cycle() {
+void CallsOfSide::end_cycle() {
   flush();
   ++step_;
 }
@@ -77,9 +76,25 @@ void RpcRecorder::write(const std::vector<recording::RecordedCall>& calls) {
 }
 
 std::string RpcRecorder::close() {
-  for (SideRecorder& side : sides_) side.flush();
+  for (CallsOfSide* side : {&sides_.left, &sides_.right}) side->flush();
   const std::lock_guard lock(mutex_);
   return writer_->close();
+}
+
+base::Result<void> write_error_recording(const std::filesystem::path& file,
+                                         const recording::RecordingHeader& header,
+                                         soccer::Side side, const proxy::PlaymakerError& error) {
+  std::string problem;
+  const auto writer = proto::RecordingWriter::create(file.string(), header, problem);
+  if (writer == nullptr) return Error{problem};
+
+  for (recording::RecordedCall call : error.calls) {
+    call.set_side(side_number(side));
+    writer->write(call);
+  }
+  problem = writer->close();
+  if (!problem.empty()) return Error{problem};
+  return {};
 }
 
 }  // namespace cls::match

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analysis/situations/situation_value.h"
+#include "base/index.h"
 #include "simulator/referee/referee.h"
 #include "simulator/referee/substitution.h"
 #include "simulator/sessions/match_recorder.h"
@@ -31,7 +32,7 @@ std::size_t place_of(const World& world, std::size_t slot) {
   return slot;
 }
 
-// What an earlier situation left: blocks, arms and cards.
+// Removes the rest of an earlier situation: blocks, arms and cards.
 void refresh(Player& player) {
   player.kick_cycles = player.dash_cycles = -1;
   player.tackle_cycles = player.foul_cycles = player.catch_ban = player.moves_since_catch = 0;
@@ -62,6 +63,7 @@ void SituationRun::begin(World& world, Events& events) {
   world.referee = {};
   world.referee.time = time;
   world.ball_catcher = simulator::kNoPlayer;
+
   for (std::size_t slot = 0; slot < world.players.size(); ++slot) {
     Player& player = world.players[slot];
     refresh(player);
@@ -70,6 +72,7 @@ void SituationRun::begin(World& world, Events& events) {
       simulator::substitute(world, static_cast<simulator::Slot>(slot), type, events);
     }
   }
+
   // Twice: the new mode clears players from the ball.
   shown_ = 0;
   show_step(world);
@@ -82,10 +85,12 @@ void SituationRun::show_step(World& world) {
   const analysis::BookFrame& frame = situation().frames[shown_++];
   world.ball = {frame.ball, frame.ball_velocity, {}};
   world.referee.touch.previous_ball = frame.ball;
+
   const bool is_moment = shown_ == situation().frames.size();
   for (std::size_t slot = 0; slot < world.players.size(); ++slot) {
     Player& player = world.players[slot];
     if (!player.enabled) continue;
+
     const std::size_t from = place_of(world, slot);
     place(player, frame.players[from], situation().players[from]);
     player.command_done = !is_moment;
@@ -108,6 +113,7 @@ void SituationRun::record(const World& world) {
 void SituationRun::after_step(World& world, Events& events) {
   if (at_ >= situations_.size()) return;
   if (shown_ < situation().frames.size()) return show_step(world);
+
   record(world);
   const auto teams = record_.teams[record_.team_state.back()];
   const auto before = record_.teams[record_.team_state.front()];
@@ -118,7 +124,8 @@ void SituationRun::after_step(World& world, Events& events) {
 void SituationRun::finish(World& world, Events& events) {
   const analysis::Flow flow = analysis::build_flow(record_);
   const analysis::SituationFigures figures = analysis::figures_of(flow, 0, record_.frames());
-  const std::string& log = book_.logs[static_cast<std::size_t>(situation().log)].name;
+  const std::string& log = book_.logs[base::index(situation().log)].name;
+
   SituationResult played{std::string(name(situation().kind)),
                          log,
                          situation().time,
@@ -130,6 +137,7 @@ void SituationRun::finish(World& world, Events& events) {
     played.figures[std::string(analysis::kFigureNames[i])] =
         std::round(values[i] * kPerOne) / kPerOne;
   }
+
   result_.situations.push_back(std::move(played));
   record_ = {};
   builder_.reset();

@@ -18,7 +18,7 @@ namespace cls::match {
 /// to it, and body commands have no effect; heads, views and messages are theirs. Then the moment
 /// is exact: positions, velocities, bodies, stamina, types and mode are those of the record. The
 /// game time and the score of the match continue. A situation ends after its cycles or with a goal.
-class SituationRun : public MatchHooks {
+class SituationRun : public FolderHooks {
  public:
   /// `book` must outlive the run.
   SituationRun(const analysis::Book& book, std::uint64_t seed, int situations, int cycles);
@@ -26,8 +26,9 @@ class SituationRun : public MatchHooks {
   void arrange(simulator::World& world, simulator::Events& events) override;
   void after_step(simulator::World& world, simulator::Events& events) override;
   bool after_cycle(const MatchView& view) override;
+  void add_result(MatchResult& result) const override { result.book = this->result(); }
 
-  /// What was played to its end.
+  /// The situations that were played to their end.
   BookResult result() const;
 
  private:

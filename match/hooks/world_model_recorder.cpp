@@ -5,11 +5,11 @@
 #include <string_view>
 #include <utility>
 
+#include "base/index.h"
 #include "base/io/gzip_sink.h"
 #include "base/text/decimal_text.h"
 #include "base/text/number_text.h"
-#include "match/hooks/action_text.h"
-#include "match/hooks/drawing_text.h"
+#include "match/hooks/reply_text.h"
 #include "match/hooks/world_model_sample.h"
 #include "viewer/decisions/decision_files.h"
 
@@ -21,16 +21,16 @@ using viewer::DecisionSample;
 
 char letter_of(player::ActionOutcome outcome) {
   constexpr std::array<char, 5> kLetters = {'e', 'f', 's', 'i', 'u'};
-  return kLetters.at(static_cast<std::size_t>(outcome));
+  return kLetters.at(base::index(outcome));
 }
 
 std::string reply_text(const protos::PlayerActions& reply, const player::DecisionTrace& trace) {
   std::string text;
   for (int i = 0; i < reply.actions_size(); ++i) {
     if (is_drawing(reply.actions(i))) continue;
-    const auto index = static_cast<std::size_t>(i);
-    const bool tried = trace.by == player::DecidedBy::kActions && index < trace.outcomes.size();
-    text += tried ? letter_of(trace.outcomes[index]) : '-';
+
+    const bool tried = trace.by == player::DecidedBy::kActions && i < std::ssize(trace.outcomes);
+    text += tried ? letter_of(trace.outcomes[base::index(i)]) : '-';
     text += ' ' + action_text(reply.actions(i)) + '\n';
   }
   return text;
@@ -52,6 +52,7 @@ std::string command_text(const std::string& datagram) {
   for (std::size_t at = 0; at < datagram.size();) {
     const char c = datagram[at];
     if (c == '"') quoted = !quoted;
+
     const bool starts = at > 0 && datagram[at - 1] == ' ';
     const std::size_t length =
         quoted || !starts ? 0
@@ -64,6 +65,7 @@ std::string command_text(const std::string& datagram) {
       ++at;
     }
   }
+
   remove_command("(done)", text);
   // One in nearly each decision, following from the turn of the neck.
   remove_command("(change_focus ", text);
@@ -76,20 +78,17 @@ std::string command_text(const std::string& datagram) {
 
 }  // namespace
 
-WorldModelRecorder::WorldModelRecorder(const std::filesystem::path& folder,
-                                       const std::string& left_name, const std::string& right_name)
-    : sides_{SideRecorder(Side::kLeft, left_name, folder / viewer::kLeftWorldModelsFile),
-             SideRecorder(Side::kRight, right_name, folder / viewer::kRightWorldModelsFile)} {}
+WorldModelRecorder::WorldModelRecorder(const std::filesystem::path& folder, const TeamNames& names)
+    : SideHooks(
+          {WorldModelsOfSide(Side::kLeft, names.left, folder / viewer::kLeftWorldModelsFile),
+           WorldModelsOfSide(Side::kRight, names.right, folder / viewer::kRightWorldModelsFile)}) {}
 
-SideListener* WorldModelRecorder::listener(Side side) {
-  return &sides_[side == Side::kRight ? 1 : 0];
-}
-
-void WorldModelRecorder::SideRecorder::on_decision(const proxy::Decision& decision) {
+void WorldModelsOfSide::on_decision(const proxy::Decision& decision) {
   const proxy::PlayerAgent& agent = decision.agent;
   DecisionSample sample = sample_of(agent.world());
   sample.maker = static_cast<viewer::DecisionMaker>(agent.trace().by);
   sample.call = static_cast<int>(decision.status.outcome);
+
   if (decision.reply != nullptr) {
     sample.reply = reply_text(*decision.reply, agent.trace());
     std::string drawings = drawings_text(*decision.reply);
@@ -98,17 +97,18 @@ void WorldModelRecorder::SideRecorder::on_decision(const proxy::Decision& decisi
       sample.drawings = std::move(drawings);
     }
   }
+
   sample.commands = command_text(agent.sent_commands());
   sample.plan = plan_text(agent.plan());
   sample.latency_us = decision.latency.count();
-  waiting_.at(static_cast<std::size_t>(agent.unum() - 1)).push_back(std::move(sample));
+  waiting_.at(base::index(agent.unum() - 1)).push_back(std::move(sample));
 }
 
 // Replies arrive in any order, the file has the players in theirs.
-void WorldModelRecorder::SideRecorder::write() {
-  const bool any = std::any_of(waiting_.begin(), waiting_.end(),
-                               [](const auto& samples) { return !samples.empty(); });
-  if (!any || !error_.empty()) return;
+void WorldModelsOfSide::write() {
+  using Samples = std::vector<DecisionSample>;
+  if (std::ranges::all_of(waiting_, std::ranges::empty) || !error_.empty()) return;
+
   if (sink_ == nullptr) {
     auto file = base::FileSink::create(file_.string());
     if (!file) {
@@ -118,32 +118,25 @@ void WorldModelRecorder::SideRecorder::write() {
     sink_ = std::make_unique<base::GzipSink>(*std::move(file));
     writer_.append_header(side_, team_, bytes_);
   }
-  for (std::size_t i = 0; i < waiting_.size(); ++i) {
-    for (const DecisionSample& sample : waiting_[i]) {
-      writer_.append(static_cast<int>(i) + 1, sample, bytes_);
-    }
-    waiting_[i].clear();
+
+  int unum = 0;
+  for (Samples& samples : waiting_) {
+    ++unum;
+    for (const DecisionSample& sample : samples) writer_.append(unum, sample, bytes_);
+    samples.clear();
   }
   if (bytes_.empty()) return;
   sink_->write(bytes_);
   bytes_.clear();
 }
 
-void WorldModelRecorder::SideRecorder::end_cycle() { write(); }
-
-std::string WorldModelRecorder::SideRecorder::close() {
+std::string WorldModelsOfSide::close() {
   write();
   if (sink_ == nullptr || !error_.empty()) return error_;
   writer_.append_end(bytes_);
   sink_->write(bytes_);
   const auto closed = sink_->close();
   return closed ? std::string() : closed.error().message;
-}
-
-std::string WorldModelRecorder::close() {
-  const std::string left = sides_[0].close();
-  const std::string right = sides_[1].close();
-  return left.empty() ? right : left;
 }
 
 }  // namespace cls::match

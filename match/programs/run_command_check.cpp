@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <span>
 #include <vector>
 
 #include "process/command_plan.h"
@@ -31,6 +31,7 @@ std::vector<ShellWord> shell_words(std::string_view command) {
       ++i;
       continue;
     }
+
     ShellWord word;
     if (is_operator(command[i])) {
       word.ends = true;
@@ -59,28 +60,22 @@ bool is_assignment(const std::string& word) {
 }
 
 // Words after which a command follows.
-bool is_prefix(std::string_view word) {
-  constexpr std::array<std::string_view, 4> kPrefixes = {"env", "exec", "nohup", "time"};
-  return std::find(kPrefixes.begin(), kPrefixes.end(), word) != kPrefixes.end();
-}
+constexpr std::string_view kCommandPrefixes[] = {"env", "exec", "nohup", "time"};
 
 // Commands and keywords of the shell itself that a command may begin with.
-bool is_builtin(std::string_view word) {
-  constexpr std::array<std::string_view, 20> kBuiltins = {
-      ".",    "!",    "case", "command", "echo", "eval", "exit", "export", "for",   "if",
-      "kill", "read", "set",  "sleep",   "test", "trap", "true", "ulimit", "umask", "while"};
-  return std::find(kBuiltins.begin(), kBuiltins.end(), word) != kBuiltins.end();
-}
+constexpr std::string_view kBuiltins[] = {
+    ".",    "!",    "case", "command", "echo", "eval", "exit", "export", "for",   "if",
+    "kill", "read", "set",  "sleep",   "test", "trap", "true", "ulimit", "umask", "while"};
 
-bool is_script(const std::string& word) {
-  constexpr std::array<std::string_view, 7> kExtensions = {".py", ".js", ".mjs", ".ts",
-                                                           ".rb", ".sh", ".jar"};
-  const std::string extension = fs::path(word).extension().string();
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+// Extensions of scripts.
+constexpr std::string_view kScripts[] = {".py", ".js", ".mjs", ".ts", ".rb", ".sh", ".jar"};
+
+bool is_one_of(std::span<const std::string_view> words, std::string_view word) {
+  return std::ranges::find(words, word) != words.end();
 }
 
 std::string missing_program(const std::string& program, const fs::path& folder) {
-  if (is_builtin(program)) return {};
+  if (is_one_of(kBuiltins, program)) return {};
   const bool is_path = program.find('/') != std::string::npos;
   const auto found = process::find_program(is_path ? (folder / program).string() : program);
   return found ? std::string() : found.error().message;
@@ -91,9 +86,11 @@ std::string missing_program(const std::string& program, const fs::path& folder) 
 std::string missing_in_command(std::string_view command, fs::path folder) {
   const std::vector<ShellWord> words = shell_words(command);
   std::string program;
+
   for (std::size_t i = 0; i < words.size(); ++i) {
     const ShellWord& word = words[i];
     if (word.ends || !word.plain) return {};
+
     if (program.empty() && word.text == "cd" && i + 2 < words.size() && words[i + 1].plain &&
         words[i + 2].text == "&&") {
       folder /= words[i + 1].text;
@@ -101,10 +98,10 @@ std::string missing_in_command(std::string_view command, fs::path folder) {
       if (!fs::is_directory(folder, code)) return folder.string() + ": no such folder";
       i += 2;
     } else if (program.empty()) {
-      if (is_assignment(word.text) || is_prefix(word.text)) continue;
+      if (is_assignment(word.text) || is_one_of(kCommandPrefixes, word.text)) continue;
       program = word.text;
       if (std::string missing = missing_program(program, folder); !missing.empty()) return missing;
-    } else if (is_script(word.text)) {
+    } else if (is_one_of(kScripts, fs::path(word.text).extension().string())) {
       std::error_code code;
       const bool exists = fs::exists(folder / word.text, code);
       return exists ? std::string() : fmt::format("{}: no such file", word.text);

@@ -1,4 +1,4 @@
-// Whether the programs and scripts that a `run:` command names exist.
+// Looks for the programs and scripts that a `run:` command names.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace cls::match {
 
-/// What the first command of a `run:` side lacks, run in `folder`: "python3: no such program on
-/// PATH", "playmaker.py: no such file". Follows `cd FOLDER &&`. Empty: nothing, or the shell must
-/// expand the command first.
+/// The file that the first command of a `run:` side lacks, run in `folder`: "python3: no such
+/// program on PATH", "playmaker.py: no such file". Follows `cd FOLDER &&`. Empty: nothing, or the
+/// shell must expand the command first.
 std::string missing_in_command(std::string_view command, std::filesystem::path folder);
 
 }  // namespace cls::match

@@ -19,7 +19,7 @@ using base::Error;
 using base::Result;
 
 constexpr int kPlayers = 11;
-constexpr int kCoach = 12;
+constexpr int kCoachUnum = 12;
 
 std::vector<fs::path> hidden_folders(const TeamValues& values) {
   std::vector<fs::path> hidden = values.hidden;
@@ -38,6 +38,7 @@ process::CommandPlan plan_of(const fs::path& team, const TeamValues& values,
   plan.cpus = values.cpus;
   plan.limits = values.limits;
   if (!values.sandbox) return plan;
+
   plan.empty_environment = true;
   plan.environment = team_environment();
   plan.confined = process::can_confine();
@@ -46,25 +47,20 @@ process::CommandPlan plan_of(const fs::path& team, const TeamValues& values,
 }
 
 process::CommandPlan agent_plan(const fs::path& team, const TeamValues& values, int number) {
-  const std::string who = number == kCoach ? "coach" : fmt::format("player {}", number);
-  const std::string log = number == kCoach ? "coach" : fmt::format("player-{:02}", number);
+  const std::string who = number == kCoachUnum ? "coach" : fmt::format("player {}", number);
+  const std::string log = number == kCoachUnum ? "coach" : fmt::format("player-{:02}", number);
   process::CommandPlan plan = plan_of(team, values, team / "start", who, log);
-  for (const std::string& word :
-       {values.host, team.string(), std::to_string(number), std::to_string(values.ports.player),
-        std::to_string(values.ports.coach)}) {
-    plan.argv.push_back(word);
-  }
+  plan.argv.insert(plan.argv.end(),
+                   {values.host, team.string(), std::to_string(number),
+                    std::to_string(values.ports.player), std::to_string(values.ports.coach)});
   return plan;
 }
 
 process::CommandPlan whole_team_plan(const fs::path& team, const TeamValues& values) {
   process::CommandPlan plan = plan_of(team, values, team / "start.sh", "team", "team");
-  for (const std::string& word :
-       {std::string("-h"), values.host, std::string("-p"), std::to_string(values.ports.player),
-        std::string("-P"), std::to_string(values.ports.coach), std::string("-t"),
-        values.team_name}) {
-    plan.argv.push_back(word);
-  }
+  plan.argv.insert(plan.argv.end(),
+                   {"-h", values.host, "-p", std::to_string(values.ports.player), "-P",
+                    std::to_string(values.ports.coach), "-t", values.team_name});
   if (!values.coach) plan.argv.push_back("-C");
   return plan;
 }
@@ -85,17 +81,17 @@ Result<TeamPlan> team_plan(const fs::path& folder, const TeamValues& values) {
   if (const auto found = process::find_program(program.string()); !found) {
     return Error{fmt::format("team folder {}: {}", folder.string(), found.error().message)};
   }
+
   TeamPlan plan;
   if (values.coach) plan.coach_port = values.ports.coach;
   if (each) {
-    const int last = values.coach ? kCoach : kPlayers;
+    const int last = values.coach ? kCoachUnum : kPlayers;
     for (int number = 1; number <= last; ++number) {
       plan.agents.push_back({number, agent_plan(team, values, number)});
     }
   } else {
     plan.contract = TeamPlan::Contract::kStartAll;
-    plan.takes_ports = true;
-    plan.takes_name = true;
+    plan.takes_ports = plan.takes_name = true;
     plan.agents.push_back({0, whole_team_plan(team, values)});
   }
   if (process::find_program((team / "kill").string())) {
@@ -122,6 +118,7 @@ Result<TeamPlan> team_plan(const Endpoint& side, const TeamValues& values) {
     for (const Endpoint& other : side.parts) {
       if (other.path != part.path) own.hidden.emplace_back(other.path);
     }
+
     TRY_INIT(auto plan, team_plan(fs::path(part.path), own));
     if (plan.contract != TeamPlan::Contract::kStartEachAgent) {
       return Error{fmt::format(
@@ -129,16 +126,16 @@ Result<TeamPlan> team_plan(const Endpoint& side, const TeamValues& values) {
           "starts all",
           part.path)};
     }
+
     for (AgentPlan& agent : plan.agents) {
-      const bool is_own =
-          std::find(part.agents.begin(), part.agents.end(), agent.unum) != part.agents.end();
+      const bool is_own = std::ranges::find(part.agents, agent.unum) != part.agents.end();
       if (is_own) mixed.agents.push_back(std::move(agent));
     }
     for (process::CommandPlan& kill : plan.kills) mixed.kills.push_back(std::move(kill));
     mixed.coach_port = plan.coach_port;
   }
-  std::sort(mixed.agents.begin(), mixed.agents.end(),
-            [](const AgentPlan& a, const AgentPlan& b) { return a.unum < b.unum; });
+
+  std::ranges::sort(mixed.agents, {}, &AgentPlan::unum);
   return mixed;
 }
 

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "base/result.h"
-#include "match/programs/server_command.h"
+#include "match/programs/server_plan.h"
 #include "match/terms/endpoint.h"
 #include "process/command_plan.h"
 #include "soccer/side.h"
 
 namespace cls::match {
 
-/// What the start script of an external team gets.
+/// The arguments and surroundings of the start script of an external team.
 struct TeamValues {
   std::string host = "127.0.0.1";
   ServerPorts ports;

@@ -28,12 +28,12 @@ constexpr std::array kDevices = {"/dev/null",   "/dev/zero",    "/dev/full", "/d
 constexpr std::array kFolderLists = {"PATH", "LD_LIBRARY_PATH"};
 
 // None of them holds a secret. Names that end with '_' stand for all that begin so.
-constexpr std::array<std::string_view, 11> kVariables = {
+constexpr std::string_view kVariables[] = {
     "PATH", "LD_LIBRARY_PATH", "HOME", "USER", "LOGNAME", "SHELL",
     "LANG", "LANGUAGE",        "LC_",  "TZ",   "TERM"};
 
 bool is_passed(std::string_view name) {
-  return std::any_of(kVariables.begin(), kVariables.end(), [&](std::string_view one) {
+  return std::ranges::any_of(kVariables, [&](std::string_view one) {
     return one.ends_with('_') ? name.starts_with(one) : name == one;
   });
 }
@@ -45,24 +45,24 @@ fs::path real(const fs::path& path) {
 }
 
 bool encloses(const fs::path& folder, const fs::path& path) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
-         folder.end();
+  return std::ranges::mismatch(folder, path).in1 == folder.end();
 }
 
-// Adds the folder or, if it contains a hidden one, what is beside that. The kernel knows no
+// Adds the folder or, if it contains a hidden one, the rest of it. The kernel knows no
 // exceptions from what it allows.
 void add_folder(const fs::path& folder, const std::vector<fs::path>& hidden,
                 std::vector<fs::path>& folders) {
   const auto is_hidden = [&](const fs::path& one) { return encloses(one, folder); };
   const auto has_hidden = [&](const fs::path& one) { return encloses(folder, one); };
-  if (std::any_of(hidden.begin(), hidden.end(), is_hidden)) return;
-  if (std::none_of(hidden.begin(), hidden.end(), has_hidden)) {
+  if (std::ranges::any_of(hidden, is_hidden)) return;
+  if (std::ranges::none_of(hidden, has_hidden)) {
     folders.push_back(folder);
     return;
   }
+
   std::error_code code;
   for (const auto& entry : fs::directory_iterator(folder, code)) {
-    // Where a link leads has an entry of its own, or is hidden.
+    // The target of a link has an entry of its own, or is hidden.
     if (!entry.is_symlink(code)) add_folder(entry.path(), hidden, folders);
   }
 }
@@ -79,6 +79,7 @@ std::vector<fs::path> listed_folders(const char* variable) {
     const std::size_t end = std::min(rest.find(':'), rest.size());
     const fs::path folder(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
+
     if (folder.is_absolute() && !encloses(real(folder), home)) folders.push_back(real(folder));
   }
   return folders;
@@ -89,6 +90,7 @@ std::vector<fs::path> listed_folders(const char* variable) {
 process::FileAccess team_files(const fs::path& folder, const std::vector<fs::path>& hidden) {
   std::vector<fs::path> closed;
   for (const fs::path& one : hidden) closed.push_back(real(one));
+
   process::FileAccess files;
   for (const char* one : kSystemFolders) add_folder(real(one), closed, files.readable);
   for (const char* variable : kFolderLists) {
@@ -108,8 +110,7 @@ std::vector<process::EnvironmentChange> team_environment() {
     variables.push_back(
         {std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))});
   }
-  std::sort(variables.begin(), variables.end(),
-            [](const auto& one, const auto& other) { return one.name < other.name; });
+  std::ranges::sort(variables, {}, &process::EnvironmentChange::name);
   return variables;
 }
 
@@ -126,24 +127,26 @@ std::string missing_sandbox() {
 std::vector<std::string> sandbox_warnings(const MatchOptions& options,
                                           const fs::path& match_folder) {
   std::vector<std::string> lines;
-  const std::array<const Endpoint*, 2> sides = {&options.left, &options.right};
-  const bool external = !options.left.has_playmaker() || !options.right.has_playmaker();
-  if (!options.sandbox || !external) return lines;
+  if (!options.sandbox || !has_external_team(options)) return lines;
   if (std::string missing = missing_sandbox(); !missing.empty()) return {std::move(missing)};
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    for (const fs::path& folder : team_folders(*sides[i])) {
+
+  for (const soccer::Side side : soccer::kBothSides) {
+    const Endpoint& own = endpoint_of(options, side);
+    const Endpoint& opponent = endpoint_of(options, soccer::opponent(side));
+    for (const fs::path& folder : team_folders(own)) {
       const fs::path team = real(folder);
       if (!match_folder.empty() && encloses(team, real(match_folder))) {
         lines.push_back(fmt::format(
             "the folder of {} contains the match folder: the team can change the results; "
             "choose another --dir",
-            sides[i]->text));
+            own.text));
       }
-      for (const fs::path& other : team_folders(*sides[1 - i])) {
+
+      for (const fs::path& other : team_folders(opponent)) {
         if (real(other) == team || !encloses(team, real(other))) continue;
         lines.push_back(fmt::format(
             "the folder of {} contains that of {}: it can change the other team; move one of them",
-            sides[i]->text, sides[1 - i]->text));
+            own.text, opponent.text));
       }
     }
   }

@@ -6,9 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <span>
 
+#include "base/index.h"
 #include "base/text/json.h"
 #include "base/text/json_text.h"
+#include "base/text/split.h"
+#include "match/saved/saved_match.h"
 #include "match/sides/agent_side.h"
 #include "match/terms/match_options.h"
 #include "proto/rpc.h"
@@ -20,13 +25,12 @@ namespace cls::match {
 namespace {
 
 using base::Error;
+using base::Json;
 using base::Result;
 using google::protobuf::Message;
 using proto::Rpc;
 using recording::RecordedCall;
 using soccer::Side;
-
-int number_of(Side side) { return side == Side::kRight ? 2 : 1; }
 
 // The side of all calls; nothing when both sides have some.
 std::optional<Side> only_side(const std::string& file) {
@@ -35,7 +39,7 @@ std::optional<Side> only_side(const std::string& file) {
   std::optional<Side> side;
   RecordedCall call;
   while (reader != nullptr && reader->next(call)) {
-    const Side caller = call.side() == number_of(Side::kRight) ? Side::kRight : Side::kLeft;
+    const Side caller = call.side() == side_number(Side::kRight) ? Side::kRight : Side::kLeft;
     if (side && *side != caller) return std::nullopt;
     side = caller;
   }
@@ -45,8 +49,9 @@ std::optional<Side> only_side(const std::string& file) {
 Side side_to_ask(const ReplayOptions& options, const recording::RecordingHeader& header) {
   if (options.side) return *options.side;
   if (const auto side = only_side(options.file)) return *side;
-  const bool left_is_mock = header.left_endpoint().rfind("mock", 0) == 0;
-  const bool right_is_mock = header.right_endpoint().rfind("mock", 0) == 0;
+
+  const bool left_is_mock = header.left_endpoint().starts_with("mock");
+  const bool right_is_mock = header.right_endpoint().starts_with("mock");
   return left_is_mock && !right_is_mock ? Side::kRight : Side::kLeft;
 }
 
@@ -56,13 +61,12 @@ std::vector<std::string> differing_fields(const Message& recorded, const Message
   std::string report;
   differencer.ReportDifferencesToString(&report);
   if (differencer.Compare(recorded, now)) return {};
+
+  constexpr std::string_view kModified = "modified: ";
   std::vector<std::string> fields;
-  for (std::size_t at = 0; at < report.size();) {
-    const std::size_t end = std::min(report.find('\n', at), report.size());
-    std::string line = report.substr(at, end - at);
-    if (line.rfind("modified: ", 0) == 0) line = line.substr(10);
-    if (!line.empty()) fields.push_back(std::move(line));
-    at = end + 1;
+  for (std::string_view line : base::split(report, '\n')) {
+    if (line.starts_with(kModified)) line.remove_prefix(kModified.size());
+    if (!line.empty()) fields.emplace_back(line);
   }
   return fields;
 }
@@ -80,10 +84,16 @@ bool is_wanted(const ReplayOptions& options, const RecordedCall& call) {
   return !options.cycle || !rpc || !is_decision(*rpc) || cycle_of(*rpc, call) == *options.cycle;
 }
 
-// What the options select, if that is not everything: "player 7 in cycle 1234".
+// The selected calls, if they are not all: "player 7 in cycle 1234".
 std::string selection(const ReplayOptions& options) {
   const std::string who = options.agent ? proxy::agent_name(*options.agent) : "the side";
   return options.cycle ? fmt::format("{} in cycle {}", who, *options.cycle) : who;
+}
+
+void move_by_agent(std::vector<ReplyDifference>& calls, std::vector<ReplyDifference>& out) {
+  std::ranges::sort(calls, {}, &ReplyDifference::agent);
+  std::ranges::move(calls, std::back_inserter(out));
+  calls.clear();
 }
 
 class Replay {
@@ -95,17 +105,19 @@ class Replay {
   Result<void> take(const RecordedCall& call) {
     const auto rpc = proto::rpc_from_name(call.rpc());
     if (!rpc) return {};
+
     ++result_.calls;
     if (call.step() != step_) finish_step();
     step_ = call.step();
+
     std::unique_ptr<Message> request(proto::request_prototype(*rpc).New());
     if (!request->ParseFromString(call.request())) {
       result_.file_error = fmt::format("{}: call {} is damaged", options_.file, result_.calls);
       return {};
     }
-    set_identity(*rpc, identities_.at(static_cast<std::size_t>(call.agent())), *request);
+    set_identity(*rpc, identities_.at(base::index(call.agent())), *request);
     if (is_decision(*rpc)) {
-      asked_.at(static_cast<std::size_t>(call.agent())) = call;
+      asked_.at(base::index(call.agent())) = call;
       playmaker_.begin(call.agent(), *rpc, *request, proxy::RpcTimeout(options_.rpc_deadline_ms));
       return {};
     }
@@ -115,17 +127,11 @@ class Replay {
 
   void finish_step() {
     while (const auto reply = playmaker_.next_reply()) {
-      const RecordedCall& call = asked_.at(static_cast<std::size_t>(reply->agent));
+      const RecordedCall& call = asked_.at(base::index(reply->agent));
       compare(call, reply->message, reply->status);
     }
-    std::sort(fresh_.begin(), fresh_.end(),
-              [](const auto& a, const auto& b) { return a.agent < b.agent; });
-    for (ReplyDifference& each : fresh_) result_.differences.push_back(std::move(each));
-    fresh_.clear();
-    std::sort(failing_.begin(), failing_.end(),
-              [](const auto& a, const auto& b) { return a.agent < b.agent; });
-    for (ReplyDifference& each : failing_) result_.failing.push_back(std::move(each));
-    failing_.clear();
+    move_by_agent(fresh_, result_.differences);
+    move_by_agent(failing_, result_.failing);
   }
 
  private:
@@ -137,7 +143,7 @@ class Replay {
         return Error{reply.status.message};
       }
       const auto* identity = reply.as<protos::RegisterResponse>();
-      identities_.at(static_cast<std::size_t>(call.agent())) =
+      identities_.at(base::index(call.agent())) =
           identity == nullptr ? protos::RegisterResponse() : *identity;
     }
     compare(call, reply.message, reply.status);
@@ -150,19 +156,18 @@ class Replay {
     if (call.status() != 0) return compare_failed(rpc, call, status);
     std::unique_ptr<Message> recorded(proto::reply_prototype(rpc).New());
     recorded->ParseFromString(call.reply());
-    // Which number an agent gets is the Playmaker's affair.
+
+    // The Playmaker chooses the numbers of agents.
     if (rpc == Rpc::kRegister && now != nullptr) {
       static_cast<protos::RegisterResponse&>(*recorded).set_client_id(
           static_cast<const protos::RegisterResponse&>(*now).client_id());
     }
+
     std::vector<std::string> fields = now == nullptr
                                           ? std::vector<std::string>{"no reply: " + status.message}
                                           : differing_fields(*recorded, *now);
-    if (fields.empty()) {
-      ++result_.same;
-      return;
-    }
-    fresh_.push_back({call.step(), cycle_of(rpc, call), call.agent(), call.rpc(), fields});
+    if (!fields.empty()) return add(rpc, call, std::move(fields), fresh_);
+    ++result_.same;
   }
 
   // An RPC that the Playmaker does not implement is as recorded if it still does not.
@@ -171,16 +176,17 @@ class Replay {
       ++result_.same;
       return;
     }
+
     ++result_.skipped;
-    if (status.ok()) {
-      ++result_.answered;
-      return;
+    if (!status.ok()) {
+      return add(rpc, call, {"fails as when recorded: " + status.message}, failing_);
     }
-    failing_.push_back({call.step(),
-                        cycle_of(rpc, call),
-                        call.agent(),
-                        call.rpc(),
-                        {"fails as when recorded: " + status.message}});
+    ++result_.answered;
+  }
+
+  static void add(Rpc rpc, const RecordedCall& call, std::vector<std::string> fields,
+                  std::vector<ReplyDifference>& out) {
+    out.push_back({call.step(), cycle_of(rpc, call), call.agent(), call.rpc(), std::move(fields)});
   }
 
   const ReplayOptions& options_;
@@ -193,57 +199,44 @@ class Replay {
   std::vector<ReplyDifference> failing_;
 };
 
-}  // namespace
-
-Result<ReplayResult> replay_recording(const ReplayOptions& options,
-                                      const std::atomic<int>& stop_signal) {
-  std::string error;
-  const auto reader = proto::RecordingReader::open(options.file, error);
-  ReplayResult result;
-  if (reader == nullptr) {
-    result.file_error = error;
-    return result;
-  }
-
-  result.header = reader->header();
-  result.side = side_to_ask(options, result.header);
-  std::optional<process::ProcessHost> host;
+// The Playmaker to ask; `host` becomes that of its programs.
+Result<PlaymakerConnection> connect(const ReplayOptions& options, const ReplayResult& result,
+                                    std::optional<process::ProcessHost>& host) {
   if (options.endpoint.starts_programs()) {
     TRY_INIT(auto created, process::ProcessHost::create());
     host.emplace(std::move(created));
   }
-  const std::string team =
-      result.side == Side::kLeft ? result.header.left_name() : result.header.right_name();
-  TRY_INIT(
-      const auto connection,
-      connect_playmaker(
-          options.endpoint,
-          {result.side, team, result.header.seed(), options.folder, host ? &*host : nullptr, {}}));
-  Replay replay(options, *connection.playmaker, result);
+
+  SideSetup setup;
+  setup.side = result.side;
+  setup.name = result.side == Side::kLeft ? result.header.left_name() : result.header.right_name();
+  setup.seed = result.header.seed();
+  setup.folder = options.folder;
+  setup.host = host ? &*host : nullptr;
+  return connect_playmaker(options.endpoint, setup);
+}
+
+// Asks the calls that the options select, up to a signal. False: no decision was among them.
+Result<bool> ask_all(const ReplayOptions& options, proto::RecordingReader& reader,
+                     proxy::Playmaker& playmaker, const std::atomic<int>& stop_signal,
+                     ReplayResult& result) {
+  Replay replay(options, playmaker, result);
   RecordedCall call;
   bool any_decision = false;
-  while (reader->next(call)) {
+  while (reader.next(call)) {
     result.interrupted = stop_signal.load() != 0;
     if (result.interrupted) break;
-    if (call.side() != number_of(result.side) || !is_wanted(options, call)) continue;
+    if (call.side() != side_number(result.side) || !is_wanted(options, call)) continue;
+
     const auto rpc = proto::rpc_from_name(call.rpc());
     any_decision = any_decision || (rpc && is_decision(*rpc));
     TRY(replay.take(call));
-    if (!result.file_error.empty()) return result;
   }
+
   replay.finish_step();
-  result.file_error = reader->parse_error();
-  const bool selects = options.cycle || options.agent;
-  if (result.file_error.empty() && selects && !any_decision && !result.interrupted) {
-    result.file_error = fmt::format("{}: no decision of {} of the {} side", options.file,
-                                    selection(options), side_name(result.side));
-  }
-  return result;
+  if (!reader.parse_error().empty()) return Error{reader.parse_error()};
+  return any_decision;
 }
-
-namespace {
-
-using base::Json;
 
 Json json_of(const std::vector<ReplyDifference>& calls) {
   Json list = Json::array();
@@ -259,6 +252,27 @@ Json json_of(const std::vector<ReplyDifference>& calls) {
 
 }  // namespace
 
+Result<ReplayResult> replay_recording(const ReplayOptions& options,
+                                      const std::atomic<int>& stop_signal) {
+  std::string error;
+  const auto reader = proto::RecordingReader::open(options.file, error);
+  if (reader == nullptr) return Error{error};
+
+  ReplayResult result;
+  result.header = reader->header();
+  result.side = side_to_ask(options, result.header);
+  std::optional<process::ProcessHost> host;
+  TRY_INIT(const auto connection, connect(options, result, host));
+  TRY_INIT(const bool any_decision,
+           ask_all(options, *reader, *connection.playmaker, stop_signal, result));
+
+  if (!any_decision && !result.interrupted && (options.cycle || options.agent)) {
+    return Error{fmt::format("{}: no decision of {} of the {} side", options.file,
+                             selection(options), side_name(result.side))};
+  }
+  return result;
+}
+
 std::string to_json(const ReplayResult& result) {
   Json json = {{"schema", "cls.replay/1"},  {"side", side_name(result.side)},
                {"calls", result.calls},     {"same", result.same},
@@ -272,8 +286,7 @@ std::string to_json(const ReplayResult& result) {
 std::string to_text(const ReplayResult& result, std::size_t most) {
   std::string text;
   const auto list = [&](const std::vector<ReplyDifference>& calls) {
-    for (std::size_t i = 0; i < std::min(most, calls.size()); ++i) {
-      const ReplyDifference& each = calls[i];
+    for (const ReplyDifference& each : std::span(calls).first(std::min(most, calls.size()))) {
       text += fmt::format("cycle {} (step {}), {}, {}:\n", each.cycle, each.step,
                           proxy::agent_name(each.agent), each.rpc);
       for (const std::string& field : each.fields) text += fmt::format("    {}\n", field);
@@ -284,6 +297,7 @@ std::string to_text(const ReplayResult& result, std::size_t most) {
   };
   list(result.differences);
   list(result.failing);
+
   text += fmt::format("{} calls of the {} side: {} replies as recorded, {} different", result.calls,
                       side_name(result.side), result.same, result.differences.size());
   if (result.skipped > 0) {

@@ -19,7 +19,8 @@ namespace cls::match {
 struct ReplayOptions {
   std::string file;
   Endpoint endpoint;
-  /// Whose calls; else the only side with calls, the side that was not a mock, or the left.
+  /// The side of the calls; else the only side with calls, the side that was not a mock, or the
+  /// left.
   std::optional<soccer::Side> side;
   std::optional<int> cycle;  ///< only decisions of this cycle
   std::optional<int> agent;  ///< only calls of this player

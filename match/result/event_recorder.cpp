@@ -1,19 +1,17 @@
 // Events from the steps of the embedded server, or from the game log of an external one.
 #include "match/result/event_recorder.h"
 
-#include <nlohmann/json.hpp>
 #include <variant>
 
+#include "base/text/json.h"
 #include "base/text/json_text.h"
-#include "soccer/side.h"
+#include "soccer/per_side.h"
 
 namespace cls::match {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 using soccer::Side;
-
-std::size_t index_of(Side side) { return side == Side::kRight ? 1 : 0; }
 
 }  // namespace
 
@@ -42,17 +40,19 @@ void EventRecorder::follow_kicks(const simulator::World& world) {
   for (std::size_t slot = 0; slot < world.players.size(); ++slot) {
     const int kicks = world.players[slot].counters.kick;
     if (kicks == kicks_[slot]) continue;
+
     kicks_[slot] = kicks;
     const int number = static_cast<int>(slot);
-    last_kicker_[index_of(soccer::side_of_slot(number))] = soccer::unum_of_slot(number);
+    last_kicker_[soccer::side_index(soccer::side_of_slot(number))] = soccer::unum_of_slot(number);
   }
 }
 
 void EventRecorder::follow_goals(const simulator::World& world) {
-  for (const Side side : {Side::kLeft, Side::kRight}) {
-    const std::size_t i = index_of(side);
+  for (const Side side : soccer::kBothSides) {
+    const std::size_t i = soccer::side_index(side);
     const int score = world.team(side).score;
     if (score == scores_[i]) continue;
+
     scores_[i] = score;
     goals_.push_back({world.clock.time, side, last_kicker_[i]});
     add_goal(goals_.back());
@@ -72,10 +72,11 @@ void EventRecorder::read_log(const gamelog::MatchRecord& log, const MatchResult&
   auto goal = result.goals.begin();
   const auto add_goals_until = [&](int time) {
     for (; goal != result.goals.end() && goal->cycle <= time; ++goal) {
-      ++scores_[index_of(goal->side)];
+      ++scores_[soccer::side_index(goal->side)];
       add_goal(*goal);
     }
   };
+
   for (const gamelog::Note& note : log.notes) {
     const auto* mode = std::get_if<soccer::PlayMode>(&note.content);
     if (mode == nullptr) continue;

@@ -4,11 +4,11 @@
 
 #include <array>
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <string_view>
 #include <vector>
 
 #include "base/io/byte_sink.h"
+#include "base/text/json.h"
 #include "gamelog/record/match_record.h"
 #include "match/result/match_result.h"
 #include "match/terms/endpoint.h"
@@ -33,7 +33,7 @@ class EventRecorder {
   const std::vector<Goal>& goals() const { return goals_; }
 
  private:
-  void add(int time, std::string_view type, const nlohmann::ordered_json& fields);
+  void add(int time, std::string_view type, const base::Json& fields);
   void add_goal(const Goal& goal);
   void add_play_mode(int time, soccer::PlayMode mode);
   void follow_kicks(const simulator::World& world);

@@ -28,9 +28,9 @@ std::string most_failed(const TeamResult& team) {
       if (found != outcomes.end()) failed[action] += found->second;
     }
   }
+
   const auto most =
-      std::max_element(failed.begin(), failed.end(),
-                       [](const auto& a, const auto& b) { return a.second < b.second; });
+      std::ranges::max_element(failed, {}, [](const auto& one) { return one.second; });
   if (most == failed.end()) return {};
   const std::string_view reason = proxy::fails_when(most->first);
   return fmt::format("; most often failed: {}{}", most->first,
@@ -40,17 +40,10 @@ std::string most_failed(const TeamResult& team) {
 }  // namespace
 
 std::vector<std::string> action_warnings(const TeamResult& team) {
-  std::int64_t replies = 0;
-  std::int64_t empty = 0;
-  std::int64_t useless = 0;
-  for (const PlayerResult& player : team.players) {
-    replies += player.lists;
-    empty += player.empty;
-    useless += player.useless;
-  }
-  if (replies < kMinReplies || 2 * useless < replies) return {};
+  const ReplySummary sum = reply_summary(team);
+  if (sum.lists < kMinReplies || 2 * sum.useless < sum.lists) return {};
   return {fmt::format("{}: {} of {} replies had no executable action ({} were empty){}", team.name,
-                      useless, replies, empty, most_failed(team))};
+                      sum.useless, sum.lists, sum.empty, most_failed(team))};
 }
 
 bool is_reported(const MatchResult& result, const std::string& exception) {
@@ -84,14 +77,17 @@ std::vector<std::string> output_warnings(MatchResult& result, const std::filesys
       warnings.push_back(
           fmt::format("{}: {}; the log is incomplete", process.name, process.log_error));
     }
+
     const auto log = base::read_file(folder / process.log);
     if (!log) continue;
+
     process.exception = process::printed_exception(*log);
     if (!process.exception.empty() && !is_reported(result, process.exception)) {
       warnings.push_back(fmt::format("{} printed an exception: {}; its output is in {}",
                                      process.name, process.exception,
                                      (folder / process.log).string()));
     }
+
     const process::RepeatedLine line = process::most_repeated_line(*log);
     if (line.times >= kManyRepetitions) {
       warnings.push_back(fmt::format("{} printed a line {} times in a row ({}): {}", process.name,

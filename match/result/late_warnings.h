@@ -15,7 +15,7 @@ std::vector<std::string> action_warnings(const TeamResult& team);
 /// True if the first failed call of a side reports this exception.
 bool is_reported(const MatchResult& result, const std::string& exception);
 
-/// What helps against an exception of a program that lacks something: "pip install ./python ...";
+/// The remedy for an exception of a program that lacks something: "pip install ./python ...";
 /// empty: not known.
 std::string remedy_of(const std::string& exception);
 

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "base/text/byte_size.h"
 #include "match/terms/run_command.h"
 #include "proxy/playmaker/playmaker_errors.h"
 
@@ -30,7 +33,37 @@ std::string format_exit(const process::Child::Status& status) {
                              : to_text(*status.exit);
 }
 
+// Texts of programs that get no memory: C, C++, Python, Java, JavaScript, Go and Rust, dd.
+constexpr std::string_view kOutOfMemory[] = {
+    "Cannot allocate memory", "bad_alloc",     "MemoryError",       "OutOfMemoryError",
+    "out of memory",          "Out of memory", "memory allocation", "memory exhausted"};
+
 }  // namespace
+
+bool prints_any(const process::Child& child, std::span<const std::string_view> texts) {
+  return std::ranges::any_of(child.last_lines(), [texts](const std::string& line) {
+    return std::ranges::any_of(
+        texts, [&](std::string_view text) { return line.find(text) != std::string::npos; });
+  });
+}
+
+std::string limit_hint(const process::Child& child) {
+  const process::ResourceLimits& limits = child.plan().limits;
+  if (child.status().at_cpu_limit) {
+    return fmt::format(
+        "; a process of {} had used the {} s of CPU time that --max-cpu allows: raise or omit the "
+        "limit",
+        child.plan().name, limits.cpu_seconds);
+  }
+
+  if (limits.memory != 0 && prints_any(child, kOutOfMemory)) {
+    return fmt::format(
+        "; a process of {} needed more than the {} of memory that --max-memory allows: raise or "
+        "omit the limit",
+        child.plan().name, base::byte_size_text(limits.memory));
+  }
+  return {};
+}
 
 ProcessFailure failure_of(const process::Child& child) {
   ProcessFailure failure;

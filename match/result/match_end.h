@@ -2,14 +2,16 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
-#include "match/result/end_reason.h"
 #include "match/result/match_result.h"
 #include "match/terms/match_options.h"
 #include "process/process_host.h"
 #include "proxy/agent/team.h"
 #include "proxy/playmaker/call_watch.h"
+#include "soccer/end_reason.h"
 
 namespace cls::match {
 
@@ -27,6 +29,16 @@ struct MatchEnd {
   bool fault_unknown = false;               ///< the side that failed may be the victim
   bool try_again = false;                   ///< a port was in use: nothing was started
 };
+
+/// True if a line of the last output of a program contains one of the texts.
+bool prints_any(const process::Child& child, std::span<const std::string_view> texts);
+
+/// To be appended to the message about a process that failed: "; a process of left Playmaker had
+/// used the 10 s of CPU time that --max-cpu allows: raise or omit the limit". Empty if no limit
+/// explains the end.
+/// The kernel reports the end by the limit of CPU time. A program that gets no more memory ends in
+/// its own way: then the hint follows from its last output lines.
+std::string limit_hint(const process::Child& child);
 
 /// Exit status and last output lines of a child that has exited or will be terminated.
 ProcessFailure failure_of(const process::Child& child);

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <system_error>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
 #include "base/system/version.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "match/result/match_result.h"
 #include "match/terms/option_table.h"
@@ -27,8 +27,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using base::Error;
+using base::Json;
 using base::Result;
-using Json = nlohmann::ordered_json;
 
 // Parameters that differ from their defaults.
 template <typename Params>
@@ -72,8 +72,8 @@ Json environment_json() {
   Json variables = Json::object();
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string_view line = *entry;
-    const bool matters = std::any_of(kPrefixes.begin(), kPrefixes.end(),
-                                     [line](auto prefix) { return line.starts_with(prefix); });
+    const bool matters =
+        std::ranges::any_of(kPrefixes, [line](auto prefix) { return line.starts_with(prefix); });
     const std::size_t equals = line.find('=');
     if (matters && equals != std::string_view::npos) {
       variables[std::string(line.substr(0, equals))] = line.substr(equals + 1);
@@ -121,13 +121,13 @@ Result<void> keep_earlier_files(const MatchOptions& options) {
   if (!options.folder.empty()) remove_match_that_never_began(options.folder);
   const std::string contents = base::contents_of(options.folder);
   if (!options.folder.empty() && !contents.empty()) {
-    const auto made = make_way(options, options.folder, "holds " + contents);
-    if (!made) return made;
+    TRY(make_way(options, options.folder, "holds " + contents));
   }
+
   for (const fs::path& file : {options.record_rpc, options.save_file}) {
     if (!fs::is_regular_file(file, code)) continue;
     if (options.replace && fs::is_symlink(file, code)) continue;  // /dev/stdout: written into
-    if (const auto made = make_way(options, file, "exists"); !made) return made;
+    TRY(make_way(options, file, "exists"));
   }
   return {};
 }
@@ -135,10 +135,24 @@ Result<void> keep_earlier_files(const MatchOptions& options) {
 }  // namespace
 
 // A folder of others may have a manifest.json of its own.
-bool is_match_folder(const std::filesystem::path& folder) {
+bool is_match_folder(const fs::path& folder) {
   std::error_code code;
-  return std::filesystem::is_regular_file(folder / kEventsFile, code) &&
-         std::filesystem::is_regular_file(folder / kManifestFile, code);
+  return fs::is_regular_file(folder / kEventsFile, code) &&
+         fs::is_regular_file(folder / kManifestFile, code);
+}
+
+fs::path game_log_in(const fs::path& folder) {
+  fs::path log = folder / kGameLogFile;
+  std::error_code code;
+  if (fs::exists(log, code)) return log;
+
+  fs::path packed = log.string() + ".gz";
+  return fs::exists(packed, code) ? packed : log;
+}
+
+bool has_result(const fs::path& folder) {
+  std::error_code code;
+  return fs::exists(folder / kResultFile, code);
 }
 
 Result<fs::path> make_match_folder(const MatchOptions& options, const TeamNames& names) {
@@ -152,6 +166,7 @@ Result<fs::path> make_match_folder(const MatchOptions& options, const TeamNames&
     }
     return options.folder;
   }
+
   const std::string stem = fmt::format("{}-{}-vs-{}", base::utc_stamp(), names.left, names.right);
   fs::create_directories("runs", code);
   for (int attempt = 1; !code; ++attempt) {
@@ -165,7 +180,7 @@ Result<fs::path> make_match_folder(const MatchOptions& options, const TeamNames&
 
 namespace {
 
-// What each option is in effect; options without a value are left out.
+// The value of each option in effect; options without a value are left out.
 Json options_json(const MatchOptions& options) {
   Json described = Json::object();
   for (const MatchOption& option : match_options()) {
@@ -180,15 +195,16 @@ Json options_json(const MatchOptions& options) {
 std::string manifest_json(const MatchOptions& options, const TeamNames& names, std::uint64_t seed,
                           const ManifestTimes& times) {
   const auto deadline = decision_deadline(options);
+
   Json settings = Json::object();
   add_settings(settings, "server", options.server, soccer::server_param_table());
   add_settings(settings, "player", options.player, soccer::player_param_table());
-  const auto side = [](const std::string& team, const Endpoint& endpoint,
-                       const std::vector<int>& cpus) {
-    Json described = {{"name", team}, {"endpoint", endpoint.text}};
-    if (!cpus.empty()) described["cpus"] = cpus;
+  const auto side = [&](soccer::Side which) {
+    Json described = {{"name", names[which]}, {"endpoint", endpoint_of(options, which).text}};
+    if (!options.cpus[which].empty()) described["cpus"] = options.cpus[which];
     return described;
   };
+
   const Json document = {{"schema", "cls.manifest/1"},
                          {"started", times.started},
                          {"ended", text_or_null(times.ended)},
@@ -200,8 +216,8 @@ std::string manifest_json(const MatchOptions& options, const TeamNames& names, s
                          {"cls", base::kVersion},
                          {"versions", versions_json(times.server_version)},
                          {"seed", seed},
-                         {"left", side(names.left, options.left, options.left_cpus)},
-                         {"right", side(names.right, options.right, options.right_cpus)},
+                         {"left", side(soccer::Side::kLeft)},
+                         {"right", side(soccer::Side::kRight)},
                          {"coach", options.coach},
                          {"trainer", options.trainer ? Json(options.trainer->text) : Json(nullptr)},
                          {"cycles", options.cycles ? Json(*options.cycles) : Json(nullptr)},

@@ -16,8 +16,18 @@ inline constexpr const char* kEventsFile = "events.jsonl";
 inline constexpr const char* kGameLogFile = "match.rcg";
 inline constexpr const char* kTextLogFile = "match.rcl";
 
+/// Files with the State of a Playmaker's first error, to be sent again.
+inline constexpr const char* kLeftErrorFile = "left-error.rpc";
+inline constexpr const char* kRightErrorFile = "right-error.rpc";
+
 /// True for a folder that `cls match` has begun to write.
 bool is_match_folder(const std::filesystem::path& folder);
+
+/// The game log of a match folder, plain or gzip; match.rcg if there is none yet.
+std::filesystem::path game_log_in(const std::filesystem::path& folder);
+
+/// True once the match of a folder has its result.
+bool has_result(const std::filesystem::path& folder);
 
 /// Creates the folder the options name, or ./runs/<UTC>-<left>-vs-<right> (with -2, -3, ... when
 /// two matches start in the same second). Nothing is overwritten: a folder that holds something is
@@ -28,9 +38,9 @@ base::Result<std::filesystem::path> make_match_folder(const MatchOptions& option
 
 /// The course of a match, for its manifest.
 struct ManifestTimes {
-  std::string started;         ///< UTC
-  std::string ended;           ///< empty: the match is not over
-  std::string server_version;  ///< empty: unknown
+  std::string started;           ///< UTC
+  std::string ended{};           ///< empty: the match is not over
+  std::string server_version{};  ///< empty: unknown
 };
 
 /// The manifest: options, versions, time, host and environment. The logs leave these out, to be

@@ -11,11 +11,13 @@
 
 #include "base/result.h"
 #include "base/system/version.h"
-#include "match/result/end_reason.h"
 #include "match/result/speed.h"
+#include "soccer/end_reason.h"
 #include "soccer/side.h"
 
 namespace cls::match {
+
+using soccer::EndReason;
 
 /// Latency of a player's decisions in microseconds, from request to reply.
 struct RpcLatency {
@@ -85,6 +87,17 @@ struct TeamResult {
   std::optional<PlayerResult> coach;  ///< of a cls team; unum 12
   ErrorResult errors;
   std::vector<PartResult> parts;  ///< of a mixed side
+};
+
+/// How the Playmaker of a side replied: sums over its players.
+struct ReplySummary {
+  std::int64_t decisions = 0;
+  std::int64_t late = 0;
+  std::int64_t missed = 0;
+  std::int64_t lists = 0;
+  std::int64_t empty = 0;
+  std::int64_t useless = 0;
+  RpcLatency rpc_us;  ///< p50 of the median player, the other figures of the slowest one
 };
 
 struct Goal {
@@ -176,6 +189,8 @@ std::string to_json(const std::vector<PlayerResult>& players);
 
 /// `errors` of a side in `cls.match/1`, not indented.
 std::string to_json(const ErrorResult& errors);
+
+ReplySummary reply_summary(const TeamResult& team);
 
 /// "left", "right" or "draw"; nothing for an invalid match.
 std::optional<std::string> winner(const MatchResult& result);

@@ -1,4 +1,4 @@
-// Reads result.json and manifest.json beside logs.
+// Reads result.json and manifest.json next to logs.
 #include "match/result/recorded_end.h"
 
 #include <fmt/chrono.h>
@@ -7,12 +7,10 @@
 #include <chrono>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "base/io/whole_file.h"
+#include "base/text/json.h"
 #include "match/result/match_folder.h"
 #include "match/result/match_result.h"
 
@@ -34,7 +32,7 @@ std::string local_minute(std::time_t time) {
 
 // The start in a manifest, "2026-11-21T01:02:03Z".
 std::optional<std::time_t> started(const std::string& manifest) {
-  const auto document = nlohmann::json::parse(manifest, nullptr, false);
+  const auto document = base::Json::parse_or_discarded(manifest);
   if (!document.is_object() || !document.contains("started")) return std::nullopt;
   if (!document["started"].is_string()) return std::nullopt;
   std::tm utc{};
@@ -43,16 +41,21 @@ std::optional<std::time_t> started(const std::string& manifest) {
   return timegm(&utc);
 }
 
+bool is_log_of_match(const std::string& name) {
+  return name.starts_with(kGameLogFile) || name.starts_with(kTextLogFile);
+}
+
 // True for a log of `cls match` that still grows: its manifest has no end, and there is no result.
 bool is_running(const std::filesystem::path& log) {
   constexpr std::chrono::seconds kQuiet{60};  // servers write in blocks
-  const std::string name = log.filename().string();
-  if (!name.starts_with(kGameLogFile) && !name.starts_with(kTextLogFile)) return false;
+  if (!is_log_of_match(log.filename().string())) return false;
+
   const auto text = base::read_file(log.parent_path() / kManifestFile);
-  const auto manifest = nlohmann::json::parse(text.value_or(""), nullptr, false);
+  const auto manifest = base::Json::parse_or_discarded(text.value_or(""));
   if (!manifest.is_object() || !manifest.contains("ended") || !manifest["ended"].is_null()) {
     return false;
   }
+
   std::error_code error;
   const auto written = std::filesystem::last_write_time(log, error);
   return !error && std::filesystem::file_time_type::clock::now() - written < kQuiet;
@@ -62,28 +65,29 @@ bool is_running(const std::filesystem::path& log) {
 
 std::optional<analysis::RecordedEnd> recorded_end(const std::string& log) {
   const std::filesystem::path path(log);
-  const std::filesystem::path document = path.parent_path() / "result.json";
+  const std::filesystem::path document = path.parent_path() / kResultFile;
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(document, error);
   if (error && is_running(path)) return analysis::RecordedEnd{analysis::kRunning, false};
   if (error || size > kMaxDocumentBytes) return std::nullopt;
-  std::ifstream file(document, std::ios::binary);
-  const auto result = parse_match_result(std::string(std::istreambuf_iterator<char>(file), {}));
+
+  const auto result = parse_match_result(base::read_file(document).value_or(""));
   const std::string name = path.filename().string();
   if (!result || (result->rcg != name && result->rcl != name)) return std::nullopt;
-  return analysis::RecordedEnd{std::string(match::name(result->end_reason)), result->valid()};
+  return analysis::RecordedEnd{std::string(soccer::name(result->end_reason)), result->valid()};
 }
 
 std::string recorded_date(const std::string& log) {
   const std::filesystem::path path(log);
   const std::string name = path.filename().string();
-  if (name.starts_with(kGameLogFile) || name.starts_with(kTextLogFile)) {
+  if (is_log_of_match(name)) {
     const auto manifest = base::read_file(path.parent_path() / kManifestFile);
     if (const auto start = started(manifest.value_or(""))) return local_minute(*start);
   }
   if (name.size() > kDateDigits && all_digits(name.substr(0, kDateDigits))) {
     return name.substr(0, kDateDigits);
   }
+
   struct stat file = {};
   return ::stat(log.c_str(), &file) == 0 ? local_minute(file.st_mtime) : std::string();
 }

@@ -1,4 +1,4 @@
-// The end of a match as recorded in the result.json beside its logs.
+// The end of a match as recorded in the result.json next to its logs.
 #pragma once
 
 #include <optional>

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.h"
+#include "soccer/per_side.h"
+
 namespace cls::match {
 namespace {
 
@@ -14,9 +17,8 @@ using soccer::Side;
 // A Playmaker with this much of the other's share limits the speed as well.
 constexpr double kComparable = 2.0 / 3.0;
 
-std::size_t index_of(Side side) {
-  return side == Side::kLeft ? 0U : side == Side::kRight ? 1U : 2U;
-}
+// Left, right, trainer.
+std::size_t place_of(Side side) { return side == Side::kNeutral ? 2 : soccer::side_index(side); }
 
 // Rounds to a thousandth, the largest share so that the sum stays 1.
 void round_shares(SpeedShares& shares) {
@@ -27,14 +29,14 @@ void round_shares(SpeedShares& shares) {
                                 &shares.right_playmaker,
                                 &shares.trainer_playmaker,
                                 &shares.clock};
+
   double sum = 0.0;
   for (double* share : all) sum += * share = std::round(*share * kSteps) / kSteps;
-  double* largest = *std::max_element(all.begin(), all.end(),
-                                      [](const double* a, const double* b) { return *a < *b; });
+  double* largest = *std::ranges::max_element(all, {}, [](const double* share) { return *share; });
   *largest = std::round((*largest + 1.0 - sum) * kSteps) / kSteps;
 }
 
-/// How a limit is called in the order of SpeedLimit: in result.json, and in a sentence.
+/// Names of a limit, in the order of SpeedLimit: in result.json, and in a sentence.
 struct LimitNames {
   std::string_view document;
   std::string_view sentence;
@@ -70,28 +72,23 @@ Party largest_party(const SpeedShares& shares) {
       {shares.server, SpeedLimit::kServer},
       {shares.clock, SpeedLimit::kClock},
   }};
-  return *std::max_element(parties.begin(), parties.end(),
-                           [](const Party& a, const Party& b) { return a.share < b.share; });
+  return *std::ranges::max_element(parties, {}, &Party::share);
 }
 
 }  // namespace
 
 double SpeedResult::limiting_share() const { return largest_party(shares).share; }
 
-std::string_view name(SpeedLimit limit) {
-  return kLimits[static_cast<std::size_t>(limit)].document;
-}
+std::string_view name(SpeedLimit limit) { return kLimits[base::index(limit)].document; }
 
 std::optional<SpeedLimit> parse_speed_limit(std::string_view name) {
-  for (std::size_t i = 0; i < kLimits.size(); ++i) {
-    if (kLimits[i].document == name) return static_cast<SpeedLimit>(i);
-  }
-  return std::nullopt;
+  const auto* found = std::ranges::find(kLimits, name, &LimitNames::document);
+  if (found == kLimits.end()) return std::nullopt;
+  return static_cast<SpeedLimit>(found - kLimits.begin());
 }
 
 void SpeedMeter::add_turns(Duration wall, std::span<SideTurn> turns) {
-  std::sort(turns.begin(), turns.end(),
-            [](const SideTurn& a, const SideTurn& b) { return a.times.total < b.times.total; });
+  std::ranges::sort(turns, {}, [](const SideTurn& turn) { return turn.times.total; });
   Duration over{0};     // end of the turns so far
   Duration part{0};     // of each side that was at work until then
   Duration awaited{0};  // of all Playmakers
@@ -101,10 +98,11 @@ void SpeedMeter::add_turns(Duration wall, std::span<SideTurn> turns) {
     part += (end - over) / static_cast<Duration::rep>(turns.size() - i);
     over = end;
     if (times.total.count() <= 0) continue;
+
     const double share = std::min(1.0, static_cast<double>(times.playmaker.count()) /
                                            static_cast<double>(times.total.count()));
     const auto waited = std::chrono::duration_cast<Duration>(part * share);
-    playmakers_[index_of(turns[i].side)] += waited;
+    playmakers_[place_of(turns[i].side)] += waited;
     awaited += waited;
   }
   agents_ += wall - awaited;
@@ -115,18 +113,20 @@ SpeedResult SpeedMeter::result() const {
   const Duration sum =
       server_ + clock_ + agents_ + playmakers_[0] + playmakers_[1] + playmakers_[2];
   if (sum.count() <= 0) return speed;
+
   const auto share = [sum](Duration time) {
     return static_cast<double>(time.count()) / static_cast<double>(sum.count());
   };
   speed.shares = {share(server_),        share(agents_),        share(playmakers_[0]),
                   share(playmakers_[1]), share(playmakers_[2]), share(clock_)};
+
   round_shares(speed.shares);
   speed.limited_by = largest_party(speed.shares).limit;
   return speed;
 }
 
 std::string limiting_party(const SpeedResult& speed) {
-  const std::string_view who = kLimits[static_cast<std::size_t>(speed.limited_by)].sentence;
+  const std::string_view who = kLimits[base::index(speed.limited_by)].sentence;
   return fmt::format("limited by {} ({:.0f} %)", who, speed.limiting_share() * 100.0);
 }
 

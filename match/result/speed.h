@@ -1,4 +1,4 @@
-// Where the wall time of a match went, and who limits its speed.
+// Shares of the wall time of a match, and the party that limits its speed.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct DecisionTimes {
   double max = 0.0;
 };
 
-/// Who limits the speed of a match.
+/// The party that limits the speed of a match.
 enum class SpeedLimit {
   kNothing,  ///< no cycle was played
   kLeftPlaymaker,
@@ -58,7 +58,7 @@ struct SpeedResult {
   double limiting_share() const;
 };
 
-/// How long a side took for its decisions.
+/// The time that a side took for its decisions.
 struct TurnTimes {
   std::chrono::nanoseconds total{0};
   std::chrono::nanoseconds playmaker{0};  ///< of that, waiting for replies
@@ -79,7 +79,7 @@ class SpeedMeter {
   /// `wall` is the time that passed until all of `turns` were over. Sorts `turns`.
   void add_turns(Duration wall, std::span<SideTurn> turns);
 
-  /// Who limits the speed, and the shares.
+  /// The limiting party, and the shares.
   SpeedResult result() const;
 
  private:

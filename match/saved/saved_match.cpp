@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "base/system/version.h"
+#include "base/text/fnv1a.h"
 #include "match/terms/match_settings.h"
 #include "proto/saved_match_file.h"
 
@@ -32,33 +33,32 @@ void add_settings(std::string_view module, const Params& params, const Params& u
   }
 }
 
-/// FNV-1a over the bits of numbers.
-class Hash {
+// The bytes of numbers, the lowest one first.
+class Bytes {
  public:
   void add(std::uint64_t bits) {
-    for (int shift = 0; shift < 64; shift += 8) {
-      value_ = (value_ ^ ((bits >> shift) & 0xFF)) * 0x100000001B3ULL;
-    }
+    for (int shift = 0; shift < 64; shift += 8) text_ += static_cast<char>(bits >> shift);
   }
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
   void add(soccer::Vec2 v) {
-    add(std::bit_cast<std::uint64_t>(v.x));
-    add(std::bit_cast<std::uint64_t>(v.y));
+    add(v.x);
+    add(v.y);
   }
-  std::uint64_t value() const { return value_; }
+  const std::string& text() const { return text_; }
 
  private:
-  std::uint64_t value_ = 0xCBF29CE484222325ULL;
+  std::string text_;
 };
 
 }  // namespace
 
 saved::SavedMatch describe_match(const MatchOptions& options, std::uint64_t seed,
-                                 const std::string& left_name, const std::string& right_name) {
+                                 const TeamNames& names) {
   saved::SavedMatch match;
   match.set_cls(std::string(base::kVersion));
   match.set_seed(seed);
-  match.set_left_name(left_name);
-  match.set_right_name(right_name);
+  match.set_left_name(names.left);
+  match.set_right_name(names.right);
   match.set_left_endpoint(options.left.text);
   match.set_right_endpoint(options.right.text);
   add_settings("server", options.server, match_server_params(), soccer::server_param_table(),
@@ -82,16 +82,14 @@ Result<std::shared_ptr<const saved::SavedMatch>> read_saved_match(
 Result<void> resume_from(std::shared_ptr<const saved::SavedMatch> match, MatchOptions& options) {
   options.server = match_server_params();
   options.player = {};
-  for (const std::string& setting : match->settings()) {
-    TRY(apply_setting(options, setting));
-  }
+  for (const std::string& setting : match->settings()) TRY(apply_setting(options, setting));
   if (match->on_late() < 0 || match->on_late() > static_cast<int>(proxy::OnLate::kDefault)) {
     return Error{fmt::format("on_late {}: unknown in this version", match->on_late())};
   }
+
   options.branch_seed = options.seed;
   options.seed = match->seed();
-  options.left_name = match->left_name();
-  options.right_name = match->right_name();
+  options.names = {match->left_name(), match->right_name()};
   options.coach = match->coach();
   options.protocol = match->protocol();
   options.on_late = static_cast<proxy::OnLate>(match->on_late());
@@ -100,7 +98,7 @@ Result<void> resume_from(std::shared_ptr<const saved::SavedMatch> match, MatchOp
 }
 
 proxy::SavedReplies replies_of(const saved::SavedMatch& match, soccer::Side side) {
-  const int number = side == soccer::Side::kRight ? 2 : 1;
+  const int number = side_number(side);
   proxy::SavedReplies replies;
   for (const saved::SavedReply& one : match.replies()) {
     const auto rpc = proto::rpc_from_name(one.rpc());
@@ -115,18 +113,19 @@ proxy::SavedReplies replies_of(const saved::SavedMatch& match, soccer::Side side
 }
 
 std::uint64_t situation_of(const simulator::World& world) {
-  Hash hash;
-  hash.add(static_cast<std::uint64_t>(world.clock.time));
-  hash.add(static_cast<std::uint64_t>(world.clock.stoppage));
-  for (const simulator::Team& team : world.teams) hash.add(static_cast<std::uint64_t>(team.score));
-  hash.add(world.ball.position);
-  hash.add(world.ball.velocity);
+  Bytes bytes;
+  bytes.add(static_cast<std::uint64_t>(world.clock.time));
+  bytes.add(static_cast<std::uint64_t>(world.clock.stoppage));
+  for (const simulator::Team& team : world.teams) bytes.add(static_cast<std::uint64_t>(team.score));
+
+  bytes.add(world.ball.position);
+  bytes.add(world.ball.velocity);
   for (const simulator::Player& player : world.players) {
-    hash.add(player.position);
-    hash.add(player.velocity);
-    hash.add(std::bit_cast<std::uint64_t>(player.body));
+    bytes.add(player.position);
+    bytes.add(player.velocity);
+    bytes.add(player.body);
   }
-  return hash.value();
+  return base::fnv1a(bytes.text());
 }
 
 }  // namespace cls::match

@@ -14,9 +14,12 @@
 
 namespace cls::match {
 
-/// What a match to be saved depends on, without cycle and replies.
+/// The number of a side in saved matches and recordings: 1 left, 2 right.
+constexpr int side_number(soccer::Side side) { return side == soccer::Side::kRight ? 2 : 1; }
+
+/// The terms of a match to be saved, without cycle and replies.
 saved::SavedMatch describe_match(const MatchOptions& options, std::uint64_t seed,
-                                 const std::string& left_name, const std::string& right_name);
+                                 const TeamNames& names);
 
 /// The error names the file.
 base::Result<std::shared_ptr<const saved::SavedMatch>> read_saved_match(

@@ -16,10 +16,10 @@ constexpr std::size_t kMaxLines = 20;
 constexpr std::size_t kMaxRequestSize = 60;
 
 std::string describe(const SocketOwner& owner, int port) {
-  std::string text;
   const Side side = side_of(owner);
-  if (side != Side::kNeutral) text = fmt::format("a program of the {} side", side_name(side));
-  if (side == Side::kNeutral) text = "a process outside of the match";
+  std::string text = side == Side::kNeutral
+                         ? "a process outside of the match"
+                         : fmt::format("a program of the {} side", side_name(side));
   if (owner.kind == SocketOwner::Kind::kUnknown) text = "a process that hides its sockets";
   if (owner.pid != 0) {
     text += fmt::format(" ({}, process {})", base::printable(owner.command), owner.pid);
@@ -39,6 +39,7 @@ Side side_of(const SocketOwner& owner) {
 
 simulator::ClientRights ClientBinding::rights_of(const base::SocketAddress& sender) {
   constexpr simulator::ClientRights kNone{false, false, false, false};
+
   const SocketOwner owner = owners_.owner_of(sender);
   switch (owner.kind) {
     case SocketOwner::Kind::kStarter:
@@ -50,6 +51,7 @@ simulator::ClientRights ClientBinding::rights_of(const base::SocketAddress& send
     case SocketOwner::Kind::kProgram:
       break;
   }
+
   const Side side = side_of(owner);
   if (side == Side::kNeutral || !sides_.external[side]) return kNone;
   return {side == Side::kLeft, side == Side::kRight, false, false,
@@ -62,6 +64,7 @@ std::optional<std::string> ClientBinding::intrusion_line(const base::SocketAddre
   const std::string kind(request.substr(0, request.find(' ')));
   const std::string key = fmt::format("{} {}", owner.pid, kind);
   if (reported_.size() >= kMaxLines || !reported_.insert(key).second) return std::nullopt;
+
   return fmt::format("{} sent {}: refused", describe(owner, sender.port()),
                      base::printable(std::string(request.substr(0, kMaxRequestSize))));
 }

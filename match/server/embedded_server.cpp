@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <ctime>
 
+#include "base/index.h"
 #include "base/system/version.h"
 #include "gamelog/rcg/rcg_writer.h"
 #include "match/server/match_plan.h"
@@ -30,10 +30,7 @@ constexpr milliseconds kLateCommandTimeout{2000};
 
 // True if a match with the same seed may have the same bytes, so that its log has no date.
 bool repeats(const MatchOptions& options) {
-  const bool external = std::any_of(
-      soccer::kBothSides.begin(), soccer::kBothSides.end(),
-      [&options](Side side) { return endpoint_of(options, side).kind == Endpoint::Kind::kTeam; });
-  return !external && mode_of(options) != MatchMode::kRealtime;
+  return !has_external_team(options) && mode_of(options) != MatchMode::kRealtime;
 }
 
 }  // namespace
@@ -61,6 +58,7 @@ void EmbeddedServer::bind_clients() {
     warnings_.push_back(std::move(missing));
     return;
   }
+
   binding_.emplace(BoundSides{external_, options_.trainer.has_value(), names_},
                    process::SocketOwners::of_own_programs());
   server_->bind_clients(
@@ -77,12 +75,14 @@ Result<ServerPorts> EmbeddedServer::open_player_port(bool free_port) {
   if (port) bind_clients();
   if (port) return ServerPorts{*port, *port + 1, *port + 2};
   if (free_port) return port.error();
+
   return Error{fmt::format("{}: a team whose start script takes no ports needs it",
                            process::port_taken_text(process::Protocol::kUdp, kStockPort))};
 }
 
 std::optional<MatchEnd> EmbeddedServer::start(const std::function<bool()>& /*keep_waiting*/) {
   if (!options_.monitor_port) return std::nullopt;
+
   const auto port = server_->open_monitor_port(kHost, *options_.monitor_port);
   if (!port) {
     const std::string taken =
@@ -93,6 +93,7 @@ std::optional<MatchEnd> EmbeddedServer::start(const std::function<bool()>& /*kee
     return MatchEnd{
         .reason = EndReason::kRefused, .message = "--monitor-port: " + taken, .try_again = true};
   }
+
   bind_clients();
   monitor_address_ = fmt::format("{}:{}", kHost, *port);
   return std::nullopt;
@@ -118,8 +119,9 @@ void EmbeddedServer::set_kick_off_wait(int cycles) {
 ServerStatus EmbeddedServer::status() const {
   ServerStatus status;
   const simulator::World& world = server_->world();
-  for (const Side side : {Side::kLeft, Side::kRight}) {
+  for (const Side side : soccer::kBothSides) {
     if (world.team(side).name.empty()) continue;
+
     ReportedConnections& team = status.teams.emplace_back();
     team.name = world.team(side).name.view();
     for (const simulator::Player& player : world.players) {
@@ -138,6 +140,7 @@ void EmbeddedServer::drain_late_commands() {
     }
     return false;
   };
+
   while (awaits_external_player() && Clock::now() < deadline) {
     server_->receive_until(Clock::now() + kCommandPollInterval);
   }
@@ -148,10 +151,11 @@ void EmbeddedServer::begin_play(const std::vector<Arrange>& arrange) {
   for (const Arrange& change : arrange) server_->modify_world(change);
   playing_ = true;
   if (!has_external_team()) return;
+
   drain_late_commands();
   set_kick_off_wait(server_->world().params().kick_off_wait);
   for (const simulator::Player& player : server_->world().players) {
-    must_stay_[static_cast<std::size_t>(player.slot())] = external_[player.side] && player.enabled;
+    must_stay_[base::index(player.slot())] = external_[player.side] && player.enabled;
   }
 }
 
@@ -175,8 +179,9 @@ bool EmbeddedServer::wait_for_commands(milliseconds limit) {
 std::optional<int> EmbeddedServer::lost_player(Side side) {
   for (int unum = 1; playing_ && unum <= soccer::kPlayersPerTeam; ++unum) {
     const int slot = soccer::slot_of(side, unum);
-    bool& must_stay = must_stay_[static_cast<std::size_t>(slot)];
+    bool& must_stay = must_stay_[base::index(slot)];
     if (!must_stay) continue;
+
     if (!server_->is_connected(slot)) return unum;
     must_stay = server_->world().player(slot).enabled;
   }
@@ -193,15 +198,17 @@ SourceProgress EmbeddedServer::progress() const {
 void EmbeddedServer::add_result(MatchResult& result,
                                 const std::vector<AgentProgress>& /*agents*/) const {
   const simulator::World& world = server_->world();
+
   // When --cycles cuts a shoot-out, one team may not have kicked yet.
   const bool shoot_out =
       world.team(Side::kLeft).penalty_kicks + world.team(Side::kRight).penalty_kicks > 0;
-  for (const Side side : {Side::kLeft, Side::kRight}) {
+  for (const Side side : soccer::kBothSides) {
     const simulator::Team& team = world.team(side);
     TeamResult& reported = result.team(side);
     reported.score = team.score;
     if (shoot_out) reported.penalty_score = team.penalty_goals;
   }
+
   if (has_external_team()) result.deterministic = false;
   result.cycles = world.clock.time;
   result.steps = steps_;

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "base/io/byte_sink.h"
-#include "match/programs/server_command.h"
+#include "match/programs/server_plan.h"
 #include "match/server/client_binding.h"
-#include "match/server/server.h"
+#include "match/server/match_server.h"
 #include "simulator/server/lockstep_server.h"
 #include "simulator/world/event.h"
 #include "simulator/world/world.h"

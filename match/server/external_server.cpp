@@ -52,7 +52,7 @@ MatchEnd ExternalServer::refused(std::string message) const {
 
 bool ExternalServer::has_open_port() const {
   const std::vector<int> ports = process::ports_of(process::Protocol::kUdp, child_->status().pid);
-  return std::find(ports.begin(), ports.end(), plan_.ports.player) != ports.end();
+  return std::ranges::find(ports, plan_.ports.player) != ports.end();
 }
 
 std::optional<MatchEnd> ExternalServer::start(const std::function<bool()>& keep_waiting) {
@@ -62,10 +62,12 @@ std::optional<MatchEnd> ExternalServer::start(const std::function<bool()>& keep_
     proxy::wait_for_server(**clients, keep_waiting);
     return std::nullopt;
   }
+
   auto child =
       host_->start(*plan_.server, [this](std::string_view line) { output_.read_line(line); });
   if (!child) return refused(child.error().message);
   child_ = std::move(*child);
+
   while (!has_open_port()) {
     const auto next = Clock::now() + kPortCheckInterval;
     while (Clock::now() < next) {
@@ -80,6 +82,7 @@ std::string ExternalServer::waiting_for() const {
   if (!plan_.server) {
     return fmt::format("no soccer server answers at {}:{}", plan_.server_host, plan_.ports.player);
   }
+
   const std::vector<int> ports =
       child_ == nullptr ? std::vector<int>()
                         : process::ports_of(process::Protocol::kUdp, child_->status().pid);
@@ -118,11 +121,13 @@ void ExternalServer::look_for_intruder() {
   constexpr int kClientsOfTeam = soccer::kPlayersPerTeam + 1;
   const int server = server_process();
   if (binds_clients() || intruder_ || server == 0) return;
+
   soccer::PerSide<int> connections;
   for (const process::SocketOwner& owner : owners_.peers_of(server)) {
     const soccer::Side side = side_of(owner);
     if (side != soccer::Side::kNeutral) ++connections[side];
   }
+
   for (const soccer::Side side : soccer::kBothSides) {
     const bool external = endpoint_of(options_, side).kind == Endpoint::Kind::kTeam;
     const int own = external ? kClientsOfTeam : 0;
@@ -156,7 +161,8 @@ SourceProgress ExternalServer::progress() const { return log_.progress(); }
 
 // Agents see every cycle. Logs leave out the cycles before a kick-off, while the clock is stopped.
 milliseconds ExternalServer::quiet_time() const {
-  if (options_.left.has_playmaker() || options_.right.has_playmaker()) return kLogPollInterval;
+  if (has_agents(options_)) return kLogPollInterval;
+
   const soccer::ServerParams& server = options_.server;
   milliseconds cycle(server.simulator_step * server.slow_down_factor);
   // Before the match programs load and warm up, and the server may wait for them in each cycle.
@@ -175,6 +181,7 @@ std::optional<MatchEnd> ExternalServer::failure(bool playing) {
   if (child_ == nullptr || !process::has_ended(child_->status())) return std::nullopt;
   log_.poll();
   if (finished()) return std::nullopt;
+
   const std::string exit = to_text(child_->status().exit.value_or(process::ProcessExit{}));
   const ServerStatus status = output_.status();
   const int cycle = log_.progress().match.cycle;
@@ -199,6 +206,7 @@ std::optional<MatchEnd> ExternalServer::failure(bool playing) {
 
 void ExternalServer::finish(FinalState state, const std::atomic<int>& signal) {
   if (child_ == nullptr) return;
+
   const auto until = Clock::now() + kExitTimeout;
   while (state == FinalState::kOver && !child_->wait_exit(kLogPollInterval) &&
          Clock::now() < until) {
@@ -240,12 +248,12 @@ void ExternalServer::report_write_error(MatchResult& result) const {
   result.write_error = "the soccer server could not write its logs: " + why;
 }
 
-// Whether the log ends before the match: the disk was full, or the file too large. The players are
+// True if the log ends before the match: the disk was full, or the file too large. The players are
 // a cycle ahead of the log when a match ends at its cycle limit.
 bool ExternalServer::is_cut(int cycles, bool over, const std::vector<AgentProgress>& agents) const {
   const bool at_limit = options_.cycles && cycles >= *options_.cycles;
   if (agents.empty()) return output_.status().game_over && !over && !at_limit;
-  return std::any_of(agents.begin(), agents.end(), [cycles](const AgentProgress& seen) {
+  return std::ranges::any_of(agents, [cycles](const AgentProgress& seen) {
     return seen.progress.match.cycle > cycles + 1;
   });
 }
@@ -259,6 +267,7 @@ void ExternalServer::report_cut_log(MatchResult& result, int cycles, bool has_ag
           ? fmt::format("{} ends at cycle {} of {}", kGameLogFile, cycles, result.cycles)
           : fmt::format("{} ends at cycle {}, before the end of the match", kGameLogFile, cycles);
   if (!result.write_error.empty()) line += fmt::format(" ({})", result.write_error);
+
   if (!has_agents || shoot_out) {
     result.end_reason = EndReason::kServerFailed;
     result.message = "the result is unknown: " + line;
@@ -273,6 +282,7 @@ void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgre
   if (record->frames() == 0) {
     return report_missing_log(result, !agents.empty(), "the game log contains no cycle");
   }
+
   const analysis::MatchSummary summary = analysis::summarize(*record, nullptr);
   for (const analysis::GoalSummary& goal : summary.goals) {
     result.goals.push_back({goal.cycle, goal.side, goal.own_goal ? 0 : goal.unum});
@@ -281,24 +291,34 @@ void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgre
   std::error_code code;
   if (std::filesystem::exists(folder_ / kTextLogFile, code)) result.rcl = kTextLogFile;
   report_write_error(result);
+
   const bool over = !record->mode.empty() && record->mode.back() == soccer::PlayMode::kTimeOver;
   if (result.valid() && is_cut(last_cycle(*record, summary.cycles), over, agents)) {
     return report_cut_log(result, summary.cycles, !agents.empty());
   }
-  for (std::size_t i = 0; i < 2; ++i) {
-    TeamResult& team = i == 0 ? result.left : result.right;
-    if (!summary.teams[i].name.empty()) team.name = base::printable(summary.teams[i].name);
-    team.score = summary.teams[i].score;
+
+  for (const soccer::Side side : soccer::kBothSides) {
+    TeamResult& team = result.team(side);
+    const auto& logged = summary.teams[soccer::side_index(side)];
+    if (!logged.name.empty()) team.name = base::printable(logged.name);
+    team.score = logged.score;
     team.penalty_score.reset();
-    if (summary.penalties) team.penalty_score = summary.teams[i].penalty_score;
+    if (summary.penalties) team.penalty_score = logged.penalty_score;
   }
   result.cycles = last_cycle(*record, summary.cycles);
   result.steps = summary.frames;
+  warn_of_other_scores(result, agents);
+}
+
+// Players that counted other goals than the log has.
+void ExternalServer::warn_of_other_scores(MatchResult& result,
+                                          const std::vector<AgentProgress>& agents) {
   for (const AgentProgress& seen : agents) {
     const MatchProgress& heard = seen.progress.match;
     const bool same =
         heard.left_score == result.left.score && heard.right_score == result.right.score;
     if (same || seen.progress.steps == 0 || !result.valid()) continue;
+
     result.warnings.push_back(fmt::format(
         "the log says {} : {}, but the players of {} counted {} : {}", result.left.score,
         result.right.score, seen.team, heard.left_score, heard.right_score));
@@ -314,9 +334,11 @@ void ExternalServer::add_result(MatchResult& result,
   result.server_seed = status.seed;
   result.server_missed_cycles = status.missed_cycles;
   if (child_ != nullptr) result.server_cpu_seconds = child_->cpu_seconds();
+
   for (const AgentProgress& seen : agents) {
     const MatchProgress& heard = seen.progress.match;
     if (heard.cycle < result.cycles) continue;
+
     result.cycles = heard.cycle;
     result.steps = seen.progress.steps;
     result.left.score = heard.left_score;

@@ -11,7 +11,7 @@
 
 #include "match/server/game_log_follower.h"
 #include "match/server/match_plan.h"
-#include "match/server/server.h"
+#include "match/server/match_server.h"
 #include "process/process_host.h"
 #include "process/socket_owner.h"
 
@@ -27,10 +27,10 @@ class ExternalServer : public Server {
 
   /// Waits for a poll interval and reads what is new.
   void poll();
-  /// How long a healthy match may show no progress.
+  /// The time for which a healthy match may show no progress.
   std::chrono::milliseconds quiet_time() const;
 
-  /// How the match leaves the server.
+  /// The state in which the match leaves the server.
   enum class FinalState {
     kOver,     ///< the match is over: the server exits
     kHeld,     ///< the clients hold it at the cycle limit
@@ -60,6 +60,7 @@ class ExternalServer : public Server {
   void look_for_intruder();
   MatchEnd refused(std::string message) const;
   void read_log(MatchResult& result, const std::vector<AgentProgress>& agents) const;
+  static void warn_of_other_scores(MatchResult& result, const std::vector<AgentProgress>& agents);
   void report_missing_log(MatchResult& result, bool has_agents, const std::string& why) const;
   void report_write_error(MatchResult& result) const;
   bool is_cut(int cycles, bool over, const std::vector<AgentProgress>& agents) const;

@@ -20,6 +20,7 @@ constexpr std::size_t kMaxLineHead = 128;
 void GameLogFollower::poll() {
   if (!fd_) fd_ = base::UniqueFd(::open(file_.c_str(), O_RDONLY | O_CLOEXEC));
   if (!fd_) return;
+
   std::array<char, kBlockBytes> block;
   while (true) {
     const ssize_t size = ::read(fd_.get(), block.data(), block.size());
@@ -32,9 +33,11 @@ void GameLogFollower::read_bytes(const char* bytes, std::size_t size) {
   while (size > 0) {
     const auto* end = static_cast<const char*>(std::memchr(bytes, '\n', size));
     const std::size_t length = end == nullptr ? size : static_cast<std::size_t>(end - bytes);
-    if (line_.size() < kMaxLineHead)
+    if (line_.size() < kMaxLineHead) {
       line_.append(bytes, std::min(length, kMaxLineHead - line_.size()));
+    }
     if (end == nullptr) return;
+
     read_line();
     line_.clear();
     bytes += length + 1;
@@ -49,6 +52,7 @@ void GameLogFollower::read_line() {
   std::array<char, 32> right{};
   int left_score = 0;
   int right_score = 0;
+
   if (std::sscanf(line_.c_str(), "(show %d ", &time) == 1) {
     ++progress_.steps;
     progress_.match.cycle = time;

@@ -28,7 +28,7 @@ Result<void> convert_game_log(const fs::path& file, gamelog::RcgVersion version)
   TRY_INIT(const auto record, gamelog::read_rcg_file(file.string()));
   TRY_INIT(auto sink, base::FileSink::create(file.string()));
   gamelog::write_rcg(record, version, *sink);
-  return (sink)->close();
+  return sink->close();
 }
 
 // Compresses the log `name` of the folder, and corrects its name.
@@ -74,11 +74,13 @@ Result<MatchLogs> MatchLogs::create(const fs::path& folder, const soccer::Server
   const auto open = [&](bool wanted, const char* file, int compression, std::string& name,
                         std::unique_ptr<base::ByteSink>& sink) -> Result<void> {
     if (!wanted) return {};
+
     name = std::string(file).append(base::compressed_suffix(level(compression)));
     TRY_INIT(auto created, base::create_log_file((folder / name).string(), level(compression)));
     sink = std::move(created);
     return {};
   };
+
   TRY(open(params.game_logging, kGameLogFile, params.game_log_compression, logs.game_name_,
            logs.game_));
   if (logs.game_ != nullptr) logs.game_ = std::make_unique<FlushedSink>(std::move(logs.game_));
@@ -106,9 +108,10 @@ Result<void> convert_server_logs(const fs::path& folder, const soccer::ServerPar
     fs::remove(folder / result.rcg, code);
     result.rcg.clear();
   }
+
   const auto version = gamelog::rcg_version(params.game_log_version);
   if (!result.rcg.empty() && version && *version != gamelog::RcgVersion::kV6) {
-    if (auto done = convert_game_log(folder / result.rcg, *version); !done) return done;
+    TRY(convert_game_log(folder / result.rcg, *version));
   }
   auto game = compress_log(folder, params.game_log_compression, result.rcg);
   auto text = compress_log(folder, params.text_log_compression, result.rcl);

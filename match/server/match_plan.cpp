@@ -29,24 +29,21 @@ Result<std::vector<std::string>> server_program(const MatchOptions& options, con
     return Error{fmt::format("soccer server {}{}", program.error().message,
                              is_known ? "; `cls doctor` says how to install it" : "")};
   }
+
   TRY_INIT(const fs::path self, base::own_program());
   std::vector<std::string> argv = {self.string(),        "server", "--seed",
                                    std::to_string(seed), "--dir",  folder.string()};
-  if (options.cycles) {
-    argv.push_back("--cycles");
-    argv.push_back(std::to_string(*options.cycles));
-  }
-  const auto is_team = [&options](Side side) {
-    return endpoint_of(options, side).kind == Endpoint::Kind::kTeam;
-  };
-  const auto name_of = [&](Side side, const std::string& name) {
-    return is_team(side) && !endpoint_of(options, side).parts.empty() ? name : std::string();
-  };
+  if (options.cycles) argv.insert(argv.end(), {"--cycles", std::to_string(*options.cycles)});
+
   if (options.bind_clients) {
-    argv.push_back(bound_sides_argument(
-        {{is_team(Side::kLeft), is_team(Side::kRight)},
-         options.trainer.has_value(),
-         {name_of(Side::kLeft, names.left), name_of(Side::kRight, names.right)}}));
+    BoundSides bound;
+    bound.trainer = options.trainer.has_value();
+    for (const Side side : soccer::kBothSides) {
+      const Endpoint& endpoint = endpoint_of(options, side);
+      bound.external[side] = endpoint.kind == Endpoint::Kind::kTeam;
+      if (bound.external[side] && !endpoint.parts.empty()) bound.names[side] = names[side];
+    }
+    argv.push_back(bound_sides_argument(bound));
   }
   if (options.step) argv.push_back(fmt::format("sync::max_wait_ms={}", kInteractiveWaitMs));
   return argv;
@@ -101,26 +98,19 @@ ServerSetup server_setup(const MatchOptions& options, const MatchPlan& plan,
 
 }  // namespace
 
-const Endpoint& endpoint_of(const MatchOptions& options, Side side) {
-  if (side == Side::kNeutral) return *options.trainer;
-  return side == Side::kLeft ? options.left : options.right;
-}
-
 TeamValues team_values(const MatchOptions& options, const TeamNames& names, Side side,
                        const std::string& host, const ServerPorts& ports, const fs::path& folder) {
-  const bool left = side == Side::kLeft;
   TeamValues values;
   values.host = host;
   values.ports = ports;
   values.side = side;
-  values.team_name = left ? names.left : names.right;
+  values.team_name = names[side];
   values.coach = options.coach;
   values.folder = folder;
-  values.cpus = left ? options.left_cpus : options.right_cpus;
+  values.cpus = options.cpus[side];
   values.limits = options.limits;
   values.sandbox = options.sandbox;
-  const Endpoint& other = left ? options.right : options.left;
-  values.hidden = team_folders(other);
+  values.hidden = team_folders(endpoint_of(options, soccer::opponent(side)));
   return values;
 }
 
@@ -134,6 +124,7 @@ Result<MatchPlan> plan_match(const MatchOptions& options, const TeamNames& names
     TRY(plan_teams(plan, options, names, folder));
     return plan;
   }
+
   TRY_INIT(auto program, server_program(options, names, seed, folder));
   TRY(plan_teams(plan, options, names, folder));
   const int monitor_port = options.monitor_port.value_or(0);
@@ -147,12 +138,14 @@ Result<MatchPlan> plan_match(const MatchOptions& options, const TeamNames& names
                     "server at {}",
                     monitor_port, plan.ports.player)};
   }
+
   plan.server = server_plan(server_setup(options, plan, std::move(program), folder));
   return plan;
 }
 
 std::string port_in_use(const MatchPlan& plan) {
   if (!plan.server || !plan.reserved.empty()) return {};
+
   const std::string taken = process::taken_port(
       process::Protocol::kUdp, {plan.ports.player, plan.ports.trainer, plan.ports.coach});
   const bool stock = needs_stock_ports(plan);

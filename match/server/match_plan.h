@@ -1,4 +1,4 @@
-// What a match over UDP will start: programs, ports and folders, before anything is started.
+// The plan of a match over UDP: programs, ports and folders, before anything is started.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "match/programs/server_command.h"
+#include "match/programs/server_plan.h"
 #include "match/programs/team_folder.h"
 #include "match/terms/match_options.h"
 #include "process/ports.h"
@@ -15,7 +15,7 @@
 
 namespace cls::match {
 
-/// What a match starts, and where; `--dry-run` prints it.
+/// The programs and ports of a match; `--dry-run` prints them.
 struct MatchPlan {
   std::string server_host = "127.0.0.1";
   ServerPorts ports;
@@ -24,16 +24,13 @@ struct MatchPlan {
   std::vector<process::ReservedPort> reserved;     ///< held for the server
 };
 
-/// Who plays on a side; the trainer, which there must be, for the neutral one.
-const Endpoint& endpoint_of(const MatchOptions& options, soccer::Side side);
-
 /// Finds programs and folders and chooses ports: player, trainer and coach port in a row. With a
 /// team whose start script takes no ports the server gets 6000, 6001 and 6002, with other external
 /// teams too if they are free. The error says what is missing.
 base::Result<MatchPlan> plan_match(const MatchOptions& options, const TeamNames& names,
                                    std::uint64_t seed, const std::filesystem::path& folder);
 
-/// What the agents of an external team are started with.
+/// The arguments of the start script of an external team.
 TeamValues team_values(const MatchOptions& options, const TeamNames& names, soccer::Side side,
                        const std::string& host, const ServerPorts& ports,
                        const std::filesystem::path& folder);

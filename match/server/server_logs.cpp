@@ -49,10 +49,12 @@ Result<ServerLogs::Log> ServerLogs::open(const Wish& wish, const std::string& da
   if (error) {
     return Error{fmt::format("cannot create the folder {}: {}", wish.folder, error.message())};
   }
+
   const int level = std::clamp(wish.compression, 0, 9);
   log.ending = ("." + wish.kind).append(base::compressed_suffix(level));
   log.fixed = wish.fixed;
   if (wish.dated) log.date = date;
+
   const std::string name = wish.fixed ? wish.fixed_name : "incomplete";
   log.path = std::filesystem::path(wish.folder) / (name + log.ending);
   TRY_INIT(auto file, base::create_log_file(log.path.string(), level));
@@ -65,6 +67,7 @@ Result<ServerLogs> ServerLogs::open(const soccer::ServerParams& p, std::time_t s
   ServerLogs logs;
   logs.version_ = gamelog::rcg_version(p.game_log_version).value_or(gamelog::RcgVersion::kV6);
   if (p.game_log_dated && !p.game_log_fixed) logs.date_ = log_date(start);
+
   const std::pair<Log*, Wish> wishes[] = {
       {&logs.game_,
        {p.game_logging, p.game_log_dir, p.game_log_fixed, p.game_log_fixed_name, p.game_log_dated,
@@ -88,8 +91,9 @@ simulator::LogSinks ServerLogs::sinks() const {
 
 Result<void> ServerLogs::finish(Log& log, const std::string& match) {
   if (log.sink == nullptr) return {};
-  if (auto closed = log.sink->close(); !closed) return closed;
+  TRY(log.sink->close());
   if (log.fixed) return {};
+
   const std::filesystem::path last = log.path.parent_path() / (log.date + match + log.ending);
   std::error_code error;
   std::filesystem::rename(log.path, last, error);
@@ -103,7 +107,8 @@ Result<void> ServerLogs::finish(Log& log, const std::string& match) {
 Result<void> ServerLogs::finish(const gamelog::TeamFrames& teams) {
   // Team names may contain a slash.
   std::string match = gamelog::match_name(teams);
-  std::replace(match.begin(), match.end(), '/', '_');
+  std::ranges::replace(match, '/', '_');
+
   Result<void> result;
   for (Log* log : {&game_, &text_, &keepaway_}) {
     auto finished = finish(*log, match);

@@ -2,8 +2,8 @@
 #include "match/server/server_output.h"
 
 #include <algorithm>
-#include <charconv>
 
+#include "base/text/value_text.h"
 #include "match/server/client_binding.h"
 
 namespace cls::match {
@@ -13,12 +13,11 @@ bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
+// The number of the word at the start.
 template <typename Number>
 std::optional<Number> number_at_start(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{}) return std::nullopt;
-  return value;
+  constexpr std::string_view kNumber = "+-.0123456789e";
+  return base::value_of<Number>(text.substr(0, text.find_first_not_of(kNumber)));
 }
 
 // The text in the last parentheses: "TEAM 7" or "TEAM".
@@ -32,17 +31,14 @@ std::string_view in_parentheses(std::string_view line) {
 }  // namespace
 
 const ReportedConnections* ServerStatus::team(std::string_view name) const {
-  const auto found =
-      std::find_if(teams.begin(), teams.end(), [&](const auto& team) { return team.name == name; });
+  const auto found = std::ranges::find(teams, name, &ReportedConnections::name);
   return found == teams.end() ? nullptr : &*found;
 }
 
 ReportedConnections& ServerOutput::team(std::string_view name) {
-  for (ReportedConnections& known : status_.teams) {
-    if (known.name == name) return known;
-  }
-  status_.teams.push_back({std::string(name), {}, false, {}});
-  return status_.teams.back();
+  const auto known = std::ranges::find(status_.teams, name, &ReportedConnections::name);
+  if (known != status_.teams.end()) return *known;
+  return status_.teams.emplace_back(ReportedConnections{.name = std::string(name)});
 }
 
 bool ServerOutput::read_connection(std::string_view line) {
@@ -52,10 +48,12 @@ bool ServerOutput::read_connection(std::string_view line) {
     team(who).coach = true;
     return true;
   }
+
   const std::size_t space = who.rfind(' ');
   if (space == std::string_view::npos || !contains(line, " player ")) return false;
   const auto unum = number_at_start<int>(who.substr(space + 1));
   if (!unum) return false;
+
   ReportedConnections& known = team(who.substr(0, space));
   if (contains(line, "disconnected")) {
     known.disconnected.push_back(*unum);
@@ -84,6 +82,7 @@ void ServerOutput::read_line(std::string_view line) {
   const std::lock_guard lock(mutex_);
   if (contains(line, "connected")) ++status_.connections;
   if (!line.starts_with(kIntrusionLine) && (read_start(line) || read_connection(line))) return;
+
   if (line.starts_with(kIntrusionLine)) {
     status_.intrusions.emplace_back(line.substr(kIntrusionLine.size()));
   } else if (line.starts_with(kAwaitedLine)) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -17,15 +16,15 @@ namespace cls::match {
 /// A team as the server reports it.
 struct ReportedConnections {
   std::string name;
-  std::set<int> players;  ///< uniform numbers that connected
+  std::set<int> players{};  ///< uniform numbers that connected
   bool coach = false;
-  std::vector<int> disconnected;  ///< uniform numbers, in the order of time
+  std::vector<int> disconnected{};  ///< uniform numbers, in the order of time
 };
 
 /// Begins a line of `cls server` in a match: the seconds that it has waited for left and right.
 inline constexpr std::string_view kAwaitedLine = "Waited for sides (s): ";
 
-/// What a soccer server has reported so far.
+/// The reports of a soccer server so far.
 struct ServerStatus {
   std::string version;                     ///< "19.0.0"
   std::optional<std::uint64_t> seed;       ///< drawn by the server

@@ -5,8 +5,13 @@
 
 #include <array>
 
+#include "soccer/per_side.h"
+
 namespace cls::match {
 namespace {
+
+constexpr soccer::PerSide<const char*> kSides = {"Left", "Right"};
+constexpr soccer::PerSide<const char*> kCsvSides = {"LEFT", "RIGHT"};
 
 std::string date_of(std::time_t time) {
   std::tm local{};
@@ -36,6 +41,7 @@ std::string console_report(const ServerReport& report, bool csv_saved) {
       "Game Results:\n\t{}\n\t{} vs {}\n",
       csv_saved ? "saved" : "disabled", date_of(report.start),
       quoted(report.left.name, '\'', "null"), quoted(report.right.name, '\'', "null"));
+
   if (!report.left.coach.empty()) text += fmt::format("\tLeft Coach: '{}'\n", report.left.coach);
   if (!report.right.coach.empty()) text += fmt::format("\tRight Coach: '{}'\n", report.right.coach);
   text += fmt::format("\tScore: {} - {}\n ", report.left.score, report.right.score);
@@ -45,8 +51,7 @@ std::string console_report(const ServerReport& report, bool csv_saved) {
                         report.right.penalties_taken);
   }
   if (report.coin_toss_winner != soccer::Side::kNeutral) {
-    text += fmt::format("\tCoin Toss Winner: {} Team\n",
-                        report.coin_toss_winner == soccer::Side::kLeft ? "Left" : "Right");
+    text += fmt::format("\tCoin Toss Winner: {} Team\n", kSides[report.coin_toss_winner]);
   }
   return text + "\n\tSTDOutSaver: ...saved\n\nSaving Results Complete\n";
 }
@@ -60,9 +65,8 @@ std::string csv_line(const ServerReport& report) {
   const bool penalties = had_penalties(report);
   const auto text = [](const std::string& name) { return quoted(name, '"', "NULL"); };
   const auto number = [penalties](int value) { return number_or_null(penalties, value); };
-  const char* winner = report.coin_toss_winner == soccer::Side::kNeutral ? "NULL"
-                       : report.coin_toss_winner == soccer::Side::kLeft  ? "LEFT"
-                                                                         : "RIGHT";
+  const bool tossed = report.coin_toss_winner != soccer::Side::kNeutral;
+  const char* winner = tossed ? kCsvSides[report.coin_toss_winner] : "NULL";
   return fmt::format("{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}\n", date_of(report.start),
                      text(report.left.name), text(report.right.name), text(report.left.coach),
                      text(report.right.coach), report.left.score, report.right.score,

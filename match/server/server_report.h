@@ -24,8 +24,8 @@ struct ServerReport {
   soccer::Side coin_toss_winner = soccer::Side::kNeutral;
 };
 
-/// What rcssserver prints at its end (docs/spec/server-protocol.md 7.4); `csv_saved`: the CSV file
-/// was written.
+/// The text that rcssserver prints at its end (docs/spec/server-protocol.md 7.4); `csv_saved`: the
+/// CSV file was written.
 std::string console_report(const ServerReport& report, bool csv_saved);
 
 /// A line of the CSV file, and its header.

@@ -23,15 +23,10 @@ void print(std::string_view line) {
   std::fflush(stdout);
 }
 
-/// A start command as one line for the shell.
-std::string command_line(std::string command) {
-  std::replace(command.begin(), command.end(), '\n', ' ');
-  return command;
-}
-
-process::CommandPlan plan_of(const char* name, const std::string& command,
-                             const ServerPorts& ports) {
-  process::CommandPlan plan = process::shell_command(name, command_line(command));
+// A start command, as one line for the shell.
+process::CommandPlan plan_of(const char* name, std::string command, const ServerPorts& ports) {
+  std::ranges::replace(command, '\n', ' ');
+  process::CommandPlan plan = process::shell_command(name, command);
   plan.environment = {{"CLS_SERVER_PORT", std::to_string(ports.player)},
                       {"CLS_SERVER_COACH_PORT", std::to_string(ports.trainer)},
                       {"CLS_SERVER_OLCOACH_PORT", std::to_string(ports.coach)}};
@@ -52,14 +47,15 @@ base::Result<ServerTeams> ServerTeams::create(const soccer::ServerParams& params
                                               const ServerPorts& ports) {
   ServerTeams made;
   if (params.team_l_start.empty() && params.team_r_start.empty()) return made;
+
   TRY_INIT(auto host, process::ProcessHost::create());
   made.host_.emplace(std::move(host));
   const auto prepare = [&ports](Team& team, const char* name, const std::string& command) {
     team.tried = command.empty();
     if (!command.empty()) team.plan = plan_of(name, command, ports);
   };
-  prepare(made.teams_[0], "team_l_start", params.team_l_start);
-  prepare(made.teams_[1], "team_r_start", params.team_r_start);
+  prepare(made.teams_.left, "team_l_start", params.team_l_start);
+  prepare(made.teams_.right, "team_r_start", params.team_r_start);
   return made;
 }
 
@@ -67,8 +63,8 @@ void ServerTeams::poll(bool play_is_on, bool left_has_connected) {
   if (!host_) return;
   if (host_->changes() != seen_changes_) report_failures();
   if (play_is_on) return;
-  start(teams_[0]);
-  if (left_has_connected) start(teams_[1]);
+  start(teams_.left);
+  if (left_has_connected) start(teams_.right);
 }
 
 void ServerTeams::start(Team& team) {
@@ -84,24 +80,27 @@ void ServerTeams::start(Team& team) {
 
 void ServerTeams::report_failures() {
   seen_changes_ = host_->changes();
-  for (Team& team : teams_) {
-    if (team.child == nullptr || team.reported) continue;
-    const process::Child::Status status = team.child->status();
-    if (!status.exit || (!status.exit->by_signal && status.exit->number == 0)) continue;
-    team.reported = true;
-    fmt::print(stderr, "cls: {}: '{}' failed: {}\n", team.plan.name, team.plan.argv.back(),
-               to_text(*status.exit));
-  }
+  for (Team* team : {&teams_.left, &teams_.right}) report_failure(*team);
+}
+
+void ServerTeams::report_failure(Team& team) {
+  if (team.child == nullptr || team.reported) return;
+
+  const process::Child::Status status = team.child->status();
+  if (!status.exit || (!status.exit->by_signal && status.exit->number == 0)) return;
+  team.reported = true;
+  fmt::print(stderr, "cls: {}: '{}' failed: {}\n", team.plan.name, team.plan.argv.back(),
+             to_text(*status.exit));
 }
 
 void ServerTeams::terminate() {
   if (!host_) return;
   report_failures();
-  for (const Team& team : teams_) {
-    if (team.child != nullptr) interrupt(*team.child);
+  for (const Team* team : {&teams_.left, &teams_.right}) {
+    if (team->child != nullptr) interrupt(*team->child);
   }
-  for (const Team& team : teams_) {
-    if (team.child != nullptr) team.child->wait_exit(kInterruptGrace);
+  for (const Team* team : {&teams_.left, &teams_.right}) {
+    if (team->child != nullptr) team->child->wait_exit(kInterruptGrace);
   }
   if (!host_->end_all(kEndGrace)) fmt::print(stderr, "cls: a team does not exit\n");
 }

@@ -1,15 +1,15 @@
 // Teams that `cls server` starts: server::team_l_start and team_r_start.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 
 #include "base/result.h"
-#include "match/programs/server_command.h"
+#include "match/programs/server_plan.h"
 #include "process/process_host.h"
 #include "soccer/parameters/server_params.h"
+#include "soccer/per_side.h"
 
 namespace cls::match {
 
@@ -40,9 +40,10 @@ class ServerTeams {
 
   void start(Team& team);
   void report_failures();
+  static void report_failure(Team& team);
 
   std::optional<process::ProcessHost> host_;  ///< if there is something to start
-  std::array<Team, 2> teams_;
+  soccer::PerSide<Team> teams_;
   std::uint64_t seen_changes_ = 0;
 };
 

@@ -7,8 +7,10 @@
 #include <chrono>
 #include <utility>
 
-#include "match/result/limit_hint.h"
+#include "base/index.h"
+#include "match/result/match_end.h"
 #include "match/sides/policy_rows.h"
+#include "proxy/playmaker/batch_playmaker.h"
 #include "proxy/playmaker/direct_playmaker.h"
 #include "proxy/playmaker/grpc_playmaker.h"
 #include "proxy/playmaker/mixed_playmaker.h"
@@ -25,7 +27,7 @@ proxy::RpcTimeout to_timeout(double seconds) {
 std::map<std::string, std::int64_t> missed_by(const proxy::AgentStatistics& statistics) {
   std::map<std::string, std::int64_t> by_outcome;
   for (int i = 1; i < proxy::kRpcOutcomes; ++i) {
-    const std::int64_t n = statistics.outcomes[static_cast<std::size_t>(i)];
+    const std::int64_t n = statistics.outcomes[base::index(i)];
     const auto outcome = static_cast<proxy::RpcOutcome>(i);
     if (n != 0 && outcome != proxy::RpcOutcome::kCancelled) by_outcome.emplace(name(outcome), n);
   }
@@ -64,9 +66,8 @@ Result<PlaymakerConnection> connect_parts(const Endpoint& endpoint, const SideSe
   for (const Endpoint& part : endpoint.parts) {
     auto connected = connect_playmaker(part, setup);
     if (!connected) return connected;
-    for (const int agent : part.agents) {
-      part_of.at(static_cast<std::size_t>(agent)) = playmakers.size();
-    }
+
+    for (const int agent : part.agents) part_of.at(base::index(agent)) = playmakers.size();
     playmakers.push_back(std::move(connected->playmaker));
     connection.parts.push_back(*std::move(connected));
   }
@@ -93,15 +94,19 @@ proxy::TeamOptions team_options(const SideSetup& setup, const Endpoint& endpoint
                                 const MatchOptions& options) {
   proxy::TeamOptions team;
   team.name = soccer::TeamName(setup.name);
-  if (setup.side == soccer::Side::kNeutral) team.players = 0;
-  team.formations =
-      setup.side == soccer::Side::kRight ? options.right_formations : options.left_formations;
+  if (setup.side == soccer::Side::kNeutral) {
+    team.players = 0;
+  } else {
+    team.formations = options.formations[setup.side];
+  }
+
   team.planner = endpoint.planner;
   team.protocol = options.protocol;
   team.on_late = options.on_late;
   team.decision_timeout = reply_timeout(options).value_or(proxy::kNoTimeout);
   team.start_timeout = to_timeout(options.start_timeout_s) + kMatchLimitMargin;
   team.reconnect_within = to_timeout(options.reconnect_within_s);
+
   team.codec = make_policy_rows();
   team.rated = options.rated;
   team.shared_playmaker = !endpoint.port_step && endpoint.kind != Endpoint::Kind::kMixed;
@@ -118,6 +123,7 @@ PlayerResult result_of(int number, const proxy::AgentStatistics& statistics) {
   result.lost_commands = statistics.lost_commands;
   result.late_wakeups = statistics.late_wakeups;
   result.rpc_us = latency_of(statistics.rpc_us);
+
   result.commands = statistics.commands_by_name();
   result.unimplemented_actions = statistics.unimplemented_by_name();
   result.actions = proxy::outcomes_by_name(statistics.actions);
@@ -132,6 +138,7 @@ PlayerResult result_of(int number, const proxy::AgentStatistics& statistics) {
 
 Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const SideSetup& setup) {
   if (endpoint.kind == Endpoint::Kind::kMixed) return connect_parts(endpoint, setup);
+
   PlaymakerConnection connection;
   connection.endpoint = endpoint;
   if (endpoint.kind == Endpoint::Kind::kMock) {
@@ -142,13 +149,12 @@ Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const Si
                                      {0, setup.side, setup.name, setup.seed, endpoint.label},
                                      setup.folder, setup.cpus, setup.limits));
     connection.process = std::move(started);
-    proxy::GrpcTarget target;
-    target.host = process::loopback_host();
-    target.port = connection.process->port();
-    connection.playmaker = proxy::make_grpc_playmaker(target, setup.team_reply);
+    connection.playmaker =
+        proxy::make_grpc_playmaker(connection.process->target(), setup.team_reply);
   } else {
     connection.playmaker = proxy::make_grpc_playmaker(target_of(endpoint), setup.team_reply);
   }
+
   if (!endpoint.port_step && !connection.direct) {
     connection.playmaker =
         proxy::make_batch_playmaker(std::move(connection.playmaker), setup.batch);
@@ -156,12 +162,13 @@ Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const Si
   return connection;
 }
 
-AgentSide::AgentSide(SideIdentity identity, PlaymakerConnection connection, proxy::TeamOptions team,
-                     const MatchOptions& options, const std::vector<int>& cpus)
-    : MatchSide(std::move(identity)), connection_(std::move(connection)), options_(options) {
-  worker_.set_affinity(cpus);
+AgentSide::AgentSide(AgentParts parts)
+    : MatchSide(std::move(parts.identity)),
+      connection_(std::move(parts.connection)),
+      options_(parts.options) {
+  worker_.set_affinity(parts.cpus);
   watched_ = proxy::watch_calls(*connection_.playmaker, watch_);
-  team_ = std::make_unique<proxy::Team>(std::move(team), *watched_);
+  team_ = std::make_unique<proxy::Team>(std::move(parts.team), *watched_);
 }
 
 bool AgentSide::listen(SideListener& listener) {
@@ -223,7 +230,7 @@ const PlaymakerConnection* AgentSide::awaited_connection() const {
   const auto call = awaited_reply();
   for (const PlaymakerConnection& part : connection_.parts) {
     const std::vector<int>& agents = part.endpoint.agents;
-    if (call && std::find(agents.begin(), agents.end(), call->agent) != agents.end()) return &part;
+    if (call && std::ranges::find(agents, call->agent) != agents.end()) return &part;
   }
   return nullptr;
 }
@@ -242,10 +249,10 @@ const process::Child* AgentSide::awaited_process() const {
 
 std::optional<MatchEnd> AgentSide::failure(const MatchMoment& moment) {
   auto end = agent_failure(moment);
-  const auto programs = playmaker_processes();
-  for (const PlaymakerProcess* started : programs) {
+  for (const PlaymakerProcess* started : playmaker_processes()) {
     if (end) started->child().wait_exit(kProgramExitDelay);
     if (!started->ended()) continue;
+
     MatchEnd crash;
     crash.failure = failure_of(started->child());
     crash.reason = moment.playing ? EndReason::kCrashed : EndReason::kRefused;
@@ -255,7 +262,8 @@ std::optional<MatchEnd> AgentSide::failure(const MatchMoment& moment) {
         crash.failure->exit, limit_hint(started->child()));
     return crash;
   }
-  // Which program of a mixed side is at fault is not known.
+
+  // Any program of a mixed side may be at fault.
   if (end && connection_.process != nullptr) {
     end->failure = failure_of(connection_.process->child());
   } else if (end) {
@@ -304,15 +312,17 @@ void AgentSide::add_parts(TeamResult& result) const {
     part.agents = connection.endpoint.label;
     part.endpoint = connection.endpoint.text;
     part.cpu_seconds = cpu_seconds(connection);
+
     proxy::LatencySamples samples;
     const auto add = [&](int number, const proxy::AgentStatistics& statistics) {
       const std::vector<int>& agents = connection.endpoint.agents;
-      if (std::find(agents.begin(), agents.end(), number) == agents.end()) return;
+      if (std::ranges::find(agents, number) == agents.end()) return;
       part.decisions += statistics.decisions;
       part.late += statistics.late;
       part.missed += statistics.missed;
       samples.add(statistics.rpc_us);
     };
+
     for (const auto& agent : team_->players()) add(agent->unum(), agent->statistics());
     if (team_->coach() != nullptr) add(team_->coach()->number(), team_->coach()->statistics());
     part.rpc_us = latency_of(samples);
@@ -328,6 +338,7 @@ TeamResult AgentSide::result() const {
   for (const PlaymakerConnection* connection : connections()) {
     result.cpu_seconds += cpu_seconds(*connection);
   }
+
   for (const auto& agent : team_->players()) {
     result.players.push_back(match::result_of(agent->unum(), agent->statistics()));
   }
@@ -336,6 +347,7 @@ TeamResult AgentSide::result() const {
     result.coach->commands = coach->commands();
     result.coach->actions = outcomes_by_name(coach->report(), coach->is_trainer());
   }
+
   const proxy::PlaymakerErrors& errors = team_->errors();
   result.errors.count = errors.count;
   if (errors.first) {
@@ -343,6 +355,7 @@ TeamResult AgentSide::result() const {
     result.errors.first = {
         std::string(name(first.rpc)), first.status, first.message, first.cycle, first.agent, {}};
   }
+
   add_parts(result);
   return result;
 }

@@ -18,7 +18,7 @@
 
 namespace cls::match {
 
-/// What a side needs to know of its match.
+/// The match as a side needs to know it.
 struct SideSetup {
   soccer::Side side = soccer::Side::kLeft;  ///< neutral: the trainer, which has no players
   std::string name;                         ///< team name; of a trainer the left team's
@@ -50,15 +50,23 @@ base::Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint,
 proxy::TeamOptions team_options(const SideSetup& setup, const Endpoint& endpoint,
                                 const MatchOptions& options);
 
-/// What a player of a cls team did.
+/// The parts of a side of cls agents.
+struct AgentParts {
+  SideIdentity identity;
+  PlaymakerConnection connection;
+  proxy::TeamOptions team;
+  const MatchOptions& options;  ///< must outlive the side
+  std::vector<int> cpus{};
+};
+
+/// The result of a player of a cls team.
 PlayerResult result_of(int number, const proxy::AgentStatistics& statistics);
 
-/// What is common to agents in lockstep and over UDP. The team may be used by the worker's thread
+/// Agents of cls, in lockstep or over UDP. The team may be used by the worker's thread
 /// only while work is under way there.
 class AgentSide : public MatchSide {
  public:
-  AgentSide(SideIdentity identity, PlaymakerConnection connection, proxy::TeamOptions team,
-            const MatchOptions& options, const std::vector<int>& cpus);
+  explicit AgentSide(AgentParts parts);
 
   bool listen(SideListener& listener) override;
   std::optional<proxy::AwaitedCall> awaited_reply() const override { return watch_.oldest(); }

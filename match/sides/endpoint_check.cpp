@@ -50,6 +50,7 @@ Problem check_address(const Endpoint& endpoint, std::chrono::milliseconds patien
 
 Problem check_endpoint(const Endpoint& endpoint, std::chrono::milliseconds patience) {
   if (auto problem = check_files(endpoint)) return problem;
+
   switch (endpoint.kind) {
     case Endpoint::Kind::kMock:
       return check_mock(endpoint);

@@ -1,4 +1,4 @@
-// Whether a match could start with a side, checked without starting a program.
+// Checks that a match could start with a side, without starting a program.
 #pragma once
 
 #include <chrono>

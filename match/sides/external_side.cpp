@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <thread>
 
-#include "match/result/limit_hint.h"
+#include "match/result/match_end.h"
 #include "soccer/side.h"
 
 namespace cls::match {
@@ -35,14 +34,19 @@ milliseconds time_until(Clock::time_point end) {
   return std::max(left, milliseconds(0));
 }
 
+bool has_succeeded(const process::Child& child) {
+  const auto exit = child.status().exit;
+  return exit && !exit->by_signal && exit->number == 0;
+}
+
 }  // namespace
 
 // A team in a sandbox cannot use the folder for temporary files of all programs.
 Result<std::shared_ptr<process::Child>> ExternalSide::start(process::CommandPlan plan) {
   if (!plan.empty_environment) return host_.start(plan);
-  if (!temporary_) temporary_.emplace();
-  if (temporary_->path().empty()) {
-    return Error{"cannot create a folder for temporary files; set TMPDIR to a folder for them"};
+  if (!temporary_) {
+    TRY_INIT(auto folder, process::ScratchFolder::create());
+    temporary_.emplace(std::move(folder));
   }
   if (plan.files) plan.files->writable.push_back(temporary_->path());
   plan.environment.push_back({"TMPDIR", temporary_->path().string()});
@@ -60,9 +64,11 @@ bool ExternalSide::find_name(const ServerStatus& server, const std::vector<std::
   if (!name_.empty()) return true;
   for (const ReportedConnections& team : server.teams) {
     // Such a server takes players of the same name for one team, and refuses the twelfth.
-    if (!server_.binds_clients())
+    if (!server_.binds_clients()) {
       shared_name_hint_ = fmt::format("; or it plays under the name {} too", team.name);
-    if (std::find(others.begin(), others.end(), team.name) != others.end()) continue;
+    }
+    if (std::ranges::find(others, team.name) != others.end()) continue;
+
     name_ = team.name;
     shared_name_hint_.clear();
     return true;
@@ -87,6 +93,7 @@ Result<void> ExternalSide::continue_joining(const ServerStatus& server,
   if (!find_name(server, others)) return {};
   const std::set<int>& players = server.team(name_)->players;
   on_pitch_ = static_cast<int>(players.size());
+
   if (plan_.contract == TeamPlan::Contract::kStartEachAgent) {
     // Players wait for each other; the coach, if any, is the last of the plan.
     const int started = std::min(static_cast<int>(agents_.size()), soccer::kPlayersPerTeam);
@@ -97,6 +104,7 @@ Result<void> ExternalSide::continue_joining(const ServerStatus& server,
     }
     if (on_pitch_ == started && agents_.size() < plan_.agents.size()) return start_next();
   }
+
   joined_ = on_pitch_ >= soccer::kPlayersPerTeam && agents_.size() == plan_.agents.size();
   return joined_ ? check_name() : Result<void>();
 }
@@ -162,28 +170,23 @@ MatchEnd ExternalSide::exit_failure(const process::Child& child, const MatchMome
 
 // Processes may die below a script that still runs or has succeeded.
 std::string ExternalSide::limit_hints() const {
-  const auto limited = std::find_if(agents_.begin(), agents_.end(), [](const Agent& agent) {
-    return agent.child->status().at_cpu_limit;
-  });
+  const auto limited = std::ranges::find_if(
+      agents_, [](const Agent& agent) { return agent.child->status().at_cpu_limit; });
   return limited == agents_.end() ? std::string() : limit_hint(*limited->child);
 }
 
 // Its place may be taken: by a team of the same name, or by one that plays under its name.
 bool ExternalSide::may_be_refused_for_its_name(const process::Child& child) const {
   if (shared_name_hint_.empty()) return false;
-  const auto exit = child.status().exit;
-  if (exit && !exit->by_signal && exit->number == 0) return true;
-  const std::vector<std::string> lines = child.last_lines();
-  return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
-    return line.find("no_more_") != std::string::npos;
-  });
+  constexpr std::string_view kNoPlace[] = {"no_more_"};
+  return has_succeeded(child) || prints_any(child, kNoPlace);
 }
 
 // A start.sh that prints its help instead of starting anything.
 std::string ExternalSide::options_hint(const process::Child& child) const {
-  const auto exit = child.status().exit;
-  const bool succeeded = exit && !exit->by_signal && exit->number == 0;
-  if (plan_.contract != TeamPlan::Contract::kStartAll || !succeeded || on_pitch_ > 0) return {};
+  const bool starts_all = plan_.contract == TeamPlan::Contract::kStartAll;
+  if (!starts_all || !has_succeeded(child) || on_pitch_ > 0) return {};
+
   const std::vector<std::string>& argv = child.plan().argv;
   return fmt::format(
       "; it was called with {}: a start.sh with other options needs a script that "
@@ -191,17 +194,11 @@ std::string ExternalSide::options_hint(const process::Child& child) const {
       fmt::join(argv.begin() + 1, argv.end(), " "));
 }
 
-// What programs print when the sandbox withholds a file that they need.
+// A hint if a program prints that a file is missing, which the sandbox may withhold.
 std::string ExternalSide::sandbox_hint(const process::Child& child) const {
-  constexpr std::array<std::string_view, 4> kMissing = {
-      "ermission denied", "cannot open shared object", "not found", "No module named"};
-  const std::vector<std::string> lines = child.last_lines();
-  const bool missing = std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
-    return std::any_of(kMissing.begin(), kMissing.end(), [&](std::string_view words) {
-      return line.find(words) != std::string::npos;
-    });
-  });
-  if (!missing || !child.plan().empty_environment) return {};
+  constexpr std::string_view kMissing[] = {"ermission denied", "cannot open shared object",
+                                           "not found", "No module named"};
+  if (!child.plan().empty_environment || !prints_any(child, kMissing)) return {};
   return fmt::format(
       "; it runs in a sandbox: if it needs files outside of {} or variables of your environment, "
       "copy them there or use --no-sandbox",
@@ -232,6 +229,7 @@ std::optional<MatchEnd> ExternalSide::lost_player_failure(const MatchMoment& mom
 
 void ExternalSide::warn_of_missing_coach(const MatchMoment& moment) {
   if (plan_.coach_port == 0 || moment.cycle < kCoachDelayCycles || looked_for_coach_) return;
+
   looked_for_coach_ = true;
   const ServerStatus status = server_.status();
   const ReportedConnections* team = status.team(name_);
@@ -244,6 +242,7 @@ void ExternalSide::warn_of_missing_coach(const MatchMoment& moment) {
 std::optional<MatchEnd> ExternalSide::failure(const MatchMoment& moment) {
   if (moment.playing) warn_of_missing_coach(moment);
   if (moment.playing && server_.reports_lost_players()) return lost_player_failure(moment);
+
   const Agent* exited = exited_agent();
   if (exited == nullptr) return std::nullopt;
   if (!exit_) exit_ = AgentExit{exited->child.get(), moment.cycle, Clock::now()};

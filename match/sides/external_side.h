@@ -9,7 +9,7 @@
 
 #include "base/result.h"
 #include "match/programs/team_folder.h"
-#include "match/server/server.h"
+#include "match/server/match_server.h"
 #include "match/sides/match_side.h"
 #include "process/process_host.h"
 #include "process/scratch_folder.h"
@@ -20,7 +20,7 @@ namespace cls::match {
 /// uniform numbers are those that the start script was called with.
 class ExternalSide : public MatchSide {
  public:
-  /// What to do with a team that plays under another name than it was given.
+  /// The policy for a team that plays under another name than it was given.
   enum class OnOtherName { kAccept, kWarn, kRefuse };
 
   /// `server` and `host` must outlive the side. Nothing is started yet.

@@ -5,6 +5,7 @@ namespace cls::match {
 namespace {
 
 using base::Result;
+
 // A side that does not end its turn in this time when the match ends has to be cancelled.
 constexpr std::chrono::milliseconds kLeaveWait{20};
 
@@ -24,6 +25,7 @@ Result<void> LockstepAgents::connect() {
     simulator.accept_clients();
     return true;
   };
+
   simulator::ClientRights rights;
   if (!is_trainer()) {
     rights.left = identity().side == soccer::Side::kLeft;
@@ -32,13 +34,12 @@ Result<void> LockstepAgents::connect() {
   const auto open = [&simulator, rights](simulator::ListeningPort door) {
     return [&simulator, rights, door] { return simulator.connect(door, rights); };
   };
+
   if (is_trainer()) {
     return team().connect_coach(soccer::CoachRole::kTrainer,
                                 open(simulator::ListeningPort::kTrainers), serve);
   }
-  if (auto done = team().connect(open(simulator::ListeningPort::kPlayers), serve); !done) {
-    return done;
-  }
+  TRY(team().connect(open(simulator::ListeningPort::kPlayers), serve));
   if (!options().coach) return {};
   return team().connect_coach(soccer::CoachRole::kOnlineCoach,
                               open(simulator::ListeningPort::kOnlineCoaches), serve);
@@ -81,6 +82,7 @@ std::optional<MatchEnd> LockstepAgents::agent_failure(const MatchMoment& moment)
   if (busy_) return std::nullopt;
   if (failed_handshake_) return std::exchange(failed_handshake_, std::nullopt);
   if (!std::exchange(turn_over_, false)) return std::nullopt;
+
   const proxy::MissedDecisions missed = team().missed_decisions();
   if (missed.consecutive == 1 && missed.last.outcome == proxy::RpcOutcome::kUnavailable) {
     for (const PlaymakerProcess* started : playmaker_processes()) {

@@ -12,11 +12,9 @@ namespace cls::match {
 /// Handshake, turns and goodbye run on the side's worker; between them the team is the match's.
 class LockstepAgents : public AgentSide, private TurnTaker {
  public:
-  /// `server` and `options` must outlive the side.
-  LockstepAgents(SideIdentity identity, PlaymakerConnection connection, proxy::TeamOptions team,
-                 const MatchOptions& options, const std::vector<int>& cpus, EmbeddedServer& server)
-      : AgentSide(std::move(identity), std::move(connection), std::move(team), options, cpus),
-        server_(server) {}
+  /// `server` must outlive the side.
+  LockstepAgents(AgentParts parts, EmbeddedServer& server)
+      : AgentSide(std::move(parts)), server_(server) {}
 
   /// Turns are taken on the thread of the match, while other sides use their own. Only for a
   /// Playmaker that decides in function calls: no other ends a turn in a known time.

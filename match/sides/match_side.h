@@ -24,14 +24,14 @@
 
 namespace cls::match {
 
-/// Which side of the match this is.
+/// The names of a side.
 struct SideIdentity {
   soccer::Side side = soccer::Side::kLeft;  ///< neutral: the trainer
   std::string name;                         ///< team name, or "trainer"
   std::string endpoint;                     ///< as the user wrote it
 };
 
-/// Where the match is, for the messages of a side that fails.
+/// The time of a match, for the messages of a side that fails.
 struct MatchMoment {
   bool playing = false;  ///< false: before the first cycle
   int cycle = 0;
@@ -51,7 +51,7 @@ class SideListener : public proxy::RpcListener {
   virtual void end_cycle() {}
 };
 
-/// What the agents of a side over UDP have seen of the match.
+/// The match as the agents of a side over UDP have seen it.
 struct SeenMatch {
   SourceProgress progress;
   std::optional<soccer::Vec2> ball;    ///< its position, if known, in the server's coordinates
@@ -92,9 +92,9 @@ class MatchSide {
   virtual void begin_handshake() {}
   /// True when that is over; may wait for it, up to `limit`.
   virtual bool wait_handshake(std::chrono::milliseconds /*limit*/) { return true; }
-  /// What join() or the handshake waits for, as the beginning of a message.
+  /// The beginning of a message about what join() or the handshake waits for.
   virtual std::string waiting_for() const = 0;
-  /// What may be wrong when that lasts too long: "; it listens on port 50051, not on 21234".
+  /// A likely mistake when that lasts too long: "; it listens on port 50051, not on 21234".
   virtual std::string timeout_hint() const { return {}; }
   /// The process that a timeout is reported with; nullptr: none.
   virtual const process::Child* awaited_process() const { return nullptr; }
@@ -110,7 +110,7 @@ class MatchSide {
   /// external teams.
   virtual TurnTaker* turns() { return nullptr; }
 
-  /// How long the decisions of this side have taken so far; zero for an external team. In lockstep
+  /// The time of the decisions of this side so far; zero for an external team. In lockstep
   /// between turns only.
   virtual TurnTimes turn_times() const { return {}; }
   /// The time of each turn; after wait_gone().
@@ -133,12 +133,12 @@ class MatchSide {
   virtual void terminate() = 0;
   /// Waits until they are gone; returns what was started.
   virtual std::vector<ProcessResult> wait_gone() = 0;
-  /// What the script of a mock Playmaker expected and did not get.
+  /// Expectations of the script of a mock Playmaker that were not met.
   virtual std::vector<std::string> failed_expectations() const { return {}; }
-  /// What the side's Playmaker answered with an error; nullptr for a side without one. After
-  /// wait_gone().
+  /// The calls that the side's Playmaker answered with an error; nullptr for a side without one.
+  /// After wait_gone().
   virtual const proxy::PlaymakerErrors* errors() const { return nullptr; }
-  /// What this side did. After wait_gone().
+  /// The result of the side. After wait_gone().
   virtual TeamResult result() const = 0;
 
  private:
@@ -146,5 +146,10 @@ class MatchSide {
 };
 
 using Sides = std::vector<std::unique_ptr<MatchSide>>;
+
+inline bool is_trainer(const MatchSide& side) {
+  return side.identity().side == soccer::Side::kNeutral;
+}
+inline bool is_external(const std::unique_ptr<MatchSide>& side) { return side->is_external(); }
 
 }  // namespace cls::match

@@ -20,14 +20,12 @@ constexpr int kConnectTimeoutMs = 100;
 
 }  // namespace
 
-Result<std::unique_ptr<NetworkAgents>> NetworkAgents::create(
-    SideIdentity identity, PlaymakerConnection connection, proxy::TeamOptions team,
-    const MatchOptions& options, const std::vector<int>& cpus, NetworkSettings settings) {
+Result<std::unique_ptr<NetworkAgents>> NetworkAgents::create(AgentParts parts,
+                                                             NetworkSettings settings) {
   TRY_INIT(auto clients, soccer::UdpClients::create(settings.server_host, settings.server_port));
-  std::unique_ptr<NetworkAgents> agents(new NetworkAgents(std::move(identity),
-                                                          std::move(connection), std::move(team),
-                                                          options, cpus, std::move(settings)));
+  std::unique_ptr<NetworkAgents> agents(new NetworkAgents(std::move(parts), std::move(settings)));
   agents->clients_ = std::move(clients);
+
   proxy::DriverOptions driver;
   driver.leave_at_time_over = agents->settings_.leave_at_time_over;
   driver.coach_port = agents->settings_.coach_port;
@@ -45,8 +43,7 @@ NetworkAgents::~NetworkAgents() {
 
 // A Playmaker that takes long to start must not make the players on the pitch wait for it.
 bool NetworkAgents::prepared() {
-  const auto programs = playmaker_processes();
-  return std::all_of(programs.begin(), programs.end(), [](const PlaymakerProcess* started) {
+  return std::ranges::all_of(playmaker_processes(), [](const PlaymakerProcess* started) {
     return process::tcp_answers(process::loopback_host(), started->port(), kConnectTimeoutMs);
   });
 }
@@ -131,10 +128,12 @@ bool NetworkAgents::join_server() {
     fail({.reason = EndReason::kRefused, .message = connected.error().message});
     return false;
   }
+
   mode_ = team().synchronous() ? MatchMode::kSynch : MatchMode::kRealtime;
   if (settings_.right_playmaker && team().side() == soccer::Side::kRight) {
     replace_playmaker(settings_.right_playmaker());
   }
+
   stage_ = Stage::kHandshake;
   return true;
 }
@@ -156,6 +155,7 @@ void NetworkAgents::play() {
   const bool unheard = end == proxy::DriveResult::kPlayersUnheard;
   if (!unheard && end != proxy::DriveResult::kServerUnresponsive) return;
   if (over && !settings_.leave_at_time_over) return;
+
   const char* problem = unheard ? "sends nothing to the players any more: another client may have "
                                   "taken them over by (reconnect)"
                                 : "stopped responding";
@@ -173,6 +173,7 @@ void NetworkAgents::end_play() {
 void NetworkAgents::before_decisions() {
   end_listening();
   if (stop_) return;
+
   holds_turns_ = holds_turns_ || (settings_.hold_turns && has_kicked_off());
   if (holds_turns_) {
     update_snapshot();
@@ -185,8 +186,7 @@ void NetworkAgents::before_decisions() {
 // All sides hear of the kick-off in the same cycle. If they began to wait in different ones, a side
 // would wait for its turn, and the server and the other side for that side.
 bool NetworkAgents::has_kicked_off() const {
-  const auto& players = team().players();
-  return std::any_of(players.begin(), players.end(), [](const auto& player) {
+  return std::ranges::any_of(team().players(), [](const auto& player) {
     return player->world().game.mode != soccer::PlayMode::kBeforeKickOff;
   });
 }
@@ -203,8 +203,8 @@ void NetworkAgents::throttle() {
 bool NetworkAgents::near_cycle_limit() const {
   const std::optional<int>& limit = settings_.cycle_limit;
   if (!limit || team().outstanding() > 0) return false;
-  const auto& players = team().players();
-  return std::all_of(players.begin(), players.end(), [&](const auto& player) {
+
+  return std::ranges::all_of(team().players(), [&](const auto& player) {
     const int time = player->world().game.time.cycle;
     return time >= *limit ||
            (time == *limit - 1 && player->timer().due_at() == proxy::Instant::max());
@@ -227,6 +227,7 @@ void NetworkAgents::update_snapshot() {
   const player::WorldModel& world = std::as_const(*this).team().world();
   const player::GameState& game = world.game;
   const bool left = team().side() != soccer::Side::kRight;
+
   const std::lock_guard lock(mutex_);
   MatchProgress& progress = snapshot_.progress.match;
   // The referee's last message may come before the senses of its cycle, or instead of them.
@@ -234,6 +235,7 @@ void NetworkAgents::update_snapshot() {
   progress.mode = game.mode;
   progress.left_score = left ? game.our_score : game.their_score;
   progress.right_score = left ? game.their_score : game.our_score;
+
   std::int64_t& steps = snapshot_.progress.steps;
   for (const auto& player : team().players()) {
     steps = std::max(steps, player->statistics().decisions);
@@ -241,6 +243,7 @@ void NetworkAgents::update_snapshot() {
   if (const proxy::CoachAgent* coach = team().coach()) {
     steps = std::max(steps, coach->statistics().decisions);
   }
+
   snapshot_.ball.reset();
   if (world.ball.position_valid()) {
     snapshot_.ball = left ? world.ball.position : -world.ball.position;

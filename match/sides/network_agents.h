@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "match/programs/server_command.h"
+#include "match/programs/server_plan.h"
 #include "match/sides/agent_side.h"
 #include "match/sides/turn_gate.h"
 #include "proxy/agent/team_driver.h"
@@ -41,11 +41,9 @@ struct NetworkSettings {
 /// Lives on its worker's thread from join() on. The match's thread polls.
 class NetworkAgents : public AgentSide, private TurnTaker {
  public:
-  /// The error says that the server's host is unknown. Nothing is sent yet. `options` must outlive
-  /// the side.
-  static base::Result<std::unique_ptr<NetworkAgents>> create(
-      SideIdentity identity, PlaymakerConnection connection, proxy::TeamOptions team,
-      const MatchOptions& options, const std::vector<int>& cpus, NetworkSettings settings);
+  /// The error says that the server's host is unknown. Nothing is sent yet.
+  static base::Result<std::unique_ptr<NetworkAgents>> create(AgentParts parts,
+                                                             NetworkSettings settings);
   /// Stops the team and waits until it has left: 1 s if its Playmaker does not respond.
   ~NetworkAgents() override;
 
@@ -77,18 +75,15 @@ class NetworkAgents : public AgentSide, private TurnTaker {
     kPlaying,
     kOver,  ///< the team has left, whatever the reason
   };
-  /// What the agents know after a round; the match reads it from its own thread.
+  /// The knowledge of the agents after a round; the match reads it from its own thread.
   struct Snapshot {
     SourceProgress progress;
     std::optional<soccer::Vec2> ball;
     TurnTimes turns;
   };
 
-  NetworkAgents(SideIdentity identity, PlaymakerConnection connection, proxy::TeamOptions team,
-                const MatchOptions& options, const std::vector<int>& cpus, NetworkSettings settings)
-      : AgentSide(std::move(identity), std::move(connection), std::move(team), options, cpus),
-        settings_(std::move(settings)),
-        gate_(settings_.hold_turns) {}
+  NetworkAgents(AgentParts parts, NetworkSettings settings)
+      : AgentSide(std::move(parts)), settings_(std::move(settings)), gate_(settings_.hold_turns) {}
 
   bool at_turn() const override { return gate_.has_waiting(); }
   void begin_turn(int /*cycle*/) override { gate_.let_pass(); }

@@ -52,23 +52,27 @@ Result<std::unique_ptr<PlaymakerProcess>> PlaymakerProcess::start(
   TRY_INIT(auto ports, process::ReservedPort::choose(1));
   std::unique_ptr<PlaymakerProcess> created(new PlaymakerProcess(std::move(ports.front())));
   values.port = created->port();
+
   process::CommandPlan plan = run_plan(endpoint.command, values, folder);
   plan.cpus = std::move(cpus);
   plan.limits = limits;
+
   TRY_INIT(auto child, host.start(plan));
   created->child_ = std::move(child);
   return created;
 }
 
+proxy::GrpcTarget PlaymakerProcess::target() const {
+  proxy::GrpcTarget target;
+  target.host = process::loopback_host();
+  target.port = port();
+  return target;
+}
+
 std::string PlaymakerProcess::port_hint() const {
   const std::vector<int> open = process::ports_of(process::Protocol::kTcp, child_->status().pid);
   if (open.empty()) return fmt::format("; it did not listen on port {} in time", port());
-  if (std::find(open.begin(), open.end(), port()) != open.end()) {
-    proxy::GrpcTarget target;
-    target.host = process::loopback_host();
-    target.port = port();
-    return hint_at(target);
-  }
+  if (std::ranges::find(open, port()) != open.end()) return hint_at(target());
   return fmt::format("; it listens on port {}, not on {}", fmt::join(open, ", "), port());
 }
 

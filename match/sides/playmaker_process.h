@@ -19,7 +19,7 @@ namespace cls::match {
 /// Calls to a crashed program fail before its exit is known.
 inline constexpr std::chrono::milliseconds kProgramExitDelay{500};
 
-/// Where a running Playmaker listens; for kAddress and kUnixSocket.
+/// The address of a running Playmaker; for kAddress and kUnixSocket.
 proxy::GrpcTarget target_of(const Endpoint& endpoint);
 
 /// Why a Playmaker may not have replied in time: "; nothing listens at localhost:50051", or empty.
@@ -42,6 +42,8 @@ class PlaymakerProcess {
                                                                process::ResourceLimits limits = {});
 
   int port() const { return port_.number(); }
+  /// Its address.
+  proxy::GrpcTarget target() const;
   const process::Child& child() const { return *child_; }
   bool ended() const { return process::has_ended(child_->status()); }
 

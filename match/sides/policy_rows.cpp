@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/index.h"
 #include "training/actions/action_set.h"
 #include "training/features/feature_set.h"
 #include "training/scene/estimated_scene.h"
@@ -35,7 +36,7 @@ std::vector<std::string> versioned_names(const Sets& sets) {
 // A set by NAME/VERSION.
 template <typename Sets>
 auto find_versioned(const Sets& sets, std::string_view name) {
-  const auto found = std::find_if(sets.begin(), sets.end(), [name](const auto* set) {
+  const auto found = std::ranges::find_if(sets, [name](const auto* set) {
     return name == fmt::format("{}/{}", set->name, set->version);
   });
   return found == sets.end() ? nullptr : *found;
@@ -81,6 +82,7 @@ class PolicyRows : public proxy::TensorCodec {
       return Error{fmt::format("{} teammates and {} opponents; the limits are {} and {}",
                                choice.teammates, choice.opponents, kMaxTeammates, kMaxOpponents)};
     }
+
     teammates_ = choice.teammates;
     opponents_ = choice.opponents;
     columns_ = features_->columns(teammates_, opponents_).size();
@@ -116,8 +118,10 @@ class PolicyRows : public proxy::TensorCodec {
       if (!std::isfinite(given[i])) return std::nullopt;
       clipped_.push_back(std::clamp(given[i], values_[i].low, values_[i].high));
     }
+
     const PointOfView view = look(world);
     if (!has_ids) return actions_->choose(view, clipped_.data());
+
     const float number = row[0];
     if (!(number >= 0.0F && number < static_cast<float>(actions_->id_count()))) return std::nullopt;
     const auto id = static_cast<std::size_t>(number);
@@ -144,14 +148,14 @@ class PolicyRows : public proxy::TensorCodec {
     const bool own = team == soccer::side_of_slot(self);
     const int most = own ? kMaxTeammates : kMaxOpponents;
     if (count == most) return;
+
     const auto rank = [&](int slot) {
       const training::ScenePlayer& player = seat(slot, self);
       if (slot == self) return -1.0;
       return player.seen ? squared_distance(player.position, seat(self, self).position) : 1e9;
     };
-    std::stable_sort(out.begin(), out.end(),
-                     [&](int one, int other) { return rank(one) < rank(other); });
-    out.resize(static_cast<std::size_t>(count + (own ? 1 : 0)));
+    std::ranges::stable_sort(out, {}, rank);
+    out.resize(base::index(count + (own ? 1 : 0)));
   }
 
   const training::ScenePlayer& seat(int slot, int self) const {

@@ -1,4 +1,4 @@
-// Whose clients a soccer server accepts that a match has started.
+// The clients that the soccer server of a match accepts.
 #pragma once
 
 #include <string>

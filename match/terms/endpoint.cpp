@@ -31,9 +31,11 @@ constexpr std::string_view kPlannerForm = "planner:";
 constexpr std::string_view kEachForm = "each:";
 constexpr int kMaxPortStep = 13;
 
-bool is_team_character(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-         c == '_' || c == '+';
+constexpr std::string_view kTeamCharacters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_+";
+
+Error wrong(std::string_view side, std::string_view what) {
+  return Error{fmt::format("side '{}': {}", side, what)};
 }
 
 // "python3 team.py" for "team.py"; empty for what is not a script.
@@ -49,6 +51,7 @@ std::string command_of_script(std::string_view text) {
 Error unknown_form(std::string_view text) {
   std::string message = fmt::format("unknown side '{}'", text);
   const std::string_view near = base::nearest_name(text, {"mock", "mock:hold"});
+
   if (text.ends_with(".json")) {
     message += fmt::format("; did you mean 'mock:{}'?", text);
   } else if (text.find("{port}") != std::string_view::npos) {
@@ -67,16 +70,22 @@ Error unknown_form(std::string_view text) {
   return Error{std::move(message)};
 }
 
+Endpoint endpoint_of_kind(Endpoint::Kind kind, std::string_view text) {
+  Endpoint endpoint;
+  endpoint.kind = kind;
+  endpoint.text = text;
+  return endpoint;
+}
+
 // "HOST:PORT" of a side that is written as `side`.
 Result<Endpoint> parse_address(std::string_view text, std::string_view side) {
   if (text.find("://") != std::string_view::npos) {
-    return Error{fmt::format("side '{}': {}{}", side, host_problem(text),
-                             text.starts_with("https") ? ", or tls:HOST:PORT" : "")};
+    return wrong(side,
+                 host_problem(text) + (text.starts_with("https") ? ", or tls:HOST:PORT" : ""));
   }
+
   const std::size_t colon = text.rfind(':');
-  Endpoint endpoint;
-  endpoint.kind = Endpoint::Kind::kAddress;
-  endpoint.text = text;
+  Endpoint endpoint = endpoint_of_kind(Endpoint::Kind::kAddress, text);
   endpoint.host = text.substr(0, colon);
   std::string_view port = text.substr(colon + 1);
   if (const std::size_t plus = port.find('+'); plus != std::string_view::npos) {
@@ -84,45 +93,42 @@ Result<Endpoint> parse_address(std::string_view text, std::string_view side) {
     endpoint.port_step = true;
     port = port.substr(0, plus);
   }
+
   const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), endpoint.port);
   if (port.empty() || error == std::errc::invalid_argument || end != port.data() + port.size()) {
     return unknown_form(text);
   }
   const int highest = endpoint.port + (endpoint.port_step ? kMaxPortStep : 0);
   if (error != std::errc{} || endpoint.port < 1 || highest > kMaxPort) {
-    return Error{fmt::format("side '{}': port {} is not within 1 to 65535", side, port)};
+    return wrong(side, fmt::format("port {} is not within 1 to 65535", port));
   }
-  if (const std::string problem = host_problem(endpoint.host); !problem.empty()) {
-    return Error{fmt::format("side '{}': {}", side, problem)};
-  }
+  const std::string problem = host_problem(endpoint.host);
+  if (!problem.empty()) return wrong(side, problem);
   return endpoint;
 }
 
 Result<Endpoint> parse_mixed(std::string_view text) {
-  const auto wrong = [text](std::string_view what) {
-    return Error{fmt::format("side '{}': {}", text, what)};
-  };
   const auto parts = parse_mixed_side(text.substr(4));
-  if (!parts) return wrong(parts.error().message);
-  Endpoint endpoint;
-  endpoint.kind = Endpoint::Kind::kMixed;
-  endpoint.text = text;
+  if (!parts) return wrong(text, parts.error().message);
+
+  Endpoint endpoint = endpoint_of_kind(Endpoint::Kind::kMixed, text);
   for (const MixedPart& part : *parts) {
     auto parsed = parse_endpoint(part.side);
-    if (!parsed) return wrong(parsed.error().message);
+    if (!parsed) return wrong(text, parsed.error().message);
     if (!parsed->planner_file.empty()) {
-      return wrong("planner:FILE= applies to the whole team; write it before mix:");
+      return wrong(text, "planner:FILE= applies to the whole team; write it before mix:");
     }
-    if (!parsed->parts.empty()) return wrong(fmt::format("'{}' cannot be a part", part.side));
+    if (!parsed->parts.empty()) return wrong(text, fmt::format("'{}' cannot be a part", part.side));
+
     parsed->label = part.label;
     parsed->agents = part.agents;
     endpoint.parts.push_back(*std::move(parsed));
   }
-  const auto teams = std::count_if(endpoint.parts.begin(), endpoint.parts.end(),
-                                   [](const Endpoint& part) { return !part.has_playmaker(); });
+
+  const auto teams = std::ranges::count(endpoint.parts, false, &Endpoint::has_playmaker);
   if (teams == 0) return endpoint;
   if (teams != std::ssize(endpoint.parts)) {
-    return wrong("external teams and Playmakers do not play in one team");
+    return wrong(text, "external teams and Playmakers do not play in one team");
   }
   endpoint.kind = Endpoint::Kind::kTeam;
   return endpoint;
@@ -131,13 +137,10 @@ Result<Endpoint> parse_mixed(std::string_view text) {
 // "each:run:COMMAND": a part for each agent.
 Result<Endpoint> parse_each(std::string_view text) {
   auto agent = parse_endpoint(text.substr(kEachForm.size()));
-  if (!agent) return Error{fmt::format("side '{}': {}", text, agent.error().message)};
-  if (agent->kind != Endpoint::Kind::kRun) {
-    return Error{fmt::format("side '{}': must be each:run:COMMAND", text)};
-  }
-  Endpoint endpoint;
-  endpoint.kind = Endpoint::Kind::kMixed;
-  endpoint.text = text;
+  if (!agent) return wrong(text, agent.error().message);
+  if (agent->kind != Endpoint::Kind::kRun) return wrong(text, "must be each:run:COMMAND");
+
+  Endpoint endpoint = endpoint_of_kind(Endpoint::Kind::kMixed, text);
   for (int number = 1; number <= proto::kCoachNumber; ++number) {
     agent->label = number == proto::kCoachNumber ? "coach" : fmt::format("{}", number);
     agent->agents = {number};
@@ -162,7 +165,7 @@ std::string name_of_command(const std::string& command) {
 // The name of the command of all parts of an `each:` side; empty: another side.
 std::string name_of_all(const Endpoint& endpoint) {
   const std::vector<Endpoint>& parts = endpoint.parts;
-  const bool same = !parts.empty() && std::all_of(parts.begin(), parts.end(), [&](const auto& one) {
+  const bool same = !parts.empty() && std::ranges::all_of(parts, [&](const Endpoint& one) {
     return !one.command.empty() && one.command == parts.front().command;
   });
   return same ? name_of_command(parts.front().command) : std::string();
@@ -173,8 +176,9 @@ std::string name_of_teams(const Endpoint& endpoint) {
   std::vector<std::string> names;
   for (const Endpoint& part : endpoint.parts) {
     const std::string name = folder_name(part.path);
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
+
   const std::size_t share = (kMaxTeamName + 1) / names.size() - 1;
   std::string text;
   for (const std::string& name : names) {
@@ -184,17 +188,16 @@ std::string name_of_teams(const Endpoint& endpoint) {
 }
 
 Result<Endpoint> parse_with_planner(std::string_view text) {
-  const auto wrong = [text](std::string_view what) {
-    return Error{fmt::format("side '{}': {}", text, what)};
-  };
   const std::size_t equals = text.find('=');
   auto endpoint = parse_endpoint(text.substr(equals + 1));
-  if (!endpoint) return wrong(endpoint.error().message);
-  if (!endpoint->has_playmaker()) return wrong("an external team does not use the planner of cls");
-  if (!endpoint->planner_file.empty()) return wrong("planner:FILE= may be given once");
+  if (!endpoint) return wrong(text, endpoint.error().message);
+  if (!endpoint->has_playmaker())
+    return wrong(text, "an external team does not use the planner of cls");
+  if (!endpoint->planner_file.empty()) return wrong(text, "planner:FILE= may be given once");
+
   endpoint->planner_file =
       base::expand_home(text.substr(kPlannerForm.size(), equals - kPlannerForm.size()));
-  if (endpoint->planner_file.empty()) return wrong("no file after 'planner:'");
+  if (endpoint->planner_file.empty()) return wrong(text, "no file after 'planner:'");
   endpoint->text = text;
   return endpoint;
 }
@@ -204,49 +207,77 @@ bool has_script(const Endpoint& endpoint) {
          mock_server::is_script_name(endpoint.behavior);
 }
 
+// A name of any characters.
+std::string described_team(const Endpoint& endpoint) {
+  using std::filesystem::path;
+  switch (endpoint.kind) {
+    case Endpoint::Kind::kMock:
+      return endpoint.behavior.empty() ? "mock" : path(endpoint.behavior).stem().string();
+    case Endpoint::Kind::kAddress:
+      return fmt::format("{}_{}", endpoint.host, endpoint.port);
+    case Endpoint::Kind::kUnixSocket:
+      return path(endpoint.path).stem().string();
+    case Endpoint::Kind::kRun:
+      return name_of_command(endpoint.command);
+    case Endpoint::Kind::kTeam:
+      return endpoint.parts.empty() ? folder_name(endpoint.path) : name_of_teams(endpoint);
+    case Endpoint::Kind::kMixed:
+      break;
+  }
+  const std::string name = name_of_all(endpoint);
+  return name.empty() ? "mix" : name;
+}
+
+/// A form that is a name or a path after a prefix.
+struct SimpleForm {
+  std::string_view prefix;
+  Endpoint::Kind kind;
+  std::string Endpoint::*member;
+  std::string_view what;
+};
+
+constexpr SimpleForm kSimpleForms[] = {
+    {"mock:", Endpoint::Kind::kMock, &Endpoint::behavior, "behavior"},
+    {"unix:", Endpoint::Kind::kUnixSocket, &Endpoint::path, "path"},
+    {"team:", Endpoint::Kind::kTeam, &Endpoint::path, "folder"},
+};
+
 }  // namespace
 
 Result<Endpoint> parse_endpoint(std::string_view text) {
-  Endpoint endpoint;
-  endpoint.text = text;
-  if (text == "mock") return endpoint;
-  if (text.starts_with("mock:")) {
-    endpoint.behavior = base::expand_home(text.substr(5));
-    if (endpoint.behavior.empty()) return Error{"side 'mock:': no behavior after the colon"};
-    return endpoint;
-  }
-  if (text.starts_with("unix:")) {
-    endpoint.kind = Endpoint::Kind::kUnixSocket;
-    endpoint.path = base::expand_home(text.substr(5));
-    if (endpoint.path.empty()) return Error{"side 'unix:': no path after the colon"};
-    return endpoint;
-  }
-  if (text.starts_with("tls:")) {
-    if (text.find(':', 4) == std::string_view::npos) {
-      return Error{fmt::format("side '{}': must be tls:HOST:PORT", text)};
+  using Kind = Endpoint::Kind;
+  constexpr std::string_view kTls = "tls:";
+  if (text == "mock") return endpoint_of_kind(Kind::kMock, text);
+
+  for (const SimpleForm& form : kSimpleForms) {
+    if (!text.starts_with(form.prefix)) continue;
+    Endpoint endpoint = endpoint_of_kind(form.kind, text);
+    endpoint.*form.member = base::expand_home(text.substr(form.prefix.size()));
+    if ((endpoint.*form.member).empty()) {
+      return wrong(text, fmt::format("no {} after the colon", form.what));
     }
-    auto secure = parse_address(text.substr(4), text);
-    if (!secure) return secure;
-    secure->text = text;
-    secure->tls = std::make_shared<proxy::TlsFiles>();
+    return endpoint;
+  }
+
+  if (text.starts_with(kTls)) {
+    if (text.find(':', kTls.size()) == std::string_view::npos) {
+      return wrong(text, "must be tls:HOST:PORT");
+    }
+    TRY_INIT(auto secure, parse_address(text.substr(kTls.size()), text));
+    secure.text = text;
+    secure.tls = std::make_shared<proxy::TlsFiles>();
     return secure;
   }
   if (text.starts_with("run:")) {
-    endpoint.kind = Endpoint::Kind::kRun;
+    Endpoint endpoint = endpoint_of_kind(Kind::kRun, text);
     endpoint.command = text.substr(4);
-    if (const auto good = check_run_command(endpoint.command); !good) {
-      return Error{fmt::format("side '{}': {}", text, good.error().message)};
-    }
-    return endpoint;
-  }
-  if (text.starts_with("team:")) {
-    endpoint.kind = Endpoint::Kind::kTeam;
-    endpoint.path = base::expand_home(text.substr(5));
-    if (endpoint.path.empty()) return Error{"side 'team:': no folder after the colon"};
+    const auto good = check_run_command(endpoint.command);
+    if (!good) return wrong(text, good.error().message);
     return endpoint;
   }
   if (text.starts_with("mix:")) return parse_mixed(text);
   if (text.starts_with(kEachForm)) return parse_each(text);
+
   // Without "=" it is the port of a host of this name.
   if (text.starts_with(kPlannerForm) && text.find('=') != std::string_view::npos) {
     return parse_with_planner(text);
@@ -257,19 +288,18 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
 
 bool Endpoint::starts_programs() const {
   return kind == Kind::kRun || kind == Kind::kTeam ||
-         std::any_of(parts.begin(), parts.end(),
-                     [](const Endpoint& part) { return part.starts_programs(); });
+         std::ranges::any_of(parts, &Endpoint::starts_programs);
 }
 
 Result<void> load_files(Endpoint& endpoint) {
-  for (Endpoint& part : endpoint.parts) {
-    if (auto loaded = load_files(part); !loaded) return loaded;
-  }
+  for (Endpoint& part : endpoint.parts) TRY(load_files(part));
+
   if (!endpoint.planner_file.empty() && endpoint.planner == nullptr) {
     TRY_INIT(auto parameters, read_planner_file(endpoint.planner_file));
     endpoint.planner = std::move(parameters);
   }
   if (!has_script(endpoint)) return {};
+
   TRY_INIT(auto script, mock_server::read_script(endpoint.behavior));
   endpoint.script = std::move(script);
   return {};
@@ -285,31 +315,9 @@ std::string missing_file(const Endpoint& endpoint) {
 }
 
 std::string default_team_name(const Endpoint& endpoint) {
-  std::string source;
-  switch (endpoint.kind) {
-    case Endpoint::Kind::kMock:
-      source = endpoint.behavior.empty() ? "mock"
-                                         : std::filesystem::path(endpoint.behavior).stem().string();
-      break;
-    case Endpoint::Kind::kAddress:
-      source = fmt::format("{}_{}", endpoint.host, endpoint.port);
-      break;
-    case Endpoint::Kind::kUnixSocket:
-      source = std::filesystem::path(endpoint.path).stem().string();
-      break;
-    case Endpoint::Kind::kRun:
-      source = name_of_command(endpoint.command);
-      break;
-    case Endpoint::Kind::kTeam:
-      source = endpoint.parts.empty() ? folder_name(endpoint.path) : name_of_teams(endpoint);
-      break;
-    case Endpoint::Kind::kMixed:
-      source = name_of_all(endpoint);
-      if (source.empty()) source = "mix";
-      break;
-  }
+  const std::string source = described_team(endpoint);
   std::string name;
-  for (const char c : source) name += is_team_character(c) ? c : '_';
+  for (const char c : source) name += kTeamCharacters.find(c) != std::string_view::npos ? c : '_';
   if (name.size() > kMaxTeamName) name = name.substr(name.size() - kMaxTeamName);
   return name.empty() ? "team" : name;
 }
@@ -319,10 +327,8 @@ Result<std::string> check_team_name(std::string_view name) {
   if (name.size() > kMaxTeamName) {
     return Error{fmt::format("team name '{}' is longer than {} characters", name, kMaxTeamName)};
   }
-  for (const char c : name) {
-    if (!is_team_character(c)) {
-      return Error{fmt::format("team name '{}': only letters, digits, '-', '+' and '_'", name)};
-    }
+  if (name.find_first_not_of(kTeamCharacters) != std::string_view::npos) {
+    return Error{fmt::format("team name '{}': only letters, digits, '-', '+' and '_'", name)};
   }
   return std::string(name);
 }

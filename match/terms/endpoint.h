@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "proxy/playmaker/grpc_target.h"
+#include "soccer/per_side.h"
 
 namespace cls::mock_server {
 struct Script;
@@ -76,11 +77,9 @@ std::string default_team_name(const Endpoint& endpoint);
 /// `name` if it is a valid team name, otherwise an error.
 base::Result<std::string> check_team_name(std::string_view name);
 
+using TeamNames = soccer::PerSide<std::string>;
+
 /// Both team names, made distinct: equal names get _l and _r (shortened where needed).
-struct TeamNames {
-  std::string left;
-  std::string right;
-};
 TeamNames distinct_names(std::string left, std::string right);
 
 }  // namespace cls::match

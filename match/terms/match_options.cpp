@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "analysis/situations/book_file.h"
+#include "base/index.h"
 #include "base/system/host.h"
 #include "match/terms/match_settings.h"
 #include "mock-server/mock.h"
@@ -27,18 +28,30 @@ soccer::ServerParams match_server_params() {
   return params;
 }
 
+const Endpoint& endpoint_of(const MatchOptions& options, soccer::Side side) {
+  if (side == soccer::Side::kNeutral) return *options.trainer;
+  return side == soccer::Side::kLeft ? options.left : options.right;
+}
+
+bool has_agents(const MatchOptions& options) {
+  return options.left.has_playmaker() || options.right.has_playmaker();
+}
+
+bool has_external_team(const MatchOptions& options) {
+  return !options.left.has_playmaker() || !options.right.has_playmaker();
+}
+
 Result<void> apply_setting(MatchOptions& options, std::string_view setting) {
   const std::size_t colons = setting.find("::");
   const std::size_t equals = setting.find('=');
   if (colons == std::string_view::npos || equals == std::string_view::npos || equals < colons) {
     return Error{fmt::format("'{}' must be server::NAME=VALUE or player::NAME=VALUE", setting)};
   }
+
   const std::string_view module = setting.substr(0, colons);
   const std::string_view name = setting.substr(colons + 2, equals - colons - 2);
   const std::string_view value = setting.substr(equals + 1);
-  if (module == "server") {
-    return soccer::set_server_parameter(options.server, name, value);
-  }
+  if (module == "server") return soccer::set_server_parameter(options.server, name, value);
   if (module == "player") {
     return set_parameter(options.player, soccer::player_param_table(), name, value);
   }
@@ -55,9 +68,7 @@ MatchMode mode_of(const MatchOptions& options) {
   if (options.mode) return *options.mode;
   const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
   if (embedded && !options.book.empty()) return MatchMode::kLockstep;
-  const bool external =
-      !embedded || !options.left.has_playmaker() || !options.right.has_playmaker();
-  return external ? MatchMode::kSynch : MatchMode::kLockstep;
+  return embedded && !has_external_team(options) ? MatchMode::kLockstep : MatchMode::kSynch;
 }
 
 std::optional<std::chrono::milliseconds> decision_deadline(const MatchOptions& options) {
@@ -84,8 +95,7 @@ std::optional<std::chrono::milliseconds> reply_timeout(const MatchOptions& optio
 Result<void> pin_sides(MatchOptions& options) {
   auto [left, right] = base::split_in_half(base::allowed_cores());
   if (left.empty()) return Error{"--pin: only one processor core is available"};
-  options.left_cpus = std::move(left);
-  options.right_cpus = std::move(right);
+  options.cpus = {std::move(left), std::move(right)};
   return {};
 }
 
@@ -110,10 +120,11 @@ simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t 
   config.seed = seed;
   if (options.book.empty()) config.cycle_limit = options.cycles;
   config.decisive_lead = options.adjudicate;
+
   if (options.loaded_book != nullptr) {
     const analysis::Book& book = *options.loaded_book;
     const auto situations = analysis::situations_of(book, seed, options.situations);
-    config.types = book.logs[static_cast<std::size_t>(situations.front()->log)].types;
+    config.types = book.logs[base::index(situations.front()->log)].types;
     config.player.player_types = static_cast<int>(config.types.size());
   }
   return config;
@@ -139,24 +150,27 @@ class Errors {
 
 template <typename Params>
 bool same(const Params& one, const Params& other, const soccer::ParameterTable<Params>& table) {
-  return std::all_of(table.begin(), table.end(), [&](const auto& row) {
+  return std::ranges::all_of(table, [&](const auto& row) {
     return std::visit([&](auto member) { return one.*member == other.*member; }, row.member);
   });
 }
 
-// Which servers, modes and sides can be combined.
+// Combinations of servers, modes and sides.
 void check_server_and_mode(const MatchOptions& options, Errors& errors) {
   const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
   const bool lockstep = mode_of(options) == MatchMode::kLockstep;
   const std::string& server = options.server_choice.text;
+
   errors.require(!lockstep || embedded,
                  "--mode lockstep needs the embedded server; use synch or realtime");
+
   const bool running = options.server_choice.kind == ServerChoice::Kind::kAddress;
   const bool stock = same(options.server, match_server_params(), soccer::server_param_table()) &&
                      same(options.player, soccer::PlayerParams(), soccer::player_param_table());
   errors.require(
       !running || stock,
       fmt::format("the server at {} has settings of its own: no --set, no --half-time", server));
+
   for (const Endpoint* side : {&options.left, &options.right}) {
     errors.require(!lockstep || side->has_playmaker() || !options.book.empty(),
                    fmt::format("--mode lockstep does not support side '{}'; use synch or realtime",
@@ -177,7 +191,7 @@ void check_adjudication(const MatchOptions& options, Errors& errors) {
   errors.require(options.book.empty(), "--adjudicate: situations of a book end with a goal");
 }
 
-// Where situations of a book can be played exactly.
+// Matches in which situations of a book can be played exactly.
 void check_book(const MatchOptions& options, Errors& errors) {
   if (options.book.empty()) return;
   const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
@@ -189,6 +203,7 @@ void check_book(const MatchOptions& options, Errors& errors) {
   errors.require(!options.trainer, "--book: a match with situations has no trainer");
   errors.require(!options.server.coach || options.server.coach_w_referee,
                  "--book needs a referee: no server::coach");
+
   const int half = options.server.half_time_cycles();
   const std::int64_t steps =
       std::int64_t{options.situations} * (situation_cycles(options) + analysis::kMaxWarmUp);
@@ -199,27 +214,29 @@ void check_book(const MatchOptions& options, Errors& errors) {
                   options.situations, situation_cycles(options), half));
 }
 
-// Which servers and modes can hold a match, show it to monitors, and record its calls.
+// Servers and modes that can hold a match, show it to monitors, and record its calls.
 void check_hooks(const MatchOptions& options, Errors& errors) {
   const MatchMode mode = mode_of(options);
-  const bool has_agents = options.left.has_playmaker() || options.right.has_playmaker();
+  const bool agents = has_agents(options);
   const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
-  errors.require(has_agents || options.record_rpc.empty(),
+
+  errors.require(agents || options.record_rpc.empty(),
                  "--record-rpc needs a side with a Playmaker");
-  errors.require(has_agents || !options.record_world_models,
+  errors.require(agents || !options.record_world_models,
                  "--record-world-models needs a side with a Playmaker");
+
+  const bool built_in = options.formations.left == nullptr && options.formations.right == nullptr &&
+                        options.left.planner_file.empty() && options.right.planner_file.empty();
   const bool repeatable = mode == MatchMode::kLockstep && embedded && !options.trainer &&
-                          options.left.has_playmaker() && options.right.has_playmaker() &&
-                          options.left_formations == nullptr &&
-                          options.right_formations == nullptr &&
-                          options.left.planner_file.empty() && options.right.planner_file.empty();
+                          !has_external_team(options) && built_in;
   errors.require(repeatable || (!options.save_at && options.resumed == nullptr),
                  "--save-at and --resume need the embedded server in lockstep, two sides with a "
                  "Playmaker, the built-in formations and planner, and no trainer");
-  errors.require(!options.speed || (mode != MatchMode::kRealtime && has_agents),
+
+  errors.require(!options.speed || (mode != MatchMode::kRealtime && agents),
                  "--speed needs --mode lockstep or synch and a side with a Playmaker; in real time "
                  "the server sets the speed");
-  errors.require(!options.step || (mode != MatchMode::kRealtime && has_agents && embedded),
+  errors.require(!options.step || (mode != MatchMode::kRealtime && agents && embedded),
                  "--step and --at need the embedded server, --mode lockstep or synch, and a side "
                  "with a Playmaker; other servers do not wait");
   errors.require(
@@ -242,6 +259,7 @@ void check_playmakers(const MatchOptions& options, Errors& errors) {
         fmt::format("--trainer '{}': a trainer does not use the planner", options.trainer->text));
     sides.push_back(&*options.trainer);
   }
+
   for (const Endpoint* side : {&options.left, &options.right}) {
     for (const Endpoint& part : side->parts) sides.push_back(&part);
   }
@@ -256,9 +274,10 @@ void check_playmakers(const MatchOptions& options, Errors& errors) {
 
 std::vector<std::string> validate_options(const MatchOptions& options) {
   Errors errors;
-  for (const std::string* name : {&options.left_name, &options.right_name}) {
-    if (!name->empty()) errors.require(check_team_name(*name));
+  for (const std::string& name : {options.names.left, options.names.right}) {
+    if (!name.empty()) errors.require(check_team_name(name));
   }
+
   check_server_and_mode(options, errors);
   const std::string length = length_problem(options.server, options.cycles, "give --cycles");
   errors.require(length.empty(), length);

@@ -18,6 +18,7 @@
 #include "proxy/playmaker/batch_mode.h"
 #include "soccer/parameters/player_params.h"
 #include "soccer/parameters/server_params.h"
+#include "soccer/per_side.h"
 #include "soccer/protocol/protocol_version.h"
 
 namespace cls::analysis {
@@ -51,10 +52,9 @@ struct TlsFileNames {
 struct MatchOptions {
   Endpoint left;
   Endpoint right;
-  std::string left_name;   ///< empty: from the endpoint
-  std::string right_name;  ///< empty: from the endpoint
-  bool own_names = false;  ///< external teams may play under other names
-  bool rated = false;      ///< policies trained with the full state are refused
+  soccer::PerSide<std::string> names;  ///< empty: from the endpoint
+  bool own_names = false;              ///< external teams may play under other names
+  bool rated = false;                  ///< policies trained with the full state are refused
 
   std::optional<std::uint64_t> seed;  ///< none: random, reported
   std::optional<int> cycles;          ///< end of the match in game time; with a book see below
@@ -69,22 +69,19 @@ struct MatchOptions {
   std::optional<MatchMode> mode;    ///< none: see mode_of()
   bool coach = true;                ///< each cls team connects an online coach
   std::optional<Endpoint> trainer;  ///< whose Playmaker handles GetTrainerActions
-  std::vector<int> left_cpus;   ///< processor cores of that side's programs and agents; empty: all
-  std::vector<int> right_cpus;  ///< see pin_sides()
-  bool sandbox = true;          ///< `team:` sides use their own files only, see TeamValues
-  bool bind_clients = true;     ///< players and coaches of a side come from its own programs
+  /// Processor cores of the programs and agents of a side, see pin_sides(); empty: all.
+  soccer::PerSide<std::vector<int>> cpus;
+  bool sandbox = true;             ///< `team:` sides use their own files only, see TeamValues
+  bool bind_clients = true;        ///< players and coaches of a side come from its own programs
   process::ResourceLimits limits;  ///< of each process that a `run:` or `team:` side starts
 
   bool pin = false;  ///< pin_sides() chooses the cores
   TlsFileNames tls;
 
-  // Home positions of cls agents; null: the built-in formations. `formation` and its siblings are
-  // the folders they were read from.
-  std::string formation;
-  std::string left_formation;
-  std::string right_formation;
-  std::shared_ptr<const player::FormationSet> left_formations;
-  std::shared_ptr<const player::FormationSet> right_formations;
+  /// Home positions of cls agents; null: the built-in formations.
+  soccer::PerSide<std::shared_ptr<const player::FormationSet>> formations;
+  std::string formation;                         ///< the folder of those of both sides
+  soccer::PerSide<std::string> side_formations;  ///< the folders of those of one side
 
   std::filesystem::path record_rpc;  ///< file for all requests and replies; empty: none
   bool record_world_models = false;  ///< what agents estimate, for the decision debugger
@@ -116,6 +113,13 @@ struct MatchOptions {
 
   std::vector<std::string> command_line;  ///< for manifest.json
 };
+
+/// The endpoint of a side; the trainer, which there must be, for the neutral one.
+const Endpoint& endpoint_of(const MatchOptions& options, soccer::Side side);
+
+/// True if a side has a Playmaker, and if a side is an external team.
+bool has_agents(const MatchOptions& options);
+bool has_external_team(const MatchOptions& options);
 
 /// Sets a parameter from `server::NAME=VALUE` or `player::NAME=VALUE`.
 base::Result<void> apply_setting(MatchOptions& options, std::string_view setting);

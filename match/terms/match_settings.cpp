@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <variant>
 
+#include "base/text/split.h"
 #include "gamelog/rcg/rcg_writer.h"
 
 namespace cls::match {
@@ -15,53 +15,48 @@ namespace {
 using base::Error;
 using base::Result;
 
+template <class Names>
+bool lists(const Names& names, std::string_view name) {
+  return std::ranges::find(names, name) != std::end(names);
+}
+
+constexpr std::string_view kLogPaths = "logs go to the match folder; use --dir";
+
 struct Decided {
-  std::string_view name;
+  std::string_view names;  ///< separated by blanks
   std::string_view instead;
 };
 
-constexpr std::string_view kPorts = "cls chooses the ports; --monitor-port N sets that of monitors";
-constexpr std::string_view kLogPaths = "logs go to the match folder; use --dir";
-constexpr std::string_view kTeams = "a team is a SIDE: team:DIR or run:COMMAND";
-
-constexpr std::array kDecided = {
-    Decided{"port", kPorts},
-    Decided{"coach_port", kPorts},
-    Decided{"olcoach_port", kPorts},
-    Decided{"game_log_dir", kLogPaths},
-    Decided{"game_log_fixed", kLogPaths},
-    Decided{"game_log_fixed_name", kLogPaths},
-    Decided{"game_log_dated", kLogPaths},
-    Decided{"text_log_dir", kLogPaths},
-    Decided{"text_log_fixed", kLogPaths},
-    Decided{"text_log_fixed_name", kLogPaths},
-    Decided{"text_log_dated", kLogPaths},
-    Decided{"log_date_format", kLogPaths},
-    Decided{"keepaway_log_dir", kLogPaths},
-    Decided{"keepaway_log_fixed", kLogPaths},
-    Decided{"keepaway_log_fixed_name", kLogPaths},
-    Decided{"keepaway_log_dated", kLogPaths},
-    Decided{"team_l_start", kTeams},
-    Decided{"team_r_start", kTeams},
-    Decided{"synch_mode", "use --mode synch or --mode realtime"},
-    Decided{"auto_mode", "always on: a match starts when both teams have joined"},
-    Decided{"connect_wait", "a match starts when both teams have joined; use --start-timeout"},
+constexpr Decided kDecided[] = {
+    {"port coach_port olcoach_port",
+     "cls chooses the ports; --monitor-port N sets that of monitors"},
+    {"game_log_dir game_log_fixed game_log_fixed_name game_log_dated text_log_dir text_log_fixed "
+     "text_log_fixed_name text_log_dated log_date_format keepaway_log_dir keepaway_log_fixed "
+     "keepaway_log_fixed_name keepaway_log_dated",
+     kLogPaths},
+    {"team_l_start team_r_start", "a team is a SIDE: team:DIR or run:COMMAND"},
+    {"synch_mode", "use --mode synch or --mode realtime"},
+    {"auto_mode", "always on: a match starts when both teams have joined"},
+    {"connect_wait", "a match starts when both teams have joined; use --start-timeout"},
 };
 
+// The alternative to setting a parameter of the server; empty: it may be set.
+std::string_view instead_of(std::string_view name) {
+  for (const Decided& row : kDecided) {
+    if (lists(base::split(row.names, ' '), name)) return row.instead;
+  }
+  return {};
+}
+
 // On the embedded server, in any mode.
-constexpr std::array<std::string_view, 7> kNoEffect = {
+constexpr std::string_view kNoEffect[] = {
     "landmark_file",     "log_times",    "profile",         "verbose",
     "synch_micro_sleep", "send_vi_step", "sense_body_step",
 };
 
 // In lockstep there is no real time, and no keepaway log.
-constexpr std::array<std::string_view, 3> kNoEffectInLockstep = {"recv_step", "slow_down_factor",
-                                                                 "keepaway_logging"};
-
-template <std::size_t size>
-bool contains(const std::array<std::string_view, size>& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
+constexpr std::string_view kNoEffectInLockstep[] = {"recv_step", "slow_down_factor",
+                                                    "keepaway_logging"};
 
 }  // namespace
 
@@ -70,10 +65,9 @@ Result<void> apply_match_setting(MatchOptions& options, std::string_view setting
   if (setting.starts_with(kModule)) {
     const std::string_view name =
         setting.substr(kModule.size(), setting.find('=') - kModule.size());
-    for (const Decided& row : kDecided) {
-      if (name == row.name) {
-        return Error{fmt::format("server::{} has no effect in a match: {}", name, row.instead)};
-      }
+    const std::string_view instead = instead_of(name);
+    if (!instead.empty()) {
+      return Error{fmt::format("server::{} has no effect in a match: {}", name, instead)};
     }
   }
   return apply_setting(options, setting);
@@ -82,28 +76,27 @@ Result<void> apply_match_setting(MatchOptions& options, std::string_view setting
 std::vector<std::string> settings_without_effect(const MatchOptions& options) {
   std::vector<std::string> warnings;
   if (options.server_choice.kind != ServerChoice::Kind::kEmbedded) return warnings;
+
   const bool lockstep = mode_of(options) == MatchMode::kLockstep;
   const soccer::ServerParams defaults;
   for (const auto& row : soccer::server_param_table()) {
     const bool idle =
-        contains(kNoEffect, row.name) || (lockstep && contains(kNoEffectInLockstep, row.name));
+        lists(kNoEffect, row.name) || (lockstep && lists(kNoEffectInLockstep, row.name));
     const bool set = std::visit(
         [&](auto member) { return options.server.*member != defaults.*member; }, row.member);
     if (!idle || !set) continue;
+
     warnings.push_back(fmt::format("server::{} has no effect on the embedded server{}", row.name,
-                                   contains(kNoEffect, row.name) ? "" : " in lockstep"));
+                                   lists(kNoEffect, row.name) ? "" : " in lockstep"));
   }
   return warnings;
 }
 
 bool is_log_parameter(std::string_view name) {
-  constexpr std::array<std::string_view, 7> kWhatLogsHold = {
+  constexpr std::string_view kWhatLogsHold[] = {
       "text_logging",     "game_logging",         "keepaway_logging",    "log_times",
       "game_log_version", "game_log_compression", "text_log_compression"};
-  const bool names_files = std::any_of(
-      kDecided.begin(), kDecided.end(),
-      [name](const Decided& row) { return row.name == name && row.instead == kLogPaths; });
-  return names_files || contains(kWhatLogsHold, name);
+  return instead_of(name) == kLogPaths || lists(kWhatLogsHold, name);
 }
 
 std::string length_problem(const soccer::ServerParams& server, std::optional<int> cycles,
@@ -136,6 +129,7 @@ std::vector<std::string> log_setting_errors(const MatchOptions& options) {
         "need lockstep",
         version, name(mode_of(options))));
   }
+
   const std::pair<std::string_view, int> levels[] = {
       {"game_log_compression", options.server.game_log_compression},
       {"text_log_compression", options.server.text_log_compression}};

@@ -1,4 +1,4 @@
-// Which parameters of the soccer server a match leaves to its user.
+// The parameters of the soccer server that a match leaves to its user.
 #pragma once
 
 #include <optional>

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "base/text/number_text.h"
 #include "base/text/split.h"
 #include "base/text/suggestion.h"
+#include "base/text/trimmed.h"
 #include "proto/rpc.h"
 #include "soccer/side.h"
 
@@ -20,6 +20,7 @@ namespace {
 
 using base::Error;
 using base::Result;
+using base::trimmed;
 
 constexpr int kCoach = proto::kCoachNumber;
 constexpr std::string_view kOthers = "others";
@@ -38,25 +39,12 @@ constexpr std::array<Role, 6> kRoles = {{{"goalie", 1, 1},
                                          {"players", 1, 11},
                                          {"coach", kCoach, kCoach}}};
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(kSpace);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
-}
-
-bool is_selector_character(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == ',' || c == ' ' ||
-         c == '\t' || c == '\n';
-}
-
 // Length of "AGENTS=" at the begin of `text`; 0: another text, as after a `;` of a shell command.
 std::size_t selector_length(std::string_view text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string_view::npos) return 0;
-  const std::string_view selector = text.substr(0, equals);
-  if (trimmed(selector).empty()) return 0;
-  return std::all_of(selector.begin(), selector.end(), is_selector_character) ? equals + 1 : 0;
+  constexpr std::string_view kSelector = "abcdefghijklmnopqrstuvwxyz0123456789-, \t\n";
+  const std::size_t equals = text.find_first_not_of(kSelector);
+  if (equals == std::string_view::npos || text[equals] != '=') return 0;
+  return trimmed(text.substr(0, equals)).empty() ? 0 : equals + 1;
 }
 
 std::optional<int> parse_unum(std::string_view text) {
@@ -96,15 +84,15 @@ Result<std::vector<MixedPart>> split_parts(std::string_view text) {
   while (true) {
     const std::size_t length = selector_length(rest);
     if (length == 0) return Error{fmt::format("'{}' is not AGENTS=SIDE", trimmed(rest))};
+
     std::size_t end = rest.find(';', length);
     while (end != std::string_view::npos && selector_length(rest.substr(end + 1)) == 0) {
       end = rest.find(';', end + 1);
     }
-    MixedPart part;
-    part.label = trimmed(rest.substr(0, length - 1));
+
     const std::size_t side_length = end == std::string_view::npos ? end : end - length;
-    part.side = trimmed(rest.substr(length, side_length));
-    parts.push_back(std::move(part));
+    parts.push_back({.label = std::string(trimmed(rest.substr(0, length - 1))),
+                     .side = std::string(trimmed(rest.substr(length, side_length)))});
     if (end == std::string_view::npos) return parts;
     rest.remove_prefix(end + 1);
   }
@@ -118,6 +106,7 @@ Result<std::vector<MixedPart>> parse_mixed_side(std::string_view text) {
   std::vector<MixedPart>& parts = *split_text;
   std::map<int, std::size_t> owner;
   std::optional<std::size_t> others;
+
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (const std::string_view piece : base::split(parts[i].label, ',')) {
       const std::string_view word = trimmed(piece);
@@ -126,6 +115,7 @@ Result<std::vector<MixedPart>> parse_mixed_side(std::string_view text) {
         others = i;
         continue;
       }
+
       TRY_INIT(const auto range, parse_range(word));
       for (int number = range.first; number <= range.second; ++number) {
         if (!owner.emplace(number, i).second) {
@@ -134,13 +124,13 @@ Result<std::vector<MixedPart>> parse_mixed_side(std::string_view text) {
       }
     }
   }
+
   for (int number = 1; number <= soccer::kPlayersPerTeam; ++number) {
     if (owner.contains(number)) continue;
-    if (!others) {
-      return Error{fmt::format("player {} has no part; add others=SIDE", number)};
-    }
+    if (!others) return Error{fmt::format("player {} has no part; add others=SIDE", number)};
     owner.emplace(number, *others);
   }
+
   owner.emplace(kCoach, others.value_or(0));
   for (const auto& [number, part] : owner) parts[part].agents.push_back(number);
   for (const MixedPart& part : parts) {

@@ -11,8 +11,8 @@ namespace cls::match {
 
 /// A part of a mixed side, as the user wrote it.
 struct MixedPart {
-  std::string label;        ///< "1", "2-5,9", "defenders"
-  std::vector<int> agents;  ///< agent numbers, ascending; 12: the coach
+  std::string label;          ///< "1", "2-5,9", "defenders"
+  std::vector<int> agents{};  ///< agent numbers, ascending; 12: the coach
   std::string side;
 };
 

@@ -3,7 +3,6 @@
 // and manual pages follow from it.
 #pragma once
 
-#include <deque>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -19,7 +18,7 @@ namespace cls::match {
 /// The paragraph of the help.
 enum class OptionGroup { kMatch, kTeams, kPlaymakers, kLimits, kDebugging };
 
-/// Where an option may be set besides `cls match`.
+/// The places besides `cls match` where an option may be set.
 enum class OptionUse {
   kOneMatch,    ///< nowhere
   kConditions,  ///< in cls.toml; part of the plan of a tournament
@@ -48,16 +47,7 @@ struct MatchOption {
 };
 
 /// In the order of help and `cls config`.
-const std::deque<MatchOption>& match_options();
-
-/// Adds a row at the end of the table as long as it lives; for tests of what follows from a row.
-class AddedMatchOption {
- public:
-  explicit AddedMatchOption(MatchOption option);
-  ~AddedMatchOption();
-  AddedMatchOption(const AddedMatchOption&) = delete;
-  AddedMatchOption& operator=(const AddedMatchOption&) = delete;
-};
+const std::vector<MatchOption>& match_options();
 
 /// nullptr if there is none.
 const MatchOption* find_match_option(std::string_view key);

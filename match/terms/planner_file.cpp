@@ -26,9 +26,8 @@ Error error_at(const std::string& name, const toml::source_region& place, std::s
 std::vector<std::pair<std::string_view, const toml::node*>> in_file_order(const toml::table& top) {
   std::vector<std::pair<std::string_view, const toml::node*>> entries;
   for (const auto& [key, node] : top) entries.emplace_back(key.str(), &node);
-  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
-    return a.second->source().begin.line < b.second->source().begin.line;
-  });
+  std::ranges::sort(entries, {},
+                    [](const auto& entry) { return entry.second->source().begin.line; });
   return entries;
 }
 
@@ -56,10 +55,12 @@ Result<SharedPlannerParameters> parse_planner_file(std::string_view text, const 
   } catch (const toml::parse_error& error) {
     return error_at(name, error.source(), error.description());
   }
+
   auto parameters = std::make_shared<player::PlannerParameters>();
   if (auto error = schema_error_of(top, name)) return *std::move(error);
   for (const auto& [key, node] : in_file_order(top)) {
     if (key == "schema") continue;
+
     const auto value = number_of(*node);
     if (!value) return error_at(name, node->source(), fmt::format("{}: must be a number", key));
     const auto set = set_planner_parameter(*parameters, key, *value);

@@ -17,24 +17,22 @@ namespace {
 using base::Error;
 using base::Result;
 
-const std::vector<std::string_view>& placeholders() {
-  static const std::vector<std::string_view> names = {"port", "side", "name", "seed"};
-  return names;
-}
+constexpr std::array<std::string_view, 4> kPlaceholders = {"port", "side", "name", "seed"};
 
 // Replaces each {word} of lower-case letters without '$' before it by the result of `visit(word)`.
 std::string replaced(std::string_view command,
                      const std::function<std::string(std::string_view)>& visit) {
   std::string result;
   std::size_t i = 0;
+
   while (i < command.size()) {
     const std::size_t end = command.find('}', i);
     const bool opens = command[i] == '{' && (i == 0 || command[i - 1] != '$');
     const std::string_view word = opens && end != std::string_view::npos
                                       ? command.substr(i + 1, end - i - 1)
                                       : std::string_view();
-    const bool is_word = !word.empty() && std::all_of(word.begin(), word.end(),
-                                                      [](char c) { return c >= 'a' && c <= 'z'; });
+    const bool is_word =
+        !word.empty() && std::ranges::all_of(word, [](char c) { return c >= 'a' && c <= 'z'; });
     if (is_word) {
       result += visit(word);
       i = end + 1;
@@ -45,8 +43,9 @@ std::string replaced(std::string_view command,
   return result;
 }
 
-bool is_known(std::string_view word) {
-  return std::find(placeholders().begin(), placeholders().end(), word) != placeholders().end();
+template <class Words>
+bool contains(const Words& words, std::string_view word) {
+  return std::ranges::find(words, word) != std::end(words);
 }
 
 // A trainer has no side.
@@ -82,11 +81,10 @@ std::string stem_of(std::string_view word) {
 
 // Commands that start the program.
 bool is_launcher(std::string_view word) {
-  constexpr std::array<std::string_view, 19> kLaunchers = {
+  constexpr std::string_view kLaunchers[] = {
       "bash",  "cd",  "deno",   "dotnet",  "env",  "exec", "go", "java", "nice", "node",
       "nohup", "npm", "python", "python3", "ruby", "run",  "sh", "time", "uv"};
-  const std::string stem = stem_of(word);
-  return std::find(kLaunchers.begin(), kLaunchers.end(), stem) != kLaunchers.end();
+  return contains(kLaunchers, stem_of(word));
 }
 
 // "./run", "../old/run": the script of a project of `cls new`.
@@ -101,16 +99,19 @@ Result<void> check_run_command(std::string_view command) {
   if (command.find_first_not_of(" \t") == std::string_view::npos) {
     return Error{"no command after 'run:'"};
   }
+
   bool has_port = false;
   std::string mistake;
   replaced(command, [&](std::string_view word) {
     has_port = has_port || word == "port";
-    const std::string_view near = base::nearest_name(word, placeholders());
-    if (!is_known(word) && !near.empty() && mistake.empty()) {
+    const std::string_view near =
+        base::nearest_name(word, {kPlaceholders.begin(), kPlaceholders.end()});
+    if (!contains(kPlaceholders, word) && !near.empty() && mistake.empty()) {
       mistake = fmt::format("unknown placeholder {{{}}}; did you mean {{{}}}?", word, near);
     }
     return std::string();
   });
+
   if (!mistake.empty()) return Error{mistake};
   if (!has_port) {
     return Error{

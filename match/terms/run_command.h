@@ -28,8 +28,8 @@ base::Result<void> check_run_command(std::string_view command);
 /// is left to the shell.
 std::string fill_in(std::string_view command, const RunValues& values);
 
-/// How processes and results name the Playmaker of a side: "left Playmaker"; of a part of a mixed
-/// side: "left Playmaker (2-5)".
+/// The name of the Playmaker of a side for processes and results: "left Playmaker"; of a part of a
+/// mixed side: "left Playmaker (2-5)".
 std::string playmaker_name(soccer::Side side, std::string_view part = {});
 
 /// The plan that starts the Playmaker of a side; its log in `folder` is named after side and part.

@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <vector>
-
 #include "base/system/socket_address.h"
+#include "base/text/enum_names.h"
 #include "base/text/number_text.h"
 #include "base/text/suggestion.h"
 #include "match/terms/host_name.h"
@@ -17,13 +15,26 @@ namespace {
 using base::Error;
 using base::Result;
 
-constexpr std::array<MatchMode, 3> kModes = {MatchMode::kLockstep, MatchMode::kSynch,
-                                             MatchMode::kRealtime};
+constexpr auto kModes = base::enum_names<MatchMode>("lockstep", "synch", "realtime");
 
 // 0: not a port number.
 int port_in(std::string_view text) {
   const int port = base::parse_int(text).value_or(0);
   return port >= 1 && port <= 65535 ? port : 0;
+}
+
+// HOST:PORT.
+Result<void> parse_address(std::string_view text, std::size_t colon, ServerChoice& choice) {
+  choice.kind = ServerChoice::Kind::kAddress;
+  choice.host = base::strip_brackets(std::string(text.substr(0, colon)));
+  choice.port = port_in(text.substr(colon + 1));
+  if (choice.host.empty() || choice.port == 0) {
+    return Error{fmt::format("--server '{}': must be HOST:PORT with a port from 1 to 65535", text)};
+  }
+  if (const std::string problem = host_problem(text.substr(0, colon)); !problem.empty()) {
+    return Error{fmt::format("--server '{}': {}", text, problem)};
+  }
+  return {};
 }
 
 }  // namespace
@@ -32,56 +43,38 @@ Result<ServerChoice> parse_server(std::string_view text) {
   ServerChoice choice;
   choice.text = text;
   if (text == "embedded") return choice;
+  if (text.empty()) return Error{"--server '': must be embedded, rcssserver, PATH or HOST:PORT"};
   if (text.find("://") != std::string_view::npos) {
     return Error{fmt::format("--server '{}': {}", text, host_problem(text))};
   }
+
   const std::size_t colon = text.rfind(':');
   if (colon != std::string_view::npos && text.find('/') == std::string_view::npos) {
-    choice.kind = ServerChoice::Kind::kAddress;
-    choice.host = base::strip_brackets(std::string(text.substr(0, colon)));
-    choice.port = port_in(text.substr(colon + 1));
-    if (choice.host.empty() || choice.port == 0) {
-      return Error{
-          fmt::format("--server '{}': must be HOST:PORT with a port from 1 to 65535", text)};
-    }
-    if (const std::string problem = host_problem(text.substr(0, colon)); !problem.empty()) {
-      return Error{fmt::format("--server '{}': {}", text, problem)};
-    }
+    TRY(parse_address(text, colon, choice));
     return choice;
   }
+
   choice.kind = ServerChoice::Kind::kProgram;
   choice.program = text;
   const std::string_view near = base::nearest_name(text, {"embedded", "rcssserver"});
-  if (text.empty()) return Error{"--server '': must be embedded, rcssserver, PATH or HOST:PORT"};
   if (near != text && !near.empty()) {
-    const std::string hint = fmt::format("did you mean '{}'? ", near);
     return Error{fmt::format(
-        "--server '{}': {}(embedded, rcssserver, the PATH of a server, or HOST:PORT)", text, hint)};
+        "--server '{}': did you mean '{}'? (embedded, rcssserver, the PATH of a server, or "
+        "HOST:PORT)",
+        text, near)};
   }
   return choice;
 }
 
-std::string_view name(MatchMode mode) {
-  switch (mode) {
-    case MatchMode::kSynch:
-      return "synch";
-    case MatchMode::kRealtime:
-      return "realtime";
-    case MatchMode::kLockstep:
-      break;
-  }
-  return "lockstep";
-}
+std::string_view name(MatchMode mode) { return kModes.name(mode); }
 
 Result<MatchMode> parse_mode(std::string_view text) {
-  std::vector<std::string_view> names;
-  for (const MatchMode mode : kModes) {
-    if (name(mode) == text) return mode;
-    names.push_back(name(mode));
-  }
-  const std::string_view near = base::nearest_name(text, names);
+  if (const auto mode = kModes.parse(text)) return *mode;
+
+  const std::string_view near =
+      base::nearest_name(text, {kModes.texts.begin(), kModes.texts.end()});
   if (!near.empty()) return Error{fmt::format("--mode '{}': did you mean '{}'?", text, near)};
-  return Error{fmt::format("--mode '{}': must be {}", text, fmt::join(names, " or "))};
+  return Error{fmt::format("--mode '{}': must be {}", text, fmt::join(kModes.texts, " or "))};
 }
 
 }  // namespace cls::match

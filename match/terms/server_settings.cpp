@@ -23,42 +23,33 @@ using soccer::ConfigurationItem;
 constexpr int kMaxIncludeDepth = 16;
 
 // Parameters without a table in rcssserver, in the same form.
-struct OtherSettings {
-  bool save = false;
-  std::string filename;
-  int max_wait_ms = 0;
-  int max_missed = 0;
-};
-
-using OtherTable = soccer::ParameterTable<OtherSettings>;
+using OtherTable = soccer::ParameterTable<ServerSettings>;
 
 const OtherTable& csv_table() {
   static const OtherTable table = {
-      {"save", &OtherSettings::save, 0, "", "append a result line at the end"},
-      {"filename", &OtherSettings::filename, 0, "", "to this file"}};
+      {"save", &ServerSettings::save_csv, 0, "", "append a result line at the end"},
+      {"filename", &ServerSettings::csv_file, 0, "", "to this file"}};
   return table;
 }
 
 const OtherTable& sync_table() {
   static const OtherTable table = {
-      {"max_wait_ms", &OtherSettings::max_wait_ms, 0, "ms", "longest wait for (done)"},
-      {"max_missed", &OtherSettings::max_missed, 0, "cyc",
+      {"max_wait_ms", &ServerSettings::max_wait_ms, 0, "ms", "longest wait for (done)"},
+      {"max_missed", &ServerSettings::max_missed, 0, "cyc",
        "cycles in a row with an answer missing"}};
   return table;
 }
 
 Result<void> set_other(ServerSettings& settings, const OtherTable& table,
                        const ConfigurationItem& item) {
-  OtherSettings other{settings.save_csv, settings.csv_file, settings.max_wait_ms,
-                      settings.max_missed};
-  TRY(set_parameter(other, table, item.name, item.value));
-  if (other.max_wait_ms <= 0 || other.max_missed < 0) {
+  ServerSettings changed = settings;
+  TRY(set_parameter(changed, table, item.name, item.value));
+  if (changed.max_wait_ms <= 0 || changed.max_missed < 0) {
     return Error{fmt::format("parameter '{}': {} is too small", item.name, item.value)};
   }
-  settings.save_csv = other.save;
-  settings.csv_file = base::expand_home(other.filename);
-  settings.max_wait_ms = other.max_wait_ms;
-  settings.max_missed = other.max_missed;
+
+  changed.csv_file = base::expand_home(changed.csv_file);
+  settings = std::move(changed);
   return {};
 }
 
@@ -69,10 +60,6 @@ constexpr std::string_view kTrainer = "trainer";
 
 // "team,cls" or "team:A+B,cls,trainer": left side, right side.
 Result<void> set_match(ServerSettings& settings, const ConfigurationItem& item) {
-  const auto error = [&item] {
-    return Error{
-        fmt::format("match::{}: only a match sets this, as match::sides=team,cls", item.name)};
-  };
   const std::vector<std::string_view> words = base::split(item.value, ',');
   const auto is_team = [](std::string_view word) {
     return word == kTeam ||
@@ -82,9 +69,14 @@ Result<void> set_match(ServerSettings& settings, const ConfigurationItem& item) 
   const auto name_in = [](std::string_view word) {
     return word.starts_with(kNamedTeam) ? std::string(word.substr(kNamedTeam.size())) : "";
   };
+
   const bool trainer = words.size() == 3 && words[2] == kTrainer;
-  if (item.name != "sides" || (words.size() != 2 && !trainer)) return error();
-  if (!is_side(words[0]) || !is_side(words[1])) return error();
+  const bool good = item.name == "sides" && (words.size() == 2 || trainer) && is_side(words[0]) &&
+                    is_side(words[1]);
+  if (!good) {
+    return Error{
+        fmt::format("match::{}: only a match sets this, as match::sides=team,cls", item.name)};
+  }
   settings.bound = BoundSides{
       {is_team(words[0]), is_team(words[1])}, trainer, {name_in(words[0]), name_in(words[1])}};
   return {};
@@ -119,6 +111,7 @@ Result<void> apply_item(ServerSettings& settings, const ConfigurationItem& writt
         "the version to '{1}', or delete the file for the defaults",
         item.value, kConfigurationVersion)};
   }
+
   if (item.module == "server") {
     return soccer::set_server_parameter(settings.server, item.name, item.value);
   }
@@ -133,15 +126,15 @@ Result<void> apply_item(ServerSettings& settings, const ConfigurationItem& writt
 }
 
 Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& file, int depth) {
-  if (depth > kMaxIncludeDepth) {
-    return Error{fmt::format("{}: circular include", file.string())};
-  }
+  if (depth > kMaxIncludeDepth) return Error{fmt::format("{}: circular include", file.string())};
+
   // A pipe would be waited for, and some devices have no end.
   std::error_code code;
   if (std::filesystem::exists(file, code) && !std::filesystem::is_regular_file(file, code)) {
     return Error{
         fmt::format("cannot read {}: {}", file.string(), base::why_no_file(file).value_or(""))};
   }
+
   const auto text = base::read_file(file);
   if (!text) return Error{fmt::format("cannot read {}", file.string())};
   const auto items = soccer::parse_configuration(*text);
@@ -174,9 +167,7 @@ Result<void> apply_arguments(ServerSettings& settings, const std::vector<std::st
     const std::string& message = items.error().message;
     return Error{message.substr(message.find(": ") + 2)};
   }
-  for (const ConfigurationItem& item : *items) {
-    TRY(apply_item(settings, item, {}, 0));
-  }
+  for (const ConfigurationItem& item : *items) TRY(apply_item(settings, item, {}, 0));
   return {};
 }
 
@@ -192,6 +183,7 @@ Result<std::vector<std::filesystem::path>> apply_folder(ServerSettings& settings
     const std::filesystem::path file = folder / name;
     std::error_code error;
     if (!std::filesystem::exists(file, error)) continue;
+
     TRY(apply_file(settings, file));
     found.push_back(file);
   }

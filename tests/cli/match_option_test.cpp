@@ -1,20 +1,21 @@
-// A throw-away option of matches: one row, and it is everywhere.
+// Options of matches: a row of their table is everywhere.
 #include "match/terms/option_table.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <fstream>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "base/text/replace_all.h"
 #include "cli/application.h"
 #include "match/result/match_folder.h"
 #include "scenario/scenario_file.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 #include "tournament/config/config_file.h"
 #include "tournament/store/match_attempt.h"
@@ -22,35 +23,19 @@
 namespace cls {
 namespace {
 
-using match::AddedMatchOption;
 using match::MatchOption;
 using match::MatchOptions;
-using nlohmann::json;
+using json = base::Json;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
+using testing::Not;
 
-// Stored in a member that only resumed matches read.
-MatchOption throw_away_option() {
-  MatchOption option;
-  option.key = "fan_noise";
-  option.placeholder = "N";
-  option.help = "decibels of the fans (default: 0)";
-  option.form.kind = base::ValueKind::kWhole;
-  option.form.min = 0;
-  option.form.max = 140;
-  option.set = [](MatchOptions& options, const std::string& text) -> base::Result<void> {
-    options.branch_seed = std::stoull(text);
-    return {};
-  };
-  option.shown = [](const MatchOptions& options) {
-    return options.branch_seed ? std::to_string(*options.branch_seed) : std::string();
-  };
-  option.group = match::OptionGroup::kLimits;
-  option.use = match::OptionUse::kConditions;
-  option.example = "90";
-  option.scenario_key = "fan_noise";
-  return option;
+// "--coach,--no-coach", "--cycles N": an option in help.
+std::string in_help(const MatchOption& row) {
+  std::string text = match::option_name(row.key);
+  if (row.has_opposite) text += "," + match::option_name("no_" + std::string(row.key));
+  return row.placeholder.empty() ? text : fmt::format("{} {}", text, row.placeholder);
 }
 
 class MatchOptionTable : public testing::Test {
@@ -72,73 +57,105 @@ class MatchOptionTable : public testing::Test {
   std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
 
   tests::TemporaryFolder folder_;
-  AddedMatchOption added_{throw_away_option()};
 };
 
-TEST_F(MatchOptionTable, RowIsInHelpCompletionAndManualPage) {
+TEST_F(MatchOptionTable, RowsAreInHelpCompletionAndManualPage) {
   const std::string help = run({"match", "--help"});
-  EXPECT_THAT(help, HasSubstr("  --fan-noise N               decibels of the fans (default: 0)"));
-  EXPECT_LT(help.find("Limits:"), help.find("--fan-noise"));
-  EXPECT_THAT(run({"complete", "--", "match", "--fan"}), HasSubstr("--fan-noise\t"));
+  const std::string completed = run({"complete", "--", "match", "--"});
   run({"help", "--man", path("man").c_str()});
-  EXPECT_THAT(tests::read_file(path("man/cls-match.1")), HasSubstr("\\-\\-fan\\-noise N"));
+  const std::string manual = tests::read_file(path("man/cls-match.1"));
+  for (const MatchOption& row : match::match_options()) {
+    EXPECT_THAT(help, HasSubstr("  " + in_help(row)));
+    EXPECT_THAT(completed, HasSubstr(match::option_name(row.key) + "\t"));
+    std::string in_manual = in_help(row);
+    base::replace_all(in_manual, "-", "\\-");
+    EXPECT_THAT(manual, HasSubstr(in_manual));
+  }
+  EXPECT_LT(help.find("Limits:"), help.find("--max-memory"));
+  EXPECT_LT(help.find("--max-memory"), help.find("Debugging:"));
 }
 
 TEST_F(MatchOptionTable, RowHasItsErrors) {
-  EXPECT_EQ(run({"match", "mock", "mock", "--fan-noise", "200"}, 2),
-            "cls: --fan-noise '200': must be a whole number from 0 to 140\n");
+  EXPECT_EQ(run({"match", "mock", "mock", "--monitor-port", "70000"}, 2),
+            "cls: --monitor-port '70000': must be a whole number from 0 to 65535\n");
 }
 
 TEST_F(MatchOptionTable, RowIsASettingWithItsOrigin) {
-  std::ofstream(path("cls.toml")) << "[tournament]\nfan_noise = 90\n";
+  std::ofstream(path("cls.toml")) << "[tournament]\nadjudicate = 9\n";
   const auto row_of = [&](std::vector<const char*> words) {
     words.insert(words.begin(), {"config", "mock", "mock", "--json"});
     const json document = json::parse(run(words));
     for (const json& row : document["settings"]) {
-      if (row["name"] == "fan_noise") return row;
+      if (row["name"] == "adjudicate") return row;
     }
     return json();
   };
-  EXPECT_EQ(row_of({"--fan-noise", "80"})["value"], "80");
-  EXPECT_EQ(row_of({"--fan-noise", "80"})["origin"], "option --fan-noise");
+
+  EXPECT_EQ(row_of({"--adjudicate", "8"})["value"], "8");
+  EXPECT_EQ(row_of({"--adjudicate", "8"})["origin"], "option --adjudicate");
+
   const std::string file = path("cls.toml");
-  EXPECT_EQ(row_of({"--config", file.c_str()})["value"], "90");
+  EXPECT_EQ(row_of({"--config", file.c_str()})["value"], "9");
   EXPECT_THAT(row_of({"--config", file.c_str()})["origin"].get<std::string>(),
               HasSubstr("cls.toml:2"));
 }
 
-TEST_F(MatchOptionTable, RowIsInNewConfigurationsAndInTheMatchesOfTournaments) {
+TEST_F(MatchOptionTable, RowsAreInNewConfigurationsAndInTheOptionsOfTournaments) {
   run({"init", path("cup").c_str()});
-  EXPECT_THAT(tests::read_file(path("cup/cls.toml")), HasSubstr("fan_noise = 90"));
+  const std::string written = tests::read_file(path("cup/cls.toml"));
+  const std::string help = run({"tournament", "run", "--help"});
+  for (const MatchOption& row : match::match_options()) {
+    if (row.use == match::OptionUse::kOneMatch) continue;
+    EXPECT_THAT(written, HasSubstr(fmt::format("{} = {}\n", row.key, row.example)));
+    EXPECT_THAT(help,
+                HasSubstr(fmt::format("  {} {}", match::option_name(row.key),
+                                      row.placeholder.empty() ? "true|false" : row.placeholder)));
+  }
+}
 
+TEST_F(MatchOptionTable, OptionsOfTournamentsNameTheirValues) {
+  for (const std::vector<const char*>& words :
+       {std::vector{"tournament", "run", "--help"}, std::vector{"tournament", "plan", "--help"},
+        std::vector{"compare", "--help"}, std::vector{"tune", "run", "--help"}}) {
+    EXPECT_THAT(run(words), Not(HasSubstr(" VALUE")));
+  }
+  EXPECT_THAT(run({"tournament", "run", "--help"}),
+              AllOf(HasSubstr("--remote-folder DIR"), HasSubstr("--pin true|false"),
+                    HasSubstr("--matches A:B,..."), HasSubstr("--half-time N")));
+}
+
+TEST_F(MatchOptionTable, RowIsInTheMatchesOfTournaments) {
   using namespace tournament;
-  TournamentConfig config = parse_config(
-                                "[tournament]\nfan_noise = 90\n[teams.A]\nendpoint = \"mock\"\n"
-                                "[teams.B]\nendpoint = \"mock\"\n",
-                                "cls.toml")
-                                .config;
+  const TournamentConfig config = parse_config(
+                                      "[tournament]\nadjudicate = 9\n[teams.A]\n"
+                                      "endpoint = \"mock\"\n[teams.B]\nendpoint = \"mock\"\n",
+                                      "cls.toml")
+                                      .config;
   Fixture fixture;
   fixture.left = 0;
   fixture.right = 1;
-  EXPECT_THAT(match_plan(config, fixture, "cls", "").argv, IsSupersetOf({"--fan-noise", "90"}));
-  EXPECT_THAT(format_config(config), HasSubstr("fan_noise = 90"));
-  EXPECT_THAT(run({"tournament", "plan", "--help"}), HasSubstr("--fan-noise"));
+  EXPECT_THAT(match_plan(config, fixture, "cls", "").argv, IsSupersetOf({"--adjudicate", "9"}));
+  EXPECT_THAT(format_config(config), HasSubstr("adjudicate = 9"));
 }
 
-TEST_F(MatchOptionTable, RowIsInScenarios) {
-  const auto text = base::JsonDocument::parse(
-      "noisy.json", R"({"fan_noise": 70, "expect": [{"end": "finished"}]})");
+TEST_F(MatchOptionTable, RowsAreInScenarios) {
+  const auto text = base::JsonDocument::parse("late.json", R"({
+      "rpc_deadline_ms": 70, "on_late": "last", "batch": "never", "max_missed": 7, "coach": false,
+      "expect": [{"end": "finished"}]})");
   ASSERT_TRUE(text);
   const auto scenario = scenario::parse_scenario(*text, {});
   ASSERT_TRUE(scenario) << scenario.error().message;
-  EXPECT_EQ(scenario->options.at("fan_noise"), "70");
+  using Entry = std::pair<const std::string, std::string>;
+  EXPECT_THAT(scenario->options, IsSupersetOf({Entry("rpc_deadline", "70"),
+                                               Entry("on_late", "last"), Entry("batch", "never"),
+                                               Entry("max_missed", "7"), Entry("coach", "false")}));
 }
 
 TEST_F(MatchOptionTable, RowIsInTheManifest) {
   MatchOptions options;
-  options.branch_seed = 60;
+  options.max_missed = 60;
   const json manifest = json::parse(match::manifest_json(options, {"a", "b"}, 1, {}));
-  EXPECT_EQ(manifest["options"]["fan_noise"], "60");
+  EXPECT_EQ(manifest["options"]["max_missed"], "60");
 }
 
 }  // namespace

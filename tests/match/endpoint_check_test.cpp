@@ -68,16 +68,18 @@ TEST_F(EndpointCheck, NamesTheProblemOfEachKindOfSide) {
   EXPECT_FALSE(check("mock:hold"));
   EXPECT_EQ(check("mock:hodl")->kind, Kind::kUnknown);
   EXPECT_EQ(check("mock:" + (path() / "none.json").string())->kind, Kind::kMissing);
+
   const fs::path script = path() / "drill.json";
   std::ofstream(script) << "{\"otherwhise\": \"simple\"}";
   EXPECT_EQ(check("mock:" + script.string())->kind, Kind::kBadScript);
   EXPECT_EQ(check("team:" + path().string())->kind, Kind::kMissing);
   EXPECT_EQ(check("run:" + (path() / "brane").string() + " {port}")->kind, Kind::kMissing);
+
   const auto unreachable = check("unix:" + (path() / "none.sock").string());
   ASSERT_TRUE(unreachable);
   EXPECT_EQ(unreachable->kind, Kind::kUnreachable);
-  EXPECT_THAT(unreachable->text, HasSubstr("nothing listens at ")) << unreachable->text;
-  EXPECT_THAT(unreachable->text, HasSubstr("; start it first"));
+  EXPECT_THAT(unreachable->text,
+              AllOf(HasSubstr("nothing listens at "), HasSubstr("; start it first")));
 }
 
 TEST_F(EndpointCheck, AcceptsRunningPlaymaker) {

@@ -24,6 +24,7 @@ std::string error_of(std::string_view text) {
 TEST(Endpoint, ParsesEveryForm) {
   EXPECT_EQ(parse_endpoint("mock")->kind, Endpoint::Kind::kMock);
   EXPECT_EQ(parse_endpoint("mock:hold")->behavior, "hold");
+
   const auto address = parse_endpoint("localhost:50051");
   EXPECT_EQ(address->kind, Endpoint::Kind::kAddress);
   EXPECT_EQ(address->host, "localhost");
@@ -32,6 +33,7 @@ TEST(Endpoint, ParsesEveryForm) {
   EXPECT_TRUE(parse_endpoint("10.0.0.1:5000+step")->port_step);
   EXPECT_EQ(parse_endpoint("[::1]:50051")->host, "[::1]");
   EXPECT_EQ(address->tls, nullptr);
+
   const auto secure = parse_endpoint("tls:brain.example:443+step");
   EXPECT_EQ(secure->kind, Endpoint::Kind::kAddress);
   EXPECT_EQ(secure->text, "tls:brain.example:443+step");
@@ -40,11 +42,13 @@ TEST(Endpoint, ParsesEveryForm) {
   EXPECT_NE(secure->tls, nullptr);
   EXPECT_EQ(target_of(*secure).tls, secure->tls);
   EXPECT_EQ(parse_endpoint("unix:/run/brain.sock")->path, "/run/brain.sock");
+
   const auto run = parse_endpoint("run:./brain --port {port}");
   EXPECT_EQ(run->kind, Endpoint::Kind::kRun);
   EXPECT_EQ(run->command, "./brain --port {port}");
   EXPECT_TRUE(run->starts_programs());
   EXPECT_TRUE(run->has_playmaker());
+
   const auto team = parse_endpoint("team:teams/helios");
   EXPECT_EQ(team->kind, Endpoint::Kind::kTeam);
   EXPECT_EQ(team->path, "teams/helios");
@@ -75,6 +79,7 @@ TEST(Endpoint, ReportsErrorAndAllForms) {
             "listens (or start it yourself and use HOST:PORT)");
   EXPECT_EQ(error_of("run:./brain {prot}"),
             "side 'run:./brain {prot}': unknown placeholder {prot}; did you mean {port}?");
+
   for (const char* text : {"", "localhost:", "localhost:x", "localhost:5+stop", "a:5x"}) {
     EXPECT_THAT(error_of(text), HasSubstr("unknown side")) << text;
   }

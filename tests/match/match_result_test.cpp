@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "base/io/whole_file.h"
+#include "base/text/json.h"
 #include "match/result/event_recorder.h"
 #include "match/result/match_folder.h"
 #include "match/terms/option_table.h"
@@ -50,8 +50,10 @@ TEST(MatchResult, WritesMembersOfTheSchema) {
   player.commands["dash"] = 3;
   result.left.players.push_back(player);
   result.goals.push_back({17, soccer::Side::kLeft, 9});
-  const auto document = nlohmann::json::parse(to_json(result));
+  const auto document = base::Json::parse(to_json(result));
+
   EXPECT_EQ(document["schema"], "cls.match/1");
+
   for (const char* key : {"left", "right", "winner", "valid", "end_reason", "cycles", "steps",
                           "seed", "mode", "deterministic", "server", "wall_seconds",
                           "cycles_per_second", "log_files", "warnings", "versions"}) {
@@ -68,12 +70,11 @@ TEST(MatchResult, WritesMembersOfTheSchema) {
 TEST(MatchResult, ReplacesInvalidUtf8) {
   MatchResult result = two_to_one();
   result.message = "it said \xff\xfe";
-  EXPECT_TRUE(nlohmann::json::accept(to_json(result)));
+  EXPECT_TRUE(base::Json::parse_or_discarded(to_json(result)).is_object());
 }
 
 // Every member with a value of its own.
-MatchResult full_result() {
-  MatchResult result = two_to_one();
+PlayerResult full_player() {
   PlayerResult player;
   player.unum = 1;
   player.decisions = 100;
@@ -92,6 +93,12 @@ MatchResult full_result() {
   player.lists = 9;
   player.empty = 10;
   player.useless = 11;
+  return player;
+}
+
+MatchResult full_result() {
+  const PlayerResult player = full_player();
+  MatchResult result = two_to_one();
   result.left.endpoint = "mock";
   result.left.penalty_score = 3;
   result.right.penalty_score = 2;
@@ -101,10 +108,12 @@ MatchResult full_result() {
   result.left.errors.count = 12;
   result.left.errors.first = {"GetPlayerActions", "UNKNOWN", "no ball", 50, 9, "left-error.rpc"};
   result.trainer = player;
+
   result.end_reason = EndReason::kServerFailed;
   result.message = "the server \xff crashed";
   result.fault = soccer::Side::kNeutral;
   result.failure = ProcessFailure{"soccer server", "exit code 3", "server.log", {"one", "two"}};
+
   result.cycles = 77;
   result.steps = 78;
   result.seed = 18446744073709551615u;
@@ -117,6 +126,7 @@ MatchResult full_result() {
   result.server_cpu_seconds = 0.5;
   result.wall_seconds = 7.1239;
   result.cycles_per_second = 83.27;
+
   result.goals = {{17, soccer::Side::kLeft, 9}, {18, soccer::Side::kRight, 0}};
   result.warnings = {"a warning"};
   result.processes = {
@@ -158,15 +168,6 @@ TEST(MatchResult, RejectsOtherDocuments) {
   }
 }
 
-TEST(EndReason, NamesParseToTheSameReason) {
-  for (int i = 0; i <= static_cast<int>(EndReason::kInterrupted); ++i) {
-    const auto reason = static_cast<EndReason>(i);
-    EXPECT_EQ(parse_end_reason(name(reason)), reason);
-  }
-  EXPECT_EQ(name(EndReason::kTimedOut), "timed_out");
-  EXPECT_FALSE(parse_end_reason("unknown"));
-}
-
 TEST(MatchFolder, IsCreatedAndNamedInErrors) {
   const tests::TemporaryFolder folder;
   const fs::path base = folder.path();
@@ -198,12 +199,12 @@ TEST(MatchFolder, IsDistinctForMatchesInTheSameSecond) {
 TEST(Manifest, ListsOnlySettingsThatDifferFromDefaults) {
   MatchOptions options;
   ASSERT_TRUE(apply_setting(options, "server::half_time=10"));
-  const auto manifest = nlohmann::json::parse(
-      manifest_json(options, {"l", "r"}, 7, {"2026-11-20T10:00:00Z", "", ""}));
+  const auto manifest =
+      base::Json::parse(manifest_json(options, {"l", "r"}, 7, {"2026-11-20T10:00:00Z", "", ""}));
   EXPECT_EQ(manifest["seed"], 7);
-  const nlohmann::json expected = {{"server::half_time", 10},
-                                   {"server::nr_extra_halfs", 0},
-                                   {"server::penalty_shoot_outs", false}};
+  const base::Json expected = {{"server::half_time", 10},
+                               {"server::nr_extra_halfs", 0},
+                               {"server::penalty_shoot_outs", false}};
   EXPECT_EQ(manifest["settings"], expected);
 }
 

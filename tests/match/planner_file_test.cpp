@@ -46,7 +46,7 @@ TEST(PlannerFile, ReportsPlaceAndRemedyOfErrors) {
   EXPECT_EQ(error_of("x_weight = 99\nshift_normal = 99"),
             "p.toml:1: x_weight: must be a number from 0 to 10 (points/m)")
       << "the first one in the file";
-  EXPECT_EQ(error_of("x_weight = 1\n=").rfind("p.toml:2: ", 0), 0U);
+  EXPECT_THAT(error_of("x_weight = 1\n="), testing::StartsWith("p.toml:2: "));
 }
 
 TEST(PlannerFile, OfALaterFormatIsRefused) {
@@ -69,8 +69,7 @@ TEST(PlannerFile, CommentedFileHasAllDefaults) {
     EXPECT_EQ(value_of(**parsed, row), value_of(defaults, row)) << row.name;
     EXPECT_THAT(text, HasSubstr("\n" + std::string(row.name) + " = ")) << row.name;
   }
-  EXPECT_THAT(text, HasSubstr("\npass_margin = 0.35  # 0 to 3 m: extra reach of opponents"))
-      << text;
+  EXPECT_THAT(text, HasSubstr("\npass_margin = 0.35  # 0 to 3 m: extra reach of opponents"));
 }
 
 TEST(PlannerFile, IsReadWithItsSide) {

@@ -9,7 +9,9 @@
 #include <array>
 #include <cstring>
 #include <limits>
+#include <utility>
 
+#include "base/index.h"
 #include "training/episode/episode.h"
 #include "training/pool/pool_config.h"
 
@@ -34,24 +36,38 @@ void play(Episode& episode, const Setup& setup, int cycles, std::int32_t id) {
 
 constexpr std::int32_t kIntercept = 7;
 
+/// A match at its begin.
+struct Begun {
+  explicit Begun(
+      const char* config = R"({"task": "Match", "agents": "both", "obs": "world_model"})")
+      : setup(setup_of(config)), episode(setup) {
+    episode.reset(3, setup->options);
+  }
+
+  std::shared_ptr<const Setup> setup;
+  Episode episode;
+};
+
 TEST(PolicyRows, AreTheObservationsOfTraining) {
   for (const char* features : {"ego", "hfo_high"}) {
-    const auto setup = setup_of(fmt::format(R"({{"task": "Match", "agents": "both",
-        "actions": "hfo", "features": "{}", "obs": "world_model"}})",
-                                            features)
-                                    .c_str());
-    Episode episode(setup);
-    episode.reset(3, setup->options);
+    Begun begun(fmt::format(R"({{"task": "Match", "agents": "both", "actions": "hfo",
+                               "features": "{}", "obs": "world_model"}})",
+                            features)
+                    .c_str());
+    const auto setup = begun.setup;
+    Episode& episode = begun.episode;
     const auto codec = make_policy_rows();
     const auto sizes = codec->choose({fmt::format("{}/1", features), "hfo/2", 10, 11});
     ASSERT_TRUE(sizes) << sizes.error().message;
     ASSERT_EQ(sizes->features, static_cast<int>(setup->feature_count()));
     EXPECT_EQ(sizes->ids, 20);
     EXPECT_EQ(sizes->actions, 16);
+
     for (int round = 0; round < 5; ++round) {
       play(episode, *setup, 15, kIntercept);
       std::vector<float> all(setup->agent_count() * setup->feature_count());
       episode.observe(all.data());
+
       for (std::size_t agent = 0; agent < setup->agent_count(); ++agent) {
         std::vector<float> row;
         std::vector<std::uint8_t> mask;
@@ -60,6 +76,7 @@ TEST(PolicyRows, AreTheObservationsOfTraining) {
         std::vector<std::uint8_t> legal(setup->id_count());
         episode.mask(agent, legal.data());
         EXPECT_EQ(mask, legal);
+
         for (std::size_t i = 0; i < row.size(); ++i) {
           const std::string& name = setup->feature_columns[i].name;
           // Columns of the episode and of its last action: a match has neither.
@@ -73,19 +90,18 @@ TEST(PolicyRows, AreTheObservationsOfTraining) {
 }
 
 TEST(PolicyRows, WithFewerPlayersShowTheNearest) {
-  const auto setup = setup_of(R"({"task": "Match", "agents": "both", "obs": "world_model"})");
-  Episode episode(setup);
-  episode.reset(3, setup->options);
-  play(episode, *setup, 40, kIntercept);
+  Begun begun;
+  play(begun.episode, *begun.setup, 40, kIntercept);
   const auto codec = make_policy_rows();
   ASSERT_TRUE(codec->choose({"ego/1", "low_discrete/1", 2, 1}));
   std::vector<float> few;
   std::vector<std::uint8_t> mask;
-  codec->encode(*episode.world_model(7), few, mask);
+  codec->encode(*begun.episode.world_model(7), few, mask);
   EXPECT_EQ(mask.size(), 81U);
   ASSERT_TRUE(codec->choose({"ego/1", "low_discrete/1", 10, 11}));
   std::vector<float> all;
-  codec->encode(*episode.world_model(7), all, mask);
+  codec->encode(*begun.episode.world_model(7), all, mask);
+
   // Column 3 of a player is the distance; the own columns come first.
   constexpr std::size_t kOwn = 31;
   constexpr std::size_t kWidth = 10;
@@ -94,7 +110,8 @@ TEST(PolicyRows, WithFewerPlayersShowTheNearest) {
     const std::size_t first = kOwn + i * kWidth;
     if (all[first] > 0.0F) distances.push_back(all[first + 3]);
   }
-  std::sort(distances.begin(), distances.end());
+  std::ranges::sort(distances);
+
   ASSERT_GE(distances.size(), 2U);
   EXPECT_EQ(few[kOwn + 3], distances[0]);
   EXPECT_EQ(few[kOwn + kWidth + 3], distances[1]);
@@ -102,10 +119,8 @@ TEST(PolicyRows, WithFewerPlayersShowTheNearest) {
 }
 
 TEST(PolicyRows, DecodeTheActionsOfTheSet) {
-  const auto setup = setup_of(R"({"task": "Match", "agents": "both", "obs": "world_model"})");
-  Episode episode(setup);
-  episode.reset(3, setup->options);
-  const player::WorldModel& world = *episode.world_model(5);
+  Begun begun;
+  const player::WorldModel& world = *begun.episode.world_model(5);
   const auto codec = make_policy_rows();
   ASSERT_TRUE(codec->choose({"ego/1", "low/1", 0, 0}));
   const std::array<float, 6> dash = {0.0F, 150.0F, 45.0F, 0.0F, 0.0F, 0.0F};
@@ -113,16 +128,16 @@ TEST(PolicyRows, DecodeTheActionsOfTheSet) {
   ASSERT_TRUE(command);
   EXPECT_EQ(std::get<soccer::Dash>(*command).power, 100.0) << "clipped";
   EXPECT_EQ(std::get<soccer::Dash>(*command).direction, 45.0);
-  std::array<float, 6> bad = dash;
-  bad[0] = 3.0F;
-  EXPECT_FALSE(codec->decode(world, bad.data()));
-  bad[0] = -1.0F;
-  EXPECT_FALSE(codec->decode(world, bad.data()));
-  bad[0] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_FALSE(codec->decode(world, bad.data()));
-  bad = dash;
-  bad[5] = std::numeric_limits<float>::infinity();
-  EXPECT_FALSE(codec->decode(world, bad.data()));
+
+  using Limits = std::numeric_limits<float>;
+  for (const auto& [column, value] :
+       {std::pair{0, 3.0F}, std::pair{0, -1.0F}, std::pair{0, Limits::quiet_NaN()},
+        std::pair{5, Limits::infinity()}}) {
+    std::array<float, 6> bad = dash;
+    bad.at(base::index(column)) = value;
+    EXPECT_FALSE(codec->decode(world, bad.data())) << value;
+  }
+
   // A kick without the ball acts as no action.
   const std::array<float, 6> kick = {2.0F, 0.0F, 0.0F, 0.0F, 100.0F, 0.0F};
   EXPECT_EQ(std::get<soccer::Turn>(*codec->decode(world, kick.data())).moment, 0.0);

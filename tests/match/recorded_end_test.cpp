@@ -53,8 +53,7 @@ TEST_F(RecordedEndTest, ReportsEndReasonOfAbortedMatch) {
   EXPECT_FALSE(summary.complete);
   EXPECT_EQ(summary.winner, analysis::Winner::kNone);
   const std::string table = analysis::format_results({summary}, analysis::ResultsFormat::kTable);
-  EXPECT_THAT(table, HasSubstr("incomplete"));
-  EXPECT_THAT(table, HasSubstr("stalled, ")) << table;
+  EXPECT_THAT(table, AllOf(HasSubstr("incomplete"), HasSubstr("stalled, ")));
 }
 
 TEST_F(RecordedEndTest, IgnoresDocumentsOfOtherLogsAndSchemas) {
@@ -78,8 +77,10 @@ TEST_F(RecordedEndTest, TakesDateFromManifestNameOrFile) {
   };
   const std::string log = write("match.rcg", "");
   write("manifest.json", R"({"started": "2026-11-21T01:02:03Z"})");
+
   EXPECT_EQ(recorded_date(log), "202611210102");
   EXPECT_EQ(recorded_date(write("20251020304050-A_1-vs-B_0.rcg", "")), "202510203040");
+
   const std::string other = write("other.rcg", "");
   fs::last_write_time(other, fs::last_write_time(log) - std::chrono::hours(24 * 365));
   EXPECT_EQ(recorded_date(other).size(), 12u);

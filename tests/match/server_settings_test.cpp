@@ -57,8 +57,10 @@ TEST(ServerSettings, ReportsFileAndLineOfErrorsInIncludedFiles) {
   EXPECT_EQ(wrong.error().message,
             (here / "player.conf").string() + ":1: " + (here / "more.conf").string() +
                 ":2: unknown parameter 'player_type'; did you mean 'player_types'?");
+
   write(here / "player.conf", "include = 'player.conf'\n");
   EXPECT_THAT(apply_folder(settings, here).error().message, HasSubstr("circular include"));
+
   write(here / "server.conf", "server::version = '18.1.0'\n");
   EXPECT_EQ(apply_folder(settings, here).error().message,
             (here / "server.conf").string() +
@@ -121,7 +123,7 @@ TEST(ServerSettings, ReportsInvalidArguments) {
     ServerSettings settings;
     const auto done = apply_arguments(settings, {word});
     ASSERT_FALSE(done) << word;
-    EXPECT_TRUE(done.error().message.starts_with(message)) << done.error().message;
+    EXPECT_THAT(done.error().message, testing::StartsWith(message));
   }
 }
 
@@ -142,7 +144,9 @@ TEST(ServerLogs, AreRenamedAtTheEndOfTheMatch) {
   params.text_log_dated = false;
   params.log_date_format = "D-";
   auto logs = ServerLogs::open(params, 0);
+
   ASSERT_TRUE(logs) << logs.error().message;
+
   logs->sinks().game->write("game");
   logs->sinks().text->write("text");
   EXPECT_TRUE(std::filesystem::exists(here / "new/incomplete.rcg.gz"));
@@ -174,6 +178,7 @@ TEST(ServerReport, MatchesRcssserver) {
   report.left.name = "TA";
   report.left.coach = "Cch";
   report.right.name = "TB";
+
   EXPECT_EQ(console_report(report, false),
             "\nSaving Results:\n\tCSVSaver: saving...\n\tCSVSaver: ...disabled\n"
             "\tSTDOutSaver: saving...\n\nGame Results:\n\t2026-11-20 20:38:57\n\t'TA' vs 'TB'\n"
@@ -182,14 +187,14 @@ TEST(ServerReport, MatchesRcssserver) {
   EXPECT_EQ(csv_line(report),
             "2026-11-20 20:38:57, \"TA\", \"TB\", \"Cch\", NULL, 0, 0, NULL, NULL, NULL, NULL, "
             "NULL\n");
+
   report.right = {};
   report.left.penalties_taken = 3;
   report.left.penalties_scored = 2;
   report.coin_toss_winner = soccer::Side::kRight;
-  const std::string text = console_report(report, true);
-  EXPECT_THAT(text, HasSubstr("\t'TA' vs null\n"));
-  EXPECT_THAT(text, HasSubstr(" \tPenalties: 2 (3) - 0 (0)\n\tCoin Toss Winner: Right Team\n\n"))
-      << text;
+  EXPECT_THAT(console_report(report, true),
+              AllOf(HasSubstr("\t'TA' vs null\n"),
+                    HasSubstr(" \tPenalties: 2 (3) - 0 (0)\n\tCoin Toss Winner: Right Team\n\n")));
   EXPECT_THAT(csv_line(report), HasSubstr("0, 0, 3, 0, 2, 0, RIGHT\n"));
 }
 

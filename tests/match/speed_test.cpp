@@ -13,12 +13,13 @@ using cls::match::SpeedResult;
 using cls::soccer::Side;
 using std::chrono::milliseconds;
 
+using Turns = std::array<SpeedMeter::SideTurn, 2>;
+
 TEST(SpeedMeter, GivesWaitingTimeToThePlaymakerThatIsAwaited) {
   SpeedMeter meter;
   meter.add_server(milliseconds(10));
-  std::array<SpeedMeter::SideTurn, 2> turns = {
-      {{Side::kLeft, {milliseconds(10), milliseconds(0)}},
-       {Side::kRight, {milliseconds(90), milliseconds(90)}}}};
+  Turns turns = {{{Side::kLeft, {milliseconds(10), milliseconds(0)}},
+                  {Side::kRight, {milliseconds(90), milliseconds(90)}}}};
   meter.add_turns(milliseconds(90), turns);
   const SpeedResult speed = meter.result();
   EXPECT_EQ(name(speed.limited_by), "right playmaker");
@@ -31,9 +32,8 @@ TEST(SpeedMeter, GivesWaitingTimeToThePlaymakerThatIsAwaited) {
 TEST(SpeedMeter, NamesBothPlaymakersWhenTheyAreEquallySlow) {
   SpeedMeter meter;
   meter.add_server(milliseconds(40));
-  std::array<SpeedMeter::SideTurn, 2> turns = {
-      {{Side::kLeft, {milliseconds(60), milliseconds(60)}},
-       {Side::kRight, {milliseconds(60), milliseconds(60)}}}};
+  Turns turns = {{{Side::kLeft, {milliseconds(60), milliseconds(60)}},
+                  {Side::kRight, {milliseconds(60), milliseconds(60)}}}};
   meter.add_turns(milliseconds(60), turns);
   const SpeedResult speed = meter.result();
   EXPECT_EQ(name(speed.limited_by), "both playmakers");

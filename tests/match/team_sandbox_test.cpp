@@ -1,9 +1,9 @@
 // The folders that the sandbox of an external team has.
 #include "match/programs/team_sandbox.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -13,11 +13,13 @@
 namespace cls::match {
 namespace {
 
-namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::Contains;
+using testing::Each;
+using testing::IsSupersetOf;
+using testing::Ne;
 
-bool has(const std::vector<fs::path>& folders, const fs::path& one) {
-  return std::find(folders.begin(), folders.end(), one) != folders.end();
-}
+namespace fs = std::filesystem;
 
 class TeamSandbox : public testing::Test {
  protected:
@@ -32,24 +34,18 @@ class TeamSandbox : public testing::Test {
 
 TEST_F(TeamSandbox, HasSystemAndOwnFolder) {
   const process::FileAccess files = team_files(path("team"), {path("match"), path("rivals")});
-  EXPECT_TRUE(has(files.readable, "/usr"));
-  EXPECT_TRUE(has(files.readable, "/etc"));
-  EXPECT_TRUE(has(files.writable, path("team")));
-  EXPECT_TRUE(has(files.writable, "/dev/null"));
+  EXPECT_THAT(files.readable, IsSupersetOf<fs::path>({"/usr", "/etc"}));
+  EXPECT_THAT(files.writable, IsSupersetOf<fs::path>({path("team"), "/dev/null"}));
   for (const auto& folders : {files.readable, files.writable}) {
-    EXPECT_FALSE(has(folders, "/"));
-    EXPECT_FALSE(has(folders, path("")));
-    EXPECT_FALSE(has(folders, "/tmp"));
+    EXPECT_THAT(folders, Each(AllOf(Ne("/"), Ne(path("")), Ne("/tmp"))));
   }
 }
 
 TEST_F(TeamSandbox, LeavesOutHiddenFoldersOfTheSystem) {
   const process::FileAccess files = team_files(path("team"), {"/usr/share/", "/dev/shm/runs"});
-  EXPECT_FALSE(has(files.readable, "/usr"));
-  EXPECT_FALSE(has(files.readable, "/usr/share"));
-  EXPECT_TRUE(has(files.readable, "/usr/bin"));
-  EXPECT_TRUE(has(files.readable, "/usr/lib"));
-  EXPECT_FALSE(has(files.writable, "/dev/shm"));
+  EXPECT_THAT(files.readable, IsSupersetOf<fs::path>({"/usr/bin", "/usr/lib"}));
+  EXPECT_THAT(files.readable, Each(AllOf(Ne("/usr"), Ne("/usr/share"))));
+  EXPECT_THAT(files.writable, Each(Ne("/dev/shm")));
 }
 
 TEST_F(TeamSandbox, ReadsFoldersOfPathsButNotAboveHome) {
@@ -64,11 +60,12 @@ TEST_F(TeamSandbox, ReadsFoldersOfPathsButNotAboveHome) {
   const process::FileAccess files = team_files(path("team"), {path("rivals")});
   ::setenv("PATH", before.c_str(), 1);
   ::setenv("HOME", home.c_str(), 1);
-  EXPECT_TRUE(has(files.readable, path("tools")));
-  EXPECT_FALSE(has(files.readable, path("").parent_path())) << "the home folder itself";
-  EXPECT_FALSE(has(files.readable, "/tmp")) << "above the home folder";
-  EXPECT_FALSE(has(files.readable, path("rivals/lib"))) << "of the other team";
-  EXPECT_FALSE(has(files.readable, "relative"));
+
+  EXPECT_THAT(files.readable, Contains(path("tools")));
+  EXPECT_THAT(files.readable, Each(Ne(path("").parent_path()))) << "the home folder itself";
+  EXPECT_THAT(files.readable, Each(Ne("/tmp"))) << "above the home folder";
+  EXPECT_THAT(files.readable, Each(Ne(path("rivals/lib")))) << "of the other team";
+  EXPECT_THAT(files.readable, Each(Ne("relative")));
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 
 #include <iostream>
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/text/json.h"
 #include "tests/matches/full_tests.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
@@ -23,6 +23,7 @@ TEST(ExternalPlaymaker, PythonExamplePlaysMatch) {
   Command playmaker({python, script, "--port", "0"},
                     {std::string("PYTHONPATH=") + CLS_BUILD_DIR + "/python"});
   ASSERT_TRUE(playmaker.wait_for_output("listening on ")) << playmaker.finish().err;
+
   const std::string line = playmaker.out();
   const std::string address = line.substr(13, line.find('\n') - 13);
 
@@ -34,9 +35,11 @@ TEST(ExternalPlaymaker, PythonExamplePlaysMatch) {
   const auto played = match.finish(std::chrono::seconds(600));
   EXPECT_EQ(played.exit_code, 0) << played.err;
   EXPECT_EQ(played.err, "");
-  const auto result = nlohmann::json::parse(cls::tests::read_file(folder.path() / "result.json"));
+
+  const auto result = base::Json::parse(cls::tests::read_file(folder.path() / "result.json"));
   EXPECT_EQ(result["end_reason"], "finished");
   EXPECT_EQ(result["cycles"], half_time * 20);
+
   for (const auto& player : result["right"]["players"]) {
     EXPECT_EQ(player["missed"], 0) << player;
     EXPECT_TRUE(player["unimplemented_actions"].empty()) << player;

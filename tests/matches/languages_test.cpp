@@ -6,13 +6,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/text/json.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/language.h"
@@ -85,6 +85,14 @@ class Languages : public testing::TestWithParam<Language> {
     return read_file(dir / "match.rcg");
   }
 
+  // The minimal project of `cls new`.
+  fs::path new_project() const {
+    const CommandResult written = run_in(
+        folder_.path(), {cls_binary(), "new", GetParam().name, "ada", "--template", "minimal"});
+    EXPECT_EQ(written.exit_code, 0) << written.err;
+    return folder_.path() / "ada";
+  }
+
   TemporaryFolder folder_;
 };
 
@@ -97,6 +105,7 @@ TEST_P(Languages, PlaySameMatchWithEitherService) {
   const std::string single = game_log(GetParam().name, "never");
   EXPECT_GT(single.size(), 10000U);
   EXPECT_TRUE(game_log(GetParam().name, "always") == single) << "differs with one call per team";
+
   if (GetParam().name == "python" || python_with_grpc().empty()) return;
   build(example("python"));
   if (HasFatalFailure() || IsSkipped()) return;
@@ -112,9 +121,11 @@ TEST_P(Languages, NewProjectPassesItsTests) {
         run_in(folder_.path(), {cls_binary(), "new", GetParam().name, "ada", "--template",
                                 team_template, "--dir", team_template});
     ASSERT_EQ(written.exit_code, 0) << written.err;
+
     const fs::path project = folder_.path() / team_template;
     build(project);
     if (HasFatalFailure() || IsSkipped()) return;
+
     for (const Words& words :
          {Words{"match", "ada", "mock", "--cycles", "50", "--dir", "match", "--strict"},
           Words{"test", "tests/"},
@@ -133,6 +144,7 @@ TEST(LanguagesOfPip, PythonRepliesToRecordedStates) {
   if (run({environment / "bin/python", "-c", "import grpc_tools"}).exit_code != 0) {
     GTEST_SKIP() << "no grpcio of pip: python/tests/environment build";
   }
+
   // A copy: the system's Python has other generated modules.
   TemporaryFolder folder;
   for (const char* name : {"proto", "python", "fixtures"}) {
@@ -143,6 +155,7 @@ TEST(LanguagesOfPip, PythonRepliesToRecordedStates) {
   for (const auto& file : fs::directory_iterator(example("python"))) {
     if (file.is_regular_file()) fs::copy_file(file, team / file.path().filename());
   }
+
   const CommandResult tested =
       run_in(team, {"./run", "test"}, {"VIRTUAL_ENV=" + environment.string()});
   EXPECT_EQ(tested.exit_code, 0) << tested.out << tested.err;
@@ -154,7 +167,8 @@ std::pair<std::string, std::vector<std::string>> change_of_tutorial(const std::s
   const std::string mark = "<!-- change: " + language + " ";
   std::pair<std::string, std::vector<std::string>> change;
   for (std::string line; std::getline(page, line);) {
-    if (line.rfind(mark, 0) != 0) continue;
+    if (!line.starts_with(mark)) continue;
+
     change.first = line.substr(mark.size(), line.size() - mark.size() - 4);
     std::getline(page, line);  // ```LANGUAGE
     while (std::getline(page, line) && line != "```") change.second.push_back(line);
@@ -185,10 +199,8 @@ TEST_P(Languages, FirstChangeOfTheTutorialWins) {
   }
   const auto [file, change] = change_of_tutorial(GetParam().name);
   ASSERT_FALSE(change.empty());
-  const CommandResult written = run_in(
-      folder_.path(), {cls_binary(), "new", GetParam().name, "ada", "--template", "minimal"});
-  ASSERT_EQ(written.exit_code, 0) << written.err;
-  const fs::path project = folder_.path() / "ada";
+
+  const fs::path project = new_project();
   const auto goals = [&](const std::string& dir) {
     build(project);
     const CommandResult played = run_in(project,
@@ -196,12 +208,14 @@ TEST_P(Languages, FirstChangeOfTheTutorialWins) {
                                          "--seed", "4", "--dir", dir, "--json"},
                                         environment());
     EXPECT_EQ(played.exit_code, 0) << played.err;
-    const auto result = nlohmann::json::parse(played.out, nullptr, false);
+    const auto result = base::Json::parse_or_discarded(played.out);
     return std::pair(result["left"]["score"].get<int>(), result["right"]["score"].get<int>());
   };
+
   EXPECT_EQ(goals("first"), std::pair(0, 0));
   replace_kick(change, project / file);
   EXPECT_EQ(goals("second"), std::pair(2, 0));
+
   const CommandResult tested = run_in(project, {cls_binary(), "test", "tests/"}, environment());
   EXPECT_EQ(tested.exit_code, 0) << tested.out;
 }
@@ -213,8 +227,8 @@ std::vector<std::string> commands_of_tutorial(const std::string& heading) {
   bool below = false;
   bool shell = false;
   for (std::string line; std::getline(page, line);) {
-    if (line.rfind("## ", 0) == 0) below = line == "## " + heading;
-    if (line.rfind("```", 0) == 0) {
+    if (line.starts_with("## ")) below = line == "## " + heading;
+    if (line.starts_with("```")) {
       shell = line == "```sh";
     } else if (below && shell) {
       commands.push_back(line);
@@ -226,25 +240,25 @@ std::vector<std::string> commands_of_tutorial(const std::string& heading) {
 // The page as a reader follows it, each command twice: what it calls better is better.
 TEST_P(Languages, TutorialEndsWithItsVerdict) {
   if (!is_long_form()) GTEST_SKIP() << "plays up to 40 half matches: make languages";
-  const CommandResult written = run_in(
-      folder_.path(), {cls_binary(), "new", GetParam().name, "ada", "--template", "minimal"});
-  ASSERT_EQ(written.exit_code, 0) << written.err;
-  const fs::path project = folder_.path() / "ada";
+  const fs::path project = new_project();
   build(project);
   const auto follow = [&](const std::string& command) {
     const std::string path = cls_binary().parent_path().string() + ":" + std::getenv("PATH");
     return run_in(project, {"sh", "-c", command}, {"PATH=" + path});
   };
+
   const std::vector<std::string> keep = commands_of_tutorial("The first change that wins");
   ASSERT_EQ(keep.size(), 2U);
   for (const std::string& command : {keep[0], keep[0], keep[1], keep[1]}) {
     const CommandResult result = follow(command);
     EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.out << result.err;
   }
+
   const auto [file, change] = change_of_tutorial(GetParam().name);
   replace_kick(change, project / file);
   EXPECT_NE(read_file(project / file), read_file(folder_.path() / "old" / file));
   EXPECT_FALSE(fs::exists(folder_.path() / "old/runs"));
+
   const std::vector<std::string> compare = commands_of_tutorial("Is it better?");
   ASSERT_EQ(compare.size(), 1U);
   const CommandResult verdict = follow(compare[0]);

@@ -94,6 +94,7 @@ TEST_F(MatchSequence, LeavesNoResources) {
   EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
   EXPECT_TRUE(fs::is_empty(path() / "tmp"));
   EXPECT_TRUE(fs::is_empty(path() / "matches"));
+
   const std::string words = cls::tests::read_file(path() / "words");
   for (const auto& [name, usual] :
        {std::pair{"server::port=", 6000}, std::pair{"server::coach_port=", 6001},
@@ -107,6 +108,7 @@ TEST_F(MatchSequence, LeavesNoResources) {
 
   const std::vector<Holding> holdings = holdings_in(played.out);
   ASSERT_EQ(holdings.size(), static_cast<std::size_t>(count));
+
   // Libraries fill caches and start threads in the first matches of each kind.
   const std::size_t settled = holdings.size() / 5;
   const auto compare = [&](long Holding::*what) {
@@ -119,10 +121,13 @@ TEST_F(MatchSequence, LeavesNoResources) {
   constexpr long kKilobytesAMatch = 10;
   const auto [memory_early, memory_late] = compare(&Holding::kilobytes);
   EXPECT_LT(memory_late - memory_early, kKilobytesAMatch * (count - static_cast<long>(settled)));
+
   const auto [files_early, files_late] = compare(&Holding::descriptors);
   EXPECT_LE(files_late, files_early);
+
   const auto [threads_early, threads_late] = compare(&Holding::threads);
   EXPECT_LE(threads_late, threads_early + 2);
+
   std::cout << count << " matches: " << memory_early << " KB in use early, " << memory_late
             << " KB at the end; descriptors " << files_early << ", " << files_late << "; threads "
             << threads_early << ", " << threads_late << "\n";

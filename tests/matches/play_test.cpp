@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "soccer/pitch.h"
 #include "soccer/play_mode.h"
@@ -65,8 +65,10 @@ void play_one(int seed, int cycles, Play& play) {
                  folder.path()});
   const CommandResult ended = match.finish(std::chrono::seconds(300));
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
-  const auto result = nlohmann::json::parse(read_file(folder.path() / "result.json"));
+
+  const auto result = base::Json::parse(read_file(folder.path() / "result.json"));
   ASSERT_EQ(result["cycles"], cycles);
+
   for (const char* side : {"left", "right"}) {
     for (const auto& player : result[side]["players"]) {
       ASSERT_TRUE(player["unimplemented_actions"].empty()) << player;
@@ -79,6 +81,7 @@ void play_one(int seed, int cycles, Play& play) {
   const auto record = gamelog::read_rcg_file(folder.path() / "match.rcg");
   ASSERT_TRUE(record) << record.error().message;
   ASSERT_EQ(record->time.back(), cycles);
+
   add_modes(*record, play);
   for (std::size_t frame = 0; frame < record->mode.size(); ++frame) {
     if (record->mode[frame] == PlayMode::kPlayOn) add_frame(*record, frame, play);
@@ -103,6 +106,7 @@ TEST(Play, LooksLikeSoccer) {
             << share(play.team_in_opponents_half[1]) << "\n";
 
   EXPECT_GT(play.set_plays, 3 * matches);
+
   if (full_tests_requested()) {  // rare enough to be missing from a few short matches
     EXPECT_GT(play.left_goals, matches / 2);
     EXPECT_GT(play.right_goals, matches / 2);

@@ -30,61 +30,68 @@ std::string python_with(const std::string& modules) {
   return "";
 }
 
+const std::string kPythonPath = "PYTHONPATH=" + (fs::path(CLS_BUILD_DIR) / "python").string();
+const std::string kNoBytecode = "PYTHONDONTWRITEBYTECODE=1";
+
 CommandResult run_python(const std::string& python, const std::string& test,
                          std::vector<std::string> environment = {}) {
-  const fs::path build = CLS_BUILD_DIR;
-  environment.push_back("PYTHONPATH=" + (build / "python").string());
-  environment.push_back("PYTHONDONTWRITEBYTECODE=1");
+  environment.insert(environment.end(), {kPythonPath, kNoBytecode});
   Command tested({python, source_folder() / "python/tests" / test}, environment);
   return tested.finish(std::chrono::seconds(3000));
 }
 
 constexpr const char* kNoNumpy = "no Python with numpy: install python3-numpy";
+constexpr const char* kNoGrpc = "no Python with numpy and grpc: install python3-grpcio";
 
-TEST(PythonGym, KeepsConventionsWithNumpyAlone) {
-  const std::string python = python_with("numpy");
-  if (python.empty()) GTEST_SKIP() << kNoNumpy;
-  const auto tested = run_python(python, "gym_worlds_test.py", {"CLS_TEST_WITHOUT_GYMNASIUM=1"});
+/// A script of python/tests, and what it needs.
+struct Script {
+  std::string name;
+  std::string modules;
+  std::string why_skipped;
+  std::string file;
+  std::vector<std::string> environment = {};
+};
+
+class PythonGymScript : public testing::TestWithParam<Script> {};
+
+TEST_P(PythonGymScript, Passes) {
+  const std::string python = python_with(GetParam().modules);
+  if (python.empty()) GTEST_SKIP() << GetParam().why_skipped;
+
+  const auto tested = run_python(python, GetParam().file, GetParam().environment);
   EXPECT_EQ(tested.exit_code, 0) << tested.err;
 }
 
-TEST(PythonGym, KeepsConventionsWithGymnasium) {
-  const std::string python = python_with("numpy, gymnasium");
-  if (python.empty()) GTEST_SKIP() << "no gymnasium: run python/tests/environment";
-  const auto tested = run_python(python, "gym_worlds_test.py");
-  EXPECT_EQ(tested.exit_code, 0) << tested.err;
-}
-
-TEST(PythonGym, PassesOfficialCheckers) {
-  const std::string python = python_with("numpy, gymnasium, pettingzoo");
-  if (python.empty()) GTEST_SKIP() << "no gymnasium and pettingzoo: run python/tests/environment";
-  const auto tested = run_python(python, "gym_checkers_test.py");
-  EXPECT_EQ(tested.exit_code, 0) << tested.err;
-}
-
-TEST(PythonGym, PlaysHalfFieldOffenseByItsRules) {
-  const std::string python = python_with("numpy");
-  if (python.empty()) GTEST_SKIP() << kNoNumpy;
-  const auto tested = run_python(python, "gym_hfo_test.py");
-  EXPECT_EQ(tested.exit_code, 0) << tested.err;
-}
-
-TEST(PythonGym, KeepsLeagues) {
-  const std::string python = python_with("numpy");
-  if (python.empty()) GTEST_SKIP() << kNoNumpy;
-  const auto tested = run_python(python, "gym_league_test.py");
-  EXPECT_EQ(tested.exit_code, 0) << tested.err;
-}
+INSTANTIATE_TEST_SUITE_P(
+    PythonGym, PythonGymScript,
+    testing::Values(Script{"KeepsConventionsWithNumpyAlone",
+                           "numpy",
+                           kNoNumpy,
+                           "gym_worlds_test.py",
+                           {"CLS_TEST_WITHOUT_GYMNASIUM=1"}},
+                    Script{"KeepsConventionsWithGymnasium", "numpy, gymnasium",
+                           "no gymnasium: run python/tests/environment", "gym_worlds_test.py"},
+                    Script{"PassesOfficialCheckers", "numpy, gymnasium, pettingzoo",
+                           "no gymnasium and pettingzoo: run python/tests/environment",
+                           "gym_checkers_test.py"},
+                    Script{"PlaysHalfFieldOffenseByItsRules", "numpy", kNoNumpy, "gym_hfo_test.py"},
+                    Script{"KeepsLeagues", "numpy", kNoNumpy, "gym_league_test.py"},
+                    Script{"ServesPolicies", "numpy, grpc", kNoGrpc, "gym_play_test.py"},
+                    Script{"PlaysWholeMatchesAsAnEnvironment",
+                           "numpy, grpc",
+                           kNoGrpc,
+                           "gym_match_test.py",
+                           {"CLS_BINARY=" + cls_binary().string()}}),
+    [](const auto& each) { return each.param.name; });
 
 TEST(PythonGym, ExampleShowsTimeLeftAndSavesWhatItLearnedWhenInterrupted) {
   const std::string python = python_with("numpy");
   if (python.empty()) GTEST_SKIP() << kNoNumpy;
   const TemporaryFolder folder;
-  Command learning(
-      {python, source_folder() / "examples/training/learn_numpy.py", "--out", "p.npz"},
-      {"PYTHONPATH=" + (fs::path(CLS_BUILD_DIR) / "python").string(), "PYTHONDONTWRITEBYTECODE=1"},
-      folder.path());
+  Command learning({python, source_folder() / "examples/training/learn_numpy.py", "--out", "p.npz"},
+                   {kPythonPath, kNoBytecode}, folder.path());
   ASSERT_TRUE(learning.wait_for_output(" left\n", std::chrono::seconds(120))) << learning.out();
+
   std::ifstream status("/proc/" + std::to_string(learning.pid()) + "/status");
   const std::string threads((std::istreambuf_iterator<char>(status)), {});
   EXPECT_THAT(threads, HasSubstr("Threads:\t1\n")) << "small matrices are slower with threads";
@@ -98,35 +105,18 @@ TEST(PythonGym, ExampleShowsTimeLeftAndSavesWhatItLearnedWhenInterrupted) {
   EXPECT_TRUE(fs::exists(folder.path() / "p.npz"));
 }
 
-constexpr const char* kNoGrpc = "no Python with numpy and grpc: install python3-grpcio";
-
-TEST(PythonGym, ServesPolicies) {
-  const std::string python = python_with("numpy, grpc");
-  if (python.empty()) GTEST_SKIP() << kNoGrpc;
-  const auto tested = run_python(python, "gym_play_test.py");
-  EXPECT_EQ(tested.exit_code, 0) << tested.err;
-}
-
-TEST(PythonGym, PlaysWholeMatchesAsAnEnvironment) {
-  const std::string python = python_with("numpy, grpc");
-  if (python.empty()) GTEST_SKIP() << kNoGrpc;
-  const auto tested =
-      run_python(python, "gym_match_test.py", {"CLS_BINARY=" + cls_binary().string()});
-  EXPECT_EQ(tested.exit_code, 0) << tested.err;
-}
-
 /// A match of an untrained policy. `options` are those of `cls match`.
 CommandResult play_policy(const std::string& python, const fs::path& folder, const char* obs,
                           std::vector<std::string> options) {
   constexpr const char* kSave =
       "import sys; sys.path.insert(0, sys.argv[1]); from gym_play_test import policy; "
       "policy(obs=sys.argv[2]).save('policy.npz')";
-  const std::vector<std::string> environment = {
-      "PYTHONPATH=" + (fs::path(CLS_BUILD_DIR) / "python").string(), "PYTHONDONTWRITEBYTECODE=1"};
+  const std::vector<std::string> environment = {kPythonPath, kNoBytecode};
   const auto saved =
       Command({python, "-c", kSave, source_folder() / "python/tests", obs}, environment, folder)
           .finish();
   EXPECT_EQ(saved.exit_code, 0) << saved.err;
+
   std::vector<std::string> match = {
       cls_binary(), "match", "run:" + python + " -m cls_gym.play policy.npz --port {port}",
       "mock:hold",  "--dir", "match",
@@ -154,8 +144,7 @@ TEST(PythonGym, RatedMatchRefusesAPolicyOfTheFullState) {
   const TemporaryFolder folder;
   const auto refused = play_policy(python, folder.path(), "full_state", {"--rated"});
   EXPECT_EQ(refused.exit_code, 69) << refused.err;
-  EXPECT_THAT((refused.err + refused.out), HasSubstr("was trained with obs='full_state'"))
-      << refused.err << refused.out;
+  EXPECT_THAT(refused.err + refused.out, HasSubstr("was trained with obs='full_state'"));
 }
 
 TEST(PythonGym, SaysHowToGetItsEngine) {
@@ -165,7 +154,7 @@ TEST(PythonGym, SaysHowToGetItsEngine) {
                             {"PYTHONPATH=" + (source_folder() / "python").string(),
                              "CLS_TRAINING_LIBRARY=/no/such/library.so"});
   EXPECT_EQ(imported.exit_code, 1);
-  EXPECT_THAT(imported.err, HasSubstr("cls_gym: cannot load /no/such/library.so")) << imported.err;
+  EXPECT_THAT(imported.err, HasSubstr("cls_gym: cannot load /no/such/library.so"));
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/text/json.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/python.h"
@@ -60,7 +60,9 @@ TEST(PythonPackage, BuildsWithProtoc) {
   Command build({python, "setup.py", "-q", "build_py", "--build-lib", "out"}, {},
                 copy_package(folder.path()));
   const auto built = build.finish();
+
   ASSERT_EQ(built.exit_code, 0) << built.err;
+
   const auto imported = run({python, "-c",
                              "from cls_playmaker import proto, Playmaker, serve, start\n"
                              "print(proto.State.DESCRIPTOR.full_name, proto.PlayOn)"},
@@ -132,9 +134,11 @@ TEST(PythonPackage, InstallsIntoVirtualEnvironmentAndPlays) {
       {}, folder.path());
   const auto played = match.finish(std::chrono::seconds(120));
   ASSERT_EQ(played.exit_code, 0) << played.err;
-  const auto result = nlohmann::json::parse(played.out);
+
+  const auto result = base::Json::parse(played.out);
   EXPECT_EQ(result["end_reason"], "finished");
-  EXPECT_EQ(result["warnings"], nlohmann::json::array());
+  EXPECT_EQ(result["warnings"], base::Json::array());
+
   for (const auto& player : result["left"]["players"]) EXPECT_EQ(player["missed"], 0) << player;
 }
 

@@ -14,7 +14,7 @@
 
 namespace cls::match {
 
-/// What the agents of one cls team have seen of the match.
+/// The match as the agents of one cls team have seen it.
 struct AgentProgress {
   std::string team;
   SourceProgress progress;
@@ -26,7 +26,7 @@ struct Intruder {
   std::string evidence;  ///< "programs of the left side hold 23 connections to the soccer server"
 };
 
-/// What a match needs of any server; its loop knows which one it advances. Used by the match's
+/// The server as a match sees it; its loop knows which one it advances. Used by the match's
 /// thread only.
 class Server {
  public:
@@ -35,9 +35,9 @@ class Server {
   /// Starts the server and waits until clients can connect, as long as `keep_waiting` returns true.
   /// Returns why the server cannot take part.
   virtual std::optional<MatchEnd> start(const std::function<bool()>& keep_waiting) = 0;
-  /// What start() waits for, as the beginning of a message.
+  /// The beginning of a message about what start() waits for.
   virtual std::string waiting_for() const = 0;
-  /// Where monitors can connect, if that was asked for: "127.0.0.1:6000".
+  /// The address for monitors, if that was asked for: "127.0.0.1:6000".
   virtual std::string monitor_address() const { return {}; }
   /// The server as a child process; nullptr when cls did not start it.
   virtual const process::Child* child() const { return nullptr; }
@@ -60,7 +60,7 @@ class Server {
   virtual SourceProgress progress() const = 0;
   /// True at the end of the game or at the cycle limit.
   virtual bool finished() const = 0;
-  /// What the server or the match has noticed about its clients since the last call.
+  /// Lines about its clients since the last call, of the server or of the match.
   virtual std::vector<std::string> take_warnings() { return {}; }
   /// Why the server ended before the match, if it did.
   virtual std::optional<MatchEnd> failure(bool playing) = 0;

@@ -1,5 +1,5 @@
 // Limits and failures compared with what the match waits for.
-#include "match/match_watch.h"
+#include "match/match_guard.h"
 
 #include <fmt/format.h>
 
@@ -16,20 +16,13 @@ constexpr std::chrono::milliseconds kSignalSpread{100};
 // The match reports a reply that it has waited for this long.
 constexpr std::chrono::seconds kSlowReply{3};
 
-// Ends that another side can have caused by the soccer server.
-bool can_be_intrusion(EndReason reason) {
-  return reason == EndReason::kCrashed || reason == EndReason::kStalled ||
-         reason == EndReason::kLate || reason == EndReason::kRefused ||
-         reason == EndReason::kServerFailed;
-}
-
 }  // namespace
 
 // ---- ends
 
-void MatchWatch::end(MatchEnd end) {
+void MatchGuard::end(MatchEnd end) {
   if (ended()) return;
-  if (can_be_intrusion(end.reason)) {
+  if (row_of(end.reason).traits.by_intruder) {
     if (const auto intruder = server_.intruder()) {
       end.fault = intruder->side;
       end.message += "; " + intruder->evidence;
@@ -38,24 +31,24 @@ void MatchWatch::end(MatchEnd end) {
   end_ = std::move(end);
 }
 
-void MatchWatch::attribute(const MatchSide& side, MatchEnd& end) {
+void MatchGuard::attribute(const MatchSide& side, MatchEnd& end) {
   const bool victim = end.fault_unknown || end.reason == EndReason::kServerFailed;
   if (!is_trainer(side) && !victim) end.fault = side.identity().side;
 }
 
-void MatchWatch::end_by_side(const MatchSide& side, MatchEnd end) {
+void MatchGuard::end_by_side(const MatchSide& side, MatchEnd end) {
   attribute(side, end);
   end_unless_interrupted(std::move(end));
 }
 
-void MatchWatch::end_unless_interrupted(MatchEnd end) {
+void MatchGuard::end_unless_interrupted(MatchEnd end) {
   if (limits_.interrupted_within(kSignalSpread)) return;
   this->end(std::move(end));
   loop_->on_failure();
 }
 
 // The server may continue without a side whose Playmaker hangs: that is a stall, too.
-std::optional<EndReason> MatchWatch::exceeded_limit() const {
+std::optional<EndReason> MatchGuard::exceeded_limit() const {
   if (const auto limit = limits_.exceeded()) return limit;
   if (!playing_ || options_.no_deadline) return std::nullopt;
 
@@ -64,7 +57,7 @@ std::optional<EndReason> MatchWatch::exceeded_limit() const {
   return EndReason::kStalled;
 }
 
-void MatchWatch::end_by_stall() {
+void MatchGuard::end_by_stall() {
   // Those that kept the match waiting for most of the limit. In lockstep the match knows which side
   // it waits for; over UDP each side plays on its own.
   auto awaited =
@@ -76,8 +69,7 @@ void MatchWatch::end_by_stall() {
   if (!awaited.empty()) {
     end.message = stall_message(awaited, moment().cycle, end.message);
   } else {
-    const bool external = std::any_of(sides_.begin(), sides_.end(),
-                                      [](const auto& side) { return side->is_external(); });
+    const bool external = std::ranges::any_of(sides_, is_external);
     end.message += fmt::format("; no Playmaker is awaited: the soccer server{} has stopped",
                                external ? " or an external team" : "");
   }
@@ -86,7 +78,7 @@ void MatchWatch::end_by_stall() {
   this->end(std::move(end));
 }
 
-void MatchWatch::end_by_limit(EndReason limit) {
+void MatchGuard::end_by_limit(EndReason limit) {
   if (limit == EndReason::kStalled) return end_by_stall();
 
   MatchEnd end{.reason = limit, .message = limits_.describe(limit)};
@@ -104,7 +96,7 @@ void MatchWatch::end_by_limit(EndReason limit) {
 
 // ---- checks
 
-void MatchWatch::check_sides() {
+void MatchGuard::check_sides() {
   for (const auto& side : sides_) {
     if (ended() || !loop_->needs_sides()) return;
     auto failure = side->failure(moment());
@@ -112,7 +104,7 @@ void MatchWatch::check_sides() {
   }
 }
 
-void MatchWatch::check() {
+void MatchGuard::check() {
   if (ended()) return;
 
   if (auto failure = server_.failure(playing_)) {
@@ -128,7 +120,7 @@ void MatchWatch::check() {
   if (const auto limit = exceeded_limit()) end_by_limit(*limit);
 }
 
-void MatchWatch::start_server() {
+void MatchGuard::start_server() {
   if (ended()) return;
   awaited_ = {.what = [this] { return server_.waiting_for(); }};
   auto failure = server_.start([this] {
@@ -140,7 +132,7 @@ void MatchWatch::start_server() {
   if (failure) end(*std::move(failure));
 }
 
-bool MatchWatch::wait_for(const MatchSide& side, const std::function<bool()>& reached) {
+bool MatchGuard::wait_for(const MatchSide& side, const std::function<bool()>& reached) {
   awaited_ = {.what = [&side] { return side.waiting_for(); },
               .side = &side,
               .child = side.awaited_process()};
@@ -153,7 +145,7 @@ bool MatchWatch::wait_for(const MatchSide& side, const std::function<bool()>& re
   return !ended();
 }
 
-SourceProgress MatchWatch::progress() const {
+SourceProgress MatchGuard::progress() const {
   SourceProgress latest = server_.progress();
   for (const auto& side : sides_) {
     const auto seen = side->seen();
@@ -173,7 +165,7 @@ SourceProgress MatchWatch::progress() const {
 // ---- warnings
 
 // Says who is awaited before the stall limit ends the match.
-void MatchWatch::warn_of_slow_reply() {
+void MatchGuard::warn_of_slow_reply() {
   if (options_.no_deadline) return;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const auto call = sides_[i]->awaited_reply();
@@ -185,12 +177,12 @@ void MatchWatch::warn_of_slow_reply() {
   }
 }
 
-void MatchWatch::warn(std::string line) {
+void MatchGuard::warn(std::string line) {
   observer_->on_warning(line);
   warnings_.push_back(std::move(line));
 }
 
-void MatchWatch::report_warnings() {
+void MatchGuard::report_warnings() {
   for (std::string& line : server_.take_warnings()) warn(std::move(line));
   for (const auto& side : sides_) {
     for (const std::string& line : side->take_warnings()) {

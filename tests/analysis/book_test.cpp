@@ -14,30 +14,29 @@
 #include "base/io/byte_sink.h"
 #include "gamelog/record/record_builder.h"
 
-namespace cls::match {
+namespace cls::analysis {
 namespace {
 
 using testing::HasSubstr;
 
 // A book with `each` situations of each class of two logs, one step before each moment.
-analysis::Book small_book(int each) {
-  analysis::Book book;
+Book small_book(int each) {
+  Book book;
   book.seed = 7;
   book.warm_up = 1;
   for (int log = 0; log < 2; ++log) {
     book.logs.push_back({"match.rcg", {"a", "b"}, std::vector<soccer::PlayerType>(2)});
-    for (int i = 0; i < each * static_cast<int>(analysis::kSituationClasses); ++i) {
-      analysis::Situation situation;
-      situation.kind =
-          static_cast<analysis::SituationClass>(i % static_cast<int>(analysis::kSituationClasses));
+    for (int i = 0; i < each * static_cast<int>(kSituationClasses); ++i) {
+      Situation situation;
+      situation.kind = static_cast<SituationClass>(i % static_cast<int>(kSituationClasses));
       situation.log = log;
       situation.time = 100 + i;
       situation.score = {1, 2};
-      if (situation.kind == analysis::SituationClass::kSetPlay) {
+      if (situation.kind == SituationClass::kSetPlay) {
         situation.mode = soccer::PlayMode::kCornerKickLeft;
       }
       situation.players[3] = {1, 4000.25, 1.0, 0.9, 130600.0};
-      analysis::BookFrame frame;
+      BookFrame frame;
       frame.ball = {12.3456, -7.0};
       frame.players[21] = {{-3.5, 2.25}, {0.125, -0.25}, -179.5};
       situation.frames = {frame, frame};
@@ -47,9 +46,9 @@ analysis::Book small_book(int each) {
   return book;
 }
 
-std::string written(const analysis::Book& book) {
+std::string written(const Book& book) {
   base::StringSink sink;
-  analysis::write_book(book, sink);
+  write_book(book, sink);
   return sink.bytes();
 }
 
@@ -61,13 +60,13 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 TEST(BookFile, ReadsWhatItWrites) {
   const std::string text = written(small_book(1));
-  const auto read = analysis::parse_book(text);
+  const auto read = parse_book(text);
   ASSERT_TRUE(read.ok()) << read.error().message;
   EXPECT_EQ(written(*read), text);
   EXPECT_EQ(read->situations.size(), 8);
   EXPECT_EQ(read->logs[1].types.size(), 2);
-  const analysis::Situation& situation = read->situations[2];
-  EXPECT_EQ(situation.kind, analysis::SituationClass::kSetPlay);
+  const Situation& situation = read->situations[2];
+  EXPECT_EQ(situation.kind, SituationClass::kSetPlay);
   EXPECT_EQ(situation.mode, soccer::PlayMode::kCornerKickLeft);
   EXPECT_DOUBLE_EQ(situation.players[3].stamina, 4000.25);
   EXPECT_DOUBLE_EQ(situation.frames[1].players[21].body, -179.5);
@@ -76,7 +75,7 @@ TEST(BookFile, ReadsWhatItWrites) {
 TEST(BookFile, NamesLineAndKeyOfAnError) {
   const std::string text = written(small_book(1));
   const auto error = [&](const std::string& what, const std::string& by) {
-    const auto read = analysis::parse_book(replaced(text, what, by));
+    const auto read = parse_book(replaced(text, what, by));
     return read ? std::string("no error") : read.error().message;
   };
   EXPECT_EQ(error("cls.book/1", "cls.book/9"),
@@ -93,40 +92,40 @@ TEST(BookFile, NamesLineAndKeyOfAnError) {
   EXPECT_EQ(error("\"player_size\":0.3", "\"player_size\":-0.3"),
             "line 1: 'player_size': -0.3 is not between 0 and 200");
   EXPECT_EQ(error("{\"class\"", "{\"clas"), "line 2: not a line of JSON");
-  EXPECT_EQ(analysis::parse_book("").error().message, "the file is empty");
-  EXPECT_EQ(analysis::parse_book("ULG6\n").error().message, "line 1: not a book of situations");
-  EXPECT_THAT(analysis::parse_book(text.substr(0, text.find('\n'))).error().message,
+  EXPECT_EQ(parse_book("").error().message, "the file is empty");
+  EXPECT_EQ(parse_book("ULG6\n").error().message, "line 1: not a book of situations");
+  EXPECT_THAT(parse_book(text.substr(0, text.find('\n'))).error().message,
               HasSubstr("no situations"));
 }
 
 TEST(BookFile, NamesTheFileOfAnError) {
-  const auto read = analysis::read_book("/nowhere/moments.book");
+  const auto read = read_book("/nowhere/moments.book");
   ASSERT_FALSE(read.ok());
   EXPECT_THAT(read.error().message, HasSubstr("/nowhere/moments.book"));
 }
 
 TEST(SituationsOfBook, AreThoseOfOneLogAndOfAllClasses) {
-  const analysis::Book book = small_book(5);
+  const Book book = small_book(5);
   std::set<int> logs;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const auto drawn = analysis::situations_of(book, seed, 4);
+    const auto drawn = situations_of(book, seed, 4);
     ASSERT_EQ(drawn.size(), 4);
-    std::set<analysis::SituationClass> kinds;
-    for (const analysis::Situation* one : drawn) {
+    std::set<SituationClass> kinds;
+    for (const Situation* one : drawn) {
       kinds.insert(one->kind);
       EXPECT_EQ(one->log, drawn.front()->log);
     }
-    EXPECT_EQ(kinds.size(), analysis::kSituationClasses);
+    EXPECT_EQ(kinds.size(), kSituationClasses);
     logs.insert(drawn.front()->log);
-    EXPECT_EQ(analysis::situations_of(book, seed, 4), drawn);
+    EXPECT_EQ(situations_of(book, seed, 4), drawn);
   }
   EXPECT_EQ(logs.size(), 2);
 }
 
 TEST(SituationsOfBook, AreDistinctAndLimitedToThoseOfTheLog) {
-  const analysis::Book book = small_book(2);
-  const auto drawn = analysis::situations_of(book, 3, 100);
-  EXPECT_EQ(std::set<const analysis::Situation*>(drawn.begin(), drawn.end()).size(), drawn.size());
+  const Book book = small_book(2);
+  const auto drawn = situations_of(book, 3, 100);
+  EXPECT_EQ(std::set<const Situation*>(drawn.begin(), drawn.end()).size(), drawn.size());
   EXPECT_EQ(drawn.size(), 8);
 }
 
@@ -168,38 +167,40 @@ gamelog::MatchRecord ping_pong(int cycles) {
   return record;
 }
 
-TEST(analysis::BookMaker, FindsMomentsOfEachClassAndBalancesThem) {
+TEST(BookMaker, FindsMomentsOfEachClassAndBalancesThem) {
   const gamelog::MatchRecord record = ping_pong(2000);
-  analysis::BookOptions options;
+  BookOptions options;
   options.warm_up = 5;
   options.count = 12;
-  analysis::BookMaker maker(options);
+  BookMaker maker(options);
+
   ASSERT_EQ(maker.add(record, "a.rcg"), "");
-  EXPECT_GT(maker.moments(analysis::SituationClass::kAttack), 3);
-  const analysis::Book book = maker.make();
-  std::map<analysis::SituationClass, int> counts;
-  for (const analysis::Situation& one : book.situations) {
+  EXPECT_GT(maker.moments(SituationClass::kAttack), 3);
+
+  const Book book = maker.make();
+  std::map<SituationClass, int> counts;
+  for (const Situation& one : book.situations) {
     ++counts[one.kind];
     ASSERT_EQ(one.frames.size(), 6);
     const double x = one.frames.back().ball.x;
-    EXPECT_TRUE(one.kind != analysis::SituationClass::kAttack || x > 30.0) << x;
-    EXPECT_TRUE(one.kind != analysis::SituationClass::kDefense || x < -30.0) << x;
-    EXPECT_EQ(one.mode == soccer::PlayMode::kPlayOn,
-              one.kind != analysis::SituationClass::kSetPlay);
+    EXPECT_TRUE(one.kind != SituationClass::kAttack || x > 30.0) << x;
+    EXPECT_TRUE(one.kind != SituationClass::kDefense || x < -30.0) << x;
+    EXPECT_EQ(one.mode == soccer::PlayMode::kPlayOn, one.kind != SituationClass::kSetPlay);
     // Number 2 of the left team was its goalie, and is number 1 in the book.
     EXPECT_DOUBLE_EQ(one.frames.back().players[0].position.y, -20.0);
     EXPECT_DOUBLE_EQ(one.frames.back().players[1].position.y, -25.0);
   }
   EXPECT_GE(counts.size(), 3);
+
   for (const auto& [kind, count] : counts) EXPECT_EQ(count, counts.begin()->second) << name(kind);
 }
 
-TEST(analysis::BookMaker, GivesTheSameBytesForTheSameSeed) {
+TEST(BookMaker, GivesTheSameBytesForTheSameSeed) {
   const auto bytes = [](std::uint64_t seed) {
-    analysis::BookOptions options;
+    BookOptions options;
     options.seed = seed;
     options.count = 12;
-    analysis::BookMaker maker(options);
+    BookMaker maker(options);
     EXPECT_EQ(maker.add(ping_pong(3000), "a.rcg"), "");
     return written(maker.make());
   };
@@ -207,26 +208,26 @@ TEST(analysis::BookMaker, GivesTheSameBytesForTheSameSeed) {
   EXPECT_NE(bytes(1), bytes(2));
 }
 
-TEST(analysis::BookMaker, LeavesOutMomentsWithoutAllPlayers) {
+TEST(BookMaker, LeavesOutMomentsWithoutAllPlayers) {
   gamelog::MatchRecord record = ping_pong(1000);
   for (std::size_t frame = 0; frame < record.frames(); ++frame) {
     record.players.state[frame * gamelog::kSlots + 5] = 0;
   }
-  analysis::BookMaker maker({});
+  BookMaker maker({});
   EXPECT_THAT(maker.add(record, "a.rcg"), HasSubstr("22 players"));
 }
 
 TEST(SituationValue, IsTheOppositeForTheOtherSide) {
-  const analysis::SituationFigures figures{1.0, 0.5, 0.25, 0.125, 0.5, 0.75, 1.0, 0.25};
-  const analysis::SituationFigures other{-1.0, -0.5, -0.25, -0.125, -0.5, -0.75, -1.0, -0.25};
-  EXPECT_DOUBLE_EQ(analysis::situation_value(figures), -analysis::situation_value(other));
-  EXPECT_GT(analysis::situation_value(figures), 0.0);
+  const SituationFigures figures{1.0, 0.5, 0.25, 0.125, 0.5, 0.75, 1.0, 0.25};
+  const SituationFigures other{-1.0, -0.5, -0.25, -0.125, -0.5, -0.75, -1.0, -0.25};
+  EXPECT_DOUBLE_EQ(situation_value(figures), -situation_value(other));
+  EXPECT_GT(situation_value(figures), 0.0);
 }
 
-TEST(analysis::SituationFigures, ShowBallPossessionAndGoals) {
+TEST(SituationFigures, ShowBallPossessionAndGoals) {
   gamelog::MatchRecord record = ping_pong(99);
-  const analysis::Flow flow = analysis::build_flow(record);
-  const analysis::SituationFigures figures = analysis::figures_of(flow, 0, record.frames());
+  const Flow flow = build_flow(record);
+  const SituationFigures figures = figures_of(flow, 0, record.frames());
   EXPECT_NEAR(figures.mean_ball_x, 35.0 / 52.5, 1e-6);
   EXPECT_DOUBLE_EQ(figures.end_possession, 1.0);
   EXPECT_GT(figures.mean_possession, 0.9);
@@ -241,19 +242,19 @@ TEST(analysis::SituationFigures, ShowBallPossessionAndGoals) {
   gamelog::RecordBuilder(scored).append_frame(frame);
   frame.time = 52;
   gamelog::RecordBuilder(scored).append_frame(frame);
-  const analysis::Flow with_goal = analysis::build_flow(scored);
-  const analysis::SituationFigures after = analysis::figures_of(with_goal, 0, scored.frames());
+  const Flow with_goal = build_flow(scored);
+  const SituationFigures after = figures_of(with_goal, 0, scored.frames());
   EXPECT_DOUBLE_EQ(after.goals, -1.0);
   EXPECT_DOUBLE_EQ(after.end_possession, 0.0);
   EXPECT_DOUBLE_EQ(after.end_danger, 0.0);
 }
 
-TEST(analysis::BookFitter, NeedsMatchesOfSomeLength) {
-  analysis::BookFitter fitter(100);
+TEST(BookFitter, NeedsMatchesOfSomeLength) {
+  BookFitter fitter(100);
   EXPECT_EQ(fitter.add(ping_pong(200)), "the match is too short");
   EXPECT_EQ(fitter.add(ping_pong(3000)), "");
   EXPECT_EQ(fitter.fit().matches, 1);
 }
 
 }  // namespace
-}  // namespace cls::match
+}  // namespace cls::analysis

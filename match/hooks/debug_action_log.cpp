@@ -1,11 +1,11 @@
 // Conversion of debug actions to JSON.
-#include "match/hooks/debug_log.h"
+#include "match/hooks/debug_action_log.h"
 
 #include <google/protobuf/util/json_util.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "proto/playmaker.pb.h"
 #include "proxy/agent/player_agent.h"
@@ -14,7 +14,7 @@
 namespace cls::match {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 // The fields of a message under their names in the .proto file.
 Json fields_of(const google::protobuf::Message& message) {
@@ -51,15 +51,13 @@ Json json_of(player::GameTime now, int unum, const protos::PlayerAction& action)
 
 }  // namespace
 
-DebugLog::DebugLog(const std::filesystem::path& folder)
-    : sides_{SideLog(folder / viewer::kLeftDebugFile), SideLog(folder / viewer::kRightDebugFile)} {}
+DebugActionLog::DebugActionLog(const std::filesystem::path& folder)
+    : SideHooks({DebugActionsOfSide(folder / viewer::kLeftDebugFile),
+                 DebugActionsOfSide(folder / viewer::kRightDebugFile)}) {}
 
-SideListener* DebugLog::listener(soccer::Side side) {
-  return &sides_[side == soccer::Side::kRight ? 1 : 0];
-}
-
-void DebugLog::SideLog::on_decision(const proxy::Decision& decision) {
+void DebugActionsOfSide::on_decision(const proxy::Decision& decision) {
   if (decision.reply == nullptr) return;
+
   const player::GameTime now = decision.agent.world().game.time;
   const int unum = decision.agent.unum();
   for (const auto& action : decision.reply->actions()) {
@@ -73,7 +71,7 @@ void DebugLog::SideLog::on_decision(const proxy::Decision& decision) {
   }
 }
 
-void DebugLog::SideLog::write(std::string_view line) {
+void DebugActionsOfSide::write(std::string_view line) {
   if (line.size() >= room_) room_ = 0;
   if (room_ == 0) {
     ++omitted_;
@@ -84,7 +82,7 @@ void DebugLog::SideLog::write(std::string_view line) {
   room_ -= line.size() + 1;
 }
 
-void DebugLog::SideLog::end_cycle() {
+void DebugActionsOfSide::end_cycle() {
   if (lines_.empty() || !error_.empty()) return;
   if (sink_ == nullptr) {
     auto created = base::FileSink::create(file_.string());
@@ -94,14 +92,14 @@ void DebugLog::SideLog::end_cycle() {
     }
     sink_ = *std::move(created);
   }
-  std::stable_sort(lines_.begin(), lines_.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+
+  std::ranges::stable_sort(lines_, {}, &std::pair<int, std::string>::first);
   for (const auto& [unused, line] : lines_) write(line);
   lines_.clear();
   sink_->flush();
 }
 
-std::string DebugLog::SideLog::close() {
+std::string DebugActionsOfSide::close() {
   end_cycle();
   if (sink_ != nullptr && omitted_ > 0) {
     const Json last = {{"kind", "omitted"}, {"count", omitted_}};
@@ -112,12 +110,6 @@ std::string DebugLog::SideLog::close() {
     if (!closed) error_ = closed.error().message;
   }
   return error_;
-}
-
-std::string DebugLog::close() {
-  const std::string left = sides_[0].close();
-  const std::string right = sides_[1].close();
-  return left.empty() ? right : left;
 }
 
 }  // namespace cls::match

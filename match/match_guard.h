@@ -1,4 +1,4 @@
-// What ends a match early, whose fault that is, and what the user is warned of.
+// Ends a match early, says whose fault that is, and warns the user.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 #include "match/match_loop.h"
 #include "match/result/match_end.h"
 #include "match/result/match_observer.h"
-#include "match/server/server.h"
+#include "match/server/match_server.h"
 #include "match/sides/match_side.h"
 #include "match/terms/match_options.h"
 
@@ -20,14 +20,14 @@ namespace cls::match {
 
 /// Everything that waits for the server or a side waits here, and notices signals, limits and
 /// failures meanwhile.
-class MatchWatch {
+class MatchGuard {
  public:
-  /// All must outlive the watch.
-  MatchWatch(const MatchOptions& options, Server& server, const Sides& sides,
+  /// All must outlive the guard.
+  MatchGuard(const MatchOptions& options, Server& server, const Sides& sides,
              const std::atomic<int>& stop_signal)
       : options_(options), limits_(options, stop_signal), server_(server), sides_(sides) {}
 
-  /// Both come before all that follows, and must outlive the watch.
+  /// Both come before all that follows, and must outlive the guard.
   void follow(MatchLoop& loop) { loop_ = &loop; }
   void report_to(MatchObserver& observer) { observer_ = &observer; }
   MatchObserver& observer() const { return *observer_; }
@@ -56,7 +56,7 @@ class MatchWatch {
   /// Waits for `side` until `reached` returns true. False when the match ended first.
   bool wait_for(const MatchSide& side, const std::function<bool()>& reached);
 
-  /// Where the match is, as the server or a side has seen it.
+  /// The progress of the match, as the server or a side has seen it.
   SourceProgress progress() const;
   MatchMoment moment() const { return {playing_, progress().match.cycle}; }
 
@@ -66,7 +66,7 @@ class MatchWatch {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  /// What the match waits for, for the message when a limit is exceeded.
+  /// The awaited party, for the message when a limit is exceeded.
   struct Awaited {
     std::function<std::string()> what;
     const MatchSide* side = nullptr;        ///< at fault; its hint is added to the message

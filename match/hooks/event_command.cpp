@@ -1,13 +1,13 @@
 // Events follow from score and play mode, which every server reports.
-#include "match/hooks/match_events.h"
+#include "match/hooks/event_command.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <nlohmann/json.hpp>
 
 #include "base/system/host.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/text/printable.h"
 #include "soccer/play_mode.h"
@@ -80,9 +80,11 @@ EventDocument EventFinder::last(const MatchResult& result) const {
     what = fmt::format(" ({}:{} penalties), final score", *result.left.penalty_score,
                        *result.right.penalty_score);
   }
+
   if (!result.message.empty()) what += ": " + result.message;
   EventDocument event = event_document(good ? "end" : "failure", names_, result.left.score,
                                        result.right.score, result.cycles, what);
+
   event["penalty_score"] =
       shoot_out ? EventDocument::array({*result.left.penalty_score, *result.right.penalty_score})
                 : EventDocument(nullptr);
@@ -95,8 +97,9 @@ std::vector<process::EnvironmentChange> event_environment(const EventDocument& e
   std::vector<process::EnvironmentChange> environment;
   for (const auto& [key, value] : event.items()) {
     std::string name = "CLS_" + key;
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    std::ranges::transform(name, name.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+
     if (value.is_array() && value.size() == 2) {
       const std::string ending = name.substr(4);  // CLS_LEFT_SCORE
       environment.push_back({"CLS_LEFT_" + ending, value_text(value[0])});

@@ -1,21 +1,27 @@
 // The command line of rcssserver from parameters.
-#include "match/programs/server_command.h"
+#include "match/programs/server_plan.h"
 
 #include <fmt/format.h>
 
 #include <type_traits>
 #include <variant>
 
+#include "base/text/value_text.h"
 namespace cls::match {
 namespace {
 
 // In cycles; longer than any start limit.
 constexpr int kConnectWait = 1'000'000;
 
-std::string text_of(bool value) { return value ? "on" : "off"; }
-std::string text_of(int value) { return std::to_string(value); }
-std::string text_of(double value) { return fmt::format("{}", value); }
-std::string text_of(const std::string& value) { return value; }
+// As rcssserver reads it.
+template <class Value>
+std::string text_of(const Value& value) {
+  if constexpr (std::is_same_v<Value, bool>) {
+    return value ? "on" : "off";
+  } else {
+    return base::text_of(value);
+  }
+}
 
 // The user's parameters with those that the match needs.
 soccer::ServerParams decided(const ServerSetup& setup) {
@@ -26,18 +32,15 @@ soccer::ServerParams decided(const ServerSetup& setup) {
   params.coach_port = setup.ports.trainer;
   params.olcoach_port = setup.ports.coach;
   params.connect_wait = kConnectWait;
-  params.game_log_dir = "./";
-  params.text_log_dir = "./";
-  params.game_log_fixed = true;
-  params.text_log_fixed = true;
-  params.game_log_fixed_name = "match";
-  params.text_log_fixed_name = "match";
+  params.game_log_dir = params.text_log_dir = "./";
+  params.game_log_fixed = params.text_log_fixed = true;
+  params.game_log_fixed_name = params.text_log_fixed_name = "match";
+
   // The match follows this log; convert_server_logs() makes the one that the user wants.
   params.game_logging = true;
   params.game_log_version = soccer::ServerParams().game_log_version;
   params.game_log_compression = params.text_log_compression = 0;
-  params.game_log_dated = false;
-  params.text_log_dated = false;
+  params.game_log_dated = params.text_log_dated = false;
   return params;
 }
 
@@ -49,6 +52,7 @@ void add_differences(std::vector<std::string>& argv, const std::string& module,
     std::visit(
         [&](auto member) {
           if (params.*member == stock.*member) return;
+
           constexpr bool kIsText =
               std::is_same_v<std::remove_cvref_t<decltype(params.*member)>, std::string>;
           const std::string name = fmt::format("{}::{}", module, row.name);
@@ -88,6 +92,7 @@ process::CommandPlan server_plan(const ServerSetup& setup) {
   plan.log = setup.folder / kServerLog;
   plan.cpus = setup.cpus;
   plan.environment = server_environment(setup.folder);
+
   add_differences(plan.argv, "server", decided(setup), soccer::server_param_table());
   // `cls server` started by a match defaults to synch mode.
   if (setup.mode == MatchMode::kRealtime) plan.argv.push_back("server::synch_mode=off");

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/text/json.h"
 #include "match/result/match_observer.h"
 #include "match/result/match_result.h"
 #include "match/terms/endpoint.h"
@@ -16,7 +16,7 @@ namespace cls::match {
 
 /// The document `cls.event/1` of an event (docs/formats/events.md), with a member for each variable
 /// of event_environment().
-using EventDocument = nlohmann::ordered_json;
+using EventDocument = base::Json;
 
 /// Finds the events in the progress of a match.
 class EventFinder {

@@ -1,4 +1,4 @@
-// Requested actions and planned actions as one line of text, for people.
+// Replies of Playmakers as texts of the decision debugger: actions, plans, drawings.
 #pragma once
 
 #include <string>
@@ -17,5 +17,13 @@ std::string action_text(const protos::PlayerAction& action);
 /// (12.3, -4) 45.2", with the value of the best sequence that begins with it. `*` marks the chosen
 /// one. At most eight lines; empty without a plan.
 std::string plan_text(const player::PlanChoice& choice);
+
+/// The `log` and `debug_client` actions of a reply in the lines of a debug log (docs/actions.md),
+/// without the time and with numbers of two decimals: "1024 c 12.3 -4 2 red". Empty: none. What
+/// does not fit into a recorded text is left out.
+std::string drawings_text(const protos::PlayerActions& reply);
+
+/// True for an action that shows something and does nothing else.
+bool is_drawing(const protos::PlayerAction& action);
 
 }  // namespace cls::match
