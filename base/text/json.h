@@ -111,6 +111,10 @@ class Json {
   requires(std::is_integral_v<Index>) const Json& operator[](Index index) const {
     return at(static_cast<std::size_t>(index));
   }
+  template <typename Index>
+  requires(std::is_integral_v<Index>) const Json& operator[](Index index) {  // 0 is no text
+    return at(static_cast<std::size_t>(index));
+  }
 
   /// The elements of an array; none of null.
   const Json* begin() const { return elements().data(); }

@@ -4,30 +4,29 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 
 class AnalysisExamples : public testing::Test {
  protected:
   void SetUp() override {
     if (run({"python3", "-c", "pass"}).exit_code != 0) GTEST_SKIP() << "needs python3";
-    ASSERT_EQ(cls({"match", "mock", "mock:simple", "--seed", "5", "--cycles", "1000", "--dir", "m",
-                   "--quiet"})
-                  .exit_code,
-              0);
+    ASSERT_THAT(cls({"match", "mock", "mock:simple", "--seed", "5", "--cycles", "1000", "--dir",
+                     "m", "--quiet"}),
+                Exits(0));
     std::ofstream(path("events.csv")) << cls({"stats", "m", "--format", "csv-events"}).out;
     statistics_ = json::parse(cls({"stats", "m", "--json"}).out)["matches"][0];
   }
@@ -37,20 +36,20 @@ class AnalysisExamples : public testing::Test {
     return Command(std::move(words), {}, folder_.path()).finish();
   }
   CommandResult cls(std::vector<std::string> words) const {
-    words.insert(words.begin(), cls::tests::cls_binary().string());
+    words.insert(words.begin(), cls_binary().string());
     return run(std::move(words));
   }
-  CommandResult example(const std::string& name, std::vector<std::string> words) const {
-    const fs::path program = cls::tests::source_folder() / "examples" / name;
-    words.insert(words.begin(), {"python3", program.string()});
-    return Command(std::move(words), {"CLS=" + cls::tests::cls_binary().string()}, folder_.path())
+  CommandResult example(const std::string& name, const std::vector<std::string>& words) const {
+    const fs::path program = source_folder() / "examples" / name;
+    return Command(joined({"python3", program.string()}, words), {"CLS=" + cls_binary().string()},
+                   folder_.path())
         .finish();
   }
-  int stat(const std::string& pointer) const {
-    return statistics_.at(json::json_pointer(pointer)).get<int>();
+  int stat(const std::string& side, const char* group, const char* name) const {
+    return statistics_[side][group][name].get<int>();
   }
 
-  cls::tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   json statistics_;
 };
 
@@ -59,21 +58,20 @@ TEST_F(AnalysisExamples, PassNetworkAgreesWithStatistics) {
     const CommandResult result =
         example("analysis/pass_network.py", {"events.csv", side, "out.svg"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
-    const int attempted = stat("/" + side + "/passes/attempted");
+    const int attempted = stat(side, "passes", "attempted");
     EXPECT_GT(attempted, 0);
     EXPECT_THAT(result.out, HasSubstr("attempted " + std::to_string(attempted) + "\n"));
-    EXPECT_THAT(
-        result.out,
-        HasSubstr("completed " + std::to_string(stat("/" + side + "/passes/completed")) + "\n"));
-    EXPECT_THAT(cls::tests::read_file(path("out.svg")), HasSubstr("</svg>"));
+    EXPECT_THAT(result.out,
+                HasSubstr("completed " + std::to_string(stat(side, "passes", "completed")) + "\n"));
+    EXPECT_THAT(read_file(path("out.svg")), HasSubstr("</svg>"));
   }
 }
 
 TEST_F(AnalysisExamples, ExpectedThreatAgreesWithStatistics) {
   const CommandResult result = example("analysis/expected_threat.py", {"events.csv", "out.svg"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  const int shots = stat("/left/shots/total") + stat("/right/shots/total");
-  const int goals = stat("/left/shots/goal") + stat("/right/shots/goal");
+  const int shots = stat("left", "shots", "total") + stat("right", "shots", "total");
+  const int goals = stat("left", "shots", "goal") + stat("right", "shots", "goal");
   EXPECT_GT(shots, 0);
   EXPECT_THAT(result.out, HasSubstr("shots " + std::to_string(shots) + "\n"));
   EXPECT_THAT(result.out, HasSubstr("goals " + std::to_string(goals) + "\n"));
@@ -81,17 +79,15 @@ TEST_F(AnalysisExamples, ExpectedThreatAgreesWithStatistics) {
 
 TEST_F(AnalysisExamples, FormationClustersReadTrackingTables) {
   ASSERT_EQ(cls({"convert", "m", "m.tracking.csv"}).exit_code, 0);
-  const CommandResult result =
-      example("analysis/formation_clusters.py", {"m.tracking.csv", "left", "out.svg"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr(" frames, mean x "));
-  EXPECT_THAT(cls::tests::read_file(path("out.svg")), HasSubstr("% of "));
+  ASSERT_THAT(example("analysis/formation_clusters.py", {"m.tracking.csv", "left", "out.svg"}),
+              Prints(0, HasSubstr(" frames, mean x ")));
+  EXPECT_THAT(read_file(path("out.svg")), HasSubstr("% of "));
 }
 
 TEST_F(AnalysisExamples, GoalsAgainstAgreeWithTheScore) {
   const json result = json::parse(cls({"results", "m", "--json"}).out)["matches"][0];
-  const std::string loser = result["right"]["name"];
-  const int score = result["left"]["score"];
+  const auto loser = result["right"]["name"].get<std::string>();
+  const auto score = result["left"]["score"].get<int>();
   ASSERT_GT(score, 0);
   const CommandResult against = example("tuning/goals_against.py", {loser, "m"});
   ASSERT_EQ(against.exit_code, 0) << against.err;
@@ -105,3 +101,4 @@ TEST_F(AnalysisExamples, GoalsAgainstAgreeWithTheScore) {
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -6,13 +6,14 @@
 
 #include <algorithm>
 #include <cctype>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "cli/support/exit_code.h"
+#include "tests/support/json.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
@@ -54,8 +55,7 @@ TEST(Application, PrintsVersionOnStdout) {
 TEST(Application, PrintsHelpOnStdoutWithExamplesFirst) {
   const Answer answer = run({"--help"});
   EXPECT_EQ(answer.exit_code, cls::cli::kOk);
-  EXPECT_THAT(answer.out, HasSubstr("  match         play one match and print its result\n"))
-      << answer.out;
+  EXPECT_THAT(answer.out, HasSubstr("  match         play one match and print its result\n"));
   EXPECT_LT(answer.out.find("cls match mock mock"), answer.out.find("Usage: cls"))
       << "examples come first";
 }
@@ -94,7 +94,7 @@ TEST(Application, HelpListsAllCommands) {
   const std::vector<Words>& all = commands();
   for (const Words& words : {Words{"match"}, Words{"tournament", "work"}, Words{"version"},
                              Words{"check", "perception"}, Words{"server"}}) {
-    EXPECT_NE(std::find(all.begin(), all.end(), words), all.end()) << words.front();
+    EXPECT_NE(std::ranges::find(all, words), all.end()) << words.front();
   }
   EXPECT_GE(all.size(), 22u);
 }
@@ -117,7 +117,7 @@ TEST(Application, HelpNamesNoTypeOfTheParser) {
   for (const Words& words : commands()) {
     const std::string help = run(with(words, {"--help"})).out;
     for (const char* raw : {" INT", " UINT", " FLOAT", " TEXT", "REQUIRED", "{false}", ":POS"}) {
-      EXPECT_THAT(help, Not(HasSubstr(raw))) << raw << "\n" << help;
+      EXPECT_THAT(help, Not(HasSubstr(raw))) << raw;
     }
   }
 }
@@ -160,17 +160,19 @@ TEST(Application, VersionOptionIsTheVersionCommand) {
 }
 
 TEST(Application, VersionNamesReleaseWireCompilerAndLibraries) {
-  const nlohmann::json json = nlohmann::json::parse(run({"version", "--json"}).out);
+  const base::Json json = base::Json::parse(run({"version", "--json"}).out);
   EXPECT_EQ(json["schema"], "cls.version/1");
   const std::string text = run({"version"}).out;
   for (const char* key : {"cls", "wire", "compiler"}) {
-    EXPECT_THAT(text, HasSubstr(json[key].get<std::string>())) << key << text;
+    EXPECT_THAT(text, HasSubstr(json[key].get<std::string>())) << key;
   }
+
   EXPECT_EQ(json["protocol"]["newest"], 19);
   for (const auto& [name, version] : json["formats"].items()) {
     EXPECT_THAT(text, HasSubstr(name)) << name;
     EXPECT_THAT(text, HasSubstr(version.get<std::string>())) << name;
   }
+
   for (const char* library : {"grpc", "protobuf", "boost", "sqlite", "zlib", "nlohmann-json",
                               "openssl", "sleef", "tomlplusplus"}) {
     ASSERT_TRUE(json["libraries"].contains(library)) << json;
@@ -189,7 +191,7 @@ TEST(Application, AllCommandsTakeTheSharedFlags) {
   for (const Words& words : commands()) {
     const std::string help = run(with(words, {"--help"})).out;
     for (const char* flag : {"  --json ", "  --quiet ", "  --no-color "}) {
-      EXPECT_THAT(help, HasSubstr(flag)) << flag << help;
+      EXPECT_THAT(help, HasSubstr(flag)) << flag;
     }
   }
 }
@@ -225,6 +227,15 @@ TEST(Application, UsageErrorsNameArgumentValueAndForm) {
       {{"match", "mock", "mock", "--cycles", "0x10"}, "--cycles '0x10': must be a whole number"},
       {{"match", "mock", "mock", "--time-limit", "nan"}, "--time-limit 'nan': must be a number"},
       {{"match", "mock", "mock", "--json=maybe"}, "--json takes no value (see cls match --help)"},
+      {{"match", "mock", "mock", "--json", "--json"},
+       "--json takes no value (see cls match --help)"},
+      {{"match", "mock", "mock", "--no-such", "--cycles"},
+       "unknown option '--no-such' (see cls match --help)"},
+      {{"match", "mock", "mock", "--cycles="}, "--cycles requires a value: a whole number"},
+      {{"match", "mock", "mock", "--set"}, "--set requires a value: NAME=VALUE"},
+      {{"match", "mock", "mock", "--set", "a=1", "--set"}, "--set requires a value: NAME=VALUE"},
+      {{"proxy", "-p"}, "--port requires a value: a whole number from 1 to 65535"},
+      {{"proxy", "-rp"}, "--port requires a value: a whole number from 1 to 65535"},
       {{"mock", "--port", "70000"}, "--port '70000': must be a whole number from 0 to 65535"},
       {{"mock", "--port", "x"}, "--port 'x': must be a whole number from 0 to 65535"},
       {{"mock", "--delay", "-1"}, "--delay '-1': must be a whole number from 0"},
@@ -267,7 +278,7 @@ TEST(Application, ReportsUnknownCommandInOneLine) {
   const Answer answer = run({"mtach"});
   EXPECT_EQ(answer.exit_code, cls::cli::kUsage);
   EXPECT_EQ(answer.out, "");
-  EXPECT_THAT(answer.err, HasSubstr("mtach")) << answer.err;
+  EXPECT_THAT(answer.err, HasSubstr("mtach"));
   EXPECT_EQ(answer.err.find('\n'), answer.err.size() - 1) << answer.err;
 }
 
@@ -276,3 +287,4 @@ TEST(Application, ReportsUsageErrorWithoutCommand) {
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -5,7 +5,6 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -13,16 +12,16 @@
 #include "mock-server/service/raw_service.h"
 #include "mock-server/service/team_responder.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/python.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::cls_binary;
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
 
@@ -37,14 +36,13 @@ class Batch : public testing::Test {
   Played play(const std::string& batch, const std::string& left, const std::string& right,
               const std::string& seed, const Arguments& more = {}) {
     const auto folder = folder_.path() / ("match" + std::to_string(++matches_));
-    Arguments arguments = {cls_binary(), "match",  left,   right,      "--batch",
-                           batch,        "--seed", seed,   "--cycles", cycles_,
-                           "--json",     "--dir",  folder, "--coach"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const CommandResult played = cls::tests::run(arguments);
+    const CommandResult played =
+        run(joined({cls_binary(), "match", left, right, "--batch", batch, "--seed", seed,
+                    "--cycles", cycles_, "--json", "--dir", folder, "--coach"},
+                   more));
     EXPECT_EQ(played.exit_code, 0) << played.err;
-    return {cls::tests::read_file(folder / "match.rcg"),
-            cls::tests::read_file(folder / "match.rcl"), json::parse(played.out, nullptr, false)};
+    return {read_file(folder / "match.rcg"), read_file(folder / "match.rcl"),
+            json::parse_or_discarded(played.out)};
   }
 
   // Not EXPECT_EQ: it would print megabytes.
@@ -107,7 +105,7 @@ class Batch : public testing::Test {
   static bool long_form() { return std::getenv("CLS_FULL") != nullptr; }
   static int seeds() { return long_form() ? 20 : 2; }
 
-  cls::tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   int matches_ = 0;
   std::string cycles_ = long_form() ? "300" : "120";
 };
@@ -132,6 +130,7 @@ TEST_F(Batch, SameMatchWithFaultsOfSingleAgents) {
 TEST_F(Batch, SameMatchWithEachFault) {
   cycles_ = "40";
   const Arguments limits = {"--max-missed", "1000", "--rpc-deadline", "1000"};
+
   for (const std::string fault : {
            R"("error": 0.1, "status": "INTERNAL", "message": "x", "seed": 3)",
            R"("garbage": 0.1, "only": {"unum": [2, 5, 8]})",
@@ -177,11 +176,9 @@ TEST_F(Batch, GivesRegisterTeamHalfOfTheStartTime) {
       file("silent.json", R"({"otherwise": "simple", "faults": {"slow_start_ms": 600000}})");
   Command program({cls_binary(), "mock", script, "--port", "0"});
   ASSERT_TRUE(program.wait_for_output("127.0.0.1:"));
-  const CommandResult refused =
-      cls::tests::run({cls_binary(), "match", printed_address(program), "mock", "--start-timeout",
-                       "8", "--cycles", "5", "--dir", folder_.path() / "refused"});
-  EXPECT_EQ(refused.exit_code, 69);
-  EXPECT_THAT(refused.err, HasSubstr("no reply to RegisterTeam within 4000 ms"));
+  EXPECT_THAT(run({cls_binary(), "match", printed_address(program), "mock", "--start-timeout", "8",
+                   "--cycles", "5", "--dir", folder_.path() / "refused"}),
+              Exits(69, HasSubstr("no reply to RegisterTeam within 4000 ms")));
 }
 
 TEST_F(Batch, SameMatchOverTcp) {
@@ -225,15 +222,14 @@ TEST_F(Batch, SameMatchWithWholeStates) {
 
 // What a Python program of the example needs in front of it.
 std::string python_path() {
-  return std::string(CLS_BUILD_DIR) +
-         "/python:" + (cls::tests::source_folder() / "examples/python").string();
+  return std::string(CLS_BUILD_DIR) + "/python:" + (source_folder() / "examples/python").string();
 }
 
 class PythonBatch : public Batch {
  protected:
-  PythonBatch() : python_(cls::tests::python_with_grpc()) { cycles_ = long_form() ? "120" : "60"; }
+  PythonBatch() : python_(python_with_grpc()) { cycles_ = long_form() ? "120" : "60"; }
   void SetUp() override {
-    if (python_.empty()) GTEST_SKIP() << cls::tests::kNoPython;
+    if (python_.empty()) GTEST_SKIP() << kNoPython;
   }
 
   static int seeds() { return long_form() ? 20 : 1; }
@@ -251,8 +247,7 @@ TEST_F(PythonBatch, SameMatchInBothEncodings) {
     return started(file("lean" + lean + ".py", "import playmaker\nplaymaker.Team.lean_states = " +
                                                    lean + "\nplaymaker.main()\n"));
   };
-  const std::string as_it_is =
-      started((cls::tests::source_folder() / "examples/python/playmaker.py").string());
+  const std::string as_it_is = started((source_folder() / "examples/python/playmaker.py").string());
   for (int i = 1; i <= seeds(); ++i) {
     const std::string seed = std::to_string(i);
     const Played single = play("never", as_it_is, "mock", seed, name_);
@@ -271,7 +266,9 @@ import grpc
 import playmaker
 from cls_playmaker import errors, proto, team, team_playmaker_pb2_grpc
 example = playmaker.Team(False)
+
 server = grpc.server(futures.ThreadPoolExecutor(max_workers=16))
+
 proto.add_GameServicer_to_server(example, server)
 team_playmaker_pb2_grpc.add_TeamPlaymakerServicer_to_server(
     team.TeamServicer(example, errors.Errors()), server)
@@ -293,9 +290,7 @@ TEST_F(Batch, RecordingHoldsCallsOfAgents) {
   play("never", "mock", "mock:hold", "3", {"--record-rpc", single});
   play("always", "mock", "mock:hold", "3", {"--record-rpc", batch});
   for (const std::string& file : {single, batch}) {
-    const CommandResult replayed =
-        cls::tests::run({cls_binary(), "test", "--replay", file, "mock", "--json"});
-    EXPECT_EQ(replayed.exit_code, 0) << file << replayed.err;
+    EXPECT_THAT(run({cls_binary(), "test", "--replay", file, "mock", "--json"}), Exits(0));
   }
 }
 
@@ -308,11 +303,10 @@ TEST_F(Batch, OlderPlaymakerIsAskedForEachAgentWithoutWarning) {
 
 TEST_F(Batch, RequiredServiceThatIsMissingRefusesMatch) {
   const std::string script = older();
-  const CommandResult refused =
-      cls::tests::run({cls_binary(), "match", "mock:" + script, "mock", "--batch", "always",
-                       "--cycles", "10", "--dir", folder_.path() / "refused"});
-  EXPECT_EQ(refused.exit_code, 69);
-  EXPECT_THAT(refused.err, HasSubstr("does not implement TeamPlaymaker")) << refused.err;
+  EXPECT_THAT(run({cls_binary(), "match", "mock:" + script, "mock", "--batch", "always", "--cycles",
+                   "10", "--dir", folder_.path() / "refused"}),
+              Exits(69, HasSubstr("does not implement TeamPlaymaker")));
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -4,27 +4,27 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "base/io/byte_source.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using cls::tests::CommandResult;
-using cls::tests::read_file;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 
 class Challenge : public testing::Test {
  protected:
   Challenge() {
-    auto source = cls::base::open_source(cls::tests::fixture("stp/match.tracking.csv.gz").string());
+    auto source = cls::base::open_source(fixture("stp/match.tracking.csv.gz").string());
     put("csv/cup/1.tracking.csv", cls::base::read_all(**source));
     put("csv/cup/2.tracking.csv", "#,cycle,playmode\n1,1,\"play_on\"\n");
   }
@@ -36,36 +36,36 @@ class Challenge : public testing::Test {
     std::ofstream(path(name), std::ios::binary) << text;
   }
 
-  CommandResult stp(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), {cls::tests::cls_binary().string(), "challenge", "stp"});
-    return cls::tests::Command(arguments, {}, folder_.path()).finish();
+  CommandResult stp(const std::vector<std::string>& arguments) const {
+    return Command(joined({cls_binary().string(), "challenge", "stp"}, arguments), {},
+                   folder_.path())
+        .finish();
   }
 
   void make() const {
-    const CommandResult made = stp({"make", "csv", "tests"});
-    EXPECT_EQ(made.exit_code, 0) << made.err;
-    EXPECT_EQ(made.out, "cup-1  cycle 139\n1 of 2 matches have a test\n");
+    EXPECT_THAT(stp({"make", "csv", "tests"}),
+                Prints(0, "cup-1  cycle 139\n1 of 2 matches have a test\n"));
     EXPECT_EQ(stp({"predict", "tests", "mine"}).out, "1 predictions\n");
     fs::rename(path("csv/cup/1.tracking.csv"), path("csv/cup-1.tracking.csv"));
   }
 
-  cls::tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(Challenge, MakesPredictsChecksAndScores) {
   put("csv/cup/1.event.csv",
       "a,b,c,d,e,f,g,h,i,Time2\n1,1,1,1,1,1,1,1,1,139\n1,1,1,1,1,1,1,1,1,140\n");
   make();
+
   EXPECT_FALSE(fs::exists(path("tests/cup-2.tracking.csv")));
   EXPECT_EQ(read_file(path("tests/cup-1.event.csv")),
             "a,b,c,d,e,f,g,h,i,Time2\n1,1,1,1,1,1,1,1,1,139\n");
-  const CommandResult checked = stp({"validate", "tests", "mine"});
-  EXPECT_EQ(checked.exit_code, 0);
-  EXPECT_EQ(checked.out, "Submission is valid.\n");
-  const CommandResult scored = stp({"score", "csv", "tests", "mine"});
-  EXPECT_EQ(scored.exit_code, 0) << scored.err;
-  EXPECT_EQ(scored.out,
-            "Number of Evaluated Sequences: 1\nAverage Error: 3.3825\nEndpoint Error: 5.2666\n");
+  EXPECT_THAT(stp({"validate", "tests", "mine"}), Prints(0, "Submission is valid.\n"));
+  EXPECT_THAT(
+      stp({"score", "csv", "tests", "mine"}),
+      Prints(0,
+             "Number of Evaluated Sequences: 1\nAverage Error: 3.3825\nEndpoint Error: 5.2666\n"));
+
   const json document = json::parse(stp({"score", "csv", "tests", "mine", "--json"}).out);
   EXPECT_EQ(document["schema"], "cls.challenge/1");
   EXPECT_EQ(document["matches"][0]["name"], "cup-1.tracking.csv");
@@ -86,7 +86,8 @@ TEST_F(Challenge, NamesWhatIsWrongWithPredictions) {
   checked = stp({"validate", "tests", "mine", "--json"});
   const json document = json::parse(checked.out);
   EXPECT_EQ(document["valid"], false);
-  EXPECT_THAT(document["problems"][1], HasSubstr("other.tracking.csv: line 1: has no column l1_y"));
+  EXPECT_THAT(document["problems"][1].get<std::string>(),
+              HasSubstr("other.tracking.csv: line 1: has no column l1_y"));
 }
 
 TEST_F(Challenge, ReportsFailuresByExitCode) {
@@ -102,3 +103,4 @@ TEST_F(Challenge, ReportsFailuresByExitCode) {
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -4,28 +4,24 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::cls_binary;
-using cls::tests::CommandResult;
-using cls::tests::data;
-using cls::tests::fixture;
-using cls::tests::read_file;
-using cls::tests::TemporaryFolder;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 
 CommandResult check(const std::string& transcript, const std::string& truth, bool as_json = false) {
   std::vector<std::string> arguments = {cls_binary(), "check",   "perception",
                                         transcript,   "--truth", truth};
   if (as_json) arguments.push_back("--json");
-  return cls::tests::run(arguments);
+  return run(arguments);
 }
 
 std::string transcript_fixture() { return fixture("perception/player_7.txt.gz").string(); }
@@ -56,7 +52,7 @@ TEST(CheckPerception, PassesOnWholeLogs) {
     const CommandResult result = check(*data(std::string("aligned/udp/") + name + ".txt.gz"), *log);
     EXPECT_EQ(result.exit_code, 0) << name << ": " << result.err;
     EXPECT_EQ(result.err, "");
-    EXPECT_THAT(result.out, HasSubstr("of PROXY (left), ")) << result.out;
+    EXPECT_THAT(result.out, HasSubstr("of PROXY (left), "));
   }
 }
 
@@ -70,7 +66,7 @@ TEST(CheckPerception, RejectsLogOfAnotherMatch) {
     const CommandResult result = check(transcript, *log);
     EXPECT_EQ(result.exit_code, 65);
     EXPECT_EQ(result.out, "");
-    EXPECT_THAT(result.err, HasSubstr(why)) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(why));
   };
   expect_refusal(*same_name, "the player types differ from those of the log");
   expect_refusal(*other_name, "the player is of team 'HELIOS_L' on the left, the log has 'PROXY'");
@@ -81,16 +77,14 @@ TEST(CheckPerception, WritesAPageWithTheDecisions) {
   const TemporaryFolder folder;
   const auto page = folder.path() / "page.html";
   const auto written = [&](const std::filesystem::path& where) {
-    return cls::tests::run({cls_binary(), "check", "perception", transcript_fixture(), "--truth",
-                            log_fixture(), "--page", where.string()});
+    return run({cls_binary(), "check", "perception", transcript_fixture(), "--truth", log_fixture(),
+                "--page", where.string()});
   };
   EXPECT_EQ(written(page).exit_code, 65);  // the log of the fixture has no end
   const std::string text = read_file(page);
   EXPECT_THAT(text, HasSubstr("id=\"decisions-left\""));
   EXPECT_THAT(text, HasSubstr("\"players\":[\"l7\"]"));
-  const CommandResult refused = written(folder.path() / "no/page.html");
-  EXPECT_EQ(refused.exit_code, 73);
-  EXPECT_THAT(refused.err, HasSubstr("no/page.html")) << refused.err;
+  EXPECT_THAT(written(folder.path() / "no/page.html"), Exits(73, HasSubstr("no/page.html")));
 }
 
 TEST(CheckPerception, UsesLinesBeforeParseError) {
@@ -100,8 +94,8 @@ TEST(CheckPerception, UsesLinesBeforeParseError) {
   std::ofstream(path) << whole.substr(0, whole.size() * 5 / 6) << "\nnonsense\n";
   const CommandResult result = check(path, log_fixture(), true);
   EXPECT_EQ(result.exit_code, 65);
-  EXPECT_THAT(result.err, HasSubstr(": not a transcript line")) << result.err;
-  const int cycles = json::parse(result.out)["cycles"];
+  EXPECT_THAT(result.err, HasSubstr(": not a transcript line"));
+  const int cycles = json::parse(result.out)["cycles"].get<int>();
   EXPECT_GT(cycles, 0);
   EXPECT_LT(cycles, 97);
 }
@@ -114,7 +108,7 @@ TEST(CheckPerception, ReadsTruncatedGzipFile) {
   std::ofstream(path, std::ios::binary) << bytes.substr(0, bytes.size() * 5 / 6);
   const CommandResult result = check(path, log_fixture(), true);
   EXPECT_EQ(result.exit_code, 65);
-  EXPECT_THAT(result.err, HasSubstr("gzip data is truncated")) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("gzip data is truncated"));
   EXPECT_EQ(json::parse(result.out)["player"], 7);
 }
 
@@ -126,15 +120,14 @@ TEST(CheckPerception, ReportsUnusableInput) {
   std::ofstream(path) << "# nothing\n";
   const CommandResult unreachable = check(path, log_fixture());
   EXPECT_EQ(unreachable.exit_code, 65);
-  EXPECT_THAT(unreachable.err, HasSubstr("no player connects")) << unreachable.err;
+  EXPECT_THAT(unreachable.err, HasSubstr("no player connects"));
   EXPECT_EQ(unreachable.out, "");
   EXPECT_EQ(check(transcript_fixture(), path).exit_code, 65);
-  const CommandResult usage = cls::tests::run({cls_binary(), "check", "perception", path});
-  EXPECT_EQ(usage.exit_code, 2);
-  EXPECT_THAT(usage.err, HasSubstr("cls check perception --help")) << usage.err;
-  const CommandResult slip = cls::tests::run({cls_binary(), "check", "perceptoin"});
-  EXPECT_EQ(slip.exit_code, 2);
-  EXPECT_THAT(slip.err, HasSubstr("did you mean 'perception'?")) << slip.err;
+  EXPECT_THAT(run({cls_binary(), "check", "perception", path}),
+              Exits(2, HasSubstr("cls check perception --help")));
+  EXPECT_THAT(run({cls_binary(), "check", "perceptoin"}),
+              Exits(2, HasSubstr("did you mean 'perception'?")));
 }
 
 }  // namespace
+}  // namespace cls::tests

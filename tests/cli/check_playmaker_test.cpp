@@ -3,36 +3,34 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/junit.h"
 #include "tests/support/sanitizers.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::cls_binary;
-using cls::tests::CommandResult;
-using cls::tests::TemporaryFolder;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 using testing::Not;
 
 CommandResult check(std::vector<std::string> arguments) {
   // These tests do not measure latency: a loaded host must not fail them.
-  std::vector<std::string> all = {cls_binary(), "check", "playmaker", "--latency-limit", "60000"};
-  all.insert(all.end(), arguments.begin(), arguments.end());
-  return cls::tests::run(all);
+  return run(joined({cls_binary(), "check", "playmaker", "--latency-limit", "60000"}, arguments));
 }
 
 /// Results by step name.
 std::map<std::string, std::string> results_of(const json& document) {
   std::map<std::string, std::string> results;
-  for (const json& step : document["steps"]) results[step["name"]] = step["result"];
+  for (const json& step : document["steps"]) {
+    results[step["name"].get<std::string>()] = step["result"].get<std::string>();
+  }
   return results;
 }
 
@@ -58,10 +56,8 @@ TEST(CheckPlaymaker, MockPassesEveryStep) {
 TEST(CheckPlaymaker, MeasuresMemoryOfRunSide) {
   if (CLS_SANITIZED)
     GTEST_SKIP() << "address sanitizer keeps freed memory, which looks like a leak";
-  const CommandResult result = check({program_line(""), "--calls", "1000"});
-  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
-  EXPECT_THAT(result.out, HasSubstr(" MB after 1000")) << result.out;
-  EXPECT_THAT(result.out, HasSubstr("pass garbage ")) << result.out;
+  EXPECT_THAT(check({program_line(""), "--calls", "1000"}),
+              Prints(0, testing::AllOf(HasSubstr(" MB after 1000"), HasSubstr("pass garbage "))));
 }
 
 TEST(CheckPlaymaker, FailsStepsWithUnimplementedRpcs) {
@@ -120,9 +116,9 @@ TEST(CheckPlaymaker, ReportsFailuresByExitCode) {
   EXPECT_EQ(results_of(json::parse(unreachable.out)).at("bye"), "skip");
   // In text, one line about it, and no lines of skipped steps.
   const CommandResult text = check({"127.0.0.1:9", "--start-timeout", "0.3"});
-  EXPECT_THAT(text.out, Not(HasSubstr("skip "))) << text.out;
-  EXPECT_THAT(text.out, HasSubstr("nothing listens at 127.0.0.1:9")) << text.out;
-  EXPECT_LT(std::count(text.out.begin(), text.out.end(), '\n'), 8) << text.out;
+  EXPECT_THAT(text.out, Not(HasSubstr("skip ")));
+  EXPECT_THAT(text.out, HasSubstr("nothing listens at 127.0.0.1:9"));
+  EXPECT_LT(std::ranges::count(text.out, '\n'), 8) << text.out;
   // A program that exits before the first step is unreachable too.
   EXPECT_EQ(check({"run:exit 3; : {port}", "--start-timeout", "0.5"}).exit_code, 69);
   EXPECT_EQ(check({"team:somewhere"}).exit_code, 2);
@@ -137,12 +133,13 @@ TEST(CheckPlaymaker, WritesCiReports) {
   const CommandResult result = check({program_line("--unimplemented SendPlayerType"), "--calls",
                                       "100", "--junit", file, "--github"});
   EXPECT_EQ(result.exit_code, 1) << result.out << result.err;
-  const std::string xml = cls::tests::read_file(file);
-  EXPECT_THAT(xml, HasSubstr("name=\"all_parameters\"")) << xml;
-  EXPECT_EQ(cls::tests::junit_errors(xml).value_or(""), "");
-  EXPECT_THAT(result.err, HasSubstr("::error title=cls check playmaker run")) << result.err;
-  EXPECT_THAT(result.err, HasSubstr(" all_parameters::")) << result.err;
+  const std::string xml = read_file(file);
+  EXPECT_THAT(xml, HasSubstr("name=\"all_parameters\""));
+  EXPECT_EQ(junit_errors(xml).value_or(""), "");
+  EXPECT_THAT(result.err, HasSubstr("::error title=cls check playmaker run"));
+  EXPECT_THAT(result.err, HasSubstr(" all_parameters::"));
   EXPECT_EQ(check({"mock", "--calls", "10", "--junit", "/no/such/folder/junit.xml"}).exit_code, 73);
 }
 
 }  // namespace
+}  // namespace cls::tests

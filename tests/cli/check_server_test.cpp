@@ -3,24 +3,22 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/junit.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::cls_binary;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 
 CommandResult check(std::vector<std::string> arguments) {
-  std::vector<std::string> all = {cls_binary(), "check", "server"};
-  all.insert(all.end(), arguments.begin(), arguments.end());
-  return cls::tests::run(all);
+  return run(joined({cls_binary(), "check", "server"}, arguments));
 }
 
 void expect_all_passed(const CommandResult& result) {
@@ -32,13 +30,12 @@ void expect_all_passed(const CommandResult& result) {
 }
 
 TEST(CheckServer, EmbeddedServerPassesEveryStep) {
-  const cls::tests::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const std::string file = folder.path() / "junit.xml";
   expect_all_passed(check({"embedded", "--json", "--junit", file}));
-  const std::string xml = cls::tests::read_file(file);
-  EXPECT_THAT(xml, HasSubstr("<testsuite name=\"cls check server\" tests=\"32\" failures=\"0\""))
-      << xml;
-  EXPECT_EQ(cls::tests::junit_errors(xml).value_or(""), "");
+  const std::string xml = read_file(file);
+  EXPECT_THAT(xml, HasSubstr("<testsuite name=\"cls check server\" tests=\"32\" failures=\"0\""));
+  EXPECT_EQ(junit_errors(xml).value_or(""), "");
 }
 
 TEST(CheckServer, RcssserverPassesEveryStep) {
@@ -54,11 +51,11 @@ TEST(CheckServer, ReportsFailuresByExitCode) {
   const json document = json::parse(unreachable.out);
   EXPECT_EQ(document["steps"][0]["result"], "fail");
   EXPECT_EQ(document["steps"][1]["result"], "skip");
-  const CommandResult ended = check({"/bin/false", "--start-timeout", "3"});
-  EXPECT_EQ(ended.exit_code, 69) << ended.out << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("the server exited")) << ended.out;
+  EXPECT_THAT(check({"/bin/false", "--start-timeout", "3"}),
+              Prints(69, HasSubstr("the server exited")));
   EXPECT_EQ(check({"/no/such/server"}).exit_code, 69);
   EXPECT_EQ(check({}).exit_code, 2);
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -3,18 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/rcssserver.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 using testing::Not;
 using Arguments = std::vector<std::string>;
@@ -51,27 +53,19 @@ class Sideline : public testing::Test {
   /// Result document of a finished match.
   json play(const std::string& left, const std::string& right, Arguments more,
             const std::string& name = "match") {
-    Arguments argv = {cls::tests::cls_binary(),
-                      "match",
-                      left,
-                      right,
-                      "--seed",
-                      "7",
-                      "--json",
-                      "--dir",
-                      folder(name)};
-    argv.insert(argv.end(), more.begin(), more.end());
-    const auto played = cls::tests::run(argv);
+    const auto played = run(
+        joined({cls_binary(), "match", left, right, "--seed", "7", "--json", "--dir", folder(name)},
+               more));
     EXPECT_EQ(played.exit_code, 0) << played.err;
     EXPECT_EQ(played.err, "");
-    return json::parse(played.out, nullptr, false);
+    return json::parse_or_discarded(played.out);
   }
 
   std::string log(const std::string& name, const char* file) const {
-    return cls::tests::read_file(std::filesystem::path(folder(name)) / file);
+    return read_file(std::filesystem::path(folder(name)) / file);
   }
 
-  const cls::tests::TemporaryFolder folder_;
+  const TemporaryFolder folder_;
 };
 
 TEST_F(Sideline, SubstitutesPlayersReproducibly) {
@@ -85,9 +79,11 @@ TEST_F(Sideline, SubstitutesPlayersReproducibly) {
     EXPECT_EQ(coach["missed"], 0);
     EXPECT_EQ(coach["commands"]["change_player_type"], 11);
   }
+
   EXPECT_EQ(result["warnings"], json::array());
   EXPECT_EQ(result["deterministic"], true);
   EXPECT_THAT(log("one", "match.rcl"), HasSubstr("_Coach: (change_player_type 11 "));
+
   play(side, side, more, "two");
   for (const char* file : {"match.rcg", "match.rcl", "events.jsonl"}) {
     EXPECT_TRUE(log("one", file) == log("two", file)) << file;
@@ -127,7 +123,7 @@ TEST_F(Sideline, TrainerMovesBallInLockstepAndOverUdp) {
 }
 
 TEST_F(Sideline, CoachAndTrainerWorkOnRcssserver) {
-  const std::string server = cls::tests::rcssserver_program();
+  const std::string server = rcssserver_program();
   if (server.empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
   const std::string side = script("coach.json", kCoach);
   const json result = play(side, "mock:hold",
@@ -140,21 +136,17 @@ TEST_F(Sideline, CoachAndTrainerWorkOnRcssserver) {
 }
 
 TEST_F(Sideline, ReportsInvalidOptions) {
-  const auto wrong = cls::tests::run({cls::tests::cls_binary(), "match", "mock", "mock",
-                                      "--trainer", "team:/tmp", "--dir", folder("x")});
-  EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("--trainer 'team:/tmp'")) << wrong.err;
-  const auto folder_missing =
-      cls::tests::run({cls::tests::cls_binary(), "match", "mock", "mock", "--left-formation",
-                       "no/such/folder", "--dir", folder("x")});
-  EXPECT_EQ(folder_missing.exit_code, 2);
-  EXPECT_THAT(folder_missing.err, HasSubstr("--left-formation: ")) << folder_missing.err;
+  EXPECT_THAT(
+      run({cls_binary(), "match", "mock", "mock", "--trainer", "team:/tmp", "--dir", folder("x")}),
+      Exits(2, HasSubstr("--trainer 'team:/tmp'")));
+  EXPECT_THAT(run({cls_binary(), "match", "mock", "mock", "--left-formation", "no/such/folder",
+                   "--dir", folder("x")}),
+              Exits(2, HasSubstr("--left-formation: ")));
 }
 
 // Other formations change the kick-off positions; the built-in ones read from files change nothing.
 TEST_F(Sideline, UsesFormationsOfEachSide) {
-  const std::filesystem::path built_in =
-      cls::tests::source_folder() / "player" / "formation" / "built_in";
+  const std::filesystem::path built_in = source_folder() / "player" / "formation" / "built_in";
   for (const char* name : {"same", "other"}) {
     std::filesystem::copy(built_in, folder_.path() / name);
   }
@@ -172,3 +164,4 @@ TEST_F(Sideline, UsesFormationsOfEachSide) {
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -4,30 +4,28 @@
 #include <signal.h>
 
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
+#include "tests/support/json.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 using testing::Not;
 using Words = std::vector<std::string>;
 
-class CommandOutput : public testing::Test, public cls::tests::ClsFolder {
+class CommandOutput : public testing::Test, public ClsFolder {
  protected:
   // A match of 20 cycles in the folder "m".
   void play() const {
-    const auto played = run({"match", "mock:hold", "mock:hold", "--cycles", "20", "--dir", "m"});
-    ASSERT_EQ(played.exit_code, 0) << played.err;
+    ASSERT_THAT(run({"match", "mock:hold", "mock:hold", "--cycles", "20", "--dir", "m"}), Exits(0));
   }
 };
 
@@ -41,6 +39,7 @@ TEST_F(CommandOutput, JsonIsOneDocumentOfItsSchema) {
   write("cls.toml",
         "[tournament]\ncycles = 20\n[teams.A]\nendpoint = \"mock:hold\"\n"
         "[teams.B]\nendpoint = \"mock:hold\"\n");
+
   const std::vector<Document> documents = {
       {{"match", "mock:hold", "mock:hold", "--cycles", "20"}, "cls.match/1"},
       {{"match", "mock", "mock", "--dry-run"}, "cls.dry-run/1"},
@@ -72,11 +71,12 @@ TEST_F(CommandOutput, JsonIsOneDocumentOfItsSchema) {
       {{"help", "testing"}, "cls.topic/1"},
       {{"version"}, "cls.version/1"},
   };
+
   for (const Document& document : documents) {
     Words words = document.words;
     words.emplace_back("--json");
     const CommandResult result = run(words);
-    const json parsed = json::parse(result.out, nullptr, false);
+    const json parsed = json::parse_or_discarded(result.out);
     ASSERT_FALSE(parsed.is_discarded()) << words[0] << ": " << result.out << result.err;
     EXPECT_EQ(parsed.value("schema", ""), document.schema) << words[0];
   }
@@ -94,7 +94,7 @@ TEST_F(CommandOutput, JsonOfConvertCountsFrames) {
 
 TEST_F(CommandOutput, JsonOfRunningCommandsIsOneLineAtStart) {
   for (const std::string name : {"mock", "server"}) {
-    Command command({cls::tests::cls_binary(), name, "--port", "0", "--json"}, {}, folder_.path());
+    Command command({cls_binary(), name, "--port", "0", "--json"}, {}, folder_.path());
     ASSERT_TRUE(command.wait_for_output("\n")) << name;
     const json line = json::parse(command.out());
     EXPECT_EQ(line["schema"], "cls." + name + "/1");
@@ -103,7 +103,7 @@ TEST_F(CommandOutput, JsonOfRunningCommandsIsOneLineAtStart) {
     command.send_signal(SIGTERM);
     const CommandResult result = command.finish();
     EXPECT_EQ(result.out.find('\n'), result.out.size() - 1) << result.out;
-    EXPECT_THAT(result.err, HasSubstr("listening on ")) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("listening on "));
   }
 }
 
@@ -115,13 +115,13 @@ TEST_F(CommandOutput, DoctorFits80ColumnsWithoutBreakingWords) {
     const std::string last = line.substr(line.rfind(' ') + 1);
     EXPECT_TRUE(line.size() <= 80 || line.size() == 28 + last.size()) << line;
   }
-  EXPECT_THAT(text, HasSubstr("hint: ")) << text;
+  EXPECT_THAT(text, HasSubstr("hint: "));
 }
 
 TEST_F(CommandOutput, QuietDoctorPrintsOnlyWhatIsNotOk) {
   const std::string text = run({"doctor", "--quiet"}, {"PATH=/nonexistent"}).out;
-  EXPECT_THAT(text, Not(HasSubstr("ok "))) << text;
-  EXPECT_THAT(text, HasSubstr("missing ")) << text;
+  EXPECT_THAT(text, Not(HasSubstr("ok ")));
+  EXPECT_THAT(text, HasSubstr("missing "));
 }
 
 TEST_F(CommandOutput, ColorFollowsOptionAndEnvironment) {
@@ -165,10 +165,8 @@ TEST_F(CommandOutput, FileErrorsNameTheCauseOfAnUnusablePath) {
   for (const Words& words :
        {Words{"mock", name}, Words{"test", name}, Words{"test", "--replay", name, "mock"},
         Words{"match", "mock", "mock:" + name}}) {
-    const CommandResult result = run(words);
-    EXPECT_EQ(result.exit_code, 66) << result.err;
-    EXPECT_THAT(result.err, Not(HasSubstr("internal error"))) << result.err;
-    EXPECT_THAT(result.err, HasSubstr(name)) << result.err;
+    EXPECT_THAT(run(words),
+                Exits(66, testing::AllOf(Not(HasSubstr("internal error")), HasSubstr(name))));
   }
   std::filesystem::create_directory(folder_.path() / "folder");
   const CommandResult tls = run({"match", "mock", "tls:localhost:1", "--tls-ca", "folder"});
@@ -176,10 +174,8 @@ TEST_F(CommandOutput, FileErrorsNameTheCauseOfAnUnusablePath) {
   EXPECT_EQ(tls.err, "cls: --tls-ca: folder: cannot read\n");
   EXPECT_EQ(run({"check", "playmaker", "mock:none.json"}).exit_code, 66);
   write("plain", "");
-  const CommandResult replay =
-      run({"test", "--replay", "plain", "run:true {port}", "--dir", "plain/runs"});
-  EXPECT_EQ(replay.exit_code, 73);
-  EXPECT_EQ(replay.err, "cls: cannot create 'plain/runs': Not a directory\n");
+  EXPECT_THAT(run({"test", "--replay", "plain", "run:true {port}", "--dir", "plain/runs"}),
+              Exits(73, "cls: cannot create 'plain/runs': Not a directory\n"));
 }
 
 TEST_F(CommandOutput, MatchesOfATournamentHaveTheFormInErrors) {
@@ -199,3 +195,4 @@ TEST_F(CommandOutput, MatchesOfATournamentHaveTheFormInErrors) {
 }
 
 }  // namespace
+}  // namespace cls::tests

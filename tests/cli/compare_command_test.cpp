@@ -5,29 +5,28 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-using cls::tests::cls_binary;
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 using Arguments = std::vector<std::string>;
 
 class Compare : public testing::Test {
  protected:
-  Arguments argv(Arguments more) const {
-    Arguments arguments = {cls_binary(), "compare", "mock", "mock:hold", "--cycles", "10"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
+  Arguments argv(const Arguments& more) const {
+    const Arguments arguments =
+        joined({cls_binary(), "compare", "mock", "mock:hold", "--cycles", "10"}, more);
     return arguments;
   }
   CommandResult compare(Arguments more) const {
@@ -38,15 +37,15 @@ class Compare : public testing::Test {
         std::distance(fs::directory_iterator(folder_.path() / "runs"), fs::directory_iterator()));
   }
 
-  cls::tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(Compare, ResumesBySameCommand) {
   const CommandResult first = compare({"--max-pairs", "1", "--json"});
   EXPECT_EQ(first.exit_code, 3) << first.err;
   EXPECT_EQ(json::parse(first.out)["matches"].size(), 2u);
-  EXPECT_THAT(first.err, HasSubstr("/: pairs to play: 1\n")) << first.err;
-  EXPECT_THAT(first.err, HasSubstr("a larger --max-pairs continues\n")) << first.err;
+  EXPECT_THAT(first.err, HasSubstr("/: pairs to play: 1\n"));
+  EXPECT_THAT(first.err, HasSubstr("a larger --max-pairs continues\n"));
   const CommandResult second = compare({"--max-pairs", "3", "--json"});
   EXPECT_EQ(second.exit_code, 3) << second.err;
   const json document = json::parse(second.out);
@@ -71,9 +70,9 @@ TEST_F(Compare, RespectsMaxPairsOfThisCommand) {
 
 TEST_F(Compare, ForceRenamesNothingBeforeTeamsAreChecked) {
   ASSERT_EQ(compare({"--max-pairs", "1", "--dir", "c"}).exit_code, 3);
-  const CommandResult refused =
-      compare({"--max-pairs", "1", "--dir", "c", "--force", "--server", "cls_no_such_server"});
-  EXPECT_EQ(refused.exit_code, 66) << refused.err;
+  EXPECT_THAT(
+      compare({"--max-pairs", "1", "--dir", "c", "--force", "--server", "cls_no_such_server"}),
+      Exits(66));
   EXPECT_TRUE(fs::exists(folder_.path() / "c" / "tournament.db"));
   EXPECT_FALSE(fs::exists(folder_.path() / "c.old"));
 }
@@ -82,24 +81,25 @@ TEST_F(Compare, PrintsStateOfTestAndResumeCommand) {
   Command playing(argv({"--elo1", "5", "--concurrency", "1"}), {}, folder_.path());
   const auto results = [&] {
     return fs::exists(folder_.path() / "runs")
-               ? cls::tests::run(
-                     {"/bin/sh", "-c",
+               ? run({"/bin/sh", "-c",
                       "ls " + folder_.path().string() + "/runs/*/matches/*/result.json"})
                      .out
                : std::string();
   };
   while (std::ranges::count(results(), '\n') < 3) std::this_thread::sleep_for(50ms);
   playing.send_signal(SIGINT);
+
   const CommandResult ended = playing.finish(10s);
+
   EXPECT_EQ(ended.exit_code, 130) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("pairs to play: 7 if NEW wins all, about ")) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("pairs 1  +0 Elo (")) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("  evidence 1.0/20 for, 1.0/20 against  ")) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr(" left\n")) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("pairs to play: 7 if NEW wins all, about "));
+  EXPECT_THAT(ended.err, HasSubstr("pairs 1  +0 Elo ("));
+  EXPECT_THAT(ended.err, HasSubstr("  evidence 1.0/20 for, 1.0/20 against  "));
+  EXPECT_THAT(ended.err, HasSubstr(" left\n"));
   EXPECT_THAT(ended.err,
               HasSubstr("cls: resume: " + cls_binary().string() +
-                        " compare mock mock:hold --cycles 10 --elo1 5 --concurrency 1\n"))
-      << ended.err;
+                        " compare mock mock:hold --cycles 10 --elo1 5 --concurrency 1\n"));
 }
 
 }  // namespace
+}  // namespace cls::tests

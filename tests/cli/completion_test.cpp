@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -41,7 +40,7 @@ class Completion : public testing::Test, public cls::tests::ClsFolder {
 };
 
 bool has(const Words& words, const std::string& word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
+  return std::ranges::find(words, word) != words.end();
 }
 
 TEST_F(Completion, OffersCommandsAndSubcommands) {

@@ -6,21 +6,20 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using cls::tests::CommandResult;
-using cls::tests::fixture;
-using cls::tests::read_file;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -28,9 +27,9 @@ class ConvertTables : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
 
-  CommandResult convert(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), {cls::tests::cls_binary().string(), "convert"});
-    return cls::tests::Command(arguments, {}, folder_.path()).finish();
+  CommandResult convert(const std::vector<std::string>& arguments) const {
+    return Command(joined({cls_binary().string(), "convert"}, arguments), {}, folder_.path())
+        .finish();
   }
 
   static std::string log(const std::string& name) { return fixture("gamelog/" + name).string(); }
@@ -40,7 +39,7 @@ class ConvertTables : public testing::Test {
     fs::copy_file(log(fixture_name), path(name));
   }
 
-  cls::tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(ConvertTables, NameOfOutDecides) {
@@ -68,6 +67,7 @@ TEST_F(ConvertTables, AllTablesOfAFolderKeepItsFolders) {
   EXPECT_EQ(document["tables"], "csv");
   EXPECT_EQ(document["matches"], 2);
   EXPECT_EQ(document["frames"], 25 + 32);
+
   for (const std::string number : {"1", "2"}) {
     const std::string game = "cup/matches/" + number + "/match.rcg.gz";
     for (const std::string table : {"tracking", "player_types", "event"}) {
@@ -75,10 +75,10 @@ TEST_F(ConvertTables, AllTablesOfAFolderKeepItsFolders) {
                 convert({game, "-", "--to", table}).out);
     }
   }
-  const CommandResult refused = convert({"cup", "--tables", "csv"});
-  EXPECT_EQ(refused.exit_code, 73);
-  EXPECT_EQ(refused.err,
-            "cls: csv/matches/1/match.tracking.csv: exists; use --force to replace it\n");
+
+  EXPECT_THAT(
+      convert({"cup", "--tables", "csv"}),
+      Exits(73, "cls: csv/matches/1/match.tracking.csv: exists; use --force to replace it\n"));
   EXPECT_EQ(convert({"cup", "--tables", "csv", "--force"}).exit_code, 0);
 }
 
@@ -92,7 +92,7 @@ TEST_F(ConvertTables, WritesTheCommonDataFormat) {
   EXPECT_EQ(sheet["match"]["id"], "matches/1/match");
   EXPECT_EQ(json::parse(read_file(stem + ".meta.json"))["match"]["id"], "matches/1/match");
   const std::string frames = read_file(stem + ".tracking.jsonl");
-  EXPECT_EQ(std::count(frames.begin(), frames.end(), '\n'), 25);
+  EXPECT_EQ(std::ranges::count(frames, '\n'), 25);
   EXPECT_TRUE(fs::exists(stem + ".event.jsonl"));
   EXPECT_EQ(convert({"cup", "--cdf", "out"}).exit_code, 73);
 }
@@ -101,9 +101,8 @@ TEST_F(ConvertTables, OneTableNeedsOneLog) {
   put_log("rcg-v6-excerpt.rcg.gz", "one/match.rcg.gz");
   EXPECT_EQ(convert({"one", "a.tracking.csv"}).exit_code, 0);
   put_log("rcg-v4-excerpt.rcg.gz", "one/other.rcg.gz");
-  const CommandResult two = convert({"one", "b.tracking.csv"});
-  EXPECT_EQ(two.exit_code, 66);
-  EXPECT_EQ(two.err, "cls: one: has 2 game logs; write their tables with --tables DIR\n");
+  EXPECT_THAT(convert({"one", "b.tracking.csv"}),
+              Exits(66, "cls: one: has 2 game logs; write their tables with --tables DIR\n"));
   fs::create_directories(path("none"));
   EXPECT_EQ(convert({"none", "b.tracking.csv"}).err, "cls: none: no game log in this folder\n");
   EXPECT_EQ(convert({"nowhere", "--tables", "csv"}).exit_code, 66);
@@ -113,17 +112,17 @@ TEST_F(ConvertTables, OneTableNeedsOneLog) {
 TEST_F(ConvertTables, LogsOfOneNameCannotShareTables) {
   put_log("rcg-v6-excerpt.rcg.gz", "a/match.rcg.gz");
   put_log("rcg-v4-excerpt.rcg.gz", "b/match.rcg.gz");
-  const CommandResult result = convert({"?/*.rcg.gz", "--tables", "csv"});
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_EQ(result.err,
+  EXPECT_THAT(
+      convert({"?/*.rcg.gz", "--tables", "csv"}),
+      Exits(2,
             "cls: a/match.rcg.gz and b/match.rcg.gz would have the same files; name their folder, "
-            "whose sub-folders they keep\n");
+            "whose sub-folders they keep\n"));
   EXPECT_FALSE(fs::exists(path("csv")));
 }
 
 TEST_F(ConvertTables, ReadsPages) {
   const std::string game = log("rcg-v6-excerpt.rcg.gz");
-  cls::tests::run({cls::tests::cls_binary().string(), "watch", game, "--out", path("page.html")});
+  run({cls_binary().string(), "watch", game, "--out", path("page.html")});
   for (const std::string table : {"tracking", "player_types", "event"}) {
     EXPECT_EQ(convert({"page.html", "-", "--to", table}).out,
               convert({game, "-", "--to", table}).out);
@@ -136,7 +135,7 @@ TEST_F(ConvertTables, ConvertsReadableFramesOfACorruptLog) {
   std::ofstream(path("bad.rcg")) << "hello";
   const CommandResult cut = convert({"cut.rcg", "-", "--to", "tracking"});
   EXPECT_EQ(cut.exit_code, 65);
-  EXPECT_THAT(cut.err, HasSubstr("cut.rcg: line")) << cut.err;
+  EXPECT_THAT(cut.err, HasSubstr("cut.rcg: line"));
   const std::string all = convert({log("rcg-v5-excerpt.rcg.gz"), "-", "--to", "tracking"}).out;
   EXPECT_GT(cut.out.size(), all.size() / 10);
   EXPECT_THAT(all, StartsWith(cut.out));
@@ -157,14 +156,14 @@ TEST_F(ConvertTables, KeepsTheHeightOfVersion7) {
   }
   std::ofstream(path("high.rcg")) << high;
   EXPECT_THAT(convert({"high.rcg", "-", "--to", "tracking"}).out, HasSubstr(",b_z\n1,"));
-  cls::tests::Command(
-      {cls::tests::cls_binary().string(), "watch", "high.rcg", "--out", "page.html"}, {},
-      folder_.path())
+
+  Command({cls_binary().string(), "watch", "high.rcg", "--out", "page.html"}, {}, folder_.path())
       .finish();
   EXPECT_EQ(convert({"page.html", "again.rcg"}).exit_code, 0);
   EXPECT_EQ(read_file(path("again.rcg")), high);
   EXPECT_EQ(convert({"high.rcg", "flat.rcg"}).exit_code, 0);
   EXPECT_EQ(read_file(path("flat.rcg")), read_file(log("rcg-v6-excerpt.rcg.gz")));
+
   std::ofstream(path("next.rcg")) << "ULG8\n" << high.substr(5);
   const CommandResult next = convert({"next.rcg", "x.rcg"});
   EXPECT_EQ(next.exit_code, 65);
@@ -193,7 +192,7 @@ TEST_F(ConvertTables, RefusesArgumentsThatDoNotFit) {
 // The program to compare with: of CLS_RCG2CSV, else on PATH.
 std::string rcg2csv() {
   if (const char* named = std::getenv("CLS_RCG2CSV")) return named;
-  const CommandResult found = cls::tests::run({"/bin/sh", "-c", "command -v rcg2csv"});
+  const CommandResult found = run({"/bin/sh", "-c", "command -v rcg2csv"});
   return found.out.substr(0, found.out.find('\n'));
 }
 
@@ -205,14 +204,16 @@ TEST_F(ConvertTables, HasTheBytesOfRcg2csv) {
                            "rcg-json-excerpt", "recorded-messages-excerpt"}) {
     logs.push_back(log(std::string(name) + ".rcg.gz"));
   }
+
   for (const char* name : {"logs/helios-vs-helios-full.rcg.gz", "logs/cyrus-vs-helios-full.rcg.gz",
                            "noise-free/game.rcg.gz"}) {
-    if (const auto file = cls::tests::data(name)) logs.push_back(file->string());
+    if (const auto file = data(name)) logs.push_back(file->string());
   }
+
   for (const std::string& game : logs) {
     SCOPED_TRACE(game);
     fs::copy_file(game, path("game.rcg.gz"), fs::copy_options::overwrite_existing);
-    cls::tests::run({program, path("game.rcg.gz")});
+    run({program, path("game.rcg.gz")});
     for (const std::string table : {"tracking", "player_types"}) {
       const CommandResult ours = convert({"game.rcg.gz", "-", "--to", table});
       EXPECT_TRUE(ours.out == read_file(path("game." + table + ".csv"))) << table;
@@ -221,3 +222,4 @@ TEST_F(ConvertTables, HasTheBytesOfRcg2csv) {
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -11,14 +11,15 @@
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 
 namespace fs = std::filesystem;
-using cls::tests::CommandResult;
 using Arguments = std::vector<std::string>;
 
 class CorruptTournament : public testing::Test {
@@ -33,9 +34,8 @@ class CorruptTournament : public testing::Test {
     ASSERT_EQ(tournament({"run", cup(), "--quiet"}).exit_code, 0);
   }
 
-  static CommandResult tournament(Arguments arguments) {
-    arguments.insert(arguments.begin(), {cls::tests::cls_binary(), "tournament"});
-    return cls::tests::run(arguments);
+  static CommandResult tournament(const Arguments& arguments) {
+    return run(joined({cls_binary(), "tournament"}, arguments));
   }
   fs::path cup() const { return folder_.path(); }
 
@@ -47,8 +47,8 @@ class CorruptTournament : public testing::Test {
     const CommandResult refused = tournament(arguments);
     EXPECT_EQ(refused.exit_code, 65) << arguments[0] << ": " << refused.out << refused.err;
     EXPECT_EQ(refused.out, "");
-    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
-    EXPECT_THAT(refused.err, HasSubstr(reason)) << refused.err;
+    EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr(reason));
   }
   void expect_corrupt_everywhere(const std::string& reason) const {
     for (const char* command : {"status", "report", "run"}) {
@@ -57,7 +57,7 @@ class CorruptTournament : public testing::Test {
   }
 
  private:
-  cls::tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(CorruptTournament, RejectsTeamsOutOfRange) {
@@ -93,17 +93,15 @@ TEST_F(CorruptTournament, RejectsEmptyPlan) {
   for (const char* command : {"status", "report"}) {
     expect_corrupt({command, cup()}, "plan.toml: not the plan of a tournament");
   }
-  const CommandResult refused = tournament({"run", cup()});
-  EXPECT_EQ(refused.exit_code, 78) << refused.err;
+  EXPECT_THAT(tournament({"run", cup()}), Exits(78));
 }
 
 TEST_F(CorruptTournament, WorkRejectsTeamsOutOfRange) {
   std::ofstream(cup() / "schedule.jsonl")
       << R"({"index":7,"round":1,"stage":"","pairing":0,"left":0,"right":9,"seed":1,"decides":false})"
       << "\n";
-  const CommandResult refused = tournament({"work", cup(), "--index", "7"});
-  EXPECT_EQ(refused.exit_code, 65) << refused.err;
-  EXPECT_THAT(refused.err, HasSubstr("match 7: there is no team 9")) << refused.err;
+  EXPECT_THAT(tournament({"work", cup(), "--index", "7"}),
+              Exits(65, HasSubstr("match 7: there is no team 9")));
 }
 
 // An archive: no file can be created in the folder, and a reader needs none.
@@ -115,12 +113,11 @@ TEST_F(CorruptTournament, IsReadInAReadOnlyFolder) {
   if (::geteuid() == 0) command = {"setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"};
   for (const char* name : {"status", "report"}) {
     Arguments arguments = command;
-    arguments.insert(arguments.end(), {cls::tests::cls_binary(), "tournament", name, cup()});
-    const CommandResult result = cls::tests::run(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_THAT(result.out, HasSubstr("6 of 6 matches done")) << result.out;
+    arguments.insert(arguments.end(), {cls_binary(), "tournament", name, cup()});
+    EXPECT_THAT(run(arguments), Prints(0, HasSubstr("6 of 6 matches done")));
   }
   fs::permissions(cup(), perms::owner_all);
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -8,22 +8,21 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using cls::tests::read_file;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 
 class Dataset : public testing::Test {
@@ -36,13 +35,12 @@ class Dataset : public testing::Test {
   }
 
   CommandResult cls(std::vector<std::string> words) const {
-    words.insert(words.begin(), cls::tests::cls_binary().string());
+    words.insert(words.begin(), cls_binary().string());
     return Command(words, {}, folder_.path()).finish();
   }
 
   CommandResult make(const std::string& name, std::vector<std::string> more = {}) const {
-    more.insert(more.begin(), {"dataset", "make", "spec.toml", name});
-    return cls(more);
+    return cls(joined({"dataset", "make", "spec.toml", name}, more));
   }
 
   // All that belongs to the data set: what is not below work/.
@@ -62,7 +60,7 @@ class Dataset : public testing::Test {
     return matches;
   }
 
-  cls::tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(Dataset, HasTheSameBytesWithAnyNumberOfParallelMatches) {
@@ -85,15 +83,17 @@ TEST_F(Dataset, HasTheSameBytesWithAnyNumberOfParallelMatches) {
 TEST_F(Dataset, ResumesAfterKill) {
   ASSERT_EQ(make("whole").exit_code, 0);
   {
-    Command run({cls::tests::cls_binary().string(), "dataset", "make", "spec.toml", "cut",
-                 "--concurrency", "1"},
-                {}, folder_.path());
+    Command run(
+        {cls_binary().string(), "dataset", "make", "spec.toml", "cut", "--concurrency", "1"}, {},
+        folder_.path());
     ASSERT_TRUE(run.wait_for_errors("match 2/4"));
     run.send_signal(SIGKILL);
     EXPECT_EQ(run.finish().signal, SIGKILL);
   }
+
   EXPECT_FALSE(fs::exists(folder_.path() / "cut/matches.jsonl"));
   EXPECT_EQ(cls({"dataset", "verify", "cut"}).exit_code, 66);
+
   std::ofstream(folder_.path() / "cut/shards/000/000002.abc.view.gz") << "half a file";
   // The matches of the killed run end within a second.
   CommandResult resumed;
@@ -102,6 +102,7 @@ TEST_F(Dataset, ResumesAfterKill) {
     if (resumed.exit_code != 75) break;
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   }
+
   ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
   EXPECT_THAT(resumed.err, testing::Not(HasSubstr("match 1/4")));
   EXPECT_TRUE(files_of("cut") == files_of("whole"));
@@ -138,18 +139,16 @@ TEST_F(Dataset, IsVerifiedByHashesAndByPlayingAgain) {
   file.put('x');
   file.close();
   fs::remove(folder_.path() / "data/shards/000/000003.left.world-models");
-  const CommandResult corrupt = cls({"dataset", "verify", "data"});
-  EXPECT_EQ(corrupt.exit_code, 65);
-  EXPECT_EQ(corrupt.err,
-            "cls: shards/000/000002.view.gz: other bytes\n"
-            "cls: shards/000/000003.left.world-models: missing\n");
+  EXPECT_THAT(cls({"dataset", "verify", "data"}),
+              Exits(65,
+                    "cls: shards/000/000002.view.gz: other bytes\n"
+                    "cls: shards/000/000003.left.world-models: missing\n"));
 }
 
 TEST_F(Dataset, AnotherSpecificationIsRefused) {
   ASSERT_EQ(make("data").exit_code, 0);
-  const CommandResult refused = make("data", {"--seed", "9"});
-  EXPECT_EQ(refused.exit_code, 78);
-  EXPECT_THAT(refused.err, HasSubstr("holds another plan: seed is 9, was 1"));
+  EXPECT_THAT(make("data", {"--seed", "9"}),
+              Exits(78, HasSubstr("holds another plan: seed is 9, was 1")));
 }
 
 // Reads files with the JavaScript implementation of Arrow: rows, units, and some sums.
@@ -172,9 +171,11 @@ TEST_F(Dataset, IsReadByAnotherImplementationOfArrow) {
       0) {
     GTEST_SKIP() << "needs node with apache-arrow: npm install apache-arrow, NODE_PATH";
   }
+
   ASSERT_EQ(make("data").exit_code, 0);
   ASSERT_EQ(cls({"convert", "data", "--tables", "out", "--format", "arrow"}).exit_code, 0);
   ASSERT_EQ(cls({"convert", "data", "--tables", "csv"}).exit_code, 0);
+
   const auto read = [&](const std::string& table) {
     const CommandResult result =
         Command({"node", "-e", kReader, "out/shards/000/000002." + table + ".arrow"}, {},
@@ -186,7 +187,7 @@ TEST_F(Dataset, IsReadByAnotherImplementationOfArrow) {
 
   const json frames = read("frames");
   const std::string csv = read_file(folder_.path() / "csv/shards/000/000002.tracking.csv");
-  EXPECT_EQ(frames["rows"], std::count(csv.begin(), csv.end(), '\n') - 1);
+  EXPECT_EQ(frames["rows"], std::ranges::count(csv, '\n') - 1);
   EXPECT_EQ(frames["units"]["b_vx"], "m/cycle");
   EXPECT_EQ(frames["row"]["cycle"], 60);
   EXPECT_EQ(frames["row"]["r_name"], "RED");
@@ -201,25 +202,20 @@ TEST_F(Dataset, IsReadByAnotherImplementationOfArrow) {
 }
 
 TEST_F(Dataset, MatchFoldersHaveCommandsAndWorldModels) {
-  ASSERT_EQ(cls({"match", "mock", "mock:hold", "--cycles", "20", "--seed", "3", "--dir", "m",
-                 "--record-world-models", "--quiet"})
-                .exit_code,
-            0);
-  const CommandResult result = cls({"convert", "m", "--tables", "out", "--format", "arrow"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  ASSERT_THAT(cls({"match", "mock", "mock:hold", "--cycles", "20", "--seed", "3", "--dir", "m",
+                   "--record-world-models", "--quiet"}),
+              Exits(0));
+  ASSERT_THAT(cls({"convert", "m", "--tables", "out", "--format", "arrow"}), Exits(0));
   for (const char* table : {"frames.arrow", "events.arrow", "commands.arrow", "world_models.arrow",
                             "player_types.csv"}) {
     EXPECT_TRUE(fs::exists(folder_.path() / "out" / (std::string("match.") + table))) << table;
   }
-  const CommandResult wrong = cls({"convert", "m/match.rcg", "x.rcg", "--format", "arrow"});
-  EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_EQ(wrong.err, "cls: --format arrow: only with --tables DIR\n");
+  EXPECT_THAT(cls({"convert", "m/match.rcg", "x.rcg", "--format", "arrow"}),
+              Exits(2, "cls: --format arrow: only with --tables DIR\n"));
 
   std::ofstream(folder_.path() / "m/left.world-models") << "cut";
-  const CommandResult corrupt =
-      cls({"convert", "m", "--tables", "out", "--format", "arrow", "--force"});
-  EXPECT_EQ(corrupt.exit_code, 65);
-  EXPECT_THAT(corrupt.err, HasSubstr("left.world-models: "));
+  EXPECT_THAT(cls({"convert", "m", "--tables", "out", "--format", "arrow", "--force"}),
+              Exits(65, HasSubstr("left.world-models: ")));
 }
 
 TEST_F(Dataset, StreamsAreGameLogs) {
@@ -233,3 +229,4 @@ TEST_F(Dataset, StreamsAreGameLogs) {
 }
 
 }  // namespace
+}  // namespace cls::tests

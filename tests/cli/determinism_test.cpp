@@ -5,13 +5,14 @@
 #include <memory>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using cls::tests::Command;
 
 struct Logs {
   std::string rcg;
@@ -20,13 +21,12 @@ struct Logs {
 };
 
 Logs play(const std::string& seed, std::vector<std::string> environment = {}) {
-  cls::tests::TemporaryFolder folder;
-  const auto played = cls::tests::run(
-      {cls::tests::cls_binary(), "match", "mock", "mock", "--seed", seed, "--half-time", "20",
-       "--set", "server::kick_off_wait=3", "--dir", folder.path()},
-      std::move(environment));
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  const auto read = [&](const char* name) { return cls::tests::read_file(folder.path() / name); };
+  TemporaryFolder folder;
+  EXPECT_THAT(run({cls_binary(), "match", "mock", "mock", "--seed", seed, "--half-time", "20",
+                   "--set", "server::kick_off_wait=3", "--dir", folder.path()},
+                  std::move(environment)),
+              Exits(0));
+  const auto read = [&](const char* name) { return read_file(folder.path() / name); };
   return {read("match.rcg"), read("match.rcl"), read("events.jsonl")};
 }
 
@@ -59,3 +59,4 @@ TEST(Determinism, ResultIsIndependentOfCpuFeatures) {
 }
 
 }  // namespace
+}  // namespace cls::tests

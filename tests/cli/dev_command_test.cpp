@@ -6,14 +6,15 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "tests/support/built.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
@@ -50,8 +51,7 @@ class DevCommand : public testing::Test {
   }
 
   std::vector<std::string> dev(const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> words = {cls_binary(), "dev"};
-    words.insert(words.end(), more.begin(), more.end());
+    const std::vector<std::string> words = joined({cls_binary(), "dev"}, more);
     return words;
   }
 
@@ -61,12 +61,12 @@ class DevCommand : public testing::Test {
 TEST_F(DevCommand, PlaysAgainAfterChange) {
   Command command(dev(), {}, folder_.path());
   ASSERT_TRUE(command.wait_for_output("watching .")) << command.out();
-  EXPECT_THAT(command.out(), HasSubstr("ok    runs\n")) << command.out();
+  EXPECT_THAT(command.out(), HasSubstr("ok    runs\n"));
   write_team(-20);
   ASSERT_TRUE(command.wait_for_output("decisions differ")) << command.out();
   const std::string out = command.out();
-  EXPECT_THAT(out, HasSubstr("changed: team.json\nFAIL  runs (passed before)\n")) << out;
-  EXPECT_THAT(out, HasSubstr(", player 8: ")) << out;
+  EXPECT_THAT(out, HasSubstr("changed: team.json\nFAIL  runs (passed before)\n"));
+  EXPECT_THAT(out, HasSubstr(", player 8: "));
   write_team(20);
   ASSERT_TRUE(command.wait_for_output("ok    runs (failed before)")) << command.out();
   command.send_signal(SIGINT);
@@ -76,7 +76,7 @@ TEST_F(DevCommand, PlaysAgainAfterChange) {
 TEST_F(DevCommand, ReportsEachRoundAsJson) {
   Command command(dev({"tests/runs.json", "--json"}), {}, folder_.path());
   ASSERT_TRUE(command.wait_for_output("\n")) << command.out();
-  const auto round = nlohmann::json::parse(command.out());
+  const auto round = base::Json::parse(command.out());
   EXPECT_EQ(round["schema"], "cls.dev/1");
   EXPECT_EQ(round["scenarios"][0]["passed"], true);
   EXPECT_TRUE(round["scenarios"][0]["difference"].is_null());
@@ -90,7 +90,7 @@ TEST_F(DevCommand, ReportsWhatKeepsProgramFromStarting) {
            "run:exec " + built("cls_fake_playmaker") + " --port {port} --exit-at-start 5"}),
       {}, folder_.path());
   ASSERT_TRUE(command.wait_for_output("watching .")) << command.out();
-  EXPECT_THAT(command.out(), HasSubstr("cannot load the formation")) << command.out();
+  EXPECT_THAT(command.out(), HasSubstr("cannot load the formation"));
   command.send_signal(SIGINT);
   command.finish();
 }
@@ -104,14 +104,16 @@ TEST_F(DevCommand, ReportsErrorsOfDecisions) {
                                     "only": {"unum": 8}}})");
   ASSERT_TRUE(command.wait_for_output("FAIL  runs (passed before)")) << command.out();
   ASSERT_TRUE(command.wait_for_output("cls test --replay")) << command.out();
+
   write_team(20);
   ASSERT_TRUE(command.wait_for_output("ok    runs (failed before)")) << command.out();
+
   const std::string out = command.out();
   const std::string error = "ValueError: no plan at decide.py:17";
   const std::size_t first = out.find(error);
   ASSERT_NE(first, std::string::npos) << out;
   EXPECT_EQ(out.find(error, first + 1), std::string::npos) << out;
-  EXPECT_THAT(out, Not(HasSubstr("misses no decision"))) << out;
+  EXPECT_THAT(out, Not(HasSubstr("misses no decision")));
   command.send_signal(SIGINT);
   command.finish();
 }
@@ -143,8 +145,10 @@ TEST_F(DevCommand, IgnoresItsOutputInTheWatchedFolder) {
          (rounds() == 0 && std::chrono::steady_clock::now() < limit)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
+
   std::this_thread::sleep_for(std::chrono::seconds(2));
   EXPECT_EQ(rounds(), 1u);
+
   command.send_signal(SIGINT);
   command.finish();
 }
@@ -153,16 +157,14 @@ TEST_F(DevCommand, RefusesUnknownScenario) {
   Command command(dev({"test/runs.json"}), {}, folder_.path());
   const CommandResult result = command.finish();
   EXPECT_EQ(result.exit_code, 66);
-  EXPECT_THAT(result.err, HasSubstr("unknown scenario 'test/runs.json'")) << result.err;
-  EXPECT_THAT(result.out, Not(HasSubstr("watching"))) << result.out;
+  EXPECT_THAT(result.err, HasSubstr("unknown scenario 'test/runs.json'"));
+  EXPECT_THAT(result.out, Not(HasSubstr("watching")));
 }
 
 TEST_F(DevCommand, NeedsScenarios) {
   const TemporaryFolder empty;
   Command command(dev(), {}, empty.path());
-  const CommandResult result = command.finish();
-  EXPECT_EQ(result.exit_code, 66);
-  EXPECT_THAT(result.err, HasSubstr("no folder tests/ here")) << result.err;
+  EXPECT_THAT(command.finish(), Exits(66, HasSubstr("no folder tests/ here")));
 }
 
 }  // namespace

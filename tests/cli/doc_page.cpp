@@ -84,6 +84,7 @@ DocPage read_page(const fs::path& path) {
   page.path = path;
   const std::vector<std::string> lines = split_lines(read_file(path));
   std::string above;
+
   std::size_t indent = 0;
   bool open = false;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -104,6 +105,7 @@ DocPage read_page(const fs::path& path) {
     }
     above = line;
   }
+
   return page;
 }
 
@@ -113,13 +115,14 @@ std::vector<fs::path> doc_pages() {
   for (const auto& entry : fs::recursive_directory_iterator(source_folder() / "docs")) {
     if (entry.path().extension() == ".md") pages.push_back(entry.path());
   }
-  std::sort(pages.begin(), pages.end());
+  std::ranges::sort(pages);
   return pages;
 }
 
 std::vector<ConsoleCommand> console_commands(const CodeBlock& block) {
   std::vector<ConsoleCommand> commands;
   bool continued = false;
+
   for (std::string line : block.lines) {
     const bool begins = line.starts_with("$ ");
     if (begins) commands.push_back({});
@@ -133,6 +136,7 @@ std::vector<ConsoleCommand> console_commands(const CodeBlock& block) {
     if (continued) line.pop_back();
     commands.back().command += line;
   }
+
   return commands;
 }
 
@@ -141,6 +145,7 @@ bool shows_output(const std::vector<std::string>& expected,
   // matches[j]: the expected lines so far show exactly the first j lines of the output.
   std::vector<bool> matches(output.size() + 1, false);
   matches[0] = true;
+
   for (const std::string& line : expected) {
     std::vector<bool> next(output.size() + 1, false);
     for (std::size_t j = 0; j <= output.size(); ++j) {
@@ -153,6 +158,7 @@ bool shows_output(const std::vector<std::string>& expected,
     }
     matches = std::move(next);
   }
+
   return matches.back();
 }
 

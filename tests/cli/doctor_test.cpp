@@ -9,7 +9,6 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
@@ -17,22 +16,20 @@
 #include "process/ports.h"
 #include "tests/support/built.h"
 #include "tests/support/command.h"
+#include "tests/support/json.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/port_lock.h"
 #include "tests/support/rcssserver.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/udp_client.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
 using namespace std::chrono_literals;
-using cls::tests::built;
-using cls::tests::cls_binary;
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 using Arguments = std::vector<std::string>;
 
 /// A PATH with only the programs of the test.
@@ -60,19 +57,18 @@ class Doctor : public testing::Test {
   }
 
   Arguments environment() const {
-    return {"PATH=" + path().string(), std::string(cls::tests::kMarkVariable) + "=" + mark_};
+    return {"PATH=" + path().string(), std::string(kMarkVariable) + "=" + mark_};
   }
 
   static Arguments argv(const Arguments& more) {
-    Arguments all = {cls_binary(), "doctor"};
-    all.insert(all.end(), more.begin(), more.end());
+    const Arguments all = joined({cls_binary(), "doctor"}, more);
     return all;
   }
 
   /// Runs it to its end; no process may survive.
   CommandResult run(const Arguments& more) {
-    CommandResult result = cls::tests::run(argv(more), environment());
-    EXPECT_TRUE(cls::tests::all_marked_gone(mark_));
+    CommandResult result = tests::run(argv(more), environment());
+    EXPECT_TRUE(all_marked_gone(mark_));
     return result;
   }
 
@@ -106,8 +102,8 @@ class Doctor : public testing::Test {
     }
   }
 
-  cls::tests::TemporaryFolder folder_;
-  const std::string mark_ = cls::tests::new_mark();
+  TemporaryFolder folder_;
+  const std::string mark_ = new_mark();
 };
 
 const std::vector<std::string> kPrograms = {"rcssserver", "python3", "node", "protoc", "sbatch"};
@@ -152,13 +148,15 @@ TEST_F(Doctor, ReportsVersionsOfPrograms) {
   expect(item(document, "protoc"), "ok", "3.21.12");
   expect(item(document, "slurm"), "ok", "22.05.8");
   EXPECT_EQ(item(document, "node")["version"], "20.1.0");
+
   expect(item(document, "python3"), "ok",
          "; cls_playmaker missing: ./bootstrap python in the checkout");
   put("python3",
       "echo python 3.11.2; echo grpc 1.51.1; echo google.protobuf 3.21.12; "
       "echo cls_playmaker installed");
-  const std::string found = item(examine(0), "python3")["found"];
-  EXPECT_THAT(found, Not(HasSubstr("cls_playmaker"))) << found;
+
+  const std::string found = item(examine(0), "python3")["found"].get<std::string>();
+  EXPECT_THAT(found, Not(HasSubstr("cls_playmaker")));
   EXPECT_EQ(item(document, "python3")["path"], (path() / "python3").string());
 }
 
@@ -241,7 +239,7 @@ TEST_F(Doctor, PrintsTable) {
        {"ok           python3        3.11.2, grpc 1.51.1", "\nmissing      node ",
         "needed for: Playmakers in JavaScript\n", "hint: ", "apt-get install nodejs npm",
         "\nReady to play: cls match mock mock\n"}) {
-    EXPECT_THAT(result.out, HasSubstr(line)) << line << " in\n" << result.out;
+    EXPECT_THAT(result.out, HasSubstr(line)) << line << " in\n";
   }
   EXPECT_EQ(result.out.find('\x1b'), std::string::npos) << "no color in a file";
 }
@@ -253,7 +251,7 @@ TEST_F(Doctor, PrintsHelpWithExamplesFirst) {
 }
 
 TEST_F(Doctor, ReportsOwnerOfPortInUse) {
-  const cls::tests::PortLock lock;
+  const PortLock lock;
   Command owner({built("cls_fake_process"), "bind-udp", "6001", "print", "bound", "hang"});
   if (!owner.wait_for_output("bound")) GTEST_SKIP() << "port 6001 is in use by another process";
   expect(item(examine(0), "UDP port 6001"), "taken",
@@ -272,7 +270,7 @@ TEST_F(Doctor, LeavesNoProcessAfterSignal) {
   ASSERT_TRUE(asked());
   command.send_signal(SIGINT);
   EXPECT_EQ(command.finish().exit_code, 130);
-  EXPECT_TRUE(cls::tests::all_marked_gone(mark_));
+  EXPECT_TRUE(all_marked_gone(mark_));
 }
 
 using DoctorServer = Doctor;
@@ -296,11 +294,11 @@ TEST_F(DoctorServer, AcceptsEmbeddedServer) {
 }
 
 TEST_F(DoctorServer, AcceptsRcssserver) {
-  const std::string program = cls::tests::rcssserver_program();
+  const std::string program = rcssserver_program();
   if (program.empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
   const std::string conf = folder_.path() / "home";
-  CommandResult result = cls::tests::run(
-      argv({"--json", "--server", program, "--start-timeout", "50"}), {"HOME=" + conf});
+  CommandResult result =
+      tests::run(argv({"--json", "--server", program, "--start-timeout", "50"}), {"HOME=" + conf});
   EXPECT_EQ(result.exit_code, 0) << result.out;
   expect(item(json::parse(result.out), "server"), "ok", "before_kick_off, cycle 0, no team");
   EXPECT_FALSE(std::filesystem::exists(conf)) << "the user's configuration is not touched";
@@ -312,12 +310,14 @@ TEST_F(DoctorServer, ReportsEachFaultAndLeavesNoProcess) {
     std::string found;
     std::string limit;
   };
+
   const std::vector<Case> cases = {
       {"--exit-at-start 1", "exited at start: exit code 1 (Error: the stadium is closed)", "50"},
       {"--never-open 1 --ignore-term 1", "did not open UDP port ", "0.5"},
       {"--port-offset 1", "did not open UDP port ", "0.5"},
       {"--silent 1 --grandchild 1", " within 0.5 s", "0.5"},
   };
+
   for (const Case& each : cases) {
     put("server", with_flags(each.flags));
     const std::string program = path() / "server";
@@ -359,14 +359,14 @@ TEST_F(DoctorServer, ReportsUnreachableAddress) {
 }
 
 TEST_F(DoctorServer, TimesOutOnPortWithoutReply) {
-  cls::tests::UdpClient silent(9);
+  UdpClient silent(9);
   const std::string address = "127.0.0.1:" + std::to_string(silent.own_port());
   expect(item(examine(69, {"--server", address}, "0.3"), "server"), "unreachable",
          "no reply within 0.3 s", "start it");
 }
 
 TEST_F(DoctorServer, QuotesReplyOfAnotherProtocol) {
-  cls::tests::UdpClient stranger(9);
+  UdpClient stranger(9);
   std::atomic<bool> over{false};
   // The reply must use the addresses of the request.
   std::thread answers([&] {
@@ -457,9 +457,10 @@ TEST_F(Doctor, ReportsUsageErrors) {
     const CommandResult result = run(more);
     EXPECT_EQ(result.exit_code, 2) << message;
     EXPECT_EQ(result.out, "");
-    EXPECT_THAT(result.err, HasSubstr(message)) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(message));
     EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
   }
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <string>
 #include <vector>
 
 #include "tests/support/command.h"
@@ -39,7 +38,7 @@ TEST(EarlyGuard, ReportsWhyItCannotStart) {
        "exec 3>&-; ulimit -n 4; exec '" + tests::cls_binary().string() +
            "' match 'run:true --port {port}' mock --dir '" + (folder.path() / "m").string() + "'"});
   EXPECT_NE(result.exit_code, 0);
-  EXPECT_THAT(result.err, HasSubstr("cls: no guard process: Too many open files\n")) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("cls: no guard process: Too many open files\n"));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -55,9 +56,8 @@ TEST_F(EverydayUse, ADeletedWorkingFolderIsNamed) {
   Command command(
       {"/bin/sh", "-c", "rmdir ../gone; exec '" + cls_binary().string() + "' compare mock mock"},
       {}, folder_.path() / "gone");
-  const CommandResult result = command.finish();
-  EXPECT_EQ(result.exit_code, 66) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("cls: the working folder does not exist any more"));
+  EXPECT_THAT(command.finish(),
+              Exits(66, HasSubstr("cls: the working folder does not exist any more")));
 }
 
 // Sanitizers reserve more address space than any limit leaves.
@@ -88,8 +88,7 @@ TEST_F(EverydayUse, MatchLeavesFilesOfUsersAlone) {
 TEST_F(EverydayUse, WatchTakesTheLatestMatchThatHasALog) {
   ASSERT_EQ(cls({"match", "mock", "mock", "--dir", "runs/1", "--cycles", "20"}).exit_code, 0);
   cls({"match", "run:false {port}", "mock", "--dir", "runs/2"});
-  const CommandResult watched = cls({"watch", "runs", "--out", "page.html", "--no-open"});
-  EXPECT_EQ(watched.exit_code, 0) << watched.err;
+  EXPECT_THAT(cls({"watch", "runs", "--out", "page.html", "--no-open"}), Exits(0));
   EXPECT_TRUE(fs::exists(folder_.path() / "page.html"));
 }
 
@@ -97,8 +96,7 @@ TEST_F(EverydayUse, NamesOfTeamsAreSidesOfTestsAndChecks) {
   const CommandResult tested =
       cls({"test", "--against", "ada", "--filter", "team_stays*", "--jobs", "1"});
   EXPECT_THAT(tested.err, Not(HasSubstr("unknown side")));
-  const CommandResult checked = cls({"check", "playmaker", "ada", "--calls", "20"});
-  EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
+  EXPECT_THAT(cls({"check", "playmaker", "ada", "--calls", "20"}), Exits(0));
 
   EXPECT_THAT(cls({"test", "--against", "adda"}).err, HasSubstr("did you mean 'ada'?"));
   EXPECT_THAT(cls({"check", "playmaker", "adda"}).err, HasSubstr("did you mean 'ada'?"));
@@ -118,9 +116,8 @@ TEST_F(EverydayUse, FoldersAsSidesSuggestWhatTheyHold) {
   fs::create_directories(folder_.path() / "ada");
   EXPECT_THAT(cls({"match", "ada", "mock"}).err, HasSubstr("unknown side 'ada' (a side is"));
   write("ada/cls.toml", "[teams.ada]\nendpoint = \"mock:hold\"\n");
-  const CommandResult refused = cls({"match", "ada", "mock"});
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("cd ada first, or --config ada/cls.toml"));
+  EXPECT_THAT(cls({"match", "ada", "mock"}),
+              Exits(2, HasSubstr("cd ada first, or --config ada/cls.toml")));
   const Words named = {"match", "ada", "mock", "--config", "ada/cls.toml", "--cycles", "20"};
   EXPECT_EQ(cls(named).exit_code, 0);
 

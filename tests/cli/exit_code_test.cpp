@@ -16,12 +16,11 @@
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 using namespace cls::cli;
-using cls::tests::Command;
-using cls::tests::CommandResult;
 
 // The two groups of `row`: code and meaning.
 std::map<int, std::string> table_in(const std::string& text, const std::regex& row) {
@@ -34,7 +33,7 @@ std::map<int, std::string> table_in(const std::string& text, const std::regex& r
 }
 
 TEST(ExitCode, ManualHasTheTableOfTheHeader) {
-  const auto source = cls::tests::source_folder();
+  const auto source = source_folder();
   const auto header = cls::base::read_file(source / "cli" / "support" / "exit_code.h");
   const auto manual = cls::base::read_file(source / "docs" / "cli.md");
   ASSERT_TRUE(header && manual);
@@ -48,7 +47,7 @@ TEST(ExitCode, ManualHasTheTableOfTheHeader) {
   }
 }
 
-class ExitCodes : public testing::Test, public cls::tests::ClsFolder {
+class ExitCodes : public testing::Test, public ClsFolder {
  protected:
   std::string file(const std::string& name, const std::string& text) const {
     const auto path = folder_.path() / name;
@@ -70,7 +69,7 @@ TEST_F(ExitCodes, OfUsageAndFiles) {
 
 TEST_F(ExitCodes, OfPlaymakersAndPorts) {
   EXPECT_EQ(code({"check", "playmaker", "127.0.0.1:1", "--start-timeout", "0.3"}), kUnavailable);
-  Command mock({cls::tests::cls_binary(), "mock"});
+  Command mock({cls_binary(), "mock"});
   ASSERT_TRUE(mock.wait_for_output("\n"));
   const std::string line = mock.out();
   const std::string port = line.substr(line.rfind(':') + 1, line.find('\n') - line.rfind(':') - 1);
@@ -96,7 +95,8 @@ TEST_F(ExitCodes, StrictFailsOnWarningsOnly) {
   warned.emplace_back("--strict");
   const CommandResult strict = run(warned);
   EXPECT_EQ(strict.exit_code, kFailed);
-  EXPECT_THAT(strict.err, HasSubstr("cls: 1 warning (--strict)\n")) << strict.err;
+  EXPECT_THAT(strict.err, HasSubstr("cls: 1 warning (--strict)\n"));
 }
 
 }  // namespace
+}  // namespace cls::tests

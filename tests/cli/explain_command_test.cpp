@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
-#include <filesystem>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <string>
@@ -14,19 +12,20 @@
 #include "proto/playmaker.pb.h"
 #include "proto/team_playmaker.pb.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
 namespace {
 
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 using testing::Not;
 
 CommandResult explain(std::vector<std::string> words) {
-  words.insert(words.begin(), {cls_binary(), "explain"});
-  return run(words);
+  return run(joined({cls_binary(), "explain"}, words));
 }
 
 const json& all_entries() {
@@ -71,7 +70,8 @@ TEST(ExplainCommand, SaysWhatEveryNameMeans) {
 TEST(ExplainCommand, GivesNumbersUnits) {
   const std::set<std::string> numbers = {"float", "double", "int32", "RpcVector2D"};
   for (const json& entry : all_entries()) {
-    if (entry["kind"] != "field" || !numbers.contains(entry["facts"]["type"])) continue;
+    if (entry["kind"] != "field") continue;
+    if (!numbers.contains(entry["facts"]["type"].get<std::string>())) continue;
     EXPECT_TRUE(entry["facts"].contains("unit")) << entry["name"];
   }
 }
@@ -100,6 +100,7 @@ TEST(ExplainCommand, DescribesEveryActionModeAndEndReason) {
   };
   check_actions(protos::PlayerAction::descriptor());
   check_actions(protos::CoachAction::descriptor());
+
   check_actions(protos::TrainerAction::descriptor());
   const auto* modes = protos::GameModeType_descriptor();
   for (int i = 0; i < modes->value_count(); ++i) {
@@ -107,6 +108,7 @@ TEST(ExplainCommand, DescribesEveryActionModeAndEndReason) {
     ASSERT_NE(entry, nullptr) << modes->value(i)->name();
     EXPECT_NE((*entry)["text"], "") << modes->value(i)->name();
   }
+
   for (const char* reason : {"finished", "crashed", "stalled", "late", "refused", "protocol_error",
                              "server_failed", "timed_out", "interrupted"}) {
     const json* entry = find_entry("end reason", reason);
@@ -116,15 +118,14 @@ TEST(ExplainCommand, DescribesEveryActionModeAndEndReason) {
 }
 
 TEST(ExplainCommand, FindsFullNamesLastPartsAndOtherSpellings) {
-  const CommandResult full = explain({"Self.stamina"});
-  EXPECT_EQ(full.exit_code, 0) << full.err;
-  EXPECT_THAT(full.out, HasSubstr("Self.stamina (field of Self)")) << full.out;
-  EXPECT_THAT(full.out, HasSubstr("0 to 8000")) << full.out;
+  EXPECT_THAT(
+      explain({"Self.stamina"}),
+      Prints(0, testing::AllOf(HasSubstr("Self.stamina (field of Self)"), HasSubstr("0 to 8000"))));
   EXPECT_THAT(explain({"offside_line_x"}).out, HasSubstr("WorldModel.offside_line_x"));
   EXPECT_THAT(explain({"kick-in"}).out, HasSubstr("KickIn_ (play mode"));
   const CommandResult several = explain({"stalled", "body_smart_kick"});
   EXPECT_THAT(several.out, HasSubstr("stalled (end reason)"));
-  EXPECT_THAT(several.out, HasSubstr("fails when  speed out of reach")) << several.out;
+  EXPECT_THAT(several.out, HasSubstr("fails when  speed out of reach"));
 }
 
 TEST(ExplainCommand, FindsNamesAsLanguagesWriteThem) {
@@ -139,20 +140,18 @@ TEST(ExplainCommand, FindsNamesAsLanguagesWriteThem) {
 }
 
 TEST(ExplainCommand, SearchesNamesAndExplanations) {
-  const CommandResult found = explain({"--search", "offside LINE"});
-  EXPECT_EQ(found.exit_code, 0) << found.err;
-  EXPECT_THAT(found.out, HasSubstr("WorldModel.offside_line_x")) << found.out;
-  EXPECT_THAT(found.out, HasSubstr("OffsideLineMessage")) << found.out;
-  EXPECT_THAT(found.out, Not(HasSubstr("Self.stamina"))) << found.out;
+  EXPECT_THAT(
+      explain({"--search", "offside LINE"}),
+      Prints(0, testing::AllOf(HasSubstr("WorldModel.offside_line_x"),
+                               HasSubstr("OffsideLineMessage"), Not(HasSubstr("Self.stamina")))));
   const CommandResult nothing = explain({"--search", "croquet"});
   EXPECT_EQ(nothing.exit_code, 2);
   EXPECT_EQ(nothing.err, "cls: nothing explains 'croquet'\n");
 }
 
 TEST(ExplainCommand, SuggestsNamesForTypos) {
-  const CommandResult typo = explain({"body_smart_kik"});
-  EXPECT_EQ(typo.exit_code, 2);
-  EXPECT_EQ(typo.err, "cls: unknown name 'body_smart_kik'; did you mean 'body_smart_kick'?\n");
+  EXPECT_THAT(explain({"body_smart_kik"}),
+              Exits(2, "cls: unknown name 'body_smart_kik'; did you mean 'body_smart_kick'?\n"));
   EXPECT_THAT(explain({}).err, HasSubstr("cls explain --list"));
 }
 
@@ -177,8 +176,9 @@ TEST(ExplainCommand, NamesThePlaceInThePages) {
       anchors[page].insert(heading);
     }
   }
+
   for (const json& entry : all_entries()) {
-    const std::string place = entry["page"];
+    const auto place = entry["page"].get<std::string>();
     const std::size_t mark = place.find('#');
     ASSERT_NE(mark, std::string::npos) << place;
     EXPECT_EQ(anchors[place.substr(0, mark)].count(place.substr(mark + 1)), 1U)
@@ -203,10 +203,8 @@ TEST(ExplainCommand, DrawsFormations) {
   EXPECT_THAT(text, HasSubstr(">11</text>"));
 
   std::ofstream(folder.path() / "own.formation") << "cls-formation 1\nball 0 0\n  1 -50 0\n";
-  const CommandResult broken =
-      run({cls_binary(), "explain", "formation", folder.path() / "own.formation"});
-  EXPECT_EQ(broken.exit_code, 2);
-  EXPECT_THAT(broken.err, HasSubstr("own.formation:"));
+  EXPECT_THAT(run({cls_binary(), "explain", "formation", folder.path() / "own.formation"}),
+              Exits(2, HasSubstr("own.formation:")));
   EXPECT_EQ(run({cls_binary(), "explain", "formation", "--ball", "20"}).err,
             "cls: --ball '20': must be X,Y in meters, such as --ball=-20,5\n");
 }

@@ -5,23 +5,22 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/port_lock.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 
 namespace fs = std::filesystem;
-using cls::tests::built;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 using Arguments = std::vector<std::string>;
 
 // A mock and an external team of 11 fake players on the fake server: two matches, sides swapped.
@@ -36,12 +35,12 @@ class ExternalTournament : public testing::Test {
            "[teams.GUESTS]\nendpoint = \"team:team\"\n";
   }
 
-  void TearDown() override { EXPECT_TRUE(cls::tests::all_marked_gone(mark_)); }
+  void TearDown() override { EXPECT_TRUE(all_marked_gone(mark_)); }
 
   void script(const std::string& name, const std::string& text) const {
     const fs::path file = path() / name;
     fs::create_directories(file.parent_path());
-    std::ofstream(file) << "#!/bin/sh\n" << cls::tests::export_mark(mark_) << text << "\n";
+    std::ofstream(file) << "#!/bin/sh\n" << export_mark(mark_) << text << "\n";
     ::chmod(file.c_str(), 0755);
   }
 
@@ -50,23 +49,23 @@ class ExternalTournament : public testing::Test {
     script("team/start.sh",
            "while [ $# -gt 0 ]; do case $1 in -p) port=$2;; esac; shift 2; done\n" + more +
                "\nfor i in $(seq 11); do\n  goalie=; [ $i = 1 ] && goalie='--goalie 1'\n" +
-               cls::tests::copy_built("cls_fake_player", path() / "team") +
+               copy_built("cls_fake_player", path() / "team") +
                " --port $port --name Others $goalie $flags &\n  sleep 0.02\ndone");
   }
 
   CommandResult play(const Arguments& more = {}) const {
-    Arguments argv = {cls::tests::cls_binary(), "tournament", "run", path() / "cup", "--config",
-                      path() / "cls.toml",      "--json"};
-    argv.insert(argv.end(), more.begin(), more.end());
-    return cls::tests::run(argv, {std::string(cls::tests::kMarkVariable) + "=" + mark_});
+    return run(joined({cls_binary(), "tournament", "run", path() / "cup", "--config",
+                       path() / "cls.toml", "--json"},
+                      more),
+               {std::string(kMarkVariable) + "=" + mark_});
   }
 
   fs::path path() const { return folder_.path(); }
 
-  cls::tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   // External teams take the usual ports of a server if they are free, which other tests need.
-  const cls::tests::PortLock ports_;
-  const std::string mark_ = cls::tests::new_mark();
+  const PortLock ports_;
+  const std::string mark_ = new_mark();
 };
 
 // On a loaded host a short match may finish before the crash of a team is detected.
@@ -88,8 +87,8 @@ TEST_F(ExternalTournament, ListsTeamByConfiguredName) {
   for (const json& match : report["matches"]) {
     EXPECT_EQ(match["end_reason"], "finished");
     const std::string side = match["left"] == "GUESTS" ? "left" : "right";
-    const json result = json::parse(
-        cls::tests::read_file(path() / "cup" / match["folder"].get<std::string>() / "result.json"));
+    const json result =
+        json::parse(read_file(path() / "cup" / match["folder"].get<std::string>() / "result.json"));
     EXPECT_EQ(result[side]["name"], "Others") << "on the pitch";
     EXPECT_THAT(match["command"].get<std::string>(), HasSubstr("--own-names"));
   }
@@ -100,8 +99,8 @@ TEST_F(ExternalTournament, StopsAfterCrash) {
   team("flags='--exit-at-cycle 10'");
   const CommandResult played = play(kLong);
   EXPECT_EQ(played.exit_code, 1);
-  EXPECT_THAT(played.err, HasSubstr("is invalid (crashed): ")) << played.err;
-  EXPECT_THAT(played.err, HasSubstr("see ")) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("is invalid (crashed): "));
+  EXPECT_THAT(played.err, HasSubstr("see "));
   EXPECT_EQ(json::parse(played.out)["counts"]["finished"], 0);
 }
 
@@ -134,8 +133,8 @@ TEST_F(ExternalTournament, RetriesMatchAfterCrash) {
 TEST_F(ExternalTournament, RunsTeamWithFixedPortsInSequence) {
   script("team/start", "exit 1");
   const CommandResult played = play({"--concurrency", "4", "--on-crash", "forfeit"});
-  EXPECT_THAT(played.err, HasSubstr("one match at a time: GUESTS requires the ports 6000 to 6002"))
-      << played.err;
+  EXPECT_THAT(played.err, HasSubstr("one match at a time: GUESTS requires the ports 6000 to 6002"));
 }
 
 }  // namespace
+}  // namespace cls::tests

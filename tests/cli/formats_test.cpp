@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -41,33 +42,32 @@ class Formats : public testing::Test {
                       const std::string& text) const {
     const CommandResult result = run(words);
     EXPECT_EQ(result.exit_code, exit_code) << words[0];
-    EXPECT_THAT(result.err, HasSubstr(text)) << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(text));
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
   }
 
   TemporaryFolder folder_;
 };
 
 TEST_F(Formats, OfTheFirstReleaseAreRead) {
-  const CommandResult scenario = run({"test", "scenario.json"});
-  EXPECT_EQ(scenario.exit_code, 0) << scenario.out << scenario.err;
+  EXPECT_THAT(run({"test", "scenario.json"}), Exits(0));
   const CommandResult replay = run({"test", "--replay", "match.rpc", "mock:hold"});
   EXPECT_THAT(replay.out, HasSubstr("25 replies as recorded")) << replay.err;
-  const CommandResult plan = run({"tournament", "plan", "."});
-  EXPECT_EQ(plan.exit_code, 0) << plan.err;
+  EXPECT_THAT(run({"tournament", "plan", "."}), Exits(0));
+
   const CommandResult report = run({"tournament", "report", "."});
-  EXPECT_THAT(report.out, HasSubstr("BLUE    0:0  RED")) << report.out << report.err;
-  const CommandResult page = run({"watch", "page.html", "--out", "again.html"});
-  EXPECT_EQ(page.exit_code, 0) << page.err;
+  EXPECT_THAT(report.out, HasSubstr("BLUE    0:0  RED")) << report.err;
+  EXPECT_THAT(run({"watch", "page.html", "--out", "again.html"}), Exits(0));
+
   fs::create_directory(folder_.path() / "match");
   fs::rename(folder_.path() / "result.json", folder_.path() / "match/result.json");
   const CommandResult logs = run({"logs", "match"});
-  EXPECT_THAT(logs.out, HasSubstr("finished")) << logs.out << logs.err;
+  EXPECT_THAT(logs.out, HasSubstr("finished")) << logs.err;
   const CommandResult search = run({"tune", "report", "search"});
   EXPECT_THAT(search.out, HasSubstr("generation 1 of 1, 4 pairs")) << search.err;
-  const CommandResult planner = run({"match", "planner:planner.toml=mock:hold", "mock:hold",
-                                     "--cycles", "3", "--dir", "planned", "--quiet"});
-  EXPECT_EQ(planner.exit_code, 0) << planner.err;
+  EXPECT_THAT(run({"match", "planner:planner.toml=mock:hold", "mock:hold", "--cycles", "3", "--dir",
+                   "planned", "--quiet"}),
+              Exits(0));
 }
 
 // A saved match is simulated again up to its cycle. A cls whose players act differently reads it,
@@ -79,8 +79,7 @@ TEST_F(Formats, SavedMatchOfTheFirstReleaseGoesOnOrDiffers) {
   EXPECT_EQ(resumed.exit_code == 0, goes_on) << resumed.out << resumed.err;
   if (goes_on) return;
   EXPECT_THAT(resumed.err,
-              HasSubstr("differs from the saved one at cycle 6; it was saved by cls 0.1.0"))
-      << resumed.err;
+              HasSubstr("differs from the saved one at cycle 6; it was saved by cls 0.1.0"));
 }
 
 TEST_F(Formats, OfLaterReleasesAreRefusedInOneLine) {
@@ -93,7 +92,9 @@ TEST_F(Formats, OfLaterReleasesAreRefusedInOneLine) {
   replace("plan.toml", "[tournament]", "schema = 2\n[tournament]");
   expect_refusal({"tournament", "report", "."}, 65,
                  "plan.toml:1: schema 2 is newer than this cls reads (1); update cls");
+
   replace("search/tune.toml", "schema = 1", "schema = 2");
+
   expect_refusal({"tune", "report", "search"}, 78,
                  "tune.toml:4: schema 2 is newer than this cls reads (1); update cls");
   replace("planner.toml", "schema = 1", "schema = 2");

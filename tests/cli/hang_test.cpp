@@ -5,7 +5,6 @@
 #include <atomic>
 #include <chrono>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
@@ -13,15 +12,13 @@
 #include "tests/proxy/playmaker/playmaker_server.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::CommandResult;
-using cls::tests::GameService;
-using cls::tests::PlaymakerServer;
-using cls::tests::TemporaryFolder;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -37,22 +34,13 @@ struct Played {
 // `right` plays against the mock.
 Played play_against(const std::string& right, const std::vector<std::string>& more) {
   const TemporaryFolder folder;
-  std::vector<std::string> arguments = {cls::tests::cls_binary(),
-                                        "match",
-                                        "mock",
-                                        right,
-                                        "--right-name",
-                                        "hangs",
-                                        "--seed",
-                                        "7",
-                                        "--set",
-                                        "server::kick_off_wait=3",
-                                        "--dir",
-                                        folder.path()};
-  arguments.insert(arguments.end(), more.begin(), more.end());
+  const std::vector<std::string> arguments =
+      joined({cls_binary(), "match", "mock", right, "--right-name", "hangs", "--seed", "7", "--set",
+              "server::kick_off_wait=3", "--dir", folder.path()},
+             more);
   Played played;
-  played.command = cls::tests::run(arguments);
-  played.result = json::parse(cls::tests::read_file(folder.path() / "result.json"));
+  played.command = run(arguments);
+  played.result = json::parse(read_file(folder.path() / "result.json"));
   return played;
 }
 
@@ -73,8 +61,8 @@ void expect_blamed(const Played& played, const std::string& end_reason, const st
   EXPECT_EQ(result["failure"]["rpc"], rpc);
   const std::string awaited = rpc + " of " + agent;
   EXPECT_THAT(result["message"].get<std::string>(), HasSubstr(awaited)) << result["message"];
-  EXPECT_THAT(played.command.err, HasSubstr(awaited)) << played.command.err;
-  EXPECT_THAT(played.command.err, HasSubstr("cls: hangs (")) << played.command.err;
+  EXPECT_THAT(played.command.err, HasSubstr(awaited));
+  EXPECT_THAT(played.command.err, HasSubstr("cls: hangs ("));
 }
 
 // Deadline and stall limit may be equal or nearly so: both must lead to the same end.
@@ -88,7 +76,7 @@ TEST_P(EqualLimits, BlameTheSideThatHangs) {
               HasSubstr("11 other agents (one call; --batch never names the player) at cycle 3"));
   EXPECT_EQ(played.result["failure"]["unum"], 1);
   EXPECT_EQ(played.result["failure"]["cycle"], 3);
-  EXPECT_THAT(played.command.err, HasSubstr("at cycle 3")) << played.command.err;
+  EXPECT_THAT(played.command.err, HasSubstr("at cycle 3"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Hangs, EqualLimits, testing::Values("2000", "2001", "9000"));
@@ -100,7 +88,7 @@ TEST(Hangs, EndAsLateWithShortDeadline) {
   EXPECT_EQ(played.result["end_reason"], "late");
   EXPECT_EQ(played.result["fault"], "right");
   EXPECT_EQ(played.result["failure"]["process"], "right Playmaker");
-  EXPECT_THAT(played.command.err, HasSubstr("player 1 had no usable reply")) << played.command.err;
+  EXPECT_THAT(played.command.err, HasSubstr("player 1 had no usable reply"));
 }
 
 TEST(Hangs, BlameTheCoach) {
@@ -121,6 +109,7 @@ TEST(Hangs, BlameThePlannersChoice) {
       return grpc::Status::OK;
     }
   };
+
   Service service;
   service.on_player = [](const protos::State& state, protos::PlayerActions& actions) {
     if (state.world_model().self().is_kickable()) {
@@ -130,6 +119,7 @@ TEST(Hangs, BlameThePlannersChoice) {
     }
     return grpc::Status::OK;
   };
+
   PlaymakerServer server(service);
   const Played played = play_against("127.0.0.1:" + std::to_string(server.port()),
                                      {"--stall-after", "2", "--cycles", "600"});
@@ -182,34 +172,33 @@ TEST(Hangs, EndInRealTimeWithoutALineForEachPlayer) {
       play_with_faults(R"({"delay_ms": 300})", {"--mode", "realtime", "--max-missed", "5"});
   EXPECT_EQ(played.result["end_reason"], "late") << played.command.err;
   EXPECT_EQ(played.result["fault"], "right");
-  EXPECT_THAT(played.command.err, Not(HasSubstr("left the match"))) << played.command.err;
+  EXPECT_THAT(played.command.err, Not(HasSubstr("left the match")));
 }
 
 TEST(Hangs, NameBothSidesWhenBothHang) {
   const TemporaryFolder folder;
   const auto script = folder.path() / "script.json";
   write_file(script, R"({"otherwise": "simple", "faults": {"hang_at_cycle": 3}})");
-  const auto command = cls::tests::run(
-      {cls::tests::cls_binary(), "match", "mock:" + script.string(), "mock:" + script.string(),
-       "--stall-after", "2", "--set", "server::kick_off_wait=3", "--dir", folder.path() / "match"});
-  const json result = json::parse(cls::tests::read_file(folder.path() / "match" / "result.json"));
+  const auto command = run({cls_binary(), "match", "mock:" + script.string(),
+                            "mock:" + script.string(), "--stall-after", "2", "--set",
+                            "server::kick_off_wait=3", "--dir", folder.path() / "match"});
+  const json result = json::parse(read_file(folder.path() / "match" / "result.json"));
   EXPECT_EQ(result["end_reason"], "stalled");
   EXPECT_TRUE(result["fault"].is_null());
-  EXPECT_THAT(command.err, HasSubstr("script_l (")) << command.err;
-  EXPECT_THAT(command.err, HasSubstr("; script_r (")) << command.err;
+  EXPECT_THAT(command.err, HasSubstr("script_l ("));
+  EXPECT_THAT(command.err, HasSubstr("; script_r ("));
 }
 
 TEST(Hangs, AreForfeitedInTournaments) {
   const TemporaryFolder folder;
   const auto script = folder.path() / "script.json";
   write_file(script, R"({"otherwise": "simple", "faults": {"hang_at_cycle": 3}})");
-  const auto run = cls::tests::run({cls::tests::cls_binary(), "tournament", "run",
-                                    folder.path() / "cup", "--team", "OK=mock", "--team",
-                                    "HANG=mock:" + script.string(), "--cycles", "30", "--on-crash",
-                                    "forfeit", "--stall-after", "2", "--rpc-deadline", "2000"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  const auto report = cls::tests::run({cls::tests::cls_binary(), "tournament", "report",
-                                       folder.path() / "cup", "--format", "json"});
+  const auto ran = run({cls_binary(), "tournament", "run", folder.path() / "cup", "--team",
+                        "OK=mock", "--team", "HANG=mock:" + script.string(), "--cycles", "30",
+                        "--on-crash", "forfeit", "--stall-after", "2", "--rpc-deadline", "2000"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  const auto report =
+      run({cls_binary(), "tournament", "report", folder.path() / "cup", "--format", "json"});
   const json document = json::parse(report.out);
   ASSERT_EQ(document["matches"].size(), 2u);
   for (const json& match : document["matches"]) {
@@ -219,3 +208,4 @@ TEST(Hangs, AreForfeitedInTournaments) {
 }
 
 }  // namespace
+}  // namespace cls::tests

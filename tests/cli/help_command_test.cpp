@@ -4,13 +4,14 @@
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
 #include "tests/support/installed.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
@@ -32,11 +33,11 @@ TEST(HelpCommand, PrintsPagesWithoutLinkTargets) {
 
 TEST(HelpCommand, ListsTopics) {
   const CommandResult topics = run({cls_binary(), "help", "topics"});
-  EXPECT_THAT(topics.out, HasSubstr("formats/rcg ")) << topics.out;
-  const auto json = nlohmann::json::parse(run({cls_binary(), "help", "topics", "--json"}).out);
+  EXPECT_THAT(topics.out, HasSubstr("formats/rcg "));
+  const auto json = base::Json::parse(run({cls_binary(), "help", "topics", "--json"}).out);
   ASSERT_GE(json["topics"].size(), 20u);
   for (const auto& topic : json["topics"]) {
-    const std::string name = topic["name"];
+    const auto name = topic["name"].get<std::string>();
     EXPECT_EQ(run({cls_binary(), "help", name}).exit_code, 0) << name;
     EXPECT_TRUE(fs::exists(source_folder() / "docs" / (name + ".md"))) << name;
   }
@@ -52,23 +53,23 @@ TEST(HelpCommand, SuggestsCommandsAndTopics) {
 TEST(HelpCommand, SearchesCommandsPagesAndNames) {
   const CommandResult found = run({cls_binary(), "help", "offside", "line", "--json"});
   ASSERT_EQ(found.exit_code, 0) << found.err;
-  const auto document = nlohmann::json::parse(found.out);
+  const auto document = base::Json::parse(found.out);
   EXPECT_EQ(document["schema"], "cls.help_search/1");
   std::map<std::string, int> kinds;
-  for (const auto& one : document["found"]) ++kinds[one["kind"]];
+  for (const auto& one : document["found"]) ++kinds[one["kind"].get<std::string>()];
   EXPECT_GE(kinds["page"], 1) << found.out;
   EXPECT_GE(kinds["field"], 1) << found.out;
 
   const CommandResult option = run({cls_binary(), "help", "no-deadline"});
-  EXPECT_THAT(option.out, HasSubstr("--no-deadline of cls match")) << option.out;
+  EXPECT_THAT(option.out, HasSubstr("--no-deadline of cls match"));
   const CommandResult scattered = run({cls_binary(), "help", "linger", "watch"});
-  EXPECT_THAT(scattered.out, HasSubstr("--linger of cls watch")) << scattered.out;
+  EXPECT_THAT(scattered.out, HasSubstr("--linger of cls watch"));
+
   // In one section of a page, in none of its lines.
   const CommandResult section = run({cls_binary(), "help", "8000", "comes", "home"});
-  EXPECT_THAT(section.out, HasSubstr("Save stamina: ")) << section.out << section.err;
-  const CommandResult none = run({cls_binary(), "help", "zebra", "crossing"});
-  EXPECT_EQ(none.exit_code, 2);
-  EXPECT_EQ(none.err, "cls: nothing has the words 'zebra crossing' (see cls help topics)\n");
+  EXPECT_THAT(section.out, HasSubstr("Save stamina: ")) << section.err;
+  EXPECT_THAT(run({cls_binary(), "help", "zebra", "crossing"}),
+              Exits(2, "cls: nothing has the words 'zebra crossing' (see cls help topics)\n"));
 }
 
 TEST(ManPages, DescribeAllCommandsAndOptions) {
@@ -81,7 +82,7 @@ TEST(ManPages, DescribeAllCommandsAndOptions) {
   for (const char* text :
        {".SH NAME\ncls\\-match \\- play one match", ".SH SYNOPSIS\n.B cls match\n",
         "\n  cls match mock mock", "\n.B \\-\\-seed N\n", "\n.SS Playmakers\n"}) {
-    EXPECT_THAT(match, HasSubstr(text)) << text << "\n" << match;
+    EXPECT_THAT(match, HasSubstr(text)) << text;
   }
   for (const char* page : {"match", "tournament", "help"}) {
     EXPECT_THAT(read_file(folder.path() / "cls.1"), HasSubstr(".BR cls\\-" + std::string(page)));
@@ -108,7 +109,7 @@ TEST(ManPages, AreWellFormed) {
     std::istringstream warnings(lint.out + lint.err);
     for (std::string line; std::getline(warnings, line);) {
       // The same binary writes the same pages on any day.
-      EXPECT_THAT(line, HasSubstr("missing date")) << line;
+      EXPECT_THAT(line, HasSubstr("missing date"));
     }
   }
 }

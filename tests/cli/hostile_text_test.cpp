@@ -3,26 +3,25 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "base/text/printable.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
 
 namespace fs = std::filesystem;
-using cls::tests::cls_binary;
-using cls::tests::CommandResult;
 using Arguments = std::vector<std::string>;
 
 // Clears the screen, sets the title, rings; CSI of C1; right-to-left override; not UTF-8.
@@ -36,7 +35,7 @@ class HostileText : public testing::Test {
  protected:
   CommandResult run(Arguments arguments) const {
     arguments.insert(arguments.begin(), cls_binary());
-    return cls::tests::run(arguments);
+    return tests::run(arguments);
   }
   void expect_safe(const Arguments& arguments) const {
     const CommandResult result = run(arguments);
@@ -49,7 +48,7 @@ class HostileText : public testing::Test {
 
   /// A game log of a match whose left team has this name.
   std::string log_of(const std::string& name) const {
-    std::string log = cls::tests::read_file(cls::tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz"));
+    std::string log = read_file(fixture("gamelog/rcg-v6-excerpt.rcg.gz"));
     const std::size_t team = log.find("(team ");
     const std::size_t begin = log.find(' ', team + 6) + 1;
     const std::string old = log.substr(begin, log.find(' ', begin) - begin);
@@ -61,7 +60,7 @@ class HostileText : public testing::Test {
     return path("game.rcg");
   }
 
-  cls::tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(HostileText, OfGameLogsIsNotPrinted) {
@@ -79,12 +78,12 @@ TEST_F(HostileText, OfGameLogsIsNotPrinted) {
 TEST_F(HostileText, OfGameLogsIsNoFormulaInCsv) {
   const std::string log = log_of("=cmd|'/C_calc'!A0");
   const std::string results = run({"results", log, "--format", "csv"}).out;
-  EXPECT_THAT(results, HasSubstr("'=cmd|")) << results;
+  EXPECT_THAT(results, HasSubstr("'=cmd|"));
   for (const char* format : {"csv", "csv-players"}) {
     const std::string stats = run({"stats", log, "--format", format}).out;
-    EXPECT_THAT(stats, Not(HasSubstr(",=cmd"))) << stats;
-    EXPECT_THAT(stats, Not(HasSubstr("\n=cmd"))) << stats;
-    EXPECT_THAT(stats, HasSubstr("'=cmd|")) << stats;
+    EXPECT_THAT(stats, Not(HasSubstr(",=cmd")));
+    EXPECT_THAT(stats, Not(HasSubstr("\n=cmd")));
+    EXPECT_THAT(stats, HasSubstr("'=cmd|"));
   }
 }
 
@@ -105,17 +104,20 @@ TEST_F(HostileText, OfTournamentFoldersIsNotPrinted) {
                                      "[teams.BLUE]\nendpoint = \"mock\"\n";
   const std::string cup = folder_.path();
   ASSERT_EQ(run({"tournament", "run", cup, "--quiet"}).exit_code, 0);
+
   {
     SQLite::Database store(cup + "/tournament.db", SQLite::OPEN_READWRITE);
-    const nlohmann::json text = kHostile.substr(0, kHostile.find('\xff')) + "<script>\n```\n";
+    const base::Json text = kHostile.substr(0, kHostile.find('\xff')) + "<script>\n```\n";
     store.exec("UPDATE match SET outcome = json_set(outcome, '$.message', json('" + text.dump() +
                "'), '$.warnings', json_array(json('" + text.dump() +
                "')), '$.end_reason', 'crashed', '$.host', json('" + text.dump() + "'))");
   }
+
   expect_safe({"tournament", "status", cup});
   for (const char* format : {"text", "md", "csv", "json", "html", "junit"}) {
     expect_safe({"tournament", "report", cup, "--format", format});
   }
+
   const std::string markdown = run({"tournament", "report", cup, "--format", "md"}).out;
   std::istringstream lines(markdown);
   bool code = false;
@@ -125,15 +127,15 @@ TEST_F(HostileText, OfTournamentFoldersIsNotPrinted) {
     const std::size_t at = line.find("<script>");
     EXPECT_TRUE(at == std::string::npos || line[at - 1] == '\\') << line;
   }
+
   const std::string csv = run({"tournament", "report", cup, "--format", "csv"}).out;
-  EXPECT_THAT(csv, Not(HasSubstr(",+1+1"))) << csv;
+  EXPECT_THAT(csv, Not(HasSubstr(",+1+1")));
 }
 
 class FullOutput : public HostileText {
  protected:
   CommandResult run_into_full_disk(const std::string& arguments) const {
-    return cls::tests::run(
-        {"/bin/sh", "-c", cls_binary().string() + " " + arguments + " >/dev/full"});
+    return tests::run({"/bin/sh", "-c", cls_binary().string() + " " + arguments + " >/dev/full"});
   }
 };
 
@@ -142,12 +144,11 @@ TEST_F(FullOutput, IsAnErrorOfEveryCommand) {
   for (const std::string& arguments :
        {"results " + log, "stats " + log, std::string("version"), std::string("help match"),
         "match mock mock --cycles 2 --dir " + path("m")}) {
-    const CommandResult result = run_into_full_disk(arguments);
-    EXPECT_EQ(result.exit_code, 74) << arguments << result.err;
-    EXPECT_THAT(result.err,
-                HasSubstr("cls: cannot write standard output: No space left on device\n"))
-        << arguments << ": " << result.err;
+    EXPECT_THAT(
+        run_into_full_disk(arguments),
+        Exits(74, HasSubstr("cls: cannot write standard output: No space left on device\n")));
   }
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -1,17 +1,13 @@
 // Teams that reach for the other side: by its name, its players, its coach, and as monitors.
 #include <gmock/gmock.h>
 
-#include <fstream>
-
 #include "tests/cli/network_match.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/udp_client.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::built;
-using cls::tests::copy_built;
-using cls::tests::NetworkMatch;
-using cls::tests::read_file;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -39,9 +35,7 @@ class Intruder : public NetworkMatch {
 
   void play_embedded(const std::string& right, const std::vector<std::string>& more = {},
                      const std::string& mode = "synch") {
-    std::vector<std::string> options = {"--half-time", "5", "--mode", mode};
-    options.insert(options.end(), more.begin(), more.end());
-    play(right, "embedded", options);
+    play(right, "embedded", joined({"--half-time", "5", "--mode", mode}, more));
   }
 
   std::string file(const std::string& name) const { return read_file(match_folder() + "/" + name); }
@@ -70,8 +64,8 @@ TEST_F(Intruder, DoesNotPlayForAnotherSideByItsName) {
   EXPECT_EQ(result_["left"]["name"], "Lions");
   EXPECT_EQ(result_["right"]["name"], "Bears");
   EXPECT_THAT(file("left-team.log"), HasSubstr("reply (error no_more_team)"));
-  EXPECT_THAT(played_.err, HasSubstr("a program of the left side (")) << played_.err;
-  EXPECT_THAT(played_.err, HasSubstr("sent (init Bears (version 18)): refused")) << played_.err;
+  EXPECT_THAT(played_.err, HasSubstr("a program of the left side ("));
+  EXPECT_THAT(played_.err, HasSubstr("sent (init Bears (version 18)): refused"));
 }
 
 TEST_F(Intruder, PlaysAloneUnderTheNameOfItsOpponent) {
@@ -90,7 +84,7 @@ TEST_F(Intruder, DoesNotTakeOverPlayers) {
     expect_finished();
     EXPECT_THAT(output(), HasSubstr("reply (error no_such_team_or_player)")) << mode;
     EXPECT_THAT(output(), Not(HasSubstr("reply (reconnect"))) << mode;
-    EXPECT_THAT(played_.err, HasSubstr("sent (reconnect hold 1): refused")) << played_.err;
+    EXPECT_THAT(played_.err, HasSubstr("sent (reconnect hold 1): refused"));
   }
 }
 
@@ -113,22 +107,23 @@ TEST_F(Intruder, NeitherWatchesNorSendsOff) {
 
 // As A3 of rcssserver: a monitor from outside of the match may watch, and nothing else.
 TEST_F(Intruder, MonitorsFromOutsideOnlyWatch) {
-  const int port = cls::tests::UdpClient(1).own_port();  // free a moment ago
-  cls::tests::Command match(
+  const int port = UdpClient(1).own_port();  // free a moment ago
+  Command match(
       arguments("mock:hold", "embedded",
                 {"--half-time", "10", "--mode", "synch", "--monitor-port", std::to_string(port)}),
       environment());
   ASSERT_TRUE(match.wait_for_errors("monitors may attach"));
-  cls::tests::UdpClient monitor(port);
+  UdpClient monitor(port);
   monitor.send("(dispinit version 4)");
   const std::string reply = monitor.wait();
   EXPECT_THAT(reply, HasSubstr("server_param"));
+
   for (int i = 0; i < 50; ++i) {
     monitor.send("(dispcard 1 2 red)");
     monitor.wait(std::chrono::milliseconds(20));
   }
-  const auto played = match.finish();
-  EXPECT_EQ(played.exit_code, 0) << played.err;
+
+  EXPECT_THAT(match.finish(), Exits(0));
   EXPECT_THAT(file("match.rcl"), Not(HasSubstr("red_card")));
 }
 
@@ -162,10 +157,10 @@ TEST_F(Intruder, PlaysWhereTheUserDoesNotBindClients) {
 
 // Without the binding a started server is as rcssserver: so only a match may ask for it.
 TEST_F(Intruder, BindingNeedsAMatch) {
-  const auto server =
-      cls::tests::run({cls::tests::cls_binary(), "server", "--port", "0", "match::sides=team,cls"});
+  const auto server = run({cls_binary(), "server", "--port", "0", "match::sides=team,cls"});
   EXPECT_EQ(server.exit_code, 2);
   EXPECT_THAT(server.err, HasSubstr("match::sides: no match has started this server"));
 }
 
 }  // namespace
+}  // namespace cls::tests

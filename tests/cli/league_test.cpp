@@ -3,26 +3,26 @@
 #include <signal.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "tests/support/cls_folder.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 
-class League : public testing::Test, protected cls::tests::ClsFolder {
+class League : public testing::Test, protected ClsFolder {
  protected:
   League() : ClsFolder(std::chrono::seconds(300)) {}
 
   void copy_fixture(const std::string& year) const {
     std::filesystem::create_directories(path("cup"));
     for (const char* file : {"cls.toml", "results.txt"}) {
-      std::filesystem::copy_file(cls::tests::fixture("tournament/robocup" + year) / file,
-                                 path("cup") / file);
+      std::filesystem::copy_file(fixture("tournament/robocup" + year) / file, path("cup") / file);
     }
   }
 
@@ -31,7 +31,7 @@ class League : public testing::Test, protected cls::tests::ClsFolder {
   std::vector<std::string> ranks() const {
     std::vector<std::string> names;
     const json document = report();
-    for (const json& row : document["standings"]) names.push_back(row["team"]);
+    for (const json& row : document["standings"]) names.push_back(row["team"].get<std::string>());
     return names;
   }
 };
@@ -51,17 +51,19 @@ TEST_F(League, ResultsOf2024NeedADecision) {
   const std::vector<std::string> play = {"tournament", "run", "cup", "--results",
                                          "cup/results.txt"};
   const CommandResult stuck = run(play);
+
   EXPECT_EQ(stuck.exit_code, 65);
   EXPECT_NE(stuck.err.find("no result of CYRUS and FRA-UNIted, match 146, below [final day, "
                            "semi-final]"),
             std::string::npos)
       << stuck.err;
-  const CommandResult decided = run({"tournament", "decide", "cup", "--match", "145", "--award",
-                                     "1:0", "--reason", "YuShan played the semi-final"});
-  EXPECT_EQ(decided.exit_code, 0) << decided.err;
+  EXPECT_THAT(run({"tournament", "decide", "cup", "--match", "145", "--award", "1:0", "--reason",
+                   "YuShan played the semi-final"}),
+              Exits(0));
   EXPECT_EQ(run(play).exit_code, 0);
   EXPECT_EQ(ranks(), (std::vector<std::string>{"HELIOS", "CYRUS", "YuShan", "FRA-UNIted", "R2D2",
                                                "RoboCIn", "Oxsy", "AETeam", "ITAndroids", "Mars"}));
+
   const CommandResult page = run({"tournament", "report", "cup", "--format", "html"});
   EXPECT_NE(page.out.find("YuShan played the semi-final"), std::string::npos);
 }
@@ -94,6 +96,7 @@ TEST_F(League, CheckInNamesATeamThatDoesNotPlay) {
   const CommandResult again = run({"tournament", "check-in", "cup", "RED", "--json"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_EQ(json::parse(again.out)["teams"].size(), 1U);
+
   const CommandResult unknown = run({"tournament", "check-in", "cup", "GON"});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_NE(unknown.err.find("unknown team 'GON'; did you mean 'GONE'?"), std::string::npos)
@@ -104,11 +107,12 @@ TEST_F(League, DecideExplainsWhatIsMissing) {
   write("cup/cls.toml",
         "[tournament]\ncycles = 1\n[teams.RED]\nendpoint = \"mock\"\n"
         "[teams.BLUE]\nendpoint = \"mock\"\n");
+
   EXPECT_EQ(run({"tournament", "decide", "cup"}).exit_code, 66);
   ASSERT_EQ(run({"tournament", "run", "cup"}).exit_code, 0);
-  const auto decide = [this](std::vector<std::string> words) {
-    words.insert(words.begin(), {"tournament", "decide", "cup", "--match", "1"});
-    return run(words);
+
+  const auto decide = [this](const std::vector<std::string>& words) {
+    return run(joined({"tournament", "decide", "cup", "--match", "1"}, words));
   };
   EXPECT_EQ(decide({"--annul"}).exit_code, 2) << "without a reason";
   EXPECT_EQ(decide({"--reason", "x"}).exit_code, 2) << "without a decision";
@@ -120,6 +124,29 @@ TEST_F(League, DecideExplainsWhatIsMissing) {
   EXPECT_EQ(decide({"--award", "0:0", "--penalties", "3:2", "--reason", "x"}).exit_code, 0);
   EXPECT_EQ(run({"tournament", "run", "cup"}).exit_code, 0);
   EXPECT_NE(run({"tournament", "decide", "cup"}).out.find("awarded 0:0"), std::string::npos);
+}
+
+// Only a wrong use of the command is a usage error.
+TEST_F(League, DecideTellsAFailedWriteFromAWrongUse) {
+  write("cup/cls.toml",
+        "[tournament]\ncycles = 1\n[teams.RED]\nendpoint = \"mock\"\n"
+        "[teams.BLUE]\nendpoint = \"mock\"\n");
+  ASSERT_EQ(run({"tournament", "run", "cup"}).exit_code, 0);
+  std::filesystem::remove(path("cup/schedule.jsonl"));
+  std::filesystem::create_directories(path("cup/schedule.jsonl/full"));
+
+  const auto decide = [this](const std::string& match) {
+    return run({"tournament", "decide", "cup", "--match", match, "--annul", "--reason", "x"});
+  };
+  EXPECT_EQ(decide("9").exit_code, 2);
+  EXPECT_EQ(decide("1").exit_code, 74);
+}
+
+TEST_F(League, NamesMayBeNumbers) {
+  const CommandResult result =
+      run({"tournament", "plan", "cup", "--team", "A=mock", "--team", "B=mock", "--name", "2026",
+           "--on-finish", "true", "--remote-folder", "2026.5"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
 }
 
 constexpr const char* kThreeTeams =
@@ -157,24 +184,25 @@ TEST_F(League, PlanShowsWhenMatchesStart) {
 TEST_F(League, PauseHoldsMatchesUntilResume) {
   write("cup/cls.toml", std::string("[tournament]\ncycles = 5\n") + kThreeTeams);
   ASSERT_EQ(run({"tournament", "pause", "cup", "--reason", "x"}).exit_code, 66);
-  ASSERT_EQ(
-      run({"tournament", "work", "cup", "--index", "1", "--config", "cup/cls.toml"}).exit_code, 0);
+  ASSERT_THAT(run({"tournament", "work", "cup", "--index", "1", "--config", "cup/cls.toml"}),
+              Exits(0));
   EXPECT_EQ(run({"tournament", "pause", "cup"}).exit_code, 2) << "without a reason";
   ASSERT_EQ(run({"tournament", "pause", "cup", "--reason", "network of BLUE"}).exit_code, 0);
   EXPECT_EQ(run({"tournament", "pause", "cup", "--reason", "y"}).out, "cup: is paused already\n");
+
   for (int kill = 0; kill < 2; ++kill) {
-    cls::tests::Command held({cls::tests::cls_binary(), "tournament", "run", path("cup")}, {},
-                             path("."));
+    Command held({cls_binary(), "tournament", "run", path("cup")}, {}, path("."));
     EXPECT_TRUE(held.wait_for_errors("paused: network of BLUE; cls tournament resume "));
     held.send_signal(SIGKILL);
     held.finish();
     EXPECT_EQ(report()["counts"]["finished"], 1) << "the one that was played before";
   }
-  cls::tests::Command held({cls::tests::cls_binary(), "tournament", "run", path("cup")}, {},
-                           path("."));
+
+  Command held({cls_binary(), "tournament", "run", path("cup")}, {}, path("."));
   EXPECT_TRUE(held.wait_for_errors("paused: "));
   EXPECT_EQ(run({"tournament", "resume", "cup"}).out, "cup: resumed\n");
   EXPECT_EQ(held.finish().exit_code, 0);
+
   const json document = report();
   EXPECT_EQ(document["counts"]["finished"], 6);
   ASSERT_EQ(document["pauses"].size(), 1u);
@@ -188,17 +216,18 @@ TEST_F(League, ArchiveHasTheNamesOfTheLeague) {
   write("cup/cls.toml",
         std::string("[tournament]\ncycles = 30\nswap_sides = false\n") + kThreeTeams);
   ASSERT_EQ(run({"tournament", "run", "cup"}).exit_code, 0);
+
   const json written = json::parse(run({"tournament", "archive", "cup", "--json"}, {"TZ=UTC"}).out);
   EXPECT_EQ(written["written"], 3);
+
   for (const json& match : written["matches"]) {
     const std::filesystem::path log = path(match["rcg"].get<std::string>());
     EXPECT_TRUE(
         std::regex_match(log.filename().string(),
                          std::regex("20[0-9]{12}-[A-Z]+_[0-9]+-vs-[A-Z]+_[0-9]+[.]rcg[.]gz")))
         << log;
-    EXPECT_EQ(cls::tests::read_file(log).substr(0, 4), "ULG5");
-    EXPECT_NE(cls::tests::read_file(path(match["rcl"].get<std::string>())).find("(kick"),
-              std::string::npos);
+    EXPECT_EQ(read_file(log).substr(0, 4), "ULG5");
+    EXPECT_NE(read_file(path(match["rcl"].get<std::string>())).find("(kick"), std::string::npos);
   }
   const CommandResult again = run({"tournament", "archive", "cup"}, {"TZ=UTC"});
   EXPECT_EQ(again.out, "cup/archive: 0 matches written, 3 there already\n");
@@ -211,13 +240,15 @@ TEST_F(League, QualifyPacksLogsOfWholeMatches) {
   ASSERT_EQ(packed.exit_code, 0) << packed.err;
   EXPECT_NE(packed.err.find("warning: 200 cycles a match; the league asks for whole matches"),
             std::string::npos);
-  const CommandResult listed = cls::tests::run({"tar", "-tzf", path("mock_logs.tar.gz").string()});
+
+  const CommandResult listed = tests::run({"tar", "-tzf", path("mock_logs.tar.gz").string()});
   EXPECT_EQ(listed.exit_code, 0) << listed.err;
   EXPECT_TRUE(std::regex_match(listed.out,
                                std::regex("mock_logs/[0-9]+-mock_[0-9]+-vs-hold_[0-9]+[.]rcg\n"
                                           "mock_logs/[0-9]+-mock_[0-9]+-vs-hold_[0-9]+[.]rcl\n")))
       << listed.out;
   EXPECT_EQ(run(words).out, packed.out) << "nothing is played again";
+
   std::vector<std::string> others = words;
   others[2] = "mock:simple";
   EXPECT_EQ(run(others).exit_code, 73) << "the folder holds other matches";
@@ -225,15 +256,15 @@ TEST_F(League, QualifyPacksLogsOfWholeMatches) {
 }
 
 TEST_F(League, PresetOfMixedTeams) {
-  ASSERT_EQ(run({"init", "cup", "--preset", "mixed", "--teams", "RED,BLUE,GREEN,GOLD"}).exit_code,
-            0);
+  ASSERT_THAT(run({"init", "cup", "--preset", "mixed", "--teams", "RED,BLUE,GREEN,GOLD"}),
+              Exits(0));
   const CommandResult plan = run({"tournament", "plan", "cup"});
   EXPECT_EQ(plan.exit_code, 0) << plan.err;
   EXPECT_NE(plan.out.find("RED+BLUE"), std::string::npos) << plan.out;
   EXPECT_EQ(run({"init", "odd", "--preset", "mixed", "--teams", "A,B,C,D,E"}).exit_code, 2);
   ASSERT_EQ(run({"init", "mocks", "--preset", "mixed"}).exit_code, 0);
-  EXPECT_EQ(run({"tournament", "run", "mocks", "--mode", "lockstep", "--cycles", "5"}).exit_code,
-            0);
+  EXPECT_THAT(run({"tournament", "run", "mocks", "--mode", "lockstep", "--cycles", "5"}), Exits(0));
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -15,33 +15,25 @@
 #include "base/system/udp_socket.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
 #include "tests/support/http_client.h"
 #include "tests/support/pseudo_terminal.h"
 #include "tests/support/temporary_folder.h"
 #include "viewer/stream/chunk_reader.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
 
 namespace fs = std::filesystem;
-using cls::tests::Command;
 
 std::vector<std::string> match_command(const fs::path& folder) {
-  return {cls::tests::cls_binary(),
-          "match",
-          "mock",
-          "mock",
-          "--seed",
-          "7",
-          "--half-time",
-          "20",
-          "--set",
-          "server::kick_off_wait=3",
-          "--dir",
-          folder.string()};
+  return {cls_binary(), "match",        "mock", "mock",  "--seed",
+          "7",          "--half-time",  "20",   "--set", "server::kick_off_wait=3",
+          "--dir",      folder.string()};
 }
 
 std::vector<std::string> with(std::vector<std::string> arguments,
@@ -62,46 +54,50 @@ void wait_for_file(const fs::path& file) {
 }
 
 /// A viewer that asks for the whole match and reads nothing, until it is destroyed.
-std::unique_ptr<cls::tests::HttpConnection> stalled_viewer(const std::string& url) {
-  auto viewer = std::make_unique<cls::tests::HttpConnection>(cls::tests::port_of(url));
-  viewer->send("GET " + cls::tests::path_of(url) + "live HTTP/1.1\r\nHost: localhost\r\n\r\n");
+std::unique_ptr<HttpConnection> stalled_viewer(const std::string& url) {
+  auto viewer = std::make_unique<HttpConnection>(port_of(url));
+  viewer->send("GET " + path_of(url) + "live HTTP/1.1\r\nHost: localhost\r\n\r\n");
   return viewer;
 }
 
 TEST(LiveMatch, HasTheSameBytesWithViewers) {
-  const cls::tests::TemporaryFolder folder;
-  const auto alone = cls::tests::run(match_command(folder.path() / "alone"));
+  const TemporaryFolder folder;
+  const auto alone = run(match_command(folder.path() / "alone"));
   ASSERT_EQ(alone.exit_code, 0) << alone.err;
+
   const fs::path where = folder.path() / "watched";
   // Slow enough to be watched.
   Command watched(with(match_command(where), {"--watch", "--linger", "0", "--speed", "20"}));
   wait_for_file(where / "match.rcg");
-  Command watch({cls::tests::cls_binary(), "watch", where, "--no-open"});
+  Command watch({cls_binary(), "watch", where, "--no-open"});
   ASSERT_TRUE(watch.wait_for_output("/\n"));
-  std::vector<std::unique_ptr<cls::tests::HttpConnection>> viewers;
+
+  std::vector<std::unique_ptr<HttpConnection>> viewers;
   for (int i = 0; i < 3; ++i) viewers.push_back(stalled_viewer(url_in(watch.out())));
   const auto played = watched.finish();
   EXPECT_EQ(played.exit_code, 0) << played.err;
   EXPECT_NE(url_in(played.err), "") << played.err;
   viewers.clear();
   for (const char* file : {"match.rcg", "match.rcl", "events.jsonl"}) {
-    EXPECT_TRUE(cls::tests::read_file(folder.path() / "alone" / file) ==
-                cls::tests::read_file(folder.path() / "watched" / file))
+    EXPECT_TRUE(read_file(folder.path() / "alone" / file) ==
+                read_file(folder.path() / "watched" / file))
         << file;
   }
 }
 
 TEST(LiveMatch, IsServedWhileItIsPlayed) {
-  const cls::tests::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const fs::path where = folder.path() / "match";
   Command match(with(match_command(where), {"--speed", "20"}));
   wait_for_file(where / "match.rcg");
-  Command watch({cls::tests::cls_binary(), "watch", where, "--no-open", "--json"});
+  Command watch({cls_binary(), "watch", where, "--no-open", "--json"});
   ASSERT_TRUE(watch.wait_for_output("\"url\""));
   const std::string url = url_in(watch.out());
-  EXPECT_EQ(cls::tests::get(url).status, 200);
-  const auto stream = cls::tests::get(url + "live");
+  EXPECT_EQ(get(url).status, 200);
+
+  const auto stream = get(url + "live");
   EXPECT_EQ(match.finish().exit_code, 0);
+
   const auto live = cls::viewer::read_stream(stream.body);
   ASSERT_TRUE(live) << live.error().message;
   const auto record = cls::gamelog::read_rcg_file(where / "match.rcg").value();
@@ -114,28 +110,25 @@ TEST(LiveMatch, IsServedWhileItIsPlayed) {
 }
 
 TEST(LiveMatch, StaysAsLongAsItIsTold) {
-  const cls::tests::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const fs::path log = folder.path() / "game.rcg";
-  fs::copy_file(cls::tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz"), log);
-  Command watch({cls::tests::cls_binary(), "watch", log, "--live", "--no-open", "--linger", "60"});
+  fs::copy_file(fixture("gamelog/rcg-v6-excerpt.rcg.gz"), log);
+  Command watch({cls_binary(), "watch", log, "--live", "--no-open", "--linger", "60"});
   ASSERT_TRUE(watch.wait_for_output("/\n"));
-  EXPECT_EQ(cls::tests::get(url_in(watch.out())).status, 200);
+  EXPECT_EQ(get(url_in(watch.out())).status, 200);
   watch.send_signal(SIGINT);
   EXPECT_EQ(watch.finish().exit_code, 0);
 }
 
 TEST(LiveMatch, NeedsALogAndAFreePort) {
-  const auto without = cls::tests::run({cls::tests::cls_binary(), "match", "mock", "mock",
-                                        "--watch", "--set", "server::game_logging=false"});
-  EXPECT_EQ(without.exit_code, 2);
-  EXPECT_THAT(without.err, HasSubstr("server::game_logging")) << without.err;
-  const auto missing = cls::tests::run({cls::tests::cls_binary(), "watch", "none.rcg", "--live"});
-  EXPECT_EQ(missing.exit_code, 66);
-  const auto host = cls::tests::run({cls::tests::cls_binary(), "watch",
-                                     cls::tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz"), "--live",
-                                     "--listen", "example.org", "--no-open"});
+  EXPECT_THAT(run({cls_binary(), "match", "mock", "mock", "--watch", "--set",
+                   "server::game_logging=false"}),
+              Exits(2, HasSubstr("server::game_logging")));
+  EXPECT_THAT(run({cls_binary(), "watch", "none.rcg", "--live"}), Exits(66));
+  const auto host = run({cls_binary(), "watch", fixture("gamelog/rcg-v6-excerpt.rcg.gz"), "--live",
+                         "--listen", "example.org", "--no-open"});
   EXPECT_EQ(host.exit_code, 75);
-  EXPECT_THAT(host.err, HasSubstr("not an IP address of this host")) << host.err;
+  EXPECT_THAT(host.err, HasSubstr("not an IP address of this host"));
 }
 
 // Free a moment ago.
@@ -145,14 +138,14 @@ int free_port() {
 }
 
 TEST(LiveMatch, IsWatchedOnItsServerAsAMonitor) {
-  const cls::tests::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const std::string port = std::to_string(free_port());
   const fs::path where = folder.path() / "match";
   // Without a terminal, the view is a line per second: the match must last some seconds longer than
   // the start of a program on a busy host.
   Command match(with(match_command(where), {"--speed", "2", "--monitor-port", port}));
   wait_for_file(where / "match.rcg");
-  Command watch({cls::tests::cls_binary(), "watch", "127.0.0.1:" + port, "--view", "terminal"});
+  Command watch({cls_binary(), "watch", "127.0.0.1:" + port, "--view", "terminal"});
   EXPECT_TRUE(watch.wait_for_output("play_on, mock_l")) << watch.out();
   match.send_signal(SIGINT);
   EXPECT_EQ(match.finish().exit_code, 128 + SIGINT);
@@ -161,46 +154,44 @@ TEST(LiveMatch, IsWatchedOnItsServerAsAMonitor) {
 }
 
 TEST(LiveMatch, SaysThatNoServerAnswers) {
-  const auto none = cls::tests::run({cls::tests::cls_binary(), "watch", "127.0.0.1:9"});
-  EXPECT_EQ(none.exit_code, 66);
-  EXPECT_THAT(none.err, HasSubstr("127.0.0.1:9: no soccer server answers")) << none.err;
-  const auto wrong = cls::tests::run({cls::tests::cls_binary(), "watch", "127.0.0.1:70000"});
-  EXPECT_EQ(wrong.exit_code, 66);
-  EXPECT_THAT(wrong.err, HasSubstr("1 to 65535")) << wrong.err;
+  EXPECT_THAT(run({cls_binary(), "watch", "127.0.0.1:9"}),
+              Exits(66, HasSubstr("127.0.0.1:9: no soccer server answers")));
+  EXPECT_THAT(run({cls_binary(), "watch", "127.0.0.1:70000"}), Exits(66, HasSubstr("1 to 65535")));
 }
 
 TEST(TournamentView, ListsTheMatchesAndHasAPageOfEach) {
-  const cls::tests::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const fs::path cup = folder.path() / "cup";
-  const auto played = cls::tests::run({cls::tests::cls_binary(), "tournament", "run", cup, "--team",
-                                       "A=mock", "--team", "B=mock:hold", "--rounds", "1",
-                                       "--half-time", "2", "--no-preflight"});
+  const auto played = run({cls_binary(), "tournament", "run", cup, "--team", "A=mock", "--team",
+                           "B=mock:hold", "--rounds", "1", "--half-time", "2", "--no-preflight"});
   ASSERT_EQ(played.exit_code, 0) << played.err;
+
   // It is over: without a terminal only --linger makes it stay.
-  const auto ended = cls::tests::run({cls::tests::cls_binary(), "watch", cup, "--no-open"});
+  const auto ended = run({cls_binary(), "watch", cup, "--no-open"});
   EXPECT_EQ(ended.exit_code, 2);
   EXPECT_EQ(ended.out, "") << "an address that is dead";
   EXPECT_THAT(ended.err, testing::HasSubstr("no match is played now; --linger SECONDS serves"));
-  Command watch({cls::tests::cls_binary(), "watch", cup, "--no-open", "--linger", "60"});
+
+  Command watch({cls_binary(), "watch", cup, "--no-open", "--linger", "60"});
   ASSERT_TRUE(watch.wait_for_output("/\n"));
   const std::string url = url_in(watch.out());
-  const std::string list = cls::tests::get(url).body;
+  const std::string list = get(url).body;
   for (const char* part : {">A<", ">B<", "href=\"match/1/\"", "href=\"match/2/\"", " : "}) {
     EXPECT_THAT(list, HasSubstr(part)) << part;
   }
-  EXPECT_THAT(cls::tests::get(url + "match/1/").body, HasSubstr("id=\"match\""));
+
+  EXPECT_THAT(get(url + "match/1/").body, HasSubstr("id=\"match\""));
   for (const char* path :
        {"match/3/", "match/1", "match/1/../2/", "match/1/live", "match/x/", "x"}) {
-    EXPECT_EQ(cls::tests::get(url + path).status, 404) << path;
+    EXPECT_EQ(get(url + path).status, 404) << path;
   }
   watch.send_signal(SIGTERM);
   EXPECT_EQ(watch.finish().exit_code, 0);
 }
 
 TEST(TerminalView, PlaysALogAndRestoresTheTerminal) {
-  const std::string log = cls::tests::fixture("gamelog/match-start.rcg.gz");
-  cls::tests::PseudoTerminal terminal(
-      {cls::tests::cls_binary(), "watch", log, "--view", "terminal"}, {"TERM=xterm"}, ".");
+  const std::string log = fixture("gamelog/match-start.rcg.gz");
+  PseudoTerminal terminal({cls_binary(), "watch", log, "--view", "terminal"}, {"TERM=xterm"}, ".");
   EXPECT_TRUE(terminal.wait_for("\x1b[?1049h"));
   EXPECT_TRUE(terminal.wait_for("q quit"));
   terminal.type(" ");
@@ -211,10 +202,9 @@ TEST(TerminalView, PlaysALogAndRestoresTheTerminal) {
 }
 
 TEST(TerminalView, RestoresTheTerminalAfterCtrlC) {
-  const std::string log = cls::tests::fixture("gamelog/match-start.rcg.gz");
-  cls::tests::PseudoTerminal terminal(
-      {cls::tests::cls_binary(), "watch", log, "--view", "terminal"}, {"TERM=xterm", "NO_COLOR=1"},
-      ".");
+  const std::string log = fixture("gamelog/match-start.rcg.gz");
+  PseudoTerminal terminal({cls_binary(), "watch", log, "--view", "terminal"},
+                          {"TERM=xterm", "NO_COLOR=1"}, ".");
   EXPECT_TRUE(terminal.wait_for("q quit"));
   EXPECT_THAT(terminal.shown(), Not(HasSubstr("38;5")));
   terminal.type("\x03");
@@ -222,18 +212,16 @@ TEST(TerminalView, RestoresTheTerminalAfterCtrlC) {
 }
 
 TEST(TerminalView, RecordsALogWithoutATerminal) {
-  const cls::tests::TemporaryFolder folder;
-  const std::string log = cls::tests::fixture("gamelog/match-start.rcg.gz");
-  const auto refused =
-      cls::tests::run({cls::tests::cls_binary(), "watch", log, "--view", "terminal"});
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("--cast FILE")) << refused.err;
+  const TemporaryFolder folder;
+  const std::string log = fixture("gamelog/match-start.rcg.gz");
+  EXPECT_THAT(run({cls_binary(), "watch", log, "--view", "terminal"}),
+              Exits(2, HasSubstr("--cast FILE")));
   const fs::path cast = folder.path() / "a.cast";
-  const auto made = cls::tests::run({cls::tests::cls_binary(), "watch", log, "--cast", cast});
-  EXPECT_EQ(made.exit_code, 0) << made.err;
-  const std::string text = cls::tests::read_file(cast);
+  EXPECT_THAT(run({cls_binary(), "watch", log, "--cast", cast}), Exits(0));
+  const std::string text = read_file(cast);
   EXPECT_EQ(text.find("{\"version\":2,\"width\":80,\"height\":24"), 0U);
-  EXPECT_GT(std::count(text.begin(), text.end(), '\n'), 20);
+  EXPECT_GT(std::ranges::count(text, '\n'), 20);
 }
 
 }  // namespace
+}  // namespace cls::tests

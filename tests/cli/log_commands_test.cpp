@@ -6,27 +6,24 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 
 namespace fs = std::filesystem;
-using cls::tests::cls_binary;
-using cls::tests::CommandResult;
-using cls::tests::fixture;
-using cls::tests::read_file;
-using cls::tests::TemporaryFolder;
-using nlohmann::json;
+using json = base::Json;
 
 CommandResult cls_run(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), cls_binary());
-  return cls::tests::run(arguments);
+  return run(arguments);
 }
 
 std::string log_fixture(const std::string& name) { return fixture("gamelog/" + name).string(); }
@@ -53,8 +50,7 @@ TEST(ResultsCommand, ReadsFoldersAndPrintsTables) {
     EXPECT_THAT(result.out, HasSubstr("HELIOS"));
     EXPECT_THAT(result.err,
                 HasSubstr("match-start.rcg.gz: line 312, byte 932854, cycle 234: no end of the "
-                          "match: the log is incomplete"))
-        << result.err;
+                          "match: the log is incomplete"));
   }
 }
 
@@ -64,8 +60,7 @@ TEST(ResultsCommand, ReportsParseErrorsAndUsesFramesBefore) {
   std::ofstream(path) << read_file(fixture("gamelog/match-start.rcg.gz")).substr(0, 700000);
   const CommandResult result = cls_run({"results", path, "--json"});
   EXPECT_EQ(result.exit_code, 65);
-  EXPECT_THAT(result.err, HasSubstr("cut.rcg: line 239, byte 700000, cycle 169: truncated log"))
-      << result.err;
+  EXPECT_THAT(result.err, HasSubstr("cut.rcg: line 239, byte 700000, cycle 169: truncated log"));
   const json match = json::parse(result.out)["matches"][0];
   EXPECT_EQ(match["left"]["score"], 1);
   EXPECT_EQ(match["goals"][0]["cycle"], 169);
@@ -83,15 +78,17 @@ TEST(ResultsCommand, ReadsRunningMatchesAndNamesLogsInFull) {
     // The last line is being written.
     std::ofstream(folder.path() / match / "match.rcg") << log.substr(0, log.size() * 2 / 3);
   }
+
   std::ofstream(folder.path() / name / "manifest.json") << R"({"started": "x", "ended": null})";
   std::ofstream(folder.path() / (name + "-2") / "manifest.json")
       << R"({"started": "x", "ended": "2026-11-23T19:36:00Z"})";
   const CommandResult result = cls_run({"results", folder.path().string()});
   EXPECT_EQ(result.exit_code, 65) << "the other one is truncated";
-  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-  EXPECT_THAT(result.err, HasSubstr(name + "-2/match.rcg: line")) << result.err;
-  EXPECT_THAT(result.out, HasSubstr(name + "\n")) << result.out;
-  EXPECT_THAT(result.out, HasSubstr("running")) << result.out;
+  EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+  EXPECT_THAT(result.err, HasSubstr(name + "-2/match.rcg: line"));
+  EXPECT_THAT(result.out, HasSubstr(name + "\n"));
+  EXPECT_THAT(result.out, HasSubstr("running"));
+
   fs::remove_all(folder.path() / (name + "-2"));
   EXPECT_EQ(cls_run({"results", folder.path().string()}).exit_code, 0);
 }
@@ -104,8 +101,8 @@ TEST(ResultsCommand, ReportsTruncatedGzipOnce) {
     fs::resize_file(path, fs::file_size(path) / 2);
     const CommandResult result = cls_run({"results", path});
     EXPECT_EQ(result.exit_code, 65);
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("truncated log: gzip data is truncated")) << result.err;
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("truncated log: gzip data is truncated"));
     EXPECT_THAT(result.out, HasSubstr("incomplete"));
   }
 }
@@ -158,7 +155,7 @@ TEST(WatchCommand, WritesPagesThatAreLogs) {
 
 TEST(WatchCommand, GivesWholeMatchesBackByteForByte) {
   for (const std::string name : {"helios-vs-helios-full", "cyrus-vs-helios-full"}) {
-    const auto log = cls::tests::data("logs/" + name + ".rcg.gz");
+    const auto log = data("logs/" + name + ".rcg.gz");
     if (!log) GTEST_SKIP() << "no data: set CLS_DATA";
     const TemporaryFolder folder;
     const std::string page = folder.path() / "page.html";
@@ -191,9 +188,7 @@ TEST(ReportCommand, WritesOneFileThatIsALog) {
   const TemporaryFolder folder;
   const std::string log = log_fixture("rcg-v6-excerpt.rcg.gz");
   const std::string report = folder.path() / "report.html";
-  const CommandResult written = cls_run({"report", log, "--out", report});
-  EXPECT_EQ(written.exit_code, 0) << written.err;
-  EXPECT_EQ(written.out, report + "\n");
+  EXPECT_THAT(cls_run({"report", log, "--out", report}), Prints(0, testing::Eq(report + "\n")));
   const std::string again = folder.path() / "again.rcg";
   EXPECT_EQ(cls_run({"convert", report, again}).exit_code, 0);
   EXPECT_EQ(read_file(again), read_file(log));
@@ -210,7 +205,8 @@ TEST(ReportCommand, WritesMarkdownWithImagesAndImagesAlone) {
   const json written = json::parse(cls_run({"report", log, "--format", "md", "--json"}).out);
   EXPECT_EQ(written["schema"], "cls.report/1");
   EXPECT_EQ(written["files"][0], (folder.path() / "game-report.md").string());
-  for (const std::string file : written["files"]) EXPECT_TRUE(fs::exists(file)) << file;
+  for (const json& file : written["files"])
+    EXPECT_TRUE(fs::exists(file.get<std::string>())) << file;
   const std::string text = read_file(folder.path() / "game-report.md");
   EXPECT_THAT(text, HasSubstr("](game-report-charts/shots.svg)"));
   EXPECT_TRUE(read_file(folder.path() / "game-report-charts/shots.svg").starts_with("<svg "));
@@ -243,12 +239,9 @@ TEST(WatchCommand, SaysWhatIsWrong) {
   const TemporaryFolder folder;
   const std::string page = folder.path() / "page.html";
   const std::string log = log_fixture("rcg-v6-excerpt.rcg.gz");
-  const CommandResult missing = cls_run({"watch", "nowhere.rcg"});
-  EXPECT_EQ(missing.exit_code, 66);
-  EXPECT_EQ(missing.err, "cls: nowhere.rcg: no such file\n");
-  const CommandResult player = cls_run({"watch", log, "--out", page, "--players", "l7,x3"});
-  EXPECT_EQ(player.exit_code, 2);
-  EXPECT_EQ(player.err, "cls: --players 'x3': must be l1 to l11 or r1 to r11, such as l7,r1\n");
+  EXPECT_THAT(cls_run({"watch", "nowhere.rcg"}), Exits(66, "cls: nowhere.rcg: no such file\n"));
+  EXPECT_THAT(cls_run({"watch", log, "--out", page, "--players", "l7,x3"}),
+              Exits(2, "cls: --players 'x3': must be l1 to l11 or r1 to r11, such as l7,r1\n"));
   EXPECT_EQ(cls_run({"watch", log_fixture("match-start.rcl.gz")}).exit_code, 66);
   EXPECT_EQ(cls_run({"watch", log, "--out", page, "--compact"}).exit_code, 0);
   const CommandResult compact = cls_run({"convert", page, folder.path() / "again.rcg"});
@@ -256,9 +249,8 @@ TEST(WatchCommand, SaysWhatIsWrong) {
   EXPECT_EQ(compact.err,
             "cls: " + page + ": a compact page, which is not a log; write it without --compact\n");
   fs::resize_file(page, fs::file_size(page) - 1000);
-  const CommandResult cut = cls_run({"watch", page, "--out", folder.path() / "other.html"});
-  EXPECT_EQ(cut.exit_code, 65);
-  EXPECT_THAT(cut.err, HasSubstr("% of the match is there")) << cut.err;
+  EXPECT_THAT(cls_run({"watch", page, "--out", folder.path() / "other.html"}),
+              Exits(65, HasSubstr("% of the match is there")));
 }
 
 TEST(ConvertCommand, ConvertsReadableFramesOfCorruptLog) {
@@ -278,10 +270,9 @@ TEST(ConvertCommand, ReportsFailuresByExitCode) {
   EXPECT_EQ(cls_run({"convert", "nowhere.rcg", "-"}).exit_code, 66);
   EXPECT_EQ(cls_run({"convert", log, folder.path() / "no" / "x.rcg"}).exit_code, 73);
   EXPECT_EQ(cls_run({"convert", log, "/dev/full"}).exit_code, 74);
-  const CommandResult version = cls_run({"convert", log, "-", "--to", "3"});
-  EXPECT_EQ(version.exit_code, 2);
-  EXPECT_EQ(version.err,
-            "cls: --to '3': must be 4, 5, 6, 7, json, tracking, player_types or event\n");
+  EXPECT_THAT(
+      cls_run({"convert", log, "-", "--to", "3"}),
+      Exits(2, "cls: --to '3': must be 4, 5, 6, 7, json, tracking, player_types or event\n"));
   EXPECT_EQ(cls_run({"convert", log}).exit_code, 2);
 }
 
@@ -290,10 +281,9 @@ TEST(ConvertCommand, RefusesAnEndingThatNamesNoFormat) {
   const std::string log = log_fixture("rcg-v6-excerpt.rcg.gz");
   for (const char* name : {"game.tracking.txt", "game.rcl", "game", "game.gz"}) {
     const std::string out = folder.path() / name;
-    const CommandResult refused = cls_run({"convert", log, out});
-    EXPECT_EQ(refused.exit_code, 2) << name;
-    EXPECT_THAT(refused.err, HasSubstr(".rcg, .rcg.gz, .json, .json.gz, .tracking.csv and its "
-                                       "siblings, or --to\n"));
+    EXPECT_THAT(cls_run({"convert", log, out}),
+                Exits(2, HasSubstr(".rcg, .rcg.gz, .json, .json.gz, .tracking.csv and its "
+                                   "siblings, or --to\n")));
     EXPECT_FALSE(std::filesystem::exists(out)) << name;
     EXPECT_EQ(cls_run({"convert", log, out, "--to", "5"}).exit_code, 0) << name;
   }
@@ -308,9 +298,9 @@ TEST(ConvertCommand, WritesIntoLinksAndPipes) {
   EXPECT_TRUE(std::filesystem::is_symlink(link));
   EXPECT_EQ(cls_run({"convert", log, link}).exit_code, 73) << "the file exists";
   const std::string piped = folder.path() / "piped.rcg";
-  const CommandResult result = cls::tests::run(
-      {"/bin/bash", "-c",
-       cls_binary().string() + " convert " + log + " >(cat >" + piped + "); sleep 1"});
+  const CommandResult result =
+      run({"/bin/bash", "-c",
+           cls_binary().string() + " convert " + log + " >(cat >" + piped + "); sleep 1"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(read_file(piped), read_file(folder.path() / "real.rcg"));
 }
@@ -331,25 +321,28 @@ TEST(StatsCommand, PrintsDocumentOfItsSchema) {
   const json document = json::parse(result.out);
   EXPECT_EQ(document["schema"], "cls.stats/1");
   ASSERT_EQ(document["matches"].size(), 1u);
+
   const json& match = document["matches"][0];
   EXPECT_EQ(match["text_log"], log_fixture("match-start.rcl.gz"));
   EXPECT_EQ(match["left"]["name"], "HELIOS_L");
   EXPECT_EQ(match["left"]["shots"]["goal"], 1);
   EXPECT_EQ(match["goals"][0]["unum"], 11);
   EXPECT_EQ(match["goals"][0]["assist"], 10);
-  EXPECT_NEAR(match["goals"][0]["minute"], 169.0 / 6000 * 90, 1e-4);
+  EXPECT_NEAR(match["goals"][0]["minute"].get<double>(), 169.0 / 6000 * 90, 1e-4);
   EXPECT_EQ(match["goals"][0]["from_set_play"], false);
   EXPECT_EQ(match["players"].size(), 22u);
   EXPECT_EQ(match["players"][9]["responsiveness"]["silent"], 0);
   EXPECT_EQ(match["players"][9]["heat"].size(), 21u * 14u);
   EXPECT_GT(match["events"].size(), 20u);
+
   const json& pass = match["events"][0];
   EXPECT_EQ(pass["kind"], "pass");
   EXPECT_EQ(pass["result"], "completed");
-  EXPECT_NEAR(pass["length"], std::hypot(2.0648, 0.2687), 1e-3);
+  EXPECT_NEAR(pass["length"].get<double>(), std::hypot(2.0648, 0.2687), 1e-3);
   EXPECT_EQ(match["doubts"][0], "no time_over");
-  const double left = match["left"]["possession"]["last_touch"];
-  const double right = match["right"]["possession"]["last_touch"];
+
+  const auto left = match["left"]["possession"]["last_touch"].get<double>();
+  const auto right = match["right"]["possession"]["last_touch"].get<double>();
   EXPECT_NEAR(left + right, 1.0, 1e-9);
 }
 
@@ -359,6 +352,7 @@ TEST(StatsCommand, PrintsTextAndRows) {
   EXPECT_EQ(text.exit_code, 0) << text.err;
   EXPECT_EQ(text.out.substr(0, text.out.find('(')), "HELIOS_L 0:0 HELIOS_R  ");
   EXPECT_THAT(text.out, HasSubstr("possession (last touch)"));
+
   struct Rows {
     const char* format;
     int lines;
@@ -367,8 +361,9 @@ TEST(StatsCommand, PrintsTextAndRows) {
     const CommandResult rows =
         cls_run({"stats", log, log_fixture("rcg-json-excerpt.rcg.gz"), "--format", format});
     EXPECT_EQ(rows.exit_code, 0) << rows.err;
-    EXPECT_EQ(std::count(rows.out.begin(), rows.out.end(), '\n'), lines);
+    EXPECT_EQ(std::ranges::count(rows.out, '\n'), lines);
   }
+
   EXPECT_EQ(cls_run({"stats", log, "--format", "csv-events"}).out.substr(0, 23),
             "file,cycle,stopped,kind");
 }
@@ -377,11 +372,11 @@ TEST(StatsCommand, RequiresGameLog) {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "alone.rcl";
   std::ofstream(path) << "1,0\t(referee play_on)\n";
-  const CommandResult result = cls_run({"stats", path});
-  EXPECT_EQ(result.exit_code, 66);
-  EXPECT_EQ(result.err, "cls: " + path + ": no game log (rcg) beside it\n");
+  EXPECT_THAT(cls_run({"stats", path}),
+              Exits(66, "cls: " + path + ": no game log (rcg) beside it\n"));
   EXPECT_EQ(cls_run({"stats", "nowhere"}).exit_code, 66);
   EXPECT_EQ(cls_run({"stats", path, "--format", "pdf"}).exit_code, 2);
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -5,23 +5,23 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
+#include "tests/support/json.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
 
 namespace fs = std::filesystem;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 
-class LogsCommand : public testing::Test, public cls::tests::ClsFolder {
+class LogsCommand : public testing::Test, public ClsFolder {
  protected:
   CommandResult play(const std::string& right, const std::string& dir) {
     return run({"match", "mock:hold", right, "--cycles", "5", "--set", "server::kick_off_wait=3",
@@ -37,7 +37,7 @@ TEST_F(LogsCommand, PrintsLastLinesOfFailedProcess) {
   EXPECT_EQ(shown.exit_code, 0) << shown.err;
   for (const char* text : {"result (cls.match/1)", "right-playmaker.log",
                            "output of right Playmaker (exit code 3)", "  one\n", "  boom "}) {
-    EXPECT_THAT(shown.out, HasSubstr(text)) << text << shown.out;
+    EXPECT_THAT(shown.out, HasSubstr(text)) << text;
   }
   const CommandResult one = run({"logs", "m", "--tail", "1"});
   EXPECT_THAT(one.out, Not(HasSubstr("  one\n")));
@@ -69,15 +69,13 @@ TEST_F(LogsCommand, FindsMatchesOfTournament) {
                                      "[server]\nkick_off_wait = 3\n"
                                      "[teams.A]\nendpoint = \"mock:hold\"\n"
                                      "[teams.B]\nendpoint = \"mock:hold\"\n";
-  const CommandResult played = run({"tournament", "run", "cup", "--quiet"});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  ASSERT_THAT(run({"tournament", "run", "cup", "--quiet"}), Exits(0));
   const CommandResult second = run({"logs", "cup", "--match", "2"});
   EXPECT_TRUE(second.out.starts_with("cup/matches/000002-B-vs-A  (match 2)\n")) << second.out;
   EXPECT_THAT(second.out, HasSubstr("match.rcg.gz"));
   EXPECT_THAT(run({"logs", "cup"}).out, HasSubstr("none failed"));
-  const CommandResult none = run({"logs", "cup", "--match", "9"});
-  EXPECT_EQ(none.exit_code, 66);
-  EXPECT_EQ(none.err, "cls: cup has 2 matches, no match 9\n");
+  EXPECT_THAT(run({"logs", "cup", "--match", "9"}),
+              Exits(66, "cls: cup has 2 matches, no match 9\n"));
 }
 
 TEST_F(LogsCommand, ReportsErrors) {
@@ -86,9 +84,8 @@ TEST_F(LogsCommand, ReportsErrors) {
   EXPECT_EQ(run({"logs", "empty"}).err,
             "cls: empty: no match folder, no tournament and no folder of matches\n");
   play(crash_, "m");
-  const CommandResult typo = run({"logs", "m", "--process", "rigth Playmaker"});
-  EXPECT_EQ(typo.exit_code, 2);
-  EXPECT_THAT(typo.err, HasSubstr("did you mean 'right Playmaker'?")) << typo.err;
+  EXPECT_THAT(run({"logs", "m", "--process", "rigth Playmaker"}),
+              Exits(2, HasSubstr("did you mean 'right Playmaker'?")));
 }
 
 TEST_F(LogsCommand, DeletesAllMatchesButTheNewest) {
@@ -116,13 +113,13 @@ TEST_F(LogsCommand, DeletesAllMatchesButTheNewest) {
     EXPECT_TRUE(fs::exists(path(name))) << name;
   }
 
-  ASSERT_EQ(run({"tournament", "run", "cup", "--team", "A=mock", "--team", "B=mock", "--cycles",
-                 "5", "--rounds", "1"})
-                .exit_code,
-            0);
+  ASSERT_THAT(run({"tournament", "run", "cup", "--team", "A=mock", "--team", "B=mock", "--cycles",
+                   "5", "--rounds", "1"}),
+              Exits(0));
   const CommandResult cup = run({"logs", "cup", "--prune", "0"});
   EXPECT_EQ(cup.exit_code, 66);
   EXPECT_THAT(cup.err, HasSubstr("cup: a tournament, whose report needs its matches"));
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -4,29 +4,28 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 
 constexpr const char* kWarning = " --set server::slow_down_factor=2";  // has no effect: a line
 
-class LostOutput : public testing::Test, public cls::tests::ClsFolder {
+class LostOutput : public testing::Test, public ClsFolder {
  protected:
   // With the redirections of a shell.
   CommandResult shell(const std::string& arguments) const {
-    return Command({"/bin/bash", "-c", cls::tests::cls_binary().string() + " " + arguments}, {},
-                   folder())
+    return Command({"/bin/bash", "-c", cls_binary().string() + " " + arguments}, {}, folder())
         .finish();
   }
   std::filesystem::path folder() const { return path(""); }
@@ -49,9 +48,9 @@ TEST_F(LostOutput, DoesNotEndAMatch) {
         shell("match mock:hold mock:hold --cycles 20 --dir " + dir + kWarning + " " + kLost[i]);
     EXPECT_EQ(result.exit_code, 74) << kLost[i] << result.err;
     ASSERT_TRUE(std::filesystem::exists(path(dir + "/result.json"))) << kLost[i];
-    const json document = json::parse(cls::tests::read_file(path(dir + "/result.json")));
+    const json document = json::parse(read_file(path(dir + "/result.json")));
     EXPECT_EQ(document["end_reason"], "finished") << kLost[i];
-    EXPECT_EQ(cls::tests::read_file(path(dir + "/match.rcg")).substr(0, 3), "ULG") << kLost[i];
+    EXPECT_EQ(read_file(path(dir + "/match.rcg")).substr(0, 3), "ULG") << kLost[i];
   }
 }
 
@@ -59,8 +58,7 @@ TEST_F(LostOutput, DoesNotEndATournament) {
   write_two_teams();
   for (std::size_t i = 0; i < kLost.size(); ++i) {
     const std::string cup = "t" + std::to_string(i);
-    const CommandResult result = shell("tournament run " + cup + " " + kLost[i]);
-    EXPECT_EQ(result.exit_code, 74) << kLost[i] << result.err;
+    EXPECT_THAT(shell("tournament run " + cup + " " + kLost[i]), Exits(74));
     const CommandResult status = run({"tournament", "status", cup, "--json"});
     EXPECT_EQ(json::parse(status.out)["finished"], 2) << kLost[i] << status.out;
   }
@@ -82,8 +80,7 @@ const std::string kServer =
     "server::olcoach_port=0";
 
 TEST_F(LostOutput, DoesNotEndAServer) {
-  const CommandResult result = shell(kServer + " >/dev/full 2>/dev/full");
-  EXPECT_EQ(result.exit_code, 74);
+  EXPECT_THAT(shell(kServer + " >/dev/full 2>/dev/full"), Exits(74));
   int logs = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder())) {
     if (entry.path().extension() == ".rcg") ++logs;
@@ -102,8 +99,8 @@ TEST_F(LostOutput, IsAnErrorOfOtherCommands) {
 }
 
 TEST_F(LostOutput, OfALineInJsonIsAnError) {
-  const CommandResult result = shell(kServer + " --json >/dev/full");
-  EXPECT_EQ(result.exit_code, 74) << result.err;
+  EXPECT_THAT(shell(kServer + " --json >/dev/full"), Exits(74));
 }
 
 }  // namespace
+}  // namespace cls::tests

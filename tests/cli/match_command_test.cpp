@@ -7,30 +7,26 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/udp_client.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 
 namespace fs = std::filesystem;
-using cls::tests::cls_binary;
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using cls::tests::read_file;
-using cls::tests::TemporaryFolder;
-using nlohmann::json;
+using json = base::Json;
 
 // A short match without a long wait before kick-off.
-std::vector<std::string> match(std::vector<std::string> more, const fs::path& folder) {
-  std::vector<std::string> arguments = {cls_binary(), "match"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
+std::vector<std::string> match(const std::vector<std::string>& more, const fs::path& folder) {
+  std::vector<std::string> arguments = joined({cls_binary(), "match"}, more);
   for (const char* argument : {"--set", "server::kick_off_wait=3", "--dir"}) {
     arguments.push_back(argument);
   }
@@ -38,13 +34,11 @@ std::vector<std::string> match(std::vector<std::string> more, const fs::path& fo
   return arguments;
 }
 
-int lines_in(const std::string& text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-}
+int lines_in(const std::string& text) { return static_cast<int>(std::ranges::count(text, '\n')); }
 
 /// A port that was free when tested; the server reports if it is in use since.
 int free_udp_port() {
-  cls::tests::UdpClient probe(1);
+  UdpClient probe(1);
   return probe.own_port();
 }
 
@@ -53,19 +47,21 @@ json result_in(const fs::path& folder) { return json::parse(read_file(folder / "
 TEST(MatchCommand, WritesMatchFolder) {
   TemporaryFolder folder;
   const CommandResult played =
-      cls::tests::run(match({"mock", "mock", "--seed", "7", "--cycles", "100"}, folder.path()));
+      run(match({"mock", "mock", "--seed", "7", "--cycles", "100"}, folder.path()));
   EXPECT_EQ(played.exit_code, 0) << played.err;
   EXPECT_EQ(played.err, "");  // no terminal, so no progress line
   EXPECT_EQ(played.out.substr(0, 7), "mock_l ");
+
   for (const char* file :
        {"result.json", "manifest.json", "events.jsonl", "match.rcg", "match.rcl"}) {
     EXPECT_TRUE(fs::exists(folder.path() / file)) << file;
   }
+
   const json result = result_in(folder.path());
   EXPECT_EQ(result["end_reason"], "finished");
   EXPECT_EQ(result["cycles"], 100);
-  EXPECT_TRUE(result["valid"]);
-  EXPECT_TRUE(result["deterministic"]);
+  EXPECT_EQ(result["valid"], true);
+  EXPECT_EQ(result["deterministic"], true);
   EXPECT_EQ(result["left"]["players"].size(), 11u);
   EXPECT_EQ(result["left"]["players"][0]["missed"], 0);
   EXPECT_GE(result["left"]["players"][0]["decisions"], 100);
@@ -74,7 +70,7 @@ TEST(MatchCommand, WritesMatchFolder) {
 TEST(MatchCommand, PrintsOnlyResultFileWithJson) {
   TemporaryFolder folder;
   const CommandResult played =
-      cls::tests::run(match({"mock", "mock:hold", "--cycles", "30", "--json"}, folder.path()));
+      run(match({"mock", "mock:hold", "--cycles", "30", "--json"}, folder.path()));
   EXPECT_EQ(played.exit_code, 0) << played.err;
   EXPECT_EQ(played.out, read_file(folder.path() / "result.json"));
   EXPECT_EQ(json::parse(played.out)["right"]["name"], "hold");
@@ -82,9 +78,8 @@ TEST(MatchCommand, PrintsOnlyResultFileWithJson) {
 
 TEST(MatchCommand, UsesHalfTimeOption) {
   TemporaryFolder folder;
-  const CommandResult played =
-      cls::tests::run(match({"mock", "mock", "--half-time", "5", "--seed", "3"}, folder.path()));
-  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_THAT(run(match({"mock", "mock", "--half-time", "5", "--seed", "3"}, folder.path())),
+              Exits(0));
   EXPECT_EQ(result_in(folder.path())["cycles"], 100);
   EXPECT_THAT(read_file(folder.path() / "events.jsonl"), HasSubstr("time_over"));
 }
@@ -126,10 +121,10 @@ TEST(MatchCommand, ReportsUsageErrorsInOneLine) {
   for (const UsageError& error : errors) {
     TemporaryFolder folder;
     const fs::path target = folder.path() / "match";
-    const CommandResult refused = cls::tests::run(match(error.arguments, target));
+    const CommandResult refused = run(match(error.arguments, target));
     EXPECT_EQ(refused.exit_code, 2) << error.message;
     EXPECT_EQ(refused.out, "") << error.message;
-    EXPECT_THAT(refused.err, HasSubstr(error.message)) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr(error.message));
     EXPECT_EQ(lines_in(refused.err), 1) << refused.err;
     EXPECT_FALSE(fs::exists(target)) << "nothing is written after a usage error";
   }
@@ -139,41 +134,39 @@ TEST(MatchCommand, MonitorDoesNotChangeTheMatch) {
   TemporaryFolder alone;
   TemporaryFolder watched;
   const std::vector<std::string> argv = {"mock", "mock", "--seed", "7", "--cycles", "60"};
-  ASSERT_EQ(cls::tests::run(match(argv, alone.path())).exit_code, 0);
+  ASSERT_EQ(run(match(argv, alone.path())).exit_code, 0);
 
   auto more = argv;
   const int port = free_udp_port();
   more.insert(more.end(), {"--monitor-port", std::to_string(port), "--speed", "20"});
   Command running(match(more, watched.path()));
-  cls::tests::UdpClient monitor(port);
+  UdpClient monitor(port);
   std::string message;
   for (int i = 0; i < 1000 && message.empty(); ++i) {
     monitor.send("(dispinit version 5)");
     message = monitor.wait(std::chrono::milliseconds(20));
   }
+
   EXPECT_TRUE(message.starts_with("(server_param ")) << message;
   monitor.send("(dispfoul 0 0 1)");
   while (!message.starts_with("(show 5 ") && !(message = monitor.wait()).empty()) {
   }
-  EXPECT_THAT(message, HasSubstr("(tm mock_l mock_r 0 0)")) << message;
-  cls::tests::UdpClient player(port);
+  EXPECT_THAT(message, HasSubstr("(tm mock_l mock_r 0 0)"));
+
+  UdpClient player(port);
   player.send("(init A (version 18))");
   EXPECT_EQ(player.wait(), "(error unknown_command)");
-  const CommandResult played = running.finish();
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_THAT(played.err,
-              HasSubstr("cls: monitors may attach at 127.0.0.1:" + std::to_string(port)))
-      << played.err;
+  EXPECT_THAT(running.finish(),
+              Exits(0, HasSubstr("cls: monitors may attach at 127.0.0.1:" + std::to_string(port))));
   EXPECT_EQ(read_file(watched.path() / "match.rcg"), read_file(alone.path() / "match.rcg"));
-  EXPECT_TRUE(result_in(watched.path())["deterministic"]);
+  EXPECT_EQ(result_in(watched.path())["deterministic"], true);
   // 60 cycles and the few steps before the kick-off, 5 ms each.
   EXPECT_GE(result_in(watched.path())["wall_seconds"], 0.3);
 }
 
 TEST(MatchCommand, ReportsAllErrorsTogether) {
   TemporaryFolder folder;
-  const CommandResult refused =
-      cls::tests::run(match({"moc", "hold", "--cycles", "-1"}, folder.path()));
+  const CommandResult refused = run(match({"moc", "hold", "--cycles", "-1"}, folder.path()));
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(lines_in(refused.err), 3) << refused.err;
 }
@@ -181,12 +174,11 @@ TEST(MatchCommand, ReportsAllErrorsTogether) {
 TEST(MatchCommand, ReportsFolderThatCannotBeCreated) {
   TemporaryFolder folder;
   std::ofstream(folder.path() / "file") << "x";
-  const CommandResult refused =
-      cls::tests::run(match({"mock", "mock"}, folder.path() / "file" / "match"));
+  const CommandResult refused = run(match({"mock", "mock"}, folder.path() / "file" / "match"));
   EXPECT_EQ(refused.exit_code, 73);
   EXPECT_EQ(lines_in(refused.err), 1) << refused.err;
-  EXPECT_THAT(refused.err, HasSubstr("cannot create folder")) << refused.err;
-  EXPECT_THAT(refused.err, HasSubstr("file/match")) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("cannot create folder"));
+  EXPECT_THAT(refused.err, HasSubstr("file/match"));
 }
 
 TEST(MatchCommand, FinishesMatchWhenDiskIsFull) {
@@ -195,9 +187,7 @@ TEST(MatchCommand, FinishesMatchWhenDiskIsFull) {
   for (const std::string& argument : match({"mock", "mock", "--cycles", "200"}, folder.path())) {
     line += " '" + argument + "'";
   }
-  const CommandResult played = cls::tests::run({"sh", "-c", line});
-  EXPECT_EQ(played.exit_code, 74) << played.err;
-  EXPECT_THAT(played.err, HasSubstr("match.rcg")) << played.err;
+  EXPECT_THAT(run({"sh", "-c", line}), Exits(74, HasSubstr("match.rcg")));
   EXPECT_EQ(result_in(folder.path())["cycles"], 200);
 }
 
@@ -205,14 +195,14 @@ TEST(MatchCommand, ReportsUnreachablePlaymakerAfterStartTimeout) {
   TemporaryFolder folder;
   const auto start = std::chrono::steady_clock::now();
   const CommandResult refused =
-      cls::tests::run(match({"mock", "127.0.0.1:1", "--start-timeout", "2"}, folder.path()));
+      run(match({"mock", "127.0.0.1:1", "--start-timeout", "2"}, folder.path()));
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
   EXPECT_EQ(refused.exit_code, 69);
   EXPECT_EQ(lines_in(refused.err), 1) << refused.err;
-  EXPECT_THAT(refused.err, HasSubstr("127.0.0.1:1")) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("127.0.0.1:1"));
   const json result = result_in(folder.path());
   EXPECT_EQ(result["end_reason"], "refused");
-  EXPECT_FALSE(result["valid"]);
+  EXPECT_EQ(result["valid"], false);
   EXPECT_TRUE(result["winner"].is_null());
 }
 
@@ -237,9 +227,11 @@ TEST_P(Interrupted, StopsCleanlyAndWritesLogs) {
   playing.send_signal(GetParam().signal);
   const CommandResult ended = playing.finish(std::chrono::seconds(5));
   EXPECT_EQ(ended.exit_code, GetParam().exit_code) << ended.err;
+
   const json result = result_in(folder.path());
   EXPECT_EQ(result["end_reason"], "interrupted");
   EXPECT_GT(result["steps"], 0);
+
   const std::string game_log = read_file(folder.path() / "match.rcg");
   EXPECT_EQ(game_log.substr(0, 5), "ULG6\n");
   EXPECT_THAT(game_log, HasSubstr("(result ")) << "the log is complete";
@@ -250,10 +242,9 @@ INSTANTIATE_TEST_SUITE_P(Signals, Interrupted,
 
 TEST(MatchCommand, StopsAtTimeLimit) {
   TemporaryFolder folder;
-  const CommandResult ended =
-      cls::tests::run(match({"mock", "mock", "--time-limit", "0.5"}, folder.path()));
-  EXPECT_EQ(ended.exit_code, 124);
+  EXPECT_THAT(run(match({"mock", "mock", "--time-limit", "0.5"}, folder.path())), Exits(124));
   EXPECT_EQ(result_in(folder.path())["end_reason"], "timed_out");
 }
 
 }  // namespace
+}  // namespace cls::tests

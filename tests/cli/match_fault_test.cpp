@@ -8,21 +8,18 @@
 #include <condition_variable>
 #include <future>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "tests/proxy/playmaker/playmaker_server.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using cls::tests::GameService;
-using cls::tests::PlaymakerServer;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 
 struct Played {
@@ -32,39 +29,30 @@ struct Played {
 
 // The mock against the Playmaker under test, which plays on the right.
 Played play_against(int port, const std::vector<std::string>& more) {
-  cls::tests::TemporaryFolder folder;
-  std::vector<std::string> arguments = {cls::tests::cls_binary(),
-                                        "match",
-                                        "mock",
-                                        "127.0.0.1:" + std::to_string(port),
-                                        "--seed",
-                                        "7",
-                                        "--right-name",
-                                        "brain",
-                                        "--set",
-                                        "server::kick_off_wait=3",
-                                        "--quiet",
-                                        "--dir",
-                                        folder.path()};
-  arguments.insert(arguments.end(), more.begin(), more.end());
+  TemporaryFolder folder;
+  const std::vector<std::string> arguments =
+      joined({cls_binary(), "match", "mock", "127.0.0.1:" + std::to_string(port), "--seed", "7",
+              "--right-name", "brain", "--set", "server::kick_off_wait=3", "--quiet", "--dir",
+              folder.path()},
+             more);
   Played played;
-  played.command = cls::tests::run(arguments);
-  played.result = json::parse(cls::tests::read_file(folder.path() / "result.json"));
+  played.command = run(arguments);
+  played.result = json::parse(read_file(folder.path() / "result.json"));
   return played;
 }
 
 // One line with team, address and `what`.
 void expect_line(const Played& played, int port, const std::string& what) {
   const std::string& err = played.command.err;
-  EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
+  EXPECT_EQ(std::ranges::count(err, '\n'), 1) << err;
   EXPECT_EQ(err.rfind("cls: brain (127.0.0.1:" + std::to_string(port) + "): ", 0), 0u) << err;
-  EXPECT_THAT(err, HasSubstr(what)) << err;
+  EXPECT_THAT(err, HasSubstr(what));
 }
 
 void expect_invalid(const Played& played, const std::string& end_reason, int exit_code) {
   EXPECT_EQ(played.command.exit_code, exit_code) << played.command.err;
   EXPECT_EQ(played.result["end_reason"], end_reason);
-  EXPECT_FALSE(played.result["valid"]);
+  EXPECT_EQ(played.result["valid"], false);
   EXPECT_TRUE(played.result["winner"].is_null());
   EXPECT_THAT(played.command.out, HasSubstr("invalid match: " + end_reason));
   EXPECT_THAT(played.command.out, HasSubstr("see `cls explain " + end_reason + "`"));
@@ -79,6 +67,7 @@ TEST(MatchFaults, ReportsCrashOfPlaymaker) {
     if (++calls == 300) changed.notify_one();
     return grpc::Status::OK;
   };
+
   PlaymakerServer server(service);
   const int port = server.port();
   std::thread killer([&] {
@@ -86,6 +75,7 @@ TEST(MatchFaults, ReportsCrashOfPlaymaker) {
     changed.wait_for(lock, std::chrono::seconds(30), [&] { return calls >= 300; });
     server.stop();
   });
+
   const Played played = play_against(port, {"--max-missed", "5", "--reconnect-within", "0"});
   killer.join();
   expect_invalid(played, "crashed", 1);
@@ -148,7 +138,7 @@ TEST(MatchFaults, EndsAsLateWhenEveryReplyIsLate) {
   const Played played = play_against(server.port(), {"--rpc-deadline", "20", "--max-missed", "5"});
   expect_invalid(played, "late", 1);
   expect_line(played, server.port(), "had no usable reply to 6 calls in a row");
-  EXPECT_FALSE(played.result["deterministic"]);
+  EXPECT_EQ(played.result["deterministic"], false);
   EXPECT_GE(played.result["right"]["players"][0]["late"], 5);
   EXPECT_EQ(played.result["left"]["players"][0]["missed"], 0);
 }
@@ -160,11 +150,13 @@ TEST(MatchFaults, ContinuesAfterSingleLateReply) {
     if (++calls == 200) std::this_thread::sleep_for(std::chrono::milliseconds(900));
     return grpc::Status::OK;
   };
+
   PlaymakerServer server(service);
   const Played played = play_against(server.port(), {"--rpc-deadline", "400", "--cycles", "60"});
   EXPECT_EQ(played.command.exit_code, 0) << played.command.err;
   EXPECT_EQ(played.result["end_reason"], "finished");
-  EXPECT_FALSE(played.result["deterministic"]);
+  EXPECT_EQ(played.result["deterministic"], false);
+
   int missed = 0;
   for (const json& player : played.result["right"]["players"]) {
     missed += player["missed"].get<int>();
@@ -233,3 +225,4 @@ TEST(MatchFaults, ReportsProtocolErrorForInvalidRegisterReply) {
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -3,21 +3,22 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/cls_folder.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
 
-class MatchLength : public testing::Test, public cls::tests::ClsFolder {
+class MatchLength : public testing::Test, public ClsFolder {
  protected:
   MatchLength() : ClsFolder(std::chrono::seconds(30)) {}
 
@@ -55,36 +56,33 @@ TEST_F(MatchLength, IsRequiredWhereNoRefereeEndsTheMatch) {
       {"server::simulator_step=1000000", "without a limit of halves, give --cycles"},
   };
   for (const auto& [setting, problem] : endless) {
-    const CommandResult refused = run({"match", "mock:hold", "mock:hold", "--set", setting});
-    EXPECT_EQ(refused.exit_code, 2) << setting;
-    EXPECT_THAT(refused.err, HasSubstr(problem));
+    EXPECT_THAT(run({"match", "mock:hold", "mock:hold", "--set", setting}),
+                Exits(2, HasSubstr(problem)));
   }
   EXPECT_EQ(play({"server::coach=on"}, {"--cycles", "5"}).exit_code, 0);
   EXPECT_EQ(play({"server::coach=on", "server::coach_w_referee=on"}).exit_code, 0);
-  const CommandResult nothing = play({"server::nr_normal_halfs=0"});
-  EXPECT_EQ(nothing.exit_code, 2);
-  EXPECT_THAT(nothing.err, HasSubstr("neither a half nor a shoot-out is played"));
+  EXPECT_THAT(play({"server::nr_normal_halfs=0"}),
+              Exits(2, HasSubstr("neither a half nor a shoot-out is played")));
 }
 
 TEST_F(MatchLength, EndsWithADecisiveLead) {
   const auto played = [this](const Arguments& more) {
-    Arguments all = {"match", "mock",   "mock:hold", "--seed",  "1",     "--half-time",
-                     "60",    "--json", "--quiet",   "--force", "--dir", "m"};
-    all.insert(all.end(), more.begin(), more.end());
-    return run(all);
+    return run(joined({"match", "mock", "mock:hold", "--seed", "1", "--half-time", "60", "--json",
+                       "--quiet", "--force", "--dir", "m"},
+                      more));
   };
   const json whole = json::parse(played({}).out);
   ASSERT_GT(whole["goals"].size(), 2U);
   const CommandResult ended = played({"--adjudicate", "2"});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
+
   const json result = json::parse(ended.out);
   EXPECT_EQ(result["left"]["score"], 2);
   EXPECT_EQ(result["cycles"], whole["goals"][1]["cycle"]) << "the same match until then";
 
   for (const Arguments& other : {Arguments{"--mode", "synch"}, Arguments{"--mode", "realtime"}}) {
-    const CommandResult refused = played({"--adjudicate", "2", other[0], other[1]});
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_THAT(refused.err, HasSubstr("--adjudicate needs the embedded server in lockstep"));
+    EXPECT_THAT(played({"--adjudicate", "2", other[0], other[1]}),
+                Exits(2, HasSubstr("--adjudicate needs the embedded server in lockstep")));
   }
 }
 
@@ -107,7 +105,7 @@ TEST_F(MatchLength, CutsAShootOutWithOneResult) {
            "server::nr_normal_halfs=1", "--set", "server::penalty_shoot_outs=on", "--dir", "m"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("(1 : 0 on penalties)"));
-  const json document = json::parse(cls::tests::read_file(path("m/result.json")));
+  const json document = json::parse(read_file(path("m/result.json")));
   EXPECT_EQ(document["left"]["penalty_score"], 1);
   EXPECT_EQ(document["right"]["penalty_score"], 0);
   EXPECT_THAT(run({"results", "m"}).out, HasSubstr("1:0"));
@@ -125,3 +123,4 @@ TEST_F(MatchLength, IsLimitedByAStallOfTheGameClock) {
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -4,20 +4,21 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/built.h"
 #include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/port_lock.h"
 
 namespace cls::tests {
 namespace {
 
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
 
@@ -29,10 +30,9 @@ class MixedSide : public testing::Test, public cls::tests::ClsFolder {
 
   CommandResult play(const std::string& left, const std::string& folder,
                      const Arguments& more = {}) const {
-    Arguments argv = {"match",   left,    "mock", "--seed",       "5",    "--left-name", "left",
-                      "--force", "--dir", folder, "--right-name", "right"};
-    argv.insert(argv.end(), more.begin(), more.end());
-    return run(argv);
+    return run(joined({"match", left, "mock", "--seed", "5", "--left-name", "left", "--force",
+                       "--dir", folder, "--right-name", "right"},
+                      more));
   }
 
   json result(const std::string& folder) const {
@@ -51,7 +51,7 @@ TEST_F(MixedSide, PlaysTheMatchOfOnePlaymaker) {
   EXPECT_EQ(mixed.err, "");
   EXPECT_TRUE(read_file(folder_.path() / "one/match.rcg") ==
               read_file(folder_.path() / "three/match.rcg"));
-  EXPECT_THAT(mixed.out, HasSubstr("left 2-6,forwards: run:exec")) << mixed.out;
+  EXPECT_THAT(mixed.out, HasSubstr("left 2-6,forwards: run:exec"));
 }
 
 // As in the cooperative challenge: players of two teams, each with its own name, in one team.
@@ -64,6 +64,7 @@ TEST_F(MixedSide, PlaysExternalTeamsAsOne) {
               player + " --port $4 --name " + name + " $goalie\n");
     std::filesystem::permissions(path(name) / "start", std::filesystem::perms::owner_all);
   }
+
   const PortLock ports;
   for (const char* mode : {"synch", "realtime"}) {
     const CommandResult mixed =
@@ -75,7 +76,7 @@ TEST_F(MixedSide, PlaysExternalTeamsAsOne) {
     int lions = 0;
     int bears = 0;
     for (const json& process : played["processes"]) {
-      const std::string command = process["command"];
+      const auto command = process["command"].get<std::string>();
       lions += command.find("/LIONS/start") != std::string::npos;
       bears += command.find("/BEARS/start") != std::string::npos;
     }
@@ -106,11 +107,13 @@ TEST_F(MixedSide, RunsAProcessForEachAgent) {
   EXPECT_EQ(each.err, "");
   EXPECT_TRUE(read_file(folder_.path() / "one/match.rcg") ==
               read_file(folder_.path() / "each/match.rcg"));
+
   const json document = result("each");
   EXPECT_EQ(document["left"]["endpoint"], "each:" + fake());
   ASSERT_EQ(document["left"]["parts"].size(), 12U);
   EXPECT_EQ(document["left"]["parts"][6]["agents"], "7");
   EXPECT_EQ(document["processes"].size(), 12U);
+
   for (const char* agent : {"1", "11", "coach"}) {
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "each" /
                                         (std::string("left-playmaker-") + agent + ".log")));
@@ -123,23 +126,24 @@ TEST_F(MixedSide, NamesTheProcessOfAnAgentThatFails) {
                " --port {port} --exit-at-cycle 10",
            "match", {"--cycles", "60"});
   EXPECT_NE(played.exit_code, 0);
-  EXPECT_THAT(played.err, HasSubstr("left Playmaker (")) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("left Playmaker ("));
 }
 
 TEST_F(MixedSide, ReportsEachPart) {
-  ASSERT_EQ(play("mix:1-7=mock:hold;others=" + fake() + ";coach=" + fake("x"), "match",
-                 {"--cycles", "30"})
-                .exit_code,
-            0);
+  ASSERT_THAT(play("mix:1-7=mock:hold;others=" + fake() + ";coach=" + fake("x"), "match",
+                   {"--cycles", "30"}),
+              Exits(0));
+
   const json document = result("match");
   const json& parts = document["left"]["parts"];
   ASSERT_EQ(parts.size(), 3U);
   EXPECT_EQ(parts[0]["agents"], "1-7");
   EXPECT_EQ(parts[0]["endpoint"], "mock:hold");
-  std::int64_t decisions = document["left"]["coach"]["decisions"];
+  auto decisions = document["left"]["coach"]["decisions"].get<std::int64_t>();
   for (const json& player : document["left"]["players"]) {
     decisions += player["decisions"].get<std::int64_t>();
   }
+
   EXPECT_EQ(parts[0]["decisions"].get<std::int64_t>() + parts[1]["decisions"].get<std::int64_t>() +
                 parts[2]["decisions"].get<std::int64_t>(),
             decisions);
@@ -165,8 +169,8 @@ TEST_F(MixedSide, RefusesWhenOnePartDoesNotListen) {
   const CommandResult played =
       play("mix:1-10=mock;11=" + fake("--never-listen 1"), "match", {"--start-timeout", "1"});
   EXPECT_EQ(played.exit_code, 69);
-  EXPECT_THAT(played.err, HasSubstr("no answer to Register of player 11")) << played.err;
-  EXPECT_THAT(played.err, HasSubstr("it did not listen on port ")) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("no answer to Register of player 11"));
+  EXPECT_THAT(played.err, HasSubstr("it did not listen on port "));
 }
 
 TEST_F(MixedSide, PlaysInSynchMode) {
@@ -182,8 +186,7 @@ TEST_F(MixedSide, IsATeamOfAConfiguration) {
       << "[teams.ada]\nendpoint = \"\"\"mix:\n  1 = mock:hold;\n  others = mock\"\"\"\n";
   Command command({cls_binary(), "match", "ada", "mock", "--cycles", "10", "--dir", "match"}, {},
                   folder_.path() / "below");
-  const CommandResult played = command.finish();
-  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_THAT(command.finish(), Exits(0));
 }
 
 TEST_F(MixedSide, HasNoSinglePlaymakerToCheck) {

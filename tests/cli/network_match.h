@@ -7,13 +7,13 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/port_lock.h"
 #include "tests/support/temporary_folder.h"
@@ -89,7 +89,7 @@ class NetworkMatch : public testing::Test {
     took_ = std::chrono::steady_clock::now() - begin;
     EXPECT_TRUE(all_marked_gone(mark_));
     const std::string file = match_folder() + "/result.json";
-    if (std::filesystem::exists(file)) result_ = nlohmann::json::parse(read_file(file));
+    if (std::filesystem::exists(file)) result_ = base::Json::parse(read_file(file));
   }
 
   void expect_finished() const {
@@ -105,7 +105,7 @@ class NetworkMatch : public testing::Test {
   }
 
   void expect_failed(const std::string& process, const std::string& last_output_line) const {
-    const nlohmann::json& failure = result_["failure"];
+    const base::Json& failure = result_["failure"];
     ASSERT_TRUE(failure.is_object()) << played_.err;
     EXPECT_EQ(failure["process"], process);
     const std::string output = failure["output"].dump();
@@ -117,7 +117,7 @@ class NetworkMatch : public testing::Test {
   const std::string mark_ = new_mark();
   std::string left_ = "mock:hold";
   CommandResult played_;
-  nlohmann::json result_;
+  base::Json result_;
   std::chrono::steady_clock::duration took_{};
 };
 

@@ -1,23 +1,20 @@
 // Matches over UDP with external servers and teams that work, and their ends.
 #include "tests/cli/network_match.h"
+#include "tests/support/command_matchers.h"
 
 #include <gmock/gmock.h>
 #include <signal.h>
 
-#include <algorithm>
 #include <thread>
 
 #include "tests/support/port_lock.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 using namespace std::chrono_literals;
-using cls::tests::built;
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using cls::tests::NetworkMatch;
-using nlohmann::json;
+using json = base::Json;
 using Arguments = std::vector<std::string>;
 
 TEST_F(NetworkMatch, PlaysOnServerProgram) {
@@ -28,18 +25,20 @@ TEST_F(NetworkMatch, PlaysOnServerProgram) {
   EXPECT_EQ(result_["mode"], "synch");
   EXPECT_EQ(result_["server"]["version"], "19.0.0");
   EXPECT_EQ(result_["server"]["seed"], 1234);
-  EXPECT_FALSE(result_["deterministic"]);
+  EXPECT_EQ(result_["deterministic"], false);
   EXPECT_EQ(result_["processes"][0]["name"], "soccer server");
   EXPECT_EQ(result_["processes"][0]["exit"], "exit code 0");
   EXPECT_GT(result_["processes"][0]["cpu_seconds"], 0.0);
+
   for (const char* side : {"left", "right"}) {
     for (const auto& player : result_[side]["players"]) {
       EXPECT_EQ(player["missed"], 0);
       EXPECT_EQ(player["undecided"], 0);
     }
   }
-  const std::string events = cls::tests::read_file(match_folder() + "/events.jsonl");
-  EXPECT_THAT(events, HasSubstr("\"mode\":\"kick_off_l\"")) << events;
+
+  const std::string events = read_file(match_folder() + "/events.jsonl");
+  EXPECT_THAT(events, HasSubstr("\"mode\":\"kick_off_l\""));
 }
 
 TEST_F(NetworkMatch, StopsAtRequestedCycle) {
@@ -63,7 +62,7 @@ TEST_F(NetworkMatch, PlaysOnEmbeddedServerInRealTime) {
 }
 
 TEST_F(NetworkMatch, PlaysOnRunningServer) {
-  Command running({cls::tests::cls_binary(), "server", "--port", "0", "--dir", folder_.path(),
+  Command running({cls_binary(), "server", "--port", "0", "--dir", folder_.path(),
                    "server::synch_mode=on", "server::auto_mode=on", "server::half_time=3",
                    "server::kick_off_wait=3", "server::nr_extra_halfs=0",
                    "server::penalty_shoot_outs=off"});
@@ -90,22 +89,24 @@ TEST_F(NetworkMatch, StartsAndStopsExternalTeam) {
 
 // The limit of the shell fails the server's writes as a full disk does.
 TEST_F(NetworkMatch, TakesScoreFromPlayersWhenServerCannotWriteItsLog) {
-  const std::string limited = script(
-      "limited", "ulimit -f 600\nexec " + cls::tests::cls_binary().string() + " server \"$@\"");
+  const std::string limited =
+      script("limited", "ulimit -f 600\nexec " + cls_binary().string() + " server \"$@\"");
   left_ = "mock";
   play("mock:hold", limited, {"--cycles", "250", "--mode", "synch"});
   EXPECT_EQ(played_.exit_code, 74) << played_.err;
   EXPECT_EQ(result_["end_reason"], "finished");
   EXPECT_GE(result_["cycles"], 245) << "a loaded host may miss the last cycles";
-  const std::string server = cls::tests::read_file(match_folder() + "/server.log");
+
+  const std::string server = read_file(match_folder() + "/server.log");
   const std::size_t score = server.find("Score: ");
   ASSERT_NE(score, std::string::npos) << server;
   EXPECT_EQ(server.substr(score, server.find('\n', score) - score),
             "Score: " + result_["left"]["score"].dump() + " - " + result_["right"]["score"].dump());
-  const std::string warning = result_["warnings"].back();
-  EXPECT_THAT(warning, HasSubstr("match.rcg ends at cycle ")) << warning;
-  EXPECT_THAT(warning, HasSubstr(" (the soccer server could not write its logs: ")) << warning;
-  EXPECT_THAT(warning, HasSubstr("match.rcg': File too large")) << warning;
+
+  const auto warning = result_["warnings"].back().get<std::string>();
+  EXPECT_THAT(warning, HasSubstr("match.rcg ends at cycle "));
+  EXPECT_THAT(warning, HasSubstr(" (the soccer server could not write its logs: "));
+  EXPECT_THAT(warning, HasSubstr("match.rcg': File too large"));
 }
 
 TEST_F(NetworkMatch, KnowsNoResultOfExternalTeamsWhenServerCannotWriteItsLog) {
@@ -138,7 +139,7 @@ TEST_F(NetworkMatch, WarnsWhenDeadlineExceedsServerTimeout) {
 }
 
 TEST_F(NetworkMatch, StartsAgentsInSequence) {
-  const cls::tests::PortLock lock;
+  const PortLock lock;
   script("team/kill", "echo ended > killed");
   play(team_of_single_agents(""), server(""), {"--cycles", "25"});
   if (played_.exit_code == 75) GTEST_SKIP() << played_.err;
@@ -153,23 +154,23 @@ TEST_F(NetworkMatch, StartsAgentsInSequence) {
 }
 
 TEST_F(NetworkMatch, ReportsOwnerOfPortInUse) {
-  const cls::tests::PortLock lock;
+  const PortLock lock;
   script("team/start", "exit 1");
   Command owner({built("cls_fake_process"), "bind-udp", "6001", "print", "bound", "hang"});
   if (!owner.wait_for_output("bound")) GTEST_SKIP() << "port 6001 is in use by another process";
   play("team:" + (folder_.path() / "team").string(), server(""));
   expect_end("refused", 75, "UDP port 600");
-  EXPECT_THAT(played_.err, HasSubstr("is taken by ")) << played_.err;
+  EXPECT_THAT(played_.err, HasSubstr("is taken by "));
 }
 
 TEST_F(NetworkMatch, DryRunPrintsCommands) {
   Arguments argv = arguments(team(""), server(""), {"--dry-run"});
-  const auto printed = cls::tests::run(argv);
+  const auto printed = run(argv);
   EXPECT_EQ(printed.exit_code, 0) << printed.err;
   for (const char* part :
        {"# soccer server\ncd ", "RCSS_CONF_DIR=", "server::synch_mode=on",
         "# left Playmaker: mock:hold\n", "# right team", " && env -i ", "/start.sh -h "}) {
-    EXPECT_THAT(printed.out, HasSubstr(part)) << part << " in\n" << printed.out;
+    EXPECT_THAT(printed.out, HasSubstr(part)) << part << " in\n";
   }
   EXPECT_FALSE(std::filesystem::exists(match_folder()));
 }
@@ -196,8 +197,8 @@ TEST_F(NetworkMatch, StopsCleanlyAfterSignal) {
     const CommandResult ended = command.finish();
     EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
     EXPECT_EQ(ended.exit_code, exit_code) << ended.err;
-    EXPECT_TRUE(cls::tests::all_marked_gone(mark_));
-    const json result = json::parse(cls::tests::read_file(match_folder() + "/result.json"));
+    EXPECT_TRUE(all_marked_gone(mark_));
+    const json result = json::parse(read_file(match_folder() + "/result.json"));
     EXPECT_EQ(result["end_reason"], "interrupted");
     EXPECT_GT(result["cycles"], 0);
   }
@@ -208,15 +209,13 @@ TEST_F(NetworkMatch, LeavesNoProcessAfterSignalAtStart) {
       arguments(team("--never-join 1 --ignore-term 1"), server(""), {"--start-timeout", "60"}),
       environment());
   const auto begin = std::chrono::steady_clock::now();
-  while (cls::tests::marked_processes(mark_).size() < 14 &&
-         std::chrono::steady_clock::now() - begin < 40s) {
+  while (marked_processes(mark_).size() < 14 && std::chrono::steady_clock::now() - begin < 40s) {
     std::this_thread::sleep_for(10ms);
   }
   command.send_signal(SIGINT);
-  const CommandResult ended = command.finish();
-  EXPECT_EQ(ended.exit_code, 130) << ended.err;
-  EXPECT_TRUE(cls::tests::all_marked_gone(mark_));
-  const json result = json::parse(cls::tests::read_file(match_folder() + "/result.json"));
+  EXPECT_THAT(command.finish(), Exits(130));
+  EXPECT_TRUE(all_marked_gone(mark_));
+  const json result = json::parse(read_file(match_folder() + "/result.json"));
   EXPECT_EQ(result["end_reason"], "interrupted");
   EXPECT_EQ(result["cycles"], 0);
 }
@@ -231,9 +230,9 @@ TEST_F(NetworkMatch, LeavesNoProcessAndNoTemporaryFolderAfterSigkill) {
                   variables);
   wait_for_play(match_folder());
   EXPECT_FALSE(std::filesystem::is_empty(temporary));
-  EXPECT_GT(cls::tests::marked_processes(mark_).size(), 20U);
+  EXPECT_GT(marked_processes(mark_).size(), 20U);
   command.send_signal(SIGKILL);
-  EXPECT_TRUE(cls::tests::all_marked_gone(mark_, 2s));
+  EXPECT_TRUE(all_marked_gone(mark_, 2s));
   EXPECT_TRUE(std::filesystem::is_empty(temporary));
 }
 
@@ -243,19 +242,20 @@ TEST_F(NetworkMatch, StopsAtTimeLimit) {
 }
 
 TEST(MatchOptions, RejectsSettingsOfRunningServer) {
-  const auto answer = cls::tests::run({cls::tests::cls_binary(), "match", "mock", "team:x",
-                                       "--half-time", "3", "--server", "localhost:6000"});
-  EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_THAT(answer.err, HasSubstr("the server at localhost:6000 has settings of its own"));
-  EXPECT_THAT(answer.err, HasSubstr("side 'team:x' requires a server started by cls"));
+  EXPECT_THAT(
+      run({cls_binary(), "match", "mock", "team:x", "--half-time", "3", "--server",
+           "localhost:6000"}),
+      Exits(2, testing::AllOf(HasSubstr("the server at localhost:6000 has settings of its own"),
+                              HasSubstr("side 'team:x' requires a server started by cls"))));
 }
 
 TEST(MatchOptions, LockstepRejectsExternalServerAndTeam) {
-  const auto answer = cls::tests::run({cls::tests::cls_binary(), "match", "mock", "team:x",
-                                       "--mode", "lockstep", "--server", "rcssserver"});
-  EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_THAT(answer.err, HasSubstr("--mode lockstep needs the embedded server"));
-  EXPECT_THAT(answer.err, HasSubstr("--mode lockstep does not support side 'team:x'"));
+  EXPECT_THAT(
+      run({cls_binary(), "match", "mock", "team:x", "--mode", "lockstep", "--server",
+           "rcssserver"}),
+      Exits(2, testing::AllOf(HasSubstr("--mode lockstep needs the embedded server"),
+                              HasSubstr("--mode lockstep does not support side 'team:x'"))));
 }
 
 }  // namespace
+}  // namespace cls::tests

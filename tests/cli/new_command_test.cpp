@@ -6,14 +6,15 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <string>
 
 #include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/python.h"
 
 namespace cls::tests {
@@ -38,14 +39,14 @@ TEST_F(NewCommand, WritesProjectOfEachLanguage) {
   for (const std::string language : kLanguages) {
     const CommandResult result = run_new({language, "ada", "--dir", language, "--json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
-    const auto document = nlohmann::json::parse(result.out);
+    const auto document = base::Json::parse(result.out);
     EXPECT_EQ(document["schema"], "cls.new/1");
     const fs::path project = folder_.path() / language;
-    for (const std::string file : document["files"]) {
+    for (const auto& file : document["files"].get<std::vector<std::string>>()) {
       const std::string text = read_file(project / file);
       EXPECT_FALSE(text.empty()) << language << " " << file;
       EXPECT_THAT(text, Not(HasSubstr("@NAME@"))) << file;
-      EXPECT_THAT(file, Not(HasSubstr("vectors"))) << file;
+      EXPECT_THAT(file, Not(HasSubstr("vectors")));
     }
     EXPECT_EQ(access((project / "run").c_str(), X_OK), 0);
     EXPECT_THAT(read_file(project / "cls.toml"), HasSubstr("[teams.ada]"));
@@ -69,9 +70,8 @@ TEST_F(NewCommand, RunTestNamesTheScenariosWhereThereAreNoTests) {
   if (python.empty()) GTEST_SKIP() << "no Python with grpc";
   ASSERT_EQ(run_new({"python", "ada"}).exit_code, 0);
   Command command({folder_.path() / "ada/run", "test"}, {}, folder_.path());
-  const CommandResult result = command.finish(std::chrono::seconds(120));
-  EXPECT_EQ(result.exit_code, 2) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("cls test tests/ plays the scenarios"));
+  EXPECT_THAT(command.finish(std::chrono::seconds(120)),
+              Exits(2, HasSubstr("cls test tests/ plays the scenarios")));
 }
 
 TEST_F(NewCommand, CommentsOfTheReadmeShareAColumnForEveryName) {
@@ -107,8 +107,8 @@ TEST_F(NewCommand, TemplatesAddFilesOfTheirOwn) {
           run_new({language, "ada", "--dir", dir, "--template", name, "--json"});
       ASSERT_EQ(result.exit_code, 0) << result.err;
       int decisions = 0;
-      const auto document = nlohmann::json::parse(result.out);
-      for (const std::string file : document["files"]) {
+      const auto document = base::Json::parse(result.out);
+      for (const auto& file : document["files"].get<std::vector<std::string>>()) {
         const std::string stem = fs::path(file).stem();
         if (stem == "decide" || stem == "Decide") ++decisions;
       }
@@ -116,10 +116,12 @@ TEST_F(NewCommand, TemplatesAddFilesOfTheirOwn) {
       EXPECT_EQ(fs::exists(folder_.path() / dir / "policy.txt"), name == "rl") << dir;
     }
   }
+
   const std::string readme = read_file(folder_.path() / "go-rl/README.md");
   EXPECT_THAT(readme, HasSubstr("\n\n## Train it\n"));
   EXPECT_THAT(readme, HasSubstr("\npython3 train.py --rounds 20\n```\n\n"));
   EXPECT_THAT(read_file(folder_.path() / "go-high-level/README.md"), Not(HasSubstr("rain")));
+
   const std::string train = read_file(folder_.path() / "go-rl/train.py");
   EXPECT_THAT(train, HasSubstr("\"cls\", \"match\", \"ada\""));
 }
@@ -137,7 +139,7 @@ TEST_F(NewCommand, DebuggerStartsTheProgramOfTheProject) {
   for (const std::string language : kLanguages) {
     run_new({language, "ada", "--dir", language});
     const fs::path project = folder_.path() / language;
-    const auto launch = nlohmann::json::parse(read_file(project / ".vscode/launch.json"));
+    const auto launch = base::Json::parse(read_file(project / ".vscode/launch.json"));
     const auto& configuration = launch["configurations"][0];
     const auto& [key, file] = kStarted.at(language);
     EXPECT_TRUE(configuration.contains(key)) << language;
@@ -145,7 +147,7 @@ TEST_F(NewCommand, DebuggerStartsTheProgramOfTheProject) {
       EXPECT_EQ(configuration[key], "${workspaceFolder}/" + file);
       EXPECT_TRUE(fs::exists(project / file)) << language;
     }
-    const auto tasks = nlohmann::json::parse(read_file(project / ".vscode/tasks.json"));
+    const auto tasks = base::Json::parse(read_file(project / ".vscode/tasks.json"));
     EXPECT_EQ(tasks["tasks"][0]["label"], configuration["preLaunchTask"]);
   }
 }
@@ -175,10 +177,8 @@ TEST_F(NewCommand, RefusesUnknownWordsAndExistingFiles) {
             "cls: unknown template 'teem': team, minimal, high-level, rl; did you mean 'team'?\n");
   EXPECT_EQ(run_new({"go", "a b"}).exit_code, 2);
   ASSERT_EQ(run_new({"go", "ada"}).exit_code, 0);
-  const CommandResult again = run_new({"go", "ada"});
-  EXPECT_EQ(again.exit_code, 73);
-  EXPECT_THAT(again.err, HasSubstr("it stays as it is, and --dir selects another folder"))
-      << again.err;
+  EXPECT_THAT(run_new({"go", "ada"}),
+              Exits(73, HasSubstr("it stays as it is, and --dir selects another folder")));
 }
 
 }  // namespace

@@ -7,34 +7,35 @@
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <thread>
 
 #include "tests/support/built.h"
 #include "tests/support/cls_folder.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/port_lock.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 
-class OtherHosts : public testing::Test, protected cls::tests::ClsFolder {
+class OtherHosts : public testing::Test, protected ClsFolder {
  protected:
   OtherHosts() : ClsFolder(300s) {}
 
   // `ssh HOST COMMAND`: the host "down" cannot be reached.
   void SetUp() override {
     const bool namespaces =
-        cls::tests::run({"unshare", "-rn", "sh", "-c", "ip link set lo up"}).exit_code == 0;
+        tests::run({"unshare", "-rn", "sh", "-c", "ip link set lo up"}).exit_code == 0;
     const std::string shell =
         namespaces ? "unshare -rn sh -c 'ip link set lo up; exec sh -c \"$1\"' sh \"$1\""
                    : "sh -c \"$1\"";
@@ -46,11 +47,11 @@ class OtherHosts : public testing::Test, protected cls::tests::ClsFolder {
             path("farm").string() + "/$host; cd " + path("farm").string() +
             "/$host || exit 255\n"
             "exec env -i PATH=\"$PATH\" HOME=\"$PWD\" " +
-            cls::tests::kMarkVariable + "=" + mark_ + " " + shell);
+            kMarkVariable + "=" + mark_ + " " + shell);
     config("rounds = 2\nhosts = [\"one\", \"2/two\"]\n");
   }
 
-  void TearDown() override { EXPECT_TRUE(cls::tests::all_marked_gone(mark_, 5s)); }
+  void TearDown() override { EXPECT_TRUE(all_marked_gone(mark_, 5s)); }
 
   void script(const std::string& name, const std::string& text) const {
     write(name, "#!/bin/sh\n" + text + "\n");
@@ -68,7 +69,7 @@ class OtherHosts : public testing::Test, protected cls::tests::ClsFolder {
               more);
   }
 
-  std::string marked() const { return std::string(cls::tests::kMarkVariable) + "=" + mark_; }
+  std::string marked() const { return std::string(kMarkVariable) + "=" + mark_; }
 
   json report() const { return json::parse(run({"tournament", "report", "cup", "--json"}).out); }
 
@@ -81,7 +82,7 @@ class OtherHosts : public testing::Test, protected cls::tests::ClsFolder {
     return count;
   }
 
-  const std::string mark_ = cls::tests::new_mark();
+  const std::string mark_ = new_mark();
 };
 
 TEST_F(OtherHosts, PlayAndSendResultsLogsAndEventsBack) {
@@ -95,18 +96,20 @@ TEST_F(OtherHosts, PlayAndSendResultsLogsAndEventsBack) {
     EXPECT_TRUE(fs::exists(folder / "match.rcg.gz")) << folder;
     EXPECT_TRUE(fs::exists(folder / "result.json")) << folder;
   }
+
   EXPECT_EQ(jobs_left(), 0);
   EXPECT_TRUE(fs::is_empty(path("cup/unfinished")));
   EXPECT_TRUE(fs::exists(path("farm/one/.cache/cls/objects")));
   EXPECT_TRUE(fs::exists(path("farm/two/.cache/cls/objects")));
 
   std::multiset<std::string> events;
-  std::istringstream lines(cls::tests::read_file(path("cup/seen.jsonl")));
+  std::istringstream lines(read_file(path("cup/seen.jsonl")));
   for (std::string line; std::getline(lines, line);) {
     const json event = json::parse(line);
     events.insert(event["event"].get<std::string>());
     EXPECT_GE(event["match"], 1);
   }
+
   EXPECT_EQ(events.count("start"), 6u);
   EXPECT_EQ(events.count("end"), 6u);
 
@@ -118,30 +121,29 @@ TEST_F(OtherHosts, PlayAndSendResultsLogsAndEventsBack) {
         "[teams.HOLD]\nendpoint = \"mock:hold\"\n");
   ASSERT_EQ(run({"tournament", "run", "here"}).exit_code, 0);
   const std::string log = document["matches"][0]["folder"].get<std::string>() + "/match.rcg.gz";
-  EXPECT_EQ(cls::tests::read_file(path("cup") / log), cls::tests::read_file(path("here") / log));
+  EXPECT_EQ(read_file(path("cup") / log), read_file(path("here") / log));
 }
 
 TEST_F(OtherHosts, MatchesOfAHostThatIsDownGoToOthers) {
   config("hosts = [\"down\", \"one\"]\n");
-  const CommandResult played = run({"tournament", "run", "cup"}, {marked()});
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_THAT(played.err, HasSubstr("host down: cannot be reached; trying again every 20 s"));
+  EXPECT_THAT(run({"tournament", "run", "cup"}, {marked()}),
+              Exits(0, HasSubstr("host down: cannot be reached; trying again every 20 s")));
   EXPECT_EQ(report()["counts"]["finished"], 3);
 }
 
 TEST_F(OtherHosts, CopyTeamsByTheirContent) {
   config("rounds = 1\nhosts = [\"one\"]\ncoach = false\nsandbox = false\n",
          "[teams.GUESTS]\nendpoint = \"team:guests\"\n");
-  const std::string player =
-      fs::path(cls::tests::copy_built("cls_fake_player", path("cup/guests"))).filename();
+  const std::string player = fs::path(copy_built("cls_fake_player", path("cup/guests"))).filename();
   script("cup/guests/start",
          "[ $3 = 12 ] && exec sleep 600\n[ $3 = 1 ] && goalie='--goalie 1'\n"
          "exec \"$2/" +
              player + "\" --port $4 --name Others $goalie");
-  const cls::tests::PortLock ports;
-  const CommandResult played = run({"tournament", "run", "cup"}, {marked()});
-  EXPECT_EQ(played.exit_code, 0) << played.err;
+  const PortLock ports;
+
+  EXPECT_THAT(run({"tournament", "run", "cup"}, {marked()}), Exits(0));
   EXPECT_EQ(report()["counts"]["finished"], 6);
+
   const auto objects = [this] {
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(path("farm/one/.cache/cls/objects"))) {
@@ -156,13 +158,12 @@ TEST_F(OtherHosts, KillsOfAnyPartLoseNoResult) {
   config("rounds = 4\nhosts = [\"one\", \"2/two\"]\n");
   std::map<int, std::string> finished;
   for (int kill = 0; kill < 3; ++kill) {
-    cls::tests::Command playing({cls::tests::cls_binary(), "tournament", "run", path("cup")},
-                                {marked()}, path("."));
+    Command playing({cls_binary(), "tournament", "run", path("cup")}, {marked()}, path("."));
     EXPECT_TRUE(playing.wait_for_errors("  (finished", 60s));
     std::this_thread::sleep_for(std::chrono::milliseconds(150 * kill));
     playing.send_signal(SIGKILL);
     playing.finish();
-    EXPECT_TRUE(cls::tests::all_marked_gone(mark_, 5s)) << "no process survives";
+    EXPECT_TRUE(all_marked_gone(mark_, 5s)) << "no process survives";
     const json reported = report();
     for (const json& match : reported["matches"]) {
       if (match["end_reason"].is_null()) continue;
@@ -171,10 +172,13 @@ TEST_F(OtherHosts, KillsOfAnyPartLoseNoResult) {
     }
     EXPECT_GT(finished.size(), static_cast<std::size_t>(kill)) << "each run has added results";
   }
+
   const CommandResult played = run({"tournament", "run", "cup"}, {marked()});
   EXPECT_EQ(played.exit_code, 0) << played.err;
+
   const json document = report();
   EXPECT_EQ(document["counts"]["finished"], 12);
+
   for (const auto& [index, once] : finished) {
     const json& match = document["matches"][static_cast<std::size_t>(index) - 1];
     EXPECT_EQ(once, match["ended"].get<std::string>() + match["folder"].dump()) << "played twice";
@@ -188,18 +192,20 @@ TEST_F(OtherHosts, ResultThatDidNotArriveIsFetchedLater) {
                       path("ssh").string() + " \"$@\" | head -c 100; exit 255; fi;;\nesac\nexec " +
                       path("ssh").string() + " \"$@\"");
   config("rounds = 1\nhosts = [\"one\"]\n");
-  cls::tests::Command playing({cls::tests::cls_binary(), "tournament", "run", path("cup"),
-                               "--remote-shell", path("flaky").string() + " {host}"},
-                              {marked()}, path("."));
+  Command playing({cls_binary(), "tournament", "run", path("cup"), "--remote-shell",
+                   path("flaky").string() + " {host}"},
+                  {marked()}, path("."));
   EXPECT_TRUE(playing.wait_for_errors("the connection ended with exit code", 60s) ||
               playing.wait_for_errors("the result did not arrive", 5s));
+
   playing.send_signal(SIGKILL);
   playing.finish();
   const json there = json::parse(
-      cls::tests::run(
+      tests::run(
           {"sh", "-c", "cat " + path("farm/one/.cache/cls/jobs").string() + "/*/*/results/*.json"})
           .out);
   ASSERT_EQ(run({"tournament", "run", "cup"}, {marked()}).exit_code, 0);
+
   const json document = report();
   const json& match = document["matches"][0];
   EXPECT_EQ(match["ended"], there["ended"]) << "not played again";
@@ -221,3 +227,4 @@ TEST_F(OtherHosts, WrongConfigurationsAreRefused) {
 }
 
 }  // namespace
+}  // namespace cls::tests

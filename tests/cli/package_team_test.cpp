@@ -5,14 +5,15 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
 #include "tests/support/installed.h"
+#include "tests/support/json.h"
 #include "tests/support/port_lock.h"
 
 namespace cls::tests {
@@ -49,13 +50,15 @@ class PackageTeam : public testing::Test, public cls::tests::ClsFolder {
   }
 
   // The report of `cls package-team ada --check`, or null where machines cannot be made.
-  nlohmann::json check(std::vector<std::string> options) const {
+  base::Json check(std::vector<std::string> options) const {
     options.insert(options.begin(), {"package-team", "ada", "--check", "--json"});
     const CommandResult result = run(options);
     EXPECT_NE(result.out, "") << result.err;
-    auto report = nlohmann::json::parse(result.out);
+    auto report = base::Json::parse(result.out);
     EXPECT_EQ(report["schema"], "cls.package-check/1");
-    EXPECT_EQ(result.exit_code, !report["skipped"].is_null() ? 69 : report["passed"] ? 0 : 1);
+    EXPECT_EQ(result.exit_code, !report["skipped"].is_null() ? 69
+                                : report["passed"] == true   ? 0
+                                                             : 1);
     return report;
   }
 };
@@ -63,7 +66,7 @@ class PackageTeam : public testing::Test, public cls::tests::ClsFolder {
 TEST_F(PackageTeam, WritesScriptsProgramAndProject) {
   const CommandResult result = run({"package-team", "ada", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(nlohmann::json::parse(result.out)["schema"], "cls.package-team/1");
+  EXPECT_EQ(base::Json::parse(result.out)["schema"], "cls.package-team/1");
   const fs::path package = folder_.path() / "ada-team";
   EXPECT_EQ(read_file(package / "team/src/team.txt"), "ada\n");
   EXPECT_FALSE(fs::exists(package / "team/runs"));
@@ -77,19 +80,20 @@ TEST_F(PackageTeam, WritesScriptsProgramAndProject) {
 TEST_F(PackageTeam, LeavesOutMatchesAndPagesAndSaysItsSize) {
   ASSERT_EQ(run({"match", "mock", "mock", "--cycles", "5", "--dir", "first"}).exit_code, 0);
   ASSERT_EQ(run({"watch", "first", "--out", "shown.html"}).exit_code, 0);
-  ASSERT_EQ(run({"tournament", "run", "cup", "--team", "A=mock", "--team", "B=mock", "--cycles",
-                 "5", "--rounds", "1"})
-                .exit_code,
-            0);
+  ASSERT_THAT(run({"tournament", "run", "cup", "--team", "A=mock", "--team", "B=mock", "--cycles",
+                   "5", "--rounds", "1"}),
+              Exits(0));
   write("web/page.html", "<!doctype html>\n<title>a page of the team</title>\n");
   write("web/manifest.json", "{}");
 
-  const CommandResult result = run({"package-team", "ada"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, testing::MatchesRegex("ada-team/: [0-9.]+ MB, [0-9.]+ MB compressed: "
-                                                "cls and libraries [0-9.]+ MB, .*"));
-  EXPECT_THAT(result.out, HasSubstr("left out: cup/ (tournament), first/ (match), runs/ (matches), "
-                                    "shown.html (page)\n"));
+  ASSERT_THAT(
+      run({"package-team", "ada"}),
+      Prints(0, testing::AllOf(
+                    testing::MatchesRegex("ada-team/: [0-9.]+ MB, [0-9.]+ MB compressed: "
+                                          "cls and libraries [0-9.]+ MB, .*"),
+                    HasSubstr("left out: cup/ (tournament), first/ (match), runs/ (matches), "
+                              "shown.html (page)\n"))));
+
   for (const char* name : {"first", "cup", "runs", "shown.html"}) {
     EXPECT_FALSE(fs::exists(path("ada-team/team") / name)) << name;
   }
@@ -106,17 +110,18 @@ TEST_F(PackageTeam, PlaysWithItsEnvironmentInTheSandbox) {
   const std::string active = "VIRTUAL_ENV=" + (elsewhere.path() / "env").string();
   const CommandResult written = run({"package-team", "ada", "--json"}, {active});
   ASSERT_EQ(written.exit_code, 0) << written.err;
-  const auto document = nlohmann::json::parse(written.out);
+  const auto document = base::Json::parse(written.out);
   EXPECT_GT(document["bytes"], 1'000'000);
   ASSERT_EQ(document["interpreters"].size(), 1);
   EXPECT_EQ(document["interpreters"][0]["name"], "python3");
-  EXPECT_THAT(document["interpreters"][0]["packages"], testing::Contains("ada_weights"));
+  EXPECT_THAT(document["interpreters"][0]["packages"].get<std::vector<std::string>>(),
+              testing::Contains("ada_weights"));
 
   const PortLock ports;
   const CommandResult match = run({"match", "team:ada-team", "mock:hold", "--cycles", "20",
                                    "--start-timeout", "120", "--dir", "match", "--json"});
   ASSERT_EQ(match.exit_code, 0) << match.err;
-  EXPECT_EQ(nlohmann::json::parse(match.out)["end_reason"], "finished");
+  EXPECT_EQ(base::Json::parse(match.out)["end_reason"], "finished");
   for (const auto& file : fs::directory_iterator(path("match"))) {
     EXPECT_THAT(read_file(file.path()), testing::Not(HasSubstr("the Playmaker ended")))
         << "all agents share one: " << file.path();
@@ -130,7 +135,7 @@ TEST_F(PackageTeam, SaysWhyItsPlaymakerEndedAndKeepsItsLog) {
   const CommandResult match =
       run({"match", "team:ada-team", "mock:hold", "--cycles", "20", "--dir", "match"});
   EXPECT_NE(match.exit_code, 0);
-  EXPECT_THAT(match.err, HasSubstr("the Playmaker ended with exit code 3")) << match.err;
+  EXPECT_THAT(match.err, HasSubstr("the Playmaker ended with exit code 3"));
   EXPECT_EQ(read_file(path("ada-team/playmaker.log")), "no weights\n");
 }
 
@@ -140,7 +145,7 @@ TEST_F(PackageTeam, PlaysAsACompetitionStartsIt) {
   const CommandResult match = run({"match", "team:ada-team", "mock:hold", "--cycles", "20",
                                    "--start-timeout", "120", "--dir", "match", "--json"});
   ASSERT_EQ(match.exit_code, 0) << match.err;
-  const auto result = nlohmann::json::parse(match.out);
+  const auto result = base::Json::parse(match.out);
   EXPECT_EQ(result["end_reason"], "finished");
   EXPECT_EQ(result["left"]["name"], "ada");
   EXPECT_FALSE(fs::exists(folder_.path() / "ada-team/run")) << "kill removes it";
@@ -154,7 +159,7 @@ TEST_F(PackageTeam, PlaysOnTwelveMachines) {
   EXPECT_EQ(report["problem"], nullptr);
   ASSERT_EQ(report["agents"].size(), 12);
   for (const auto& agent : report["agents"]) {
-    EXPECT_TRUE(agent["finished"]) << agent;
+    EXPECT_EQ(agent["finished"], true) << agent;
     if (agent["agent"] == "coach") continue;  // it counts none
     EXPECT_GT(agent["decisions"], 20) << agent;
   }
@@ -168,7 +173,7 @@ TEST_F(PackageTeam, PlaysOnAnOlderCLibrary) {
   const auto report = check({"--cycles", "30", "--root", root});
   if (!report["skipped"].is_null()) GTEST_SKIP() << report["skipped"];
   EXPECT_LT(std::stod(report["glibc"].get<std::string>()), 2.36);
-  for (const auto& agent : report["agents"]) EXPECT_TRUE(agent["finished"]) << agent;
+  for (const auto& agent : report["agents"]) EXPECT_EQ(agent["finished"], true) << agent;
 }
 
 TEST_F(PackageTeam, CheckReportsAgentsThatDoNotPlay) {
@@ -177,7 +182,7 @@ TEST_F(PackageTeam, CheckReportsAgentsThatDoNotPlay) {
   write("ada-team/start", "#!/bin/sh\necho no license for agent $3\nexit 3\n");
   const auto report = check({"--cycles", "30"});
   if (!report["skipped"].is_null()) GTEST_SKIP() << report["skipped"];
-  EXPECT_FALSE(report["passed"]);
+  EXPECT_EQ(report["passed"], false);
   EXPECT_EQ(report["agents"][4]["problem"], "exit code 3: no license for agent 5");
 }
 
@@ -185,11 +190,11 @@ TEST_F(PackageTeam, CheckRefusesFoldersWithoutTheFilesOfALinux) {
   EXPECT_EQ(run({"package-team", "ada", "--check"}).err,
             "cls: ada-team/start: no such file; cls package-team without --check writes it\n");
   ASSERT_EQ(run({"package-team", "ada"}).exit_code, 0);
-  const CommandResult result = run({"package-team", "ada", "--check", "--root", "src"});
-  EXPECT_EQ(result.exit_code, 66);
-  EXPECT_EQ(result.err,
+  EXPECT_THAT(
+      run({"package-team", "ada", "--check", "--root", "src"}),
+      Exits(66,
             "cls: src/dev: no such file; --root needs the files of a Linux, as debootstrap makes "
-            "them\n");
+            "them\n"));
 }
 
 // A program that needs a newer system than the oldest one starts with the loader of the package.
@@ -215,8 +220,7 @@ TEST_F(PackageTeam, PublishesProjectsInCSharp) {
             cls_binary().string() + " .build/publish/Team\n");
   fs::permissions(path("run"), fs::perms(0755));
   write("cls.toml", "[teams.ada]\nendpoint = \"run:./run mock --quiet --port {port}\"\n");
-  const CommandResult packed = run({"package-team", "ada"});
-  ASSERT_EQ(packed.exit_code, 0) << packed.err;
+  ASSERT_THAT(run({"package-team", "ada"}), Exits(0));
   EXPECT_THAT(read_file(path("ada-team/start")), HasSubstr(".build/publish/Team mock --quiet"));
   EXPECT_TRUE(fs::exists(path("ada-team/team/.build/publish/Team.program")));
   EXPECT_FALSE(fs::exists(path("ada-team/team/.build/bin")));
@@ -230,14 +234,12 @@ TEST_F(PackageTeam, WarnsOfLibrariesThatThisHostLacks) {
   write("uses.c", "int from_lost(void); int uses(void) { return from_lost(); }");
   write("lost.c", "int from_lost(void) { return 1; }");
   ASSERT_EQ(tests::run({"cc", "-shared", "-o", path("liblost.so"), path("lost.c")}).exit_code, 0);
-  ASSERT_EQ(tests::run({"cc", "-shared", "-o", path("src/plugin.so"), path("uses.c"),
-                        path("liblost.so"), "-Wl,-soname,plugin.so"})
-                .exit_code,
-            0);
+  ASSERT_THAT(tests::run({"cc", "-shared", "-o", path("src/plugin.so"), path("uses.c"),
+                          path("liblost.so"), "-Wl,-soname,plugin.so"}),
+              Exits(0));
   fs::remove(path("liblost.so"));
-  const CommandResult packed = run({"package-team", "ada"});
-  EXPECT_EQ(packed.exit_code, 0) << packed.err;
-  EXPECT_THAT(packed.err, HasSubstr("liblost.so is not on this host, and so not in the package"));
+  EXPECT_THAT(run({"package-team", "ada"}),
+              Exits(0, HasSubstr("liblost.so is not on this host, and so not in the package")));
 }
 
 TEST_F(PackageTeam, RefusesWhatCannotBeStarted) {
@@ -247,10 +249,9 @@ TEST_F(PackageTeam, RefusesWhatCannotBeStarted) {
             "cls: team 'rivals' is 'mock'; a package needs run:COMMAND, which starts the "
             "Playmaker\n");
   ASSERT_EQ(run({"package-team", "ada"}).exit_code, 0);
-  const CommandResult again = run({"package-team", "ada"});
-  EXPECT_EQ(again.exit_code, 73);
-  EXPECT_THAT(again.err,
-              HasSubstr("--force renames it to ada-team.old, --dir selects a new folder"));
+  EXPECT_THAT(
+      run({"package-team", "ada"}),
+      Exits(73, HasSubstr("--force renames it to ada-team.old, --dir selects a new folder")));
 
   const CommandResult forced = run({"package-team", "ada", "--force"});
   EXPECT_EQ(forced.exit_code, 0) << forced.err;

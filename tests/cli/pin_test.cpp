@@ -22,14 +22,13 @@
 #include "tests/support/port_lock.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-using cls::tests::built;
-using cls::tests::Command;
 using Processors = std::vector<int>;
 using Arguments = std::vector<std::string>;
 
@@ -57,7 +56,7 @@ long threads_on(int pid, const Processors& processors) {
 }
 
 std::string line_of(Processors processors) {
-  std::sort(processors.begin(), processors.end());
+  std::ranges::sort(processors);
   std::string line = "cpus:";
   for (const int processor : processors) line += " " + std::to_string(processor);
   return line + "\n";
@@ -75,17 +74,16 @@ class Pin : public testing::Test {
 
   Arguments match(const std::string& left, const std::string& right,
                   const Arguments& more = {}) const {
-    Arguments argv = {
-        cls::tests::cls_binary(), "match", left, right, "--pin", "--dir", match(), "--set",
-        "server::kick_off_wait=3"};
-    argv.insert(argv.end(), more.begin(), more.end());
+    const Arguments argv = joined({cls_binary(), "match", left, right, "--pin", "--dir", match(),
+                                   "--set", "server::kick_off_wait=3"},
+                                  more);
     return argv;
   }
   std::string match() const { return folder_.path() / "match"; }
 
   std::string log(const std::string& name) const {
     const fs::path file = fs::path(match()) / name;
-    return fs::exists(file) ? cls::tests::read_file(file) : std::string();
+    return fs::exists(file) ? read_file(file) : std::string();
   }
 
   /// Waits while the match runs.
@@ -97,7 +95,7 @@ class Pin : public testing::Test {
     return reached();
   }
 
-  cls::tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   const std::array<Processors, 2> halves_ = cls::base::split_in_half(cls::base::allowed_cores());
 };
 
@@ -122,22 +120,24 @@ TEST_F(Pin, PinsProcessesOfExternalTeam) {
   std::ofstream(team / "start.sh")
       << "#!/bin/sh\nwhile [ $# -gt 0 ]; do case $1 in -p) port=$2;; -t) name=$2;; esac; shift 2; "
          "done\nexec "
-      << cls::tests::copy_built("cls_fake_player", team)
+      << copy_built("cls_fake_player", team)
       << " --port $port --name $name --players 11 --print-cpus 1\n";
   ::chmod((team / "start.sh").c_str(), 0755);
-  const cls::tests::PortLock ports;
+  const PortLock ports;
   Command command(match("mock:hold", "team:" + team.string()));
+
   EXPECT_TRUE(wait_for([&] { return !log("right-team.log").empty(); }));
   EXPECT_EQ(log("right-team.log").substr(0, line_of(halves_[1]).size()), line_of(halves_[1]));
   EXPECT_TRUE(wait_for([&] { return threads_on(command.pid(), halves_[0]) > 0; }));
   EXPECT_EQ(threads_on(command.pid(), halves_[1]), 0) << "the right side has no cls agents";
+
   command.send_signal(SIGTERM);
   EXPECT_EQ(command.finish().exit_code, 143);
 }
 
 TEST_F(Pin, PinsNothingByDefault) {
   Arguments argv = match(playmaker(), "mock:hold");
-  argv.erase(std::find(argv.begin(), argv.end(), "--pin"));
+  argv.erase(std::ranges::find(argv, "--pin"));
   Command command(argv);
   EXPECT_TRUE(wait_for([&] { return !log("left-playmaker.log").empty(); }));
   EXPECT_EQ(log("left-playmaker.log"), line_of(cls::base::allowed_processors()));
@@ -146,11 +146,10 @@ TEST_F(Pin, PinsNothingByDefault) {
 }
 
 TEST_F(Pin, DryRunPrintsPinnedCommands) {
-  const auto printed = cls::tests::run(match(playmaker(), playmaker(), {"--dry-run"}));
+  const auto printed = run(match(playmaker(), playmaker(), {"--dry-run"}));
   EXPECT_EQ(printed.exit_code, 0) << printed.err;
   for (const Processors& half : halves_) {
-    EXPECT_THAT(printed.out, HasSubstr("taskset -c " + std::to_string(half.front())))
-        << printed.out;
+    EXPECT_THAT(printed.out, HasSubstr("taskset -c " + std::to_string(half.front())));
   }
 }
 
@@ -159,11 +158,11 @@ TEST(PinOnOneProcessor, ReportsError) {
   const cpu_set_t before = set_of(all);
   const cpu_set_t one = set_of({all.front()});
   ASSERT_EQ(::sched_setaffinity(0, sizeof one, &one), 0);
-  const auto answer =
-      cls::tests::run({cls::tests::cls_binary(), "match", "mock", "mock", "--pin", "--dry-run"});
+  const auto answer = run({cls_binary(), "match", "mock", "mock", "--pin", "--dry-run"});
   ASSERT_EQ(::sched_setaffinity(0, sizeof before, &before), 0);
   EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_THAT(answer.err, HasSubstr("--pin: only one processor core is available")) << answer.err;
+  EXPECT_THAT(answer.err, HasSubstr("--pin: only one processor core is available"));
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
 
 namespace cls::tests {
@@ -28,8 +28,7 @@ class PlannerSide : public testing::Test, public cls::tests::ClsFolder {
 
   /// The game log of a match of this side against mock:planner.
   std::string game_log(const std::string& left) const {
-    const CommandResult played = match(left, "match");
-    EXPECT_EQ(played.exit_code, 0) << left << ": " << played.err;
+    EXPECT_THAT(match(left, "match"), Exits(0));
     return read_file(folder_.path() / "match/match.rcg");
   }
 };
@@ -63,9 +62,8 @@ TEST_F(PlannerSide, PlaysTheSameMatchWithPlaymakerElsewhere) {
 }
 
 TEST_F(PlannerSide, ReportsErrorsBeforeTheMatch) {
-  const CommandResult missing = match("planner:no.toml=mock:planner", "match");
-  EXPECT_EQ(missing.exit_code, 66);
-  EXPECT_EQ(missing.err, "cls: no.toml: no such file; `cls init --planner` writes one\n");
+  EXPECT_THAT(match("planner:no.toml=mock:planner", "match"),
+              Exits(66, "cls: no.toml: no such file; `cls init --planner` writes one\n"));
   write("typo.toml", "# mine\npas_margin = 1\n");
   const CommandResult typo = match("planner:typo.toml=mock:planner", "match");
   EXPECT_EQ(typo.exit_code, 65);
@@ -76,17 +74,15 @@ TEST_F(PlannerSide, ReportsErrorsBeforeTheMatch) {
 
 TEST_F(PlannerSide, IsRefusedWhereAMatchIsRepeated) {
   write("other.toml", kOther);
-  const CommandResult refused = run({"match", "planner:other.toml=mock", "mock", "--cycles", "20",
-                                     "--save-at", "10", "x.saved", "--dir", "match"});
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("the built-in formations and planner")) << refused.err;
+  EXPECT_THAT(run({"match", "planner:other.toml=mock", "mock", "--cycles", "20", "--save-at", "10",
+                   "x.saved", "--dir", "match"}),
+              Exits(2, HasSubstr("the built-in formations and planner")));
 }
 
 TEST_F(PlannerSide, InitWritesAFileOnce) {
   EXPECT_EQ(run({"init", "--planner", "a"}).out, "a/planner.toml\n");
-  const CommandResult again = run({"init", "--planner", "a"});
-  EXPECT_EQ(again.exit_code, 73);
-  EXPECT_EQ(again.err, "cls: a/planner.toml: exists; --force renames it to planner.toml.old\n");
+  EXPECT_THAT(run({"init", "--planner", "a"}),
+              Exits(73, "cls: a/planner.toml: exists; --force renames it to planner.toml.old\n"));
   EXPECT_EQ(run({"init", "--planner", "a", "--force"}).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "a/planner.toml.old"));
 }
@@ -115,10 +111,8 @@ max = 20
 start = 5
 integer = true
 )");
-  const CommandResult ran = run({"tune", "run", "search", "--cycles", "10", "--quiet"});
-  ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  const CommandResult best = match("planner:search/best.toml=mock:planner", "match");
-  EXPECT_EQ(best.exit_code, 0) << best.err;
+  ASSERT_THAT(run({"tune", "run", "search", "--cycles", "10", "--quiet"}), Exits(0));
+  EXPECT_THAT(match("planner:search/best.toml=mock:planner", "match"), Exits(0));
 }
 
 }  // namespace

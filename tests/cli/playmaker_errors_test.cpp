@@ -4,19 +4,19 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::cls_binary;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
 
@@ -38,31 +38,24 @@ class PlaymakerErrors : public testing::Test {
 
   void play(const std::string& right, const Arguments& more = {}) {
     std::filesystem::remove_all(folder_.path() / "match");
-    Arguments argv = {cls_binary(),   "match",
-                      "mock:hold",    right,
-                      "--right-name", "brain",
-                      "--cycles",     "20",
-                      "--seed",       "7",
-                      "--set",        "server::kick_off_wait=3",
-                      "--dir",        folder_.path() / "match"};
-    argv.insert(argv.end(), more.begin(), more.end());
-    played_ = cls::tests::run(argv);
-    result_ = json::parse(cls::tests::read_file(folder_.path() / "match/result.json"));
+    played_ = run(joined(
+        {cls_binary(), "match", "mock:hold", right, "--right-name", "brain", "--cycles", "20",
+         "--seed", "7", "--set", "server::kick_off_wait=3", "--dir", folder_.path() / "match"},
+        more));
+    result_ = json::parse(read_file(folder_.path() / "match/result.json"));
   }
   CommandResult replay(const std::string& file, const std::string& side) const {
-    return cls::tests::run({cls_binary(), "test", "--replay", folder_.path() / file, side});
+    return run({cls_binary(), "test", "--replay", folder_.path() / file, side});
   }
 
   std::string warnings() const { return result_["warnings"].dump(); }
-  void expect_printed(const std::string& text) const {
-    EXPECT_THAT(played_.out, HasSubstr(text)) << played_.out;
-  }
+  void expect_printed(const std::string& text) const { EXPECT_THAT(played_.out, HasSubstr(text)); }
   void expect_warning(const std::string& text) const {
-    EXPECT_THAT(warnings(), HasSubstr(text)) << warnings();
-    EXPECT_THAT(played_.err, HasSubstr(text)) << played_.err;
+    EXPECT_THAT(warnings(), HasSubstr(text));
+    EXPECT_THAT(played_.err, HasSubstr(text));
   }
 
-  cls::tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   CommandResult played_;
   json result_;
 };
@@ -70,6 +63,7 @@ class PlaymakerErrors : public testing::Test {
 TEST_F(PlaymakerErrors, NamesFirstErrorWithPlayerAndCycle) {
   play(failing("UNKNOWN", "Exception calling application: my brain hurts"));
   EXPECT_EQ(played_.exit_code, 0) << played_.err;
+
   expect_warning(
       "brain: player 9: GetPlayerActions failed at cycle 5: UNKNOWN: Exception calling "
       "application: my brain hurts");
@@ -82,6 +76,7 @@ TEST_F(PlaymakerErrors, NamesFirstErrorWithPlayerAndCycle) {
                   {"unum", 9},
                   {"recording", "right-error.rpc"}}));
   EXPECT_EQ(result_["left"]["errors"], json({{"count", 0}, {"first", nullptr}}));
+
   expect_printed("  brain: 1 RPC error, the first at cycle 5 (GetPlayerActions, player 9)\n");
   expect_printed("try again: cls test --replay " +
                  (folder_.path() / "match/right-error.rpc").string() + " mock:");
@@ -98,18 +93,14 @@ TEST_F(PlaymakerErrors, CountsErrorsOfAllPlayers) {
 TEST_F(PlaymakerErrors, ReplaysStateOfFirstError) {
   const std::string failing = this->failing("UNKNOWN", "my brain hurts");
   play(failing);
-  const CommandResult again = replay("match/right-error.rpc", failing);
-  EXPECT_EQ(again.exit_code, 1) << again.out << again.err;
-  EXPECT_THAT(again.out,
-              HasSubstr("cycle 5 (step 1), player 9, GetPlayerActions:\n"
-                        "    fails as when recorded: GetPlayerActions: my brain hurts\n"))
-      << again.out;
-  const CommandResult fixed = replay("match/right-error.rpc", "mock:hold");
-  EXPECT_EQ(fixed.exit_code, 0) << fixed.out << fixed.err;
-  EXPECT_THAT(fixed.out, HasSubstr(", 0 different, 1 skipped\n"
-                                   "(no reply to compare with was recorded; now 1 with a reply, 0 "
-                                   "without)\n"))
-      << fixed.out;
+  EXPECT_THAT(
+      replay("match/right-error.rpc", failing),
+      Prints(1, HasSubstr("cycle 5 (step 1), player 9, GetPlayerActions:\n"
+                          "    fails as when recorded: GetPlayerActions: my brain hurts\n")));
+  EXPECT_THAT(replay("match/right-error.rpc", "mock:hold"),
+              Prints(0, HasSubstr(", 0 different, 1 skipped\n"
+                                  "(no reply to compare with was recorded; now 1 with a reply, 0 "
+                                  "without)\n")));
 }
 
 TEST_F(PlaymakerErrors, ExplainsReturnValueOfWrongType) {
@@ -152,6 +143,7 @@ TEST_F(PlaymakerErrors, ReportsExceptionOfFailedCallOnce) {
                          << cls_binary().string()
                          << "' mock hold --port \"$1\" --error 1 --message "
                             "'ValueError: my brain hurts' --fault-unum 9 --fault-cycles 5 5\n";
+
   play("run:sh '" + program + "' {port}");
   const auto count = [](const std::string& text) {
     std::size_t times = 0;
@@ -161,6 +153,7 @@ TEST_F(PlaymakerErrors, ReportsExceptionOfFailedCallOnce) {
     }
     return times;
   };
+
   EXPECT_EQ(count(played_.err), 1u) << played_.err;
   EXPECT_EQ(count(played_.out), 1u) << played_.out;
   expect_printed("    output is in " + (folder_.path() / "match/right-playmaker.log").string());
@@ -211,6 +204,7 @@ TEST_F(PlaymakerErrors, SaysTheErrorOfAnInvalidMatchOnce) {
     "message": "ValueError: no plan (team.py:4)"}})-"),
        {"--set", "server::kick_off_wait=50"});
   EXPECT_EQ(result_["end_reason"], "protocol_error");
+
   const auto count = [](const std::string& text) {
     int times = 0;
     for (std::size_t at = text.find("no plan"); at != std::string::npos; ++times) {
@@ -218,11 +212,13 @@ TEST_F(PlaymakerErrors, SaysTheErrorOfAnInvalidMatchOnce) {
     }
     return times;
   };
+
   EXPECT_EQ(count(played_.err), 1) << played_.err;
   EXPECT_EQ(count(played_.out), 1) << played_.out;
   EXPECT_THAT(played_.err, HasSubstr("no usable reply to 21 calls in a row, at cycle 0: "));
   EXPECT_THAT(played_.out, testing::Not(HasSubstr("rpc p50"))) << "no figures of no cycle";
-  EXPECT_THAT(played_.out, testing::Not(HasSubstr("real time"))) << played_.out;
+  EXPECT_THAT(played_.out, testing::Not(HasSubstr("real time")));
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -2,36 +2,37 @@
 // (skipped if not installed): neither reports errors.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/rcssserver.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::rcssserver_program;
-using nlohmann::json;
+using json = base::Json;
 using Arguments = std::vector<std::string>;
 
 class ProtocolVersion : public testing::TestWithParam<int> {
  protected:
   void play_on(const std::string& server, const std::string& mode) const {
-    const cls::tests::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::string match_folder = folder.path() / "match";
-    const auto played = cls::tests::run(
-        {cls::tests::cls_binary(), "match", "mock", "mock", "--server", server, "--mode", mode,
-         "--protocol", std::to_string(GetParam()), "--half-time", "3", "--seed", "7", "--set",
-         "server::kick_off_wait=3", "--dir", match_folder});
-    EXPECT_EQ(played.exit_code, 0) << played.err;
-    EXPECT_EQ(played.err, "") << "errors of the server are printed as warnings";
-    const json result = json::parse(cls::tests::read_file(match_folder + "/result.json"));
+    EXPECT_THAT(run({cls_binary(), "match", "mock", "mock", "--server", server, "--mode", mode,
+                     "--protocol", std::to_string(GetParam()), "--half-time", "3", "--seed", "7",
+                     "--set", "server::kick_off_wait=3", "--dir", match_folder}),
+                Exits(0, ""));
+
+    const json result = json::parse(read_file(match_folder + "/result.json"));
     EXPECT_EQ(result["end_reason"], "finished");
     EXPECT_EQ(result["cycles"], 60);
     EXPECT_TRUE(result["warnings"].empty()) << result["warnings"];
+
     for (const char* side : {"left", "right"}) {
       for (const json& player : result[side]["players"]) {
         EXPECT_EQ(player["missed"], 0) << player;
@@ -55,3 +56,4 @@ TEST_P(ProtocolVersion, PlaysOnRcssserver) {
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -1,27 +1,24 @@
 // cls teams on rcssserver: from PATH or CLS_RCSSSERVER; skipped if not installed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/rcssserver.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::cls_binary;
-using cls::tests::Command;
-using cls::tests::rcssserver_program;
-using cls::tests::TemporaryFolder;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -44,21 +41,15 @@ class Rcssserver : public testing::Test {
   std::unique_ptr<Command> start_server(const std::string& port,
                                         const std::vector<std::string>& settings) {
     const std::string path = folder_.path();
-    std::vector<std::string> argv = {rcssserver_program(),
-                                     "server::auto_mode=on",
-                                     "server::kick_off_wait=5",
-                                     "server::game_over_wait=5",
-                                     "server::connect_wait=100000",
-                                     "server::nr_extra_halfs=0",
-                                     "server::penalty_shoot_outs=off",
-                                     "server::port=" + port,
-                                     "server::coach_port=" + std::to_string(free_port()),
-                                     "server::olcoach_port=" + coach_port_,
-                                     "server::game_logging=off",
-                                     "server::text_logging=off"};
-    argv.insert(argv.end(), settings.begin(), settings.end());
     return std::make_unique<Command>(
-        argv, std::vector<std::string>{"RCSS_CONF_DIR=" + path + "/conf", "USER=nobody"}, path);
+        joined({rcssserver_program(), "server::auto_mode=on", "server::kick_off_wait=5",
+                "server::game_over_wait=5", "server::connect_wait=100000",
+                "server::nr_extra_halfs=0", "server::penalty_shoot_outs=off",
+                "server::port=" + port, "server::coach_port=" + std::to_string(free_port()),
+                "server::olcoach_port=" + coach_port_, "server::game_logging=off",
+                "server::text_logging=off"},
+               settings),
+        std::vector<std::string>{"RCSS_CONF_DIR=" + path + "/conf", "USER=nobody"}, path);
   }
 
   std::vector<std::string> team(const std::string& name, const std::string& port,
@@ -84,40 +75,41 @@ TEST_F(Rcssserver, PlaysInSynchronousModeWithoutAMissedCycle) {
   const auto server = start_server(port, {"server::synch_mode=on", "server::half_time=10"});
   Command left(team("Reds", port, rpc_port));
   ASSERT_TRUE(left.wait_for_output("on the left in synchronous mode, players 1 to 11"));
+
   Command right(team("Blues", port, rpc_port));
   const auto served = server->finish();
   EXPECT_EQ(served.exit_code, 0) << served.err;
-  EXPECT_THAT(served.err, Not(HasSubstr("missed a cycle"))) << served.err;
-  EXPECT_THAT(served.out, HasSubstr("'Reds' vs 'Blues'")) << served.out;
+  EXPECT_THAT(served.err, Not(HasSubstr("missed a cycle")));
+  EXPECT_THAT(served.out, HasSubstr("'Reds' vs 'Blues'"));
+
   for (Command* each : {&left, &right}) {
     const auto played = each->finish();
     EXPECT_EQ(played.exit_code, 0) << played.err;
     EXPECT_EQ(played.err, "");
-    EXPECT_THAT(played.out, HasSubstr(" at cycle 200;")) << played.out;
-    EXPECT_THAT(played.out, HasSubstr(" 0 missed, 0 undecided cycles, 0 late commands"))
-        << played.out;
+    EXPECT_THAT(played.out, HasSubstr(" at cycle 200;"));
+    EXPECT_THAT(played.out, HasSubstr(" 0 missed, 0 undecided cycles, 0 late commands"));
   }
 }
 
 TEST_F(Rcssserver, IsStartedAndStoppedByMatch) {
-  const std::string mark = cls::tests::new_mark();
+  const std::string mark = new_mark();
   const std::string folder = folder_.path() / "match";
-  const auto played =
-      cls::tests::run({cls_binary(), "match", "mock", "mock", "--server", rcssserver_program(),
-                       "--half-time", "10", "--dir", folder, "--set", "server::kick_off_wait=5"},
-                      {std::string(cls::tests::kMarkVariable) + "=" + mark, "USER=root"});
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_EQ(played.err, "");
-  EXPECT_TRUE(cls::tests::marked_processes(mark).empty());
-  const auto result = nlohmann::json::parse(cls::tests::read_file(folder + "/result.json"));
+  EXPECT_THAT(run({cls_binary(), "match", "mock", "mock", "--server", rcssserver_program(),
+                   "--half-time", "10", "--dir", folder, "--set", "server::kick_off_wait=5"},
+                  {std::string(kMarkVariable) + "=" + mark, "USER=root"}),
+              Exits(0, ""));
+  EXPECT_TRUE(marked_processes(mark).empty());
+
+  const auto result = base::Json::parse(read_file(folder + "/result.json"));
   EXPECT_EQ(result["end_reason"], "finished");
   EXPECT_EQ(result["cycles"], 200);
   EXPECT_FALSE(result["server"]["version"].get<std::string>().empty());
   EXPECT_EQ(result["server"]["missed_cycles"], 0);
   EXPECT_GT(result["server"]["seed"], 0);
   EXPECT_EQ(result["processes"][0]["exit"], "exit code 0");
+
   // The server prints its random seed in a separate line.
-  const std::string log = cls::tests::read_file(folder + "/server.log");
+  const std::string log = read_file(folder + "/server.log");
   EXPECT_THAT(log, HasSubstr("Simulator Random Seed: " + result["server"]["seed"].dump()));
   EXPECT_THAT(log, HasSubstr(folder + "/server-conf/server.conf"));
 }
@@ -129,30 +121,31 @@ TEST_F(Rcssserver, IgnoresUserConfiguration) {
   const std::string mine = "server::half_time = 1\n";
   std::ofstream(home / ".rcssserver/server.conf") << mine;
   std::ofstream(home / ".rcssserver-server.conf") << mine;
-  const auto played = cls::tests::run(
-      {cls_binary(), "match", "mock", "mock", "--server", rcssserver_program(), "--half-time", "2",
-       "--dir", folder_.path() / "match", "--set", "server::kick_off_wait=5"},
-      {"HOME=" + home.string(), "USER=root", "USERNAME=root"});
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  const auto result =
-      nlohmann::json::parse(cls::tests::read_file(folder_.path() / "match/result.json"));
+  EXPECT_THAT(
+      run({cls_binary(), "match", "mock", "mock", "--server", rcssserver_program(), "--half-time",
+           "2", "--dir", folder_.path() / "match", "--set", "server::kick_off_wait=5"},
+          {"HOME=" + home.string(), "USER=root", "USERNAME=root"}),
+      Exits(0));
+
+  const auto result = base::Json::parse(read_file(folder_.path() / "match/result.json"));
   EXPECT_EQ(result["cycles"], 40);
+
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(home)) {
     if (!entry.is_regular_file()) continue;
     ++files;
-    EXPECT_EQ(cls::tests::read_file(entry.path()), mine) << entry.path();
+    EXPECT_EQ(read_file(entry.path()), mine) << entry.path();
   }
   EXPECT_EQ(files, 2U);
 }
 
 TEST_F(Rcssserver, IsStartedByMatchInRealTime) {
   const std::string folder = folder_.path() / "match";
-  const auto played = cls::tests::run({cls_binary(), "match", "mock", "mock", "--server",
-                                       rcssserver_program(), "--mode", "realtime", "--half-time",
-                                       "2", "--dir", folder, "--set", "server::kick_off_wait=5"});
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  const auto result = nlohmann::json::parse(cls::tests::read_file(folder + "/result.json"));
+  EXPECT_THAT(
+      run({cls_binary(), "match", "mock", "mock", "--server", rcssserver_program(), "--mode",
+           "realtime", "--half-time", "2", "--dir", folder, "--set", "server::kick_off_wait=5"}),
+      Exits(0));
+  const auto result = base::Json::parse(read_file(folder + "/result.json"));
   EXPECT_EQ(result["cycles"], 40);
   EXPECT_EQ(result["mode"], "realtime");
 }
@@ -165,9 +158,10 @@ TEST_F(Rcssserver, PlaysInRealTime) {
   const auto server = start_server(port, {"server::synch_mode=off", "server::half_time=2"});
   Command left(team("Reds", port, rpc_port));
   ASSERT_TRUE(left.wait_for_output("on the left in real time, players 1 to 11"));
+
   Command right(team("Blues", port, rpc_port));
-  const auto served = server->finish();
-  EXPECT_EQ(served.exit_code, 0) << served.err;
+  EXPECT_THAT(server->finish(), Exits(0));
+
   for (Command* each : {&left, &right}) {
     const auto played = each->finish();
     EXPECT_EQ(played.exit_code, 0) << played.err;
@@ -180,3 +174,4 @@ TEST_F(Rcssserver, PlaysInRealTime) {
 }
 
 }  // namespace
+}  // namespace cls::tests

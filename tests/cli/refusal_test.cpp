@@ -9,19 +9,18 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::cls_binary;
-using cls::tests::CommandResult;
-using cls::tests::TemporaryFolder;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -79,30 +78,29 @@ std::string this_process() { return "(process " + std::to_string(::getpid()) + "
 
 void expect_taken(const CommandResult& result, const TakenPort& port, const char* protocol) {
   EXPECT_EQ(result.exit_code, 75) << result.err;
-  EXPECT_THAT(result.err, HasSubstr(port.owner(protocol))) << result.err;
-  EXPECT_THAT(result.err, HasSubstr(this_process())) << result.err;
-  EXPECT_THAT(result.err, Not(HasSubstr("chttp2"))) << result.err;
-  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  EXPECT_THAT(result.err, HasSubstr(port.owner(protocol)));
+  EXPECT_THAT(result.err, HasSubstr(this_process()));
+  EXPECT_THAT(result.err, Not(HasSubstr("chttp2")));
+  EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
 }
 
 TEST(TakenPorts, AreNamedByMock) {
   const TakenPort port(SOCK_STREAM);
-  expect_taken(cls::tests::run({cls_binary(), "mock", "--port", port.number()}), port, "TCP");
+  expect_taken(run({cls_binary(), "mock", "--port", port.number()}), port, "TCP");
 }
 
 TEST(TakenPorts, AreNamedByServer) {
   const TakenPort port(SOCK_DGRAM);
-  expect_taken(cls::tests::run({cls_binary(), "server", "--port", port.number()}), port, "UDP");
+  expect_taken(run({cls_binary(), "server", "--port", port.number()}), port, "UDP");
 }
 
 TEST(TakenPorts, AreNamedByMatchForMonitors) {
   const TakenPort port(SOCK_DGRAM);
   for (const char* mode : {"lockstep", "synch"}) {
     const TemporaryFolder folder;
-    expect_taken(
-        cls::tests::run({cls_binary(), "match", "mock", "mock", "--cycles", "5", "--mode", mode,
-                         "--monitor-port", port.number(), "--dir", folder.path() / "match"}),
-        port, "UDP");
+    expect_taken(run({cls_binary(), "match", "mock", "mock", "--cycles", "5", "--mode", mode,
+                      "--monitor-port", port.number(), "--dir", folder.path() / "match"}),
+                 port, "UDP");
   }
 }
 
@@ -111,31 +109,31 @@ TEST(Refusals, SayThatAnHttpServerAnswers) {
   const TemporaryFolder folder;
   const auto start = std::chrono::steady_clock::now();
   const auto match = folder.path() / "match";
-  const CommandResult result = cls::tests::run(
-      {cls_binary(), "match", "mock", "127.0.0.1:" + port.number(), "--dir", match});
+  const CommandResult result =
+      run({cls_binary(), "match", "mock", "127.0.0.1:" + port.number(), "--dir", match});
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
   EXPECT_EQ(result.exit_code, 69);
   EXPECT_THAT(result.err, HasSubstr("an HTTP server answers at 127.0.0.1:" + port.number() +
-                                    ", it does not speak gRPC"))
-      << result.err;
+                                    ", it does not speak gRPC"));
   // No figures, no score and no logs of a match that did not begin.
-  EXPECT_THAT(result.out, Not(HasSubstr(" 0 : 0 "))) << result.out;
-  EXPECT_THAT(result.out, Not(HasSubstr("decisions"))) << result.out;
-  EXPECT_THAT(result.out, HasSubstr("invalid match: refused")) << result.out;
+  EXPECT_THAT(result.out, Not(HasSubstr(" 0 : 0 ")));
+
+  EXPECT_THAT(result.out, Not(HasSubstr("decisions")));
+  EXPECT_THAT(result.out, HasSubstr("invalid match: refused"));
   EXPECT_FALSE(std::filesystem::exists(match / "match.rcg"));
   EXPECT_FALSE(std::filesystem::exists(match / "match.rcl"));
-  const auto document = nlohmann::json::parse(cls::tests::read_file(match / "result.json"));
+
+  const auto document = base::Json::parse(read_file(match / "result.json"));
   EXPECT_TRUE(document["log_files"]["rcg"].is_null());
   EXPECT_EQ(document["fault"], "right");
 }
 
 TEST(Refusals, SayThatNothingListens) {
   const TemporaryFolder folder;
-  const CommandResult result =
-      cls::tests::run({cls_binary(), "match", "127.0.0.1:9", "mock", "--start-timeout", "1",
-                       "--dir", folder.path() / "match"});
-  EXPECT_EQ(result.exit_code, 69);
-  EXPECT_THAT(result.err, HasSubstr("nothing listens at 127.0.0.1:9")) << result.err;
+  EXPECT_THAT(run({cls_binary(), "match", "127.0.0.1:9", "mock", "--start-timeout", "1", "--dir",
+                   folder.path() / "match"}),
+              Exits(69, HasSubstr("nothing listens at 127.0.0.1:9")));
 }
 
 }  // namespace
+}  // namespace cls::tests

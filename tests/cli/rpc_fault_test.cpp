@@ -10,22 +10,19 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/proxy/playmaker/playmaker_server.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using cls::tests::GameService;
-using cls::tests::PlaymakerServer;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
 
@@ -33,7 +30,7 @@ using Arguments = std::vector<std::string>;
 class Mock {
  public:
   explicit Mock(Arguments flags, const std::string& port = "0") {
-    flags.insert(flags.begin(), {cls::tests::cls_binary(), "mock", "hold", "--port", port});
+    flags.insert(flags.begin(), {cls_binary(), "mock", "hold", "--port", port});
     process_ = std::make_unique<Command>(flags);
     EXPECT_TRUE(process_->wait_for_output("\n"));
     const std::string line = process_->out();
@@ -73,23 +70,11 @@ class RpcFault : public testing::TestWithParam<const char*> {
   /// The faulty Playmaker is on the right. The deadline is long, so that load causes no late
   /// replies.
   Arguments match(const std::string& right, const Arguments& more) const {
-    Arguments argv = {cls::tests::cls_binary(),
-                      "match",
-                      "mock:hold",
-                      right,
-                      "--mode",
-                      GetParam(),
-                      "--cycles",
-                      "34",
-                      "--seed",
-                      "7",
-                      "--dir",
-                      folder_.path() / "match",
-                      "--stall-after",
-                      "60",
-                      "--set",
-                      "server::kick_off_wait=3"};
-    if (std::find(more.begin(), more.end(), "--rpc-deadline") == more.end()) {
+    Arguments argv = {cls_binary(),    "match",    "mock:hold", right,
+                      "--mode",        GetParam(), "--cycles",  "34",
+                      "--seed",        "7",        "--dir",     folder_.path() / "match",
+                      "--stall-after", "60",       "--set",     "server::kick_off_wait=3"};
+    if (std::ranges::find(more, "--rpc-deadline") == more.end()) {
       argv.insert(argv.end(), {"--rpc-deadline", "20000"});
     }
     for (const std::string& argument : more) argv.push_back(argument);
@@ -99,7 +84,7 @@ class RpcFault : public testing::TestWithParam<const char*> {
   Played finish(CommandResult command) const {
     Played played{std::move(command), {}};
     const std::string file = folder_.path() / "match/result.json";
-    played.result = json::parse(cls::tests::read_file(file));
+    played.result = json::parse(read_file(file));
     const json& left = played.result["left"]["players"];
     EXPECT_EQ(left.size(), 11U);
     for (const json& player : left) {
@@ -111,7 +96,7 @@ class RpcFault : public testing::TestWithParam<const char*> {
     return played;
   }
   Played play(const std::string& right, const Arguments& more = {}) {
-    return finish(cls::tests::run(match(right, more)));
+    return finish(run(match(right, more)));
   }
   Played play_mock(const Arguments& flags, const Arguments& more = {}) {
     const Mock mock(flags);
@@ -129,7 +114,7 @@ class RpcFault : public testing::TestWithParam<const char*> {
     EXPECT_TRUE(played.result["winner"].is_null());
   }
 
-  cls::tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 INSTANTIATE_TEST_SUITE_P(, RpcFault, testing::Values("lockstep", "synch"),
                          [](const auto& mode) { return std::string(mode.param); });
@@ -145,7 +130,7 @@ TEST_P(RpcFault, SlowRepliesChangeOnlyPercentiles) {
     EXPECT_GE(us["p99"], us["p95"]);
     EXPECT_GE(us["max"], us["p99"]);
   }
-  EXPECT_THAT(played.command.out, HasSubstr("rpc p50 / p95")) << played.command.out;
+  EXPECT_THAT(played.command.out, HasSubstr("rpc p50 / p95"));
   EXPECT_THAT(played.command.out, HasSubstr("rpc worst p99 / max"));
 }
 
@@ -164,8 +149,7 @@ TEST_P(RpcFault, EndsAsLateWhenPlaymakerHangs) {
       play_mock({"--hang-at-cycle", "15"}, {"--rpc-deadline", "400", "--max-missed", "2"});
   expect_invalid(played, "late");
   EXPECT_GE(played.missed_by("deadline"), 3);
-  EXPECT_THAT(played.command.err, HasSubstr("had no usable reply to 3 calls in a row"))
-      << played.command.err;
+  EXPECT_THAT(played.command.err, HasSubstr("had no usable reply to 3 calls in a row"));
 }
 
 TEST_P(RpcFault, RegistersPlayersAgainAfterPlaymakerRestart) {
@@ -174,9 +158,8 @@ TEST_P(RpcFault, RegistersPlayersAgainAfterPlaymakerRestart) {
   expect_finished(played);
   EXPECT_EQ(played.total("reconnects"), 11);
   EXPECT_EQ(played.total("late"), 0);
-  EXPECT_THAT(played.warnings(), HasSubstr("connection to the Playmaker lost"))
-      << played.warnings();
-  EXPECT_FALSE(played.result["deterministic"]);
+  EXPECT_THAT(played.warnings(), HasSubstr("connection to the Playmaker lost"));
+  EXPECT_EQ(played.result["deterministic"], false);
 }
 
 TEST_P(RpcFault, ReconnectsAfterRestartAtHalfTime) {
@@ -215,10 +198,12 @@ TEST_P(RpcFault, CountsEachErrorStatusAsMissed) {
                      code >= 1 && code < reported.size() && !reported[code].exchange(true);
     return due ? grpc::Status(static_cast<grpc::StatusCode>(code), "on purpose") : grpc::Status::OK;
   };
+
   PlaymakerServer server(service);
   const Played played = play("127.0.0.1:" + std::to_string(server.port()));
   expect_finished(played);
   const json& player = played.player(5);
+
   EXPECT_EQ(player["missed"], 16) << player;
   EXPECT_EQ(player["missed_by"],
             json({{"deadline", 1}, {"unavailable", 1}, {"unimplemented", 1}, {"error", 13}}));
@@ -229,7 +214,7 @@ TEST_P(RpcFault, AssumesFirstInterfaceWithoutRegister) {
   const Played played = play_mock({"--unimplemented", "Register,SendByeCommand"});
   expect_finished(played);
   EXPECT_EQ(played.total("missed"), 0);
-  EXPECT_THAT(played.warnings(), HasSubstr("does not implement Register")) << played.warnings();
+  EXPECT_THAT(played.warnings(), HasSubstr("does not implement Register"));
 }
 
 TEST_P(RpcFault, AcceptsPlaymakerWithOnlyDecisions) {
@@ -255,15 +240,14 @@ TEST_P(RpcFault, CountsReplyOfFiveMegabytesAsMissed) {
   expect_finished(played);
   EXPECT_EQ(played.player(5)["missed_by"], json({{"protocol error", 2}}));
   EXPECT_EQ(played.total("missed"), 2);
-  EXPECT_THAT(played.warnings(), HasSubstr("bytes, more than the 1048576 that cls accepts"))
-      << played.warnings();
+  EXPECT_THAT(played.warnings(), HasSubstr("bytes, more than the 1048576 that cls accepts"));
 }
 
 TEST_P(RpcFault, ReportsDuplicateClientIds) {
   const Played played = play_mock({"--wrong-client-id"});
   expect_finished(played);
   EXPECT_EQ(played.total("missed"), 0);
-  EXPECT_THAT(played.warnings(), HasSubstr("the same client_id 1")) << played.warnings();
+  EXPECT_THAT(played.warnings(), HasSubstr("the same client_id 1"));
 }
 
 TEST_P(RpcFault, OnLateSelectsSubstituteCommands) {
@@ -275,6 +259,7 @@ TEST_P(RpcFault, OnLateSelectsSubstituteCommands) {
     actions.add_actions()->mutable_dash()->set_power(40.0F);
     return refused ? grpc::Status(grpc::StatusCode::UNKNOWN, "no idea") : grpc::Status::OK;
   };
+
   PlaymakerServer server(service);
   const auto dashes = [&](const char* on_late) {
     const Played played = play("127.0.0.1:" + std::to_string(server.port()),
@@ -287,6 +272,7 @@ TEST_P(RpcFault, OnLateSelectsSubstituteCommands) {
   const int hold = dashes("hold");
   const int default_count = dashes("default");
   const int last = dashes("last");
+
   EXPECT_GE(hold, 10) << "before the connection was refused";
   EXPECT_GT(default_count, hold) << "moves back to its position in the formation";
   EXPECT_GE(last, hold + 20);
@@ -295,37 +281,27 @@ TEST_P(RpcFault, OnLateSelectsSubstituteCommands) {
 // In real time the server does not wait: late decisions are missed, and both sides continue.
 TEST(RpcFaultInRealTime, CountsSlowRepliesAndRestart) {
   const auto play = [](const Arguments& flags, const Arguments& more) {
-    const cls::tests::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const Mock mock(flags);
-    Arguments argv = {cls::tests::cls_binary(),
-                      "match",
-                      "mock:hold",
-                      mock.address(),
-                      "--mode",
-                      "realtime",
-                      "--cycles",
-                      "25",
-                      "--seed",
-                      "7",
-                      "--max-missed",
-                      "1000",
-                      "--dir",
-                      folder.path(),
-                      "--set",
-                      "server::kick_off_wait=3"};
-    argv.insert(argv.end(), more.begin(), more.end());
-    Played played{cls::tests::run(argv), {}};
-    played.result = json::parse(cls::tests::read_file(folder.path() / "result.json"));
+    Played played{run(joined({cls_binary(), "match", "mock:hold", mock.address(), "--mode",
+                              "realtime", "--cycles", "25", "--seed", "7", "--max-missed", "1000",
+                              "--dir", folder.path(), "--set", "server::kick_off_wait=3"},
+                             more)),
+                  {}};
+    played.result = json::parse(read_file(folder.path() / "result.json"));
     EXPECT_EQ(played.command.exit_code, 0) << played.command.err;
     return played;
   };
   const Played slow =
       play({"--delay", "150", "--fault-unum", "3", "--fault-cycles", "5", "15"}, {});
+
   EXPECT_GE(slow.player(3)["late"], 3);
   EXPECT_GT(slow.player(3)["decisions"], slow.player(3)["late"]);
+
   const Played restarted = play({"--restart-at-cycle", "8", "--restart-after", "300"}, {});
   EXPECT_GE(restarted.total("reconnects"), 11);
   EXPECT_GE(restarted.missed_by("unavailable"), 1);
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -3,26 +3,25 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/built.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 using namespace std::chrono_literals;
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 using Arguments = std::vector<std::string>;
 
 /// A match of the mock (left) against a fake Playmaker started by cls (right), in a temporary
@@ -30,42 +29,31 @@ using Arguments = std::vector<std::string>;
 class RunSide : public testing::Test {
  protected:
   static std::string fake(const std::string& flags) {
-    return "run:exec " + cls::tests::built("cls_fake_playmaker") + " --port {port} " + flags;
+    return "run:exec " + built("cls_fake_playmaker") + " --port {port} " + flags;
   }
 
   Arguments arguments(const std::string& right, const Arguments& more) const {
-    Arguments argv = {cls::tests::cls_binary(),
-                      "match",
-                      "mock",
-                      right,
-                      "--seed",
-                      "7",
-                      "--right-name",
-                      "brain",
-                      "--set",
-                      "server::kick_off_wait=3",
-                      "--dir",
-                      folder_.path(),
-                      "--cycles",
-                      "60"};
-    argv.insert(argv.end(), more.begin(), more.end());
+    const Arguments argv =
+        joined({cls_binary(), "match", "mock", right, "--seed", "7", "--right-name", "brain",
+                "--set", "server::kick_off_wait=3", "--dir", folder_.path(), "--cycles", "60"},
+               more);
     return argv;
   }
-  Arguments environment() const { return {std::string(cls::tests::kMarkVariable) + "=" + mark_}; }
+  Arguments environment() const { return {std::string(kMarkVariable) + "=" + mark_}; }
 
   /// Plays; no process may survive the return of cls.
   void play(const std::string& flags, const Arguments& more = {}) {
-    played_ = cls::tests::run(arguments(fake(flags), more), environment());
-    EXPECT_TRUE(cls::tests::all_marked_gone(mark_));
-    result_ = json::parse(cls::tests::read_file(folder_.path() / "result.json"));
+    played_ = run(arguments(fake(flags), more), environment());
+    EXPECT_TRUE(all_marked_gone(mark_));
+    result_ = json::parse(read_file(folder_.path() / "result.json"));
   }
 
   void expect_end(const std::string& reason, int exit_code, const std::string& message) const {
     EXPECT_EQ(result_["end_reason"], reason);
     EXPECT_EQ(played_.exit_code, exit_code);
     const std::string whole = result_["message"].get<std::string>();
-    EXPECT_THAT(whole, HasSubstr(message)) << whole;
-    EXPECT_THAT(played_.err, HasSubstr("cls: " + whole + "\n")) << played_.err;
+    EXPECT_THAT(whole, HasSubstr(message));
+    EXPECT_THAT(played_.err, HasSubstr("cls: " + whole + "\n"));
     EXPECT_TRUE(result_["winner"].is_null());
   }
 
@@ -75,7 +63,7 @@ class RunSide : public testing::Test {
     EXPECT_EQ(failure["process"], "right Playmaker");
     EXPECT_EQ(failure["exit"], exit);
     EXPECT_EQ(failure["output"].back().get<std::string>().find(argv), 0U) << failure;
-    EXPECT_THAT(played_.err, HasSubstr(argv)) << played_.err;
+    EXPECT_THAT(played_.err, HasSubstr(argv));
     EXPECT_THAT(log(), HasSubstr(argv));
   }
 
@@ -91,10 +79,10 @@ class RunSide : public testing::Test {
     }
     return has_printed();
   }
-  std::string log() const { return cls::tests::read_file(folder_.path() / "right-playmaker.log"); }
+  std::string log() const { return read_file(folder_.path() / "right-playmaker.log"); }
 
-  cls::tests::TemporaryFolder folder_;
-  const std::string mark_ = cls::tests::new_mark();
+  TemporaryFolder folder_;
+  const std::string mark_ = new_mark();
   CommandResult played_;
   json result_;
 };
@@ -120,12 +108,10 @@ TEST_F(RunSide, AcceptsSlowStart) {
 }
 
 TEST_F(RunSide, RefusesUnstartableProgram) {
-  const auto played =
-      cls::tests::run(arguments("run:no-such-playmaker --port {port}", {}), environment());
-  EXPECT_EQ(played.exit_code, 69);
-  EXPECT_THAT(played.err, HasSubstr("its process ended before it answered: exit code 127"))
-      << played.err;
-  EXPECT_THAT(played.err, HasSubstr("no-such-playmaker: not found")) << played.err;
+  EXPECT_THAT(
+      run(arguments("run:no-such-playmaker --port {port}", {}), environment()),
+      Exits(69, testing::AllOf(HasSubstr("its process ended before it answered: exit code 127"),
+                               HasSubstr("no-such-playmaker: not found"))));
 }
 
 TEST_F(RunSide, RefusesImmediatelyAfterExitAtStart) {
@@ -137,24 +123,24 @@ TEST_F(RunSide, RefusesImmediatelyAfterExitAtStart) {
 }
 
 TEST_F(RunSide, NamesTheLimitThatEndedTheProgram) {
-  const auto busy = cls::tests::run(
-      arguments("run:while :; do :; done # {port}", {"--max-cpu", "1"}), environment());
+  const auto busy =
+      run(arguments("run:while :; do :; done # {port}", {"--max-cpu", "1"}), environment());
   EXPECT_EQ(busy.exit_code, 69);
   EXPECT_THAT(busy.err,
               HasSubstr(": its process ended before it answered: killed by SIGXCPU; a process of "
                         "right Playmaker had used the 1 s of CPU time that --max-cpu allows: "
-                        "raise or omit the limit"))
-      << busy.err;
+                        "raise or omit the limit"));
+
   std::filesystem::remove_all(folder_.path());
   const auto large =
-      cls::tests::run(arguments("run:dd if=/dev/zero of=/dev/null bs=64M count=1; exit 3 # {port}",
-                                {"--max-memory", "32M"}),
-                      environment());
+      run(arguments("run:dd if=/dev/zero of=/dev/null bs=64M count=1; exit 3 # {port}",
+                    {"--max-memory", "32M"}),
+          environment());
+
   EXPECT_EQ(large.exit_code, 69);
   EXPECT_THAT(large.err,
               HasSubstr("exit code 3; a process of right Playmaker needed more than the 32M of "
-                        "memory that --max-memory allows: raise or omit the limit"))
-      << large.err;
+                        "memory that --max-memory allows: raise or omit the limit"));
 }
 
 TEST_F(RunSide, PlaysWithinItsLimits) {
@@ -199,10 +185,10 @@ TEST_F(RunSide, ReportsSignalName) {
 }
 
 TEST_F(RunSide, ReportsSignalNameBelowShell) {
-  const auto played = cls::tests::run(
+  const auto played = run(
       arguments("run:" + fake("--signal-at-cycle 20").substr(9) + "; exit $?", {}), environment());
   EXPECT_EQ(played.exit_code, 1);
-  EXPECT_THAT(played.err, HasSubstr("exit code 139 (128 + SIGSEGV)")) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("exit code 139 (128 + SIGSEGV)"));
 }
 
 TEST_F(RunSide, StallsWhenProgramHangs) {
@@ -229,17 +215,15 @@ TEST_F(RunSide, ContinuesDespiteFloodOfOutput) {
 
 // The limit fails writes of cls as a full disk does.
 TEST_F(RunSide, WarnsOfLogThatCannotBeWritten) {
-  const cls::tests::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const std::string match = folder.path() / "match";
   const CommandResult played =
-      cls::tests::run({"/bin/sh", "-c",
-                       "ulimit -f 40; exec '" + cls::tests::cls_binary().string() +
-                           "' match 'run:seq 20000; exec \"" + cls::tests::cls_binary().string() +
-                           "\" mock hold --port {port}' mock:hold --cycles 5 --dir '" + match +
-                           "' --set server::game_logging=off --set server::text_logging=off"});
+      run({"/bin/sh", "-c",
+           "ulimit -f 40; exec '" + cls_binary().string() + "' match 'run:seq 20000; exec \"" +
+               cls_binary().string() + "\" mock hold --port {port}' mock:hold --cycles 5 --dir '" +
+               match + "' --set server::game_logging=off --set server::text_logging=off"});
   EXPECT_THAT(played.err,
-              HasSubstr("left-playmaker.log failed: File too large; the log is incomplete"))
-      << played.err;
+              HasSubstr("left-playmaker.log failed: File too large; the log is incomplete"));
 }
 
 TEST_F(RunSide, KillsProgramThatIgnoresSigterm) {
@@ -269,9 +253,9 @@ TEST_F(RunSide, StopsCleanlyAfterSignal) {
     const CommandResult ended = command.finish();
     EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
     EXPECT_EQ(ended.exit_code, exit_code) << ended.err;
-    const json result = json::parse(cls::tests::read_file(folder_.path() / "result.json"));
+    const json result = json::parse(read_file(folder_.path() / "result.json"));
     EXPECT_EQ(result["end_reason"], "interrupted");
-    EXPECT_TRUE(cls::tests::all_marked_gone(mark_));
+    EXPECT_TRUE(all_marked_gone(mark_));
     for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
       std::filesystem::remove_all(entry.path());  // the next match wants an empty folder
     }
@@ -282,13 +266,13 @@ TEST_F(RunSide, LeavesNoProcessAfterSigkill) {
   Command command(arguments(fake("--ignore-term 1 --grandchild 1 --hang-at-cycle 30"), {}),
                   environment());
   const auto begin = std::chrono::steady_clock::now();
-  while (cls::tests::marked_processes(mark_).size() < 5 &&
-         std::chrono::steady_clock::now() - begin < 10s) {
+  while (marked_processes(mark_).size() < 5 && std::chrono::steady_clock::now() - begin < 10s) {
     std::this_thread::sleep_for(20ms);
   }
-  ASSERT_GE(cls::tests::marked_processes(mark_).size(), 5U);
+  ASSERT_GE(marked_processes(mark_).size(), 5U);
   command.send_signal(SIGKILL);
-  EXPECT_TRUE(cls::tests::all_marked_gone(mark_, 2s));
+  EXPECT_TRUE(all_marked_gone(mark_, 2s));
 }
 
 }  // namespace
+}  // namespace cls::tests

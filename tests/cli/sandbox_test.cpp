@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -14,7 +13,9 @@
 #include "process/landlock.h"
 #include "tests/support/built.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/port_lock.h"
 #include "tests/support/temporary_folder.h"
 
@@ -60,7 +61,7 @@ class Sandbox : public testing::Test {
       argv.push_back(word);
     }
     argv.insert(argv.end(), more.begin(), more.end());
-    if (std::find(more.begin(), more.end(), "--dir") == more.end()) {
+    if (std::ranges::find(more, "--dir") == more.end()) {
       argv.insert(argv.end(), {"--dir", path("match")});
     }
     return run(argv, environment);
@@ -84,14 +85,14 @@ TEST_F(Sandbox, ClosesResultsAndTheOtherTeam) {
            "(echo new > ../file || echo closed) > beside\n"
            "(echo 'a file' > $TMPDIR/file && cat $TMPDIR/file) > temporary\n"
            "echo $TMPDIR > folder");
-  const CommandResult played = play();
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_EQ(played.err, "");
+  EXPECT_THAT(play(), Exits(0, ""));
+
   for (const char* name : {"rivals", "change", "results", "manifest", "beside"}) {
-    EXPECT_THAT(probe(name), HasSubstr("closed\n")) << name << ": " << probe(name);
+    EXPECT_THAT(probe(name), HasSubstr("closed\n")) << name << ": ";
   }
+
   EXPECT_EQ(read_file(path("rivals/secret")), "our tactics\n");
-  EXPECT_FALSE(nlohmann::json::parse(read_file(path("match/manifest.json"))).empty());
+  EXPECT_FALSE(base::Json::parse(read_file(path("match/manifest.json"))).empty());
   EXPECT_EQ(probe("temporary"), "a file\n");
   std::string folder = probe("folder");
   folder.pop_back();
@@ -116,11 +117,12 @@ TEST_F(Sandbox, ClosesOtherProcesses) {
                "(head -c 1 /proc/$other/maps || echo closed) >> memory\n"
                "done\n"
                "grep -q 'CapPrm:.0000000000000000' /proc/self/status && echo none > caps");
-  const CommandResult played = play();
-  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_THAT(play(), Exits(0));
+
   for (const char* name : {"limits", "priority", "cores", "scheduling", "disk"}) {
     EXPECT_THAT(probe(name), MatchesRegex("(.*\n)*closed\n(.*\n)*closed\n")) << name;
   }
+
   if (has_landlock()) {
     EXPECT_THAT(probe("variables"), MatchesRegex("(.*\n)*closed\n(.*\n)*closed\n"));
     EXPECT_THAT(probe("memory"), MatchesRegex("(.*\n)*closed\n(.*\n)*closed\n"));
@@ -132,20 +134,18 @@ TEST_F(Sandbox, ClosesOtherProcesses) {
 TEST_F(Sandbox, PassesNoSecretsOfTheEnvironment) {
   add_team("guests", "env > variables");
   const Words environment = {"API_TOKEN=hunter2", "LC_ALL=C", "CLS_TLS_KEY=key.pem"};
-  const CommandResult played = play({}, {}, environment);
-  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_THAT(play({}, {}, environment), Exits(0));
   const std::string variables = probe("variables");
-  EXPECT_THAT(variables, Not(HasSubstr("hunter2"))) << variables;
-  EXPECT_THAT(variables, Not(HasSubstr("CLS_"))) << variables;
+  EXPECT_THAT(variables, Not(HasSubstr("hunter2")));
+  EXPECT_THAT(variables, Not(HasSubstr("CLS_")));
   for (const char* name : {"PATH=", "TMPDIR=", "LC_ALL=C\n"}) {
-    EXPECT_THAT(variables, HasSubstr(name)) << name << " in " << variables;
+    EXPECT_THAT(variables, HasSubstr(name)) << name << " in ";
   }
 }
 
 TEST_F(Sandbox, CanBeTurnedOff) {
   add_team("guests", "cat ../rivals/secret > rivals; env > variables");
-  const CommandResult played = play({"--no-sandbox"}, {}, {"API_TOKEN=hunter2"});
-  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_THAT(play({"--no-sandbox"}, {}, {"API_TOKEN=hunter2"}), Exits(0));
   EXPECT_THAT(probe("variables"), HasSubstr("API_TOKEN=hunter2\n"));
   EXPECT_EQ(probe("rivals"), "our tactics\n");
 }
@@ -182,24 +182,21 @@ TEST_F(Sandbox, TournamentsWarnOnceOnAKernelWithoutLandlock) {
 TEST_F(Sandbox, WarnsOfResultsInTheFolderOfATeam) {
   if (!has_landlock()) GTEST_SKIP() << "this kernel has no Landlock";
   add_team("guests", "");
-  const CommandResult played = play({"--dir", path("guests/match")});
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_EQ(played.err, "cls: warning: the folder of team:" + path("guests").string() +
-                            " contains the match folder: the team can change the results; choose "
-                            "another --dir\n");
+  EXPECT_THAT(play({"--dir", path("guests/match")}),
+              Exits(0, "cls: warning: the folder of team:" + path("guests").string() +
+                           " contains the match folder: the team can change the results; choose "
+                           "another --dir\n"));
 }
 
 TEST_F(Sandbox, IsNamedWhenATeamMissesAFile) {
   if (!has_landlock()) GTEST_SKIP() << "this kernel has no Landlock";
   add_team("guests", "cat ../rivals/secret || exit 3");
-  const CommandResult played = play();
-  EXPECT_EQ(played.exit_code, 69);
-  EXPECT_THAT(played.err,
-              HasSubstr("exit code 3; it runs in a sandbox: if it needs files outside of " +
-                        fs::canonical(path("guests")).string() +
-                        " or variables of your environment, copy them there or use "
-                        "--no-sandbox"))
-      << played.err;
+  EXPECT_THAT(
+      play(),
+      Exits(69, HasSubstr("exit code 3; it runs in a sandbox: if it needs files outside of " +
+                          fs::canonical(path("guests")).string() +
+                          " or variables of your environment, copy them there or use "
+                          "--no-sandbox")));
 }
 
 }  // namespace

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
 
 namespace cls::tests {
@@ -20,8 +20,7 @@ using Words = std::vector<std::string>;
 class SaveMatch : public testing::Test, public cls::tests::ClsFolder {
  protected:
   CommandResult match(Words words, const std::string& folder) const {
-    Words all = {"match"};
-    all.insert(all.end(), words.begin(), words.end());
+    Words all = joined({"match"}, words);
     for (const char* word : {"--dir", folder.c_str(), "--quiet"}) all.emplace_back(word);
     return run(std::move(all));
   }
@@ -30,10 +29,10 @@ class SaveMatch : public testing::Test, public cls::tests::ClsFolder {
   }
   // A match of 60 cycles, saved at cycle 30.
   void save() const {
-    const auto played = match({"mock", "mock", "--seed", "5", "--cycles", "60", "--set",
-                               "server::player_rand=0.2", "--save-at", "30", "saved"},
-                              "whole");
-    ASSERT_EQ(played.exit_code, 0) << played.err;
+    ASSERT_THAT(match({"mock", "mock", "--seed", "5", "--cycles", "60", "--set",
+                       "server::player_rand=0.2", "--save-at", "30", "saved"},
+                      "whole"),
+                Exits(0));
   }
 };
 
@@ -52,9 +51,9 @@ TEST_F(SaveMatch, ResumedMatchGivesTheSameBytes) {
 
 TEST_F(SaveMatch, AnotherSeedBranchesAtTheSavedCycle) {
   save();
-  const auto branched =
-      match({"mock", "mock", "--cycles", "60", "--resume", "saved", "--seed", "6"}, "branch");
-  ASSERT_EQ(branched.exit_code, 0) << branched.err;
+  ASSERT_THAT(
+      match({"mock", "mock", "--cycles", "60", "--resume", "saved", "--seed", "6"}, "branch"),
+      Exits(0));
   const std::string whole = game_log("whole");
   const std::string branch = game_log("branch");
   ASSERT_NE(branch, whole);
@@ -76,23 +75,25 @@ TEST_F(SaveMatch, OtherSidesTakeOverAtTheSavedCycle) {
 
 TEST_F(SaveMatch, SavesWhatASecondMatchSavesToo) {
   save();
-  const auto resumed = match(
-      {"mock", "mock", "--cycles", "60", "--resume", "saved", "--save-at", "30", "again"}, "two");
-  ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+  ASSERT_THAT(
+      match({"mock", "mock", "--cycles", "60", "--resume", "saved", "--save-at", "30", "again"},
+            "two"),
+      Exits(0));
   EXPECT_EQ(read_file(folder_.path() / "again"), read_file(folder_.path() / "saved"));
 }
 
 TEST_F(SaveMatch, NamesWhatIsWrong) {
   int number = 0;
   const auto expect = [&](Words words, int code, const std::string& text) {
-    const auto result = match(std::move(words), "wrong-" + std::to_string(++number));
-    EXPECT_EQ(result.exit_code, code) << result.err;
-    EXPECT_THAT(result.err, HasSubstr(text)) << result.err;
+    EXPECT_THAT(match(std::move(words), "wrong-" + std::to_string(++number)),
+                Exits(code, HasSubstr(text)));
   };
+
   write("text", "no match");
   expect({"mock", "mock", "--resume", "none"}, 66, "--resume none: no such file");
   expect({"mock", "mock", "--resume", "text"}, 65, "text: not a saved match, or truncated");
   expect({"mock", "mock", "--resume", "text", "--half-time", "10"}, 2, "no --half-time");
+
   expect({"mock", "mock", "--save-at", "x", "f"}, 2, "--save-at 'x'");
   expect({"mock", "mock", "--save-at", "99999999999", "f"}, 2,
          "--save-at '99999999999': too large");
@@ -107,8 +108,7 @@ TEST_F(SaveMatch, TruncatedFileIsAnError) {
   save();
   const std::string bytes = read_file(folder_.path() / "saved");
   write("half", bytes.substr(0, bytes.size() / 2));
-  const auto result = match({"mock", "mock", "--resume", "half"}, "wrong");
-  EXPECT_EQ(result.exit_code, 65) << result.err;
+  EXPECT_THAT(match({"mock", "mock", "--resume", "half"}, "wrong"), Exits(65));
 }
 
 }  // namespace

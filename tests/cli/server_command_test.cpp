@@ -7,20 +7,19 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/rcssserver.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::cls_binary;
-using cls::tests::Command;
-using cls::tests::run;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -50,13 +49,15 @@ TEST(ServerCommand, CoachWaitsForTheFirstPlayerOfItsTeam) {
     return more;
   };
   Command coach(agent({"--coach"}));
+
   EXPECT_FALSE(coach.wait_for_output("plays on", std::chrono::seconds(1)));
+
   Command player(agent({"--unum", "1"}));
   EXPECT_TRUE(coach.wait_for_output("Reds plays on the left")) << coach.out();
 }
 
 TEST(ServerCommand, ServesTwoProxyTeams) {
-  cls::tests::TemporaryFolder folder;
+  TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--seed", "7", "--cycles", "100", "--dir",
                   folder.path(), "server::kick_off_wait=3", "server::auto_mode=on",
                   "server::synch_mode=on"});
@@ -78,53 +79,58 @@ TEST(ServerCommand, ServesTwoProxyTeams) {
                              "always", "--rpc-deadline", "2900", "--result", result});
   Command right(blues);
   const auto served = server.finish();
+
   EXPECT_EQ(served.exit_code, 0) << served.err;
-  EXPECT_THAT(served.out, HasSubstr("\n100 cycles, 0 of them missed")) << served.out;
-  EXPECT_THAT(served.out, HasSubstr("Simulator Random Seed: 7\n")) << served.out;
+  EXPECT_THAT(served.out, HasSubstr("\n100 cycles, 0 of them missed"));
+  EXPECT_THAT(served.out, HasSubstr("Simulator Random Seed: 7\n"));
   EXPECT_THAT(served.out, HasSubstr("A new (v19) player (Reds 1) connected.\n"));
   EXPECT_THAT(served.out, HasSubstr("A new (v19) player (Blues 11) connected.\n"));
-  EXPECT_THAT(served.out, HasSubstr("Game Over. Exiting...\n")) << served.out;
+  EXPECT_THAT(served.out, HasSubstr("Game Over. Exiting...\n"));
+
   for (const char* line :
        {"\nWaiting for players to connect\n", "\nWaiting to kick off\n", "\nKick_off_left\n"}) {
-    EXPECT_THAT(served.out, HasSubstr(line)) << line << served.out;
+    EXPECT_THAT(served.out, HasSubstr(line)) << line;
   }
+
   for (Command* team : {&left, &right}) {
     const auto played = team->finish();
     EXPECT_EQ(played.exit_code, 0) << played.err;
-    EXPECT_THAT(played.err, Not(HasSubstr("stopped responding"))) << played.err;
-    EXPECT_THAT(played.out, HasSubstr(" at cycle 100; ")) << played.out;
+    EXPECT_THAT(played.err, Not(HasSubstr("stopped responding")));
+    EXPECT_THAT(played.out, HasSubstr(" at cycle 100; "));
     EXPECT_THAT(played.out, HasSubstr(" 0 missed, 0 undecided cycles, 0 late commands"))
-        << played.out << played.err;
+        << played.err;
   }
-  const auto document = nlohmann::json::parse(cls::tests::read_file(result));
+
+  const auto document = base::Json::parse(read_file(result));
   EXPECT_EQ(document["schema"], "cls.proxy/1");
   EXPECT_EQ(document["end_reason"], "finished");
   ASSERT_EQ(document["players"].size(), 11U);
+
   for (const auto& player : document["players"]) {
     EXPECT_GE(player["decisions"], 100);
     EXPECT_EQ(player["missed"], 0);
     EXPECT_GT(player["rpc_us"]["p50"], 0);
   }
-  const std::string log = cls::tests::read_file(std::filesystem::path(folder.path()) / "match.rcg");
+
+  const std::string log = read_file(std::filesystem::path(folder.path()) / "match.rcg");
   EXPECT_THAT(log, HasSubstr("Reds"));
   EXPECT_THAT(log, HasSubstr("Blues"));
 }
 
 TEST(ServerCommand, ProxyRefusesPlaymakerWithoutRequiredTeamService) {
-  cls::tests::TemporaryFolder folder;
+  TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
   const std::string port = port_in(server);
   Command older({cls_binary(), "mock", "--unimplemented", "GetBestPlannerAction"});
   const std::string rpc_port = port_in(older);
-  const auto refused = run({cls_binary(), "proxy", "-p", port, "--rpc-port", rpc_port, "-h",
-                            "127.0.0.1", "-C", "--batch", "always"});
-  EXPECT_EQ(refused.exit_code, 69) << refused.err;
-  EXPECT_THAT(refused.err, HasSubstr("does not implement TeamPlaymaker")) << refused.err;
+  EXPECT_THAT(run({cls_binary(), "proxy", "-p", port, "--rpc-port", rpc_port, "-h", "127.0.0.1",
+                   "-C", "--batch", "always"}),
+              Exits(69, HasSubstr("does not implement TeamPlaymaker")));
   EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-port-step", "--batch", "always"}).exit_code, 2);
 }
 
-cls::tests::CommandResult end_server_by(int signal) {
-  cls::tests::TemporaryFolder folder;
+CommandResult end_server_by(int signal) {
+  TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
   port_in(server);
   server.send_signal(signal);
@@ -132,27 +138,24 @@ cls::tests::CommandResult end_server_by(int signal) {
 }
 
 TEST(ServerCommand, PrintsResultAfterSignal) {
-  const auto served = end_server_by(SIGTERM);
-  EXPECT_EQ(served.exit_code, 143);
-  EXPECT_THAT(served.out, HasSubstr("\nServer Killed. Exiting...\n")) << served.out;
-  EXPECT_THAT(served.out, HasSubstr("\tnull vs null\n\tScore: 0 - 0\n")) << served.out;
-  EXPECT_THAT(served.out, HasSubstr("; step lateness: mean ")) << served.out;
+  EXPECT_THAT(end_server_by(SIGTERM),
+              Prints(143, testing::AllOf(HasSubstr("\nServer Killed. Exiting...\n"),
+                                         HasSubstr("\tnull vs null\n\tScore: 0 - 0\n"),
+                                         HasSubstr("; step lateness: mean "))));
 }
 
 TEST(ServerCommand, StopsCleanlyOnSighup) {
-  const auto served = end_server_by(SIGHUP);
-  EXPECT_EQ(served.exit_code, 130);
-  EXPECT_THAT(served.out, HasSubstr("\nServer Killed. Exiting...\n")) << served.out;
+  EXPECT_THAT(end_server_by(SIGHUP), Prints(130, HasSubstr("\nServer Killed. Exiting...\n")));
 }
 
 TEST(ServerCommand, SendsRequestedPorts) {
-  const int port = cls::tests::free_udp_port();
-  cls::tests::TemporaryFolder folder;
+  const int port = free_udp_port();
+  TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", std::to_string(port), "--dir", folder.path()});
   EXPECT_EQ(port_in(server), std::to_string(port));
   server.send_signal(SIGINT);
   EXPECT_EQ(server.finish().exit_code, 130);
-  const std::string log = cls::tests::read_file(folder.path() / "match.rcg");
+  const std::string log = read_file(folder.path() / "match.rcg");
   for (const std::string& document :
        {"(port " + std::to_string(port) + ')', "(coach_port " + std::to_string(port + 1) + ')',
         "(olcoach_port " + std::to_string(port + 2) + ')'}) {
@@ -171,24 +174,23 @@ TEST(ServerCommand, RejectsUnsupportedSettings) {
   for (const auto& [setting, reason] : wishes) {
     const auto refused = run({cls_binary(), "server", "--port", "0", setting});
     EXPECT_EQ(refused.exit_code, 2) << setting;
-    EXPECT_THAT(refused.err, HasSubstr(reason)) << refused.err;
-    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr(reason));
+    EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
   }
 }
 
 TEST(ServerCommand, AcceptsSpacesAndQuotesAsRcssserver) {
-  cls::tests::TemporaryFolder folder;
+  TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path(),
                   "server::game_log_fixed_name='match'", "server::landmark_file=", "'a b.xml'",
                   "server::half_time", "=", "10"});
   port_in(server);
   server.send_signal(SIGINT);
-  const auto served = server.finish();
-  EXPECT_EQ(served.exit_code, 130) << served.err;
+  EXPECT_THAT(server.finish(), Exits(130));
 }
 
 TEST(ServerCommand, WritesLogsAndCsvToRcssserverPaths) {
-  cls::tests::TemporaryFolder folder;
+  TemporaryFolder folder;
   const std::filesystem::path here = folder.path();
   std::ofstream(here / "server.conf") << "server::game_log_dir = '" << here.string() << "'\n"
                                       << "server::text_logging = off\n"
@@ -197,19 +199,20 @@ TEST(ServerCommand, WritesLogsAndCsvToRcssserverPaths) {
   Command server({cls_binary(), "server", "--server::port=0", "server::coach_port=0",
                   "server::olcoach_port=0", "CSVSaver::save=on",
                   "CSVSaver::filename=" + (here / "table.csv").string()});
+
   setenv("RCSS_CONF_DIR", "/nonexistent", 1);
   ASSERT_TRUE(server.wait_for_output("listening on "));
+
   server.send_signal(SIGTERM);
   const auto served = server.finish();
   EXPECT_EQ(served.exit_code, 143) << served.err;
   EXPECT_TRUE(std::filesystem::exists(here / "null-vs-null.rcg")) << served.out;
-  EXPECT_THAT(cls::tests::read_file(here / "table.csv"),
-              HasSubstr(", NULL, NULL, NULL, NULL, 0, 0, "));
+  EXPECT_THAT(read_file(here / "table.csv"), HasSubstr(", NULL, NULL, NULL, NULL, 0, 0, "));
   EXPECT_THAT(served.out, HasSubstr("configuration: " + (here / "server.conf").string()));
 }
 
 TEST(ServerCommand, ReportsErrorsInConfigurationFile) {
-  cls::tests::TemporaryFolder folder;
+  TemporaryFolder folder;
   const std::filesystem::path here = folder.path();
   std::ofstream(here / "server.conf") << "\nserver::half_tim = 3\n";
   setenv("RCSS_CONF_DIR", folder.path().c_str(), 1);
@@ -221,34 +224,32 @@ TEST(ServerCommand, ReportsErrorsInConfigurationFile) {
 }
 
 TEST(ServerCommand, ReportsPortInUse) {
-  cls::tests::TemporaryFolder folder;
+  TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
   const std::string port = port_in(server);
   const auto taken = run({cls_binary(), "server", "--port", port, "--dir", folder.path()});
   EXPECT_EQ(taken.exit_code, 75);
-  EXPECT_THAT(taken.err, HasSubstr("UDP port " + port + " is taken by")) << taken.err;
+  EXPECT_THAT(taken.err, HasSubstr("UDP port " + port + " is taken by"));
 }
 
 TEST(ProxyCommand, ReportsUnreachableServer) {
   std::string port;
   {
-    cls::tests::TemporaryFolder folder;
+    TemporaryFolder folder;
     Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
     port = port_in(server);
   }
-  const auto alone = run({cls_binary(), "proxy", "-p", port, "--start-timeout", "0.5"});
-  EXPECT_EQ(alone.exit_code, 69);
-  EXPECT_THAT(alone.err, HasSubstr("no soccer server answers at localhost:" + port)) << alone.err;
+  EXPECT_THAT(run({cls_binary(), "proxy", "-p", port, "--start-timeout", "0.5"}),
+              Exits(69, HasSubstr("no soccer server answers at localhost:" + port)));
 }
 
 TEST(ProxyCommand, ReportsUnreachablePlaymaker) {
-  cls::tests::TemporaryFolder folder;
+  TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
   const std::string port = port_in(server);
-  const auto alone = run(
-      {cls_binary(), "proxy", "-p", port, "-t", "Reds", "--rpc-port", "1", "--start-timeout", "1"});
-  EXPECT_EQ(alone.exit_code, 69);
-  EXPECT_THAT(alone.err, HasSubstr("localhost:1")) << alone.err;
+  EXPECT_THAT(run({cls_binary(), "proxy", "-p", port, "-t", "Reds", "--rpc-port", "1",
+                   "--start-timeout", "1"}),
+              Exits(69, HasSubstr("localhost:1")));
 }
 
 TEST(ProxyCommand, AcceptsOptionsOfUpstreamStartScript) {
@@ -296,23 +297,24 @@ TEST(ProxyCommand, AcceptsOptionsOfUpstreamStartScript) {
                  "--start-timeout",
                  "0.1"});
   const auto ended = proxy.finish();
+
   EXPECT_EQ(ended.exit_code, 69) << ended.err;
+
   // The reason, and where to read on.
-  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 2) << ended.err;
+  EXPECT_EQ(std::ranges::count(ended.err, '\n'), 2) << ended.err;
 }
 
 TEST(ProxyCommand, ReportsUsageErrors) {
   EXPECT_EQ(run({cls_binary(), "proxy", "-t", "much_too_long_a_name"}).exit_code, 2);
   EXPECT_EQ(run({cls_binary(), "proxy", "-u", "12", "-C"}).exit_code, 2);
   EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-prot", "1"}).exit_code, 2);
-  const auto formation = run({cls_binary(), "proxy", "--formation", "no/such/folder"});
-  EXPECT_EQ(formation.exit_code, 2);
-  EXPECT_THAT(formation.err, HasSubstr("no/such/folder: no such folder")) << formation.err;
+  EXPECT_THAT(run({cls_binary(), "proxy", "--formation", "no/such/folder"}),
+              Exits(2, HasSubstr("no/such/folder: no such folder")));
   EXPECT_EQ(run({cls_binary(), "proxy", "--debug-log", "no/such/folder"}).exit_code, 2);
 }
 
 TEST(ProxyCommand, ReconnectsDisconnectedPlayer) {
-  cls::tests::TemporaryFolder folder;
+  TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path(),
                   "server::connect_wait=100000", "server::synch_mode=on"});
   const std::string port = port_in(server);
@@ -322,17 +324,19 @@ TEST(ProxyCommand, ReconnectsDisconnectedPlayer) {
   Command first(argv);
   ASSERT_TRUE(
       first.wait_for_output("Reds plays on the left in synchronous mode, players 1 to 2\n"));
+
   first.send_signal(SIGTERM);
   const auto left = first.finish();
   EXPECT_EQ(left.exit_code, 143) << left.err;
+
   auto again = argv;
   again.insert(again.end(), {"--reconnect"});
   Command second(again);
   ASSERT_TRUE(
       second.wait_for_output("Reds plays on the left in synchronous mode, players 1 to 2\n"));
   second.send_signal(SIGINT);
-  const auto back = second.finish();
-  EXPECT_EQ(back.exit_code, 130) << back.err;
+  EXPECT_THAT(second.finish(), Exits(130));
 }
 
 }  // namespace
+}  // namespace cls::tests

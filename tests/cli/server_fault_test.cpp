@@ -3,12 +3,12 @@
 
 #include <gmock/gmock.h>
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 using namespace std::chrono_literals;
-using cls::tests::built;
-using ServerFault = cls::tests::NetworkMatch;
+using ServerFault = NetworkMatch;
 
 TEST_F(ServerFault, ReportsMissingProgram) {
   play("mock", "/no/such/server");
@@ -73,7 +73,7 @@ TEST_F(ServerFault, KillsServerThatIgnoresSigterm) {
   EXPECT_EQ(played_.exit_code, 74) << played_.err;
   EXPECT_EQ(result_["end_reason"], "finished");
   EXPECT_EQ(result_["cycles"], 9);
-  EXPECT_THAT(played_.err, HasSubstr("match.rcg ends at cycle ")) << played_.err;
+  EXPECT_THAT(played_.err, HasSubstr("match.rcg ends at cycle "));
   EXPECT_EQ(result_["processes"][0]["exit"], "ended by cls (killed by SIGKILL)");
 }
 
@@ -113,8 +113,7 @@ TEST_F(ServerFault, WarnsWhenLogAndPlayersDisagreeOnScore) {
   expect_finished();
   EXPECT_EQ(result_["left"]["score"], 7);
   EXPECT_EQ(result_["right"]["score"], 8);
-  EXPECT_THAT(played_.err, HasSubstr("the log says 7 : 8, but the players of hold counted "))
-      << played_.err;
+  EXPECT_THAT(played_.err, HasSubstr("the log says 7 : 8, but the players of hold counted "));
 }
 
 TEST_F(ServerFault, TakesScoreFromPlayersWithoutLog) {
@@ -122,8 +121,7 @@ TEST_F(ServerFault, TakesScoreFromPlayersWithoutLog) {
   expect_finished();
   EXPECT_EQ(result_["cycles"], 40);
   EXPECT_TRUE(result_["log_files"]["rcg"].is_null());
-  EXPECT_THAT(played_.err, HasSubstr("score and cycles are those that the cls agents heard: "))
-      << played_.err;
+  EXPECT_THAT(played_.err, HasSubstr("score and cycles are those that the cls agents heard: "));
 }
 
 TEST_F(ServerFault, FailsWithoutLogAndPlayers) {
@@ -133,3 +131,4 @@ TEST_F(ServerFault, FailsWithoutLogAndPlayers) {
 }
 
 }  // namespace
+}  // namespace cls::tests

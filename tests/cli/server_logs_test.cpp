@@ -40,6 +40,7 @@ class ScriptedServer {
   ScriptedServer(Arguments command, const Arguments& settings) {
     for (int& port : ports_) port = free_udp_port();
     const std::string path = folder_.path();
+
     for (const std::string& argument :
          Arguments{"server::port=" + std::to_string(ports_[0]),
                    "server::coach_port=" + std::to_string(ports_[1]),
@@ -50,6 +51,7 @@ class ScriptedServer {
                    "server::text_log_dated=off", "server::keepaway_log_dated=off"}) {
       command.push_back(argument);
     }
+
     command.insert(command.end(), settings.begin(), settings.end());
     server_ = std::make_unique<Command>(
         command, Arguments{"RCSS_CONF_DIR=" + path + "/conf", "USER=nobody"}, path);

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/temporary_folder.h"
@@ -30,11 +30,8 @@ std::string team(const std::string& name) {
 
 class ServerTeams : public testing::Test {
  protected:
-  Command serve(std::vector<std::string> argv) const {
-    std::vector<std::string> command = {cls_binary(), "server", "--port",
-                                        "0",          "--dir",  folder.path()};
-    command.insert(command.end(), argv.begin(), argv.end());
-    return Command(command,
+  Command serve(const std::vector<std::string>& argv) const {
+    return Command(joined({cls_binary(), "server", "--port", "0", "--dir", folder.path()}, argv),
                    {std::string(kMarkVariable) + "=" + mark, "RCSS_CONF_DIR=/nonexistent"});
   }
 
@@ -60,6 +57,7 @@ TEST_F(ServerTeams, PlayMatchAndStopWithServer) {
   const auto served = server.finish();
   EXPECT_EQ(served.exit_code, 0) << served.err;
   EXPECT_TRUE(nobody_left());
+
   // The first team to connect is the left one: the right one waits for it.
   std::size_t at = 0;
   for (const std::string& line :
@@ -72,7 +70,8 @@ TEST_F(ServerTeams, PlayMatchAndStopWithServer) {
     ASSERT_NE(found, std::string::npos) << line << "\nin\n" << served.out;
     at = found;
   }
-  EXPECT_THAT(served.out, HasSubstr("\nthe right one comes\n")) << served.out;
+
+  EXPECT_THAT(served.out, HasSubstr("\nthe right one comes\n"));
   EXPECT_EQ(served.err, "");
 }
 
@@ -86,8 +85,10 @@ TEST_F(ServerTeams, ReceiveSigintThenSigkill) {
       "; exit 0' INT\n"
       "echo up\n"
       "while true; do sleep 0.1; done\n");
+
   Command server = serve({"server::team_l_start=exec " + start});
   ASSERT_TRUE(server.wait_for_output("\nup\n"));
+
   server.send_signal(SIGINT);
   const auto served = server.finish();
   EXPECT_EQ(served.exit_code, 130);
@@ -111,9 +112,8 @@ TEST_F(ServerTeams, ReportFailedCommandOnce) {
                           "server::team_r_start=echo y >>" + runs, "server::synch_mode=on",
                           "server::auto_mode=on", "server::kick_off_wait=2",
                           "server::connect_wait=20", "--cycles", "2"});
-  const auto served = server.finish();
-  EXPECT_EQ(served.exit_code, 0) << served.err;
-  EXPECT_EQ(served.err, "cls: team_l_start: 'echo x >>" + runs + "; exit 3' failed: exit code 3\n");
+  EXPECT_THAT(server.finish(),
+              Exits(0, "cls: team_l_start: 'echo x >>" + runs + "; exit 3' failed: exit code 3\n"));
   EXPECT_EQ(read_file(runs), "x\n");  // without a left team the right one is not started
 }
 

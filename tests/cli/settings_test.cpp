@@ -3,24 +3,22 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 
 namespace fs = std::filesystem;
-using cls::tests::cls_binary;
-using cls::tests::CommandResult;
-using cls::tests::read_file;
-using nlohmann::json;
+using json = base::Json;
 using Arguments = std::vector<std::string>;
 
 constexpr const char* kConfig =
@@ -35,7 +33,7 @@ constexpr const char* kConfig =
     "[teams.BLUE]\n"
     "endpoint = \"mock:hold\"\n";
 
-class Settings : public testing::Test, public cls::tests::ClsFolder {
+class Settings : public testing::Test, public ClsFolder {
  protected:
   Settings() { write("cls.toml", kConfig); }
 
@@ -66,9 +64,8 @@ class Settings : public testing::Test, public cls::tests::ClsFolder {
 
 TEST_F(Settings, MissingFileIsError) {
   for (const char* command : {"match", "config"}) {
-    const CommandResult refused = run({command, "mock", "mock", "--config", "nope.toml"});
-    EXPECT_EQ(refused.exit_code, 66);
-    EXPECT_EQ(refused.err, "cls: --config nope.toml: no such file\n");
+    EXPECT_THAT(run({command, "mock", "mock", "--config", "nope.toml"}),
+                Exits(66, "cls: --config nope.toml: no such file\n"));
   }
 }
 
@@ -83,10 +80,9 @@ TEST_F(Settings, NamesBringSettingsOfTheirFile) {
 }
 
 TEST_F(Settings, OptionsOverrideFile) {
-  ASSERT_EQ(run({"match", "RED", "BLUE", "--cycles", "5", "--half-time", "9", "--set",
-                 "server::kick_off_wait=4", "--dir", "x"})
-                .exit_code,
-            0);
+  ASSERT_THAT(run({"match", "RED", "BLUE", "--cycles", "5", "--half-time", "9", "--set",
+                   "server::kick_off_wait=4", "--dir", "x"}),
+              Exits(0));
   EXPECT_EQ(document("x/result.json")["cycles"], 5);
   const json settings = document("x/manifest.json")["settings"];
   EXPECT_EQ(settings["server::half_time"], 9);
@@ -145,24 +141,22 @@ TEST_F(Settings, LimitsOfProcessesAreReadFromFileAndOptions) {
 }
 
 TEST_F(Settings, DryRunShowsOrigins) {
-  const CommandResult printed = run({"match", "RED", "BLUE", "--dry-run", "--seed", "7"});
-  EXPECT_EQ(printed.exit_code, 0) << printed.err;
-  EXPECT_THAT(printed.out, HasSubstr("# cycles = 8 (cls.toml:2)\n")) << printed.out;
-  EXPECT_THAT(printed.out, HasSubstr("# seed = 7 (option --seed)\n")) << printed.out;
+  EXPECT_THAT(run({"match", "RED", "BLUE", "--dry-run", "--seed", "7"}),
+              Prints(0, testing::AllOf(HasSubstr("# cycles = 8 (cls.toml:2)\n"),
+                                       HasSubstr("# seed = 7 (option --seed)\n"))));
 }
 
 TEST_F(Settings, RefusesParametersThatTheMatchDecides) {
-  const CommandResult refused = play("x", {"server::port=7000"});
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_EQ(refused.err,
-            "cls: --set: server::port has no effect in a match: cls chooses the ports; "
-            "--monitor-port N sets that of monitors\n");
+  EXPECT_THAT(play("x", {"server::port=7000"}),
+              Exits(2,
+                    "cls: --set: server::port has no effect in a match: cls chooses the ports; "
+                    "--monitor-port N sets that of monitors\n"));
   write("bad.toml", "[server]\ngame_log_dir = \"logs\"\n");
-  const CommandResult in_file = run({"match", "mock", "mock", "--config", "bad.toml"});
-  EXPECT_EQ(in_file.exit_code, 78);
-  EXPECT_EQ(in_file.err,
+  EXPECT_THAT(
+      run({"match", "mock", "mock", "--config", "bad.toml"}),
+      Exits(78,
             "cls: bad.toml:2: server::game_log_dir has no effect in a match: logs go to the match "
-            "folder; use --dir\n");
+            "folder; use --dir\n"));
 }
 
 TEST_F(Settings, WarnsOfParametersWithoutEffect) {
@@ -182,9 +176,8 @@ TEST_F(Settings, InvalidSeedsAreErrors) {
 
 TEST_F(Settings, CompressedLogsHoldBytesOfPlainOnes) {
   ASSERT_EQ(play("plain", {}).exit_code, 0);
-  ASSERT_EQ(play("packed", {"server::game_log_compression=6", "server::text_log_compression=1"})
-                .exit_code,
-            0);
+  ASSERT_THAT(play("packed", {"server::game_log_compression=6", "server::text_log_compression=1"}),
+              Exits(0));
   EXPECT_EQ(document("packed/result.json")["log_files"],
             json({{"rcg", "match.rcg.gz"}, {"rcl", "match.rcl.gz"}}));
   EXPECT_FALSE(fs::exists(path("packed/match.rcg")));
@@ -204,17 +197,15 @@ TEST_F(Settings, GameLogHasRequestedVersion) {
     EXPECT_TRUE(read_file(path(name + "/match.rcg")).starts_with(begin)) << version;
     EXPECT_EQ(run({"results", name}).exit_code, 0) << version;
   }
-  const CommandResult refused = play("v7", {"server::game_log_version=7"});
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_EQ(refused.err, "cls: server::game_log_version=7: must be 1 to 6, or -1 (JSON)\n");
+  EXPECT_THAT(play("v7", {"server::game_log_version=7"}),
+              Exits(2, "cls: server::game_log_version=7: must be 1 to 6, or -1 (JSON)\n"));
 }
 
 TEST_F(Settings, LogsOfServersOverUdpAreConverted) {
-  ASSERT_EQ(
+  ASSERT_THAT(
       run({"match", "mock:hold", "mock:hold", "--mode", "synch", "--cycles", "10", "--set",
-           "server::game_log_version=5", "--set", "server::game_log_compression=9", "--dir", "x"})
-          .exit_code,
-      0);
+           "server::game_log_version=5", "--set", "server::game_log_compression=9", "--dir", "x"}),
+      Exits(0));
   EXPECT_EQ(document("x/result.json")["log_files"],
             json({{"rcg", "match.rcg.gz"}, {"rcl", "match.rcl"}}));
   EXPECT_TRUE(read_file(path("x/match.rcg.gz")).starts_with("ULG5"));
@@ -246,9 +237,10 @@ TEST_F(Settings, ManifestSaysHowWhereAndWithWhat) {
 TEST_F(Settings, ResultsKnowWhenTheMatchBegan) {
   ASSERT_EQ(run({"match", "RED", "BLUE", "--dir", "x"}).exit_code, 0);
   const json listed = json::parse(run({"results", "x", "--json"}).out);
-  const std::string date = listed["matches"][0]["date"];
+  const auto date = listed["matches"][0]["date"].get<std::string>();
   EXPECT_EQ(date.size(), 12u);
   EXPECT_GT(date, "2020");
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/installed.h"
 #include "tests/support/pseudo_terminal.h"
 #include "tests/support/temporary_folder.h"
@@ -79,9 +80,11 @@ TEST_P(ShellCompletion, CompletesWithTheTabulatorKey) {
       {"cls test referee_offs\t", "ran:test referee_offside:"},
       {"cls mock scr\t", "ran:mock script with spaces.json:"},
   };
+
   PseudoTerminal terminal(GetParam().command, environment(), folder_.path());
   terminal.type(GetParam().setup + "; echo set''up\n");
   ASSERT_TRUE(terminal.wait_for("setup")) << terminal.shown();
+
   for (const Line& line : lines) {
     terminal.type(line.typed);
     terminal.type("\n");
@@ -124,8 +127,7 @@ TEST(ShellScripts, AreValid) {
     TemporaryFolder folder;
     const fs::path script = folder.path() / "script";
     std::ofstream(script) << run({cls_binary(), "completion", shell}).out;
-    const CommandResult checked = run({shell, "-n", script});
-    EXPECT_EQ(checked.exit_code, 0) << shell << checked.err;
+    EXPECT_THAT(run({shell, "-n", script}), Exits(0));
   }
 }
 

@@ -3,20 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::cls_binary;
-using cls::tests::CommandResult;
-using cls::tests::TemporaryFolder;
-using nlohmann::json;
+using json = base::Json;
 using testing::HasSubstr;
 
 struct Played {
@@ -28,12 +26,12 @@ Played play_with_delay(int delay_ms, const std::vector<std::string>& more) {
   const TemporaryFolder folder;
   const auto script = folder.path() / "slow.json";
   std::ofstream(script) << R"({"otherwise": "simple", "faults": {"delay_ms": )" << delay_ms << "}}";
-  std::vector<std::string> arguments = {
-      cls_binary(), "match", "mock", "mock:" + script.string(), "--dir", folder.path() / "match"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
+  const std::vector<std::string> arguments = joined(
+      {cls_binary(), "match", "mock", "mock:" + script.string(), "--dir", folder.path() / "match"},
+      more);
   Played played;
-  played.command = cls::tests::run(arguments);
-  const json result = json::parse(cls::tests::read_file(folder.path() / "match" / "result.json"));
+  played.command = run(arguments);
+  const json result = json::parse(read_file(folder.path() / "match" / "result.json"));
   played.speed = result["speed"];
   return played;
 }
@@ -55,8 +53,7 @@ TEST_P(Speed, NamesTheSlowPlaymaker) {
   EXPECT_GE(played.speed["decision_ms"]["p99"], 600.0);
   EXPECT_FALSE(played.speed["fits_100_ms"].get<bool>());
   expect_whole(played.speed["shares"]);
-  EXPECT_THAT(played.command.out, HasSubstr("\n  limited by the right Playmaker ("))
-      << played.command.out;
+  EXPECT_THAT(played.command.out, HasSubstr("\n  limited by the right Playmaker ("));
   EXPECT_THAT(played.command.out, HasSubstr("ms: too slow for real time\n"));
 }
 
@@ -65,10 +62,9 @@ INSTANTIATE_TEST_SUITE_P(Modes, Speed, testing::Values("lockstep", "synch"));
 TEST(SpeedEstimate, SaysHowLongASlowMatchTakes) {
   const Played played = play_with_delay(
       600, {"--time-limit", "20", "--set", "server::kick_off_wait=3", "--cycles", "6000"});
-  EXPECT_THAT(played.command.err, HasSubstr(" cycles/s: 6000 cycles will take about "))
-      << played.command.err;
-  EXPECT_THAT(played.command.err, HasSubstr("min; limited by the right Playmaker ("))
-      << played.command.err;
+  EXPECT_THAT(played.command.err, HasSubstr(" cycles/s: 6000 cycles will take about "));
+  EXPECT_THAT(played.command.err, HasSubstr("min; limited by the right Playmaker ("));
 }
 
 }  // namespace
+}  // namespace cls::tests

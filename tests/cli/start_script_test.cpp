@@ -14,6 +14,7 @@
 
 #include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/debug_packet.h"
 #include "tests/support/files.h"
 #include "tests/support/udp_client.h"
@@ -61,20 +62,11 @@ class StartScript : public testing::Test, public ClsFolder {
 
   /// A match of 20 cycles on `cls server`; the left team has these options.
   CommandResult play(const Arguments& options, const Arguments& settings = {}) {
-    Arguments served = {cls_binary(),
-                        "server",
-                        "--port",
-                        "0",
-                        "--seed",
-                        "7",
-                        "--cycles",
-                        "20",
-                        "--dir",
-                        file("server").string(),
-                        "server::kick_off_wait=10",
-                        "server::auto_mode=on",
-                        "server::synch_mode=on"};
-    served.insert(served.end(), settings.begin(), settings.end());
+    const Arguments served =
+        joined({cls_binary(), "server", "--port", "0", "--seed", "7", "--cycles", "20", "--dir",
+                file("server").string(), "server::kick_off_wait=10", "server::auto_mode=on",
+                "server::synch_mode=on"},
+               settings);
     fs::remove_all(file("server"));
     fs::create_directories(file("server"));
     Command server(served);
@@ -82,14 +74,16 @@ class StartScript : public testing::Test, public ClsFolder {
     const std::string coach_port = port_behind("coaches ", server);
     Command mock({cls_binary(), "mock", file("show.json").string()});
     const std::string rpc_port = port_behind("[:]", mock);
-    Arguments left = {cls_binary(), "proxy",    "-h", "127.0.0.1", "-p",         port,
-                      "-P",         coach_port, "-t", "Reds",      "--rpc-port", rpc_port};
-    left.insert(left.end(), options.begin(), options.end());
+    const Arguments left = joined({cls_binary(), "proxy", "-h", "127.0.0.1", "-p", port, "-P",
+                                   coach_port, "-t", "Reds", "--rpc-port", rpc_port},
+                                  options);
     Command reds(left);
     EXPECT_TRUE(reds.wait_for_output("Reds plays on the left"));
+
     Command blues({cls_binary(), "proxy", "-h", "127.0.0.1", "-p", port, "-t", "Blues", "-C",
                    "--rpc-port", rpc_port});
     blues.finish();
+
     return reds.finish();
   }
 };
@@ -102,10 +96,9 @@ TEST_F(StartScript, RefusesOptionsWithTheWayToDoIt) {
       {"--goalie", "--unum 1"},
       {"--player", "--unum N"}};
   for (const auto& [option, way] : refused) {
-    const CommandResult result = run({"proxy", option});
-    EXPECT_EQ(result.exit_code, 2) << option;
-    EXPECT_THAT(result.err, testing::StartsWith("cls: " + option + ": ")) << option;
-    EXPECT_THAT(result.err, HasSubstr(way)) << option;
+    EXPECT_THAT(
+        run({"proxy", option}),
+        Exits(2, testing::AllOf(testing::StartsWith("cls: " + option + ": "), HasSubstr(way))));
   }
   EXPECT_EQ(run({"proxy", "--fullstate", "some"}).exit_code, 2);
   EXPECT_EQ(run({"proxy", "--rpc-type", "rest"}).exit_code, 2);
@@ -135,22 +128,19 @@ TEST_F(StartScript, ReportsBadValues) {
   std::ofstream(file("one.xpm")) << "\"8 8 1 1\",\"a c red\","
                                  << "\"aaaaaaaa\",\"aaaaaaaa\",\"aaaaaaaa\",\"aaaaaaaa\","
                                  << "\"aaaaaaaa\",\"aaaaaaaa\",\"aaaaaaaa\",\"aaaaaaaa\"";
-  const CommandResult no_coach = run({"proxy", "-C", "--team-graphic", file("one.xpm").string()});
-  EXPECT_EQ(no_coach.exit_code, 2);
-  EXPECT_THAT(no_coach.err, HasSubstr("--team-graphic: the coach shows it"));
+  EXPECT_THAT(run({"proxy", "-C", "--team-graphic", file("one.xpm").string()}),
+              Exits(2, HasSubstr("--team-graphic: the coach shows it")));
 }
 
 // The options of the framework's start-debug.sh, and others.
 TEST_F(StartScript, WritesLogsForSoccerwindow2) {
   UdpClient viewer(1);
   fs::create_directories(file("logs"));
-  const CommandResult reds =
-      play({"--offline-logging", "--debug", "--debug-server-connect", "--debug-server-host",
-            "127.0.0.1", "--debug-server-port", std::to_string(viewer.own_port()),
-            "--debug-server-logging", "--log-dir", file("logs").string(), "--debug-log-ext", ".txt",
-            "--debug_pass", "--debug-start-time", "5", "--debug-end-time", "9"});
-  EXPECT_EQ(reds.exit_code, 0) << reds.err;
-  EXPECT_EQ(reds.err, "");
+  EXPECT_THAT(play({"--offline-logging", "--debug", "--debug-server-connect", "--debug-server-host",
+                    "127.0.0.1", "--debug-server-port", std::to_string(viewer.own_port()),
+                    "--debug-server-logging", "--log-dir", file("logs").string(), "--debug-log-ext",
+                    ".txt", "--debug_pass", "--debug-start-time", "5", "--debug-end-time", "9"}),
+              Exits(0, ""));
 
   const std::vector<std::string> log = lines_of(text("logs/Reds-5.txt"));
   EXPECT_THAT(log, testing::IsSupersetOf({"5,0 0 M here", "5,0 256 M pass",
@@ -171,7 +161,7 @@ TEST_F(StartScript, WritesLogsForSoccerwindow2) {
     const std::vector<std::string> offline = lines_of(text(stem + ".ocl"));
     ASSERT_FALSE(offline.empty());
     EXPECT_THAT(offline[0], testing::StartsWith("(init l " + std::to_string(unum) + " "));
-    EXPECT_GE(std::count(offline.begin(), offline.end(), "(think)"), 15);
+    EXPECT_GE(std::ranges::count(offline, "(think)"), 15);
   }
 
   std::set<int> seen;
@@ -190,8 +180,7 @@ TEST_F(StartScript, ShowsTheTeamGraphic) {
   for (int row = 0; row < 8; ++row) logo << "\"aaaaaaaabbbbbbbb\",\n";
   logo << "};\n";
   logo.close();
-  const CommandResult reds = play({"--team-graphic", file("logo.xpm").string()});
-  EXPECT_EQ(reds.exit_code, 0) << reds.err;
+  EXPECT_THAT(play({"--team-graphic", file("logo.xpm").string()}), Exits(0));
   std::string log;
   for (const auto& entry : fs::directory_iterator(file("server"))) {
     if (entry.path().extension() == ".rcg") log = read_file(entry.path());
@@ -207,9 +196,7 @@ TEST_F(StartScript, OverridesEstimatesByTheFullState) {
   fs::create_directories(file("logs"));
   const Arguments logging = {"--debug-server-log", file("logs").string()};
   const auto known_players = [&](const Arguments& options) {
-    Arguments all = logging;
-    all.insert(all.end(), options.begin(), options.end());
-    EXPECT_EQ(play(all, {"server::fullstate_l=on"}).exit_code, 0);
+    EXPECT_EQ(play(joined(logging, options), {"server::fullstate_l=on"}).exit_code, 0);
     std::size_t least = 100;
     for (DebugPacket& packet : parse_debug_file(text("logs/Reds-5.dcl"))) {
       EXPECT_EQ(packet.error, "");
@@ -235,8 +222,7 @@ TEST_F(StartScript, MatchesSendViewsOfBothSides) {
     Arguments argv = match;
     argv.push_back(file(name).string());
     argv.insert(argv.end(), more.begin(), more.end());
-    const CommandResult result = run(argv);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(run(argv), Exits(0));
     return text(name + "/match.rcg");
   };
   const std::string plain = play_in("plain", {});
@@ -244,13 +230,16 @@ TEST_F(StartScript, MatchesSendViewsOfBothSides) {
       "shown", {"--debug-server", "127.0.0.1:" + std::to_string(viewer.own_port()),
                 "--debug-server-log", file("logs").string(), "--debug-log", file("logs").string()});
   EXPECT_TRUE(plain == shown) << "a viewer changes nothing in the match";
+
   for (const char* name : {"Reds-1", "Reds-11", "Blues-7"}) {
     const auto packets = parse_debug_file(text("logs/" + std::string(name) + ".dcl"));
     EXPECT_GE(packets.size(), 20U) << name;
     for (const DebugPacket& packet : packets) EXPECT_EQ(packet.error, "");
   }
+
   EXPECT_THAT(text("logs/Reds-5.log"), HasSubstr(" 0 M here\n"));
   std::string bytes;
+
   ASSERT_TRUE(viewer.receive_bytes(bytes));
   EXPECT_THAT(bytes, testing::StartsWith("((debug (format-version 5)) (time 0,0) (s "));
 }
@@ -325,15 +314,16 @@ TEST_F(StartScript, PageListsEveryOption) {
       rows.insert((*at)[1]);
     }
   }
+
   const std::string help = run({"proxy", "--help"}).out;
   for (const std::string& name : kFrameworkOptions) {
     EXPECT_TRUE(rows.contains(name)) << name << " is not in the table of docs/network.md";
     if (name == "--debug_CATEGORY") continue;
     EXPECT_THAT(help, HasSubstr(name));
   }
+
   for (const std::string& name : rows) {
-    EXPECT_NE(std::find(kFrameworkOptions.begin(), kFrameworkOptions.end(), name),
-              kFrameworkOptions.end())
+    EXPECT_NE(std::ranges::find(kFrameworkOptions, name), kFrameworkOptions.end())
         << name << " is not an option of the framework";
   }
 }

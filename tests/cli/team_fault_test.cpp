@@ -5,14 +5,14 @@
 
 #include "tests/support/port_lock.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
 using namespace std::chrono_literals;
-using cls::tests::built;
-using nlohmann::json;
-using TeamFault = cls::tests::NetworkMatch;
+using json = base::Json;
+using TeamFault = NetworkMatch;
 
 // The script ends after a process that it has left to others.
 TEST_F(TeamFault, NamesTheLimitThatEndedAProcessOfTheTeam) {
@@ -81,14 +81,14 @@ TEST_F(TeamFault, WarnsOfCoachThatNeverJoined) {
   const std::vector<std::string> options = {"--cycles", "320", "--right-name", "Guests"};
   play(team(""), "embedded", options);
   expect_finished();
-  EXPECT_THAT(played_.err, HasSubstr("no coach has joined at port ")) << played_.err;
+  EXPECT_THAT(played_.err, HasSubstr("no coach has joined at port "));
   EXPECT_THAT(result_["warnings"].dump(), HasSubstr("no coach has joined at port "));
 }
 
 TEST_F(TeamFault, ExpectsNoCoachOfTeamWithoutOne) {
   play(team(""), "embedded", {"--cycles", "320", "--right-name", "Guests", "--no-coach"});
   expect_finished();
-  EXPECT_THAT(played_.err, Not(HasSubstr("coach"))) << played_.err;
+  EXPECT_THAT(played_.err, Not(HasSubstr("coach")));
 }
 
 TEST_F(TeamFault, NamesArgumentsOfStartThatOnlyPrintsItsHelp) {
@@ -123,7 +123,7 @@ TEST_F(TeamFault, AcceptsOwnNameOfTeam) {
   play(team("--name Others"), server(""), {"--cycles", "10"});
   expect_finished();
   EXPECT_EQ(result_["right"]["name"], "Others");
-  EXPECT_THAT(played_.err, HasSubstr("plays under the name Others instead of team")) << played_.err;
+  EXPECT_THAT(played_.err, HasSubstr("plays under the name Others instead of team"));
 }
 
 TEST_F(TeamFault, AcceptsDisconnectAtTimeOver) {
@@ -133,7 +133,7 @@ TEST_F(TeamFault, AcceptsDisconnectAtTimeOver) {
 }
 
 TEST_F(TeamFault, ReportsCrashOfOneAgent) {
-  const cls::tests::PortLock lock;
+  const PortLock lock;
   play(team_of_single_agents("--exit-at-cycle 10"), server(""));
   if (played_.exit_code == 75) GTEST_SKIP() << played_.err;
   expect_end("crashed", 1, "the process of right player 7 ended at cycle ");
@@ -142,7 +142,7 @@ TEST_F(TeamFault, ReportsCrashOfOneAgent) {
 }
 
 TEST_F(TeamFault, ReportsAgentThatNeverConnects) {
-  const cls::tests::PortLock lock;
+  const PortLock lock;
   play(team_of_single_agents("--never-join 1"), server(""), {"--start-timeout", "2"});
   if (played_.exit_code == 75) GTEST_SKIP() << played_.err;
   expect_end("refused", 69, "right player 7 has not joined within the start limit");
@@ -150,14 +150,14 @@ TEST_F(TeamFault, ReportsAgentThatNeverConnects) {
 }
 
 TEST_F(TeamFault, ReportsAgentThatConnectsTwoPlayers) {
-  const cls::tests::PortLock lock;
+  const PortLock lock;
   play(team_of_single_agents("--players 2"), server(""));
   if (played_.exit_code == 75) GTEST_SKIP() << played_.err;
   expect_end("refused", 69, "right player 7 brought players 1, 2, 3, 4, 5, 6, 7, 8 onto the pitch");
 }
 
 TEST_F(TeamFault, AcceptsOwnNameWithOwnNamesOption) {
-  const cls::tests::PortLock lock;
+  const PortLock lock;
   play(team_of_single_agents(""), server(""), {"--right-name", "Visitors"});
   if (played_.exit_code == 75) GTEST_SKIP() << played_.err;
   expect_end("refused", 69, "the team plays under the name Guests instead of Visitors");
@@ -178,9 +178,9 @@ TEST_F(TeamFault, PrintsFiveAndStoresFiftyLastOutputLines) {
   ASSERT_EQ(output.size(), 50U);
   EXPECT_EQ(output.front(), "line 51");
   EXPECT_EQ(output.back(), "line 100");
-  EXPECT_THAT(played_.err, Not(HasSubstr("line 95\n"))) << played_.err;
-  EXPECT_THAT(played_.err, HasSubstr("  right team: line 96\n")) << played_.err;
-  EXPECT_THAT(played_.err, HasSubstr("  right team: line 100\n")) << played_.err;
+  EXPECT_THAT(played_.err, Not(HasSubstr("line 95\n")));
+  EXPECT_THAT(played_.err, HasSubstr("  right team: line 96\n"));
+  EXPECT_THAT(played_.err, HasSubstr("  right team: line 100\n"));
 }
 
 TEST_F(TeamFault, ContinuesDespiteFloodOfOutput) {
@@ -202,3 +202,4 @@ TEST_F(TeamFault, RefusesPlaymakerThatNeverListensOverUdp) {
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -7,36 +7,38 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/junit.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::cls_binary;
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using cls::tests::TemporaryFolder;
 using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-CommandResult cls_test(std::vector<std::string> arguments) {
+CommandResult cls_test(const std::vector<std::string>& arguments) {
   // All shipped scenarios take seconds, but longer on a loaded host and with sanitizers.
   constexpr std::chrono::seconds kMaxDuration{240};
-  arguments.insert(arguments.begin(), {cls_binary(), "test"});
-  return Command(arguments).finish(kMaxDuration);
+  return Command(joined({cls_binary(), "test"}, arguments)).finish(kMaxDuration);
 }
 
 // The parts of the document that must be reproducible: all except times.
-nlohmann::json timeless(const std::string& text) {
-  auto json = nlohmann::json::parse(text);
-  for (auto& scenario : json["scenarios"]) scenario.erase("seconds");
+base::Json timeless(const std::string& text) {
+  auto json = base::Json::parse(text);
+  auto scenarios = base::Json::array();
+  for (base::Json scenario : json["scenarios"]) {
+    scenario.erase("seconds");
+    scenarios.push_back(scenario);
+  }
+  json["scenarios"] = scenarios;
   return json;
 }
 
@@ -67,21 +69,22 @@ TEST(TestCommand, ReportsAndStoresFailuresForRerun) {
   const std::string kept = folder.path() / "kept";
   const auto failed = cls_test({file, "--dir", kept, "--junit", junit, "--github"});
   EXPECT_EQ(failed.exit_code, 1);
-  EXPECT_THAT(failed.out, HasSubstr("FAIL  no_goal")) << failed.out;
+  EXPECT_THAT(failed.out, HasSubstr("FAIL  no_goal"));
   EXPECT_THAT(failed.out, HasSubstr("the score is 1 : 0, not == 0 for the left"));
   EXPECT_THAT(failed.out, HasSubstr("rerun: cls test " + file + " --seed 5"));
   EXPECT_EQ(failed.err.rfind("::error file=", 0), 0u) << failed.err;
-  EXPECT_THAT(cls::tests::read_file(junit), HasSubstr("<failure "));
-  EXPECT_EQ(cls::tests::junit_errors(cls::tests::read_file(junit)).value_or(""), "");
+  EXPECT_THAT(read_file(junit), HasSubstr("<failure "));
+  EXPECT_EQ(junit_errors(read_file(junit)).value_or(""), "");
+
   const fs::path logs = fs::path(kept) / "no_goal-seed-5";
   EXPECT_TRUE(fs::exists(logs / "match.rcg"));
+
   const std::string from_page = folder.path() / "from_page.rcg";
-  cls::tests::run({cls_binary(), "convert", logs / "match.html", from_page});
-  EXPECT_EQ(cls::tests::read_file(from_page), cls::tests::read_file(logs / "match.rcg"));
-  EXPECT_THAT(cls::tests::read_file(junit),
-              HasSubstr("[[ATTACHMENT|" + (logs / "match.html").string()));
-  const auto results = cls::tests::run({cls_binary(), "results", logs / "match.rcg"});
-  EXPECT_EQ(results.exit_code, 0) << results.err;
+  run({cls_binary(), "convert", logs / "match.html", from_page});
+  EXPECT_EQ(read_file(from_page), read_file(logs / "match.rcg"));
+  EXPECT_THAT(read_file(junit), HasSubstr("[[ATTACHMENT|" + (logs / "match.html").string()));
+  EXPECT_THAT(run({cls_binary(), "results", logs / "match.rcg"}), Exits(0));
+
   const auto again = cls_test({file, "--seed", "5", "--dir", kept, "--json"});
   EXPECT_EQ(again.exit_code, 1);
   EXPECT_EQ(timeless(again.out)["scenarios"][0]["checks"][0]["passed"], false);
@@ -95,9 +98,8 @@ TEST(TestCommand, AddsToTheSummaryOfAJob) {
                                           folder.path() / "kept"};
   const std::vector<std::string> environment = {"GITHUB_STEP_SUMMARY=" + summary,
                                                 "GITHUB_ACTIONS=true"};
-  EXPECT_EQ(cls::tests::run(words, environment).exit_code, 0);
-  EXPECT_EQ(cls::tests::read_file(summary),
-            "before\n### cls test: 1 passed, 0 failed, 0 skipped\n\n");
+  EXPECT_EQ(run(words, environment).exit_code, 0);
+  EXPECT_EQ(read_file(summary), "before\n### cls test: 1 passed, 0 failed, 0 skipped\n\n");
 }
 
 TEST(TestCommand, SelectsByNameFilterAndShard) {
@@ -114,18 +116,22 @@ TEST(TestCommand, SelectsByNameFilterAndShard) {
     return found;
   };
   using Names = std::vector<std::string>;
+
   EXPECT_EQ(names({"--filter", "*corner_kick"}),
             (Names{"referee_corner_kick", "team_takes_a_corner_kick"}));
   EXPECT_EQ(names({"--filter", "eree_onside"}),
             (Names{"referee_onside", "referee_onside_behind_the_ball"}));
   EXPECT_EQ(names({"referee_goal"}), Names{"referee_goal"});
+
   const Names all = names({});
   Names parts;
   for (const char* shard : {"1/3", "2/3", "3/3"}) {
     for (const std::string& name : names({"--shard", shard})) parts.push_back(name);
   }
-  std::sort(parts.begin(), parts.end());
+
+  std::ranges::sort(parts);
   EXPECT_EQ(parts, all);
+
   const auto unknown = cls_test({"referee_gaol"});
   EXPECT_EQ(unknown.exit_code, 66);
   EXPECT_EQ(unknown.err, "cls: unknown scenario 'referee_gaol'; did you mean 'referee_goal'?\n");
@@ -152,26 +158,22 @@ TEST(TestCommand, ReplacesPlaymakerOfSideUnderTest) {
   const auto hold = cls_test(
       {"team_goes_for_the_ball", "--against", "mock:hold", "--dir", folder.path(), "--seed", "1"});
   EXPECT_EQ(hold.exit_code, 1) << "a player that only observes does not move to the ball";
-  EXPECT_THAT(hold.out, HasSubstr("--against 'mock:hold'")) << hold.out;
-  const auto skipped = cls_test({"referee_goal", "--against", "mock", "--dir", folder.path()});
-  EXPECT_EQ(skipped.exit_code, 0);
-  EXPECT_THAT(skipped.out, HasSubstr("skip  referee_goal: no side under test"));
+  EXPECT_THAT(hold.out, HasSubstr("--against 'mock:hold'"));
+  EXPECT_THAT(cls_test({"referee_goal", "--against", "mock", "--dir", folder.path()}),
+              Prints(0, HasSubstr("skip  referee_goal: no side under test")));
 }
 
 TEST(TestCommand, RunsProgramAsSideUnderTest) {
   TemporaryFolder folder;
   const std::string program = "run:" + cls_binary().string() + " mock --port {port}";
-  const auto played = cls_test({"team_goes_for_the_ball", "team_finds_a_lost_ball", "--against",
-                                program, "--dir", folder.path()});
-  EXPECT_EQ(played.exit_code, 0) << played.out << played.err;
-  EXPECT_THAT(played.out, HasSubstr("2 passed, 0 failed")) << played.out;
-  const auto gone = cls_test(
-      {"team_goes_for_the_ball", "--against", "run:exit 3 # {port}", "--dir", folder.path()});
-  EXPECT_EQ(gone.exit_code, 1);
-  EXPECT_THAT(gone.out,
-              HasSubstr("the run ended as refused, not finished: left (run:exit 3 # {port}): its "
-                        "process ended before it answered: exit code 3"))
-      << gone.out;
+  EXPECT_THAT(cls_test({"team_goes_for_the_ball", "team_finds_a_lost_ball", "--against", program,
+                        "--dir", folder.path()}),
+              Prints(0, HasSubstr("2 passed, 0 failed")));
+  EXPECT_THAT(
+      cls_test(
+          {"team_goes_for_the_ball", "--against", "run:exit 3 # {port}", "--dir", folder.path()}),
+      Prints(1, HasSubstr("the run ended as refused, not finished: left (run:exit 3 # {port}): its "
+                          "process ended before it answered: exit code 3")));
 }
 
 // Noise decides by seed whether the ball ends above or below the line. `runs` as in a check.
@@ -188,28 +190,28 @@ TEST(TestCommand, AcceptsChecksThatHoldInSomeSeeds) {
   const std::string file = folder.path() / "roll.json";
   const auto play = [&](const std::string& runs, const std::vector<std::string>& more = {}) {
     write_roll(file, runs);
-    std::vector<std::string> argv = {file, "--dir", folder.path() / "kept"};
-    argv.insert(argv.end(), more.begin(), more.end());
-    return cls_test(argv);
+    return cls_test(joined({file, "--dir", folder.path() / "kept"}, more));
   };
   EXPECT_EQ(play(R"({"between": [1, 7]})").exit_code, 0);
+
   for (const char* runs : {R"({">=": 8})", "0"}) {
     const auto failed = play(runs);
     EXPECT_EQ(failed.exit_code, 1) << runs;
-    EXPECT_THAT(failed.out, HasSubstr(" of 8 runs, not ")) << failed.out;
+    EXPECT_THAT(failed.out, HasSubstr(" of 8 runs, not "));
     // The printed command reruns a single failed run.
     const std::size_t seed = failed.out.find("--seed ");
     ASSERT_NE(seed, std::string::npos) << failed.out;
     const std::string number = failed.out.substr(seed + 7, failed.out.find('\n', seed) - seed - 7);
     EXPECT_EQ(play(runs, {"--seed", number}).exit_code, 1) << runs;
-    EXPECT_THAT(failed.out, HasSubstr("      logs: ")) << failed.out;
+    EXPECT_THAT(failed.out, HasSubstr("      logs: "));
   }
+
   // A seed in which it does not hold is not a failure if the count allows it.
   EXPECT_EQ(play(R"({"<=": 8})", {"--seed", "1"}).exit_code, 0);
-  EXPECT_EQ(cls_test({"physics_noise_spreads_the_ball", "--seed", "3", "--filter", "noise", "--dir",
-                      folder.path() / "kept"})
-                .exit_code,
-            0);
+
+  EXPECT_THAT(cls_test({"physics_noise_spreads_the_ball", "--seed", "3", "--filter", "noise",
+                        "--dir", folder.path() / "kept"}),
+              Exits(0));
 }
 
 std::vector<std::string> folders_in(const std::string& folder) {
@@ -229,7 +231,7 @@ TEST(TestCommand, StoresOnlyRunsOfFailedScenarios) {
   EXPECT_EQ(cls_test({file, "--dir", kept}).exit_code, 1);
   const auto failed = folders_in(kept);
   EXPECT_GT(failed.size(), 1U);
-  EXPECT_EQ(std::count(failed.begin(), failed.end(), "roll-seed-99"), 0);
+  EXPECT_EQ(std::ranges::count(failed, "roll-seed-99"), 0);
   write_roll(file, R"({">=": 1})");
   EXPECT_EQ(cls_test({file, "--dir", kept}).exit_code, 0);
   EXPECT_EQ(folders_in(kept), std::vector<std::string>{"notes.txt"});
@@ -244,25 +246,22 @@ TEST(TestCommand, InterruptIsNoFailure) {
       {cls_binary(), "test", "referee_goal", file, "--jobs", "1", "--dir", folder.path() / "kept"});
   ASSERT_TRUE(testing.wait_for_output("ok    referee_goal", std::chrono::seconds(120)));
   testing.send_signal(SIGINT);
-  const CommandResult result = testing.finish();
-  EXPECT_EQ(result.exit_code, 130) << result.err;
-  EXPECT_THAT(result.out, Not(HasSubstr("FAIL"))) << result.out;
-  EXPECT_THAT(result.out, HasSubstr("1 passed, 0 failed, 0 skipped")) << result.out;
-  EXPECT_THAT(result.out, HasSubstr("interrupted: 1 of 2 scenarios were not played to the end\n"))
-      << result.out;
+  EXPECT_THAT(
+      testing.finish(),
+      Prints(130, testing::AllOf(
+                      Not(HasSubstr("FAIL")), HasSubstr("1 passed, 0 failed, 0 skipped"),
+                      HasSubstr("interrupted: 1 of 2 scenarios were not played to the end\n"))));
 }
 
 TEST(TestCommand, NamesBuiltInScenarioWithoutPathThatIsNotThere) {
   TemporaryFolder folder;
   Command testing({cls_binary(), "test", "--against", "mock:hold", "team_takes_a_goal_kick"}, {},
                   folder.path());
-  const CommandResult result = testing.finish();
-  EXPECT_EQ(result.exit_code, 1) << result.err;
-  EXPECT_THAT(result.out, Not(HasSubstr("examples/"))) << result.out;
-  EXPECT_THAT(result.out, HasSubstr("      built-in scenario: line ")) << result.out;
-  EXPECT_THAT(result.out, HasSubstr("      file: cls test --export DIR writes "
-                                    "DIR/team_takes_a_goal_kick.json\n"))
-      << result.out;
+  EXPECT_THAT(testing.finish(),
+              Prints(1, testing::AllOf(Not(HasSubstr("examples/")),
+                                       HasSubstr("      built-in scenario: line "),
+                                       HasSubstr("      file: cls test --export DIR writes "
+                                                 "DIR/team_takes_a_goal_kick.json\n"))));
 }
 
 TEST(TestCommand, AcceptsGoldenValues) {
@@ -274,9 +273,8 @@ TEST(TestCommand, AcceptsGoldenValues) {
     "expect": [{"golden": "game_log"}]})";
   const std::string dir = folder.path() / "kept";
   EXPECT_EQ(cls_test({file, "--dir", dir}).exit_code, 1);
-  const auto accepted = cls_test({file, "--dir", dir, "--accept"});
-  EXPECT_EQ(accepted.exit_code, 0) << accepted.err;
-  EXPECT_THAT(accepted.err, HasSubstr("1 golden values changed")) << accepted.err;
+  EXPECT_THAT(cls_test({file, "--dir", dir, "--accept"}),
+              Exits(0, HasSubstr("1 golden values changed")));
   EXPECT_EQ(cls_test({file, "--dir", dir}).exit_code, 0);
   EXPECT_EQ(cls_test({file, "--dir", dir, "--seed", "2"}).exit_code, 1);
 }
@@ -285,9 +283,9 @@ TEST(TestCommand, ReportsInvalidScenarioWithLine) {
   TemporaryFolder folder;
   const std::string file = folder.path() / "bad.json";
   std::ofstream(file) << "{\n  \"expct\": []\n}";
-  const auto bad = cls_test({file});
-  EXPECT_EQ(bad.exit_code, 65);
-  EXPECT_EQ(bad.err, "cls: " + file + ":2: /expct: unknown key 'expct'; did you mean 'expect'?\n");
+  EXPECT_THAT(
+      cls_test({file}),
+      Exits(65, "cls: " + file + ":2: /expct: unknown key 'expct'; did you mean 'expect'?\n"));
   EXPECT_EQ(cls_test({"nowhere/at_all.json"}).exit_code, 66);
 }
 
@@ -303,20 +301,20 @@ TEST(TestCommand, ExportReplacesChangedFilesOnlyWithForce) {
   const std::string copies = folder.path() / "copies";
   ASSERT_EQ(cls_test({"--export", copies}).exit_code, 0);
   EXPECT_EQ(cls_test({"--export", copies}).exit_code, 0) << "nothing has changed";
+
   const std::string edited = copies + "/referee_goal.json";
   std::ofstream(edited) << "{}";
-  const auto refused = cls_test({"--export", copies});
-  EXPECT_EQ(refused.exit_code, 73);
-  EXPECT_EQ(refused.err, "cls: " + edited +
-                             ": differs from the shipped scenario\n"
-                             "cls: nothing written; --force renames these files to NAME.old "
-                             "first\n");
-  EXPECT_EQ(cls::tests::read_file(edited), "{}");
-  const auto forced = cls_test({"--export", copies, "--force"});
-  EXPECT_EQ(forced.exit_code, 0) << forced.err;
-  EXPECT_EQ(forced.err, "cls: " + edited + " renamed to referee_goal.json.old\n");
-  EXPECT_EQ(cls::tests::read_file(edited + ".old"), "{}");
-  EXPECT_NE(cls::tests::read_file(edited), "{}");
+
+  EXPECT_THAT(cls_test({"--export", copies}),
+              Exits(73, "cls: " + edited +
+                            ": differs from the shipped scenario\n"
+                            "cls: nothing written; --force renames these files to NAME.old "
+                            "first\n"));
+  EXPECT_EQ(read_file(edited), "{}");
+  EXPECT_THAT(cls_test({"--export", copies, "--force"}),
+              Exits(0, "cls: " + edited + " renamed to referee_goal.json.old\n"));
+  EXPECT_EQ(read_file(edited + ".old"), "{}");
+  EXPECT_NE(read_file(edited), "{}");
 }
 
 class Recording : public testing::Test {
@@ -326,9 +324,9 @@ class Recording : public testing::Test {
     arguments.insert(arguments.begin(), {cls_binary(), "match"});
     arguments.insert(arguments.end(), {"--seed", "11", "--cycles", "40", "--set",
                                        "server::kick_off_wait=3", "--dir", folder() + "/" + name});
-    return cls::tests::run(arguments);
+    return run(arguments);
   }
-  std::string file(const std::string& name) { return cls::tests::read_file(folder() + "/" + name); }
+  std::string file(const std::string& name) { return read_file(folder() + "/" + name); }
 
  private:
   TemporaryFolder folder_;
@@ -336,67 +334,62 @@ class Recording : public testing::Test {
 
 TEST_F(Recording, IsReproducibleAndReplaysWithoutDifferences) {
   for (const char* name : {"one", "two"}) {
-    const auto played =
-        match(name, {"mock", "mock:hold", "--record-rpc", folder() + "/" + name + ".rpc"});
-    ASSERT_EQ(played.exit_code, 0) << played.err;
+    ASSERT_THAT(match(name, {"mock", "mock:hold", "--record-rpc", folder() + "/" + name + ".rpc"}),
+                Exits(0));
   }
   EXPECT_EQ(file("one.rpc"), file("two.rpc"));
-  const auto same = cls_test({"--replay", folder() + "/one.rpc", "mock"});
-  EXPECT_EQ(same.exit_code, 0) << same.out << same.err;
-  EXPECT_THAT(same.out, HasSubstr(" 0 different")) << same.out;
+  EXPECT_THAT(cls_test({"--replay", folder() + "/one.rpc", "mock"}),
+              Prints(0, HasSubstr(" 0 different")));
 }
 
 TEST_F(Recording, ReportsDifferentRepliesOfChangedPlaymaker) {
-  ASSERT_EQ(
-      match("match", {"mock:simple", "mock:hold", "--record-rpc", folder() + "/m.rpc"}).exit_code,
-      0);
+  ASSERT_THAT(match("match", {"mock:simple", "mock:hold", "--record-rpc", folder() + "/m.rpc"}),
+              Exits(0));
+
   std::ofstream(folder() + "/changed.json") << R"({"otherwise": "simple", "rules":
       [{"when": {"unum": 5, "cycle": 20}, "reply": [{"dash": {"power": 33}}]}]})";
   const auto changed =
       cls_test({"--replay", folder() + "/m.rpc", "mock:" + folder() + "/changed.json", "--json"});
   EXPECT_EQ(changed.exit_code, 1) << changed.err;
-  const auto json = nlohmann::json::parse(changed.out);
+
+  const auto json = base::Json::parse(changed.out);
   EXPECT_EQ(json["schema"], "cls.replay/1");
   ASSERT_EQ(json["different"], 1);
   EXPECT_EQ(json["differences"][0]["cycle"], 20);
   EXPECT_EQ(json["differences"][0]["agent"], 5);
   EXPECT_THAT(json["differences"][0]["fields"].dump(), HasSubstr("dash"));
-  const auto right = cls_test({"--replay", folder() + "/m.rpc", "mock:hold", "--side", "right"});
-  EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
+  EXPECT_THAT(cls_test({"--replay", folder() + "/m.rpc", "mock:hold", "--side", "right"}),
+              Exits(0));
 }
 
 TEST_F(Recording, SendsOneDecisionAgain) {
-  ASSERT_EQ(
-      match("match", {"mock:simple", "mock:hold", "--record-rpc", folder() + "/m.rpc"}).exit_code,
-      0);
+  ASSERT_THAT(match("match", {"mock:simple", "mock:hold", "--record-rpc", folder() + "/m.rpc"}),
+              Exits(0));
+
   std::ofstream(folder() + "/changed.json") << R"({"otherwise": "simple", "rules":
       [{"when": {"unum": 5}, "reply": [{"dash": {"power": 33}}]}]})";
   const std::string changed = "mock:" + folder() + "/changed.json";
-  const auto replay = [&](std::vector<std::string> more) {
-    more.insert(more.begin(), {"--replay", folder() + "/m.rpc", changed, "--json"});
-    return cls_test(more);
+  const auto replay = [&](const std::vector<std::string>& more) {
+    return cls_test(joined({"--replay", folder() + "/m.rpc", changed, "--json"}, more));
   };
   const auto one = replay({"--at", "20", "--player", "5"});
   EXPECT_EQ(one.exit_code, 1) << one.err;
-  const auto json = nlohmann::json::parse(one.out);
+
+  const auto json = base::Json::parse(one.out);
   EXPECT_EQ(json["different"], 1);
   EXPECT_EQ(json["differences"][0]["cycle"], 20);
   EXPECT_LT(json["calls"].get<int>(), 40);  // with the handshake of player 5
-  const auto other = replay({"--at", "20", "--player", "6"});
-  EXPECT_EQ(other.exit_code, 0) << other.out << other.err;
-  const auto none = replay({"--at", "99999", "--player", "5"});
-  EXPECT_EQ(none.exit_code, 65);
-  EXPECT_THAT(none.err, HasSubstr("no decision of player 5 in cycle 99999 of the left side"))
-      << none.err;
+  EXPECT_THAT(replay({"--at", "20", "--player", "6"}), Exits(0));
+  EXPECT_THAT(replay({"--at", "99999", "--player", "5"}),
+              Exits(65, HasSubstr("no decision of player 5 in cycle 99999 of the left side")));
   EXPECT_EQ(cls_test({"--player", "5"}).exit_code, 2);
 }
 
 TEST_F(Recording, ServesAsBehaviorOfMock) {
   ASSERT_EQ(match("played", {"mock", "mock", "--record-rpc", folder() + "/m.rpc"}).exit_code, 0);
   const std::string again = "mock:replay:" + folder() + "/m.rpc";
-  ASSERT_EQ(
-      match("again", {again, again, "--left-name", "mock_l", "--right-name", "mock_r"}).exit_code,
-      0);
+  ASSERT_THAT(match("again", {again, again, "--left-name", "mock_l", "--right-name", "mock_r"}),
+              Exits(0));
   EXPECT_EQ(file("played/match.rcg"), file("again/match.rcg"));
 }
 
@@ -404,15 +397,21 @@ TEST_F(Recording, ReportsCorruptRecording) {
   ASSERT_EQ(match("match", {"mock", "mock", "--record-rpc", folder() + "/m.rpc"}).exit_code, 0);
   const std::string whole = file("m.rpc");
   fs::resize_file(folder() + "/m.rpc", fs::file_size(folder() + "/m.rpc") / 2);
-  const auto cut = cls_test({"--replay", folder() + "/m.rpc", "mock"});
-  EXPECT_EQ(cut.exit_code, 65);
-  EXPECT_THAT(cut.err, HasSubstr("corrupt or truncated after call")) << cut.err;
+  EXPECT_THAT(cls_test({"--replay", folder() + "/m.rpc", "mock"}),
+              Exits(65, HasSubstr("corrupt or truncated after call")));
   std::ofstream(folder() + "/text.rpc") << "no recording";
-  const auto text = cls_test({"--replay", folder() + "/text.rpc", "mock"});
-  EXPECT_EQ(text.exit_code, 65);
-  EXPECT_THAT(text.err, HasSubstr("not an RPC recording")) << text.err;
+  EXPECT_THAT(cls_test({"--replay", folder() + "/text.rpc", "mock"}),
+              Exits(65, HasSubstr("not an RPC recording")));
   EXPECT_EQ(cls_test({"--replay", folder() + "/none.rpc", "mock"}).exit_code, 66);
   EXPECT_EQ(cls_test({"--replay", folder() + "/m.rpc"}).exit_code, 2);
+}
+
+TEST_F(Recording, OfTheNameOfAHostIsNotBlamedForItsPlaymaker) {
+  ASSERT_EQ(match("match", {"mock", "mock", "--record-rpc", folder() + "/localhost"}).exit_code, 0);
+
+  const std::vector<std::string> replay = {
+      cls_binary(), "test", "--replay", "localhost", "localhost:1", "--start-timeout", "0.3"};
+  EXPECT_THAT(Command(replay, {}, folder()).finish(), Exits(69, HasSubstr("localhost:1")));
 }
 
 TEST_F(Recording, WritesDebugActionsByCycleAndUnum) {
@@ -421,9 +420,9 @@ TEST_F(Recording, WritesDebugActionsByCycleAndUnum) {
      "reply": [{"log": {"add_text": {"level": "TEAM", "message": "hello"}}},
                {"log": {"add_circle": {"center": {"x": 1, "y": 2}, "radius": 3, "color": "red"}}},
                {"debug_client": {"message": "for the viewer"}}]}]})";
-  const auto played = match("talk", {"mock:" + folder() + "/talk.json", "mock:hold"});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_THAT(played.err, Not(HasSubstr("does not have"))) << played.err;
+  ASSERT_THAT(match("talk", {"mock:" + folder() + "/talk.json", "mock:hold"}),
+              Exits(0, Not(HasSubstr("does not have"))));
+
   const std::string lines = file("talk/left-debug.jsonl");
   EXPECT_EQ(lines.rfind("{\"t\":5,\"unum\":3,\"kind\":\"text\",\"level\":\"TEAM\",\"message\":"
                         "\"hello\"}\n"
@@ -431,12 +430,12 @@ TEST_F(Recording, WritesDebugActionsByCycleAndUnum) {
                         0),
             0u)
       << lines;
-  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 12);
+  EXPECT_EQ(std::ranges::count(lines, '\n'), 12);
   EXPECT_FALSE(fs::exists(folder() + "/talk/right-debug.jsonl"));
+
   // Every page of the match has them, and says which frame they belong to.
   const std::string page = folder() + "/page.html";
-  const auto watched = cls::tests::run({cls_binary(), "watch", folder() + "/talk", "--out", page});
-  ASSERT_EQ(watched.exit_code, 0) << watched.err;
+  ASSERT_THAT(run({cls_binary(), "watch", folder() + "/talk", "--out", page}), Exits(0));
   EXPECT_THAT(file("page.html"), HasSubstr("id=\"drawings-left\""));
   EXPECT_THAT(file("page.html"), Not(HasSubstr("id=\"drawings-right\"")));
 }
@@ -444,8 +443,7 @@ TEST_F(Recording, WritesDebugActionsByCycleAndUnum) {
 TEST_F(Recording, WritesDebugActionsOfAStoppedClockWithItsCycles) {
   std::ofstream(folder() + "/talk.json") << R"({"rules": [
     {"when": {"cycle": [0, 0], "unum": [3, 3]}, "reply": [{"debug_client": {"message": "x"}}]}]})";
-  const auto played = match("talk", {"mock:" + folder() + "/talk.json", "mock:hold"});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  ASSERT_THAT(match("talk", {"mock:" + folder() + "/talk.json", "mock:hold"}), Exits(0));
   EXPECT_THAT(file("talk/left-debug.jsonl"), HasSubstr("{\"t\":0,\"stopped\":"));
 }
 
@@ -454,8 +452,7 @@ TEST_F(Recording, LimitsSizeOfDebugActions) {
   std::ofstream(folder() + "/flood.json")
       << R"({"rules": [{"reply": [{"debug_client": {"message": ")" << std::string(60'000, 'x')
       << R"("}}]}]})";
-  const auto played = match("flood", {"mock:" + folder() + "/flood.json", "mock:hold"});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  ASSERT_THAT(match("flood", {"mock:" + folder() + "/flood.json", "mock:hold"}), Exits(0));
   const std::string lines = file("flood/left-debug.jsonl");
   EXPECT_GT(lines.size(), 10'000'000u);
   EXPECT_LT(lines.size(), 10'500'000u);
@@ -470,17 +467,16 @@ TEST_F(Recording, StepsThroughMatchCycleByCycle) {
                               " match mock:hold mock:hold --seed 1 --at 10 --cycles 30 --set "
                               "server::kick_off_wait=3 --dir " +
                               folder() + "/steps";
-  const auto walked = cls::tests::run({"/bin/sh", "-c", "printf '\\n3\\nx\\nq\\n' | " + command});
+  const auto walked = run({"/bin/sh", "-c", "printf '\\n3\\nx\\nq\\n' | " + command});
   EXPECT_EQ(walked.exit_code, 0) << walked.err;
-  EXPECT_THAT(walked.err, HasSubstr("cycle 10 ")) << walked.err;
-  EXPECT_THAT(walked.err, HasSubstr("cycle 11 ")) << walked.err;
-  EXPECT_THAT(walked.err, Not(HasSubstr("cycle 12 "))) << walked.err;
-  EXPECT_THAT(walked.err, HasSubstr("cycle 14 ")) << walked.err;
-  EXPECT_THAT(walked.err, HasSubstr("Enter: one cycle")) << walked.err;
-  EXPECT_THAT(walked.err, Not(HasSubstr("cycle 15 "))) << walked.err;
-  const auto all = cls::tests::run({"/bin/sh", "-c", "printf 'c\\n' | " + command + "-again"});
-  EXPECT_EQ(all.exit_code, 0) << all.err;
-  EXPECT_THAT(all.out, HasSubstr("30 cycles")) << all.out;
+  EXPECT_THAT(walked.err, HasSubstr("cycle 10 "));
+  EXPECT_THAT(walked.err, HasSubstr("cycle 11 "));
+  EXPECT_THAT(walked.err, Not(HasSubstr("cycle 12 ")));
+  EXPECT_THAT(walked.err, HasSubstr("cycle 14 "));
+  EXPECT_THAT(walked.err, HasSubstr("Enter: one cycle"));
+  EXPECT_THAT(walked.err, Not(HasSubstr("cycle 15 ")));
+  EXPECT_THAT(run({"/bin/sh", "-c", "printf 'c\\n' | " + command + "-again"}),
+              Prints(0, HasSubstr("30 cycles")));
 }
 
 TEST_F(Recording, StepContinuesAtEndOfInput) {
@@ -488,11 +484,11 @@ TEST_F(Recording, StepContinuesAtEndOfInput) {
                               " match mock:hold mock:hold --seed 1 --step --cycles 3 --set "
                               "server::kick_off_wait=3 --dir " +
                               folder() + "/steps";
-  const auto walked = cls::tests::run({"/bin/sh", "-c", "printf '\\n2\\n' | " + command});
+  const auto walked = run({"/bin/sh", "-c", "printf '\\n2\\n' | " + command});
   EXPECT_EQ(walked.exit_code, 0) << walked.err;
   EXPECT_EQ(walked.err.rfind("cycle 0", 0), 0u) << walked.err;
-  EXPECT_THAT(walked.err, HasSubstr(" before_kick_off  0 : 0")) << walked.err;
-  EXPECT_THAT(walked.out, HasSubstr("3 cycles")) << walked.out;
+  EXPECT_THAT(walked.err, HasSubstr(" before_kick_off  0 : 0"));
+  EXPECT_THAT(walked.out, HasSubstr("3 cycles"));
 }
 
 // A Playmaker stopped at a breakpoint replies after every deadline.
@@ -503,7 +499,7 @@ TEST_F(Recording, AcceptsLateRepliesWithoutDeadline) {
   const auto late = match("late", {slow, "mock:hold", "--rpc-deadline", "20"});
   EXPECT_EQ(late.exit_code, 0) << late.err;
   const auto missed = [this](const char* name) {
-    return nlohmann::json::parse(
+    return base::Json::parse(
                file(std::string(name) + "/result.json"))["left"]["players"][6]["missed"]
         .get<int>();
   };
@@ -529,13 +525,12 @@ TEST(TestCommand, PlaysTeamsOfTheConfigurationAboveTheScenario) {
   };
 
   write("ada");
-  const auto passed = cls_test({file, "--dir", folder.path() / "kept"});
-  EXPECT_EQ(passed.exit_code, 0) << passed.out << passed.err;
+  EXPECT_THAT(cls_test({file, "--dir", folder.path() / "kept"}), Exits(0));
+
   write("adda");
-  const auto failed = cls_test({file, "--dir", folder.path() / "kept"});
-  EXPECT_EQ(failed.exit_code, 65);
-  EXPECT_THAT(failed.err, HasSubstr("stands.json:2: /left/playmaker: unknown side 'adda'; did you "
-                                    "mean 'ada'? (a team in "));
+  EXPECT_THAT(cls_test({file, "--dir", folder.path() / "kept"}),
+              Exits(65, HasSubstr("stands.json:2: /left/playmaker: unknown side 'adda'; did you "
+                                  "mean 'ada'? (a team in ")));
 }
 
 // The first start of a project may build it.
@@ -546,9 +541,7 @@ TEST(TestCommand, GivesProgramsTheStartTimeOfTheConfiguration) {
          "[teams.ada]\nendpoint = \"run:: {port}; exec sleep 100\"\n";
   Command test({cls_binary(), "test", "team_stays_on_the_pitch", "--against", "ada", "--seed", "1"},
                {}, folder.path());
-  const CommandResult result = test.finish();
-  EXPECT_EQ(result.exit_code, 1) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("within the start limit of 1.5 s")) << result.out;
+  EXPECT_THAT(test.finish(), Prints(1, HasSubstr("within the start limit of 1.5 s")));
 
   Command other({cls_binary(), "test", "team_stays_on_the_pitch", "--against", "ada", "--seed", "1",
                  "--start-timeout", "0.5"},
@@ -564,9 +557,10 @@ TEST(TestCommand, SaysWhetherAFileOrAFolderIsMissing) {
 // High-level teams use helios_goalie.
 TEST(TestCommand, LetsTeamsWithTheBundledGoalieStayOnThePitch) {
   TemporaryFolder folder;
-  const auto passed =
-      cls_test({"team_stays_on_the_pitch", "--against", "mock:planner", "--dir", folder.path()});
-  EXPECT_EQ(passed.exit_code, 0) << passed.out;
+  EXPECT_THAT(
+      cls_test({"team_stays_on_the_pitch", "--against", "mock:planner", "--dir", folder.path()}),
+      Exits(0));
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -7,16 +7,18 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tournament_outcome.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
@@ -24,10 +26,7 @@ using testing::Not;
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-using cls::tests::cls_binary;
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 using Arguments = std::vector<std::string>;
 
 class Tournament : public testing::Test {
@@ -48,13 +47,13 @@ class Tournament : public testing::Test {
     arguments.insert(arguments.begin(), {cls_binary(), "tournament"});
     return arguments;
   }
-  CommandResult tournament(Arguments arguments) const { return cls::tests::run(argv(arguments)); }
+  CommandResult tournament(Arguments arguments) const { return run(argv(arguments)); }
 
   json report() const { return json::parse(tournament({"report", cup(), "--format", "json"}).out); }
 
   fs::path cup() const { return folder_.path(); }
 
-  cls::tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(Tournament, PlaysAndReports) {
@@ -64,9 +63,11 @@ TEST_F(Tournament, PlaysAndReports) {
   for (int match = 1; match <= 6; ++match) {
     EXPECT_THAT(played.err, HasSubstr("match " + std::to_string(match) + "/6  "));
   }
-  EXPECT_THAT(played.err, HasSubstr("  RED 0:0 HOLD  (finished, ")) << played.err;
+
+  EXPECT_THAT(played.err, HasSubstr("  RED 0:0 HOLD  (finished, "));
   EXPECT_EQ(tournament({"run", cup(), "--quiet"}).err, "");
-  EXPECT_THAT(played.out, HasSubstr("6 of 6 matches done")) << played.out;
+  EXPECT_THAT(played.out, HasSubstr("6 of 6 matches done"));
+
   // What is longest scrolls away: standings and winner are last, and how to see a match.
   const std::size_t standings = played.out.find("\nstandings\n");
   EXPECT_NE(standings, std::string::npos) << played.out;
@@ -76,8 +77,9 @@ TEST_F(Tournament, PlaysAndReports) {
                                      "[0-9]+:[0-9]+\n  cls watch [^\n]+\n$"));
   const json document = report();
   EXPECT_EQ(document["schema"], "cls.tournament/1");
-  EXPECT_TRUE(document["complete"]);
+  EXPECT_EQ(document["complete"], true);
   ASSERT_EQ(document["matches"].size(), 6u);
+
   for (const json& match : document["matches"]) {
     EXPECT_EQ(match["end_reason"], "finished");
     EXPECT_EQ(match["cycles"], 40);
@@ -87,11 +89,12 @@ TEST_F(Tournament, PlaysAndReports) {
     EXPECT_THAT(match["command"].get<std::string>(),
                 HasSubstr("--seed " + std::to_string(match["seed"].get<int>())));
   }
+
   EXPECT_EQ(document["standings"].size(), 3u);
   EXPECT_EQ(document["standings"][0]["played"], 4);
   const json status = json::parse(tournament({"status", cup(), "--json"}).out);
   EXPECT_EQ(status["finished"], 6);
-  EXPECT_TRUE(status["complete"]);
+  EXPECT_EQ(status["complete"], true);
 }
 
 TEST_F(Tournament, PlanListsFixtures) {
@@ -108,14 +111,12 @@ TEST_F(Tournament, PlanListsFixtures) {
 TEST_F(Tournament, RejectsDifferentPlanWithoutForce) {
   write_config("format = \"gauntlet\"\ngauntlet = [\"RED\"]\n");
   ASSERT_EQ(tournament({"run", cup()}).exit_code, 0);
-  const CommandResult refused = tournament({"run", cup(), "--rounds", "2"});
-  EXPECT_EQ(refused.exit_code, 78);
-  EXPECT_THAT(refused.err, HasSubstr("holds another plan: rounds is 2, was not set"))
-      << refused.err;
+  EXPECT_THAT(tournament({"run", cup(), "--rounds", "2"}),
+              Exits(78, HasSubstr("holds another plan: rounds is 2, was not set")));
   EXPECT_EQ(tournament({"run", cup(), "--concurrency", "1"}).exit_code, 0)
       << "not part of the plan";
   const CommandResult forced = tournament({"run", cup(), "--cycles", "30", "--force"});
-  EXPECT_THAT(forced.err, HasSubstr("cls: old tournament moved to ")) << forced.err;
+  EXPECT_THAT(forced.err, HasSubstr("cls: old tournament moved to "));
   EXPECT_EQ(forced.exit_code, 0) << forced.err;
   EXPECT_EQ(report()["matches"][0]["cycles"], 30);
   fs::path old = cup();
@@ -127,12 +128,10 @@ TEST_F(Tournament, RejectsDifferentPlanWithoutForce) {
 TEST_F(Tournament, ForceRenamesNothingBeforeTeamsAreChecked) {
   write_config("format = \"gauntlet\"\ngauntlet = [\"RED\"]\n");
   ASSERT_EQ(tournament({"run", cup()}).exit_code, 0);
-  const std::string plan = cls::tests::read_file(cup() / "plan.toml");
-  const CommandResult refused =
-      tournament({"run", cup(), "--force", "--server", "cls_no_such_server"});
-  EXPECT_EQ(refused.exit_code, 66) << refused.err;
-  EXPECT_THAT(refused.err, Not(HasSubstr("moved to"))) << refused.err;
-  EXPECT_EQ(cls::tests::read_file(cup() / "plan.toml"), plan);
+  const std::string plan = read_file(cup() / "plan.toml");
+  EXPECT_THAT(tournament({"run", cup(), "--force", "--server", "cls_no_such_server"}),
+              Exits(66, Not(HasSubstr("moved to"))));
+  EXPECT_EQ(read_file(cup() / "plan.toml"), plan);
   EXPECT_TRUE(fs::exists(cup() / "tournament.db"));
 }
 
@@ -140,8 +139,7 @@ TEST_F(Tournament, ReportsErrorsWithLocation) {
   write_config("ronds = 3\n");
   const CommandResult unknown = tournament({"plan", cup()});
   EXPECT_EQ(unknown.exit_code, 78);
-  EXPECT_THAT(unknown.err, HasSubstr("cls.toml:3: unknown key 'ronds'; did you mean 'rounds'?"))
-      << unknown.err;
+  EXPECT_THAT(unknown.err, HasSubstr("cls.toml:3: unknown key 'ronds'; did you mean 'rounds'?"));
   write_config("");
   EXPECT_EQ(tournament({"run", cup(), "--rounds", "x"}).exit_code, 2);
   EXPECT_EQ(tournament({"run", cup(), "--ronds", "1"}).exit_code, 2);
@@ -152,8 +150,7 @@ TEST_F(Tournament, ReportsErrorsWithLocation) {
 }
 
 TEST_F(Tournament, RunCollectsResultOfWork) {
-  const CommandResult worked = tournament({"work", cup(), "--index", "4"});
-  EXPECT_EQ(worked.exit_code, 0) << worked.err;
+  EXPECT_THAT(tournament({"work", cup(), "--index", "4"}), Exits(0));
   const fs::path result = cup() / "results" / "000004.1.json";
   ASSERT_TRUE(fs::exists(result));
   const auto written = fs::last_write_time(result);
@@ -163,7 +160,7 @@ TEST_F(Tournament, RunCollectsResultOfWork) {
   EXPECT_EQ(tournament({"work", cup(), "--index", "7"}).exit_code, 66);
   ASSERT_EQ(tournament({"run", cup()}).exit_code, 0);
   const json document = report();
-  EXPECT_EQ(document["matches"][3]["ended"], json::parse(cls::tests::read_file(result))["ended"]);
+  EXPECT_EQ(document["matches"][3]["ended"], json::parse(read_file(result))["ended"]);
   EXPECT_EQ(document["counts"]["finished"], 6);
 }
 
@@ -171,21 +168,20 @@ TEST_F(Tournament, StopsOnFaultUnlessConfiguredOtherwise) {
   std::ofstream(cup() / "cls.toml", std::ios::app)
       << "[teams.GONE]\nendpoint = \"run:exit 3 # {port}\"\n";
   const Arguments fast = {"--format", "gauntlet", "--gauntlet", "GONE"};
-  Arguments arguments = {"run", cup()};
-  arguments.insert(arguments.end(), fast.begin(), fast.end());
+  Arguments arguments = joined({"run", cup()}, fast);
   const CommandResult stopped = tournament(arguments);
   EXPECT_EQ(stopped.exit_code, 1);
-  EXPECT_THAT(stopped.err, HasSubstr("is invalid (refused): GONE (run:exit 3 # {port})"))
-      << stopped.err;
+  EXPECT_THAT(stopped.err, HasSubstr("is invalid (refused): GONE (run:exit 3 # {port})"));
+
   const std::size_t counts = stopped.out.find(" of 6 matches done");
   ASSERT_NE(counts, std::string::npos) << stopped.out;
   EXPECT_THAT(stopped.err,
               HasSubstr("cls: " + stopped.out.substr(counts - 1,
                                                      stopped.out.find('\n', counts) - counts + 1)))
-      << "stderr and report agree: " << stopped.out << stopped.err;
+      << "stderr and report agree: " << stopped.out;
+
   arguments.insert(arguments.end(), {"--on-crash", "forfeit", "--keep-logs", "failed"});
-  const CommandResult forfeited = tournament(arguments);
-  EXPECT_EQ(forfeited.exit_code, 0) << forfeited.err;
+  EXPECT_THAT(tournament(arguments), Exits(0));
   const json document = report();
   EXPECT_EQ(document["counts"]["forfeits"], 6);
   EXPECT_EQ(document["standings"][3]["team"], "GONE");
@@ -201,22 +197,23 @@ TEST_F(Tournament, HooksReceiveJsonOnStdin) {
   EXPECT_EQ(played.exit_code, 0);
   EXPECT_THAT(played.err,
               HasSubstr("cls: on_finish: exit code 3: " + fs::canonical(cup()).string() + "\n"))
-      << "hooks run where cls.toml is: " << played.err;
+      << "hooks run where cls.toml is: ";
+
   std::ifstream lines(lines_file);
   int count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
     EXPECT_EQ(json::parse(line)["end_reason"], "finished");
   }
+
   EXPECT_EQ(count, 6);
-  EXPECT_EQ(json::parse(cls::tests::read_file(final_file))["schema"], "cls.tournament/1");
+  EXPECT_EQ(json::parse(read_file(final_file))["schema"], "cls.tournament/1");
   EXPECT_TRUE(fs::is_empty(cup() / "matches")) << "--keep-logs none";
 }
 
 TEST_F(Tournament, EndsWhatHooksLeaveBehind) {
   Command playing(argv({"run", cup(), "--keep-logs", "none", "--on-match-finish", "sleep 300 &"}));
-  const CommandResult played = playing.finish(50s);
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_THAT(played.err, HasSubstr("on_match_finish: ended a process that it had left behind"));
+  EXPECT_THAT(playing.finish(50s),
+              Exits(0, HasSubstr("on_match_finish: ended a process that it had left behind")));
 }
 
 TEST_F(Tournament, SignalEndsHooksThatHang) {
@@ -226,7 +223,7 @@ TEST_F(Tournament, SignalEndsHooksThatHang) {
   std::this_thread::sleep_for(1s);
   playing.send_signal(SIGTERM);
   const CommandResult ended = playing.finish(20s);
-  EXPECT_THAT(ended.err, HasSubstr("on_finish: ended, because it still ran")) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("on_finish: ended, because it still ran"));
 }
 
 TEST_F(Tournament, ResumesAfterSigterm) {
@@ -234,13 +231,10 @@ TEST_F(Tournament, ResumesAfterSigterm) {
   Command playing(argv({"run", cup(), "--concurrency", "1"}));
   ASSERT_TRUE(playing.wait_for_errors("match 1/18  "));
   playing.send_signal(SIGTERM);
-  const CommandResult ended = playing.finish(5s);
-  EXPECT_EQ(ended.exit_code, 143) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("cls: resume: " + cls_binary().string() + " tournament run " +
-                                   cup().string() + " --concurrency 1\n"))
-      << ended.err;
-  const CommandResult on = tournament({"run", cup()});
-  EXPECT_EQ(on.exit_code, 0) << on.err;
+  EXPECT_THAT(playing.finish(5s),
+              Exits(143, HasSubstr("cls: resume: " + cls_binary().string() + " tournament run " +
+                                   cup().string() + " --concurrency 1\n")));
+  EXPECT_THAT(tournament({"run", cup()}), Exits(0));
   EXPECT_EQ(report()["counts"]["finished"], 18);
 }
 
@@ -249,11 +243,9 @@ TEST_F(Tournament, StopFinishesCurrentMatches) {
   EXPECT_EQ(tournament({"stop", cup()}).exit_code, 66);
   Command playing(argv({"run", cup()}));
   while (!fs::exists(cup() / "matches")) std::this_thread::sleep_for(10ms);
-  const CommandResult second = tournament({"run", cup()});
-  EXPECT_EQ(second.exit_code, 75) << second.err;
+  EXPECT_THAT(tournament({"run", cup()}), Exits(75));
   EXPECT_EQ(tournament({"stop", cup()}).exit_code, 0);
-  const CommandResult ended = playing.finish(10s);
-  EXPECT_EQ(ended.exit_code, 130) << ended.err;
+  EXPECT_THAT(playing.finish(10s), Exits(130));
   const json document = report();
   EXPECT_GT(document["counts"]["finished"], 0);
   EXPECT_GT(document["counts"]["open"], 0);
@@ -264,8 +256,8 @@ TEST_F(Tournament, StopFinishesCurrentMatches) {
 TEST_F(Tournament, SigkillLosesOnlyCurrentMatches) {
   const int kills = std::getenv("CLS_FULL") != nullptr ? 20 : 3;
   write_config("rounds = 3\n");
-  const std::string mark = cls::tests::new_mark();
-  const Arguments environment = {std::string(cls::tests::kMarkVariable) + "=" + mark};
+  const std::string mark = new_mark();
+  const Arguments environment = {std::string(kMarkVariable) + "=" + mark};
   std::uint32_t random = 12345;
   std::map<int, std::string> finished;
   for (int kill = 0; kill < kills; ++kill) {
@@ -274,28 +266,30 @@ TEST_F(Tournament, SigkillLosesOnlyCurrentMatches) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50 + random / 4294968));
     playing.send_signal(SIGKILL);
     playing.finish();
-    EXPECT_TRUE(cls::tests::all_marked_gone(mark, 3s)) << "no process survives";
+    EXPECT_TRUE(all_marked_gone(mark, 3s)) << "no process survives";
     if (!fs::exists(cup() / "tournament.db")) continue;
     const json reported = report();
     for (const json& match : reported["matches"]) {
       if (match["end_reason"].is_null()) continue;
-      const int index = match["index"];
+      const auto index = match["index"].get<int>();
       const std::string once = match["ended"].get<std::string>() + match["folder"].dump();
       EXPECT_EQ(finished.emplace(index, once).first->second, once) << "played twice";
     }
   }
-  const CommandResult last = tournament({"run", cup()});
-  EXPECT_EQ(last.exit_code, 0) << last.err;
+
+  EXPECT_THAT(tournament({"run", cup()}), Exits(0));
   const json broken = report();
   for (const auto& [index, once] : finished) {
     const json& match = broken["matches"][static_cast<std::size_t>(index) - 1];
     EXPECT_EQ(once, match["ended"].get<std::string>() + match["folder"].dump());
   }
-  cls::tests::TemporaryFolder other;
+
+  TemporaryFolder other;
   fs::copy_file(cup() / "cls.toml", other.path() / "cls.toml");
   const CommandResult unbroken = tournament({"run", other.path(), "--json"});
+
   ASSERT_EQ(unbroken.exit_code, 0) << unbroken.err;
-  EXPECT_EQ(cls::tests::outcome_of(broken), cls::tests::outcome_of(json::parse(unbroken.out)));
+  EXPECT_EQ(outcome_of(broken), outcome_of(json::parse(unbroken.out)));
 }
 
 TEST_F(Tournament, MatchAcceptsTeamNamesAsSides) {
@@ -305,44 +299,45 @@ TEST_F(Tournament, MatchAcceptsTeamNamesAsSides) {
   const auto match = [&](const std::string& left, const std::string& right) {
     Arguments arguments = base;
     arguments.insert(arguments.begin() + 2, {left, right});
-    return cls::tests::run(arguments);
+    return run(arguments);
   };
   const CommandResult played = match("RED", "HOLD");
   ASSERT_EQ(played.exit_code, 0) << played.err;
+
   const json result = json::parse(played.out);
   EXPECT_EQ(result["left"]["name"], "RED");
   EXPECT_EQ(result["right"]["name"], "HOLD");
   EXPECT_EQ(result["right"]["endpoint"], "mock:hold");
+
   const CommandResult unknown = match("RAD", "HOLD");
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("unknown side 'RAD'; did you mean 'RED'?"));
   EXPECT_EQ(match("moc", "HOLD").exit_code, 2);
-  const CommandResult stranger = match("NEWEST", "HOLD");
-  EXPECT_EQ(stranger.exit_code, 2);
-  EXPECT_THAT(stranger.err,
-              HasSubstr("cls.toml are RED, BLUE, HOLD; other sides: cls match --help\n"))
-      << stranger.err;
+  EXPECT_THAT(match("NEWEST", "HOLD"),
+              Exits(2, HasSubstr("cls.toml are RED, BLUE, HOLD; other sides: cls match --help\n")));
+
   write_config("ronds = 1\n");
   EXPECT_EQ(match("RED", "HOLD").exit_code, 78);
 }
 
 TEST_F(Tournament, ReportsWithChosenNameColumnsAndMatches) {
   ASSERT_EQ(tournament({"run", cup()}).exit_code, 0);
-  const CommandResult typo = tournament({"report", cup(), "--columns", "team,pionts"});
-  EXPECT_EQ(typo.exit_code, 2);
-  EXPECT_EQ(typo.err, "cls: --columns: 'pionts': did you mean 'points'?\n");
+  EXPECT_THAT(tournament({"report", cup(), "--columns", "team,pionts"}),
+              Exits(2, "cls: --columns: 'pionts': did you mean 'points'?\n"));
   const std::string chosen = tournament({"report", cup(), "--columns", "team,points"}).out;
-  EXPECT_THAT(chosen, HasSubstr("\nstandings\n  team  pts\n")) << chosen;
+  EXPECT_THAT(chosen, HasSubstr("\nstandings\n  team  pts\n"));
+
   // Name and columns may change after the matches.
   write_config("rounds = 1\nname = \"Spring cup\"\ncolumns = [\"rank\", \"team\"]\n");
   const std::string renamed = tournament({"report", cup()}).out;
   EXPECT_EQ(renamed.rfind("Spring cup: round-robin of 3 teams, ", 0), 0u) << renamed;
-  EXPECT_THAT(renamed, HasSubstr("\nstandings\n  #  team\n")) << renamed;
+  EXPECT_THAT(renamed, HasSubstr("\nstandings\n  #  team\n"));
+
   const std::string status = tournament({"status", cup(), "--columns", "team"}).out;
   EXPECT_EQ(status.rfind("6 of 6 matches done; complete\n\nstandings\n  team\n", 0), 0u) << status;
   const std::string all = tournament({"report", cup(), "--matches"}).out;
   for (int match = 1; match <= 6; ++match) {
-    EXPECT_THAT(all, HasSubstr("\n  match " + std::to_string(match) + ", ")) << all;
+    EXPECT_THAT(all, HasSubstr("\n  match " + std::to_string(match) + ", "));
   }
   std::istringstream lines(all);
   for (std::string line; std::getline(lines, line);) {
@@ -355,7 +350,7 @@ TEST_F(Tournament, LinksFromTheReportFileToTheFoldersOfMatches) {
   fs::create_directories(cup() / "web");
   const auto link_in = [this](const fs::path& file) {
     EXPECT_EQ(tournament({"report", cup(), "--format", "html", "--out", file}).exit_code, 0);
-    const std::string html = cls::tests::read_file(file);
+    const std::string html = read_file(file);
     const std::size_t at = html.find("<a href=\"") + 9;
     return file.parent_path() / html.substr(at, html.find('"', at) - at);
   };
@@ -370,15 +365,15 @@ TEST_F(Tournament, WritesReplayPagesOfItsMatches) {
   ASSERT_EQ(tournament({"run", cup()}).exit_code, 0);
   const std::string file = cup() / "report.html";
   EXPECT_EQ(tournament({"report", cup(), "--format", "html", "--out", file}).exit_code, 0);
-  EXPECT_THAT(cls::tests::read_file(file), Not(HasSubstr("match.html")));
-  EXPECT_EQ(tournament({"report", cup(), "--format", "html", "--out", file, "--replays"}).exit_code,
-            0);
-  const std::string html = cls::tests::read_file(file);
+  EXPECT_THAT(read_file(file), Not(HasSubstr("match.html")));
+  EXPECT_THAT(tournament({"report", cup(), "--format", "html", "--out", file, "--replays"}),
+              Exits(0));
+  const std::string html = read_file(file);
   const std::size_t end = html.find("match.html\">watch</a>");
   ASSERT_NE(end, std::string::npos);
   const std::size_t start = html.rfind("<a href=\"", end) + 9;
   const fs::path page = cup() / html.substr(start, end - start) / "match.html";
-  EXPECT_TRUE(cls::tests::read_file(page).starts_with("<!doctype html>")) << page;
+  EXPECT_TRUE(read_file(page).starts_with("<!doctype html>")) << page;
 }
 
 TEST_F(Tournament, ReportsInSixFormats) {
@@ -389,21 +384,24 @@ TEST_F(Tournament, ReportsInSixFormats) {
     return written.out;
   };
   const std::string csv = report_as("csv");
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 7);
   EXPECT_EQ(csv.rfind("index,round,stage,pairing,left,right,seed,end_reason", 0), 0u);
+
   for (std::size_t at = 0, end = 0; end != std::string::npos && at < csv.size(); at = end + 1) {
     end = csv.find('\n', at);
     const std::string line = csv.substr(at, end - at);
-    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 27) << line;
+    EXPECT_EQ(std::ranges::count(line, ','), 27) << line;
   }
+
   const std::string junit = report_as("junit");
   EXPECT_THAT(junit, HasSubstr("tests=\"6\" failures=\"0\" errors=\"0\" time="));
   EXPECT_THAT(report_as("md"), HasSubstr("| # | team | played |"));
   EXPECT_EQ(report_as("html").rfind("<!DOCTYPE html>", 0), 0u);
   EXPECT_THAT(report_as("text"), HasSubstr("won-drawn-lost, row against column"));
+
   const fs::path file = cup() / "report.md";
   EXPECT_EQ(tournament({"report", cup(), "--format", "md", "--out", file}).out, "");
-  EXPECT_EQ(cls::tests::read_file(file), report_as("md"));
+  EXPECT_EQ(read_file(file), report_as("md"));
 }
 
 TEST_F(Tournament, JUnitNamesSideAtFault) {
@@ -411,16 +409,14 @@ TEST_F(Tournament, JUnitNamesSideAtFault) {
       << "[teams.GONE]\nendpoint = \"run:exit 3 # {port}\"\n";
   ASSERT_EQ(tournament({"run", cup(), "--on-crash", "rerun", "--max-reruns", "0"}).exit_code, 1);
   const std::string junit = tournament({"report", cup(), "--format", "junit"}).out;
-  EXPECT_THAT(junit, HasSubstr("tests=\"12\" failures=\"6\" errors=\"0\"")) << junit;
+  EXPECT_THAT(junit, HasSubstr("tests=\"12\" failures=\"6\" errors=\"0\""));
   EXPECT_THAT(junit, HasSubstr("<failure type=\"refused\" message=\"GONE (run:exit 3 # {port})"));
   const fs::path file = cup() / "junit.xml";
   std::ofstream(file) << junit;
-  if (cls::tests::run({"/bin/sh", "-c", "command -v xmllint"}).exit_code != 0) {
+  if (run({"/bin/sh", "-c", "command -v xmllint"}).exit_code != 0) {
     GTEST_SKIP() << "no xmllint (package libxml2-utils)";
   }
-  const CommandResult valid = cls::tests::run(
-      {"xmllint", "--noout", "--schema", cls::tests::fixture("junit/junit.xsd"), file});
-  EXPECT_EQ(valid.exit_code, 0) << valid.err;
+  EXPECT_THAT(run({"xmllint", "--noout", "--schema", fixture("junit/junit.xsd"), file}), Exits(0));
 }
 
 TEST_F(Tournament, CompareStopsWhenDecided) {
@@ -428,7 +424,7 @@ TEST_F(Tournament, CompareStopsWhenDecided) {
   const Arguments base = {cls_binary(),       "compare", "RED",       "HOLD",   "--config",
                           cup() / "cls.toml", "--dir",   cup() / "c", "--elo1", "400",
                           "--json",           "--test",  "sprt"};
-  const CommandResult compared = cls::tests::run(base);
+  const CommandResult compared = run(base);
   EXPECT_EQ(compared.exit_code, 1) << compared.err;
   const json document = json::parse(compared.out);
   EXPECT_EQ(document["schema"], "cls.compare/1");
@@ -437,31 +433,34 @@ TEST_F(Tournament, CompareStopsWhenDecided) {
   EXPECT_LE(document["llr"], document["lower"]);
   EXPECT_THAT(document["model"].get<std::string>(), HasSubstr("pentanomial SPRT"));
   EXPECT_EQ(document["test"], "sprt");
+
   const auto played = document["matches"].size();
   EXPECT_LT(played, 40u);
-  const CommandResult again = cls::tests::run(base);
+
+  const CommandResult again = run(base);
   EXPECT_EQ(json::parse(again.out)["matches"].size(), played) << "already decided";
+
   Arguments betting = base;
   betting.back() = "betting";
-  const json other = json::parse(cls::tests::run(betting).out);
+  const json other = json::parse(run(betting).out);
   EXPECT_EQ(other["verdict"], "not better") << "the same matches, another test";
   EXPECT_EQ(other["pairs"], 3) << "draws are soon worse than 91 % of the points";
   EXPECT_GE(other["evidence"]["not_better"], other["evidence"]["not_better_at"]);
   EXPECT_LE(other["elo_bounds"][1], 400);
+
   Arguments undecided = base;
   undecided[7] = (cup() / "d").string();
   undecided.insert(undecided.end(), {"--opponents", "BLUE", "--max-pairs", "1"});
-  const CommandResult open = cls::tests::run(undecided);
+  const CommandResult open = run(undecided);
   EXPECT_EQ(open.exit_code, 3) << open.err;
   EXPECT_EQ(json::parse(open.out)["verdict"], "undecided");
   EXPECT_EQ(json::parse(open.out)["matches"].size(), 4u);
+
   for (const Arguments& error :
        {Arguments{"--elo0", "50", "--elo1", "10"}, Arguments{"--alpha", "0.7"},
         Arguments{"--measure", "shots"}, Arguments{"--measure", "goals", "--goals1", "3"},
         Arguments{"--opponents", "RED"}, Arguments{"--elo2", "1"}}) {
-    Arguments arguments = base;
-    arguments.insert(arguments.end(), error.begin(), error.end());
-    EXPECT_EQ(cls::tests::run(arguments).exit_code, 2) << error[0];
+    EXPECT_EQ(run(joined(base, error)).exit_code, 2) << error[0];
   }
 }
 
@@ -471,16 +470,13 @@ TEST_F(Tournament, KeepsWarningsOfMatches) {
   const Arguments fast = {
       "run",       cup(),      "--team", "DRILL=mock:drill.json", "--format", "list",  "--matches",
       "DRILL:RED", "--cycles", "10",     "--keep-logs",           "none",     "--json"};
-  const CommandResult played = tournament(fast);
-  EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_THAT(played.err, HasSubstr(" s, 1 warning)\n")) << played.err;
-  EXPECT_THAT(played.err, HasSubstr("cls: warning: match 1 (DRILL - RED)")) << played.err;
-  EXPECT_THAT(played.err, HasSubstr("cls: 2 warnings in 2 matches\n")) << played.err;
+  EXPECT_THAT(tournament(fast),
+              Exits(0, testing::AllOf(HasSubstr(" s, 1 warning)\n"),
+                                      HasSubstr("cls: warning: match 1 (DRILL - RED)"),
+                                      HasSubstr("cls: 2 warnings in 2 matches\n"))));
   Arguments strict = fast;
   strict.emplace_back("--strict");
-  const CommandResult failed = tournament(strict);
-  EXPECT_EQ(failed.exit_code, 1);
-  EXPECT_THAT(failed.err, HasSubstr("cls: 2 warnings in 2 matches (--strict)\n")) << failed.err;
+  EXPECT_THAT(tournament(strict), Exits(1, HasSubstr("cls: 2 warnings in 2 matches (--strict)\n")));
   EXPECT_EQ(report()["counts"]["finished"], 2) << "the matches stay valid";
 }
 
@@ -493,10 +489,8 @@ TEST_F(Tournament, ChecksTeamsBeforeTheFirstMatch) {
   EXPECT_FALSE(fs::exists(cup() / "matches"));
   EXPECT_EQ(tournament({"run", cup(), "--team", "GONE=run:./none {port}"}).exit_code, 66)
       << "nothing was played yet, so another plan is accepted";
-  const CommandResult played =
-      tournament({"run", cup(), "--team", "GONE=run:./none {port}", "--no-preflight"});
-  EXPECT_EQ(played.exit_code, 1) << "the first match with GONE is invalid";
-  EXPECT_THAT(played.err, HasSubstr("is invalid (refused)")) << played.err;
+  EXPECT_THAT(tournament({"run", cup(), "--team", "GONE=run:./none {port}", "--no-preflight"}),
+              Exits(1, HasSubstr("is invalid (refused)")));
 }
 
 TEST_F(Tournament, WarnsOfTooManyParallelMatches) {
@@ -504,42 +498,34 @@ TEST_F(Tournament, WarnsOfTooManyParallelMatches) {
                           "RED:HOLD", "--cycles", "10",       "--concurrency", "4000"};
   Arguments strict = many;
   strict.emplace_back("--strict");
-  const CommandResult failed = tournament(strict);
-  EXPECT_EQ(failed.exit_code, 1);
-  EXPECT_THAT(failed.err, HasSubstr("cls: no match was started (--strict)\n")) << failed.err;
+  EXPECT_THAT(tournament(strict), Exits(1, HasSubstr("cls: no match was started (--strict)\n")));
   const CommandResult played = tournament(many);
   EXPECT_EQ(played.exit_code, 0) << played.err;
   EXPECT_EQ(played.err.rfind("cls: warning: 4000 parallel matches on ", 0), 0u) << played.err;
 }
 
 TEST(Init, WritesPlayableConfigAndOverwritesNone) {
-  cls::tests::TemporaryFolder folder;
+  TemporaryFolder folder;
   const fs::path cup = folder.path() / "cup";
-  const CommandResult made = cls::tests::run({cls_binary(), "init", cup});
-  EXPECT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_EQ(made.out, (cup / "cls.toml").string() + "\n");
-  const CommandResult listed = cls::tests::run({cls_binary(), "tournament", "plan", cup});
-  EXPECT_EQ(listed.exit_code, 0) << listed.err;
+  EXPECT_THAT(run({cls_binary(), "init", cup}),
+              Prints(0, testing::Eq((cup / "cls.toml").string() + "\n")));
+  EXPECT_THAT(run({cls_binary(), "tournament", "plan", cup}), Exits(0));
   // As README shows it.
-  const CommandResult compared = Command({cls_binary(), "compare", "RED", "BLUE", "--config",
-                                          "cup/cls.toml", "--max-pairs", "1", "--cycles", "30"},
-                                         {}, folder.path())
-                                     .finish();
-  EXPECT_EQ(compared.exit_code, 3) << compared.err;
-  EXPECT_THAT(compared.out, HasSubstr("RED against BLUE")) << compared.out;
-  const CommandResult again = cls::tests::run({cls_binary(), "init", cup});
-  EXPECT_EQ(again.exit_code, 73);
-  EXPECT_THAT(again.err, HasSubstr("exists; --force renames it to cls.toml.old"));
+  EXPECT_THAT(Command({cls_binary(), "compare", "RED", "BLUE", "--config", "cup/cls.toml",
+                       "--max-pairs", "1", "--cycles", "30"},
+                      {}, folder.path())
+                  .finish(),
+              Prints(3, HasSubstr("RED against BLUE")));
+  EXPECT_THAT(run({cls_binary(), "init", cup}),
+              Exits(73, HasSubstr("exists; --force renames it to cls.toml.old")));
 }
 
 TEST_F(Tournament, LeavesOutTheTeamsOfAProjectWhenItNamesItsOwn) {
   Command inside({cls_binary(), "tournament", "plan", "mini", "--team", "A=mock", "--team",
                   "B=mock:hold", "--json"},
                  {}, cup());
-  const CommandResult planned = inside.finish(30s);
-  ASSERT_EQ(planned.exit_code, 0) << planned.err;
-  EXPECT_THAT(planned.out, HasSubstr("\"A\""));
-  EXPECT_THAT(planned.out, Not(HasSubstr("RED"))) << planned.out;
+  ASSERT_THAT(inside.finish(30s),
+              Prints(0, testing::AllOf(HasSubstr("\"A\""), Not(HasSubstr("RED")))));
 
   const CommandResult own = tournament({"plan", cup(), "--team", "A=mock", "--json"});
   EXPECT_THAT(own.out, HasSubstr("\"A\"")) << own.err;
@@ -547,3 +533,4 @@ TEST_F(Tournament, LeavesOutTheTeamsOfAProjectWhenItNamesItsOwn) {
 }
 
 }  // namespace
+}  // namespace cls::tests

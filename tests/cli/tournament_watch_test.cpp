@@ -5,18 +5,19 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/http_client.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
-using cls::tests::Command;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -35,9 +36,8 @@ endpoint = "mock"
 )";
   }
 
-  Command command(std::vector<std::string> words) const {
-    words.insert(words.begin(), {cls::tests::cls_binary().string(), "tournament"});
-    return Command(std::move(words), {}, folder_.path());
+  Command command(const std::vector<std::string>& words) const {
+    return Command(joined({cls_binary().string(), "tournament"}, words), {}, folder_.path());
   }
 
   void wait_for_store() const {
@@ -49,13 +49,12 @@ endpoint = "mock"
 
   static std::string url_of(Command& watch) {
     if (!watch.wait_for_output("}\n")) return watch.finish().err;
-    return nlohmann::json::parse(watch.out())["url"];
+    return base::Json::parse(watch.out())["url"].get<std::string>();
   }
 
   static int status(const std::string& url, const std::string& path, const std::string& host) {
-    return cls::tests::exchange(
-               cls::tests::port_of(url),
-               "GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\nConnection: close\r\n\r\n")
+    return exchange(port_of(url),
+                    "GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\nConnection: close\r\n\r\n")
         .status;
   }
 
@@ -64,12 +63,12 @@ endpoint = "mock"
     std::string body;
     for (int i = 0; i < 200 && body.find(part) == std::string::npos; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
-      body = cls::tests::get(url + "now").body;
+      body = get(url + "now").body;
     }
     return body;
   }
 
-  cls::tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(TournamentWatch, IsAtItsPathForItsHostsAndBehindByItsDelay) {
@@ -96,14 +95,11 @@ TEST_F(TournamentWatch, IsAtItsPathForItsHostsAndBehindByItsDelay) {
 }
 
 TEST_F(TournamentWatch, SaysWhatKeepsItFromReading) {
-  const auto nothing = command({"watch", "cup"}).finish();
-  EXPECT_EQ(nothing.exit_code, 66);
-  EXPECT_THAT(nothing.err, HasSubstr("cup: no tournament; 'cls tournament run cup' begins one"));
+  EXPECT_THAT(command({"watch", "cup"}).finish(),
+              Exits(66, HasSubstr("cup: no tournament; 'cls tournament run cup' begins one")));
   std::filesystem::create_directory(folder_.path() / "cup");
   std::ofstream(folder_.path() / "cup/plan.toml") << "nonsense";
-  const auto corrupt = command({"watch", "cup"}).finish();
-  EXPECT_EQ(corrupt.exit_code, 65);
-  EXPECT_THAT(corrupt.err, Not(HasSubstr("begins one")));
+  EXPECT_THAT(command({"watch", "cup"}).finish(), Exits(65, Not(HasSubstr("begins one"))));
 }
 
 TEST_F(TournamentWatch, RefusesValuesThatCannotWork) {
@@ -114,10 +110,9 @@ TEST_F(TournamentWatch, RefusesValuesThatCannotWork) {
                                                        {"--max-connections", "0"}};
   for (const auto& option : wrong) {
     Command watch = command({"watch", "cup", option[0], option[1]});
-    const auto result = watch.finish();
-    EXPECT_EQ(result.exit_code, 2) << option[1];
-    EXPECT_THAT(result.err, HasSubstr(option[0] + " '" + option[1] + "'"));
+    EXPECT_THAT(watch.finish(), Exits(2, HasSubstr(option[0] + " '" + option[1] + "'")));
   }
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -4,22 +4,20 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/temporary_folder.h"
 
+namespace cls::tests {
 namespace {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-using cls::tests::cls_binary;
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 using Arguments = std::vector<std::string>;
 
 class TournamentWork : public testing::Test {
@@ -52,7 +50,7 @@ class TournamentWork : public testing::Test {
 
   json result(int index) const {
     return json::parse(
-        cls::tests::read_file(cup() / "results" / ("00000" + std::to_string(index) + ".1.json")));
+        read_file(cup() / "results" / ("00000" + std::to_string(index) + ".1.json")));
   }
 
   void expect_whole(int index) const {
@@ -66,13 +64,13 @@ class TournamentWork : public testing::Test {
 
   fs::path cup() const { return folder_.path(); }
 
-  cls::tests::TemporaryFolder folder_;
-  const std::string mark_ = cls::tests::new_mark();
-  const Arguments environment_ = {std::string(cls::tests::kMarkVariable) + "=" + mark_};
+  TemporaryFolder folder_;
+  const std::string mark_ = new_mark();
+  const Arguments environment_ = {std::string(kMarkVariable) + "=" + mark_};
 };
 
 TEST_F(TournamentWork, StoresOneResultOfConcurrentRuns) {
-  cls::tests::run(work(2));  // creates plan and schedule
+  run(work(2));  // creates plan and schedule
   fs::remove_all(cup() / "results");
   Command first(work(1));
   Command second(work(1));
@@ -92,73 +90,73 @@ TEST_F(TournamentWork, LeavesNoFilesAfterSigterm) {
   EXPECT_EQ(working.finish(10s).exit_code, 143);
   EXPECT_EQ(entries("results"), 0u);
   EXPECT_EQ(entries("unfinished"), 0u);
-  EXPECT_TRUE(cls::tests::all_marked_gone(mark_, 3s));
+  EXPECT_TRUE(all_marked_gone(mark_, 3s));
 }
 
 TEST_F(TournamentWork, RepeatsAfterSigkillAndRemovesLeftovers) {
-  cls::tests::run(work(2));
+  run(work(2));
   fs::remove_all(cup() / "results");
   Command working(work(1), environment_);
   wait_until_playing();
   working.send_signal(SIGKILL);
   working.finish();
-  EXPECT_TRUE(cls::tests::all_marked_gone(mark_, 3s));
+  EXPECT_TRUE(all_marked_gone(mark_, 3s));
   EXPECT_EQ(entries("results"), 0u);
   EXPECT_EQ(entries("unfinished"), 1u);
-  EXPECT_EQ(cls::tests::run(work(1)).exit_code, 0);
-  ASSERT_EQ(cls::tests::run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
+  EXPECT_EQ(run(work(1)).exit_code, 0);
+  ASSERT_EQ(run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
   expect_whole(1);
 }
 
 // As when `work` publishes its folder at the moment at which `run` begins the same match.
 TEST_F(TournamentWork, FolderIsKeptByARunThatDoesNotKnowItsResult) {
-  ASSERT_EQ(cls::tests::run(work(1)).exit_code, 0);
+  ASSERT_EQ(run(work(1)).exit_code, 0);
   const fs::path log = cup() / result(1)["folder"].get<std::string>() / "match.rcg.gz";
   const auto written = fs::last_write_time(log);
   fs::remove_all(cup() / "results");
-  ASSERT_EQ(cls::tests::run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
+  ASSERT_EQ(run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
   ASSERT_TRUE(fs::exists(log));
   EXPECT_EQ(fs::last_write_time(log), written);
 }
 
 TEST_F(TournamentWork, ReplacesTheFolderOfAnInterruptedAttempt) {
-  ASSERT_EQ(cls::tests::run(work(1)).exit_code, 0);
+  ASSERT_EQ(run(work(1)).exit_code, 0);
   const fs::path folder = cup() / result(1)["folder"].get<std::string>();
-  json interrupted = json::parse(cls::tests::read_file(folder / "result.json"));
+  json interrupted = json::parse(read_file(folder / "result.json"));
   interrupted["end_reason"] = "interrupted";
   std::ofstream(folder / "result.json") << interrupted;
   fs::remove(folder / "match.rcg.gz");
   fs::remove_all(cup() / "results");
-  ASSERT_EQ(cls::tests::run(work(1)).exit_code, 0);
-  ASSERT_EQ(cls::tests::run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
+  ASSERT_EQ(run(work(1)).exit_code, 0);
+  ASSERT_EQ(run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
   EXPECT_EQ(cup() / result(1)["folder"].get<std::string>(), folder);
   expect_whole(1);
 }
 
 // A folder without a result may be that in which `run` plays the same attempt.
 TEST_F(TournamentWork, LeavesTheFolderOfAMatchThatIsBeingPlayed) {
-  ASSERT_EQ(cls::tests::run(work(1)).exit_code, 0);
+  ASSERT_EQ(run(work(1)).exit_code, 0);
   const fs::path folder = cup() / result(1)["folder"].get<std::string>();
   fs::remove(folder / "result.json");
   fs::remove_all(cup() / "results");
-  ASSERT_EQ(cls::tests::run(work(1)).exit_code, 0);
+  ASSERT_EQ(run(work(1)).exit_code, 0);
   EXPECT_TRUE(fs::exists(folder / "match.rcg.gz")) << "its process may still write there";
   const fs::path own = cup() / result(1)["folder"].get<std::string>();
   EXPECT_NE(own, folder);
   EXPECT_TRUE(fs::exists(own / "match.rcg.gz"));
-  ASSERT_EQ(cls::tests::run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
+  ASSERT_EQ(run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
   EXPECT_TRUE(fs::exists(own / "match.rcg.gz")) << "it counts";
   EXPECT_FALSE(fs::exists(folder)) << "it does not count";
 }
 
 TEST_F(TournamentWork, RunPlaysElsewhereThanAProcessThatHasCreatedTheFolder) {
-  ASSERT_EQ(cls::tests::run(work(1)).exit_code, 0);
+  ASSERT_EQ(run(work(1)).exit_code, 0);
   fs::remove(cup() / result(1)["folder"].get<std::string>() / "result.json");
   fs::remove_all(cup() / "results");
-  ASSERT_EQ(cls::tests::run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
+  ASSERT_EQ(run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
   const CommandResult report =
-      cls::tests::run({cls_binary(), "tournament", "report", cup(), "--format", "json"});
-  const std::string folder = json::parse(report.out)["matches"][0]["folder"];
+      run({cls_binary(), "tournament", "report", cup(), "--format", "json"});
+  const auto folder = json::parse(report.out)["matches"][0]["folder"].get<std::string>();
   EXPECT_TRUE(folder.starts_with("unfinished/")) << folder;
   EXPECT_TRUE(fs::exists(cup() / folder / "match.rcg.gz"));
 }
@@ -166,8 +164,9 @@ TEST_F(TournamentWork, RunPlaysElsewhereThanAProcessThatHasCreatedTheFolder) {
 TEST_F(TournamentWork, ReplacesInvalidResult) {
   fs::create_directories(cup() / "results");
   std::ofstream(cup() / "results/000001.1.json") << "{ half";
-  EXPECT_EQ(cls::tests::run(work(1)).exit_code, 0);
+  EXPECT_EQ(run(work(1)).exit_code, 0);
   expect_whole(1);
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -20,7 +20,7 @@ namespace {
 using testing::HasSubstr;
 
 namespace fs = std::filesystem;
-using match::EndReason;
+using soccer::EndReason;
 
 fs::path page_path() { return source_folder() / "docs/troubleshooting.md"; }
 

@@ -5,27 +5,26 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 
 #include "tests/support/cls_folder.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-using cls::tests::cls_binary;
-using cls::tests::Command;
-using cls::tests::CommandResult;
-using nlohmann::json;
+using json = base::Json;
 using Arguments = std::vector<std::string>;
 
-class Tune : public testing::Test, public cls::tests::ClsFolder {
+class Tune : public testing::Test, public ClsFolder {
  protected:
   Tune() : ClsFolder(180s) {}
 
@@ -39,7 +38,7 @@ class Tune : public testing::Test, public cls::tests::ClsFolder {
   }
 
   void replace(const fs::path& file, const std::string& from, const std::string& to) const {
-    std::string text = cls::tests::read_file(folder_.path() / file);
+    std::string text = read_file(folder_.path() / file);
     const std::size_t at = text.find(from);
     ASSERT_NE(at, std::string::npos) << from;
     std::ofstream(folder_.path() / file) << text.replace(at, from.size(), to);
@@ -50,9 +49,7 @@ class Tune : public testing::Test, public cls::tests::ClsFolder {
     return run(std::move(arguments));
   }
   CommandResult search(const std::string& folder, Arguments more = {}) const {
-    Arguments arguments = {"run", folder, "--cycles", "10", "--quiet", "--json"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return tune(arguments);
+    return tune(joined({"run", folder, "--cycles", "10", "--quiet", "--json"}, more));
   }
   void copy_search(const std::string& folder) const {
     fs::create_directory(path(folder));
@@ -71,17 +68,20 @@ TEST_F(Tune, SearchesComparesAndReports) {
   EXPECT_EQ(document["pairs"], 8);
   EXPECT_EQ(document["verdict"], "undecided");
   EXPECT_EQ(document["history"][0]["candidates"].size(), 4u);
+
   for (const char* name : {"best.toml", "search.svg", "verdict/tournament.db",
                            "generations/0002/files/tune4/striker.json"}) {
     EXPECT_TRUE(fs::exists(path("a") / name)) << name;
   }
+
   for (const char* matches : {"generations/0001/matches", "verdict/matches"}) {
     const fs::path folder = path("a") / matches;
     EXPECT_TRUE(!fs::exists(folder) || fs::is_empty(folder)) << "no match failed: " << folder;
   }
+
   EXPECT_EQ(json::parse(tune({"report", "a", "--json"}).out), document);
   const CommandResult text = tune({"report", "a", "--picture", "found.svg"});
-  EXPECT_THAT(text.out, HasSubstr("cma-es: generation 2 of 2, 8 pairs")) << text.out;
+  EXPECT_THAT(text.out, HasSubstr("cma-es: generation 2 of 2, 8 pairs"));
   EXPECT_THAT(text.out, HasSubstr("verdict: undecided"));
   EXPECT_TRUE(fs::exists(path("found.svg")));
   EXPECT_EQ(tune({"status", "a"}).out.rfind("generation 2/2: ", 0), 0u);
@@ -98,10 +98,10 @@ TEST_F(Tune, TakesSeedAndMatchFoldersToKeepFromFileAndCommandLine) {
   copy_search("b");
   const Arguments one = {"--generations", "1", "--keep-logs", "all"};
   const json five = json::parse(search("a", one).out);
-  EXPECT_THAT(cls::tests::read_file(path("a/tune.plan")), HasSubstr("\nseed = 5\n"));
+  EXPECT_THAT(read_file(path("a/tune.plan")), HasSubstr("\nseed = 5\n"));
   EXPECT_FALSE(fs::is_empty(path("a/generations/0001/matches")));
   const json seven = json::parse(search("b", {"--generations", "1", "--seed", "7"}).out);
-  EXPECT_THAT(cls::tests::read_file(path("b/tune.plan")), HasSubstr("\nseed = 7\n"));
+  EXPECT_THAT(read_file(path("b/tune.plan")), HasSubstr("\nseed = 7\n"));
   EXPECT_NE(five["history"], seven["history"]) << "other candidates and matches";
 }
 
@@ -120,11 +120,9 @@ TEST_F(Tune, ResumesAfterKill) {
 TEST_F(Tune, RefusesAnotherSearchInItsFolder) {
   ASSERT_EQ(search("a", {"--generations", "1"}).exit_code, 3);
   replace("a/tune.toml", "pairs = 1 ", "pairs = 2 ");
-  const CommandResult refused = search("a");
-  EXPECT_EQ(refused.exit_code, 78);
-  EXPECT_THAT(refused.err,
-              HasSubstr("another search has begun here: 'pairs = 2', was 'pairs = 1'; --force"))
-      << refused.err;
+  EXPECT_THAT(
+      search("a"),
+      Exits(78, HasSubstr("another search has begun here: 'pairs = 2', was 'pairs = 1'; --force")));
   EXPECT_EQ(json::parse(search("a", {"--force", "--generations", "1"}).out)["pairs"], 8);
   EXPECT_TRUE(fs::exists(path("a/generations.old")));
 }
@@ -134,9 +132,7 @@ TEST_F(Tune, NamesErrors) {
   EXPECT_EQ(tune({"run", "none"}).exit_code, 66);
   EXPECT_EQ(tune({"report", "a"}).exit_code, 66) << "nothing was played";
   replace("a/striker.json.in", "{speed}", "1");
-  const CommandResult unused = search("a");
-  EXPECT_EQ(unused.exit_code, 78);
-  EXPECT_EQ(unused.err, "cls: a/striker.json.in: does not use {speed}\n");
+  EXPECT_THAT(search("a"), Exits(78, "cls: a/striker.json.in: does not use {speed}\n"));
   replace("a/tune.toml", "min = -34", "min = 40");
   EXPECT_EQ(search("a").exit_code, 78);
 }
@@ -150,3 +146,4 @@ TEST_F(Tune, PlaysCandidatesAgainstEachOther) {
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -2,12 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,12 +15,15 @@
 #include "gamelog/rcl/rcl_reader.h"
 #include "soccer/side.h"
 #include "tests/support/command.h"
+#include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 #include "viewer/decisions/decision_files.h"
 #include "viewer/decisions/decision_reader.h"
 #include "viewer/page/page_decisions.h"
 
+namespace cls::tests {
 namespace {
 
 using testing::HasSubstr;
@@ -31,32 +32,21 @@ using testing::Not;
 namespace fs = std::filesystem;
 using cls::viewer::DecisionSample;
 
-cls::tests::CommandResult play(const fs::path& folder, std::vector<std::string> more) {
-  std::vector<std::string> words = {cls::tests::cls_binary(),
-                                    "match",
-                                    "mock",
-                                    "mock:hold",
-                                    "--seed",
-                                    "7",
-                                    "--cycles",
-                                    "120",
-                                    "--dir",
-                                    folder.string(),
-                                    "--set",
-                                    "server::kick_off_wait=3"};
-  words.insert(words.end(), more.begin(), more.end());
-  return cls::tests::run(words);
+CommandResult play(const fs::path& folder, std::vector<std::string> more) {
+  return run(joined({cls_binary(), "match", "mock", "mock:hold", "--seed", "7", "--cycles", "120",
+                     "--dir", folder.string(), "--set", "server::kick_off_wait=3"},
+                    more));
 }
 
 cls::viewer::TeamDecisions decisions_in(const fs::path& file) {
-  return cls::viewer::read_decisions(cls::tests::read_file(file)).value();
+  return cls::viewer::read_decisions(read_file(file)).value();
 }
 
 /// Two matches of one seed, one of them recorded.
 class WorldModels : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = new cls::tests::TemporaryFolder;
+    folder_ = new TemporaryFolder;
     ASSERT_EQ(play(where("plain"), {}).exit_code, 0);
     ASSERT_EQ(play(where("recorded"), {"--record-world-models"}).exit_code, 0);
   }
@@ -67,16 +57,14 @@ class WorldModels : public testing::Test {
   static fs::path where(const std::string& name) { return folder_->path() / name; }
 
  private:
-  static cls::tests::TemporaryFolder* folder_;
+  static TemporaryFolder* folder_;
 };
 
-cls::tests::TemporaryFolder* WorldModels::folder_ = nullptr;
+TemporaryFolder* WorldModels::folder_ = nullptr;
 
 TEST_F(WorldModels, ChangeNothingInTheMatch) {
   for (const char* file : {"match.rcg", "match.rcl", "events.jsonl"}) {
-    EXPECT_TRUE(cls::tests::read_file(where("plain") / file) ==
-                cls::tests::read_file(where("recorded") / file))
-        << file;
+    EXPECT_TRUE(read_file(where("plain") / file) == read_file(where("recorded") / file)) << file;
   }
   EXPECT_FALSE(fs::exists(where("plain") / cls::viewer::kLeftWorldModelsFile));
 }
@@ -96,6 +84,7 @@ double distance(cls::soccer::Vec2 a, double x, double y) { return std::hypot(a.x
 TEST_F(WorldModels, AreBesideTheFullStateOfBothSides) {
   const auto record = cls::gamelog::read_rcg_file((where("recorded") / "match.rcg")).value();
   const auto frames = frames_by_clock(record);
+
   for (const char* file : {cls::viewer::kLeftWorldModelsFile, cls::viewer::kRightWorldModelsFile}) {
     const auto team = decisions_in(where("recorded") / file);
     int located = 0;
@@ -162,6 +151,7 @@ TEST_F(WorldModels, HaveTheActionsWithTheirOutcomes) {
   const auto team = decisions_in(where("recorded") / cls::viewer::kLeftWorldModelsFile);
   int executed = 0;
   int with_fields = 0;
+
   std::int64_t latency_us = 0;  // a single call of the mock can take less than one
   for (const auto& samples : team.players) {
     for (const DecisionSample& sample : samples) {
@@ -172,6 +162,7 @@ TEST_F(WorldModels, HaveTheActionsWithTheirOutcomes) {
       if (sample.reply.find('=') != std::string::npos) ++with_fields;
     }
   }
+
   EXPECT_GT(executed, 500);
   EXPECT_GT(latency_us, 0);
   EXPECT_GT(with_fields, 100);
@@ -193,12 +184,9 @@ TEST_F(WorldModels, AreTheSameInEachRunButForLatencies) {
 
 std::size_t page_size(const fs::path& match, const fs::path& page,
                       const std::vector<std::string>& more) {
-  std::vector<std::string> words = {cls::tests::cls_binary(), "watch", match.string(), "--out",
-                                    page.string()};
-  words.insert(words.end(), more.begin(), more.end());
-  const auto written = cls::tests::run(words);
-  EXPECT_EQ(written.exit_code, 0) << written.err;
-  return cls::tests::read_file(page).size();
+  EXPECT_THAT(run(joined({cls_binary(), "watch", match.string(), "--out", page.string()}, more)),
+              Exits(0));
+  return read_file(page).size();
 }
 
 TEST_F(WorldModels, AreInThePageAsFarAsTheyAreAskedFor) {
@@ -215,84 +203,81 @@ TEST_F(WorldModels, AreInThePageAsFarAsTheyAreAskedFor) {
   EXPECT_GT(part, plain);
   EXPECT_GT(some, plain);
   EXPECT_EQ(none, plain);
-  const std::string page = cls::tests::read_file(where("some.html"));
+
+  const std::string page = read_file(where("some.html"));
   EXPECT_THAT(page, HasSubstr("id=\"decisions-left\""));
   EXPECT_THAT(page, Not(HasSubstr("id=\"decisions-right\"")));
-  EXPECT_THAT(cls::tests::read_file(where("plain.html")), Not(HasSubstr("decisions-left\"")));
+  EXPECT_THAT(read_file(where("plain.html")), Not(HasSubstr("decisions-left\"")));
+
   // The page is still the log.
-  const auto log =
-      cls::tests::run({cls::tests::cls_binary(), "convert", where("all.html"), where("log.rcg")});
+  const auto log = run({cls_binary(), "convert", where("all.html"), where("log.rcg")});
   EXPECT_EQ(log.exit_code, 0) << log.err;
-  EXPECT_TRUE(cls::tests::read_file(where("log.rcg")) ==
-              cls::tests::read_file(where("recorded") / "match.rcg"));
+  EXPECT_TRUE(read_file(where("log.rcg")) == read_file(where("recorded") / "match.rcg"));
 }
 
 TEST_F(WorldModels, AreRefusedWhenTheyAreCorruptOrNamesAreWrong) {
-  const auto wrong = cls::tests::run({cls::tests::cls_binary(), "watch", where("recorded"), "--out",
-                                      where("x.html"), "--world-models", "l12"});
-  EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("--world-models 'l12': must be")) << wrong.err;
+  EXPECT_THAT(run({cls_binary(), "watch", where("recorded"), "--out", where("x.html"),
+                   "--world-models", "l12"}),
+              Exits(2, HasSubstr("--world-models 'l12': must be")));
   for (const char* which : {"9-3", "-5", "7-", "all,l7", "none,3"}) {
-    const auto refused =
-        cls::tests::run({cls::tests::cls_binary(), "watch", where("recorded"), "--out",
-                         where("x.html"), std::string("--world-models=") + which});
-    EXPECT_EQ(refused.exit_code, 2) << which;
+    EXPECT_THAT(run({cls_binary(), "watch", where("recorded"), "--out", where("x.html"),
+                     std::string("--world-models=") + which}),
+                Exits(2));
   }
   fs::copy(where("recorded"), where("cut"), fs::copy_options::recursive);
   fs::resize_file(where("cut") / cls::viewer::kLeftWorldModelsFile, 2000);
-  const auto cut =
-      cls::tests::run({cls::tests::cls_binary(), "watch", where("cut"), "--out", where("y.html")});
-  EXPECT_EQ(cut.exit_code, 65);
-  EXPECT_THAT(cut.err, HasSubstr("left.world-models: ")) << cut.err;
+  EXPECT_THAT(run({cls_binary(), "watch", where("cut"), "--out", where("y.html")}),
+              Exits(65, HasSubstr("left.world-models: ")));
 }
 
 TEST(Drawings, AreWithTheDecision) {
-  const cls::tests::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const fs::path script = folder.path() / "draws.json";
   std::ofstream(script) << R"({"rules": [{"reply": [
     {"log": {"add_circle": {"level": "SHOOT", "center": {"x": 1.23456, "y": -2}, "radius": 3, "color": "red", "fill": true}}},
     {"body_go_to_point": {"target_point": {"x": 5, "y": 6}, "distance_threshold": 1, "max_dash_power": 50}},
     {"log": {"add_text": {"level": "TEAM", "message": "two\nlines 1.5"}}},
     {"debug_client": {"message": "shown"}}]}]})";
+
   const fs::path match = folder.path() / "match";
-  const auto played =
-      cls::tests::run({cls::tests::cls_binary(), "match", "mock:" + script.string(), "mock:hold",
-                       "--seed", "7", "--cycles", "5", "--record-world-models", "--dir", match});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  ASSERT_THAT(run({cls_binary(), "match", "mock:" + script.string(), "mock:hold", "--seed", "7",
+                   "--cycles", "5", "--record-world-models", "--dir", match}),
+              Exits(0));
+
   const auto team = decisions_in(match / cls::viewer::kLeftWorldModelsFile);
   const DecisionSample& last = team.players[6].back();
   EXPECT_EQ(last.drawings, "1024 C 1.23 -2 3 red\n65536 M two lines 1.5\n0 M shown\n");
-  EXPECT_THAT(last.reply, Not(HasSubstr("log"))) << last.reply;
-  EXPECT_THAT(last.reply, HasSubstr("body_go_to_point")) << last.reply;
+  EXPECT_THAT(last.reply, Not(HasSubstr("log")));
+  EXPECT_THAT(last.reply, HasSubstr("body_go_to_point"));
 }
 
 TEST(MissedDecisions, AreInTheFolderAndInThePage) {
-  const cls::tests::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const fs::path script = folder.path() / "errors.json";
   std::ofstream(script)
       << R"({"faults": {"error": 0.2, "status": "INTERNAL", "only": {"unum": 8}}})";
   const fs::path match = folder.path() / "match";
-  const auto played =
-      cls::tests::run({cls::tests::cls_binary(), "match", "mock:" + script.string(), "mock:hold",
-                       "--seed", "7", "--cycles", "60", "--dir", match});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
-  const auto result = nlohmann::json::parse(cls::tests::read_file(match / "result.json"));
+  ASSERT_THAT(run({cls_binary(), "match", "mock:" + script.string(), "mock:hold", "--seed", "7",
+                   "--cycles", "60", "--dir", match}),
+              Exits(0));
+
+  const auto result = base::Json::parse(read_file(match / "result.json"));
   const int missed = result["left"]["players"][7]["missed"].get<int>();
   ASSERT_GT(missed, 3);
   const auto read = cls::viewer::read_missed_decisions(match);
   ASSERT_EQ(read.size(), static_cast<std::size_t>(missed));
+
   for (const auto& one : read) {
     EXPECT_EQ(one.player, "l8");
     EXPECT_EQ(one.reason, "error");
   }
   const fs::path page = folder.path() / "page.html";
-  EXPECT_EQ(cls::tests::run({cls::tests::cls_binary(), "watch", match, "--out", page}).exit_code,
-            0);
-  EXPECT_THAT(cls::tests::read_file(page), HasSubstr("\"missed\":[["));
+  EXPECT_EQ(run({cls_binary(), "watch", match, "--out", page}).exit_code, 0);
+  EXPECT_THAT(read_file(page), HasSubstr("\"missed\":[["));
 }
 
 TEST(PageDecisions, ReportFilesThatCannotBeRead) {
-  const cls::tests::TemporaryFolder folder;
+  const TemporaryFolder folder;
   EXPECT_TRUE(cls::viewer::read_page_decisions(folder.path(), {})->empty()) << "none recorded";
   fs::create_directories(folder.path() / cls::viewer::kRightWorldModelsFile);
   const auto read = cls::viewer::read_page_decisions(folder.path(), {});
@@ -301,20 +286,18 @@ TEST(PageDecisions, ReportFilesThatCannotBeRead) {
 }
 
 TEST(PageDecisions, BringTheSidesOfTheMatch) {
-  const cls::tests::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const fs::path match = folder.path() / "match";
-  const auto played =
-      cls::tests::run({cls::tests::cls_binary(), "match", "mock:planner", "mock:hold", "--seed",
-                       "7", "--cycles", "5", "--record-world-models", "--dir", match});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  ASSERT_THAT(run({cls_binary(), "match", "mock:planner", "mock:hold", "--seed", "7", "--cycles",
+                   "5", "--record-world-models", "--dir", match}),
+              Exits(0));
   const fs::path page = folder.path() / "page.html";
-  EXPECT_EQ(cls::tests::run({cls::tests::cls_binary(), "watch", match, "--out", page}).exit_code,
-            0);
-  EXPECT_THAT(cls::tests::read_file(page), HasSubstr(R"("sides":["mock:planner","mock:hold"])"));
+  EXPECT_EQ(run({cls_binary(), "watch", match, "--out", page}).exit_code, 0);
+  EXPECT_THAT(read_file(page), HasSubstr(R"("sides":["mock:planner","mock:hold"])"));
 }
 
 TEST(MissedDecisions, SurviveLinesThatAreNone) {
-  const cls::tests::TemporaryFolder folder;
+  const TemporaryFolder folder;
   EXPECT_TRUE(cls::viewer::read_missed_decisions(folder.path()).empty());
   std::ofstream(folder.path() / "missed.jsonl")
       << "{\"t\":5,\"side\":\"left\",\"unum\":12,\"reason\":\"x\"}\nnonsense\n\n[1]\n"
@@ -326,3 +309,4 @@ TEST(MissedDecisions, SurviveLinesThatAreNone) {
 }
 
 }  // namespace
+}  // namespace cls::tests

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "scenario/check_file.h"
 
 namespace cls::scenario {
@@ -36,6 +35,7 @@ RunRecord record() {
     nine.body = -90.0;
     record.frames.push_back(frame);
   }
+
   record.touches = {{2, 8}, {5, 12}, {7, 8}};  // left 9, right 2, left 9
   record.referee_messages = {{1, "play_on"}, {8, "goal_l_1"}};
   ReceivedReply reply{3, 9, {}};
@@ -49,6 +49,7 @@ RunRecord record() {
   record.result.left.players[0].rpc_us = {500.0, 900.0, 2000.0, 3000.0};
   record.result.end_reason = match::EndReason::kFinished;
   record.game_log = "log";
+
   return record;
 }
 

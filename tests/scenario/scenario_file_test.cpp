@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "scenario/scenario_library.h"
 
 namespace cls::scenario {
@@ -35,6 +34,7 @@ TEST(ScenarioFile, ReadsInitialSituation) {
     "right": {"playmaker": {"otherwise": "simple"}},
     "under_test": "left", "steps": 40, "until": {"mode": "goal_l"},
     "expect": [{"score": [2, 2]}]})");
+
   ASSERT_TRUE(scenario) << scenario.error().message;
   EXPECT_EQ(scenario->name, "corner");
   EXPECT_EQ(scenario->seeds, (std::vector<std::uint64_t>{1, 2, 3}));
@@ -87,6 +87,7 @@ TEST(ScenarioFile, ReportsErrorsOfChecks) {
   EXPECT_EQ(check(R"({"actions": "body_smart_kik", "side": "left"})"),
             "a/corner.json:1: /expect/0/actions: unknown 'body_smart_kik'; did you mean "
             "'body_smart_kick'?");
+
   EXPECT_EQ(check(R"({"referee": "ofside_l", "count": 0})"),
             "a/corner.json:1: /expect/0/referee: unknown referee message 'ofside_l'; did you mean "
             "'offside_l'?");
@@ -104,8 +105,10 @@ TEST(ScenarioFile, ReportsErrorsOfChecks) {
 TEST(ScenarioFile, ResolvesFolderOfExternalTeam) {
   const std::string side = R"({"right": {"playmaker": "team:helios"}, "expect": [)";
   const auto scenario = parse(side + R"({"score": [0, 0]}, {"missed": 0, "side": "right"}]})");
+
   ASSERT_TRUE(scenario) << scenario.error().message;
   EXPECT_EQ(scenario->sides[1].playmaker.path, "a/helios");
+
   for (const char* check :
        {R"({"actions": "*", "side": "right"})", R"({"commands": "dash", "side": "right"})",
         R"({"rpc": "Register", "side": "right", "count": 11})",

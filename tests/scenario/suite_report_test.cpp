@@ -4,8 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/support/junit.h"
 
 namespace cls::scenario {
@@ -38,6 +37,7 @@ struct Sample {
     failed.verdict = Verdict::kFailed;
     failed.seeds = {7};
     failed.seconds = 0.25;
+
     failed.checks = {{"a <name> & \"more\"", 9, false, 0, 1, "the score is 1 : 0,\n50% off", 7}};
     failed.replay = "runs/test/bad-seed-7";
     failed.page = "runs/test/bad-seed-7/match.html";
@@ -80,7 +80,7 @@ TEST(SuiteReport, CountsInterruptedScenariosApart) {
   EXPECT_EQ(summary(sample.suite, 1.25),
             "1 passed, 0 failed, 1 skipped in 1.2 s\n"
             "interrupted: 1 of 3 scenarios were not played to the end\n");
-  const auto json = nlohmann::json::parse(to_json(sample.suite));
+  const auto json = base::Json::parse(to_json(sample.suite));
   EXPECT_EQ(json["interrupted"], 1);
   EXPECT_EQ(json["scenarios"][1]["verdict"], "interrupted");
   EXPECT_EQ(to_annotations(sample.suite), "");
@@ -97,7 +97,7 @@ TEST(SuiteReport, NamesNoFileOfBuiltInScenario) {
 
 TEST(SuiteReport, JsonContainsEveryCheck) {
   const Sample sample;
-  const auto json = nlohmann::json::parse(to_json(sample.suite));
+  const auto json = base::Json::parse(to_json(sample.suite));
   EXPECT_EQ(json["schema"], "cls.test/1");
   EXPECT_EQ(json["passed"], 1);
   EXPECT_EQ(json["failed"], 1);

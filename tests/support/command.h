@@ -59,6 +59,13 @@ class Command {
   int status_ = 0;
 };
 
+/// All words, `more` last.
+inline std::vector<std::string> joined(std::vector<std::string> words,
+                                       const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
 /// Runs to the end.
 CommandResult run(std::vector<std::string> arguments, std::vector<std::string> environment = {});
 
