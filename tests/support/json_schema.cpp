@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <regex>
+#include <sstream>
 #include <stdexcept>
 
 namespace cls::tests {
 namespace {
 
-using nlohmann::json;
+using json = base::Json;
 
 bool has_type(const json& value, const std::string& type) {
   if (type == "object") return value.is_object();
@@ -56,7 +57,7 @@ class Checker {
                   std::regex_search(value.get<std::string>(), std::regex(rule.get<std::string>())),
               place, "does not match the pattern");
     } else if (keyword == "$ref") {
-      check(root_.at(json::json_pointer(rule.get<std::string>().substr(1))), value, place);
+      check(at_reference(rule.get<std::string>()), value, place);
     } else if (keyword == "allOf") {
       for (const json& inner : rule) check(inner, value, place);
     } else if (keyword == "if") {
@@ -66,6 +67,14 @@ class Checker {
     } else if (keyword != "then" && keyword != "definitions") {
       throw std::runtime_error("unknown keyword " + keyword);
     }
+  }
+
+  // "#/definitions/name" and the like.
+  const json& at_reference(const std::string& reference) const {
+    const json* found = &root_;
+    std::istringstream keys(reference.substr(2));
+    for (std::string key; std::getline(keys, key, '/');) found = &found->at(key);
+    return *found;
   }
 
   void check_type(const json& rule, const json& value, const std::string& place) {

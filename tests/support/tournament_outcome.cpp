@@ -3,7 +3,7 @@
 
 namespace cls::tests {
 
-using nlohmann::json;
+using json = base::Json;
 
 json outcome_of(const json& report) {
   json matches = json::array();
