@@ -1,4 +1,5 @@
 // Triangulation, interpolation, and all formation file formats.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -111,10 +112,7 @@ TEST(Formation, RejectsNoSamplesAndDuplicateBallPositions) {
 
 std::string own_sample(const std::string& ball) {
   std::string text = "ball " + ball + "\n";
-  for (int unum = 1; unum <= 11; ++unum) {
-    text += "  " + std::to_string(unum) + " " + std::to_string(unum) + " " +
-            std::to_string(-2 * unum) + "  # a comment\n";
-  }
+  for (int n = 1; n <= 11; ++n) text += fmt::format("  {0} {0} {1}  # a comment\n", n, -2 * n);
   return text;
 }
 
@@ -168,39 +166,32 @@ TEST(FormationFile, ReportsErrorsWithLine) {
 // The same two samples in each librcsc format; player n at (n, -n), then at (n + 0.5, 0).
 std::string block_form(const std::string& head) {
   std::string text = head + "Begin Samples 2 2\n";
-  for (const bool second : {false, true}) {
-    text += second ? "----- 1 -----\nBall 10 5\n" : "----- 0 -----\nBall 0 0\n";
-    for (int n = 1; n <= 11; ++n) {
-      const std::string unum = std::to_string(n);
-      text += unum + " " + unum + (second ? ".5 0\n" : " -" + unum + "\n");
-    }
-  }
+  text += "----- 0 -----\nBall 0 0\n";
+  for (int n = 1; n <= 11; ++n) text += fmt::format("{0} {0} -{0}\n", n);
+  text += "----- 1 -----\nBall 10 5\n";
+  for (int n = 1; n <= 11; ++n) text += fmt::format("{0} {0}.5 0\n", n);
   return text + "End Samples\nEnd\n";
 }
 
 std::string row(bool second, const std::string& separator) {
   std::string text = second ? "10" + separator + "5" : "0" + separator + "0";
   for (int n = 1; n <= 11; ++n) {
-    const std::string unum = std::to_string(n);
-    text += separator + unum + (second ? ".5" + separator + "0" : separator + "-" + unum);
+    text += separator + (second ? fmt::format("{}.5{}0", n, separator)
+                                : fmt::format("{0}{1}-{0}", n, separator));
   }
   return text;
 }
 
 std::string json_form() {
-  std::string data;
-  for (const bool second : {false, true}) {
-    data += second ? R"(, {"index": 1, "ball": {"x": 10, "y": 5})"
-                   : R"({"index": 0, "ball": {"x": 0.0, "y": 0})";
-    for (int n = 1; n <= 11; ++n) {
-      const std::string unum = std::to_string(n);
-      data += ", \"" + unum + "\": {\"x\": " + unum +
-              (second ? ".5, \"y\": 0}" : ", \"y\": -" + unum + "}");
-    }
-    data += "}";
+  std::string first;
+  std::string second;
+  for (int n = 1; n <= 11; ++n) {
+    first += fmt::format(R"(, "{0}": {{"x": {0}, "y": -{0}}})", n);
+    second += fmt::format(R"(, "{0}": {{"x": {0}.5, "y": 0}})", n);
   }
-  return R"({"version": "", "method": "DelaunayTriangulation", "role": [], "data": [)" + data +
-         "]}\n";
+  return R"({"version": "", "method": "DelaunayTriangulation", "role": [], "data": [)"
+         R"({"index": 0, "ball": {"x": 0.0, "y": 0})" +
+         first + R"(}, {"index": 1, "ball": {"x": 10, "y": 5})" + second + "}]}\n";
 }
 
 TEST(FormationFile, ParsesLibrcscFormats) {
@@ -229,9 +220,8 @@ TEST(FormationFile, ParsesStaticLibrcscFormats) {
   std::string text = "Formation Static\n# ----\n";
   std::string csv = "Method,Static\nRoleNumber,1,2\nPosition";
   for (int n = 1; n <= 11; ++n) {
-    const std::string unum = std::to_string(n);
-    text += unum + " Role  -" + unum + ".0   " + unum + "\n";
-    csv += ",-" + unum + "," + unum;
+    text += fmt::format("{0} Role  -{0}.0   {0}\n", n);
+    csv += fmt::format(",-{0},{0}", n);
   }
 
   for (const std::string& form : {text, csv + "\n"}) {

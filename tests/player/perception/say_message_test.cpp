@@ -61,8 +61,7 @@ TEST(SayMessage, RecordedMessagesMatchGameLog) {
 TEST(SayMessage, ParsesSeveralMessagesInOneSay) {
   std::string_view text = "Pajqs9";
   const auto first = parse_say_message(text, kServer);
-  ASSERT_TRUE(first);
-  EXPECT_TRUE(std::holds_alternative<SayPlayers>(*first));
+  ASSERT_TRUE(first && std::holds_alternative<SayPlayers>(*first));
   const auto second = parse_say_message(text, kServer);
   ASSERT_TRUE(second);
   EXPECT_DOUBLE_EQ(std::get<SayStamina>(*second).fraction, 1.0);

@@ -1,5 +1,8 @@
 // Ball tracking: rolling, kicked, missing, placed by the referee.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <array>
 
 #include "player/perception/perception.h"
 #include "player/world/motion.h"
@@ -60,11 +63,12 @@ TEST(BallTracking, EstimatesPositionAndVelocityFromOneSee) {
     scene.look();
     EXPECT_LT(scene.position_error(), 0.55);
     EXPECT_LT(scene.velocity_error(), 0.15);
-    EXPECT_EQ(scene.world.ball.pos_count, 0);
-    EXPECT_EQ(scene.world.ball.seen_pos_count, 0);
-    EXPECT_EQ(scene.world.ball.relative_pos_count, 0);
-    EXPECT_EQ(scene.world.ball.vel_count, 0);
-    EXPECT_EQ(scene.world.ball.heard_pos_count, kNever);
+
+    const BallState& ball = scene.world.ball;
+    EXPECT_THAT(
+        (std::array{ball.pos_count, ball.seen_pos_count, ball.relative_pos_count, ball.vel_count}),
+        testing::Each(0));
+    EXPECT_EQ(ball.heard_pos_count, kNever);
   }
 }
 
@@ -78,6 +82,7 @@ TEST(BallTracking, ImprovesOverSeveralSees) {
     scene.truth.ball = {random.uniform(-10.0, 0.0), random.uniform(-8.0, 8.0)};
     scene.truth.ball_velocity =
         soccer::polar_degrees(random.uniform(0.5, 1.5), random.uniform(-180.0, 180.0));
+
     for (int cycle = 0; cycle < 8; ++cycle) {
       scene.look();
       if (cycle == 0) single += scene.position_error() / kRolls;
@@ -138,6 +143,7 @@ TEST(BallTracking, DetectsOtherPlayersKickAtNextSee) {
     scene.look();
     ++scene.truth.time;
   }
+
   scene.truth.ball_velocity = {1.2, 1.4};
   scene.truth.ball += scene.truth.ball_velocity / 0.94;
   scene.look();

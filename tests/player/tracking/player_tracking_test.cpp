@@ -37,6 +37,14 @@ struct Scene {
     return player;
   }
 
+  /// The track of an opponent, which must exist.
+  const PlayerState& opponent(int unum) const {
+    static const PlayerState kNone;
+    const PlayerState* found = world.opponent(unum);
+    EXPECT_NE(found, nullptr) << unum;
+    return found != nullptr ? *found : kNone;
+  }
+
   void cycle(bool see = true) {
     on_sense_body(world, tests::sense_of(truth));
     if (see) on_see(world, tests::see_of(truth));
@@ -54,20 +62,19 @@ TEST(PlayerTracking, SetsAllFieldsFromNumberedObservation) {
   scene.add(Side::kRight, 1, {-5.0, -6.0}).goalie = true;
   scene.cycle();
 
-  const PlayerState* seen = scene.world.opponent(9);
-  ASSERT_NE(seen, nullptr);
-  EXPECT_LT(soccer::distance(seen->position, {-8.0, 4.0}), 0.7);
-  EXPECT_LT(soccer::distance(seen->velocity, {0.2, -0.1}), 0.13);
-  EXPECT_NEAR(seen->body.degrees(), 135.0, 0.6);
-  EXPECT_NEAR(seen->face.degrees(), 155.0, 0.6);
+  const PlayerState& seen = scene.opponent(9);
+  EXPECT_LT(soccer::distance(seen.position, {-8.0, 4.0}), 0.7);
+  EXPECT_LT(soccer::distance(seen.velocity, {0.2, -0.1}), 0.13);
+  EXPECT_NEAR(seen.body.degrees(), 135.0, 0.6);
+  EXPECT_NEAR(seen.face.degrees(), 155.0, 0.6);
 
-  EXPECT_EQ(seen->side, Side::kRight);
-  EXPECT_THAT((std::array{seen->pos_count, seen->vel_count, seen->body_count, seen->unum_count}),
+  EXPECT_EQ(seen.side, Side::kRight);
+  EXPECT_THAT((std::array{seen.pos_count, seen.vel_count, seen.body_count, seen.unum_count}),
               Each(0));
-  EXPECT_EQ(seen->heard_pos_count, kNever);
-  EXPECT_TRUE(seen->kicking);
-  EXPECT_FALSE(seen->tackling);
-  EXPECT_NEAR(seen->dist_from_self, 12.65, 0.7);
+  EXPECT_EQ(seen.heard_pos_count, kNever);
+  EXPECT_TRUE(seen.kicking);
+  EXPECT_FALSE(seen.tackling);
+  EXPECT_NEAR(seen.dist_from_self, 12.65, 0.7);
 
   EXPECT_EQ(scene.world.their_goalie_unum, 1);
   EXPECT_EQ(scene.world.last_kick.unum, 9);
@@ -80,17 +87,16 @@ TEST(PlayerTracking, RetainsNumberWhenOnlyTeamIsSeen) {
   scene.add(Side::kRight, 10, {-5.0, -2.0});
   scene.add(Side::kLeft, 11, {-5.0, 1.0});
   scene.cycle();
-  const int id = scene.world.opponent(9)->id;
+  const int id = scene.opponent(9).id;
 
   scene.truth.unum_far = 5.0;
   for (int i = 0; i < 10; ++i) {
     for (TruePlayer& player : scene.truth.others) player.position += Vec2{0.6, 0.2};
     scene.cycle();
   }
-  ASSERT_NE(scene.world.opponent(9), nullptr);
-  EXPECT_EQ(scene.world.opponent(9)->id, id);
-  EXPECT_EQ(scene.world.opponent(9)->unum_count, 10);
-  EXPECT_EQ(scene.world.opponent(9)->pos_count, 0);
+  EXPECT_EQ(scene.opponent(9).id, id);
+  EXPECT_EQ(scene.opponent(9).unum_count, 10);
+  EXPECT_EQ(scene.opponent(9).pos_count, 0);
 
   for (const TruePlayer& player : scene.truth.others) {
     const PlayerState* track = player.side == Side::kLeft ? scene.world.teammate(player.unum)
@@ -113,19 +119,16 @@ TEST(PlayerTracking, CorrectsSwappedNumbers) {
   std::swap(scene.truth.others[0].position, scene.truth.others[1].position);
   scene.truth.unum_far = 15.0;
   scene.cycle();
-  ASSERT_NE(scene.world.opponent(9), nullptr);
-  EXPECT_GT(scene.world.opponent(9)->position.y, 0.0);  // not detectable
+  EXPECT_GT(scene.opponent(9).position.y, 0.0);  // not detectable
 
   for (int i = 0; i < 12; ++i) {
     scene.truth.others[1].position.x -= 0.6;  // the one with number 10 comes near
     scene.cycle();
   }
 
-  ASSERT_NE(scene.world.opponent(9), nullptr);
-  ASSERT_NE(scene.world.opponent(10), nullptr);
-  EXPECT_EQ(scene.world.opponent(10)->unum_count, 0);
-  EXPECT_GT(scene.world.opponent(10)->position.y, 0.0);
-  EXPECT_LT(scene.world.opponent(9)->position.y, 0.0);
+  EXPECT_EQ(scene.opponent(10).unum_count, 0);
+  EXPECT_GT(scene.opponent(10).position.y, 0.0);
+  EXPECT_LT(scene.opponent(9).position.y, 0.0);
   EXPECT_EQ(scene.world.opponents.size(), 2U);
 }
 
@@ -135,9 +138,8 @@ TEST(PlayerTracking, MarksMissingPlayerAsGhostAndThenDropsTrack) {
   scene.cycle();
   scene.truth.others.clear();
   scene.cycle();
-  ASSERT_NE(scene.world.opponent(5), nullptr);
-  EXPECT_EQ(scene.world.opponent(5)->ghost_count, 1);
-  EXPECT_EQ(scene.world.opponent(5)->pos_count, 1);
+  EXPECT_EQ(scene.opponent(5).ghost_count, 1);
+  EXPECT_EQ(scene.opponent(5).pos_count, 1);
   scene.cycle();
   EXPECT_EQ(scene.world.opponent(5), nullptr);
 }
@@ -172,9 +174,8 @@ TEST(PlayerTracking, AssignsRemainingNumberToLastUnnumberedPlayer) {
   }
   scene.add(Side::kRight, 11, {25.0, 10.0});  // too far for the number
   scene.cycle();
-  ASSERT_NE(scene.world.opponent(11), nullptr);
-  EXPECT_EQ(scene.world.opponent(11)->unum_count, kNever);
-  EXPECT_NEAR(scene.world.opponent(11)->position.x, 25.0, 3.0);
+  EXPECT_EQ(scene.opponent(11).unum_count, kNever);
+  EXPECT_NEAR(scene.opponent(11).position.x, 25.0, 3.0);
 }
 
 TEST(PlayerTracking, LeavesTwoUnnumberedPlayersUnnumbered) {
@@ -202,9 +203,8 @@ TEST(PlayerTracking, IdentifiesGoalieByPosition) {
   EXPECT_EQ(scene.world.opponent(1), nullptr);
   scene.truth.self.position = {0.0, 0.0};
   scene.cycle();
-  ASSERT_NE(scene.world.opponent(1), nullptr);
-  EXPECT_TRUE(scene.world.opponent(1)->goalie);
-  EXPECT_NEAR(scene.world.opponent(1)->position.x, 48.0, 3.0);
+  EXPECT_TRUE(scene.opponent(1).goalie);
+  EXPECT_NEAR(scene.opponent(1).position.x, 48.0, 3.0);
   EXPECT_EQ(scene.world.opponent(4), nullptr);
 }
 
@@ -216,8 +216,7 @@ TEST(PlayerTracking, RetainsNumberAfterUnpredictedMove) {
   scene.truth.others[0].position = {-10.0, 6.0};  // pushed away in a collision
   scene.cycle();
   ASSERT_EQ(scene.world.opponents.size(), 1U);
-  ASSERT_NE(scene.world.opponent(9), nullptr);
-  EXPECT_NEAR(scene.world.opponent(9)->position.x, -10.0, 1.0);
+  EXPECT_NEAR(scene.opponent(9).position.x, -10.0, 1.0);
 }
 
 TEST(PlayerTracking, DropsPositionsBeforeKickOff) {

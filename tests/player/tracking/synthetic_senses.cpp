@@ -104,6 +104,7 @@ void add_player(const Eye& eye, const TruePlayer& player, soccer::See& see) {
   if (!eye.place(player.position, 0.1, ObservedKind::kPlayer, ObservedKind::kClosePlayer, seen)) {
     return;
   }
+
   if (seen.kind == ObservedKind::kPlayer) {
     seen.team = player.side == Side::kLeft ? kLeftTeam : kRightTeam;
     if (player.tackling) seen.mark = soccer::ActionMark::kTackling;
