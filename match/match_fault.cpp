@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "match/terms/server_settings.h"
-#include "soccer/per_side.h"
 
 namespace cls::match {
 

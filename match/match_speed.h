@@ -4,10 +4,8 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "match/result/match_observer.h"
 #include "match/result/match_result.h"

@@ -7,7 +7,6 @@
 #include <cctype>
 
 #include "base/system/host.h"
-#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/text/printable.h"
 #include "soccer/play_mode.h"

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "base/system/version.h"
 #include "proto/saved_match_file.h"
 

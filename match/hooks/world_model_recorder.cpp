@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <utility>
 
 #include "base/index.h"
 #include "base/io/gzip_sink.h"

@@ -9,7 +9,6 @@
 #include "match/programs/team_sandbox.h"
 #include "process/confinement.h"
 #include "process/landlock.h"
-#include "soccer/side.h"
 
 namespace cls::match {
 namespace {

@@ -19,7 +19,6 @@
 #include "proto/rpc.h"
 #include "proxy/playmaker/playmaker.h"
 #include "proxy/playmaker/playmaker_errors.h"
-#include "soccer/side.h"
 
 namespace cls::match {
 namespace {

@@ -3,7 +3,6 @@
 
 #include <variant>
 
-#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "soccer/per_side.h"
 

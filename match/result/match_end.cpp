@@ -15,16 +15,10 @@ namespace {
 using proxy::RpcOutcome;
 
 EndReason reason_of(RpcOutcome outcome) {
-  switch (outcome) {
-    case RpcOutcome::kUnavailable:
-      return EndReason::kCrashed;
-    case RpcOutcome::kProtocolError:
-    case RpcOutcome::kError:
-    case RpcOutcome::kUnimplemented:
-      return EndReason::kProtocolError;
-    default:
-      return EndReason::kLate;
-  }
+  if (outcome == RpcOutcome::kUnavailable) return EndReason::kCrashed;
+  const bool wrong = outcome == RpcOutcome::kProtocolError || outcome == RpcOutcome::kError ||
+                     outcome == RpcOutcome::kUnimplemented;
+  return wrong ? EndReason::kProtocolError : EndReason::kLate;
 }
 
 std::string format_exit(const process::Child::Status& status) {
@@ -66,19 +60,13 @@ std::string limit_hint(const process::Child& child) {
 }
 
 ProcessFailure failure_of(const process::Child& child) {
-  ProcessFailure failure;
-  failure.process = child.plan().name;
-  failure.exit = format_exit(child.status());
-  failure.log = child.plan().log.filename().string();
-  failure.output = child.last_lines();
-  return failure;
+  return {.process = child.plan().name,
+          .exit = format_exit(child.status()),
+          .log = child.plan().log.filename().string(),
+          .output = child.last_lines()};
 }
 
-ProcessFailure playmaker_failure(soccer::Side side) {
-  ProcessFailure failure;
-  failure.process = playmaker_name(side);
-  return failure;
-}
+ProcessFailure playmaker_failure(soccer::Side side) { return {.process = playmaker_name(side)}; }
 
 std::string describe(const proxy::AwaitedCall& call) {
   std::string text = fmt::format("{} of {}", name(call.rpc), proxy::agent_name(call.agent));

@@ -13,7 +13,6 @@
 #include "base/text/json_codec.h"
 #include "base/text/json_text.h"
 #include "base/text/stored_formats.h"
-#include "soccer/side.h"
 
 namespace cls::match {
 

@@ -1,7 +1,6 @@
 // The result of a match as plain data, and as the JSON document `cls.match/1` (result.json).
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -121,12 +120,12 @@ struct ProcessResult {
 /// has neither exit nor log nor output.
 struct ProcessFailure {
   std::string process;
-  std::string exit;
-  std::string log;
-  std::vector<std::string> output;  ///< last output lines, oldest first
-  std::string rpc = {};             ///< that was not answered; empty: no call was awaited
-  int unum = 0;                     ///< whose call that was; 12: coach, 13: trainer; 0: none
-  std::optional<int> cycle = {};    ///< of that call; none before the first cycle
+  std::string exit = {};
+  std::string log = {};
+  std::vector<std::string> output = {};  ///< last output lines, oldest first
+  std::string rpc = {};                  ///< that was not answered; empty: no call was awaited
+  int unum = 0;                          ///< whose call that was; 12: coach, 13: trainer; 0: none
+  std::optional<int> cycle = {};         ///< of that call; none before the first cycle
 };
 
 /// A situation of a book that was played: figures of the left team minus those of the right one

@@ -1,7 +1,6 @@
 // Follows a match by the game log that its server is still writing.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 

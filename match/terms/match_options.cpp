@@ -74,15 +74,10 @@ MatchMode mode_of(const MatchOptions& options) {
 std::optional<std::chrono::milliseconds> decision_deadline(const MatchOptions& options) {
   if (options.no_deadline) return std::nullopt;
   if (options.rpc_deadline_ms) return std::chrono::milliseconds(*options.rpc_deadline_ms);
-  switch (mode_of(options)) {
-    case MatchMode::kSynch:
-      return std::chrono::milliseconds(1000);
-    case MatchMode::kRealtime:
-      return kRealtimeDeadline;
-    case MatchMode::kLockstep:
-      break;
-  }
-  return std::chrono::milliseconds(10'000);
+
+  const MatchMode mode = mode_of(options);
+  if (mode == MatchMode::kRealtime) return kRealtimeDeadline;
+  return std::chrono::milliseconds(mode == MatchMode::kSynch ? 1000 : 10'000);
 }
 
 std::optional<std::chrono::milliseconds> reply_timeout(const MatchOptions& options) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <type_traits>
 
 #include "base/io/whole_file.h"
@@ -230,6 +229,7 @@ std::vector<Row> match_rows() {
           "length of a half in seconds (default: 300)")
           .in_toml("300")
           .shown_in("server::half_time"),
+
       row("adjudicate", &Options::adjudicate, "GOALS", whole(1),
           "end the match when a team leads by this (docs/tournaments.md)")
           .in_toml("5"),
@@ -241,6 +241,7 @@ std::vector<Row> match_rows() {
           .in_toml("8"),
       row("dir", &Options::folder, "DIR", text("a folder"),
           "match folder (default: ./runs/<UTC>-<left>-vs-<right>)"),
+
       parsed("server", &Options::server_choice, "SERVER", {}, parse_server,
              "embedded, rcssserver, PATH of a server, or HOST:PORT (default: embedded)")
           .in_toml("\"embedded\""),
@@ -261,6 +262,7 @@ std::vector<Row> team_rows() {
           "team name of the left side"),
       row("right_name", in(&Options::names, &Names::right), "NAME", text("a name"),
           "team name of the right side"),
+
       flag("rated", &Options::rated,
            "refuse policies that were trained with the full state, as tournaments do"),
       flag("own_names", &Options::own_names, "allow external teams to use their own names"),
@@ -271,12 +273,14 @@ std::vector<Row> team_rows() {
       parsed("trainer", &Options::trainer, "SIDE", {}, parse_endpoint,
              "SIDE whose Playmaker handles GetTrainerActions (default: none)")
           .of_side(),
+
       formations("formation", &Options::formation, {Side::kLeft, Side::kRight},
                  "folder with formations of cls teams, see docs/formations.md (default: built-in)"),
       formations("left_formation", in(&Options::side_formations, &Names::left), {Side::kLeft},
                  "--formation of the left side"),
       formations("right_formation", in(&Options::side_formations, &Names::right), {Side::kRight},
                  "--formation of the right side"),
+
       flag("sandbox", &Options::sandbox,
            "let team: sides read the system and change their own folder only "
            "(default: on; docs/security.md)")
@@ -298,6 +302,7 @@ std::vector<Row> playmaker_rows() {
           .in_toml("10000")
           .in_scenarios("rpc_deadline_ms"),
       flag("no_deadline", &Options::no_deadline, "wait without limit (for debuggers)"),
+
       parsed("on_late", &Options::on_late, "WHAT", one_of({"hold", "last", "default"}),
              proxy::parse_on_late,
              "commands after a missed decision: hold, last or default (default: hold)")
@@ -315,6 +320,7 @@ std::vector<Row> playmaker_rows() {
       row("reconnect_within", &Options::reconnect_within_s, "X", number(0),
           "seconds to wait for a disconnected Playmaker, where the server waits (default: 3)")
           .in_toml("3"),
+
       tls_file("tls_ca", &TlsFileNames::authorities,
                "PEM file of CA certificates that verify tls:HOST:PORT (default: system CAs)")
           .from_variable("CLS_TLS_CA"),
@@ -340,6 +346,7 @@ std::vector<Row> limit_rows() {
       row("time_limit", &Options::time_limit_s, "X", above(0),
           "maximum seconds of the match (default: no limit)")
           .in_toml_of_runs("600"),
+
       parsed("max_memory", in(&Options::limits, &process::ResourceLimits::memory), "SIZE",
              text("a size such as 512M or 2G"), base::parse_byte_size,
              "memory of each process of run: and team: sides, such as 512M or 2G: what it "
@@ -371,6 +378,7 @@ std::vector<Row> debugging_rows() {
           .of_words(2),
       row("resume", &Options::resume, "FILE", text("a file"),
           "continue the match saved in FILE; with --seed its random draws differ from there on"),
+
       row("monitor_port", &Options::monitor_port, "N", whole(0, 65535),
           "UDP port for monitors; 0 selects a free port and prints it"),
       {{"debug_server", "HOST:PORT",

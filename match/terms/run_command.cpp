@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/text/suggestion.h"
-#include "soccer/side.h"
 
 namespace cls::match {
 namespace {

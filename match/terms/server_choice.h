@@ -1,7 +1,6 @@
 // Soccer server and mode of a match: `--server`, `--mode`.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
