@@ -19,6 +19,13 @@ namespace {
 bool finite(double one, double other = 0.0) { return std::isfinite(one) && std::isfinite(other); }
 bool finite(Vec2 v) { return finite(v.x, v.y); }
 
+/// Sets a slot; true, as its setter returns.
+template <typename Slot, typename Command>
+bool put(Slot& slot, const Command& command) {
+  slot = command;
+  return true;
+}
+
 }  // namespace
 
 bool CommandSlots::dash(double power, double direction) {
@@ -33,8 +40,7 @@ bool CommandSlots::dash(double power, double direction) {
   power = power >= 0.0 ? std::min(power, payable) : std::max(power, -payable / 2.0);
 
   if (!finite(power, direction)) return false;
-  body_ = soccer::Dash{soccer::rounded_for_command(power), direction};
-  return true;
+  return put(body_, soccer::Dash{soccer::rounded_for_command(power), direction});
 }
 
 bool CommandSlots::dash(const soccer::LegDash& legs) {
@@ -60,8 +66,7 @@ bool CommandSlots::dash(const soccer::LegDash& legs) {
     (*leg)->power = soccer::rounded_for_command((*leg)->power * share);
     if (!finite((*leg)->power, (*leg)->direction)) return false;
   }
-  body_ = command;
-  return true;
+  return put(body_, command);
 }
 
 bool CommandSlots::turn(double angle) {
@@ -69,9 +74,7 @@ bool CommandSlots::turn(double angle) {
   if (world_->self.frozen() || !finite(angle)) return false;
   const double needed = angle * turn_resistance(world_->self_type(), world_->self.velocity);
   const double moment = soccer::between(needed, server.minmoment, server.maxmoment);
-  if (!finite(moment)) return false;
-  body_ = soccer::Turn{soccer::rounded_for_command(moment)};
-  return true;
+  return finite(moment) && put(body_, soccer::Turn{soccer::rounded_for_command(moment)});
 }
 
 bool CommandSlots::kick(double power, double direction) {
@@ -79,15 +82,14 @@ bool CommandSlots::kick(double power, double direction) {
   if (!finite(power, direction)) return false;
   power = soccer::between(power, 0.0, world_->server().maxpower);
   if (!finite(power)) return false;
-  body_ = soccer::Kick{soccer::rounded_for_command(power),
-                       soccer::rounded_for_command(math::normalize_degrees(direction))};
-  return true;
+  return put(body_, soccer::Kick{soccer::rounded_for_command(power),
+                                 soccer::rounded_for_command(math::normalize_degrees(direction))});
 }
 
 bool CommandSlots::tackle(double direction, bool foul) {
   if (world_->self.frozen() || !finite(direction)) return false;
-  body_ = soccer::Tackle{soccer::rounded_for_command(math::normalize_degrees(direction)), foul};
-  return true;
+  return put(body_,
+             soccer::Tackle{soccer::rounded_for_command(math::normalize_degrees(direction)), foul});
 }
 
 bool CommandSlots::catch_ball() {
@@ -104,9 +106,7 @@ bool CommandSlots::catch_ball() {
   const double direction = soccer::between(ball > 0.0 ? ball - corner : ball + corner,
                                            server.min_catch_angle, server.max_catch_angle);
 
-  if (!finite(direction)) return false;
-  body_ = soccer::Catch{soccer::rounded_for_command(direction)};
-  return true;
+  return finite(direction) && put(body_, soccer::Catch{soccer::rounded_for_command(direction)});
 }
 
 bool CommandSlots::move(Vec2 point) {
@@ -126,8 +126,8 @@ bool CommandSlots::move(Vec2 point) {
     point.x = -0.1;
   }
 
-  body_ = soccer::Move{soccer::rounded_for_command(point.x), soccer::rounded_for_command(point.y)};
-  return true;
+  return put(body_, soccer::Move{soccer::rounded_for_command(point.x),
+                                 soccer::rounded_for_command(point.y)});
 }
 
 bool CommandSlots::turn_neck(double moment) {
@@ -140,9 +140,7 @@ bool CommandSlots::turn_neck(double moment) {
   const double turn =
       soccer::between(std::rint(target - neck), server.minneckmoment, server.maxneckmoment);
 
-  if (!finite(turn)) return false;
-  turn_neck_ = soccer::TurnNeck{turn};
-  return true;
+  return finite(turn) && put(turn_neck_, soccer::TurnNeck{turn});
 }
 
 bool CommandSlots::change_view(soccer::ViewWidth width) {
@@ -151,8 +149,7 @@ bool CommandSlots::change_view(soccer::ViewWidth width) {
     change_view_.reset();
     return false;
   }
-  change_view_ = width;
-  return true;
+  return put(change_view_, width);
 }
 
 bool CommandSlots::change_focus(double distance_moment, double direction_moment) {
@@ -180,15 +177,13 @@ bool CommandSlots::point_to(Vec2 point) {
   const Vec2 relative = point - self.position;
   const double direction = (AngleDeg::of(relative) - self.face()).degrees();
   if (!finite(relative.length(), direction)) return false;
-  arm_ = soccer::PointTo{soccer::rounded_for_command(relative.length()),
-                         soccer::rounded_for_command(direction)};
-  return true;
+  return put(arm_, soccer::PointTo{soccer::rounded_for_command(relative.length()),
+                                   soccer::rounded_for_command(direction)});
 }
 
 bool CommandSlots::point_to_off() {
   if (world_->self.arm.movable_in > 0) return false;
-  arm_ = soccer::PointToOff{};
-  return true;
+  return put(arm_, soccer::PointToOff{});
 }
 
 bool CommandSlots::attention_to(Side side, int unum) {
@@ -196,14 +191,10 @@ bool CommandSlots::attention_to(Side side, int unum) {
   if (side == Side::kNeutral || unum < 1 || unum > soccer::kPlayersPerTeam) return false;
   if (ours && unum == world_->unum) return false;
   using Kind = soccer::TeamReference::Kind;
-  attention_ = soccer::AttentionTo{{ours ? Kind::kOur : Kind::kOpponent, {}}, unum};
-  return true;
+  return put(attention_, soccer::AttentionTo{{ours ? Kind::kOur : Kind::kOpponent, {}}, unum});
 }
 
-bool CommandSlots::attention_to_off() {
-  attention_ = soccer::AttentionToOff{};
-  return true;
-}
+bool CommandSlots::attention_to_off() { return put(attention_, soccer::AttentionToOff{}); }
 
 bool CommandSlots::say(std::string_view text) {
   const auto room = base::index(std::max(0, world_->server().say_msg_size));

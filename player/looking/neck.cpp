@@ -140,12 +140,9 @@ bool neck_turn_to_goalie_or_scan(const WorldModel& world, const ViewMemory& view
                                  CommandSlots& slots, int count_threshold) {
   const PlayerState* goalie =
       world.their_goalie_unum > 0 ? world.opponent(world.their_goalie_unum) : nullptr;
-  if (goalie == nullptr || goalie->seen_pos_count <= count_threshold) {
-    return neck_turn_to_ball_or_scan(world, view, slots, 0);
-  }
-
-  const double relative = relative_direction(slots, next_position_of(*goalie));
-  if (!can_see(world, slots, relative, kEdge)) {
+  const bool stale = goalie != nullptr && goalie->seen_pos_count > count_threshold;
+  const double relative = stale ? relative_direction(slots, next_position_of(*goalie)) : 0.0;
+  if (!stale || !can_see(world, slots, relative, kEdge)) {
     return neck_turn_to_ball_or_scan(world, view, slots, 0);
   }
 

@@ -67,12 +67,10 @@ void hear_ball(WorldModel& world, int speaker, const SayBall& said) {
                       squared_mahalanobis(tracker.state, said.position, variance) < kContradiction;
 
   if (agrees) {
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const bool x = axis == 0;
-      kalman_update(tracker.state, axis, x ? said.position.x : said.position.y, variance);
-      kalman_update(tracker.state, axis + 2, x ? said.velocity.x : said.velocity.y,
-                    square(kVelocityDeviation));
-    }
+    kalman_update(tracker.state, 0, said.position.x, variance);
+    kalman_update(tracker.state, 2, said.velocity.x, square(kVelocityDeviation));
+    kalman_update(tracker.state, 1, said.position.y, variance);
+    kalman_update(tracker.state, 3, said.velocity.y, square(kVelocityDeviation));
   } else if (!tracker.tracked || ball.seen_pos_count > kOwnObservationAge) {
     tracker.state =
         make_estimate(said.position, variance, said.velocity, square(kVelocityDeviation));

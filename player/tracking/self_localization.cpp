@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 
 #include "base/fixed_list.h"
+#include "player/world/candidates.h"
 #include "soccer/directions.h"
 #include "soccer/pitch.h"
 
@@ -33,6 +35,11 @@ struct Pose {
 
 /// Rotates by 180 degrees for the right team.
 Vec2 own_frame(Vec2 point, Side side) { return side == Side::kRight ? -point : point; }
+
+/// Position of a flag or goal in the own frame.
+Vec2 landmark_position(const WorldModel& world, const Observation& seen) {
+  return own_frame(soccer::kLandmarks[seen.index].position, world.our_side);
+}
 
 /// A border line in the own frame: a point on it, and its outward normal.
 struct LineGeometry {
@@ -99,8 +106,7 @@ SeenLandmarkList seen_landmarks(const SeeContext& context, const soccer::See& se
   SeenLandmarkList out;
   for (const Observation& seen : see.objects) {
     if (seen.kind != ObservedKind::kLandmark) continue;
-    const Vec2 landmark =
-        own_frame(soccer::kLandmarks[seen.index].position, context.world.our_side);
+    const Vec2 landmark = landmark_position(context.world, seen);
     out.push_back({&seen, landmark, landmark - at.position});
   }
   return out;
@@ -223,46 +229,43 @@ std::optional<double> face_from_line(const SeeContext& context, const soccer::Se
   return std::nullopt;
 }
 
+/// A landmark with direction and distance.
+bool has_place(const Observation& seen) {
+  return seen.kind == ObservedKind::kLandmark && seen.detail != ObservedDetail::kDirection;
+}
+
 /// Initial pose from the nearest landmark; orientation from the landmark farthest from it, or from
 /// a line.
 std::optional<Pose> pose_from_scratch(const SeeContext& context, const soccer::See& see) {
-  const Observation* nearest = nullptr;
+  Lowest<const Observation*> closest{std::numeric_limits<double>::infinity()};
   for (const Observation& seen : see.objects) {
-    if (seen.kind != ObservedKind::kLandmark || seen.detail == ObservedDetail::kDirection) continue;
-    if (nearest == nullptr || seen.distance < nearest->distance) nearest = &seen;
+    if (has_place(seen)) closest.offer(seen.distance, &seen);
   }
-  if (nearest == nullptr) return std::nullopt;
+  if (closest.value == nullptr) return std::nullopt;
 
-  const auto landmark_position = [&](const Observation& seen) {
-    return own_frame(soccer::kLandmarks[seen.index].position, context.world.our_side);
-  };
+  const Observation& nearest = *closest.value;
   const auto seen_at = [&](const Observation& seen) {
     return soccer::polar_degrees(context.printed_middle(seen.distance), seen.direction);
   };
 
-  const Observation* other = nullptr;
-  double longest = 5.0;
+  const Vec2 origin = landmark_position(context.world, nearest);
+  Highest<const Observation*> other{5.0};
   for (const Observation& seen : see.objects) {
-    if (seen.kind != ObservedKind::kLandmark || seen.detail == ObservedDetail::kDirection) continue;
-    const double base = soccer::distance(landmark_position(seen), landmark_position(*nearest));
-    if (base > longest) {
-      longest = base;
-      other = &seen;
-    }
+    if (!has_place(seen)) continue;
+    other.offer(soccer::distance(landmark_position(context.world, seen), origin), &seen);
   }
 
   Pose pose;
-  if (other != nullptr) {
-    pose.face = soccer::direction_degrees(landmark_position(*other) - landmark_position(*nearest)) -
-                soccer::direction_degrees(seen_at(*other) - seen_at(*nearest));
+  if (other.value != nullptr) {
+    pose.face = soccer::direction_degrees(landmark_position(context.world, *other.value) - origin) -
+                soccer::direction_degrees(seen_at(*other.value) - seen_at(nearest));
   } else if (const std::optional<double> face = face_from_line(context, see)) {
     pose.face = *face;
   } else {
     return std::nullopt;
   }
 
-  pose.position =
-      landmark_position(*nearest) - soccer::rotated_degrees(seen_at(*nearest), pose.face);
+  pose.position = origin - soccer::rotated_degrees(seen_at(nearest), pose.face);
   return pose;
 }
 
@@ -324,7 +327,7 @@ bool localize(WorldModel& world, const soccer::See& see) {
   constexpr double kContradiction = 1.6;
   bool reinitialize = false;
 
-  bool seen = std::any_of(see.objects.begin(), see.objects.end(), [](const Observation& o) {
+  bool seen = std::ranges::any_of(see.objects, [](const Observation& o) {
     return o.kind == ObservedKind::kLandmark || o.kind == ObservedKind::kLine;
   });
   if (tracker.located && seen) {
