@@ -83,8 +83,8 @@ TEST(Expectations, ChecksOrderPerAgent) {
   order.add(proto::Rpc::kGetPlayerActions, state(1, 0));
 
   EXPECT_TRUE(order.failures().empty());
-  order.add(proto::Rpc::kGetPlayerActions, state(2, 0));
 
+  order.add(proto::Rpc::kGetPlayerActions, state(2, 0));
   EXPECT_EQ(order.failures(),
             Lines{"expected (line 1): Reds player 2 called GetPlayerActions, not Register, "
                   "SendPlayerType, GetPlayerActions"});

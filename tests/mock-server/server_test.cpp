@@ -113,8 +113,8 @@ std::string ask(const Server& server, const std::string& method, const std::stri
   EXPECT_TRUE(next());
   call->Read(&answer, tag);
   EXPECT_TRUE(next()) << method;
-  call->Finish(&status, tag);
 
+  call->Finish(&status, tag);
   EXPECT_TRUE(next());
 
   grpc::Slice bytes;

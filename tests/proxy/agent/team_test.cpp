@@ -279,10 +279,7 @@ TEST(Team, PlaysWithPlaymakerOfFirstInterface) {
 
 TEST(Team, NamesPlayerWhosePlaymakerIsUnreachable) {
   FakePlaymaker playmaker;
-  playmaker.handshake_status = [](const std::string& method, int agent) {
-    return method == "Register" && agent == 3 ? failure(RpcOutcome::kUnavailable, "unreachable")
-                                              : RpcStatus{};
-  };
+  playmaker.fail("Register", failure(RpcOutcome::kUnavailable, "unreachable"), 3);
   ScriptedServer server;
   Team team(options(), playmaker);
   ASSERT_TRUE(connect(team, server));
@@ -293,10 +290,7 @@ TEST(Team, NamesPlayerWhosePlaymakerIsUnreachable) {
 
 TEST(Team, ToleratesErrorsOfParameterCalls) {
   FakePlaymaker playmaker;
-  playmaker.handshake_status = [](const std::string& method, int) {
-    return method == "SendPlayerType" ? failure(RpcOutcome::kError, "SendPlayerType: oops")
-                                      : RpcStatus{};
-  };
+  playmaker.fail("SendPlayerType", failure(RpcOutcome::kError, "SendPlayerType: oops"));
   ScriptedServer server;
   Team team(options(), playmaker);
   ASSERT_TRUE(connect(team, server));
@@ -376,9 +370,7 @@ TEST(Team, SendsByeToPlaymakerAndServer) {
 
 TEST(Team, SendsByeOnlyForRegisteredPlayers) {
   FakePlaymaker playmaker;
-  playmaker.handshake_status = [](const std::string& method, int agent) {
-    return method == "Register" && agent == 3 ? failure(RpcOutcome::kDeadline) : RpcStatus{};
-  };
+  playmaker.fail("Register", failure(RpcOutcome::kDeadline), 3);
   ScriptedServer server;
   Team team(options(), playmaker);
   ASSERT_TRUE(connect(team, server));
@@ -394,9 +386,7 @@ TEST(Team, SendsByeOnlyForRegisteredPlayers) {
 
 TEST(Team, WaitsOnceForHangingPlaymakerOnLeave) {
   FakePlaymaker playmaker;
-  playmaker.handshake_status = [](const std::string& method, int) {
-    return method == "SendByeCommand" ? failure(RpcOutcome::kDeadline) : RpcStatus{};
-  };
+  playmaker.fail("SendByeCommand", failure(RpcOutcome::kDeadline));
   Game game(playmaker);
   game.team.leave();
   EXPECT_EQ(playmaker.calls().back(), "SendByeCommand 1");

@@ -346,11 +346,11 @@ TEST(ShootOutView, RotatesSoThatTakerAttacksRight) {
   pitch.add_opponent(1, {-51.0, -2.0}, 0.0);
   pitch.set_shoot_out(PlayMode::kPenaltyTakenLeft);
   EXPECT_FALSE(needs_shoot_out_view(pitch.world)) << "their goal is in use";
+
   pitch.world.game.penalty.field_side = Side::kLeft;
-
   ASSERT_TRUE(needs_shoot_out_view(pitch.world));
-  const player::WorldModel view = rotated(pitch.world);
 
+  const player::WorldModel view = rotated(pitch.world);
   EXPECT_EQ(view.self.position, (Vec2{12.0, -1.0}));
   EXPECT_NEAR(view.self.body.degrees(), 0.0, 1e-9);
   EXPECT_EQ(view.ball.velocity, (Vec2{0.5, -0.1}));
@@ -411,8 +411,8 @@ TEST(HeliosCommunication, SaysVisibleBallAndPlayers) {
   std::string_view text = pitch.sent<soccer::Say>()->text;
   const auto message = player::parse_say_message(text, pitch.world.server());
   ASSERT_TRUE(message);
-  const auto* said = std::get_if<player::SayBallPlayer>(&*message);
 
+  const auto* said = std::get_if<player::SayBallPlayer>(&*message);
   ASSERT_NE(said, nullptr);
   EXPECT_NEAR(said->ball.position.x, 6.0, 0.11) << "predicted position in the next cycle";
   EXPECT_EQ(said->player.number, 15);

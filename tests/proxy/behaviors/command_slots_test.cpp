@@ -123,8 +123,8 @@ TEST(CommandSlots, AcceptsMoveBeforeKickOffAndAfterCatch) {
   pitch.world.goalie = true;
 
   EXPECT_FALSE(slots.move({-40.0, 0.0}));
-  pitch.world.game.goalie_catch = true;
 
+  pitch.world.game.goalie_catch = true;
   EXPECT_TRUE(slots.move({0.0, 30.0}));
   EXPECT_EQ(text_of(slots), "(move -37 19.16)");
 }

@@ -18,14 +18,20 @@ using tests::set;
 /// Disables the proxy's own choice of view width.
 void keep_view(PlayerActions& reply) { reply.add_actions()->mutable_view_synch(); }
 
+/// A reply with one action, which `fill` makes, and the view width as it is.
+template <typename Fill>
+auto looking(Fill fill) {
+  return [=](PlayerActions& reply) {
+    keep_view(reply);
+    fill(*reply.add_actions());
+  };
+}
+
 TEST(NeckTurnToBall, BringsBallIntoView) {
   for (const double angle : {0.0, 60.0, -80.0, 110.0}) {
     KnownPitch pitch;
     pitch.place_ball(soccer::polar_degrees(15.0, angle), {0.5, 0.5});
-    pitch.act([](PlayerActions& reply) {
-      keep_view(reply);
-      reply.add_actions()->mutable_neck_turn_to_ball();
-    });
+    pitch.act(looking([](auto& action) { action.mutable_neck_turn_to_ball(); }));
     EXPECT_TRUE(pitch.sees(pitch.world.ball.position)) << angle;
   }
 }
@@ -44,19 +50,18 @@ TEST(NeckTurnToBall, IncludesTurnAndDashOfSameCycle) {
 
 TEST(NeckTurnToBallOrScan, TurnsToBallOnlyWhenStale) {
   const auto look = [](int threshold) {
-    return [threshold](PlayerActions& reply) {
-      keep_view(reply);
-      reply.add_actions()->mutable_neck_turn_to_ball_or_scan()->set_count_threshold(threshold);
-    };
+    return looking([threshold](auto& action) {
+      action.mutable_neck_turn_to_ball_or_scan()->set_count_threshold(threshold);
+    });
   };
   KnownPitch pitch;
   pitch.place_ball({0.0, 20.0});
   pitch.act(look(-1));
 
   EXPECT_TRUE(pitch.sees(pitch.world.ball.position));
+
   // A fresh ball: the neck scans its whole range within a few cycles.
   std::array<bool, 24> seen{};
-
   for (int i = 0; i < 6; ++i) {
     pitch.act(look(0));
     for (int d = 0; d < 24; ++d) {
@@ -73,13 +78,10 @@ TEST(NeckTurnToBallOrScan, TurnsToBallOnlyWhenStale) {
 TEST(NeckScanField, TurnsToDirectionUnseenForLongest) {
   KnownPitch pitch;
   std::array<int, 24> unseen{};
-
   int longest = 0;
+
   for (int i = 0; i < 30; ++i) {
-    pitch.act([](PlayerActions& reply) {
-      keep_view(reply);
-      reply.add_actions()->mutable_neck_scan_field();
-    });
+    pitch.act(looking([](auto& action) { action.mutable_neck_scan_field(); }));
     for (int d = 0; d < 24; ++d) {
       unseen[d] = pitch.sees(soccer::polar_degrees(10.0, d * 10.0 - 115.0)) ? 0 : unseen[d] + 1;
       if (i > 6) longest = std::max(longest, unseen[d]);
@@ -102,10 +104,7 @@ void fill_pitch(KnownPitch& pitch, int stale_opponent) {
 TEST(NeckScanPlayers, TurnsToStalePlayer) {
   KnownPitch pitch;
   fill_pitch(pitch, 9);
-  pitch.act([](PlayerActions& reply) {
-    keep_view(reply);
-    reply.add_actions()->mutable_neck_scan_players();
-  });
+  pitch.act(looking([](auto& action) { action.mutable_neck_scan_players(); }));
   EXPECT_TRUE(pitch.sees({2.0, -15.0}));
 }
 
@@ -115,13 +114,12 @@ TEST(NeckTurnToBallAndPlayer, ShowsBothWhenTheyFit) {
   pitch.add_opponent(5, {10.0, 8.0}, 180.0, 4);
 
   const auto look = [](int threshold) {
-    return [threshold](PlayerActions& reply) {
-      keep_view(reply);
-      auto& both = *reply.add_actions()->mutable_neck_turn_to_ball_and_player();
+    return looking([threshold](auto& action) {
+      auto& both = *action.mutable_neck_turn_to_ball_and_player();
       both.set_side(protos::RIGHT);
       both.set_uniform_number(5);
       both.set_count_threshold(threshold);
-    };
+    });
   };
 
   pitch.act(look(2));
@@ -147,13 +145,12 @@ TEST(NeckTurnToPlayerOrScan, TurnsToPlayerOfNamedSide) {
   pitch.add_opponent(5, {5.0, -12.0}, 0.0, 6);
 
   const auto look = [](protos::Side side) {
-    return [side](PlayerActions& reply) {
-      keep_view(reply);
-      auto& to = *reply.add_actions()->mutable_neck_turn_to_player_or_scan();
+    return looking([side](auto& action) {
+      auto& to = *action.mutable_neck_turn_to_player_or_scan();
       to.set_side(side);
       to.set_uniform_number(5);
       to.set_count_threshold(3);
-    };
+    });
   };
   pitch.act(look(protos::LEFT));
   EXPECT_TRUE(pitch.sees({5.0, 12.0}));
@@ -166,10 +163,8 @@ TEST(NeckTurnToGoalieOrScan, TurnsToStaleGoalie) {
   KnownPitch pitch;
   pitch.place_self({35.0, -15.0}, -60.0);
   pitch.add_opponent(1, {50.0, 1.0}, 180.0, 5);
-  pitch.act([](PlayerActions& reply) {
-    keep_view(reply);
-    reply.add_actions()->mutable_neck_turn_to_goalie_or_scan()->set_count_threshold(2);
-  });
+  pitch.act(looking(
+      [](auto& action) { action.mutable_neck_turn_to_goalie_or_scan()->set_count_threshold(2); }));
   EXPECT_TRUE(pitch.sees({50.0, 1.0}));
 }
 
@@ -178,10 +173,7 @@ TEST(NeckTurnToLowConfTeammate, TurnsToStalestTeammateAhead) {
   pitch.add_teammate(9, {10.0, 12.0}, 0.0, 2);
   pitch.add_teammate(10, {8.0, -12.0}, 0.0, 7);
   pitch.add_teammate(2, {-15.0, 0.0}, 0.0, 20);
-  pitch.act([](PlayerActions& reply) {
-    keep_view(reply);
-    reply.add_actions()->mutable_neck_turn_to_low_conf_teammate();
-  });
+  pitch.act(looking([](auto& action) { action.mutable_neck_turn_to_low_conf_teammate(); }));
   EXPECT_TRUE(pitch.sees({8.0, -12.0}));
 }
 
@@ -207,10 +199,7 @@ TEST(NeckOffensiveInterceptNeck, WatchesOpponentWithBall) {
   KnownPitch pitch;
   pitch.place_ball({8.0, 8.0});
   pitch.add_opponent(6, {8.5, 8.5}, 180.0, 1);
-  pitch.act([](PlayerActions& reply) {
-    keep_view(reply);
-    reply.add_actions()->mutable_neck_offensive_intercept_neck();
-  });
+  pitch.act(looking([](auto& action) { action.mutable_neck_offensive_intercept_neck(); }));
   EXPECT_TRUE(pitch.sees({8.0, 8.0}));
   EXPECT_TRUE(pitch.sees({8.5, 8.5}));
 }
@@ -315,8 +304,8 @@ TEST(ViewActions, SetWidth) {
   EXPECT_EQ(pitch.world.self.view_width, ViewWidth::kWide);
   pitch.act([](PlayerActions& reply) { reply.add_actions()->mutable_view_normal(); });
   EXPECT_EQ(pitch.world.self.view_width, ViewWidth::kNormal);
-  pitch.act([](PlayerActions& reply) { reply.add_actions()->mutable_view_synch(); });
 
+  pitch.act([](PlayerActions& reply) { reply.add_actions()->mutable_view_synch(); });
   EXPECT_EQ(pitch.world.self.view_width, ViewWidth::kNarrow);
   pitch.act([](PlayerActions& reply) {
     reply.add_actions()->mutable_view_change_width()->set_view_width(protos::WIDE);
@@ -366,10 +355,7 @@ TEST(FocusReset, MovesFocusToAgent) {
 TEST(Focus, FollowsBallByDefault) {
   KnownPitch pitch;
   pitch.place_ball({12.0, 4.0}, {0.5, 0.2});
-  pitch.act([](PlayerActions& reply) {
-    keep_view(reply);
-    reply.add_actions()->mutable_neck_turn_to_ball();
-  });
+  pitch.act(looking([](auto& action) { action.mutable_neck_turn_to_ball(); }));
   EXPECT_LT(distance(pitch.focus_point(), pitch.world.ball.position), 0.02);
 }
 

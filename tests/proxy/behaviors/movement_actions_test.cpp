@@ -185,9 +185,9 @@ TEST(BhvBeforeKickOff, MovesToPointAndScans) {
   pitch.act(wait);
 
   EXPECT_LT(distance(pitch.world.self.position, {-20.0, 12.0}), 0.01);
+
   // After arriving it scans all directions.
   std::array<bool, 36> seen{};
-
   for (int i = 0; i < 20; ++i) {
     pitch.act(wait);
     for (int d = 0; d < 36; ++d) {

@@ -34,8 +34,8 @@ TEST(UnderNoise, SmartKickReachesNearlyFullSpeed) {
   constexpr double kSpeed = 2.8;
   soccer::RandomStream random(1, "smart kick");
   int done = 0;
-
   double error = 0.0;
+
   for (int trial = 0; trial < kTrials; ++trial) {
     KnownPitch pitch = kickable_ball(random, static_cast<std::uint64_t>(trial));
     const Vec2 target = around(random, 20.0, 30.0);
@@ -65,8 +65,8 @@ TEST(UnderNoise, DribbleCoversThirtyMeters) {
   const Vec2 target{10.0, 5.0};
   constexpr int kTrials = 50;
   int arrived = 0;
-
   int cycles = 0;
+
   for (int trial = 0; trial < kTrials; ++trial) {
     KnownPitch pitch(Noise::kReal, static_cast<std::uint64_t>(trial));
     pitch.place_self({-20.0, 0.0}, random.uniform(-180.0, 180.0));
@@ -95,8 +95,8 @@ TEST(UnderNoise, InterceptReachesBallNearlyOptimally) {
   constexpr int kTrials = 100;
   int got = 0;
   int cycles = 0;
-
   int quickest = 0;
+
   for (int trial = 0; trial < kTrials; ++trial) {
     KnownPitch pitch(Noise::kReal, static_cast<std::uint64_t>(trial));
     pitch.place_self({}, random.uniform(-180.0, 180.0));

@@ -115,8 +115,8 @@ TEST(PlannerParameters, ChangeWhichPassesAreGenerated) {
   pitch.set_parameter("pass_margin", 3.0);
 
   EXPECT_LT(passes(), usual);
-  pitch.set_parameter("pass_margin", 0.0);
 
+  pitch.set_parameter("pass_margin", 0.0);
   EXPECT_GT(passes(), usual);
   pitch.set_parameter("pass_distance", 10.0);
   EXPECT_EQ(passes(), 0U);
@@ -141,8 +141,8 @@ TEST(PlannerParameters, ChangeWhenTheBallIsLaidOff) {
   };
 
   EXPECT_FALSE(lays_off());
-  pitch.set_parameter("lay_off_pressure", 2.0);
 
+  pitch.set_parameter("lay_off_pressure", 2.0);
   EXPECT_TRUE(lays_off());
   pitch.set_parameter("lay_off_room", 5.0);
   EXPECT_FALSE(lays_off());
@@ -194,8 +194,8 @@ TEST(PlannerParameters, ChangeWhoIsMarked) {
   const double usual = mark()->point.x;
   pitch.set_parameter("mark_step", 4.0);
   EXPECT_LT(mark()->point.x, usual - 2.0);
-  pitch.set_parameter("mark_range", 10.0);
 
+  pitch.set_parameter("mark_range", 10.0);
   EXPECT_FALSE(mark());
   pitch.set_parameter("mark_range", 38.0);
   pitch.set_parameter("mark_way", 0.1);
@@ -259,11 +259,11 @@ TEST(PlannerParameters, ChangePaceAndRestingOfRuns) {
   EXPECT_DOUBLE_EQ(running_pace(pitch.world), 0.5);
   set_stamina_share(pitch, 2.0);
   EXPECT_DOUBLE_EQ(running_pace(pitch.world), 1.3);
+
   pitch.set_parameter("pace", 0.0);
-
   EXPECT_DOUBLE_EQ(power(), usual);
-  pitch.set_parameter("run_power", 0.85);
 
+  pitch.set_parameter("run_power", 0.85);
   EXPECT_NEAR(power(), 0.5 * usual, 1e-9);
   pitch.set_stamina(4500.0);
   power();

@@ -157,8 +157,8 @@ TEST(Dribbles, EndAtPlannedPoint) {
   const player::PlanAction action = plan.nodes[base::index(plan.best)].action;
 
   ASSERT_EQ(action.category, player::PlanCategory::kDribble);
-  pitch.act(only_dribble);
 
+  pitch.act(only_dribble);
   ASSERT_TRUE(pitch.memory.intention.active());
   for (int cycle = 1; cycle < action.duration; ++cycle) {
     PlayerActions nothing;

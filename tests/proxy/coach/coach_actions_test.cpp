@@ -224,8 +224,8 @@ TEST(DoHeliosSayPlayerTypes, RepeatsWhatTheServerRefused) {
   match.step_as_coach(say_types);
   kicks = false;
   ASSERT_EQ(match.coach().commands().at("say"), 1);
-  match.step_as_coach(say_types);
 
+  match.step_as_coach(say_types);
   ASSERT_EQ(match.world().mode, PlayMode::kPlayOn);
   const auto type_heard_of = [&](int unum) {
     return match.player(Side::kRight, 6).world().their_types[base::index(unum - 1)];
@@ -386,8 +386,8 @@ TEST(DoChangePlayerType, ChangesPlayersOfBothTeamsWithoutLimit) {
   }
 
   EXPECT_EQ(match.world_model(Side::kLeft, 3).self().type_id(), 17);
-  match.steps(1);
 
+  match.steps(1);
   EXPECT_EQ(numbered(match.state().world_model().opponents(), 3).type_id(), 17);
 }
 

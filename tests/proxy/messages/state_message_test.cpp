@@ -197,8 +197,8 @@ TEST(StateMessage, WritesUnknownAsZeroWithAge1000) {
   const protos::State state = state_of(world);
 
   EXPECT_FALSE(tests::has_unreal_number(state));
-  const protos::WorldModel& model = state.world_model();
 
+  const protos::WorldModel& model = state.world_model();
   EXPECT_EQ(model.self().pos_count(), 1000);
   EXPECT_TRUE(model.self().has_position());
   EXPECT_EQ(model.ball().seen_pos_count(), 1000);
@@ -400,8 +400,8 @@ TEST(StateMessage, MatchesUpstreamWhereNoEstimateIsNeeded) {
 TEST(StateMessage, SetsSameFieldsAsUpstream) {
   if (!tests::data("aligned/udp")) GTEST_SKIP() << "no data: set CLS_DATA";
   Paths ours;
-
   Paths theirs;
+
   for (const auto& [player, agent] : recorded_players()) {
     replay(player, [&](const protos::State& state) {
       EXPECT_FALSE(tests::has_unreal_number(state));

@@ -21,6 +21,12 @@ class FakePlaymaker : public proxy::Playmaker {
   std::function<std::size_t(const std::vector<int>& outstanding)> order;
   /// Status of a handshake call; default: ok.
   std::function<proxy::RpcStatus(const std::string& method, int agent)> handshake_status;
+  /// Fails the handshake calls of this method; with `only`, of that agent.
+  void fail(const std::string& method, const proxy::RpcStatus& status, int only = 0) {
+    handshake_status = [=](const std::string& called, int agent) {
+      return called == method && (only == 0 || agent == only) ? status : proxy::RpcStatus{};
+    };
+  }
   /// Agents with a connection loss not yet taken.
   std::set<int> lost;
   /// client_id from Register: 100 + agent, plus 1000 for each re-registration.

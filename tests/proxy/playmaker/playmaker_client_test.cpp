@@ -139,11 +139,11 @@ TEST(PlaymakerClient, ReregistersAfterThreeConsecutiveErrorsThenAfterSix) {
   EXPECT_EQ(calls_of(playmaker, "Register 7"), 1);
   game.play_to(4);
   EXPECT_EQ(calls_of(playmaker, "Register 7"), 2);
+
   game.play_to(9);
-
   EXPECT_EQ(calls_of(playmaker, "Register 7"), 2);
-  game.play_to(10);
 
+  game.play_to(10);
   EXPECT_EQ(calls_of(playmaker, "Register 7"), 3);
   EXPECT_EQ(game.statistics(7).missed, 10);
   EXPECT_EQ(game.statistics(7).reconnects, 0) << "no successful decision since";
@@ -223,9 +223,7 @@ TEST(PlaymakerClient, ContinuesHandshakeAfterDeadline) {
 
 TEST(PlaymakerClient, ReregistersWithRestartedPlaymakerOfFirstInterface) {
   FakePlaymaker playmaker;
-  playmaker.handshake_status = [](const std::string& method, int) {
-    return method == "Register" ? failure(RpcOutcome::kUnimplemented) : RpcStatus{};
-  };
+  playmaker.fail("Register", failure(RpcOutcome::kUnimplemented));
   Game game(playmaker);
   playmaker.lost.insert(5);
   game.play_to(2);
@@ -323,8 +321,8 @@ TEST(PlaymakerClient, WaitsOnceForProcessThatDoesNotRestart) {
   game.play_to(5);
 
   EXPECT_EQ(game.statistics(1).missed, 3);
-  const RpcStatus last = game.team.missed_decisions().last;
 
+  const RpcStatus last = game.team.missed_decisions().last;
   EXPECT_EQ(last.outcome, RpcOutcome::kUnavailable) << last.message;
   EXPECT_EQ(game.statistics(1).late, 0);
 }

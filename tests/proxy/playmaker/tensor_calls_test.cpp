@@ -113,8 +113,8 @@ TEST_F(TensorCallsTest, TurnsRowsIntoActionLists) {
   ASSERT_TRUE(calls_.choose(team_, response_));
   set_actions({1.0F, 80.0F, 0.0F, 0.0F}, 2, 2);
   ASSERT_TRUE(calls_.read(actions_, 2));
-  const protos::PlayerActions* list = calls_.actions(0, one_);
 
+  const protos::PlayerActions* list = calls_.actions(0, one_);
   ASSERT_NE(list, nullptr);
   EXPECT_EQ(list->actions(0).dash().power(), 80.0F);
   EXPECT_EQ(list->actions(0).dash().relative_direction(), 45.0F);
