@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "match/terms/match_options.h"
 #include "tests/support/temporary_folder.h"
 #include "tournament/config/config.h"
 #include "tournament/config/config_file.h"
@@ -13,6 +14,7 @@ namespace cls::tournament {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* kWhole = R"([tournament]
 format = "gauntlet"
@@ -41,19 +43,21 @@ TEST(Config, ReadsTeamsInFileOrder) {
   const ParsedConfig parsed = parse_config(kWhole, "cls.toml");
   EXPECT_TRUE(parsed.errors.empty()) << parsed.errors.front();
   const TournamentConfig& config = parsed.config;
-  EXPECT_EQ(config.format, Format::kGauntlet);
-  EXPECT_EQ(config.gauntlet, std::vector<std::string>{"NEW"});
-  EXPECT_EQ(config.rounds, 50);
-  EXPECT_EQ(config.seed, 9u);
-  EXPECT_EQ(config.concurrency, 3);
-  EXPECT_EQ(config.on_crash, OnCrash::kRerun);
-  const match::MatchOptions options = match_options(config);
+  EXPECT_EQ(config.competition.format, Format::kGauntlet);
+  EXPECT_EQ(config.competition.gauntlet, std::vector<std::string>{"NEW"});
+  EXPECT_EQ(config.competition.rounds, 50);
+  EXPECT_EQ(config.competition.seed, 9u);
+  EXPECT_EQ(config.execution.concurrency, 3);
+  EXPECT_EQ(config.execution.on_crash, OnCrash::kRerun);
+  const match::MatchOptions options = match_options(config.conditions);
   EXPECT_EQ(options.time_limit_s, 90.0);
   EXPECT_EQ(options.limits.memory, 2ULL << 30);
   EXPECT_EQ(options.limits.cpu_seconds, 600);
-  EXPECT_EQ(config.settings, (std::vector<ServerSetting>{{"server::kick_off_wait", "3"},
-                                                         {"server::wind_none", "true"}}));
-  EXPECT_EQ(config.teams, (std::vector<TeamEntry>{{"OLD", "mock"}, {"NEW", "localhost:50051"}}));
+  EXPECT_EQ(
+      config.conditions.settings,
+      (std::vector<ServerSetting>{{"server::kick_off_wait", "3"}, {"server::wind_none", "true"}}));
+  EXPECT_EQ(config.competition.teams,
+            (std::vector<TeamEntry>{{"OLD", "mock"}, {"NEW", "localhost:50051"}}));
   EXPECT_TRUE(validate(config).empty());
 }
 
@@ -126,33 +130,34 @@ TEST(Config, RejectsKeysOfTooManyParts) {
 
 TEST(Config, RejectsSchedulesThatFillTheMemory) {
   TournamentConfig config;
-  for (int i = 0; i < 1001; ++i) config.teams.push_back({"T" + std::to_string(i), "mock"});
+  for (int i = 0; i < 1001; ++i)
+    config.competition.teams.push_back({"T" + std::to_string(i), "mock"});
   EXPECT_EQ(validate(config).at(0), "a tournament has at most 1000 teams, there are 1001");
-  config.teams.resize(1000);
+  config.competition.teams.resize(1000);
   EXPECT_TRUE(validate(config).empty());
-  config.rounds = 1'000'000;
+  config.competition.rounds = 1'000'000;
   EXPECT_THAT(validate(config).at(0), HasSubstr("at most 1000000 are possible"));
 }
 
 TEST(Config, RejectsContradictions) {
   TournamentConfig config = parse_config(kWhole, "").config;
-  config.gauntlet = {"NEWW"};
+  config.competition.gauntlet = {"NEWW"};
   EXPECT_EQ(validate(config),
             std::vector<std::string>{"gauntlet: unknown team 'NEWW'; did you mean 'NEW'?"});
   config = parse_config(kWhole, "").config;
-  config.teams.pop_back();
-  config.format = Format::kList;
-  config.matches = {{"OLD", "OLD"}};
+  config.competition.teams.pop_back();
+  config.competition.format = Format::kList;
+  config.competition.matches = {{"OLD", "OLD"}};
   EXPECT_EQ(validate(config).size(), 3u);  // one team, no such subject, against itself
   config = parse_config(kWhole, "").config;
-  config.format = Format::kGroups;
+  config.competition.format = Format::kGroups;
   EXPECT_EQ(validate(config).size(), 2u);  // too few teams for two groups, and to advance
   config = parse_config(kWhole, "").config;
-  config.options["mode"] = "lokstep";
+  config.conditions.options["mode"] = "lokstep";
   EXPECT_EQ(validate(config),
             std::vector<std::string>{"--mode 'lokstep': did you mean 'lockstep'?"});
-  config.options.clear();
-  config.options["server"] = "rcsserver";
+  config.conditions.options.clear();
+  config.conditions.options["server"] = "rcsserver";
   EXPECT_EQ(validate(config).size(), 1u);
 }
 
@@ -165,27 +170,74 @@ TEST(Config, FormattedTextParsesToTheSameConfig) {
   EXPECT_EQ(first_difference(reparsed.config, before), "");
 }
 
+// The text of the command line, as TOML in the configuration; else the error.
+std::string value_of(std::string_view key, std::string_view text) {
+  TournamentConfig config;
+  const ConfigKey& row = *find_key(key);
+  const auto parsed = row.parse(config, row.read(text));
+  return parsed ? row.format(config) : parsed.error().message;
+}
+
+TEST(Config, TextsOfTheCommandLineMayLookLikeNumbers) {
+  for (const char* key : {"name", "folder", "remote_shell", "remote_folder", "on_event",
+                          "on_match_finish", "on_finish"}) {
+    for (const std::string text : {"2026", "true", "2026.5", "-1", "1e3"}) {
+      EXPECT_EQ(value_of(key, text), "\"" + text + "\"") << key;
+    }
+  }
+  for (const ConfigKey& key : tournament_keys()) {
+    EXPECT_THAT(value_of(key.name, "2026"), Not(HasSubstr("must be a string"))) << key.name;
+    EXPECT_THAT(value_of(key.name, "2026"), Not(HasSubstr("must be a list"))) << key.name;
+  }
+}
+
+TEST(Config, EachRowReadsTheTextsOfItsType) {
+  EXPECT_EQ(value_of("rounds", "2026"), "2026");
+  EXPECT_EQ(value_of("rounds", "2026.5"), "must be a whole number from 1 to 1000000");
+  EXPECT_EQ(value_of("slot_minutes", "20"), "20");
+  EXPECT_EQ(value_of("slot_minutes", "12.5"), "12.5");
+  EXPECT_EQ(value_of("pin", "true"), "true");
+  EXPECT_EQ(value_of("pin", "1"), "must be true or false");
+  EXPECT_EQ(value_of("concurrency", "auto"), "\"auto\"");
+  EXPECT_EQ(value_of("concurrency", "4"), "4");
+  EXPECT_EQ(value_of("gauntlet", "2026,true"), "[\"2026\", \"true\"]");
+  EXPECT_EQ(value_of("matches", "A:B,C:D"), "[[\"A\", \"B\"], [\"C\", \"D\"]]");
+  EXPECT_EQ(value_of("cycles", "600"), "600");
+}
+
+TEST(Config, OptionsForSlurmAreWordsOfAShell) {
+  EXPECT_EQ(value_of("slurm_options", "--a=b  --c "), "[\"--a=b\", \"--c\"]");
+  EXPECT_EQ(value_of("slurm_options", "--comment='two  words' -x"),
+            "[\"--comment=two  words\", \"-x\"]");
+  EXPECT_EQ(value_of("slurm_options", "'--a=b c' --d=\"e f\" --g=h\\ i"),
+            "[\"--a=b c\", \"--d=e f\", \"--g=h i\"]");
+  EXPECT_EQ(value_of("slurm_options", "--a='b"),
+            "must be a list of options, [\"--partition=short\", ...]");
+  EXPECT_EQ(value_of("slurm_options", "short"),
+            "'short': sbatch options must have the form --name=value");
+}
+
 TEST(Config, NamesFirstDifferenceOfTwoPlans) {
   const TournamentConfig before = parse_config(kWhole, "").config;
   TournamentConfig now = before;
-  now.concurrency = 7;
-  now.on_crash = OnCrash::kStop;
+  now.execution.concurrency = 7;
+  now.execution.on_crash = OnCrash::kStop;
   EXPECT_EQ(first_difference(now, before), "") << "execution is not part of the plan";
-  now.rounds = 51;
-  now.options.erase("cycles");
+  now.competition.rounds = 51;
+  now.conditions.options.erase("cycles");
   EXPECT_EQ(first_difference(now, before), "rounds is 51, was 50");
   now = before;
-  now.options.erase("cycles");
+  now.conditions.options.erase("cycles");
   EXPECT_EQ(first_difference(now, before), "cycles is not set, was 600");
   now = before;
-  now.teams[1].endpoint = "mock:hold";
+  now.competition.teams[1].endpoint = "mock:hold";
   EXPECT_EQ(first_difference(now, before),
             "[teams.\"NEW\"] endpoint is \"mock:hold\", was \"localhost:50051\"");
   now = before;
-  now.teams.push_back({"THIRD", "mock"});
+  now.competition.teams.push_back({"THIRD", "mock"});
   EXPECT_EQ(first_difference(now, before), "[teams.\"THIRD\"] endpoint is \"mock\", was not set");
   now = before;
-  std::swap(now.teams[0], now.teams[1]);
+  std::swap(now.competition.teams[0], now.competition.teams[1]);
   EXPECT_EQ(first_difference(now, before), "[teams.\"NEW\"] is at another position");
 }
 
@@ -214,7 +266,7 @@ TEST(Config, IsFoundInParentFolderAndStoresItsFolder) {
   const auto found = find_config(folder.path() / "a" / "b");
   ASSERT_TRUE(found);
   EXPECT_EQ(*found, folder.path() / "cls.toml");
-  EXPECT_EQ(read_config(*found).config.folder, folder.path());
+  EXPECT_EQ(read_config(*found).config.execution.folder, folder.path());
 }
 
 TEST(Config, ResolvesEndpointsRelativeToItsFolder) {

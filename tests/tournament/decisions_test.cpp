@@ -5,6 +5,7 @@
 #include <fstream>
 #include <set>
 
+#include "league/schedule/schedule_check.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tournament/fake_executor.h"
@@ -12,7 +13,6 @@
 #include "tournament/report/report_document.h"
 #include "tournament/report/report_text.h"
 #include "tournament/run/tournament_run.h"
-#include "tournament/schedule/schedule_check.h"
 #include "tournament/store/decide.h"
 #include "tournament/store/decisions_file.h"
 #include "tournament/store/folder.h"
@@ -59,7 +59,7 @@ class DecisionsTest : public testing::Test {
     const auto summary = run_tournament(options, make, observer, signal_);
     ASSERT_TRUE(summary) << summary.error().message;
     const TournamentState now = state();
-    EXPECT_TRUE(check_schedule(now.config, now.matches));
+    EXPECT_TRUE(check_schedule(now.config.competition, now.matches));
   }
 
   TournamentState state() {
@@ -69,12 +69,14 @@ class DecisionsTest : public testing::Test {
   }
 
   base::Result<DecisionEffect> decide_on(const MatchDecision& decision, bool redraw = false) {
-    return decide(folder_.path(), state().config, decision, redraw);
+    TRY_INIT(auto effect, decide(folder_.path(), state().config, decision, redraw));
+    if (!effect.problem.empty()) return base::Error{effect.problem};
+    return effect;
   }
 
   Names ranks() {
     const TournamentState now = state();
-    return ranking(now.config, now.matches);
+    return ranking(now.config.competition, now.matches);
   }
 
   std::vector<int> played() const {
@@ -90,16 +92,16 @@ class DecisionsTest : public testing::Test {
 
 TournamentConfig ladder_of(int teams) {
   TournamentConfig config = config_of(Format::kStages, teams);
-  config.stages.resize(2);
-  config.stages[0].name = "round";
-  config.stages[1].name = "finals";
-  config.stages[1].format = StageFormat::kStepladder;
+  config.competition.stages.resize(2);
+  config.competition.stages[0].name = "round";
+  config.competition.stages[1].name = "finals";
+  config.competition.stages[1].format = StageFormat::kStepladder;
   return config;
 }
 
 TEST_F(DecisionsTest, AnAwardCountsInTheTableAndNotInRatings) {
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
-  config.swap_sides = false;
+  config.competition.swap_sides = false;
   play(config);
   ASSERT_EQ(ranks(), (Names{"A", "B"}));
   const auto effect = decide_on(award(1, 0, 3));
@@ -130,7 +132,7 @@ TEST_F(DecisionsTest, AnAnnulledMatchCountsForNothing) {
   play(config);
   ASSERT_TRUE(decide_on(decision_on(1, DecisionKind::kAnnul)));
   const TournamentState now = state();
-  const Standing best = tables(now.config, now.matches).back().standings[0];
+  const Standing best = tables(now.config.competition, now.matches).back().standings[0];
   EXPECT_EQ(best.played, 1);
   EXPECT_EQ(best.invalid, 0);
   const MatchCounts counts = count(now.matches);

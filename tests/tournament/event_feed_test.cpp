@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tournament/fake_executor.h"
-#include "tournament/schedule/schedule.h"
+#include "tournament/store/event_file.h"
 #include "tournament/store/folder.h"
 
 namespace cls::tournament {
@@ -20,8 +21,8 @@ namespace {
 TEST(EventFeed, PassesByLinesThatAreNotEvents) {
   const tests::TemporaryFolder folder;
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
-  config.on_event = "cat >> events";
-  const auto matches = play_all(config, better_wins);
+  config.execution.on_event = "cat >> events";
+  const auto matches = play_all(config.competition, better_wins);
   process::HookRunner hooks(folder.path(), folder.path());
   EventFeed feed(config, folder.path());
   const auto append = [&folder](const std::string& line) {
@@ -40,6 +41,18 @@ TEST(EventFeed, PassesByLinesThatAreNotEvents) {
   EXPECT_FALSE(hooks.idle()) << "of a match that there is";
   const std::atomic<int> signal{0};
   EXPECT_EQ(hooks.finish(signal), std::vector<std::string>());
+}
+
+TEST(EventFile, TellsOfALineThatWasNotWritten) {
+  const tests::TemporaryFolder folder;
+  const auto file = folder.path() / kMatchEvents;
+  ASSERT_TRUE(append_line(file, "one"));
+  ASSERT_TRUE(append_line(file, "two"));
+  EXPECT_EQ(tests::read_file(file), "one\ntwo\n");
+
+  const auto full = append_line("/dev/full", "three");
+  ASSERT_FALSE(full);
+  EXPECT_EQ(full.error().message, "cannot write /dev/full: No space left on device");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A fake executor and made-up results: tournaments without playing matches.
+// A fake executor: tournaments without playing matches.
 #pragma once
 
 #include <functional>
@@ -6,37 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "tests/league/made_up_results.h"
 #include "tournament/config/config.h"
 #include "tournament/run/match_executor.h"
-#include "tournament/schedule/fixture.h"
 
 namespace cls::tournament {
 
 /// Teams A, B, C, ... on mocks.
 TournamentConfig config_of(Format format, int teams);
-
-/// The outcome of a finished match.
-Outcome score(int left, int right);
-
-/// The outcome of a match that ended for `reason` by the left side's fault.
-Outcome fault(match::EndReason reason);
-
-/// Decides the outcome of a fixture.
-using Referee = std::function<Outcome(const Fixture&)>;
-
-/// The team with the lower index wins 1:0.
-Outcome better_wins(const Fixture& fixture);
-
-/// Plays until the tournament is complete.
-std::vector<ScheduledMatch> play_all(const TournamentConfig& config, const Referee& referee);
-
-/// "A-B" for each fixture.
-std::vector<std::string> pairs_of(const std::vector<Fixture>& fixtures);
-std::vector<std::string> pairs_of(const std::vector<ScheduledMatch>& matches);
-
-/// Names of the teams in the last table, by rank.
-std::vector<std::string> ranking(const TournamentConfig& config,
-                                 const std::vector<ScheduledMatch>& matches);
 
 /// An executor without processes: matches end immediately, in the order of their start.
 class FakeExecutor : public MatchExecutor {

@@ -5,10 +5,10 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "league/schedule/schedule.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tournament/fake_executor.h"
 #include "tournament/run/match_executor.h"
-#include "tournament/schedule/schedule.h"
 #include "tournament/store/folder.h"
 
 namespace cls::tournament {
@@ -24,10 +24,10 @@ class LocalExecutor : public testing::Test {
     const fs::path program = folder_.path() / "cls";
     std::ofstream(program) << "#!/bin/sh\n" << script;
     fs::permissions(program, fs::perms::owner_all);
-    config_.folder = folder_.path();
+    config_.execution.folder = folder_.path();
     const auto executor = local_executor(config_, folder_.path(), program);
     if (!executor) throw std::runtime_error(executor.error().message);
-    const Assignment assignment{next_fixtures(config_, {}).front(), 1};
+    const Assignment assignment{next_fixtures(config_.competition, {}).front(), 1};
     if (!(*executor)->start({&assignment, 1})) throw std::runtime_error("cannot start");
     return (*executor)->wait(20s)->at(0).outcome.value();
   }
@@ -43,7 +43,8 @@ TEST_F(LocalExecutor, EndsProcessesThatOutliveTheirMatch) {
 }
 
 TEST_F(LocalExecutor, PlaysInAFolderOfItsOwnWhereAnotherProcessHasTheUsualOne) {
-  const fs::path usual = folder_.path() / match_folder(config_, next_fixtures(config_, {})[0], 1);
+  const fs::path usual =
+      folder_.path() / match_folder(config_, next_fixtures(config_.competition, {})[0], 1);
   const fs::path own = folder_.path() / unfinished_folder(1, 1, unfinished_label());
   fs::create_directories(usual);
   fs::create_directories(own);

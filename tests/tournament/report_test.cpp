@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/text/json.h"
 #include "base/text/replace_all.h"
 #include "base/text/xml.h"
+#include "league/schedule/schedule.h"
 #include "tests/tournament/fake_executor.h"
 #include "tournament/config/config_file.h"
 #include "tournament/report/comparison.h"
@@ -18,13 +19,12 @@
 #include "tournament/report/report_tables.h"
 #include "tournament/report/report_text.h"
 #include "tournament/report/standings_columns.h"
-#include "tournament/schedule/schedule.h"
 
 namespace cls::tournament {
 namespace {
 
-using match::EndReason;
-using nlohmann::json;
+using soccer::EndReason;
+using json = base::Json;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -52,7 +52,7 @@ ScheduledMatch with(Outcome outcome) {
 struct Played {
   Played(TournamentConfig chosen, const Referee& referee)
       : config(std::move(chosen)),
-        matches(play_all(config, referee)),
+        matches(play_all(config.competition, referee)),
         report(make_report(config, matches, "cups/spring")) {}
   Played(const Played&) = delete;
   Played& operator=(const Played&) = delete;
@@ -140,7 +140,7 @@ TEST(Report, OfAComparisonWithoutAValidPairHasNoFigures) {
 
 TEST(Report, GivesOneIntervalForOneScore) {
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
-  config.rounds = 8;
+  config.competition.rounds = 8;
   // A wins each first match of a pair, draws or loses some of the others.
   const Played played(config, [](const Fixture& fixture) {
     const bool first = fixture.index % 2 == 1;
@@ -187,7 +187,7 @@ TEST(Report, ListsMatchesWithCommandsInEveryFormat) {
               "<a href=\"cups/spring/matches/000003/match.html\">watch</a>");
   expect_part(report_markdown(played.report), "[watch](cups/spring/matches/000003/match.html)");
   const json document = json::parse(report_json(played.report));
-  expect_part(document["matches"][2]["command"], "cls match mock mock");
+  expect_part(document["matches"][2]["command"].get<std::string>(), "cls match mock mock");
   EXPECT_EQ(document["matches"][2]["folder"], "matches/000003");
   const std::string csv = report_csv(played.report);
   EXPECT_EQ(occurrences(csv, "cls match mock"), 6);
@@ -213,7 +213,7 @@ TEST(Report, ListsMatchesOfShortTournamentsOnly) {
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
   const Played few(config, better_wins);
   expect_part(report_text(few.report), "\n      1  round 1  A       1:0  B\n");
-  config.rounds = 30;
+  config.competition.rounds = 30;
   const Played many(config, better_wins);
   expect_part(report_text(many.report), "60 matches (--matches lists them)");
 }
@@ -234,7 +234,7 @@ TEST(Report, HeadsWithNameTimesHostsAndVersions) {
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
   const Played unnamed(config, complete_outcome);
   EXPECT_EQ(unnamed.report.name, "spring") << "the folder";
-  config.name = "Spring <cup>";
+  config.report.name = "Spring <cup>";
   const Played played(config, complete_outcome);
   const std::string html = report_html(played.report);
   expect_part(html, "<title>Spring &lt;cup&gt;</title>");
@@ -251,7 +251,7 @@ TEST(Report, HeadsWithNameTimesHostsAndVersions) {
 
 TEST(Report, ShowsEndpointsAndLatenciesOfPlaymakers) {
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
-  config.teams[1].endpoint = "run:python3 b.py --port {port}";
+  config.competition.teams[1].endpoint = "run:python3 b.py --port {port}";
   const Played played(config, complete_outcome);
   const std::string text = report_text(played.report);
   expect_part(text, "team  decisions  p50 ms  p95 ms  p99 ms  max ms  late  missed\n");
@@ -322,7 +322,7 @@ TEST(Report, ShowsForfeitsInCrosstableAndStandings) {
 
 TEST(Report, DrawsBracketOfKnockout) {
   TournamentConfig config = config_of(Format::kKnockout, 5);
-  config.swap_sides = false;
+  config.competition.swap_sides = false;
   const Played played(config, [](const Fixture& fixture) {
     return fixture.stage == "final" ? shoot_out(2, 4, 3) : better_wins(fixture);
   });
@@ -349,7 +349,7 @@ TEST(Report, DrawsBracketOfKnockout) {
 TEST(Report, NamesUnknownEntrantsOfTheBracket) {
   const TournamentConfig config = config_of(Format::kKnockout, 4);
   std::vector<ScheduledMatch> matches;
-  for (const Fixture& fixture : next_fixtures(config, {})) {
+  for (const Fixture& fixture : next_fixtures(config.competition, {})) {
     matches.push_back(planned(fixture));
     if (fixture.stage == "semi-final 1") matches.back().outcome = better_wins(fixture);
   }
@@ -380,7 +380,8 @@ TEST(Report, ShowsRoundsAndByesOfSwiss) {
   expect_part(text, "round 3");
   expect_part(text, "buch");
   const json document = json::parse(report_json(played.report));
-  EXPECT_EQ(document["byes"].size(), static_cast<std::size_t>(rounds_of(played.config)));
+  EXPECT_EQ(document["byes"].size(),
+            static_cast<std::size_t>(rounds_of(played.config.competition)));
   EXPECT_EQ(document["byes"][0]["round"], 1);
 }
 
@@ -397,7 +398,7 @@ TEST(Report, ShowsTablesOfGroupsAndTheirBracket) {
 // The winner of a group has no other matches in the table of its group than those of its group.
 TEST(Report, CountsMatchesOfTheGroupInTheTableOfAGroup) {
   TournamentConfig config = config_of(Format::kGroups, 4);
-  config.advance = 1;
+  config.competition.advance = 1;
   // A wins its group and loses the final.
   const Played played(config, [](const Fixture& fixture) {
     return fixture.stage == "final" ? score(fixture.left == 0 ? 0 : 1, fixture.left == 0 ? 1 : 0)
@@ -416,14 +417,14 @@ TEST(Report, CountsMatchesOfTheGroupInTheTableOfAGroup) {
 
 TEST(Report, ShowsChosenColumnsOfStandings) {
   TournamentConfig config = config_of(Format::kRoundRobin, 3);
-  config.columns = {"team", "points", "elo"};
+  config.report.columns = {"team", "points", "elo"};
   const Played played(config, better_wins);
   EXPECT_EQ(standings_text(played.report).rfind("standings\n  team  pts   Elo\n  A      12  +", 0),
             0u)
       << standings_text(played.report);
   for (const std::string_view column : kStandingsColumns) {
     TournamentConfig one = config_of(Format::kSwiss, 3);
-    one.columns = {std::string(column)};
+    one.report.columns = {std::string(column)};
     const Played with_column(one, better_wins);
     const auto chosen = chosen_columns(with_column.report, with_column.report.tables.front());
     ASSERT_EQ(chosen.size(), 1u);
@@ -437,8 +438,8 @@ TEST(Report, ReadsNameAndColumnsFromTheConfiguration) {
   };
   const ParsedConfig good = parse("name = \"Cup\"\ncolumns = [\"team\", \"points\"]");
   ASSERT_TRUE(good.errors.empty()) << good.errors.front();
-  EXPECT_EQ(good.config.name, "Cup");
-  EXPECT_EQ(good.config.columns, (std::vector<std::string>{"team", "points"}));
+  EXPECT_EQ(good.config.report.name, "Cup");
+  EXPECT_EQ(good.config.report.columns, (std::vector<std::string>{"team", "points"}));
   EXPECT_EQ(first_difference(good.config, parse("").config), "") << "not part of the plan";
   const ParsedConfig bad = parse("columns = [\"point\"]");
   ASSERT_EQ(bad.errors.size(), 1u);
@@ -450,8 +451,8 @@ TEST(Report, FitsTextIntoEightyColumns) {
   for (const Format format : {Format::kRoundRobin, Format::kSwiss, Format::kKnockout,
                               Format::kDoubleElimination, Format::kGroups}) {
     TournamentConfig config = config_of(format, 12);
-    config.groups = 3;
-    for (TeamEntry& team : config.teams) team.name = "FIFTEEN_CHARS_" + team.name;
+    config.competition.groups = 3;
+    for (TeamEntry& team : config.competition.teams) team.name = "FIFTEEN_CHARS_" + team.name;
     const Played played(config, [](const Fixture& fixture) {
       Outcome outcome = complete_outcome(fixture);
       if (fixture.index % 5 == 0) {
@@ -481,20 +482,20 @@ TEST(Report, FitsTextIntoEightyColumns) {
 
 TEST(Report, FitsScheduledMatchesIntoEightyColumns) {
   TournamentConfig config = config_of(Format::kDoubleElimination, 12);
-  for (TeamEntry& team : config.teams) team.name = "FIFTEEN_CHARS_" + team.name;
-  for (const ScheduledMatch& match : play_all(config, better_wins)) {
+  for (TeamEntry& team : config.competition.teams) team.name = "FIFTEEN_CHARS_" + team.name;
+  for (const ScheduledMatch& match : play_all(config.competition, better_wins)) {
     const std::string line = schedule_text(config, match.fixture);
     EXPECT_LE(line.size(), 80u) << line;
     expect_part(line, match.fixture.stage + "  ");
   }
-  const Fixture first = next_fixtures(config_of(Format::kRoundRobin, 2), {}).front();
+  const Fixture first = next_fixtures(config_of(Format::kRoundRobin, 2).competition, {}).front();
   EXPECT_EQ(schedule_text(config_of(Format::kRoundRobin, 2), first),
             "  1  round 1      A - B     seed " + std::to_string(first.seed));
 }
 
 TEST(Report, IsOneAccessiblePageWithoutScripts) {
   TournamentConfig config = config_of(Format::kGroups, 6);
-  config.teams[0].endpoint = "run:<script>alert(1)</script>";
+  config.competition.teams[0].endpoint = "run:<script>alert(1)</script>";
   const Played played(config, complete_outcome);
   std::string html = report_html(played.report);
   base::replace_all(html, "xmlns=\"http://www.w3.org/2000/svg\"", "");  // a name: loads nothing
@@ -514,11 +515,11 @@ TEST(Report, IsOneAccessiblePageWithoutScripts) {
 
 TEST(Report, ChartsTheGoalDifferencesOfPairsThatMetOften) {
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
-  config.rounds = 6;
+  config.competition.rounds = 6;
   const std::string html = report_html(Played(config, better_wins).report);
   EXPECT_EQ(occurrences(html, "aria-label=\"Goals of A minus those of B\""), 1);
   expect_part(html, "<h2>goal differences</h2>");
-  config.rounds = 1;
+  config.competition.rounds = 1;
   const std::string once = report_html(Played(config, better_wins).report);
   EXPECT_THAT(once, Not(HasSubstr("goal differences")));
 }

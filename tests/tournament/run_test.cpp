@@ -6,19 +6,19 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <vector>
 
 #include "base/io/whole_file.h"
+#include "base/text/json.h"
+#include "league/schedule/schedule.h"
 #include "match/result/match_result.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tournament/fake_executor.h"
 #include "tournament/report/report_model.h"
 #include "tournament/run/tournament_run.h"
-#include "tournament/schedule/concurrency.h"
-#include "tournament/schedule/schedule.h"
+#include "tournament/slots/concurrency.h"
 #include "tournament/store/collector.h"
 #include "tournament/store/folder.h"
 #include "tournament/store/match_document.h"
@@ -27,7 +27,7 @@
 namespace cls::tournament {
 namespace {
 
-using match::EndReason;
+using soccer::EndReason;
 
 namespace fs = std::filesystem;
 
@@ -52,10 +52,10 @@ class TournamentRunTest : public testing::Test {
     return *std::move(summary);
   }
 
-  std::vector<nlohmann::json> events() const {
-    std::vector<nlohmann::json> all;
+  std::vector<base::Json> events() const {
+    std::vector<base::Json> all;
     std::istringstream lines(tests::read_file(folder_.path() / "events.jsonl"));
-    for (std::string line; std::getline(lines, line);) all.push_back(nlohmann::json::parse(line));
+    for (std::string line; std::getline(lines, line);) all.push_back(base::Json::parse(line));
     return all;
   }
 
@@ -85,7 +85,8 @@ TEST_F(TournamentRunTest, PlaysEveryMatchOnceAndStoresIt) {
   const auto state = read_tournament(folder_.path());
   ASSERT_TRUE(state) << state.error().message;
   EXPECT_EQ(state->matches.size(), 12u);
-  EXPECT_EQ(ranking(state->config, state->matches), (std::vector<std::string>{"A", "B", "C", "D"}));
+  EXPECT_EQ(ranking(state->config.competition, state->matches),
+            (std::vector<std::string>{"A", "B", "C", "D"}));
   EXPECT_TRUE(state->running.empty());
   run(config, fair);
   EXPECT_EQ(record_.started.size(), 12u) << "no match is played twice";
@@ -133,12 +134,13 @@ TEST_F(TournamentRunTest, ResumesRoundsThatDependOnStoredResults) {
   }
   EXPECT_GT(runs, 2);
   const auto state = read_tournament(folder_.path());
-  const auto uninterrupted = play_all(config, better_wins);
+  const auto uninterrupted = play_all(config.competition, better_wins);
   ASSERT_EQ(state->matches.size(), uninterrupted.size());
   for (std::size_t i = 0; i < uninterrupted.size(); ++i) {
     EXPECT_EQ(state->matches[i].fixture, uninterrupted[i].fixture);
   }
-  EXPECT_EQ(ranking(config, state->matches), ranking(config, uninterrupted));
+  EXPECT_EQ(ranking(config.competition, state->matches),
+            ranking(config.competition, uninterrupted));
 }
 
 TEST_F(TournamentRunTest, StopsAtFaultAndReplaysThatMatchInNextRun) {
@@ -157,7 +159,8 @@ TEST_F(TournamentRunTest, StopsAtFaultAndReplaysThatMatchInNextRun) {
   EXPECT_EQ(starts()[3], 2);
   std::map<int, int> final_results;
   for (const auto& event : events()) {
-    if (event["type"] == "match_finished" && !event["again"]) ++final_results[event["match"]];
+    if (event["type"] == "match_finished" && !event["again"].get<bool>())
+      ++final_results[event["match"].get<int>()];
   }
   EXPECT_EQ(final_results[3], 1) << "the match is played again";
 }
@@ -198,7 +201,7 @@ TEST_F(TournamentRunTest, RemovesWhatKilledWorkProcessesLeft) {
 
 TEST_F(TournamentRunTest, ScoresForfeitThreeNilAgainstSideAtFault) {
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
-  config.on_crash = OnCrash::kForfeit;
+  config.execution.on_crash = OnCrash::kForfeit;
   const RunSummary summary = run(config, [](const Assignment& one) -> std::optional<Outcome> {
     Outcome outcome = fault(EndReason::kCrashed);
     if (one.fixture.index == 2) outcome.fault.reset();
@@ -216,8 +219,8 @@ TEST_F(TournamentRunTest, ScoresForfeitThreeNilAgainstSideAtFault) {
 
 TEST_F(TournamentRunTest, LimitsReruns) {
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
-  config.on_crash = OnCrash::kRerun;
-  config.max_reruns = 2;
+  config.execution.on_crash = OnCrash::kRerun;
+  config.execution.max_reruns = 2;
   const RunSummary summary = run(config, [](const Assignment& one) -> std::optional<Outcome> {
     if (one.fixture.index == 1 && one.number < 3) return fault(EndReason::kStalled);
     if (one.fixture.index == 2) return fault(EndReason::kStalled);
@@ -258,7 +261,7 @@ TEST_F(TournamentRunTest, PlaysNoMatchAfterTheLast) {
 
 TEST_F(TournamentRunTest, CollectsResultFilesOfWork) {
   const TournamentConfig config = config_of(Format::kRoundRobin, 2);
-  const auto fixtures = next_fixtures(config, {});
+  const auto fixtures = next_fixtures(config.competition, {});
   fs::create_directories(folder_.path() / "results");
   Outcome outcome = score(4, 2);
   ASSERT_TRUE(
@@ -279,19 +282,21 @@ TEST_F(TournamentRunTest, RecoversResultOfMatchThatOutlivedTheRun) {
   {
     auto store = Store::open(folder_.path() / "tournament.db");
     ASSERT_TRUE(store);
-    ASSERT_TRUE(store->add(next_fixtures(config, {})).ok());
+    ASSERT_TRUE(store->add(next_fixtures(config.competition, {})).ok());
     ASSERT_TRUE(store->begin_attempts(std::vector{1, 2}).ok());
   }
   match::MatchResult result;
   result.left.name = "A";
   result.left.score = 2;
-  result.seed = next_fixtures(config, {})[0].seed;
-  const fs::path finished = folder_.path() / match_folder(config, next_fixtures(config, {})[0], 1);
+  result.seed = next_fixtures(config.competition, {})[0].seed;
+  const fs::path finished =
+      folder_.path() / match_folder(config, next_fixtures(config.competition, {})[0], 1);
   fs::create_directories(finished);
   ASSERT_TRUE(base::write_file(finished / "result.json", to_json(result)).ok());
-  result.end_reason = match::EndReason::kInterrupted;
-  result.seed = next_fixtures(config, {})[1].seed;
-  const fs::path broken = folder_.path() / match_folder(config, next_fixtures(config, {})[1], 1);
+  result.end_reason = soccer::EndReason::kInterrupted;
+  result.seed = next_fixtures(config.competition, {})[1].seed;
+  const fs::path broken =
+      folder_.path() / match_folder(config, next_fixtures(config.competition, {})[1], 1);
   fs::create_directories(broken);
   ASSERT_TRUE(base::write_file(broken / "result.json", to_json(result)).ok());
   run(config, fair);
@@ -330,14 +335,14 @@ TEST(Concurrency, AssignsWholeCoresToEachMatch) {
 
 TEST(Concurrency, StartsLowAndIncreasesInRealTime) {
   TournamentConfig config;
-  config.options["mode"] = "realtime";
+  config.conditions.options["mode"] = "realtime";
   Concurrency automatic(config, 8);
   EXPECT_EQ(automatic.current(), 2);
   const Outcome clean = score(0, 0);
   EXPECT_FALSE(automatic.adapt(clean));
   EXPECT_TRUE(automatic.adapt(clean));
   EXPECT_EQ(automatic.current(), 3);
-  config.concurrency = 5;
+  config.execution.concurrency = 5;
   Concurrency given(config, 1);
   EXPECT_EQ(given.current(), 5);
   EXPECT_FALSE(given.adapt(clean));

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "base/io/whole_file.h"
+#include "league/schedule/schedule.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tournament/fake_executor.h"
@@ -16,7 +17,6 @@
 #include "tournament/run/slurm_batch.h"
 #include "tournament/run/slurm_client.h"
 #include "tournament/run/tournament_run.h"
-#include "tournament/schedule/schedule.h"
 #include "tournament/store/collector.h"
 #include "tournament/store/folder.h"
 #include "tournament/store/match_document.h"
@@ -34,8 +34,8 @@ class SlurmExecutorTest : public testing::Test {
  protected:
   SlurmExecutorTest() {
     config_ = config_of(Format::kRoundRobin, 5);
-    config_.executor = ExecutorKind::kSlurm;
-    config_.slurm_poll_s = 0.02;
+    config_.execution.executor = ExecutorKind::kSlurm;
+    config_.execution.slurm_poll_s = 0.02;
   }
 
   // Creates the executor as `cls tournament run` does; an earlier one is destroyed without notice.
@@ -49,14 +49,16 @@ class SlurmExecutorTest : public testing::Test {
   // The first matches of the schedule, at their first attempts.
   std::vector<Assignment> assignments(int count) const {
     std::vector<Assignment> all;
-    for (Fixture& fixture : next_fixtures(config_, {})) all.push_back({std::move(fixture), 1});
+    for (Fixture& fixture : next_fixtures(config_.competition, {}))
+      all.push_back({std::move(fixture), 1});
     all.resize(static_cast<std::size_t>(count));
     return all;
   }
 
   std::vector<ScheduledMatch> matches() const {
     std::vector<ScheduledMatch> all;
-    for (Fixture& fixture : next_fixtures(config_, {})) all.push_back(planned(std::move(fixture)));
+    for (Fixture& fixture : next_fixtures(config_.competition, {}))
+      all.push_back(planned(std::move(fixture)));
     return all;
   }
 
@@ -151,7 +153,7 @@ class SlurmExecutorTest : public testing::Test {
 };
 
 TEST_F(SlurmExecutorTest, SubmitsMatchesAsOneJobArray) {
-  config_.slurm_options = {"--partition=short", "--time=10"};
+  config_.execution.slurm_options = {"--partition=short", "--time=10"};
   start(3);
   EXPECT_EQ(executor_->running(), 3);
   const auto calls = slurm_.calls("sbatch");
@@ -405,8 +407,8 @@ TEST_F(SlurmExecutorTest, WithdrawLetsRunningMatchesFinish) {
 }
 
 TEST_F(SlurmExecutorTest, LimitedConcurrencyRunsArraysInSequence) {
-  config_.concurrency = 2;
-  config_.slurm_tasks = 4;
+  config_.execution.concurrency = 2;
+  config_.execution.slurm_tasks = 4;
   begin();
   EXPECT_EQ(executor_->free_slots(), 4);
   ASSERT_TRUE(executor_->start(assignments(4)).ok());
@@ -421,7 +423,7 @@ TEST_F(SlurmExecutorTest, LimitedConcurrencyRunsArraysInSequence) {
 }
 
 TEST_F(SlurmExecutorTest, RefillsWhenHalfOfTheTasksAreFree) {
-  config_.slurm_tasks = 4;
+  config_.execution.slurm_tasks = 4;
   start(4);
   write_result(1);
   ended(1);
@@ -476,8 +478,8 @@ class Cluster {
 
 TEST_F(SlurmExecutorTest, SchedulesRoundFromResultsOfPreviousRound) {
   config_ = config_of(Format::kKnockout, 8);
-  config_.executor = ExecutorKind::kSlurm;
-  config_.slurm_poll_s = 0.02;
+  config_.execution.executor = ExecutorKind::kSlurm;
+  config_.execution.slurm_poll_s = 0.02;
   ASSERT_TRUE(prepare_folder(folder_.path(), config_).ok());
   fs::create_directories(folder_.path() / kResultsFolder);
   RunOptions options;
@@ -498,8 +500,8 @@ TEST_F(SlurmExecutorTest, SchedulesRoundFromResultsOfPreviousRound) {
     summary = *run;
   }
   EXPECT_EQ(summary.end, RunEnd::kComplete);
-  EXPECT_EQ(ranking(config_, summary.matches).front(), "A");
-  const auto uninterrupted = play_all(config_, better_wins);
+  EXPECT_EQ(ranking(config_.competition, summary.matches).front(), "A");
+  const auto uninterrupted = play_all(config_.competition, better_wins);
   ASSERT_EQ(summary.matches.size(), uninterrupted.size());
   for (std::size_t i = 0; i < uninterrupted.size(); ++i) {
     EXPECT_EQ(summary.matches[i].fixture, uninterrupted[i].fixture);

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <thread>
 
+#include "base/text/json.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-using nlohmann::json;
+using json = base::Json;
 using tests::Command;
 using tests::CommandResult;
 using Arguments = std::vector<std::string>;
@@ -106,14 +106,15 @@ class SlurmTest : public testing::Test {
   void expect_same_as_local(const CommandResult& played, int rounds, int cycles) const {
     ASSERT_EQ(played.exit_code, 0) << played.err << slurm_->logs();
     const json report = json::parse(played.out);
-    EXPECT_TRUE(report["complete"]);
+    EXPECT_TRUE(report["complete"].get<bool>());
     const tests::TemporaryFolder other;
     const CommandResult here =
         Command(run_arguments(other.path(), rounds, cycles, {})).finish(kLimit);
     ASSERT_EQ(here.exit_code, 0) << here.err;
     EXPECT_EQ(tests::outcome_of(report), tests::outcome_of(json::parse(here.out)));
     for (const json& match : report["matches"]) {
-      EXPECT_TRUE(fs::exists(cup() / match["folder"].get<std::string>() / "match.rcg.gz")) << match;
+      EXPECT_TRUE(fs::exists(cup() / match["folder"].get<std::string>() / "match.rcg.gz"))
+          << match.dump();
     }
   }
 

@@ -7,15 +7,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/text/json.h"
+#include "league/schedule/schedule.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tournament/fake_executor.h"
 #include "tournament/report/report_document.h"
 #include "tournament/report/report_model.h"
-#include "tournament/schedule/schedule.h"
 #include "tournament/store/folder.h"
 #include "tournament/store/match_document.h"
 
@@ -25,14 +25,14 @@ namespace {
 using testing::HasSubstr;
 
 namespace fs = std::filesystem;
-using match::EndReason;
-using nlohmann::ordered_json;
+using soccer::EndReason;
+using ordered_json = base::Json;
 
 TEST(Store, SaysThatItsFileIsGone) {
   const tests::TemporaryFolder folder;
   auto store = Store::open(folder.path() / "db");
   ASSERT_TRUE(store);
-  ASSERT_TRUE(store->add(next_fixtures(config_of(Format::kKnockout, 2), {})).ok());
+  ASSERT_TRUE(store->add(next_fixtures(config_of(Format::kKnockout, 2).competition, {})).ok());
   fs::rename(folder.path() / "db", folder.path() / "moved");
   for (const char* what : {"removed", "replaced"}) {
     const auto stored = store->finish(1, fault(EndReason::kLate));
@@ -63,7 +63,7 @@ TEST(Store, RoundTripsEveryMember) {
   outcome.folder = "matches/1";
   outcome.left = {10, 2, 3, 4.5, 9.5, 0.25};
   outcome.right = {11, 0, 1, 5.5, 8.5, 0.75};
-  const auto fixtures = next_fixtures(config_of(Format::kKnockout, 2), {});
+  const auto fixtures = next_fixtures(config_of(Format::kKnockout, 2).competition, {});
   {
     auto store = Store::open(folder.path() / "db");
     ASSERT_TRUE(store);

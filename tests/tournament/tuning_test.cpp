@@ -7,9 +7,9 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "base/text/json.h"
 #include "soccer/random.h"
 #include "tests/tournament/fake_executor.h"
 #include "tournament/tuning/candidate.h"
@@ -293,8 +293,8 @@ TEST(Candidate, WritesFilesOfValues) {
   TuneConfig config;
   config.parameters = {parameter("shoot.distance", 0, 40, 20), parameter("shoot.power", 0, 1, 0.5)};
   config.file = "p.json";
-  EXPECT_EQ(nlohmann::json::parse(file_text(config, {12.5, 1})),
-            nlohmann::json::parse(R"({"shoot": {"distance": 12.5, "power": 1}})"));
+  EXPECT_EQ(base::Json::parse(file_text(config, {12.5, 1})),
+            base::Json::parse(R"({"shoot": {"distance": 12.5, "power": 1}})"));
   config.file = "p.toml";
   EXPECT_EQ(file_text(config, {12.5, 1}), "shoot.distance = 12.5\nshoot.power = 1\n");
   config.file_template = R"({"x": {shoot.distance}, "other": {"y": {z}}})";
@@ -450,7 +450,7 @@ TEST(TuneReport, ShowsTableDiffAndPicture) {
       tune_text(fake.tuning, TuneVerdict{"verdict: undecided\n", "undecided"}, 80);
   EXPECT_THAT(text, HasSubstr("-y = 20\n+y = ")) << text;
   EXPECT_THAT(text, HasSubstr("verdict: undecided"));
-  const auto document = nlohmann::json::parse(tune_json(fake.tuning, {}));
+  const auto document = base::Json::parse(tune_json(fake.tuning, {}));
   EXPECT_EQ(document["schema"], "cls.tune/1");
   EXPECT_EQ(document["history"].size(), 3u);
   EXPECT_EQ(document["start"]["y"], 20);

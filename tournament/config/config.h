@@ -1,6 +1,7 @@
-// The configuration of a tournament as plain data: teams, schedule, conditions, execution.
+// The configuration of a tournament as plain data.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -9,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/result.h"
+#include "base/text/enum_names.h"
+#include "league/competition/competition.h"
 #include "match/terms/option_texts.h"
-#include "tournament/config/stage.h"
 
 namespace cls::match {
 struct MatchOptions;
@@ -19,16 +20,8 @@ struct MatchOptions;
 
 namespace cls::tournament {
 
-enum class Format {
-  kRoundRobin,         ///< every team against every other
-  kGauntlet,           ///< some teams (`gauntlet`) against all others
-  kList,               ///< the pairings of `matches`
-  kGroups,             ///< round robin in groups, then a knockout of the best
-  kKnockout,           ///< single elimination
-  kDoubleElimination,  ///< elimination by the second loss
-  kSwiss,              ///< pairs teams with similar points, never the same pair twice
-  kStages,             ///< the `stages`, one after the other
-};
+// The words of a league, such as Competition, Fixture and Outcome, are those of a tournament, too.
+using namespace league;
 
 /// The policy for invalid matches.
 enum class OnCrash {
@@ -46,18 +39,10 @@ enum class ExecutorKind {
   kHosts,  ///< on `hosts` that share nothing with this one
 };
 
-/// Criteria that order teams with the same points, see standings.h.
-enum class TieBreaker {
-  kHeadToHead,
-  kGoalDifference,
-  kGoalDifferenceAmong,  ///< among the tied teams only
-  kGoals,
-  kGoalsAmong,
-  kWins,
-  kBuchholz,
-  kMedianBuchholz,
-  kSonnebornBerger,
-};
+// The names in the configuration file.
+inline constexpr auto kOnCrashNames = base::enum_names<OnCrash>("stop", "forfeit", "rerun");
+inline constexpr auto kKeepLogsNames = base::enum_names<KeepLogs>("all", "failed", "none");
+inline constexpr auto kExecutorNames = base::enum_names<ExecutorKind>("local", "slurm", "hosts");
 
 inline constexpr const char* kRemoteShell =
     "ssh -o BatchMode=yes -o ConnectTimeout=15 -o ServerAliveInterval=15 {host}";
@@ -70,13 +55,6 @@ inline constexpr std::array<std::string_view, 22> kStandingsColumns = {
     "forfeits",   "invalid", "byes",      "buchholz", "median-buchholz", "sonneborn-berger",
     "tiebreaker", "elo",     "elo-error", "average"};
 
-struct TeamEntry {
-  std::string name;
-  std::string endpoint;  ///< any SIDE except a name
-
-  bool operator==(const TeamEntry&) const = default;
-};
-
 /// A parameter of the soccer server: {"server::half_time", "300"}.
 struct ServerSetting {
   std::string name;
@@ -85,29 +63,19 @@ struct ServerSetting {
   bool operator==(const ServerSetting&) const = default;
 };
 
-/// A tournament. All but the last two blocks are the plan: runs with the same plan play the same
-/// matches under the same conditions.
-struct TournamentConfig {
-  // The schedule.
-  Format format = Format::kRoundRobin;
-  std::optional<int> rounds;  ///< see rounds_of()
-  std::uint64_t seed = 1;     ///< all seeds and draws follow from it
-  bool swap_sides = true;     ///< every pairing is two matches on one seed, once from each side
-  bool draw = false;          ///< random seeding order instead of the order of `teams`
-  std::vector<std::string> gauntlet;
-  std::vector<std::vector<std::string>> matches;  ///< kList: two team names each
-  int groups = 2;
-  int advance = 2;  ///< teams of each group that advance to the knockout
-  bool third_place = true;
-  std::vector<TieBreaker> tie_breakers;  ///< empty: those of the format
-  std::vector<Stage> stages;             ///< kStages
-  std::vector<TeamEntry> teams;          ///< in the order of the file
-
-  // Every match. The use of an option says whether it belongs to the plan.
+/// How a match is played.
+struct Conditions {
   match::OptionTexts options;  ///< of match::match_options(); those not set have no text
   std::vector<ServerSetting> settings;
 
-  // Execution; may change from run to run.
+  /// True for "server::half_time" if the tournament sets it.
+  bool sets(std::string_view parameter) const {
+    return std::ranges::find(settings, parameter, &ServerSetting::name) != settings.end();
+  }
+};
+
+/// Where and how the schedule is executed.
+struct Execution {
   int concurrency = 0;  ///< parallel matches; 0: automatic
   bool pin = false;     ///< pin each running match to its own cores
   ExecutorKind executor = ExecutorKind::kLocal;
@@ -125,31 +93,29 @@ struct TournamentConfig {
   std::string on_finish;               ///< shell command that gets the report as JSON on stdin
   std::optional<double> hook_limit_s;  ///< for these commands; none: process::kHookLimit
   std::filesystem::path folder;        ///< of the file; base of relative paths in endpoints
+};
 
-  // Reports.
+/// How the tournament is presented.
+struct Presentation {
   std::string name;                      ///< of the tournament; empty: that of its folder
   std::vector<std::string> columns;      ///< of kStandingsColumns; empty: as the format needs
   std::vector<std::string> start_times;  ///< see config/start_times.h
   std::optional<double> slot_minutes;    ///< from one match to the next on a server
 };
 
+/// A tournament. Competition and conditions are the plan: runs with the same plan play the same
+/// matches under the same conditions. The use of an option says whether it belongs to the plan. The
+/// rest may change from run to run.
+struct TournamentConfig {
+  Competition competition;
+  Conditions conditions;
+  Execution execution;
+  Presentation report;
+};
+
 /// The options of every match: those of `cls match` where the configuration says nothing. Wrong
 /// texts and settings count as not set; validate() reports them.
-match::MatchOptions match_options(const TournamentConfig& config);
-
-/// The configured rounds, or the default: 1; Swiss: ceil(log2(teams)) + 1, limited so that no teams
-/// meet twice.
-int rounds_of(const TournamentConfig& config);
-
-/// Index of the team `name`, or -1.
-int team_index(const TournamentConfig& config, std::string_view name);
-
-/// The names in the configuration file, such as "round-robin", "forfeit", "goal-difference".
-std::string_view name(Format format);
-std::string_view name(OnCrash on_crash);
-std::string_view name(KeepLogs keep);
-std::string_view name(ExecutorKind executor);
-std::string_view name(TieBreaker breaker);
+match::MatchOptions match_options(const Conditions& conditions);
 
 /// All contradictions and invalid values, one line each, without the file name. Endpoints and
 /// settings are checked as in `cls match`.

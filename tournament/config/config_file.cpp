@@ -5,6 +5,8 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <utility>
 
 #include "base/io/whole_file.h"
@@ -22,24 +24,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<std::vector<std::string>> strings_in(const toml::array& array) {
-  std::vector<std::string> strings;
+// The elements of an array that has this type only.
+template <class Element>
+std::optional<std::vector<Element>> elements_of(const toml::array& array) {
+  std::vector<Element> elements;
   for (const toml::node& node : array) {
-    const auto* text = node.as_string();
-    if (text == nullptr) return std::nullopt;
-    strings.push_back(text->get());
+    const auto* element = node.as<Element>();
+    if (element == nullptr) return std::nullopt;
+    elements.push_back(element->get());
   }
-  return strings;
-}
-
-std::optional<std::vector<std::int64_t>> numbers_in(const toml::array& array) {
-  std::vector<std::int64_t> numbers;
-  for (const toml::node& node : array) {
-    const auto* number = node.as_integer();
-    if (number == nullptr) return std::nullopt;
-    numbers.push_back(number->get());
-  }
-  return numbers;
+  return elements;
 }
 
 std::optional<ConfigValue> parse_value(const toml::node& node) {
@@ -49,12 +43,13 @@ std::optional<ConfigValue> parse_value(const toml::node& node) {
   if (const auto* text = node.as_string()) return ConfigValue(text->get());
   const toml::array* array = node.as_array();
   if (array == nullptr) return std::nullopt;
-  if (auto strings = strings_in(*array)) return ConfigValue(*std::move(strings));
-  if (auto numbers = numbers_in(*array)) return ConfigValue(*std::move(numbers));
-  std::vector<std::vector<std::string>> lists;
+  if (auto strings = elements_of<std::string>(*array)) return ConfigValue(*std::move(strings));
+  if (auto numbers = elements_of<std::int64_t>(*array)) return ConfigValue(*std::move(numbers));
+
+  std::vector<Texts> lists;
   for (const toml::node& inner : *array) {
     const toml::array* list = inner.as_array();
-    auto strings = list == nullptr ? std::nullopt : strings_in(*list);
+    auto strings = list == nullptr ? std::nullopt : elements_of<std::string>(*list);
     if (!strings) return std::nullopt;
     lists.push_back(*std::move(strings));
   }
@@ -83,8 +78,7 @@ std::vector<Entry> in_file_order(const toml::table& table) {
     const toml::source_position begin = entry.node->source().begin;
     return std::pair(begin.line, begin.column);
   };
-  std::stable_sort(entries.begin(), entries.end(),
-                   [&](const Entry& a, const Entry& b) { return position(a) < position(b); });
+  std::ranges::stable_sort(entries, {}, position);
   return entries;
 }
 
@@ -96,7 +90,7 @@ std::optional<toml::source_index> find_deep_key(std::string_view text) {
   for (toml::source_index line = 1; !text.empty(); ++line) {
     const std::string_view whole = text.substr(0, text.find('\n'));
     const std::string_view key = whole.substr(0, whole.find_first_of("=#"));
-    if (std::count(key.begin(), key.end(), '.') >= kMaxKeyParts) return line;
+    if (std::ranges::count(key, '.') >= kMaxKeyParts) return line;
     text.remove_prefix(std::min(whole.size() + 1, text.size()));
   }
   return std::nullopt;
@@ -142,7 +136,7 @@ class Parser {
     return table;
   }
 
-  // A file without a schema is of the first version. Of a newer one no key is certain.
+  // A file without a schema is of the first version. Keys of a newer version are not known.
   bool check_schema(const toml::table& top) {
     const toml::node* node = top.get("schema");
     if (node == nullptr) return true;
@@ -159,34 +153,20 @@ class Parser {
         parse_stages(entry);
         continue;
       }
-      if (entry.key != "tournament" && entry.key != "server" && entry.key != "player" &&
-          entry.key != "teams") {
+
+      const auto part = std::ranges::find(kParts, entry.key, &Part::name);
+      if (part == std::end(kParts)) {
         add_error(entry, unknown_key(entry.node->is_table() ? "table" : "key", entry.key,
                                      {"tournament", "server", "player", "teams", "stages"}));
-        continue;
+      } else if (const toml::table* table = table_of(entry)) {
+        (this->*part->parse)(entry.key, *table);
       }
-      const toml::table* table = table_of(entry);
-      if (table == nullptr) continue;
-      if (entry.key == "tournament") parse_tournament(*table);
-      if (entry.key == "teams") parse_teams(*table);
-      if (entry.key == "server" || entry.key == "player") parse_settings(entry.key, *table);
     }
   }
 
-  void parse_tournament(const toml::table& table) {
+  void parse_tournament(const std::string& /*name*/, const toml::table& table) {
     for (const Entry& entry : in_file_order(table)) {
-      const ConfigKey* key = find_key(entry.key);
-      if (key == nullptr) {
-        std::vector<std::string_view> known;
-        for (const ConfigKey& one : tournament_keys()) known.push_back(one.name);
-        add_error(entry, unknown_key("key", entry.key, known));
-        continue;
-      }
-      note_line(entry, entry.key);
-      const auto value = parse_value(*entry.node);
-      const auto read = value ? key->parse(parsed_.config, *value)
-                              : base::Result<void>(base::Error{"unsupported value type"});
-      if (!read) add_error(entry, fmt::format("{}: {}", entry.key, read.error().message));
+      if (parse_key(entry, tournament_keys(), parsed_.config)) note_line(entry, entry.key);
     }
   }
 
@@ -197,24 +177,29 @@ class Parser {
       return;
     }
     for (const toml::node& node : *array) {
-      Stage stage;
-      for (const Entry& field : in_file_order(*node.as_table())) parse_stage_key(field, stage);
-      parsed_.config.stages.push_back(std::move(stage));
+      Stage& stage = parsed_.config.competition.stages.emplace_back();
+      for (const Entry& field : in_file_order(*node.as_table())) {
+        parse_key(field, stage_keys(), stage);
+      }
     }
   }
 
-  void parse_stage_key(const Entry& field, Stage& stage) {
-    std::vector<std::string_view> known;
-    for (const StageKey& key : stage_keys()) {
-      known.push_back(key.name);
-      if (key.name != field.key) continue;
-      const auto value = parse_value(*field.node);
-      const auto read = value ? key.parse(stage, *value)
-                              : base::Result<void>(base::Error{"unsupported value type"});
-      if (!read) add_error(field, fmt::format("{}: {}", field.key, read.error().message));
-      return;
+  // False if there is no such key.
+  template <class Key, class Target>
+  bool parse_key(const Entry& entry, const std::vector<Key>& keys, Target& target) {
+    const auto key = std::ranges::find(keys, entry.key, &Key::name);
+    if (key == keys.end()) {
+      std::vector<std::string_view> known;
+      std::ranges::transform(keys, std::back_inserter(known), &Key::name);
+      add_error(entry, unknown_key("key", entry.key, known));
+      return false;
     }
-    add_error(field, unknown_key("key", field.key, known));
+
+    const auto value = parse_value(*entry.node);
+    const auto read = value ? key->parse(target, *value)
+                            : base::Result<void>(base::Error{"unsupported value type"});
+    if (!read) add_error(entry, fmt::format("{}: {}", entry.key, read.error().message));
+    return true;
   }
 
   void parse_settings(const std::string& module, const toml::table& table) {
@@ -229,38 +214,57 @@ class Parser {
       match::MatchOptions scratch;
       const auto applied = match::apply_match_setting(scratch, setting.name + "=" + setting.value);
       if (!applied) add_error(entry, applied.error().message);
-      parsed_.config.settings.push_back(std::move(setting));
+      parsed_.config.conditions.settings.push_back(std::move(setting));
     }
   }
 
-  void parse_teams(const toml::table& table) {
+  void parse_teams(const std::string& /*name*/, const toml::table& table) {
     for (const Entry& entry : in_file_order(table)) {
       const toml::table* team = table_of(entry, "teams.", " with an endpoint");
       if (team == nullptr) continue;
+
       if (const auto good = match::check_team_name(entry.key); !good) {
         add_error(entry, good.error().message);
       }
-      std::string endpoint;
-      for (const Entry& field : in_file_order(*team)) {
-        if (field.key != "endpoint") {
-          add_error(field, unknown_key("key", field.key, {"endpoint"}));
-        } else if (const auto* text = field.node->as_string()) {
-          endpoint = text->get();
-          const auto parsed = match::parse_endpoint(endpoint);
-          if (!parsed) add_error(field, parsed.error().message);
-        } else {
-          add_error(field, "endpoint: must be a string");
-          endpoint = "?";
-        }
-      }
+
+      const std::string endpoint = parse_team(*team);
       if (endpoint.empty()) add_error(entry, fmt::format("team '{}' has no endpoint", entry.key));
-      parsed_.config.teams.push_back({entry.key, endpoint});
+      parsed_.config.competition.teams.push_back({entry.key, endpoint});
     }
   }
+
+  // The endpoint; "?" if it is not a string.
+  std::string parse_team(const toml::table& team) {
+    std::string endpoint;
+    for (const Entry& field : in_file_order(team)) {
+      if (field.key != "endpoint") {
+        add_error(field, unknown_key("key", field.key, {"endpoint"}));
+      } else if (const auto* text = field.node->as_string()) {
+        endpoint = text->get();
+        const auto parsed = match::parse_endpoint(endpoint);
+        if (!parsed) add_error(field, parsed.error().message);
+      } else {
+        add_error(field, "endpoint: must be a string");
+        endpoint = "?";
+      }
+    }
+    return endpoint;
+  }
+
+  struct Part {
+    std::string_view name;
+    void (Parser::*parse)(const std::string& name, const toml::table& table);
+  };
+  static const std::array<Part, 4> kParts;
 
   std::string file_;
   ParsedConfig parsed_;
 };
+
+const std::array<Parser::Part, 4> Parser::kParts = {{{"tournament", &Parser::parse_tournament},
+                                                     {"server", &Parser::parse_settings},
+                                                     {"player", &Parser::parse_settings},
+                                                     {"teams", &Parser::parse_teams}}};
 
 struct Line {
   std::string section;
@@ -278,8 +282,9 @@ std::vector<Line> lines_of(const TournamentConfig& config, bool plan_only) {
       lines.push_back({"tournament", std::string(key.name), std::move(value), 0});
     }
   }
+
   int element = 0;
-  for (const Stage& stage : config.stages) {
+  for (const Stage& stage : config.competition.stages) {
     ++element;
     for (const StageKey& key : stage_keys()) {
       if (std::string value = key.format(stage); !value.empty()) {
@@ -287,14 +292,16 @@ std::vector<Line> lines_of(const TournamentConfig& config, bool plan_only) {
       }
     }
   }
+
   for (const char* module : {"server", "player"}) {
     const std::string prefix = std::string(module) + "::";
-    for (const ServerSetting& setting : config.settings) {
+    for (const ServerSetting& setting : config.conditions.settings) {
       if (!setting.name.starts_with(prefix)) continue;
       lines.push_back({module, setting.name.substr(prefix.size()), toml_quoted(setting.value), 0});
     }
   }
-  for (const TeamEntry& team : config.teams) {
+
+  for (const TeamEntry& team : config.competition.teams) {
     // Quoted, because a name may contain '+'.
     lines.push_back({"teams." + toml_quoted(team.name), "endpoint", toml_quoted(team.endpoint), 0});
   }
@@ -317,7 +324,7 @@ ParsedConfig read_config(const fs::path& file) {
   const auto text = base::read_file(file);
   if (!text) return {{}, {fmt::format("cannot read {}", file.string())}, {}};
   ParsedConfig parsed = parse_config(*text, file.string());
-  fs::path& folder = parsed.config.folder;
+  fs::path& folder = parsed.config.execution.folder;
   folder = (fs::absolute(file).parent_path() / folder).lexically_normal();
   if (!folder.has_filename()) folder = folder.parent_path();  // a trailing slash
   return parsed;
@@ -338,9 +345,14 @@ std::optional<fs::path> find_config(const fs::path& from) {
 std::string endpoint_from(const fs::path& folder, const std::string& endpoint) {
   std::error_code code;
   if (fs::equivalent(folder, fs::current_path(code), code)) return endpoint;
+
   const std::size_t colon = endpoint.find(':');
   const std::string kind = endpoint.substr(0, colon + 1);
   const std::string rest = colon == std::string::npos ? "" : endpoint.substr(colon + 1);
+  const auto from_folder = [&folder](const std::string& path) {
+    return (folder / path).lexically_normal().string();
+  };
+
   if (kind == "mix:") {
     const auto parts = match::parse_mixed_side(rest);
     if (!parts) return endpoint;
@@ -352,15 +364,16 @@ std::string endpoint_from(const fs::path& folder, const std::string& endpoint) {
     return text;
   }
   if (const std::size_t equals = rest.find('='); kind == "planner:" && equals != rest.npos) {
-    return kind + (folder / rest.substr(0, equals)).lexically_normal().string() + "=" +
+    return kind + from_folder(rest.substr(0, equals)) + "=" +
            endpoint_from(folder, rest.substr(equals + 1));
   }
   if (kind == "each:") return kind + endpoint_from(folder, rest);
-  if (kind == "run:")
+  if (kind == "run:") {
     return fmt::format("run:cd {} && {}", process::shell_quoted(folder.string()), rest);
+  }
   const bool file =
       kind == "team:" || kind == "unix:" || (kind == "mock:" && rest.ends_with(".json"));
-  return file ? kind + (folder / rest).lexically_normal().string() : endpoint;
+  return file ? kind + from_folder(rest) : endpoint;
 }
 
 std::string format_config(const TournamentConfig& config, bool plan_only) {
@@ -381,9 +394,14 @@ std::string format_config(const TournamentConfig& config, bool plan_only) {
 std::string first_difference(const TournamentConfig& now, const TournamentConfig& before) {
   const std::vector<Line> a = lines_of(now, true);
   const std::vector<Line> b = lines_of(before, true);
+
   const auto same_key = [](const Line& x, const Line& y) {
     return x.section == y.section && x.element == y.element && x.key == y.key;
   };
+  const auto holds = [&](const std::vector<Line>& lines, const Line& line) {
+    return std::ranges::any_of(lines, [&](const Line& other) { return same_key(other, line); });
+  };
+
   for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
     if (i < a.size() && i < b.size() && same_key(a[i], b[i])) {
       if (a[i].value != b[i].value) {
@@ -391,16 +409,14 @@ std::string first_difference(const TournamentConfig& now, const TournamentConfig
       }
       continue;
     }
-    const auto holds = [&](const std::vector<Line>& lines, const Line& line) {
-      return std::any_of(lines.begin(), lines.end(),
-                         [&](const Line& other) { return same_key(other, line); });
-    };
+
     if (i < a.size() && !holds(b, a[i])) {
       return fmt::format("{} is {}, was not set", label(a[i]), a[i].value);
     }
     if (i < b.size() && !holds(a, b[i])) {
       return fmt::format("{} is not set, was {}", label(b[i]), b[i].value);
     }
+
     const Line& line = i < a.size() ? a[i] : b[i];
     return fmt::format("[{}] is at another position", line.section);
   }
@@ -415,6 +431,7 @@ std::string commented_config() {
       "schema = 1  # version of the format of this file\n"
       "\n"
       "[tournament]\n";
+
   const TournamentConfig defaults;
   for (const ConfigKey& key : tournament_keys()) {
     const bool essential = key.name == "format" || key.name == "rounds" || key.name == "seed";
@@ -422,6 +439,7 @@ std::string commented_config() {
     fmt::format_to(std::back_inserter(text), "# {}\n{}{} = {}\n", key.help, essential ? "" : "#",
                    key.name, value.empty() ? key.example : value);
   }
+
   text +=
       "\n"
       "# Parameters of the soccer server, for every match.\n"

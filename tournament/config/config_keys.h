@@ -1,21 +1,16 @@
 // The table of all keys of [tournament]: name, help, parser and formatter.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "base/result.h"
 #include "tournament/config/config.h"
+#include "tournament/config/config_values.h"
 
 namespace cls::tournament {
-
-/// A value in a file or on the command line.
-using ConfigValue = std::variant<bool, std::int64_t, double, std::string, std::vector<std::string>,
-                                 std::vector<std::vector<std::string>>, std::vector<std::int64_t>>;
 
 enum class KeyGroup {
   kSchedule,    ///< which teams play each other
@@ -27,8 +22,10 @@ enum class KeyGroup {
 struct ConfigKey {
   std::string_view name;
   KeyGroup group;
-  std::string_view help;     ///< one line for --help and the commented file
-  std::string_view example;  ///< a value as TOML
+  std::string_view help;         ///< one line for --help and the commented file
+  std::string_view example;      ///< a value as TOML
+  std::string_view placeholder;  ///< of the value in --help: "N"
+  ReadText read;                 ///< of a value on the command line
   /// Stores the value. The error names the accepted values ("must be a whole number from 1").
   std::function<base::Result<void>(TournamentConfig&, const ConfigValue&)> parse;
   /// The value as TOML; empty when it is not set.
@@ -41,15 +38,8 @@ const std::vector<ConfigKey>& tournament_keys();
 /// nullptr when there is none.
 const ConfigKey* find_key(std::string_view name);
 
-/// Parses a value from the command line: true, 12, 0.5, a,b,c or a string. `key` decides where
-/// several types are possible.
-ConfigValue parse_config_value(const ConfigKey& key, std::string_view text);
-
 /// "unknown key 'ronds'; did you mean 'rounds'?"
 std::string unknown_key(std::string_view what, std::string_view name,
                         const std::vector<std::string_view>& known);
-
-/// A string as a TOML basic string, quotes included.
-std::string toml_quoted(std::string_view text);
 
 }  // namespace cls::tournament

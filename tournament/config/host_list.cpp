@@ -15,10 +15,9 @@ constexpr int kMaxSlots = 4096;
 
 // A leading '-' would be an option of ssh.
 bool is_host_name(std::string_view name) {
-  return !name.empty() && name.front() != '-' && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           std::string_view("@._:-").find(c) != std::string_view::npos;
-  });
+  constexpr std::string_view kCharacters =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789@._:-";
+  return !name.empty() && name.front() != '-' && name.find_first_not_of(kCharacters) == name.npos;
 }
 
 }  // namespace
@@ -29,15 +28,15 @@ base::Result<std::vector<HostSlots>> parse_hosts(const std::vector<std::string>&
     const std::size_t slash = text.find('/');
     const auto slots =
         slash == std::string::npos ? std::optional(1) : base::parse_int(text.substr(0, slash));
+
     HostSlots host{slash == std::string::npos ? text : text.substr(slash + 1), slots.value_or(0)};
     if (host.slots < 1 || host.slots > kMaxSlots || !is_host_name(host.name)) {
       return base::Error{
           fmt::format("hosts: '{}' must be HOST or MATCHES/HOST, such as node1 or 4/node1", text)};
     }
-    const bool twice = std::any_of(hosts.begin(), hosts.end(), [&host](const HostSlots& other) {
-      return other.name == host.name;
-    });
-    if (twice) return base::Error{fmt::format("hosts: {} is listed twice", host.name)};
+    if (std::ranges::find(hosts, host.name, &HostSlots::name) != hosts.end()) {
+      return base::Error{fmt::format("hosts: {} is listed twice", host.name)};
+    }
     hosts.push_back(std::move(host));
   }
   return hosts;

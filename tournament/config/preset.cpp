@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <set>
+
 #include "base/text/suggestion.h"
 #include "match/terms/endpoint.h"
 
@@ -129,6 +133,7 @@ std::string mixed_teams_text(std::vector<std::string> teams) {
           "[teams.M{}]\nendpoint = \"mix:goalie,defenders,coach=mock;others=mock:simple\"\n", i);
     }
   }
+
   std::set<std::string> names;
   for (std::size_t i = 0; i + 1 < teams.size(); i += 2) {
     // As long as a name of a team may be. Equal names get a number.
@@ -148,16 +153,13 @@ std::string mixed_teams_text(std::vector<std::string> teams) {
 
 std::vector<std::string_view> preset_names() {
   std::vector<std::string_view> names;
-  for (const Preset& preset : kPresets) names.push_back(preset.name);
+  std::ranges::transform(kPresets, std::back_inserter(names), &Preset::name);
   return names;
 }
 
 Result<std::string> preset_config(std::string_view name, const std::vector<std::string>& teams) {
-  const Preset* chosen = nullptr;
-  for (const Preset& preset : kPresets) {
-    if (preset.name == name) chosen = &preset;
-  }
-  if (chosen == nullptr) {
+  const auto* chosen = std::ranges::find(kPresets, name, &Preset::name);
+  if (chosen == std::end(kPresets)) {
     const std::string_view near = base::nearest_name(name, preset_names());
     return Error{fmt::format("unknown preset '{}'; {}", name,
                              near.empty()
@@ -165,8 +167,9 @@ Result<std::string> preset_config(std::string_view name, const std::vector<std::
                                  : fmt::format("did you mean '{}'?", near))};
   }
   for (const std::string& team : teams) {
-    if (const auto good = match::check_team_name(team); !good) return good.error();
+    TRY(match::check_team_name(team));
   }
+
   const std::size_t count = teams.empty() ? kMockTeams : teams.size();
   if (count < chosen->min_teams) {
     return Error{fmt::format("preset '{}' requires at least {} teams, there are {}", name,
@@ -176,6 +179,7 @@ Result<std::string> preset_config(std::string_view name, const std::vector<std::
     return Error{
         fmt::format("preset '{}' requires an even number of teams, there are {}", name, count)};
   }
+
   const std::size_t upper = (count + 1) / 2;
   return fmt::format(fmt::runtime(kHead), chosen->title) +
          fmt::format(fmt::runtime(chosen->stages), fmt::format("{}, {}", upper, count - upper)) +

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <optional>
+#include <algorithm>
 
 #include "base/text/suggestion.h"
 
@@ -13,79 +12,72 @@ namespace {
 
 using base::Error;
 using base::Result;
+using league::StageFormat;
 
-constexpr std::array kStageFormats = {StageFormat::kGroups, StageFormat::kKnockout,
-                                      StageFormat::kStepladder};
 constexpr int kMaxStageNumber = 1000;
 
-std::string quoted_list(const std::vector<std::string>& names) {
-  std::vector<std::string> quoted;
-  for (const std::string& name : names) quoted.push_back(toml_quoted(name));
-  return fmt::format("[{}]", fmt::join(quoted, ", "));
-}
+enum class When { kAlways, kIfSet };  // written
 
-StageKey names(std::string_view key, std::vector<std::string> Stage::*member) {
-  return {key,
-          [=](Stage& stage, const ConfigValue& value) -> Result<void> {
-            const auto* read = std::get_if<std::vector<std::string>>(&value);
-            if (read == nullptr) return Error{"must be a list of names, [\"A\", \"B\"]"};
-            stage.*member = *read;
+template <class Value>
+StageKey row(std::string_view key, Value Stage::*member, ValueType<Value> type,
+             When written = When::kIfSet) {
+  return {.name = key,
+          .parse = [=](Stage& stage, const ConfigValue& value) -> Result<void> {
+            TRY_INIT(stage.*member, type.parse(value));
             return {};
           },
-          [=](const Stage& stage) {
-            return (stage.*member).empty() ? std::string() : quoted_list(stage.*member);
-          }};
+          .format =
+              [=](const Stage& stage) {
+                const bool is_default = stage.*member == Stage().*member;
+                return is_default && written == When::kIfSet ? std::string()
+                                                             : type.format(stage.*member);
+              }};
 }
 
-std::optional<int> number_from(const ConfigValue& value, int min) {
-  const auto* read = std::get_if<std::int64_t>(&value);
-  if (read == nullptr || *read < min || *read > kMaxStageNumber) return std::nullopt;
-  return static_cast<int>(*read);
+ValueType<Texts> names() { return texts("must be a list of names, [\"A\", \"B\"]"); }
+
+ValueType<std::string> stage_name() {
+  ValueType<std::string> type = text();
+  type.format = [](const std::string& name) { return toml_quoted(name); };
+  return type;
 }
 
-StageKey number(std::string_view key, int Stage::*member, int min) {
+ValueType<StageFormat> stage_format() {
+  const std::vector<std::string_view> known = list_of(league::kStageFormats);
+  ValueType<StageFormat> type = choice<StageFormat>(known);
+  type.parse = [known](const ConfigValue& value) -> Result<StageFormat> {
+    const auto* read = std::get_if<std::string>(&value);
+    if (read != nullptr) {
+      if (const auto format = league::kStageFormats.parse(*read)) return *format;
+    }
+    const std::string_view near = read == nullptr ? "" : base::nearest_name(*read, known);
+    return Error{near.empty() ? fmt::format("must be one of {}", fmt::join(known, ", "))
+                              : fmt::format("did you mean '{}'?", near)};
+  };
+  return type;
+}
+
+ValueType<std::vector<int>> divisions() {
   return {
-      key,
-      [=](Stage& stage, const ConfigValue& value) -> Result<void> {
-        const auto read = number_from(value, min);
-        if (!read) {
-          return Error{fmt::format("must be a whole number from {} to {}", min, kMaxStageNumber)};
+      read_list,
+      [](const ConfigValue& value) -> Result<std::vector<int>> {
+        const auto* sizes = std::get_if<std::vector<std::int64_t>>(&value);
+        const auto fits = [](std::int64_t size) { return size >= 2 && size <= kMaxStageNumber; };
+        if (sizes == nullptr || !std::ranges::all_of(*sizes, fits)) {
+          return Error{"must be a list of sizes from 2, [5, 4]"};
         }
-        stage.*member = *read;
-        return {};
+        return std::vector<int>(sizes->begin(), sizes->end());
       },
-      [=](const Stage& stage) {
-        return stage.*member == Stage().*member ? std::string() : fmt::to_string(stage.*member);
-      }};
+      [](const std::vector<int>& sizes) { return fmt::format("[{}]", fmt::join(sizes, ", ")); }};
 }
 
-Result<void> parse_name(Stage& stage, const ConfigValue& value) {
-  const auto* read = std::get_if<std::string>(&value);
-  if (read == nullptr) return Error{"must be a string"};
-  stage.name = *read;
-  return {};
-}
-
-Result<void> parse_format(Stage& stage, const ConfigValue& value) {
-  std::vector<std::string_view> known;
-  for (const StageFormat format : kStageFormats) known.push_back(name(format));
-  const auto* read = std::get_if<std::string>(&value);
-  for (const StageFormat format : kStageFormats) {
-    if (read == nullptr || *read != name(format)) continue;
-    stage.format = format;
-    return {};
-  }
-  const std::string_view near = read == nullptr ? "" : base::nearest_name(*read, known);
-  return Error{near.empty() ? fmt::format("must be one of {}", fmt::join(known, ", "))
-                            : fmt::format("did you mean '{}'?", near)};
-}
-
+// A number of groups, or the groups themselves.
 Result<void> parse_groups(Stage& stage, const ConfigValue& value) {
-  if (const auto* drawn = std::get_if<std::vector<std::vector<std::string>>>(&value)) {
+  if (const auto* drawn = std::get_if<std::vector<Texts>>(&value)) {
     stage.drawn = *drawn;
     return {};
   }
-  const auto count = number_from(value, 1);
+  const auto count = whole(1, kMaxStageNumber).parse(value);
   if (!count) {
     return Error{
         "must be a number of groups, or the groups by name, [[\"A\", \"B\"], [\"C\", \"D\"]]"};
@@ -95,50 +87,24 @@ Result<void> parse_groups(Stage& stage, const ConfigValue& value) {
 }
 
 std::string format_groups(const Stage& stage) {
-  if (stage.drawn.empty()) return stage.groups == 1 ? "" : fmt::to_string(stage.groups);
-  std::vector<std::string> groups;
-  for (const auto& group : stage.drawn) groups.push_back(quoted_list(group));
-  return fmt::format("[{}]", fmt::join(groups, ", "));
-}
-
-Result<void> parse_divisions(Stage& stage, const ConfigValue& value) {
-  const Error error{"must be a list of sizes from 2, [5, 4]"};
-  const auto* sizes = std::get_if<std::vector<std::int64_t>>(&value);
-  if (sizes == nullptr) return error;
-  stage.divisions.clear();
-  for (const std::int64_t size : *sizes) {
-    if (size < 2 || size > kMaxStageNumber) return error;
-    stage.divisions.push_back(static_cast<int>(size));
-  }
-  return {};
-}
-
-Result<void> parse_third_place(Stage& stage, const ConfigValue& value) {
-  const auto* read = std::get_if<bool>(&value);
-  if (read == nullptr) return Error{"must be true or false"};
-  stage.third_place = *read;
-  return {};
+  if (!stage.drawn.empty()) return toml_list(stage.drawn);
+  return stage.groups == 1 ? "" : fmt::to_string(stage.groups);
 }
 
 }  // namespace
 
 const std::vector<StageKey>& stage_keys() {
   static const std::vector<StageKey> keys = {
-      {"name", parse_name, [](const Stage& stage) { return toml_quoted(stage.name); }},
-      {"format", parse_format, [](const Stage& stage) { return toml_quoted(name(stage.format)); }},
-      names("ranked_by", &Stage::ranked_by),
-      {"groups", parse_groups, format_groups},
-      {"divisions", parse_divisions,
-       [](const Stage& stage) {
-         return stage.divisions.empty() ? std::string()
-                                        : fmt::format("[{}]", fmt::join(stage.divisions, ", "));
-       }},
-      number("legs", &Stage::legs, 1),
-      number("teams", &Stage::teams, 2),
-      names("join", &Stage::join),
-      names("carry", &Stage::carry),
-      {"third_place", parse_third_place,
-       [](const Stage& stage) { return std::string(stage.third_place ? "" : "false"); }},
+      row("name", &Stage::name, stage_name(), When::kAlways),
+      row("format", &Stage::format, stage_format(), When::kAlways),
+      row("ranked_by", &Stage::ranked_by, names()),
+      {.name = "groups", .parse = parse_groups, .format = format_groups},
+      row("divisions", &Stage::divisions, divisions()),
+      row("legs", &Stage::legs, whole(1, kMaxStageNumber)),
+      row("teams", &Stage::teams, whole(2, kMaxStageNumber)),
+      row("join", &Stage::join, names()),
+      row("carry", &Stage::carry, names()),
+      row("third_place", &Stage::third_place, flag()),
   };
   return keys;
 }

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "base/result.h"
-#include "tournament/config/config_keys.h"
-#include "tournament/config/stage.h"
+#include "league/competition/stage.h"
+#include "tournament/config/config_values.h"
 
 namespace cls::tournament {
+
+using league::Stage;
 
 struct StageKey {
   std::string_view name;

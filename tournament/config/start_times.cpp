@@ -24,15 +24,18 @@ Result<StartTime> parse_start_time(const std::string& text) {
   const Error wrong{
       fmt::format("start_times: '{}' must be YYYY-MM-DD HH:MM or STAGE: YYYY-MM-DD HH:MM", text)};
   if (text.size() < kLocalLength) return wrong;
+
   const std::size_t begin = text.size() - kLocalLength;
   StartTime start;
   if (begin > 0) {
     if (begin < 3 || text.substr(begin - 2, 2) != ": ") return wrong;
     start.stage = text.substr(0, begin - 2);
   }
+
   std::tm parts{};
   const char* end = ::strptime(text.c_str() + begin, kLocalForm, &parts);
   if (end == nullptr || *end != '\0') return wrong;
+
   const std::tm read = parts;
   parts.tm_isdst = -1;
   start.time = std::mktime(&parts);

@@ -61,7 +61,7 @@ std::string data_card(const TournamentConfig& config, const std::vector<DatasetM
   std::string card = fmt::format(
       "# {}\n\nMatches of simulated robot soccer (RoboCup 2D), with what each robot knew beside "
       "what was so.\n\n",
-      config.name.empty() ? "Data set" : config.name);
+      config.report.name.empty() ? "Data set" : config.report.name);
 
   const auto out = std::back_inserter(card);
   fmt::format_to(out, "| | |\n|---|---|\n| matches | {}, {} with files |\n| cycles | {} |\n",
@@ -69,7 +69,7 @@ std::string data_card(const TournamentConfig& config, const std::vector<DatasetM
   fmt::format_to(out, "| size | {:.1f} MB, {:.2f} MB a match |\n", size.megabytes(),
                  size.megabytes_each());
   fmt::format_to(out, "| seed | {}; {} different seeds of matches, in `matches.jsonl` |\n",
-                 config.seed, totals.seeds.size());
+                 config.competition.seed, totals.seeds.size());
   fmt::format_to(out, "| cls | {} |\n", fmt::join(totals.versions, ", "));
   fmt::format_to(out, "| same bytes in each run | {} |\n\n",
                  totals.deterministic ? "yes" : "no: a side or the server is not deterministic");

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/result.h"
+#include "league/matches/fixture.h"
 #include "tournament/config/config.h"
-#include "tournament/schedule/fixture.h"
 
 namespace cls::tournament {
 

@@ -10,9 +10,9 @@
 
 #include "base/io/whole_file.h"
 #include "base/system/parallel.h"
+#include "league/schedule/schedule_check.h"
 #include "process/process_host.h"
 #include "process/scratch_folder.h"
-#include "tournament/schedule/schedule_check.h"
 #include "tournament/store/match_attempt.h"
 #include "viewer/page/encoding.h"
 
@@ -78,9 +78,8 @@ Result<std::vector<std::string>> replay_dataset_match(const TournamentConfig& co
                                                       const DatasetMatch& match,
                                                       const fs::path& program,
                                                       const std::atomic<int>& signal) {
-  TRY(check_teams(config, match.fixture));
-  const process::ScratchFolder scratch;
-  if (scratch.path().empty()) return Error{"no folder for temporary files"};
+  TRY(check_teams(config.competition, match.fixture));
+  TRY_INIT(const auto scratch, process::ScratchFolder::create());
   TRY_INIT(auto host, process::ProcessHost::create());
   AttemptOptions options;
   options.tournament = scratch.path();

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "league/schedule/schedule.h"
 #include "tournament/report/comparison_hypotheses.h"
-#include "tournament/schedule/schedule.h"
 
 namespace cls::tournament {
 namespace {
@@ -15,21 +15,20 @@ constexpr int kBase = 1;
 constexpr int kSamplesPerBatch = 50;
 
 int opponents_of(const Comparison& comparison) {
-  return static_cast<int>(comparison.config.teams.size()) - 2;
+  return comparison.config.competition.team_count() - 2;
 }
 
 void add_pair(const Comparison& comparison, std::vector<Fixture>& fixtures, int index, int sample,
               int pairing, int first, int second) {
   for (const bool swapped : {false, true}) {
-    Fixture fixture;
-    fixture.index = index++;
-    fixture.round = sample;
-    fixture.pairing = pairing;
-    fixture.left = swapped ? second : first;
-    fixture.right = swapped ? first : second;
     // All matches of a sample have one seed, so that they differ in the teams alone.
-    fixture.seed = pairing_seed(comparison.config.seed, sample);
-    fixtures.push_back(std::move(fixture));
+    fixtures.push_back({.index = index++,
+                        .round = sample,
+                        .stage = "",
+                        .pairing = pairing,
+                        .left = swapped ? second : first,
+                        .right = swapped ? first : second,
+                        .seed = pairing_seed(comparison.config.competition.seed, sample)});
   }
 }
 
@@ -46,7 +45,7 @@ int sum_of(std::span<const ScheduledMatch> sample, int team, Measure measure, in
 
 std::size_t outcomes_of(const Comparison& comparison, Measure measure) {
   const int span = 2 * matches_in_sample(comparison) * steps_of(comparison, measure);
-  return static_cast<std::size_t>(span + 1);
+  return base::index(span + 1);
 }
 
 // From worst to best; the middle one means that NEW and BASE are equal.
@@ -55,7 +54,7 @@ std::size_t outcome_of(const Comparison& comparison, std::span<const ScheduledMa
   const int limit = steps_of(comparison, measure);
   int sum = sum_of(sample, kNew, measure, limit);
   if (!is_direct(comparison)) sum -= sum_of(sample, kBase, measure, limit);
-  return static_cast<std::size_t>(sum + matches_in_sample(comparison) * limit);
+  return base::index(sum + matches_in_sample(comparison) * limit);
 }
 
 void add_sample(ComparisonVerdict& verdict, std::size_t outcome, TestKind kind) {
@@ -68,18 +67,6 @@ void add_sample(ComparisonVerdict& verdict, std::size_t outcome, TestKind kind) 
 }
 
 }  // namespace
-
-std::string_view name(Measure measure) {
-  switch (measure) {
-    case Measure::kPoints:
-      return "points";
-    case Measure::kGoals:
-      return "goals";
-    case Measure::kValue:
-      return "value";
-  }
-  return "";
-}
 
 int counted_value(const Outcome& outcome, Measure measure, int limit) {
   int value = outcome.left_score - outcome.right_score;
@@ -106,6 +93,7 @@ std::vector<Fixture> next_fixtures(const Comparison& comparison,
   const int done = static_cast<int>(so_far.size()) / size;
   const int last =
       std::min(done + kSamplesPerBatch, comparison.max_samples.value_or(done + kSamplesPerBatch));
+
   std::vector<Fixture> fixtures;
   for (int sample = done + 1; sample <= last; ++sample) {
     const int index = (sample - 1) * size + 1;
@@ -127,8 +115,9 @@ std::optional<int> last_match(const Comparison& comparison) {
 
 ComparisonVerdict verdict(const Comparison& comparison, std::span<const ScheduledMatch> matches) {
   if (const auto last = last_match(comparison)) {
-    matches = matches.first(std::min(matches.size(), static_cast<std::size_t>(*last)));
+    matches = matches.first(std::min(matches.size(), base::index(*last)));
   }
+
   ComparisonVerdict verdict;
   const Measure measure = comparison.test.measure;
   verdict.hypotheses = hypotheses_of(comparison);
@@ -136,16 +125,13 @@ ComparisonVerdict verdict(const Comparison& comparison, std::span<const Schedule
   verdict.samples.assign(outcomes_of(comparison, measure), 0.0);
   verdict.points.assign(outcomes_of(comparison, Measure::kPoints), 0.0);
   verdict.model = model_text(comparison);
-  const auto size = static_cast<std::size_t>(matches_in_sample(comparison));
+
+  const std::size_t size = base::index(matches_in_sample(comparison));
   for (std::size_t at = 0; at + size <= matches.size(); at += size) {
     const auto sample = matches.subspan(at, size);
-    const bool done = std::all_of(sample.begin(), sample.end(), [](const ScheduledMatch& match) {
-      return match.outcome.has_value();
-    });
-    if (!done || verdict.decision != Decision::kOpen) break;
-    const bool played = std::all_of(sample.begin(), sample.end(), [](const ScheduledMatch& match) {
-      return match.outcome->played();
-    });
+    if (!all_have_outcomes(sample) || verdict.decision != Decision::kOpen) break;
+    const bool played = std::ranges::all_of(
+        sample, [](const ScheduledMatch& match) { return match.outcome->played(); });
     if (!played) {
       ++verdict.left_out;
       continue;
@@ -153,6 +139,7 @@ ComparisonVerdict verdict(const Comparison& comparison, std::span<const Schedule
     verdict.points[outcome_of(comparison, sample, Measure::kPoints)] += 1;
     add_sample(verdict, outcome_of(comparison, sample, measure), comparison.test.kind);
   }
+
   verdict.llr = sprt_state(verdict.samples, verdict.hypotheses).llr;
   verdict.strength = estimate(verdict.points);
   return verdict;

@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "league/matches/fixture.h"
+#include "league/rating/betting.h"
+#include "league/rating/hypotheses.h"
+#include "league/rating/sprt.h"
+#include "league/rating/statistics.h"
 #include "tournament/config/config.h"
-#include "tournament/rating/betting.h"
-#include "tournament/rating/hypotheses.h"
-#include "tournament/rating/sprt.h"
-#include "tournament/rating/statistics.h"
-#include "tournament/schedule/fixture.h"
 
 namespace cls::tournament {
 
@@ -22,7 +22,8 @@ enum class Measure { kPoints, kGoals, kValue };
 
 /// True where the unit is goals a match.
 inline bool in_goals(Measure measure) { return measure != Measure::kPoints; }
-std::string_view name(Measure measure);
+inline constexpr auto kMeasures = base::enum_names<Measure>("points", "goals", "value");
+constexpr std::string_view name(Measure measure) { return kMeasures.name(measure); }
 
 /// The steps of a goal to which values are rounded.
 inline constexpr int kValueSteps = 20;

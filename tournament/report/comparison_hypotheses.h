@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tournament/rating/hypotheses.h"
+#include "league/rating/hypotheses.h"
 #include "tournament/report/comparison.h"
 
 namespace cls::tournament {

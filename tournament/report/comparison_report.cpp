@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "base/system/version.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/text/wrap_text.h"
+#include "league/rating/statistics.h"
 #include "match/terms/match_options.h"
-#include "tournament/rating/statistics.h"
 #include "tournament/report/report_model.h"
 #include "tournament/report/report_tables.h"
 #include "tournament/store/match_document.h"
@@ -19,7 +19,7 @@
 namespace cls::tournament {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 struct Names {
   std::string candidate;
@@ -28,7 +28,7 @@ struct Names {
 };
 
 Names names_of(const Comparison& comparison) {
-  const auto& teams = comparison.config.teams;
+  const auto& teams = comparison.config.competition.teams;
   return {teams[0].name, teams[1].name, teams.size() == 2};
 }
 
@@ -76,7 +76,7 @@ std::string goals_text(const Comparison& comparison, const ComparisonVerdict& ve
                      comparison.test.max_goals);
 }
 
-// What decides.
+// The evidence of the deciding test.
 std::string test_text(const Comparison& comparison, const ComparisonVerdict& verdict) {
   const Hypotheses& h = verdict.hypotheses;
   if (comparison.test.kind == TestKind::kSprt) {
@@ -108,7 +108,7 @@ Json samples_json(const Comparison& comparison, const ComparisonVerdict& verdict
 
 // "2 x 4 x 100 cycles": matches, situations of each.
 std::string situations_text(const Comparison& comparison) {
-  const match::MatchOptions options = match_options(comparison.config);
+  const match::MatchOptions options = match_options(comparison.config.conditions);
   return fmt::format("{} x {} situations of {} cycles", matches_in_sample(comparison),
                      options.situations, match::situation_cycles(options));
 }
@@ -148,15 +148,8 @@ void add_bounds(Json& document, const Comparison& comparison, const ComparisonVe
 }  // namespace
 
 std::string_view verdict_name(const ComparisonVerdict& verdict) {
-  switch (verdict.decision) {
-    case Decision::kH1:
-      return "better";
-    case Decision::kH0:
-      return "not better";
-    case Decision::kOpen:
-      return "undecided";
-  }
-  return "";
+  constexpr std::string_view kNames[] = {"undecided", "not better", "better"};
+  return kNames[base::index(verdict.decision)];
 }
 
 std::string comparison_text(const Comparison& comparison, std::span<const ScheduledMatch> matches,
@@ -165,11 +158,13 @@ std::string comparison_text(const Comparison& comparison, std::span<const Schedu
   const Names names = names_of(comparison);
   std::string text = fmt::format("verdict: {}\n", decision_text(comparison, names, known));
   auto out = std::back_inserter(text);
+
   const double samples = total(known.samples);
   if (samples > 0) fmt::format_to(out, "{}\n", strength_text(names, known));
   if (samples > 0 && in_goals(comparison.test.measure)) {
     fmt::format_to(out, "{}\n", goals_text(comparison, known));
   }
+
   std::string_view sample = sample_name(comparison);
   if (samples == 1) sample.remove_suffix(1);  // the name is a plural
   fmt::format_to(out, "{} {}", samples, sample);
@@ -194,10 +189,12 @@ std::string comparison_json(const Comparison& comparison, std::span<const Schedu
   const Names names = names_of(comparison);
   const Estimate& strength = known.strength;
   const MatchCounts counts = count(matches);
+
   Json rows = Json::array();
   for (const ScheduledMatch& match : matches) {
     if (match.outcome) rows.push_back(json_of(comparison.config, match));
   }
+
   Json document = {{"schema", "cls.compare/1"},
                    {"new", names.candidate},
                    {"base", names.base},
@@ -222,6 +219,7 @@ std::string comparison_json(const Comparison& comparison, std::span<const Schedu
                    {"samples", samples_json(comparison, known)},
                    {"left_out", known.left_out},
                    {"superiority", rounded(strength.superiority)}};
+
   if (names.direct) {
     document["score"] = rounded(strength.score);
     document["score_interval"] = {rounded(strength.score_interval.low),
@@ -234,6 +232,7 @@ std::string comparison_json(const Comparison& comparison, std::span<const Schedu
     document["gain_interval"] = {rounded(gain(strength.score_interval.low)),
                                  rounded(gain(strength.score_interval.high))};
   }
+
   if (in_goals(comparison.test.measure)) add_goals(document, comparison, known);
   add_bounds(document, comparison, known);
   document["counts"] = {{"finished", counts.finished}, {"invalid", counts.invalid}};

@@ -11,6 +11,7 @@
 
 #include "base/text/wrap_text.h"
 #include "base/text/xml.h"
+#include "league/matches/stage_name.h"
 
 namespace cls::tournament {
 namespace {
@@ -21,7 +22,7 @@ bool has_bye(const BracketTie& tie) { return tie.entrants[0].bye || tie.entrants
 // play.
 Entrant origin(const Report& report, Entrant entrant) {
   while (entrant.tie >= 0 && entrant.winner) {
-    const BracketTie& tie = report.bracket[static_cast<std::size_t>(entrant.tie)];
+    const BracketTie& tie = report.bracket[base::index(entrant.tie)];
     if (!has_bye(tie)) break;
     entrant = tie.entrants[tie.entrants[0].bye ? 1 : 0];
   }
@@ -35,7 +36,7 @@ std::string entrant_text(const Report& report, const Entrant& entrant) {
   const Entrant from = origin(report, entrant);
   if (from.tie < 0) return "?";
   return fmt::format("{} of {}", from.winner ? "winner" : "loser",
-                     report.bracket[static_cast<std::size_t>(from.tie)].stage);
+                     report.bracket[base::index(from.tie)].stage);
 }
 
 std::vector<ScheduledMatch> matches_of(const Report& report, const BracketTie& tie) {
@@ -81,23 +82,27 @@ class Tree {
  private:
   // `lead` precedes the tie's line, `next` its further lines, `below` the lines of its children.
   void add(int index, const std::string& lead, const std::string& next, const std::string& below) {
-    const BracketTie& tie = report_.bracket[static_cast<std::size_t>(index)];
+    const BracketTie& tie = report_.bracket[base::index(index)];
     if (!visited_.insert(index).second || has_bye(tie)) return;
+
     constexpr std::size_t kMinWidth = 24;
     std::string lines = base::wrap_text(
         tie_text(report_, tie), std::max(kMinWidth, width_ - std::min(width_, lead.size())));
+
     std::string separator = lead;
     for (std::size_t end = 0; end != std::string::npos; lines.erase(0, end + 1)) {
       end = lines.find('\n');
       text_ += std::exchange(separator, next) + lines.substr(0, end) + '\n';
       if (end == std::string::npos) break;
     }
+
     std::vector<int> children;
     for (const Entrant& entrant : tie.entrants) {
       const Entrant from = origin(report_, entrant);
       const bool child = from.tie >= 0 && from.winner;
       if (child && !visited_.contains(from.tie)) children.push_back(from.tie);
     }
+
     for (const int child : children) {
       const std::string bar = child == children.back() ? "   " : "|  ";
       add(child, below + "|- ", below + bar + "   ", below + bar);
@@ -128,9 +133,7 @@ std::string round_title(const std::string& stage) {
 
 // The part of the bracket that a round belongs to: rounds of one part stand side by side.
 std::string part_of(const Report& report, const std::string& title) {
-  for (const Stage& stage : report.config->stages) {
-    if (belongs_to(title, stage.name)) return stage.name;
-  }
+  if (!report.config->competition.stages.empty()) return parse_stage_name(title).stage;
   for (const char* part : {"winners'", "losers'", "grand final", "third place"}) {
     if (title.starts_with(part)) return part;
   }
@@ -152,9 +155,9 @@ std::vector<Part> parts_of(const Report& report) {
   for (const BracketTie& tie : report.bracket) {
     const std::string title = round_title(tie.stage);
     const std::string name = part_of(report, title);
-    auto part = std::find_if(parts.begin(), parts.end(),
-                             [&name](const Part& one) { return one.name == name; });
+    auto part = std::ranges::find(parts, name, &Part::name);
     if (part == parts.end()) part = parts.insert(parts.end(), {name, {}});
+
     if (part->rounds.empty() || part->rounds.back().title != title) {
       part->rounds.push_back({title, {}});
     }
@@ -165,8 +168,8 @@ std::vector<Part> parts_of(const Report& report) {
 
 // True when no match of an earlier round leads to the tie.
 bool starts_here(const Report& report, const BracketTie& tie) {
-  return std::none_of(tie.entrants.begin(), tie.entrants.end(),
-                      [&](const Entrant& entrant) { return origin(report, entrant).tie >= 0; });
+  return std::ranges::none_of(
+      tie.entrants, [&](const Entrant& entrant) { return origin(report, entrant).tie >= 0; });
 }
 
 std::string entrant_html(const Report& report, const BracketTie& tie, const Entrant& entrant) {
@@ -178,13 +181,15 @@ std::string entrant_html(const Report& report, const BracketTie& tie, const Entr
     const Outcome& outcome = *match.outcome;
     goals += fmt::format(" {}", left ? outcome.left_score : outcome.right_score);
     if (had_shoot_out(outcome)) {
-      const bool staged = report.config->format == Format::kStages;
-      goals += fmt::format(fmt::runtime(staged ? "+{}" : " ({} pen)"),
+      const bool adds = rules_of(report.config->competition).adds_shoot_outs;
+      goals += fmt::format(fmt::runtime(adds ? "+{}" : " ({} pen)"),
                            left ? *outcome.left_penalties : *outcome.right_penalties);
     }
     if (outcome.forfeit) goals += match.decision ? " (decision)" : " (forfeit)";
   }
+
   if (tie.by_lot && won) goals += " by lot";
+
   const char* kind = won ? " class=\"won\"" : entrant.team ? "" : " class=\"open\"";
   return fmt::format("<div{}><span>{}</span><span>{}</span></div>", kind,
                      base::escape_xml(entrant_text(report, entrant)), base::escape_xml(goals));
@@ -227,9 +232,11 @@ std::string bracket_html(const Report& report) {
         return at + 1 < part.rounds.size() &&
                part.rounds[at].ties.size() == 2 * part.rounds[at + 1].ties.size();
       };
+
       const bool joined = i > 0 && halves(i - 1);
       text += fmt::format("<section class=\"{}{}\"><h3>{}</h3>\n<ul>\n", halves(i) ? "joins" : "",
                           joined ? " joined" : "", base::escape_xml(round.title));
+
       for (const BracketTie* tie : round.ties) {
         text += has_bye(*tie)               ? "<li class=\"bye\" aria-hidden=\"true\">"
                 : starts_here(report, *tie) ? "<li class=\"first\">"

@@ -5,22 +5,22 @@
 
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
 
 #include "base/report/junit.h"
 #include "base/system/version.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/text/table.h"
+#include "league/rating/statistics.h"
 #include "tournament/config/start_times.h"
-#include "tournament/rating/statistics.h"
 #include "tournament/store/match_document.h"
 
 namespace cls::tournament {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 double tenths(double value) { return std::round(value * 10) / 10; }
 
@@ -33,7 +33,7 @@ void add_strength(Json& json, const Estimate& strength) {
 Json json_of(const WinLoss& record) { return {{"won", record.won}, {"lost", record.lost}}; }
 
 Json json_of(const Report& report, const Standing& standing) {
-  const auto team = static_cast<std::size_t>(standing.team);
+  const std::size_t team = base::index(standing.team);
   Json json = {{"rank", standing.rank},
                {"team", report.team(standing.team)},
                {"played", standing.played},
@@ -47,15 +47,18 @@ Json json_of(const Report& report, const Standing& standing) {
                {"points", standing.points},
                {"shoot_outs", json_of(standing.shoot_outs)},
                {"forfeits", json_of(standing.forfeits)}};
+
   add_strength(json, standing.record.strength());
   json["elo"] = tenths(report.ratings.elo[team]);
   json["elo_error"] = tenths(report.ratings.error[team]);
-  if (report.config->format == Format::kSwiss) {
+
+  if (rules_of(report.config->competition).shows_opponents) {
     json["byes"] = standing.byes;
     json["buchholz"] = standing.buchholz;
     json["median_buchholz"] = standing.median_buchholz;
     json["sonneborn_berger"] = standing.sonneborn_berger;
   }
+
   json["separated_by"] =
       standing.separated_by.empty() ? Json(nullptr) : Json(standing.separated_by);
   return json;
@@ -81,6 +84,7 @@ Json json_of(const Report& report, const HeadToHead& head_to_head) {
                {"pairs", head_to_head.pairs},
                {"single_games", head_to_head.single_games},
                {"model", head_to_head.paired() ? "pairs" : "games"}};
+
   add_strength(json, strength);
   json["elo"] = tenths(strength.elo);
   json["elo_interval"] = {tenths(strength.elo_interval.low), tenths(strength.elo_interval.high)};
@@ -91,7 +95,7 @@ Json json_of(const Report& report, const HeadToHead& head_to_head) {
 Json teams_json(const Report& report) {
   Json teams = Json::array();
   for (std::size_t i = 0; i < report.playmakers.size(); ++i) {
-    const TeamEntry& team = report.config->teams[i];
+    const TeamEntry& team = report.config->competition.teams[i];
     const PlaymakerFigures& figures = report.playmakers[i];
     teams.push_back({{"name", team.name},
                      {"endpoint", team.endpoint},
@@ -125,7 +129,7 @@ Json json_of(const Report& report, const Entrant& entrant) {
                {"bye", entrant.bye},
                {"from", nullptr}};
   if (entrant.tie >= 0) {
-    json["from"] = {{"stage", report.bracket[static_cast<std::size_t>(entrant.tie)].stage},
+    json["from"] = {{"stage", report.bracket[base::index(entrant.tie)].stage},
                     {"winner", entrant.winner}};
   }
   return json;
@@ -159,7 +163,7 @@ Json byes_json(const Report& report) {
 
 Json stages_json(const TournamentConfig& config) {
   Json stages = Json::array();
-  for (const Stage& stage : config.stages) {
+  for (const Stage& stage : config.competition.stages) {
     stages.push_back({{"name", stage.name}, {"format", name(stage.format)}, {"legs", stage.legs}});
   }
   return stages;
@@ -222,17 +226,20 @@ base::JunitCase junit_case(const Report& report, const ScheduledMatch& match) {
   one.group = fixture.stage.empty() ? fmt::format("round {}", fixture.round) : fixture.stage;
   one.name = fmt::format("{} {} - {}", fixture.index, report.team(fixture.left),
                          report.team(fixture.right));
+
   if (!match.outcome) {
     one.result = base::JunitCase::Result::kSkipped;
     one.message = "not played";
     return one;
   }
+
   const Outcome& outcome = *match.outcome;
   one.seconds = outcome.wall_seconds;
   if (!failed(match)) {
     one.text = score_text(*report.config, match);
     return one;
   }
+
   one.result = outcome.fault ? base::JunitCase::Result::kFailed : base::JunitCase::Result::kError;
   one.type = name(outcome.end_reason);
   one.message = outcome.message;
@@ -252,7 +259,7 @@ Json pauses_json(const Report& report) {
 
 }  // namespace
 
-nlohmann::ordered_json json_of(const Timetable& timetable) {
+base::Json json_of(const Timetable& timetable) {
   Json starts = Json::array();
   for (const PlannedStart& start : timetable.starts) {
     starts.push_back(
@@ -268,30 +275,36 @@ std::string report_json(const Report& report) {
     matches.push_back(json_of(config, match));
     matches.back()["command"] = rerun_command(config, match.fixture);
   }
+
   Json all_tables = Json::array();
   for (const RankedTable& table : report.tables) {
     all_tables.push_back({{"title", table.title}, {"standings", json_of(report, table.standings)}});
   }
+
   Json crosstable = Json::array();
   for (const HeadToHead& head_to_head : report.head_to_heads)
     crosstable.push_back(json_of(report, head_to_head));
+
   Json superiority = Json::array();
   for (const auto& row : report.ratings.superiority) {
     superiority.push_back(Json::array());
     for (const double one : row) superiority.back().push_back(rounded(one));
   }
+
   Json breakers = Json::array();
-  for (const TieBreaker breaker : tie_breakers_of(config)) breakers.push_back(name(breaker));
+  for (const TieBreaker breaker : tie_breakers_of(config.competition))
+    breakers.push_back(name(breaker));
+
   const TimeSpan span = time_span(report.matches);
   const Json document = {
       {"schema", "cls.tournament/1"},
       {"name", report.name},
       {"started", time_json(span.first_start)},
       {"ended", time_json(span.last_end)},
-      {"format", name(config.format)},
-      {"rounds", rounds_of(config)},
-      {"seed", config.seed},
-      {"swap_sides", config.swap_sides},
+      {"format", name(config.competition.format)},
+      {"rounds", rounds_of(config.competition)},
+      {"seed", config.competition.seed},
+      {"swap_sides", config.competition.swap_sides},
       {"stages", stages_json(config)},
       {"tie_breakers", std::move(breakers)},
       {"teams", teams_json(report)},
@@ -322,6 +335,7 @@ std::string report_csv(const Report& report) {
   for (const FixtureColumn& column : kFixtureColumns) cells.emplace_back(column.name);
   for (const OutcomeColumn& column : kOutcomeColumns) cells.emplace_back(column.name);
   cells.emplace_back("command");
+
   std::string text = fmt::format("{}\n", fmt::join(cells, ","));
   for (const ScheduledMatch& match : report.matches) {
     cells.clear();

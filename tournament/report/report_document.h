@@ -1,9 +1,9 @@
 // Reports as JSON, CSV and JUnit.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "base/text/json.h"
 #include "tournament/report/report_model.h"
 
 namespace cls::tournament {
@@ -12,7 +12,7 @@ namespace cls::tournament {
 std::string report_json(const Report& report);
 
 /// `schedule` of the documents: [{"match": 3, "start": "2027-07-15T07:00:00Z", "server": 1}, ...].
-nlohmann::ordered_json json_of(const Timetable& timetable);
+base::Json json_of(const Timetable& timetable);
 
 /// A line of column names, then a line for each match.
 std::string report_csv(const Report& report);

@@ -31,11 +31,13 @@ void mark_outliers(std::vector<HostFigures>& hosts) {
     all.decisions += host.decisions;
     all.missed += host.missed;
   }
+
   for (HostFigures& host : hosts) {
     HostFigures others;
     others.decisions = all.decisions - host.decisions;
     others.missed = all.missed - host.missed;
     if (host.decisions == 0 || others.decisions == 0) continue;
+
     const double share = all.missed_share();
     const double error = std::sqrt(
         share * (1 - share) *
@@ -59,6 +61,7 @@ std::vector<PlaymakerFigures> playmaker_figures(std::size_t teams,
     add_side(figures[left], medians[left], match.outcome->left);
     add_side(figures[right], medians[right], match.outcome->right);
   }
+
   for (std::size_t team = 0; team < teams; ++team)
     figures[team].p50_us = base::median(medians[team]);
   return figures;
@@ -76,6 +79,7 @@ std::vector<HostFigures> host_figures(std::span<const ScheduledMatch> matches) {
     host.missed += outcome.left.missed + outcome.right.missed;
     host.cycles_per_second += outcome.cycles_per_second;
   }
+
   std::vector<HostFigures> hosts;
   for (auto& [name, host] : by_name) {
     host.cycles_per_second /= host.matches;

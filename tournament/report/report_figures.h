@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tournament/schedule/fixture.h"
+#include "league/matches/fixture.h"
 
 namespace cls::tournament {
 

@@ -70,20 +70,25 @@ std::string report_html(const Report& report) {
   for (const RankedTable& ranked : report.tables) {
     text += table_html(standings_table(report, ranked, Headings::kLong));
   }
+
   if (!report.bracket.empty()) text += "<h2>bracket</h2>\n" + bracket_html(report);
   text += table_html(schedule_table(report));
   text += table_html(decisions_table(report));
   text += table_html(pauses_table(report));
-  const bool numbered = report.config->teams.size() > kMaxNamedColumns;
+
+  const bool numbered = report.config->competition.teams.size() > kMaxNamedColumns;
   text += table_html(crosstable(report, numbered), numbered ? "scroll dense" : "scroll");
+
   text += ratings_html(report);
   text += table_html(head_to_head_table(report));
   text += differences_html(report);
+
   text += table_html(playmakers_table(report, true), "scroll long");
   text += table_html(hosts_table(report));
   text += warnings_html(report);
   text += table_html(failures_table(report), "scroll long");
   text += table_html(matches_table(report, MatchDetails::kLinks), "scroll dense");
+
   if (!report.matches.empty()) {
     text += "<h2>rerun a match</h2>\n" + viewer::commands_box(rerun_lines(report));
   }

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "tournament/schedule/fixture_list.h"
+#include "process/command_plan.h"
 #include "tournament/store/match_attempt.h"
 
 namespace cls::tournament {
@@ -19,7 +19,7 @@ std::string folder_name(const std::filesystem::path& folder) {
 }  // namespace
 
 std::string tournament_name(const TournamentConfig& config, const std::filesystem::path& folder) {
-  return config.name.empty() ? folder_name(folder) : config.name;
+  return config.report.name.empty() ? folder_name(folder) : config.report.name;
 }
 
 MatchCounts count(std::span<const ScheduledMatch> matches) {
@@ -54,25 +54,26 @@ std::string counts_text(const MatchCounts& counts) {
 
 Report make_report(const TournamentConfig& config, std::span<const ScheduledMatch> matches,
                    const std::filesystem::path& folder) {
+  const Competition& competition = config.competition;
   Report report;
   report.config = &config;
   report.matches = matches;
-  report.folder = folder;
-  report.link_base = folder;
+  report.folder = report.link_base = folder;
   report.name = tournament_name(config, folder);
   report.counts = count(matches);
   report.complete = report.counts.open == 0 && report.counts.scheduled > 0 &&
-                    next_fixtures(config, matches).empty();
-  report.tables = tables(config, matches);
-  report.bracket = bracket(config, matches);
-  if (config.format == Format::kSwiss) report.byes = swiss_byes(config, matches);
+                    next_fixtures(competition, matches).empty();
+  report.tables = tables(competition, matches);
+  report.bracket = bracket(competition, matches);
+  report.byes = byes(competition, matches);
+
   report.head_to_heads = head_to_heads(matches);
-  const int teams = static_cast<int>(config.teams.size());
-  report.ratings = fit_bradley_terry(teams, results_of(report.head_to_heads));
-  for (int team = 0; team < teams; ++team) {
+  report.ratings = fit_bradley_terry(competition.team_count(), results_of(report.head_to_heads));
+  for (int team = 0; team < competition.team_count(); ++team) {
     report.records.push_back(record_of(team, report.head_to_heads));
   }
-  report.playmakers = playmaker_figures(config.teams.size(), matches);
+
+  report.playmakers = playmaker_figures(competition.teams.size(), matches);
   report.hosts = host_figures(matches);
   report.timetable = timetable(config, matches, std::time(nullptr));
   // read_tournament() reports a file that cannot be read.
@@ -108,7 +109,8 @@ std::string rerun_command(const TournamentConfig& config, const Fixture& fixture
 
 std::string score_text(const TournamentConfig& config, const ScheduledMatch& match, bool swapped) {
   const bool by_play = match.outcome && match.outcome->played();
-  if (config.format != Format::kStages || !by_play || !had_shoot_out(*match.outcome)) {
+  const bool adds_shoot_outs = rules_of(config.competition).adds_shoot_outs;
+  if (!adds_shoot_outs || !by_play || !had_shoot_out(*match.outcome)) {
     return score_text(match, swapped);
   }
   const Outcome& outcome = *match.outcome;

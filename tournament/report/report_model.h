@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "league/matches/fixture.h"
+#include "league/matches/head_to_head.h"
+#include "league/rating/bradley_terry.h"
+#include "league/schedule/schedule.h"
 #include "tournament/config/config.h"
-#include "tournament/rating/bradley_terry.h"
 #include "tournament/report/report_figures.h"
-#include "tournament/schedule/fixture.h"
-#include "tournament/schedule/head_to_head.h"
-#include "tournament/schedule/schedule.h"
-#include "tournament/schedule/timetable.h"
+#include "tournament/slots/timetable.h"
 #include "tournament/store/pauses_file.h"
 
 namespace cls::tournament {
@@ -62,9 +62,7 @@ struct Report {
   std::vector<PlaymakerFigures> playmakers;  ///< by team
   std::vector<HostFigures> hosts;
 
-  const std::string& team(int index) const {
-    return config->teams[static_cast<std::size_t>(index)].name;
-  }
+  const std::string& team(int index) const { return config->competition.team(index); }
 };
 
 Report make_report(const TournamentConfig& config, std::span<const ScheduledMatch> matches,

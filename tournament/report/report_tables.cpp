@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <iterator>
+#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -86,12 +88,24 @@ std::string tiebreaker_note(const Report& report, const RankedTable& ranked) {
   return text.empty() ? text : text + ". ";
 }
 
+struct Heading {
+  std::string text;
+  Align align = Align::kLeft;
+};
+
+// Gives a table its title and columns, before its first row.
+void begin(ReportTable& result, const char* title, const std::vector<Heading>& columns) {
+  if (!result.empty()) return;
+  result.title = title;
+  for (const auto& [text, align] : columns) result.table.add_column(text, align);
+}
+
 std::string standings_note(const Report& report, const RankedTable& ranked) {
   const auto chosen = chosen_columns(report, ranked);
   const auto shows = [&chosen](std::string_view name) {
-    return std::any_of(chosen.begin(), chosen.end(),
-                       [name](const StandingsColumn* one) { return one->name == name; });
+    return std::ranges::find(chosen, name, &StandingsColumn::name) != chosen.end();
   };
+
   std::string note = shows("tiebreaker") ? "" : tiebreaker_note(report, ranked);
   if (shows("score") || shows("interval")) {
     note += "Score %: of pairs (both sides of one seed) if there are any, else of single matches. ";
@@ -100,6 +114,18 @@ std::string standings_note(const Report& report, const RankedTable& ranked) {
   if (shows("forfeits")) note += "Forfeits won-lost count as won and lost, but not in score %. ";
   if (!note.empty()) note.pop_back();
   return note;
+}
+
+// End reason, cycles, seed, start, host and number of warnings.
+void add_figures(const ScheduledMatch& match, std::vector<std::string>& cells) {
+  const bool known = match.outcome.has_value();
+  const Outcome outcome = match.outcome.value_or(Outcome());
+  cells.emplace_back(known ? name(outcome.end_reason) : "not played");
+  cells.push_back(known ? fmt::to_string(outcome.cycles) : "");
+  cells.push_back(fmt::to_string(match.fixture.seed));
+  cells.push_back(time_text(outcome.started));
+  cells.push_back(outcome.host);
+  cells.push_back(known ? fmt::to_string(outcome.warnings.size()) : "");
 }
 
 }  // namespace
@@ -111,9 +137,9 @@ std::string difference_text(double value, int decimals) {
 }
 
 std::string headline(const Report& report) {
-  const TournamentConfig& config = *report.config;
-  return fmt::format("{} of {} teams, seed {}: {}", name(config.format), config.teams.size(),
-                     config.seed, counts_text(report.counts));
+  const Competition& competition = report.config->competition;
+  return fmt::format("{} of {} teams, seed {}: {}", name(competition.format),
+                     competition.teams.size(), competition.seed, counts_text(report.counts));
 }
 
 std::vector<std::string> head_lines(const Report& report) {
@@ -122,6 +148,7 @@ std::vector<std::string> head_lines(const Report& report) {
     lines.push_back(fmt::format("Played from {} to {} UTC.", time_text(span.first_start),
                                 time_text(span.last_end)));
   }
+
   std::string hosts;
   for (const HostFigures& host : report.hosts) {
     hosts += fmt::format("{}{} ({})", hosts.empty() ? "" : ", ", host.host,
@@ -130,9 +157,11 @@ std::vector<std::string> head_lines(const Report& report) {
   if (!hosts.empty()) {
     lines.push_back(fmt::format("{}: {}.", report.hosts.size() == 1 ? "Host" : "Hosts", hosts));
   }
+
   if (const auto known = versions(report.matches); !known.empty()) {
     lines.push_back(fmt::format("Versions: {}.", fmt::join(known, ", ")));
   }
+
   std::string byes;
   for (const Bye& bye : report.byes) {
     byes +=
@@ -171,6 +200,7 @@ ReportTable standings_table(const Report& report, const RankedTable& ranked, Hea
   ReportTable result;
   result.title = ranked.title.empty() ? "standings" : ranked.title;
   result.note = standings_note(report, ranked);
+
   const auto columns = chosen_columns(report, ranked);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const StandingsColumn& column = *columns[i];
@@ -178,6 +208,7 @@ ReportTable standings_table(const Report& report, const RankedTable& ranked, Hea
                             column.align);
     if (column.name == "team") result.key_columns = i + 1;  // those up to it identify a row
   }
+
   for (const Standing& row : ranked.standings) {
     std::vector<std::string> cells;
     for (const StandingsColumn* column : columns) cells.push_back(column->cell(report, row));
@@ -188,10 +219,10 @@ ReportTable standings_table(const Report& report, const RankedTable& ranked, Hea
 
 ReportTable crosstable(const Report& report, bool numbered) {
   const auto& standings = report.tables.back().standings;
-  const Format format = report.config->format;
-  const bool bracket_only = format == Format::kKnockout || format == Format::kDoubleElimination;
+  const bool bracket_only = rules_of(report.config->competition).bracket_only;
   ReportTable result;
   if (bracket_only || standings.size() < 3 || standings.size() > 20) return result;
+
   result.title = "won-drawn-lost, row against column";
   const auto label = [&](std::size_t place) {
     const std::string& team = report.team(standings[place].team);
@@ -202,6 +233,7 @@ ReportTable crosstable(const Report& report, bool numbered) {
   for (std::size_t place = 0; place < standings.size(); ++place) {
     table.add_column(numbered ? fmt::to_string(place + 1) : label(place), Align::kRight);
   }
+
   bool forfeits = false;
   for (std::size_t row = 0; row < standings.size(); ++row) {
     std::vector<std::string> cells = {label(row)};
@@ -222,6 +254,7 @@ ReportTable head_to_head_table(const Report& report) {
   for (const HeadToHead& head_to_head : report.head_to_heads) {
     if (head_to_head.games.games() > 0) rows.push_back(&head_to_head);
   }
+
   ReportTable result;
   if (rows.empty() || rows.size() > kMaxRows) return result;
   result.title = "A against B";
@@ -234,6 +267,7 @@ ReportTable head_to_head_table(const Report& report) {
   table.add_columns({"Elo of A", "95 %", "score %", "95 %", "better", "W-D-L", "goals"},
                     Align::kRight);
   table.add_column("from");
+
   for (const HeadToHead* row : rows) {
     const Estimate strength = row->strength();
     table.add_row({report.team(row->first), report.team(row->second), difference_text(strength.elo),
@@ -252,16 +286,15 @@ std::vector<std::size_t> rated_teams(const Report& report) {
     if (report.records[team].games.games() > 0) order.push_back(team);
   }
   const std::vector<double>& elo = report.ratings.elo;
-  std::stable_sort(order.begin(), order.end(),
-                   [&elo](std::size_t a, std::size_t b) { return elo[a] > elo[b]; });
+  std::ranges::stable_sort(order, std::greater(), [&elo](std::size_t team) { return elo[team]; });
   return order;
 }
 
 ReportTable ratings_table(const Report& report) {
   ReportTable result;
   const std::vector<std::size_t> order = rated_teams(report);
-  if (report.config->teams.size() < 3 || order.empty()) return result;
-  const Ratings& ratings = report.ratings;
+  if (report.config->competition.teams.size() < 3 || order.empty()) return result;
+
   result.title = "rating";
   result.note =
       "Bradley-Terry over all matches; 0 is the mean of the teams. Better: likelihood that the "
@@ -269,6 +302,8 @@ ReportTable ratings_table(const Report& report) {
   base::Table& table = result.table;
   table.add_column("team");
   table.add_columns({"Elo", "+- 95 %", "better", "matches"}, Align::kRight);
+
+  const Ratings& ratings = report.ratings;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::size_t team = order[i];
     table.add_row({report.team(static_cast<int>(team)), difference_text(ratings.elo[team]),
@@ -282,10 +317,10 @@ ReportTable ratings_table(const Report& report) {
 ReportTable playmakers_table(const Report& report, bool endpoints) {
   ReportTable result;
   const auto& all = report.playmakers;
-  const bool played = std::any_of(all.begin(), all.end(), [](const PlaymakerFigures& figures) {
-    return figures.decisions > 0;
-  });
+  const bool played = std::ranges::any_of(
+      all, [](const PlaymakerFigures& figures) { return figures.decisions > 0; });
   if (!played && !endpoints) return result;
+
   result.title = "Playmakers";
   result.note =
       "Latencies of replies in ms: p50 of the median player in the median match; p95, p99 and "
@@ -295,19 +330,20 @@ ReportTable playmakers_table(const Report& report, bool endpoints) {
   table.add_columns({"decisions", "p50 ms", "p95 ms", "p99 ms", "max ms", "late", "missed"},
                     Align::kRight);
   if (endpoints) table.add_column("endpoint");
-  for (std::size_t team = 0; team < all.size(); ++team) {
-    const PlaymakerFigures& figures = all[team];
-    std::vector<std::string> cells = {report.config->teams[team].name};
-    const std::vector<std::string> numbers =
-        figures.decisions == 0
-            ? std::vector<std::string>(7, "-")
-            : std::vector<std::string>{
-                  fmt::to_string(figures.decisions), milliseconds(figures.p50_us),
-                  milliseconds(figures.p95_us),      milliseconds(figures.p99_us),
-                  milliseconds(figures.max_us),      fmt::to_string(figures.late),
-                  fmt::to_string(figures.missed)};
-    cells.insert(cells.end(), numbers.begin(), numbers.end());
-    if (endpoints) cells.push_back(report.config->teams[team].endpoint);
+
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const TeamEntry& team = report.config->competition.teams[i];
+    const PlaymakerFigures& one = all[i];
+    std::vector<std::string> cells = {team.name,
+                                      fmt::to_string(one.decisions),
+                                      milliseconds(one.p50_us),
+                                      milliseconds(one.p95_us),
+                                      milliseconds(one.p99_us),
+                                      milliseconds(one.max_us),
+                                      fmt::to_string(one.late),
+                                      fmt::to_string(one.missed)};
+    if (one.decisions == 0) std::fill(cells.begin() + 1, cells.end(), "-");
+    if (endpoints) cells.push_back(team.endpoint);
     table.add_row(std::move(cells));
   }
   return result;
@@ -321,6 +357,7 @@ ReportTable hosts_table(const Report& report) {
   table.add_column("host");
   table.add_columns({"matches", "cycles/s", "missed", "missed %"}, Align::kRight);
   table.add_column("");
+
   for (const HostFigures& host : report.hosts) {
     table.add_row({host.host, fmt::to_string(host.matches),
                    fmt::format("{:.0f}", host.cycles_per_second), fmt::to_string(host.missed),
@@ -337,33 +374,32 @@ ReportTable hosts_table(const Report& report) {
 
 ReportTable decisions_table(const Report& report) {
   ReportTable result;
-  base::Table& table = result.table;
   for (const ScheduledMatch& match : report.matches) {
     if (!match.decision) continue;
-    if (table.empty()) {
-      result.title = "decisions";
-      table.add_column("match", Align::kRight);
-      table.add_columns({"stage", "left", "right", "was", "decision", "reason", "UTC"});
-    }
+    begin(result, "decisions",
+          {{"match", Align::kRight},
+           {"stage"},
+           {"left"},
+           {"right"},
+           {"was"},
+           {"decision"},
+           {"reason"},
+           {"UTC"}});
     const MatchDecision& decision = *match.decision;
-    table.add_row({fmt::to_string(match.fixture.index), stage_text(match.fixture),
-                   report.team(match.fixture.left), report.team(match.fixture.right),
-                   decision.before.empty() ? "-" : decision.before, decision_text(match),
-                   base::printable(decision.reason), time_text(decision.time)});
+    result.table.add_row({fmt::to_string(match.fixture.index), stage_text(match.fixture),
+                          report.team(match.fixture.left), report.team(match.fixture.right),
+                          decision.before.empty() ? "-" : decision.before, decision_text(match),
+                          base::printable(decision.reason), time_text(decision.time)});
   }
   return result;
 }
 
 ReportTable pauses_table(const Report& report) {
   ReportTable result;
-  base::Table& table = result.table;
   for (const Pause& pause : report.pauses) {
-    if (table.empty()) {
-      result.title = "technical time-outs";
-      table.add_columns({"from UTC", "to UTC", "reason"});
-    }
-    table.add_row({time_text(pause.begin), pause.end.empty() ? "-" : time_text(pause.end),
-                   base::printable(pause.reason)});
+    begin(result, "technical time-outs", {{"from UTC"}, {"to UTC"}, {"reason"}});
+    result.table.add_row({time_text(pause.begin), pause.end.empty() ? "-" : time_text(pause.end),
+                          base::printable(pause.reason)});
   }
   return result;
 }
@@ -371,37 +407,28 @@ ReportTable pauses_table(const Report& report) {
 ReportTable schedule_table(const Report& report) {
   constexpr std::size_t kListed = 40;
   ReportTable result;
-  base::Table& table = result.table;
-  const std::vector<PlannedStart>& starts = report.timetable.starts;
-  for (std::size_t i = 0; i < std::min(kListed, starts.size()); ++i) {
-    if (table.empty()) {
-      result.title = "next matches";
-      table.add_column("match", Align::kRight);
-      table.add_columns({"start", "server", "stage", "left", "right"});
-    }
-    const ScheduledMatch& match = report.matches[static_cast<std::size_t>(starts[i].match) - 1];
-    table.add_row({fmt::to_string(starts[i].match), local_time_text(starts[i].time),
-                   fmt::to_string(starts[i].server), stage_text(match.fixture),
-                   report.team(match.fixture.left), report.team(match.fixture.right)});
+  for (const PlannedStart& start : report.timetable.starts | std::views::take(kListed)) {
+    begin(result, "next matches",
+          {{"match", Align::kRight}, {"start"}, {"server"}, {"stage"}, {"left"}, {"right"}});
+    const Fixture& fixture = report.matches[base::index(start.match) - 1].fixture;
+    result.table.add_row({fmt::to_string(start.match), local_time_text(start.time),
+                          fmt::to_string(start.server), stage_text(fixture),
+                          report.team(fixture.left), report.team(fixture.right)});
   }
   return result;
 }
 
 ReportTable failures_table(const Report& report) {
   ReportTable result;
-  base::Table& table = result.table;
   for (const ScheduledMatch& match : report.matches) {
     if (!failed(match)) continue;
+    begin(result, "failed matches",
+          {{"match", Align::kRight}, {"left"}, {"right"}, {"end reason"}, {"message"}, {"logs"}});
     const Outcome& outcome = *match.outcome;
-    if (table.empty()) {
-      result.title = "failed matches";
-      table.add_column("match", Align::kRight);
-      table.add_columns({"left", "right", "end reason", "message", "logs"});
-    }
-    table.add_row({fmt::to_string(match.fixture.index), report.team(match.fixture.left),
-                   report.team(match.fixture.right), std::string(name(outcome.end_reason)),
-                   outcome.message, outcome.folder.empty() ? "" : "logs"});
-    link_folder(report, match, "", 5, table);
+    result.table.add_row({fmt::to_string(match.fixture.index), report.team(match.fixture.left),
+                          report.team(match.fixture.right), std::string(name(outcome.end_reason)),
+                          outcome.message, outcome.folder.empty() ? "" : "logs"});
+    link_folder(report, match, "", 5, result.table);
   }
   return result;
 }
@@ -410,15 +437,13 @@ ReportTable matches_table(const Report& report, MatchDetails details) {
   constexpr std::size_t kLinkColumn = 5;
   ReportTable result;
   if (report.matches.empty()) return result;
-  result.title = "matches";
+
   const bool links = details == MatchDetails::kLinks;
   const bool figures = links || details == MatchDetails::kFigures;
-  base::Table& table = result.table;
-  table.add_column("match", Align::kRight);
-  table.add_columns({"stage", "left"});
-  table.add_column("score", Align::kRight);
-  table.add_column("right");
   const bool replays = links && !report.replays.empty();
+  begin(result, "matches",
+        {{"match", Align::kRight}, {"stage"}, {"left"}, {"score", Align::kRight}, {"right"}});
+  base::Table& table = result.table;
   if (links) table.add_column("logs");
   if (replays) table.add_column("replay");
   if (figures) {
@@ -427,24 +452,17 @@ ReportTable matches_table(const Report& report, MatchDetails details) {
     table.add_columns({"started (UTC)", "host"});
     table.add_column("warnings", Align::kRight);
   }
+
   for (const ScheduledMatch& match : report.matches) {
     const Fixture& fixture = match.fixture;
     std::vector<std::string> cells = {fmt::to_string(fixture.index), stage_text(fixture),
                                       report.team(fixture.left), score_text(*report.config, match),
                                       report.team(fixture.right)};
-    const bool known = match.outcome.has_value();
-    const Outcome outcome = match.outcome.value_or(Outcome());
-    if (links) cells.emplace_back(outcome.folder.empty() ? "" : "logs");
+    if (links) cells.emplace_back(match.outcome && !match.outcome->folder.empty() ? "logs" : "");
     const bool replay = replays && report.replays.contains(fixture.index);
     if (replays) cells.emplace_back(replay ? "watch" : "");
-    if (figures) {
-      cells.emplace_back(known ? name(outcome.end_reason) : "not played");
-      cells.push_back(known ? fmt::to_string(outcome.cycles) : "");
-      cells.push_back(fmt::to_string(fixture.seed));
-      cells.push_back(time_text(outcome.started));
-      cells.push_back(outcome.host);
-      cells.push_back(known ? fmt::to_string(outcome.warnings.size()) : "");
-    }
+    if (figures) add_figures(match, cells);
+
     table.add_row(std::move(cells));
     if (links) link_folder(report, match, "", kLinkColumn, table);
     if (replay) link_folder(report, match, kReplayPage, kLinkColumn + 1, table);

@@ -74,6 +74,7 @@ std::string command_text(const TournamentConfig& config, const Fixture& fixture,
     text += word;
     used += word.size();
   };
+
   if (!plan.folder.empty()) {
     add("cd");
     add(process::shell_quoted(plan.folder.string()));
@@ -135,7 +136,7 @@ std::string format_matches(const Report& report, const TextOptions& options) {
 
 std::string format_endpoints(const Report& report, std::size_t width) {
   std::string text = "\nendpoints\n";
-  for (const TeamEntry& team : report.config->teams) {
+  for (const TeamEntry& team : report.config->competition.teams) {
     text += indented(fmt::format("{}: {}", team.name, team.endpoint), width, kIndent);
   }
   return text;
@@ -143,8 +144,9 @@ std::string format_endpoints(const Report& report, std::size_t width) {
 
 ReportTable crosstable_within(const Report& report, std::size_t width) {
   std::size_t longest = 0;
-  for (const TeamEntry& team : report.config->teams) longest = std::max(longest, team.name.size());
-  const std::size_t columns = report.config->teams.size() + 1;
+  for (const TeamEntry& team : report.config->competition.teams)
+    longest = std::max(longest, team.name.size());
+  const std::size_t columns = report.config->competition.teams.size() + 1;
   return crosstable(report, kIndent + columns * (longest + 2) > width);
 }
 
@@ -164,10 +166,8 @@ std::vector<ReportTable> middle_tables(const Report& report, ReportTable cross, 
 
 std::string schedule_text(const TournamentConfig& config, const Fixture& fixture) {
   std::size_t width = 4;
-  for (const TeamEntry& team : config.teams) width = std::max(width, team.name.size());
-  const auto team = [&config](int index) {
-    return config.teams[static_cast<std::size_t>(index)].name;
-  };
+  for (const TeamEntry& team : config.competition.teams) width = std::max(width, team.name.size());
+  const auto team = [&config](int index) { return config.competition.team(index); };
   return fmt::format("{:>3}  {:<8}  {:>{}} - {:<{}}  seed {}{}", fixture.index, stage_text(fixture),
                      team(fixture.left), width, team(fixture.right), width, fixture.seed,
                      fixture.decides ? ", decider" : "");
@@ -199,14 +199,17 @@ std::string report_text(const Report& report, const TextOptions& options) {
   const std::size_t width = options.width;
   std::string text = base::wrap_text(report.name + ": " + headline(report), width) + "\n";
   for (const std::string& line : head_lines(report)) text += base::wrap_text(line, width) + "\n";
+
   const std::string standings = "\n" + standings_text(report, options);
   if (!options.standings_last) text += standings;
   if (const std::string tree = bracket_text(report, width - kIndent); !tree.empty()) {
     text += "\nbracket\n" + indented(tree.substr(0, tree.size() - 1), width, kIndent);
   }
+
   for (const ReportTable& table : middle_tables(report, crosstable_within(report, width), false)) {
     text += "\n" + format_text(table, width);
   }
+
   text += format_endpoints(report, width) + format_warnings(report, options) +
           format_matches(report, options) + format_failures(report, options);
   if (!options.standings_last) return base::printable_lines(text);
@@ -219,18 +222,21 @@ std::string report_markdown(const Report& report) {
   for (const std::string& line : head_lines(report)) {
     text += fmt::format("{}\n", without_markup(line));
   }
+
   for (const RankedTable& ranked : report.tables) {
     text += "\n" + format_markdown(standings_table(report, ranked, Headings::kLong));
   }
   if (const std::string tree = bracket_text(report, kTreeWidth); !tree.empty()) {
     text += fmt::format("\n## bracket\n\n```text\n{}```\n", tree);
   }
+
   std::vector<ReportTable> tables = middle_tables(report, crosstable(report, false), true);
   for (ReportTable& table :
        std::vector{matches_table(report, MatchDetails::kLinks), failures_table(report)}) {
     if (!table.empty()) tables.push_back(std::move(table));
   }
   for (const ReportTable& table : tables) text += "\n" + format_markdown(table);
+
   if (const auto warnings = warning_lines(report); !warnings.empty()) {
     text += fmt::format("\n## {} warnings\n\n```text\n{}\n```\n", warnings.size(),
                         fmt::join(warnings, "\n"));

@@ -36,11 +36,11 @@ std::string won_lost(const WinLoss& record) {
 }
 
 std::string elo_cell(const Report& report, const Standing& row) {
-  return difference_text(report.ratings.elo[static_cast<std::size_t>(row.team)]);
+  return difference_text(report.ratings.elo[base::index(row.team)]);
 }
 
 std::string elo_error_cell(const Report& report, const Standing& row) {
-  return fmt::format("{:.0f}", report.ratings.error[static_cast<std::size_t>(row.team)]);
+  return fmt::format("{:.0f}", report.ratings.error[base::index(row.team)]);
 }
 
 template <int Standing::*member>
@@ -91,13 +91,12 @@ constexpr std::array<StandingsColumn, kStandingsColumns.size()> kColumns = {{
 }};
 
 const StandingsColumn& column(std::string_view name) {
-  return *std::find_if(kColumns.begin(), kColumns.end(),
-                       [name](const StandingsColumn& one) { return one.name == name; });
+  return *std::ranges::find(kColumns, name, &StandingsColumn::name);
 }
 
 template <typename Test>
 bool any_row(const RankedTable& ranked, Test test) {
-  return std::any_of(ranked.standings.begin(), ranked.standings.end(), test);
+  return std::ranges::any_of(ranked.standings, test);
 }
 
 }  // namespace
@@ -105,12 +104,14 @@ bool any_row(const RankedTable& ranked, Test test) {
 std::vector<const StandingsColumn*> chosen_columns(const Report& report,
                                                    const RankedTable& ranked) {
   std::vector<const StandingsColumn*> chosen;
-  for (const std::string& name : report.config->columns) chosen.push_back(&column(name));
+  for (const std::string& name : report.config->report.columns) chosen.push_back(&column(name));
   if (!chosen.empty()) return chosen;
+
   for (const char* name : {"rank", "team", "played", "won", "drawn", "lost", "goals", "diff",
                            "points", "score", "interval"}) {
     chosen.push_back(&column(name));
   }
+
   const auto add_if = [&chosen](bool wanted, const char* name) {
     if (wanted) chosen.push_back(&column(name));
   };
@@ -118,7 +119,7 @@ std::vector<const StandingsColumn*> chosen_columns(const Report& report,
   add_if(any_row(ranked, [](const Standing& row) { return row.shoot_outs.any(); }), "shoot-outs");
   add_if(any_row(ranked, [](const Standing& row) { return row.forfeits.any(); }), "forfeits");
   add_if(any_row(ranked, [](const Standing& row) { return row.invalid > 0; }), "invalid");
-  add_if(report.config->format == Format::kSwiss, "buchholz");
+  add_if(rules_of(report.config->competition).shows_opponents, "buchholz");
   return chosen;
 }
 

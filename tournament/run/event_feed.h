@@ -3,14 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <set>
 #include <span>
 #include <string>
 
+#include "base/text/json.h"
+#include "league/matches/fixture.h"
 #include "process/hook_runner.h"
 #include "tournament/config/config.h"
-#include "tournament/schedule/fixture.h"
 
 namespace cls::tournament {
 
@@ -30,8 +30,7 @@ class EventFeed {
               process::HookRunner& hooks);
 
  private:
-  void pass_on(nlohmann::ordered_json event, const ScheduledMatch& match,
-               process::HookRunner& hooks);
+  void pass_on(base::Json event, const ScheduledMatch& match, process::HookRunner& hooks);
 
   const TournamentConfig& config_;
   std::filesystem::path folder_;

@@ -5,27 +5,26 @@
 // (hosts_scripts.cpp). hosts/JOB.host records where a match was given to. It stays until the
 // result is here: a later run asks the same host first, which plays only if it has no result.
 // A host that cannot be reached pauses, and its match goes to another one.
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <deque>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <thread>
 #include <utility>
 
 #include "base/io/whole_file.h"
-#include "base/system/unique_fd.h"
 #include "match/terms/endpoint.h"
 #include "process/process_host.h"
 #include "tournament/config/config_file.h"
 #include "tournament/run/hosts_scripts.h"
 #include "tournament/run/match_executor.h"
-#include "tournament/schedule/concurrency.h"
+#include "tournament/slots/concurrency.h"
 #include "tournament/store/collector.h"
+#include "tournament/store/event_file.h"
 #include "tournament/store/folder.h"
 #include "tournament/store/match_document.h"
 
@@ -61,12 +60,12 @@ bool has_folder(const TeamEntry& team) { return team.endpoint.starts_with("team:
 
 // The plan for a folder that has a copy of each team.
 TournamentConfig plan_there(TournamentConfig config) {
-  config.folder = ".";
-  config.executor = ExecutorKind::kLocal;
-  config.hosts.clear();
-  config.on_match_finish.clear();
-  config.on_finish.clear();
-  for (TeamEntry& team : config.teams) {
+  config.execution.folder = ".";
+  config.execution.executor = ExecutorKind::kLocal;
+  config.execution.hosts.clear();
+  config.execution.on_match_finish.clear();
+  config.execution.on_finish.clear();
+  for (TeamEntry& team : config.competition.teams) {
     if (has_folder(team)) team.endpoint = "team:teams/" + team.name;
   }
   return config;
@@ -84,13 +83,32 @@ Result<std::string> token_of(const fs::path& folder) {
   return text;
 }
 
-// One write appends a whole line, wherever the others are.
-void append_line(const fs::path& file, std::string_view line) {
-  const base::UniqueFd opened(
-      ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
-  const std::string text = std::string(line) + "\n";
-  if (opened) static_cast<void>(!::write(opened.get(), text.data(), text.size()));
-}
+// Appends the events of matches; the first error is kept until it is taken. Output of programs
+// arrives on another thread.
+class EventLines {
+ public:
+  explicit EventLines(fs::path file) : file_(std::move(file)) {}
+
+  void add(std::string_view line) {
+    const std::lock_guard lock(mutex_);
+    if (const auto added = append_line(file_, line); !added && !failed_) {
+      failed_ = true;
+      error_ = added.error().message;
+    }
+  }
+
+  /// Empty: none since the last call.
+  std::string take_error() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(error_, {});
+  }
+
+ private:
+  fs::path file_;
+  std::mutex mutex_;
+  bool failed_ = false;
+  std::string error_;
+};
 
 class HostsExecutor : public MatchExecutor {
  public:
@@ -100,7 +118,8 @@ class HostsExecutor : public MatchExecutor {
         folder_(std::move(folder)),
         host_(std::move(host)),
         objects_(std::move(objects)),
-        token_(std::move(token)) {
+        token_(std::move(token)),
+        events_(std::make_shared<EventLines>(folder_ / kMatchEvents)) {
     for (HostSlots& one : host_slots(config)) hosts_.push_back({std::move(one), 0, {}});
   }
 
@@ -124,6 +143,7 @@ class HostsExecutor : public MatchExecutor {
       const std::string name = entry.path().filename().string();
       const auto job = parse_attempt_name(name);
       if (!job || job->rest != "host") continue;
+
       const ScheduledMatch* match = awaited_match(matches, job->index, job->attempt);
       Host* host = find_host(base::read_file(entry.path()).value_or(""));
       if (match == nullptr || host == nullptr) {
@@ -134,6 +154,7 @@ class HostsExecutor : public MatchExecutor {
       TRY(start_job({match->fixture, job->attempt}, *host));
       taken.push_back(job->index);
     }
+
     if (!taken.empty()) {
       notes_.push_back(
           fmt::format("{} matches of an earlier run may be on other hosts", taken.size()));
@@ -166,7 +187,10 @@ class HostsExecutor : public MatchExecutor {
     for (const auto& [index, job] : jobs_) job.child->end(kJobGrace);
   }
 
-  std::vector<std::string> take_notes() override { return std::exchange(notes_, {}); }
+  std::vector<std::string> take_notes() override {
+    if (std::string error = events_->take_error(); !error.empty()) note_once(error);
+    return std::exchange(notes_, {});
+  }
 
  private:
   struct Host {
@@ -186,8 +210,8 @@ class HostsExecutor : public MatchExecutor {
   }
 
   Host* find_host(const std::string& name) {
-    const auto found = std::find_if(hosts_.begin(), hosts_.end(),
-                                    [&name](const Host& host) { return host.slots.name == name; });
+    const auto found =
+        std::ranges::find(hosts_, name, [](const Host& host) { return host.slots.name; });
     return found == hosts_.end() ? nullptr : &*found;
   }
 
@@ -213,26 +237,46 @@ class HostsExecutor : public MatchExecutor {
 
   Result<void> start_job(const Assignment& assignment, Host& host) {
     const std::string name = job_name(assignment.fixture.index, assignment.number);
+    TRY(write_job(assignment, name));
+    TRY(base::write_file_durably(folder_ / record_file(name), host.slots.name));
+
+    TRY_INIT(auto child, host_.start(play_plan(assignment, name, host),
+                                     [events = events_](std::string_view line) {
+                                       if (line.starts_with(kEventLine)) events->add(line);
+                                     }));
+    ++host.running;
+    jobs_.insert_or_assign(assignment.fixture.index,
+                           Job{assignment, name, &host, std::move(child)});
+    return {};
+  }
+
+  // hosts/JOB: what the match needs but the objects.
+  Result<void> write_job(const Assignment& assignment, const std::string& name) const {
     const fs::path job = folder_ / kHostsFolder / name;
     std::error_code code;
     fs::remove_all(job, code);
     TRY(base::create_folders(job));
-    const std::array<std::pair<const char*, std::string>, 3> files = {
-        {{kPlanFile, "schema = 1\n\n" + format_config(plan_there(config_))},
-         {kScheduleFile, format_fixture(assignment.fixture)},
-         {"run.sh", host_script(assignment.fixture.index, assignment.number, needed(assignment))}}};
-    for (const auto& [file, text] : files) TRY(base::write_file(job / file, text));
-    TRY(base::write_file_durably(folder_ / record_file(name), host.slots.name));
+    TRY(base::write_file(job / kPlanFile, "schema = 1\n\n" + format_config(plan_there(config_))));
+    TRY(base::write_file(job / kScheduleFile, format_fixture(assignment.fixture)));
+    return base::write_file(job / "run.sh", host_script(assignment.fixture.index, assignment.number,
+                                                        needed(assignment)));
+  }
+
+  process::CommandPlan play_plan(const Assignment& assignment, const std::string& name,
+                                 const Host& host) const {
+    const Execution& execution = config_.execution;
+    const std::string shell =
+        execution.remote_shell.empty() ? kRemoteShell : execution.remote_shell;
+    const std::string root =
+        execution.remote_folder.empty() ? kRemoteFolder : execution.remote_folder;
 
     process::CommandPlan plan;
     plan.name = fmt::format("match {} on {}", assignment.fixture.index, host.slots.name);
     plan.folder = folder_;
     plan.log = folder_ / kHostsFolder / (name + ".log");
-    const std::string shell = config_.remote_shell.empty() ? kRemoteShell : config_.remote_shell;
-    const std::string root = config_.remote_folder.empty() ? kRemoteFolder : config_.remote_folder;
     plan.argv = {"sh",
                  "-c",
-                 kPlayScript,
+                 play_script(),
                  "play",
                  name,
                  token_,
@@ -240,21 +284,14 @@ class HostsExecutor : public MatchExecutor {
                  root,
                  unfinished_label()};
     for (const HostObject& object : needed(assignment)) plan.argv.push_back(object.hash);
-    const fs::path events = folder_ / kMatchEvents;
-    TRY_INIT(auto child, host_.start(plan, [events](std::string_view line) {
-      if (line.starts_with(kEventLine)) append_line(events, line);
-    }));
-    ++host.running;
-    jobs_.insert_or_assign(assignment.fixture.index,
-                           Job{assignment, name, &host, std::move(child)});
-    return {};
+    return plan;
   }
 
   // The program and the two teams.
   std::vector<HostObject> needed(const Assignment& assignment) const {
     std::vector<HostObject> result;
     for (const HostObject& object : objects_) {
-      const int team = team_index(config_, object.name);
+      const int team = team_index(config_.competition, object.name);
       const bool plays = team == assignment.fixture.left || team == assignment.fixture.right;
       if (object.name.empty() || plays) result.push_back(object);
     }
@@ -280,6 +317,7 @@ class HostsExecutor : public MatchExecutor {
     const Fixture& fixture = job.assignment.fixture;
     std::error_code code;
     fs::remove_all(folder_ / kHostsFolder / job.name, code);
+
     if (auto outcome = read_work_result(folder_, fixture, job.assignment.number)) {
       for (const fs::path& file :
            {record_file(job.name), fs::path(kHostsFolder) / (job.name + ".log")}) {
@@ -328,6 +366,7 @@ class HostsExecutor : public MatchExecutor {
   process::ProcessHost host_;
   std::vector<HostObject> objects_;
   std::string token_;
+  std::shared_ptr<EventLines> events_;
   std::vector<Host> hosts_;  // constant in number: jobs point to them
   std::map<int, Job> jobs_;  // by number of the match
   std::deque<Assignment> waiting_;
@@ -347,12 +386,13 @@ Result<std::vector<HostObject>> pack_objects(const TournamentConfig& config, con
   plan.name = "packing of teams";
   plan.folder = folder;
   plan.argv = {"sh", "-c", kPackScript, "pack", program.string()};
-  for (const TeamEntry& team : config.teams) {
+  for (const TeamEntry& team : config.competition.teams) {
     if (!has_folder(team)) continue;
     TRY_INIT(const auto endpoint, match::parse_endpoint(team.endpoint));
     objects.push_back({team.name, ""});
-    plan.argv.push_back((config.folder / endpoint.path).string());
+    plan.argv.push_back((config.execution.folder / endpoint.path).string());
   }
+
   constexpr std::string_view kObject = "object ";
   std::vector<std::string> hashes;
   std::string last_message = "it takes too long";
@@ -367,6 +407,7 @@ Result<std::vector<HostObject>> pack_objects(const TournamentConfig& config, con
     child->end(std::chrono::milliseconds(0));
     child->wait_gone(kJobGrace);
   }
+
   const auto status = child->status();
   const bool good =
       status.gone && status.exit && !status.exit->by_signal && status.exit->number == 0;

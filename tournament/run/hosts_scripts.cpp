@@ -31,7 +31,10 @@ for what; do
 done
 )";
 
-const char* const kPlayScript = R"(
+namespace {
+
+// After the assignment of unreachable and no_result, the exit codes.
+constexpr const char* kPlayScript = R"(
 set -u
 job=$1 token=$2 remote=$3 root=$4 label=$5
 shift 5
@@ -40,7 +43,7 @@ tmp=unfinished/$job.$label
 index=${job%%.*}
 
 on_host() { sh -c "$remote \"\$1\"" sh "$1"; }
-unreachable() { echo "cls: $1" >&2; rm -rf "$tmp"; exit 75; }
+unreachable() { echo "cls: $1" >&2; rm -rf "$tmp"; exit $unreachable; }
 
 mkdir -p "$tmp" results matches
 
@@ -63,7 +66,7 @@ exec 3<>"$tmp/hold"
 on_host "cd $there && sh ./run.sh" <&3 >"$tmp/result.tgz"
 code=$?
 exec 3>&-
-[ $code -eq 0 ] || { rm -rf "$tmp"; [ $code -eq 70 ] && exit 70; echo "cls: the connection ended with exit code $code" >&2; exit 75; }
+[ $code -eq 0 ] || { rm -rf "$tmp"; [ $code -eq $no_result ] && exit $no_result; echo "cls: the connection ended with exit code $code" >&2; exit $unreachable; }
 
 tar -C "$tmp" -xzf "$tmp/result.tgz" || unreachable "the result did not arrive as a whole"
 [ -s "$tmp/results/$job.json" ] || unreachable "the result did not arrive"
@@ -80,10 +83,8 @@ rm -rf "$tmp"
 on_host "rm -rf $there" </dev/null || :
 )";
 
-namespace {
-
 // {0}: number, {1}: attempt, {2}: commands that unpack teams, {3}: hash of the program, {4}: the
-// name of the result.
+// name of the result, {5}: kNoResult.
 constexpr const char* kHostScript = R"(#!/bin/sh
 # Plays match {0} in this folder, and sends its result to the host that has started it.
 root=../../..
@@ -104,13 +105,17 @@ if [ ! -s results/{4} ]; then
   exec 3<&- 4>&-
   wait "$events"
 fi
-[ -s results/{4} ] || {{ tail -n 1 work.log >&2; exit 70; }}
+[ -s results/{4} ] || {{ tail -n 1 work.log >&2; exit {5}; }}
 set -- results
 [ ! -d matches ] || set -- results matches
 tar -czf - "$@"
 )";
 
 }  // namespace
+
+std::string play_script() {
+  return fmt::format("unreachable={} no_result={}{}", kHostUnreachable, kNoResult, kPlayScript);
+}
 
 std::string host_script(int index, int attempt, const std::vector<HostObject>& objects) {
   std::string unpack;
@@ -121,11 +126,11 @@ std::string host_script(int index, int attempt, const std::vector<HostObject>& o
       continue;
     }
     const std::string folder = process::shell_quoted("teams/" + object.name);
-    unpack += fmt::format("  mkdir {0} && tar -C {0} -xzf \"$root/objects/{1}\" || exit 70\n",
-                          folder, object.hash);
+    unpack += fmt::format("  mkdir {0} && tar -C {0} -xzf \"$root/objects/{1}\" || exit {2}\n",
+                          folder, object.hash, kNoResult);
   }
   return fmt::format(fmt::runtime(kHostScript), index, attempt, unpack, program,
-                     fmt::format("{:06}.{}.json", index, attempt));
+                     fmt::format("{:06}.{}.json", index, attempt), kNoResult);
 }
 
 }  // namespace cls::tournament

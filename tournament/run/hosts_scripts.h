@@ -26,7 +26,7 @@ extern const char* const kPackScript;
 /// the host; ROOT a folder there; LABEL the end of a name in unfinished/. hosts/JOB/ has what
 /// the match needs but the objects. Afterwards results/JOB.json and the match folder are there, or
 /// the exit code says why not.
-extern const char* const kPlayScript;
+std::string play_script();
 
 /// hosts/JOB/run.sh, which runs on the host with the job's folder as working folder; events of the
 /// match go to stderr, an archive of results to stdout. It ends the match when its stdin ends.

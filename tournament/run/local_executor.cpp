@@ -8,7 +8,7 @@
 
 #include "base/system/host.h"
 #include "tournament/run/match_executor.h"
-#include "tournament/schedule/concurrency.h"
+#include "tournament/slots/concurrency.h"
 #include "tournament/store/match_attempt.h"
 
 namespace cls::tournament {
@@ -25,10 +25,10 @@ class LocalExecutor : public MatchExecutor {
         folder_(std::move(folder)),
         program_(std::move(program)),
         concurrency_(config, base::usable_cores()),
-        cores_(config.pin ? base::allowed_cores() : std::vector<std::vector<int>>()),
+        cores_(config.execution.pin ? base::allowed_cores() : std::vector<std::vector<int>>()),
         host_(std::move(host)) {
     const std::string team = fixed_port_team(config);
-    if (team.empty() || config.concurrency == 1) return;
+    if (team.empty() || config.execution.concurrency == 1) return;
     notes_.push_back(fmt::format("one match at a time: {} requires the ports 6000 to 6002", team));
   }
 
@@ -111,7 +111,7 @@ class LocalExecutor : public MatchExecutor {
 Result<std::unique_ptr<MatchExecutor>> make_executor(const TournamentConfig& config,
                                                      const fs::path& folder,
                                                      const fs::path& program) {
-  switch (config.executor) {
+  switch (config.execution.executor) {
     case ExecutorKind::kSlurm:
       return slurm_executor(config, folder, program);
     case ExecutorKind::kHosts:

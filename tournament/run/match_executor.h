@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/result.h"
+#include "league/matches/fixture.h"
 #include "tournament/config/config.h"
-#include "tournament/schedule/fixture.h"
 
 namespace cls::tournament {
 
@@ -65,8 +65,8 @@ class MatchExecutor {
   virtual std::vector<std::string> take_notes() { return {}; }
 };
 
-/// Processes on this host: config.concurrency in parallel, or one per core when that is 0.
-/// Automatic concurrency decreases by one when a match missed cycles, because the host was too
+/// Processes on this host: config.execution.concurrency in parallel, or one per core when that is
+/// 0. Automatic concurrency decreases by one when a match missed cycles, because the host was too
 /// busy. Without lockstep it starts with one match per four cores and increases by one after as
 /// many matches without a miss as run in parallel.
 base::Result<std::unique_ptr<MatchExecutor>> local_executor(const TournamentConfig& config,
@@ -79,8 +79,8 @@ base::Result<std::unique_ptr<MatchExecutor>> slurm_executor(const TournamentConf
                                                             const std::filesystem::path& folder,
                                                             const std::filesystem::path& program);
 
-/// Hosts that share nothing with this one and are reached by config.remote_shell: teams and
-/// `program` are copied there, results and logs back. See hosts_executor.cpp.
+/// Hosts that share nothing with this one and are reached by config.execution.remote_shell: teams
+/// and `program` are copied there, results and logs back. See hosts_executor.cpp.
 base::Result<std::unique_ptr<MatchExecutor>> hosts_executor(const TournamentConfig& config,
                                                             const std::filesystem::path& folder,
                                                             const std::filesystem::path& program);
@@ -89,7 +89,7 @@ base::Result<std::unique_ptr<MatchExecutor>> hosts_executor(const TournamentConf
 base::Result<std::unique_ptr<MatchExecutor>> results_executor(const TournamentConfig& config,
                                                               const std::filesystem::path& file);
 
-/// The executor that config.executor names.
+/// The executor that config.execution.executor names.
 base::Result<std::unique_ptr<MatchExecutor>> make_executor(const TournamentConfig& config,
                                                            const std::filesystem::path& folder,
                                                            const std::filesystem::path& program);

@@ -15,7 +15,8 @@
 #include "match/terms/server_choice.h"
 #include "process/command_plan.h"
 #include "tournament/config/config_file.h"
-#include "tournament/schedule/concurrency.h"
+#include "tournament/slots/concurrency.h"
+#include "tournament/slots/timetable.h"
 
 namespace cls::tournament {
 namespace {
@@ -28,12 +29,13 @@ constexpr double kMegabyte = 1e6;
 
 std::optional<StartProblem> check_team(const TournamentConfig& config, const TeamEntry& team,
                                        std::chrono::milliseconds patience) {
-  const auto endpoint = match::parse_endpoint(endpoint_from(config.folder, team.endpoint));
+  const auto endpoint =
+      match::parse_endpoint(endpoint_from(config.execution.folder, team.endpoint));
   if (!endpoint) {
     return StartProblem{match::EndpointProblem::Kind::kUnknown, endpoint.error().message};
   }
   // Elsewhere addresses, programs and start scripts may differ.
-  const bool elsewhere = config.executor == ExecutorKind::kSlurm;
+  const bool elsewhere = config.execution.executor == ExecutorKind::kSlurm;
   if (elsewhere && endpoint->kind != match::Endpoint::Kind::kMock) return std::nullopt;
   const auto problem = match::check_endpoint(*endpoint, patience);
   if (!problem) return std::nullopt;
@@ -42,9 +44,9 @@ std::optional<StartProblem> check_team(const TournamentConfig& config, const Tea
 }
 
 std::optional<StartProblem> check_server(const TournamentConfig& config) {
-  const match::ServerChoice server = match_options(config).server_choice;
+  const match::ServerChoice server = match_options(config.conditions).server_choice;
   const bool started = server.kind == match::ServerChoice::Kind::kProgram;
-  if (!started || config.executor != ExecutorKind::kLocal) return std::nullopt;
+  if (!started || config.execution.executor != ExecutorKind::kLocal) return std::nullopt;
   const auto program = process::find_program(server.program);
   if (program) return std::nullopt;
   return StartProblem{match::EndpointProblem::Kind::kMissing,
@@ -53,7 +55,7 @@ std::optional<StartProblem> check_server(const TournamentConfig& config) {
 
 // Cycles of normal time.
 int cycles_of(const TournamentConfig& config) {
-  const match::MatchOptions options = match_options(config);
+  const match::MatchOptions options = match_options(config.conditions);
   const int whole = options.server.normal_time_cycles();
   if (!options.cycles) return whole;
   return whole > 0 ? std::min(whole, *options.cycles) : *options.cycles;
@@ -64,14 +66,14 @@ int parallel_matches(const TournamentConfig& config) {
 }
 
 double bytes_of_logs(const TournamentConfig& config, double to_play) {
-  const double stored = config.keep_logs == KeepLogs::kAll
+  const double stored = config.execution.keep_logs == KeepLogs::kAll
                             ? to_play
                             : std::min<double>(to_play, parallel_matches(config));
   return stored * cycles_of(config) * kLogBytesPerCycle;
 }
 
 bool has_external_team(const TournamentConfig& config) {
-  return std::any_of(config.teams.begin(), config.teams.end(), [](const TeamEntry& team) {
+  return std::ranges::any_of(config.competition.teams, [](const TeamEntry& team) {
     const auto endpoint = match::parse_endpoint(team.endpoint);
     return endpoint && !endpoint->has_playmaker();
   });
@@ -82,10 +84,11 @@ bool has_external_team(const TournamentConfig& config) {
 std::vector<StartProblem> check_start(const TournamentConfig& config,
                                       std::chrono::milliseconds patience) {
   std::vector<std::future<std::optional<StartProblem>>> checks;
-  for (const TeamEntry& team : config.teams) {
+  for (const TeamEntry& team : config.competition.teams) {
     checks.push_back(
         std::async(std::launch::async, check_team, std::cref(config), std::cref(team), patience));
   }
+
   std::vector<StartProblem> problems;
   for (auto& check : checks) {
     if (auto problem = check.get()) problems.push_back(*std::move(problem));
@@ -99,12 +102,13 @@ std::vector<std::string> host_warnings(const TournamentConfig& config,
                                        const fs::path& folder) {
   std::vector<std::string> lines;
   const int cores = base::usable_cores();
-  if (config.executor == ExecutorKind::kLocal && config.concurrency > cores) {
+  if (config.execution.executor == ExecutorKind::kLocal && config.execution.concurrency > cores) {
     lines.push_back(fmt::format(
         "{} parallel matches on {} cores: they slow each other down and may miss cycles; "
         "--concurrency auto chooses {}",
-        config.concurrency, cores, cores));
+        config.execution.concurrency, cores, cores));
   }
+
   std::error_code code;
   const fs::space_info space = fs::space(folder, code);
   const double needed = bytes_of_logs(config, to_play);
@@ -115,11 +119,14 @@ std::vector<std::string> host_warnings(const TournamentConfig& config,
         to_play, needed / kMegabyte, folder.string(),
         static_cast<double>(space.available) / kMegabyte));
   }
+
   const std::string missing = match::missing_sandbox();
-  const bool local = config.executor == ExecutorKind::kLocal;
-  if (local && match_options(config).sandbox && has_external_team(config) && !missing.empty()) {
+  const bool local = config.execution.executor == ExecutorKind::kLocal;
+  if (local && match_options(config.conditions).sandbox && has_external_team(config) &&
+      !missing.empty()) {
     lines.push_back(missing);
   }
+
   for (const ScheduledMatch& match : matches) {
     if (!match.outcome || match.outcome->version.empty()) continue;
     if (match.outcome->version == base::kVersion) continue;
@@ -133,19 +140,12 @@ std::vector<std::string> host_warnings(const TournamentConfig& config,
 std::optional<double> expected_seconds(const TournamentConfig& config,
                                        std::span<const ScheduledMatch> matches, double to_play) {
   constexpr double kSecondsPerCycle = 0.1;
-  if (config.executor == ExecutorKind::kSlurm) return std::nullopt;
+  if (config.execution.executor == ExecutorKind::kSlurm) return std::nullopt;
   const double rounds = to_play / parallel_matches(config);
-  double seconds = 0.0;
-  int played = 0;
-  for (const ScheduledMatch& match : matches) {
-    if (!match.outcome || !match.outcome->played()) continue;
-    seconds += match.outcome->run_seconds;
-    ++played;
-  }
-  if (played > 0) return rounds * seconds / played;
-  if (mode_of(match_options(config)) == match::MatchMode::kRealtime)
-    return rounds * cycles_of(config) * kSecondsPerCycle;
-  return std::nullopt;
+  const PlayTime spent = play_time(matches);
+  if (spent.matches > 0) return rounds * spent.seconds / spent.matches;
+  if (mode_of(match_options(config.conditions)) != match::MatchMode::kRealtime) return std::nullopt;
+  return rounds * cycles_of(config) * kSecondsPerCycle;
 }
 
 }  // namespace cls::tournament

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "league/matches/fixture.h"
 #include "match/sides/endpoint_check.h"
 #include "tournament/config/config.h"
-#include "tournament/schedule/fixture.h"
 
 namespace cls::tournament {
 

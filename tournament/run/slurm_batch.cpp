@@ -9,9 +9,9 @@
 #include <cctype>
 #include <charconv>
 #include <chrono>
-#include <nlohmann/json.hpp>
 
 #include "base/io/whole_file.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "process/command_plan.h"
 #include "tournament/store/folder.h"
@@ -21,8 +21,8 @@ namespace cls::tournament {
 namespace {
 
 namespace fs = std::filesystem;
+using base::Json;
 using base::Result;
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxFolderNameLength = 24;
 
@@ -73,7 +73,7 @@ std::optional<SlurmBatch> read_batch(const fs::path& file) {
       batch.tasks.push_back({task.at(0).get<int>(), task.at(1).get<int>()});
     }
     return batch;
-  } catch (const nlohmann::json::exception&) {
+  } catch (const base::Json::exception&) {
     return std::nullopt;
   }
 }

@@ -78,17 +78,17 @@ class SlurmExecutor : public MatchExecutor {
         array_size_(array_size),
         chunk_(array_size),
         next_number_(next_batch_number(folder_)),
-        status_poll_(Seconds(config.slurm_poll_s.value_or(kDefaultPollIntervalS))),
-        submission_(Seconds(config.slurm_poll_s.value_or(kDefaultPollIntervalS))),
-        result_poll_(
-            Seconds(std::min(1.0, config.slurm_poll_s.value_or(kDefaultPollIntervalS) / 10))) {}
+        status_poll_(Seconds(config.execution.slurm_poll_s.value_or(kDefaultPollIntervalS))),
+        submission_(Seconds(config.execution.slurm_poll_s.value_or(kDefaultPollIntervalS))),
+        result_poll_(Seconds(
+            std::min(1.0, config.execution.slurm_poll_s.value_or(kDefaultPollIntervalS) / 10))) {}
 
   // Many at a time, so that arrays are long. With limited concurrency the arrays run in sequence,
   // because Slurm applies the limit within one array only.
   int free_slots() const override {
-    const int free = config_.slurm_tasks - running();
-    if (config_.concurrency > 0) return running() == 0 ? free : 0;
-    return 2 * free >= config_.slurm_tasks ? free : 0;
+    const int free = config_.execution.slurm_tasks - running();
+    if (config_.execution.concurrency > 0) return running() == 0 ? free : 0;
+    return 2 * free >= config_.execution.slurm_tasks ? free : 0;
   }
 
   int running() const override { return static_cast<int>(tasks_.size() + waiting_.size()); }
@@ -110,6 +110,7 @@ class SlurmExecutor : public MatchExecutor {
         taken.push_back(index);
         ++live;
       }
+
       if (live == 0) {
         remove_batch(folder_, batch);
         continue;
@@ -117,6 +118,7 @@ class SlurmExecutor : public MatchExecutor {
       const int number = batch.number;
       batches_.emplace(number, Batch{std::move(batch), live});
     }
+
     if (!taken.empty()) {
       notes_.push_back(
           fmt::format("{} matches of an earlier run are still with Slurm", taken.size()));
@@ -184,6 +186,7 @@ class SlurmExecutor : public MatchExecutor {
       TRY_INIT(
           const auto submission,
           submit_array({waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(size)}));
+
       if (submission.status == Status::kAccepted || submission.status == Status::kUnknown) {
         waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(size));
         chunk_ = std::min(array_size_, 2 * chunk_);
@@ -196,10 +199,11 @@ class SlurmExecutor : public MatchExecutor {
         return Error{"Slurm rejected the job: " + submission.message};
       } else {
         note_once(fmt::format("sbatch: {}; retrying every {} s", submission.message,
-                              config_.slurm_poll_s.value_or(kDefaultPollIntervalS)));
+                              config_.execution.slurm_poll_s.value_or(kDefaultPollIntervalS)));
       }
       break;
     }
+
     submission_.done();
     return {};
   }
@@ -207,13 +211,15 @@ class SlurmExecutor : public MatchExecutor {
   Result<Submission> submit_array(const std::vector<Assignment>& assignments) {
     const SlurmBatch batch = make_batch(next_number_++, folder_, assignments);
     TRY(write_batch(folder_, batch, assignments, program_));
-    Submission submission = client_.submit(
-        sbatch_arguments(folder_, batch, config_.slurm_options, config_.concurrency));
+    Submission submission = client_.submit(sbatch_arguments(
+        folder_, batch, config_.execution.slurm_options, config_.execution.concurrency));
+
     using Status = Submission::Status;
     if (submission.status != Status::kAccepted && submission.status != Status::kUnknown) {
       remove_batch(folder_, batch);
       return submission;
     }
+
     for (std::size_t i = 0; i < assignments.size(); ++i) {
       tasks_.emplace(assignments[i].fixture.index,
                      Task{assignments[i], batch.number, static_cast<int>(i)});
@@ -234,6 +240,7 @@ class SlurmExecutor : public MatchExecutor {
       note_once(fmt::format("squeue: {}; results are still collected", states.error().message));
       return false;
     }
+
     for (auto& [index, task] : tasks_) {
       Batch& batch = batches_.at(task.batch);
       const auto found = states->find({batch.batch.name, task.position});

@@ -7,18 +7,18 @@
 #include <chrono>
 #include <climits>
 #include <deque>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <thread>
 #include <utility>
 
+#include "base/text/json.h"
 #include "base/text/json_text.h"
+#include "league/schedule/schedule.h"
 #include "match/programs/team_sandbox.h"
 #include "process/hook_runner.h"
 #include "tournament/report/report_document.h"
 #include "tournament/run/event_feed.h"
-#include "tournament/schedule/schedule.h"
 #include "tournament/store/collector.h"
 #include "tournament/store/decide.h"
 #include "tournament/store/event_file.h"
@@ -33,17 +33,17 @@ namespace {
 
 namespace fs = std::filesystem;
 using base::Error;
+using base::Json;
 using base::Result;
-using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kForfeitGoals = 3;
 constexpr std::chrono::milliseconds kPollInterval{200};
 
 std::chrono::milliseconds hook_limit(const TournamentConfig& config) {
-  if (!config.hook_limit_s) return process::kHookLimit;
+  if (!config.execution.hook_limit_s) return process::kHookLimit;
   return std::chrono::duration_cast<std::chrono::milliseconds>(
-      std::chrono::duration<double>(*config.hook_limit_s));
+      std::chrono::duration<double>(*config.execution.hook_limit_s));
 }
 
 class TournamentRun {
@@ -58,7 +58,7 @@ class TournamentRun {
         store_(std::move(store)),
         events_(std::move(events)),
         executor_(std::move(executor)),
-        hooks_(options.folder, config_.folder, hook_limit(config_)),
+        hooks_(options.folder, config_.execution.folder, hook_limit(config_)),
         feed_(config_, options.folder) {}
 
   Result<RunSummary> run() {
@@ -72,31 +72,34 @@ class TournamentRun {
  private:
   // Any step may fail for good; then the run ends, and the next one resumes from the store.
   Result<void> play() {
-    if (auto loaded = load(); !loaded) return loaded;
-    if (options_.decided && options_.decided(matches_)) end(RunEnd::kDecided);
+    TRY(load());
+    if (is_decided()) end(RunEnd::kDecided);
+
     while (!ending_) {
-      if (auto scheduled = schedule_matches(); !scheduled) return scheduled;
+      TRY(schedule_matches());
       if (waiting_.empty() && executor_->running() == 0) break;
-      if (auto started = start_matches(); !started) return started;
-      if (auto recorded = record_finished(kPollInterval); !recorded) return recorded;
+      TRY(start_matches());
+      TRY(record_finished(kPollInterval));
       poll();
     }
     return shut_down();
   }
 
   Result<void> load() {
-    if (auto requeued = store_.requeue(true); !requeued) return requeued;
+    TRY(store_.requeue(true));
     TRY_INIT(auto decided, decided_matches(options_.folder, store_));
     matches_ = std::move(decided);
-    log_event("tournament_started",
-              {{"folder", options_.folder.string()},
-               {"scheduled", matches_.size()},
-               {"done", std::count_if(matches_.begin(), matches_.end(),
-                                      [](const auto& m) { return m.outcome; })}});
+
+    log_event("tournament_started", {{"folder", options_.folder.string()},
+                                     {"scheduled", matches_.size()},
+                                     {"done", std::ranges::count_if(matches_, [](const auto& m) {
+                                        return m.outcome.has_value();
+                                      })}});
     for (const ScheduledMatch& match : matches_) {
       if (match.outcome) count_done(match);
     }
-    if (auto recorded = record_work_results(); !recorded) return recorded;
+
+    TRY(record_work_results());
     TRY_INIT(const auto running, executor_->take_over(matches_));
     return recover_results({running.begin(), running.end()});
   }
@@ -104,9 +107,7 @@ class TournamentRun {
   // Records the result files of `work` that are not in the store.
   Result<void> record_work_results() {
     for (WorkResult& result : collect_work_results(options_.folder, matches_)) {
-      if (auto recorded = record_outcome(result.index, std::move(result.outcome)); !recorded) {
-        return recorded;
-      }
+      TRY(record_outcome(result.index, std::move(result.outcome)));
     }
     return {};
   }
@@ -119,10 +120,9 @@ class TournamentRun {
       if (running.contains(match.fixture.index)) continue;
       auto outcome = recover_result(config_, match.fixture, match.attempts, options_.folder);
       if (!outcome) continue;
-      if (auto recorded = record_outcome(match.fixture.index, *std::move(outcome)); !recorded) {
-        return recorded;
-      }
+      TRY(record_outcome(match.fixture.index, *std::move(outcome)));
     }
+
     waiting_.clear();
     for (const ScheduledMatch& match : matches_) {
       const int index = match.fixture.index;
@@ -136,42 +136,44 @@ class TournamentRun {
     std::size_t before = matches_.size() + 1;
     while (!ending_ && waiting_.empty() && executor_->running() == 0 && matches_.size() != before) {
       before = matches_.size();
-      if (auto scheduled = schedule_next(); !scheduled) return scheduled;
+      TRY(schedule_next());
     }
     return {};
   }
 
   Result<void> schedule_next() {
     std::vector<Fixture> next =
-        options_.next ? options_.next(matches_) : next_fixtures(config_, matches_);
+        options_.next ? options_.next(matches_) : next_fixtures(config_.competition, matches_);
     if (next.empty()) return {};
-    for (Fixture& fixture : next) {
-      matches_.push_back(planned(fixture));
-    }
-    if (auto written = write_schedule(options_.folder, matches_); !written) return written;
-    if (auto added = store_.add(next); !added) return added;
+
+    for (const Fixture& fixture : next) matches_.push_back(planned(fixture));
+    TRY(write_schedule(options_.folder, matches_));
+    TRY(store_.add(next));
     log_event("matches_scheduled", {{"first", next.front().index},
                                     {"last", next.back().index},
                                     {"scheduled", matches_.size()}});
-    if (auto recorded = record_work_results(); !recorded) return recorded;
+
+    TRY(record_work_results());
     return recover_results();
   }
 
   Result<void> start_matches() {
     TRY(follow_pauses());
     if (paused_) return {};
+
     std::vector<int> indices;
     for (int slots = executor_->free_slots(); slots > 0 && !waiting_.empty(); --slots) {
       indices.push_back(waiting_.front());
       waiting_.pop_front();
     }
     if (indices.empty()) return {};
+
     TRY_INIT(const auto attempts, store_.begin_attempts(indices));
     std::vector<Assignment> assignments;
     for (std::size_t i = 0; i < indices.size(); ++i) {
-      match_at(indices[i]).attempts = (attempts)[i];
-      assignments.push_back({match_at(indices[i]).fixture, (attempts)[i]});
-      log_event("match_started", {{"match", indices[i]}, {"attempt", (attempts)[i]}});
+      match_at(indices[i]).attempts = attempts[i];
+      assignments.push_back({match_at(indices[i]).fixture, attempts[i]});
+      log_event("match_started", {{"match", indices[i]}, {"attempt", attempts[i]}});
     }
     return executor_->start(assignments);
   }
@@ -182,6 +184,7 @@ class TournamentRun {
     const bool paused = is_paused(pauses);
     if (paused && executor_->running() == 0) std::this_thread::sleep_for(kPollInterval);
     if (paused == paused_) return {};
+
     paused_ = paused;
     executor_->hold(paused);
     log_event(paused ? "paused" : "resumed", {{"reason", pauses.back().reason}});
@@ -198,53 +201,72 @@ class TournamentRun {
         waiting_.push_front(one.index);
         continue;
       }
-      if (auto recorded = record_outcome(one.index, *std::move(one.outcome)); !recorded) {
-        return recorded;
-      }
+      TRY(record_outcome(one.index, *std::move(one.outcome)));
     }
     return {};
   }
 
-  // Applies the policy for invalid matches, commits the outcome, then notifies events, observer and
-  // hook.
+  /// The consequence of an outcome.
+  enum class Then { kGoOn, kPlayAgain, kStop };
+
+  // Commits the outcome, then notifies all who want to know.
   Result<void> record_outcome(int index, Outcome outcome) {
+    const Then then = apply_policy(outcome);
+    TRY(store_.finish(index, outcome, then == Then::kGoOn));
+
     ScheduledMatch& match = match_at(index);
-    const bool failed = !outcome.counts();
-    bool rerun = false;
-    // This warning concerns the host; the preflight checks have reported it already.
-    if (config_.executor == ExecutorKind::kLocal) {
-      std::erase(outcome.warnings, match::missing_sandbox());
-    }
-    if (failed && config_.on_crash == OnCrash::kForfeit && outcome.fault) make_forfeit(outcome);
-    if (failed && config_.on_crash == OnCrash::kRerun)
-      rerun = outcome.attempts <= config_.max_reruns;
-    const bool stops = failed && config_.on_crash == OnCrash::kStop;
-    if (!keeps_folder(config_, outcome)) outcome.folder.clear();
-    if (auto stored = store_.finish(index, outcome, !rerun && !stops); !stored) return stored;
     match.settled = outcome.attempts;
     clean_up(config_, match.fixture, outcome, options_.folder);
-    if (rerun) {
+    if (then == Then::kPlayAgain) {
       waiting_.push_front(index);
     } else {
       match.outcome = outcome;
       ++done_in_this_run_;
       count_done(match);
     }
-    ScheduledMatch recorded = match;  // a match that is rerun has no outcome
+
+    ScheduledMatch recorded = match;  // a match that is played again has no outcome
     recorded.outcome = std::move(outcome);
-    const Json document = json_of(config_, recorded);
-    log_event("match_finished",
-              {{"match", index}, {"again", rerun || stops}, {"result", document}});
-    observer_.on_match(config_, recorded, progress());
-    feed_.settle(matches_, recorded, hooks_);
-    if (!config_.on_match_finish.empty()) {
-      hooks_.start(
-          {"on_match_finish", config_.on_match_finish, base::json_line(document) + "\n", {}});
-    }
-    if (stops) end(RunEnd::kFault, fault_text(recorded));
-    if (!ending_ && options_.decided && options_.decided(matches_)) end(RunEnd::kDecided);
+    notify(recorded, then);
+    if (then == Then::kStop) end(RunEnd::kFault, fault_text(recorded));
+    if (!ending_ && is_decided()) end(RunEnd::kDecided);
     return {};
   }
+
+  // The policy for invalid matches, which may change the outcome.
+  Then apply_policy(Outcome& outcome) const {
+    const Execution& execution = config_.execution;
+    // This warning concerns the host; the preflight checks have reported it already.
+    if (execution.executor == ExecutorKind::kLocal) {
+      std::erase(outcome.warnings, match::missing_sandbox());
+    }
+
+    const bool failed = !outcome.counts();
+    if (failed && execution.on_crash == OnCrash::kForfeit && outcome.fault) make_forfeit(outcome);
+    if (!keeps_folder(config_, outcome)) outcome.folder.clear();
+
+    if (failed && execution.on_crash == OnCrash::kStop) return Then::kStop;
+    const bool again =
+        failed && execution.on_crash == OnCrash::kRerun && outcome.attempts <= execution.max_reruns;
+    return again ? Then::kPlayAgain : Then::kGoOn;
+  }
+
+  void notify(const ScheduledMatch& match, Then then) {
+    const Json document = json_of(config_, match);
+    log_event(
+        "match_finished",
+        {{"match", match.fixture.index}, {"again", then != Then::kGoOn}, {"result", document}});
+    observer_.on_match(config_, match, progress());
+    feed_.settle(matches_, match, hooks_);
+    if (!config_.execution.on_match_finish.empty()) {
+      hooks_.start({"on_match_finish",
+                    config_.execution.on_match_finish,
+                    base::json_line(document) + "\n",
+                    {}});
+    }
+  }
+
+  bool is_decided() const { return options_.decided && options_.decided(matches_); }
 
   // Counts incrementally: counting thousands of matches after each one would cost more than a
   // match.
@@ -258,8 +280,7 @@ class TournamentRun {
 
   // Matches that this run plays or counts.
   std::size_t total() const {
-    const std::size_t last = static_cast<std::size_t>(options_.last_match.value_or(INT_MAX));
-    return std::min(matches_.size(), last);
+    return std::min(matches_.size(), base::index(options_.last_match.value_or(INT_MAX)));
   }
 
   static void make_forfeit(Outcome& outcome) {
@@ -289,6 +310,7 @@ class TournamentRun {
     }
     pass_on_events();
     observer_.on_progress(progress());
+
     std::error_code code;
     if (const int signal = stop_signal_; signal != 0 && !ending_) {
       summary_.signal = signal;
@@ -308,9 +330,27 @@ class TournamentRun {
     summary_.message = std::move(message);
   }
 
-  // Running matches are played to their end after a stop file, and interrupted otherwise.
   Result<void> shut_down() {
     summary_.end = ending_.value_or(RunEnd::kComplete);
+    TRY(end_matches());
+    TRY(store_.requeue(false));
+    if (summary_.end == RunEnd::kStopRequested) {
+      std::error_code code;
+      fs::remove(options_.folder / kStopFile, code);
+    }
+    clean_up_unfinished(matches_, options_.folder);
+
+    const RunProgress now = progress();
+    log_event("tournament_ended", {{"end", name(summary_.end)},
+                                   {"scheduled", now.total},
+                                   {"done", now.done},
+                                   {"invalid", now.invalid}});
+    finish_hooks();
+    return {};
+  }
+
+  // Running matches are played to their end after a stop file, and interrupted otherwise.
+  Result<void> end_matches() {
     const bool graceful = summary_.end == RunEnd::kStopRequested;
     while (executor_->running() > 0) {
       if (!graceful || stop_signal_ != 0) {
@@ -318,30 +358,22 @@ class TournamentRun {
       } else {
         executor_->withdraw();
       }
-      if (auto recorded = record_finished(kPollInterval); !recorded) return recorded;
+      TRY(record_finished(kPollInterval));
       pass_on_events();
       observer_.on_progress(progress());
     }
-    if (auto requeued = store_.requeue(false); !requeued) return requeued;
-    if (summary_.end == RunEnd::kStopRequested) {
-      std::error_code code;
-      fs::remove(options_.folder / kStopFile, code);
-    }
-    clean_up_unfinished(matches_, options_.folder);
-    const RunProgress now = progress();
-    log_event("tournament_ended", {{"end", name(summary_.end)},
-                                   {"scheduled", now.total},
-                                   {"done", now.done},
-                                   {"invalid", now.invalid}});
+    return {};
+  }
+
+  void finish_hooks() {
     const bool over = summary_.end == RunEnd::kComplete || summary_.end == RunEnd::kDecided;
-    if (over && !config_.on_finish.empty()) {
+    if (over && !config_.execution.on_finish.empty()) {
       hooks_.start({"on_finish",
-                    config_.on_finish,
+                    config_.execution.on_finish,
                     report_json(make_report(config_, matches_, options_.folder)),
                     {}});
     }
     for (const std::string& line : hooks_.finish(stop_signal_)) observer_.on_note(line);
-    return {};
   }
 
   // Nothing depends on the events: without them the run continues.
@@ -352,17 +384,15 @@ class TournamentRun {
     observer_.on_note(summary_.write_error);
   }
 
-  ScheduledMatch& match_at(int index) { return matches_[static_cast<std::size_t>(index) - 1]; }
+  ScheduledMatch& match_at(int index) { return matches_[base::index(index) - 1]; }
 
   RunProgress progress() const {
-    RunProgress now;
-    now.total = static_cast<int>(total());
-    now.done = done_;
-    now.invalid = invalid_;
-    now.running = executor_->running();
-    now.done_in_this_run = done_in_this_run_;
-    now.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
-    return now;
+    return {.total = static_cast<int>(total()),
+            .done = done_,
+            .invalid = invalid_,
+            .running = executor_->running(),
+            .done_in_this_run = done_in_this_run_,
+            .seconds = std::chrono::duration<double>(Clock::now() - begin_).count()};
   }
 
   const RunOptions& options_;
@@ -387,22 +417,6 @@ class TournamentRun {
 
 }  // namespace
 
-std::string_view name(RunEnd end) {
-  switch (end) {
-    case RunEnd::kComplete:
-      return "complete";
-    case RunEnd::kDecided:
-      return "decided";
-    case RunEnd::kStopRequested:
-      return "stopped";
-    case RunEnd::kInterrupted:
-      return "interrupted";
-    case RunEnd::kFault:
-      return "fault";
-  }
-  return "";
-}
-
 Result<RunSummary> run_tournament(const RunOptions& options, const MakeExecutor& make,
                                   TournamentObserver& observer,
                                   const std::atomic<int>& stop_signal) {
@@ -411,6 +425,7 @@ Result<RunSummary> run_tournament(const RunOptions& options, const MakeExecutor&
   TRY_INIT(auto store, Store::open(options.folder / kStoreFile));
   TRY_INIT(auto events, EventFile::open(options.folder / kTournamentEvents));
   TRY_INIT(auto executor, make(options.config));
+
   TournamentRun run(options, observer, stop_signal, std::move(store), std::move(events),
                     std::move(executor));
   return run.run();

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "base/result.h"
+#include "league/matches/fixture.h"
 #include "tournament/config/config.h"
 #include "tournament/run/match_executor.h"
-#include "tournament/schedule/fixture.h"
 
 namespace cls::tournament {
 

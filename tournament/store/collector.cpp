@@ -55,10 +55,8 @@ Result<Outcome> publish_result(const fs::path& tournament, const Fixture& fixtur
   std::error_code code;
   fs::create_directories(file.parent_path(), code);
   fs::create_directories(own.parent_path(), code);
-  if (const auto written = base::write_file_durably(own, format_work_result(fixture, outcome));
-      !written) {
-    return written.error();
-  }
+  TRY(base::write_file_durably(own, format_work_result(fixture, outcome)));
+
   fs::create_hard_link(own, file, code);
   if (code) {
     if (auto existing = read_work_result(tournament, fixture, attempt)) {
@@ -69,6 +67,7 @@ Result<Outcome> publish_result(const fs::path& tournament, const Fixture& fixtur
     if (code) return Error{fmt::format("cannot create {}: {}", file.string(), code.message())};
     return outcome;
   }
+
   fs::remove(own, code);
   return outcome;
 }
@@ -116,10 +115,11 @@ std::vector<WorkResult> collect_work_results(const fs::path& folder,
   for (const WorkResultName& name : list_work_results(folder)) {
     latest[name.index] = std::max(latest[name.index], name.attempt);
   }
+
   std::vector<WorkResult> results;
   for (const auto& [index, attempt] : latest) {
-    if (index < 1 || index > static_cast<int>(matches.size())) continue;
-    const ScheduledMatch& match = matches[static_cast<std::size_t>(index) - 1];
+    if (index < 1 || index > std::ssize(matches)) continue;
+    const ScheduledMatch& match = matches[base::index(index) - 1];
     if (match.outcome || attempt <= match.settled) continue;
     if (auto outcome = read_work_result(folder, match.fixture, attempt)) {
       results.push_back({index, match.fixture.seed, *std::move(outcome)});
@@ -133,9 +133,11 @@ Result<std::optional<Outcome>> work(const fs::path& folder, const Fixture& fixtu
   if (auto existing = read_work_result(folder, fixture, attempt)) {
     return std::optional<Outcome>(*std::move(existing));
   }
+
   TRY_INIT(const auto config, read_plan(folder));
   const fs::path unfinished = unfinished_folder(fixture.index, attempt, unfinished_label());
   auto outcome = play(config, fixture, attempt, {folder, unfinished, program, {}}, stop_signal);
+
   std::error_code code;
   if (!outcome || !*outcome || !keeps_folder(config, **outcome)) {
     fs::remove_all(folder / unfinished, code);
@@ -153,6 +155,7 @@ Result<std::optional<Outcome>> work(const fs::path& folder, const Fixture& fixtu
     fs::remove_all(folder / unfinished, code);
     *outcome = *std::move(earlier);
   }
+
   TRY_INIT(auto published, publish_result(folder, fixture, attempt, **std::move(outcome)));
   return std::optional<Outcome>(std::move(published));
 }

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "base/result.h"
+#include "league/matches/fixture.h"
 #include "process/process_host.h"
 #include "tournament/config/config.h"
-#include "tournament/schedule/fixture.h"
 #include "tournament/store/match_document.h"
 
 namespace cls::tournament {

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "base/text/counted.h"
-#include "tournament/schedule/schedule_check.h"
+#include "league/schedule/schedule_check.h"
 #include "tournament/store/collector.h"
 #include "tournament/store/decisions_file.h"
 #include "tournament/store/folder.h"
@@ -16,7 +16,6 @@ namespace cls::tournament {
 namespace {
 
 namespace fs = std::filesystem;
-using base::Error;
 using base::Result;
 
 // A match that is drawn again has the number and the seed of an old one, but other teams.
@@ -27,16 +26,45 @@ void remove_work_results(const fs::path& folder, int first) {
   }
 }
 
-Result<void> check_award(const MatchDecision& decision, const Fixture& fixture) {
-  if (decision.kind != DecisionKind::kAward || !fixture.decides) return {};
+bool lacks_winner(const MatchDecision& decision, const Fixture& fixture) {
+  if (decision.kind != DecisionKind::kAward || !fixture.decides) return false;
   Outcome outcome;
   outcome.left_score = decision.left_score;
   outcome.right_score = decision.right_score;
   outcome.left_penalties = decision.left_penalties;
   outcome.right_penalties = decision.right_penalties;
-  if (winner_sign(outcome) != 0) return {};
-  return Error{
-      fmt::format("match {} must have a winner: award goals, or penalties too", fixture.index)};
+  return winner_sign(outcome) == 0;
+}
+
+// Why there is nothing to decide; empty: there is.
+std::string problem_of(const MatchDecision& decision, std::span<const ScheduledMatch> matches) {
+  const int number = decision.match;
+  if (number < 1 || number > std::ssize(matches)) {
+    return fmt::format("no match {}: {} so far", number,
+                       base::counted(matches.size(), "match is", "matches are") + " scheduled");
+  }
+
+  const ScheduledMatch& match = matches[base::index(number) - 1];
+  if (decision.kind == DecisionKind::kReplay && !match.outcome) {
+    return fmt::format("match {} was not played yet", number);
+  }
+  if (decision.kind == DecisionKind::kAsPlayed && !match.decision) {
+    return fmt::format("match {} counts as played already", number);
+  }
+  if (lacks_winner(decision, match.fixture)) {
+    return fmt::format("match {} must have a winner: award goals, or penalties too",
+                       match.fixture.index);
+  }
+  return "";
+}
+
+// Removes the matches from `first` on from store, folder and decisions.
+Result<void> remove_matches(const fs::path& folder, Store& store, int first,
+                            std::vector<MatchDecision>& decisions) {
+  TRY(store.remove_from(first));
+  remove_work_results(folder, first);
+  std::erase_if(decisions, [first](const MatchDecision& one) { return one.match >= first; });
+  return {};
 }
 
 }  // namespace
@@ -45,6 +73,7 @@ Result<std::vector<ScheduledMatch>> decided_matches(const fs::path& folder, Stor
   TRY_INIT(auto matches, store.matches());
   TRY_INIT(const auto decisions, read_decisions(folder));
   if (decisions.empty()) return matches;
+
   std::vector<std::uint64_t> seeds;
   for (const ScheduledMatch& match : matches) seeds.push_back(match.fixture.seed);
   apply_decisions(matches, decisions);
@@ -62,20 +91,12 @@ Result<DecisionEffect> decide(const fs::path& folder, const TournamentConfig& co
   TRY_INIT(auto store, Store::open(folder / kStoreFile));
   TRY_INIT(auto matches, decided_matches(folder, store));
   TRY_INIT(auto decisions, read_decisions(folder));
-  if (decision.match < 1 || decision.match > static_cast<int>(matches.size())) {
-    return Error{
-        fmt::format("no match {}: {} so far", decision.match,
-                    base::counted(matches.size(), "match is", "matches are") + " scheduled")};
-  }
-  const auto at = static_cast<std::size_t>(decision.match) - 1;
+  DecisionEffect effect;
+  effect.problem = problem_of(decision, matches);
+  if (!effect.problem.empty()) return effect;
+
+  const std::size_t at = base::index(decision.match) - 1;
   const ScheduledMatch before = matches[at];
-  if (decision.kind == DecisionKind::kReplay && !before.outcome) {
-    return Error{fmt::format("match {} was not played yet", decision.match)};
-  }
-  if (decision.kind == DecisionKind::kAsPlayed && !before.decision) {
-    return Error{fmt::format("match {} counts as played already", decision.match)};
-  }
-  TRY(check_award(decision, before.fixture));
   if (before.outcome) decision.before = result_text(*before.outcome);
   if (decision.kind == DecisionKind::kReplay) decision.seed = seed_of_replay(before.fixture.seed);
   decisions.push_back(decision);
@@ -83,24 +104,18 @@ Result<DecisionEffect> decide(const fs::path& folder, const TournamentConfig& co
   // From the results as played: a decision may take back an earlier one.
   TRY_INIT(auto after, store.matches());
   apply_decisions(after, decisions);
-  DecisionEffect effect;
   effect.match = after[at];
-  if (const auto contradiction = find_contradiction(config, after)) {
-    const auto removed =
-        std::span(after).subspan(static_cast<std::size_t>(contradiction->first) - 1);
+  if (const auto contradiction = find_contradiction(config.competition, after)) {
+    const auto removed = std::span(after).subspan(base::index(contradiction->first) - 1);
     effect.drawn_again = contradiction->first;
     effect.removed = static_cast<int>(removed.size());
-    effect.removed_played =
-        static_cast<int>(std::count_if(removed.begin(), removed.end(), [](const auto& match) {
-          return match.outcome.has_value();
-        }));
+    effect.removed_played = static_cast<int>(
+        std::ranges::count_if(removed, [](const auto& one) { return one.outcome.has_value(); }));
     effect.refused = effect.removed_played > 0 && !redraw;
     if (effect.refused) return effect;
-    TRY(store.remove_from(contradiction->first));
-    remove_work_results(folder, contradiction->first);
-    std::erase_if(decisions,
-                  [&](const MatchDecision& one) { return one.match >= contradiction->first; });
+    TRY(remove_matches(folder, store, contradiction->first, decisions));
   }
+
   TRY(write_decisions(folder, decisions));
   TRY(decided_matches(folder, store));
   return effect;

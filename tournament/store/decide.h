@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/result.h"
+#include "league/matches/decision.h"
+#include "league/matches/fixture.h"
 #include "tournament/config/config.h"
-#include "tournament/schedule/decision.h"
-#include "tournament/schedule/fixture.h"
 #include "tournament/store/store.h"
 
 namespace cls::tournament {
@@ -20,19 +20,20 @@ namespace cls::tournament {
 base::Result<std::vector<ScheduledMatch>> decided_matches(const std::filesystem::path& folder,
                                                           Store& store);
 
-/// What a decision changes beyond its match.
+/// The effect of a decision. Nothing was changed if there is a problem, or if it was refused.
 struct DecisionEffect {
+  std::string problem;             ///< there is no such match, or nothing to decide; empty: neither
   ScheduledMatch match;            ///< the match of the decision, as it counts now
   std::optional<int> drawn_again;  ///< the matches from this number on are drawn again
   int removed = 0;                 ///< number of these matches
   int removed_played = 0;          ///< of these, played already
-  bool refused = false;            ///< nothing was changed, because of played matches
+  bool refused = false;            ///< because of played matches
 };
 
 /// Makes a decision on a match with this number; sets its seed and the result until then. Later
 /// rounds that it changes are removed, and drawn again by the next run; if some of their matches
-/// were played, only with `redraw`. The caller holds the lock of the folder. An error when there is
-/// no such match, or when there is nothing to decide.
+/// were played, only with `redraw`. The caller holds the lock of the folder. An error if a file
+/// cannot be written.
 base::Result<DecisionEffect> decide(const std::filesystem::path& folder,
                                     const TournamentConfig& config, MatchDecision decision,
                                     bool redraw);

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "base/result.h"
-#include "tournament/schedule/decision.h"
+#include "base/text/json.h"
+#include "league/matches/decision.h"
 
 namespace cls::tournament {
 
@@ -22,6 +22,6 @@ base::Result<void> write_decisions(const std::filesystem::path& folder,
                                    const std::vector<MatchDecision>& decisions);
 
 /// A line of the file, and the member "decision" of a match in reports.
-nlohmann::ordered_json json_of(const MatchDecision& decision);
+base::Json json_of(const MatchDecision& decision);
 
 }  // namespace cls::tournament

@@ -8,19 +8,40 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
 
+#include "base/index.h"
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 
 namespace cls::tournament {
 
 using base::Error;
+using base::Json;
 using base::Result;
-using Json = nlohmann::ordered_json;
+
+namespace {
+
+base::UniqueFd open_to_append(const std::filesystem::path& file) {
+  return base::UniqueFd(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+}
+
+// One write appends a whole line, wherever the others are. Returns the bytes that were written;
+// unless these are all, errno says why.
+std::size_t append(const base::UniqueFd& file, std::string_view text) {
+  const ssize_t written = ::write(file.get(), text.data(), text.size());
+  if (written >= 0 && written != std::ssize(text)) errno = ENOSPC;
+  return written < 0 ? 0 : base::index(written);
+}
+
+Error write_error(const std::string& file) {
+  return Error{fmt::format("cannot write {}: {}", file, std::strerror(errno))};
+}
+
+}  // namespace
 
 EventFile::EventFile(base::UniqueFd file, std::string name, std::int64_t lines, bool whole)
     : file_(std::move(file)),
@@ -35,10 +56,11 @@ Result<EventFile> EventFile::open(const std::filesystem::path& file) {
   std::error_code code;
   const bool regular = std::filesystem::is_regular_file(file, code);
   if (const auto text = regular ? base::read_file(file) : std::nullopt) {
-    lines = std::count(text->begin(), text->end(), '\n');
+    lines = std::ranges::count(*text, '\n');
     whole = text->empty() || text->back() == '\n';
   }
-  base::UniqueFd opened(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+
+  base::UniqueFd opened = open_to_append(file);
   if (!opened) {
     return Error{fmt::format("cannot create {}: {}", file.string(), std::strerror(errno))};
   }
@@ -53,13 +75,18 @@ Result<void> EventFile::add(std::string_view type, const Json& fields) {
                {"time", base::utc_now()},
                {"type", type}};
   line.update(fields);
+
   const std::string text = (whole_ ? "" : "\n") + base::json_line(line) + "\n";
-  const ssize_t written = ::write(file_.get(), text.data(), text.size());
-  if (written > 0) whole_ = text[static_cast<std::size_t>(written) - 1] == '\n';
-  if (written >= 0 && written != static_cast<ssize_t>(text.size())) errno = ENOSPC;
-  if (written != static_cast<ssize_t>(text.size()) || ::fdatasync(file_.get()) != 0) {
-    return Error{fmt::format("cannot write {}: {}", name_, std::strerror(errno))};
-  }
+  const std::size_t written = append(file_, text);
+  if (written > 0) whole_ = text[written - 1] == '\n';
+  if (written != text.size() || ::fdatasync(file_.get()) != 0) return write_error(name_);
+  return {};
+}
+
+Result<void> append_line(const std::filesystem::path& file, std::string_view line) {
+  const base::UniqueFd opened = open_to_append(file);
+  const std::string text = std::string(line) + "\n";
+  if (!opened || append(opened, text) != text.size()) return write_error(file.string());
   return {};
 }
 

@@ -4,12 +4,12 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
 #include "base/result.h"
 #include "base/system/unique_fd.h"
+#include "base/text/json.h"
 
 namespace cls::tournament {
 
@@ -21,7 +21,7 @@ class EventFile {
   static base::Result<EventFile> open(const std::filesystem::path& file);
 
   /// Appends and syncs a line; `fields` follow the common members.
-  base::Result<void> add(std::string_view type, const nlohmann::ordered_json& fields);
+  base::Result<void> add(std::string_view type, const base::Json& fields);
 
  private:
   EventFile(base::UniqueFd file, std::string name, std::int64_t lines, bool whole);
@@ -32,5 +32,8 @@ class EventFile {
   bool whole_ = true;  ///< the last line is complete
   std::chrono::steady_clock::time_point begin_;
 };
+
+/// Appends a line to a file that others append to. An error unless all of it was written.
+base::Result<void> append_line(const std::filesystem::path& file, std::string_view line);
 
 }  // namespace cls::tournament

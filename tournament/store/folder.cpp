@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
-#include <chrono>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -19,8 +19,8 @@
 #include "base/system/host.h"
 #include "base/text/number_text.h"
 #include "base/text/stored_formats.h"
+#include "league/schedule/schedule_check.h"
 #include "tournament/config/config_file.h"
-#include "tournament/schedule/schedule_check.h"
 #include "tournament/store/collector.h"
 #include "tournament/store/decisions_file.h"
 #include "tournament/store/match_document.h"
@@ -28,20 +28,14 @@
 #include "tournament/store/store.h"
 
 namespace cls::tournament {
-namespace {
-
 namespace fs = std::filesystem;
 using base::Error;
 using base::Result;
 
-}  // namespace
-
 fs::path match_folder(const TournamentConfig& config, const Fixture& fixture, int attempt) {
-  const auto team = [&config](int index) {
-    return config.teams[static_cast<std::size_t>(index)].name;
-  };
-  const std::string stem =
-      fmt::format("{:06}-{}-vs-{}", fixture.index, team(fixture.left), team(fixture.right));
+  const Competition& teams = config.competition;
+  const std::string stem = fmt::format("{:06}-{}-vs-{}", fixture.index, teams.team(fixture.left),
+                                       teams.team(fixture.right));
   return fs::path(kMatchesFolder) / (attempt == 1 ? stem : fmt::format("{}.{}", stem, attempt));
 }
 
@@ -57,7 +51,7 @@ bool claim_folder(const fs::path& folder) {
 
 std::string unfinished_host() {
   std::string host = base::host_name();
-  std::replace(host.begin(), host.end(), '/', '-');
+  std::ranges::replace(host, '/', '-');
   return host;
 }
 
@@ -143,14 +137,14 @@ Result<void> check_plan(const fs::path& folder, const TournamentConfig& config) 
 }
 
 Result<void> write_plan(const fs::path& folder, const TournamentConfig& config) {
-  if (auto created = base::create_folders(folder); !created) return created;
+  TRY(base::create_folders(folder));
   return base::write_file_durably(
       folder / kPlanFile,
       fmt::format("schema = {}\n\n{}", base::kConfigSchema, format_config(config)));
 }
 
 Result<void> prepare_folder(const fs::path& folder, const TournamentConfig& config) {
-  if (auto checked = check_plan(folder, config); !checked) return checked;
+  TRY(check_plan(folder, config));
   return write_plan(folder, config);
 }
 
@@ -182,11 +176,10 @@ Result<void> read_schedule(const fs::path& path, Visit visit) {
 
 Result<Fixture> read_fixture(const fs::path& schedule, int index) {
   std::optional<Fixture> found;
-  const auto read = read_schedule(schedule, [&](Fixture fixture) {
+  TRY(read_schedule(schedule, [&](Fixture fixture) {
     if (fixture.index == index) found = std::move(fixture);
     return !found;
-  });
-  if (!read) return read.error();
+  }));
   if (!found) return Error{fmt::format("{} has no match {} yet", schedule.string(), index)};
   return *std::move(found);
 }
@@ -198,18 +191,17 @@ Error corrupt(const fs::path& file, const Error& error) {
       fmt::format("{}: {}: the file is corrupt or was changed", file.string(), error.message)};
 }
 
-std::vector<ScheduledMatch> schedule_in(const fs::path& folder) {
+Result<std::vector<ScheduledMatch>> schedule_in(const fs::path& folder) {
   std::vector<ScheduledMatch> matches;
-  const auto read = read_schedule(folder / kScheduleFile, [&](Fixture fixture) {
+  TRY(read_schedule(folder / kScheduleFile, [&](Fixture fixture) {
     matches.push_back(planned(std::move(fixture)));
     return true;
-  });
-  if (!read) matches.clear();
+  }));
   return matches;
 }
 
 bool is_replay(const Fixture& fixture, std::span<const MatchDecision> decisions) {
-  return std::any_of(decisions.begin(), decisions.end(), [&fixture](const MatchDecision& decision) {
+  return std::ranges::any_of(decisions, [&fixture](const MatchDecision& decision) {
     return decision.kind == DecisionKind::kReplay && decision.match == fixture.index &&
            decision.seed == fixture.seed;
   });
@@ -219,16 +211,39 @@ bool is_replay(const Fixture& fixture, std::span<const MatchDecision> decisions)
 // that a decision has replayed have another seed.
 Result<void> add_scheduled(const fs::path& folder, std::span<const MatchDecision> decisions,
                            std::vector<ScheduledMatch>& matches) {
-  std::vector<ScheduledMatch> scheduled = schedule_in(folder);
+  auto read = schedule_in(folder);
+  if (!read) return {};
+  std::vector<ScheduledMatch>& scheduled = *read;
   for (std::size_t i = 0; i < std::min(matches.size(), scheduled.size()); ++i) {
     const Fixture& stored = matches[i].fixture;
     if (is_replay(stored, decisions)) scheduled[i].fixture.seed = stored.seed;
-    if (matches[i].fixture == scheduled[i].fixture) continue;
+    if (stored == scheduled[i].fixture) continue;
     return corrupt(folder / kStoreFile,
                    {fmt::format("match {} is not that of {}", i + 1, kScheduleFile)});
   }
+
   for (std::size_t i = matches.size(); i < scheduled.size(); ++i) {
     matches.push_back(std::move(scheduled[i]));
+  }
+  return {};
+}
+
+Result<void> check_file(const fs::path& file, const TournamentState& state) {
+  const auto rows = check_rows(state.config.competition, state.matches);
+  if (!rows) return corrupt(file, rows.error());
+  return {};
+}
+
+// The matches of the store, and those that are scheduled only.
+Result<void> read_store(const fs::path& folder, std::span<const MatchDecision> decisions,
+                        TournamentState& state) {
+  TRY_INIT(const auto store, Store::open_to_read(folder / kStoreFile));
+  TRY_INIT(state.matches, store.matches());
+  state.stored = state.matches.size();
+  TRY(check_file(folder / kStoreFile, state));
+  TRY(add_scheduled(folder, decisions, state.matches));
+  if (FolderLock::is_held(folder)) {
+    TRY_INIT(state.running, store.running());
   }
   return {};
 }
@@ -237,37 +252,21 @@ Result<void> add_scheduled(const fs::path& folder, std::span<const MatchDecision
 
 Result<TournamentState> read_tournament(const fs::path& folder) {
   TournamentState state;
-  TRY_INIT(auto config, read_plan(folder));
-  state.config = std::move(config);
+  TRY_INIT(state.config, read_plan(folder));
   TRY_INIT(const auto decisions, read_decisions(folder));
   TRY_INIT(const auto pauses, read_pauses(folder));
   state.paused = is_paused(pauses);
+
   std::error_code code;
   if (fs::exists(folder / kStoreFile, code)) {
-    TRY_INIT(const auto store, Store::open_to_read(folder / kStoreFile));
-    TRY_INIT(auto matches, store.matches());
-    state.matches = std::move(matches);
-    state.stored = state.matches.size();
-    if (const auto rows = check_rows(state.config, state.matches); !rows) {
-      return corrupt(folder / kStoreFile, rows.error());
-    }
-    TRY(add_scheduled(folder, decisions, state.matches));
-    if (FolderLock::is_held(folder)) {
-      TRY_INIT(auto running, store.running());
-      state.running = std::move(running);
-    }
+    TRY(read_store(folder, decisions, state));
   } else if (fs::exists(folder / kScheduleFile, code)) {
-    const auto read = read_schedule(folder / kScheduleFile, [&](Fixture fixture) {
-      state.matches.push_back(planned(std::move(fixture)));
-      return true;
-    });
-    if (!read) return read.error();
+    TRY_INIT(state.matches, schedule_in(folder));
   }
-  if (const auto rows = check_rows(state.config, state.matches); !rows) {
-    return corrupt(folder / kScheduleFile, rows.error());
-  }
+  TRY(check_file(folder / kScheduleFile, state));
+
   for (WorkResult& result : collect_work_results(folder, state.matches)) {
-    state.matches[static_cast<std::size_t>(result.index) - 1].outcome = std::move(result.outcome);
+    state.matches[base::index(result.index) - 1].outcome = std::move(result.outcome);
   }
   apply_decisions(state.matches, decisions);
   return state;

@@ -9,8 +9,8 @@
 
 #include "base/result.h"
 #include "base/system/unique_fd.h"
+#include "league/matches/fixture.h"
 #include "tournament/config/config.h"
-#include "tournament/schedule/fixture.h"
 
 namespace cls::tournament {
 

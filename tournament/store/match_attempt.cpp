@@ -1,5 +1,4 @@
 // Starts `cls match` and reads its result.
-#include "match/terms/option_table.h"
 #include "tournament/store/match_attempt.h"
 
 #include <fmt/format.h>
@@ -17,6 +16,7 @@
 #include "base/text/number_text.h"
 #include "match/result/match_folder.h"
 #include "match/terms/endpoint.h"
+#include "match/terms/option_table.h"
 #include "match/terms/server_choice.h"
 #include "tournament/store/folder.h"
 #include "tournament/store/match_document.h"
@@ -42,12 +42,12 @@ void add_option(std::vector<std::string>& argv, const char* option, const std::s
 
 // Logs of many matches are large. Running servers have settings of their own.
 void add_log_compression(std::vector<std::string>& argv, const TournamentConfig& config) {
-  if (match_options(config).server_choice.kind == match::ServerChoice::Kind::kAddress) return;
+  const match::ServerChoice server = match_options(config.conditions).server_choice;
+  if (server.kind == match::ServerChoice::Kind::kAddress) return;
   for (const char* name : {"server::game_log_compression", "server::text_log_compression"}) {
-    const bool configured =
-        std::any_of(config.settings.begin(), config.settings.end(),
-                    [name](const ServerSetting& setting) { return setting.name == name; });
-    if (!configured) add_option(argv, "--set", fmt::format("{}={}", name, kLogCompression));
+    if (!config.conditions.sets(name)) {
+      add_option(argv, "--set", fmt::format("{}={}", name, kLogCompression));
+    }
   }
 }
 
@@ -95,7 +95,7 @@ std::string reason_in(const std::vector<std::string>& output,
 }
 
 bool interrupted(const Outcome& outcome) {
-  return outcome.end_reason == match::EndReason::kInterrupted;
+  return outcome.end_reason == soccer::EndReason::kInterrupted;
 }
 
 // Where this process alone plays an attempt: in `folder`, if it is not empty, else below matches/,
@@ -114,29 +114,30 @@ fs::path own_folder(const TournamentConfig& config, const Fixture& fixture, int 
 
 process::CommandPlan match_plan(const TournamentConfig& config, const Fixture& fixture,
                                 const fs::path& program, const fs::path& folder) {
-  const TeamEntry& left = config.teams[static_cast<std::size_t>(fixture.left)];
-  const TeamEntry& right = config.teams[static_cast<std::size_t>(fixture.right)];
+  const std::vector<TeamEntry>& teams = config.competition.teams;
+  const TeamEntry& left = teams[base::index(fixture.left)];
+  const TeamEntry& right = teams[base::index(fixture.right)];
   process::CommandPlan plan;
   plan.name = fmt::format("match {}", fixture.index);
-  plan.folder = config.folder;
+  plan.folder = config.execution.folder;
   plan.argv = {program.string(), "match", left.endpoint, right.endpoint};
   add_option(plan.argv, "--left-name", left.name);
   add_option(plan.argv, "--right-name", right.name);
   if (is_external(left) || is_external(right)) plan.argv.emplace_back("--own-names");
   plan.argv.emplace_back("--rated");
   add_option(plan.argv, "--seed", fmt::to_string(fixture.seed));
-  for (std::string& word : match::option_words(config.options))
-    plan.argv.push_back(std::move(word));
-  for (const ServerSetting& setting : config.settings) {
+
+  std::ranges::move(match::option_words(config.conditions.options), std::back_inserter(plan.argv));
+  for (const ServerSetting& setting : config.conditions.settings) {
     add_option(plan.argv, "--set", setting.name + "=" + setting.value);
   }
   if (fixture.decides) {
-    const bool chosen =
-        std::any_of(config.settings.begin(), config.settings.end(),
-                    [](const ServerSetting& one) { return one.name == "server::nr_extra_halfs"; });
-    if (!chosen) add_option(plan.argv, "--set", std::string("server::nr_extra_halfs=2"));
-    add_option(plan.argv, "--set", std::string("server::penalty_shoot_outs=on"));
+    if (!config.conditions.sets("server::nr_extra_halfs")) {
+      add_option(plan.argv, "--set", "server::nr_extra_halfs=2");
+    }
+    add_option(plan.argv, "--set", "server::penalty_shoot_outs=on");
   }
+
   if (!folder.empty()) {
     add_log_compression(plan.argv, config);
     add_option(plan.argv, "--dir", folder.string());
@@ -155,12 +156,14 @@ Result<MatchAttempt> MatchAttempt::start(process::ProcessHost& host, const Tourn
   started.folder_ =
       own_folder(config, fixture, attempt, started.tournament_, std::move(options.folder));
   started.begin_ = std::chrono::steady_clock::now();
-  started.limit_s_ = match_options(config).time_limit_s;
+  started.limit_s_ = match_options(config.conditions).time_limit_s;
   started.started_ = base::utc_now();
+
   process::CommandPlan plan =
       match_plan(config, fixture, options.program, started.tournament_ / started.folder_);
   plan.cpus = std::move(options.cpus);
-  if (!config.on_event.empty()) add_events(plan.argv, started.tournament_);
+  if (!config.execution.on_event.empty()) add_events(plan.argv, started.tournament_);
+
   TRY_INIT(auto child, host.start(plan));
   started.child_ = std::move(child);
   return started;
@@ -184,22 +187,24 @@ Result<std::optional<Outcome>> MatchAttempt::outcome() const {
   const process::Child::Status status = child_->status();
   auto read = read_outcome(tournament_ / folder_, fixture_);
   if (read && interrupted(*read)) return std::optional<Outcome>();
+
   Outcome outcome;
   if (read) {
     outcome = *std::move(read);
   } else if (interrupted_) {
     return std::optional<Outcome>();
   } else if (timed_out_) {
-    outcome.end_reason = match::EndReason::kTimedOut;
+    outcome.end_reason = soccer::EndReason::kTimedOut;
     outcome.message = fmt::format("did not exit at its time limit of {} s", *limit_s_);
   } else if (status.exit && status.exit->by_signal) {
     // The embedded server runs in this process.
-    outcome.end_reason = match::EndReason::kServerFailed;
+    outcome.end_reason = soccer::EndReason::kServerFailed;
     outcome.message = "cls match was " + to_text(*status.exit);
   } else {
     return Error{fmt::format("match {} cannot be played: {}", fixture_.index,
                              reason_in(child_->last_lines(), status))};
   }
+
   outcome.attempts = number_;
   outcome.folder = folder_.string();
   outcome.started = started_;
@@ -236,8 +241,8 @@ std::optional<Outcome> recover_result(const TournamentConfig& config, const Fixt
 }
 
 bool keeps_folder(const TournamentConfig& config, const Outcome& outcome) {
-  if (config.keep_logs == KeepLogs::kAll) return true;
-  return config.keep_logs == KeepLogs::kFailed && !outcome.played();
+  if (config.execution.keep_logs == KeepLogs::kAll) return true;
+  return config.execution.keep_logs == KeepLogs::kFailed && !outcome.played();
 }
 
 void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outcome& outcome,
@@ -246,7 +251,7 @@ void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outc
   for (int attempt = 1; attempt <= outcome.attempts; ++attempt) {
     const fs::path folder = match_folder(config, fixture, attempt);
     bool keep = folder == outcome.folder;
-    if (attempt < outcome.attempts && config.keep_logs != KeepLogs::kNone) {
+    if (attempt < outcome.attempts && config.execution.keep_logs != KeepLogs::kNone) {
       keep = was_played(tournament / folder, fixture);
     }
     if (!keep) fs::remove_all(tournament / folder, code);
@@ -259,7 +264,7 @@ void clean_up_unfinished(std::span<const ScheduledMatch> matches, const fs::path
     const std::string name = entry.path().filename().string();
     const auto work = parse_attempt_name(name);
     if (!work || work->index < 1 || work->index > std::ssize(matches)) continue;
-    const auto& outcome = matches[static_cast<std::size_t>(work->index) - 1].outcome;
+    const auto& outcome = matches[base::index(work->index) - 1].outcome;
     if (!outcome || work->attempt > outcome->attempts || is_running(work->rest)) continue;
     std::error_code ignored;
     if (name != fs::path(outcome->folder).filename()) fs::remove_all(entry.path(), ignored);

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "base/result.h"
+#include "league/matches/fixture.h"
 #include "process/process_host.h"
 #include "tournament/config/config.h"
-#include "tournament/schedule/fixture.h"
 
 namespace cls::tournament {
 

@@ -3,46 +3,25 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
-#include "base/catch_as_error.h"
-#include "base/text/json_codec.h"
-#include "base/text/json_text.h"
-#include "match/result/reply_summary.h"
+#include "match/result/match_result.h"
 #include "soccer/side.h"
 #include "tournament/store/decisions_file.h"
+#include "tournament/store/json_lines.h"
 
-namespace cls::tournament {
-
-using Json = nlohmann::ordered_json;
-using base::JsonDecoder;
-using base::JsonEncoder;
-using base::Result;
-
-namespace {
+// The members of each type, where argument-dependent lookup finds them.
+namespace cls::league {
 
 template <typename Codec, typename T>
 using Object = typename Codec::template Object<T>;
 
-Json winner_json(const Outcome& outcome) {
+static base::Json winner_json(const Outcome& outcome) {
   if (!outcome.counts()) return nullptr;
   const int sign = winner_sign(outcome);
   return sign > 0 ? "left" : sign < 0 ? "right" : "draw";
 }
 
-template <typename T>
-Result<T> parse(std::string_view text) {
-  return base::catch_as_error<std::exception>("", [&] {
-    T value;
-    JsonDecoder::decode(Json::parse(text), value);
-    return value;
-  });
-}
-
-}  // namespace
-
 template <typename Codec>
-static void members(Codec& codec, Object<Codec, Fixture>& fixture) {
+static void list_members(Codec& codec, Object<Codec, Fixture>& fixture) {
   codec.required("index", fixture.index);
   codec.required("round", fixture.round);
   codec.required("stage", fixture.stage);
@@ -52,6 +31,9 @@ static void members(Codec& codec, Object<Codec, Fixture>& fixture) {
   codec.required("seed", fixture.seed);
   codec.required("decides", fixture.decides);
 }
+
+void members(base::JsonEncoder& codec, const Fixture& fixture) { list_members(codec, fixture); }
+void members(base::JsonDecoder& codec, Fixture& fixture) { list_members(codec, fixture); }
 
 template <typename Codec>
 static void members(Codec& codec, Object<Codec, SideStats>& side) {
@@ -68,23 +50,27 @@ static void members(Codec& codec, Object<Codec, SideStats>& side) {
 template <typename Codec>
 static void members(Codec& codec, Object<Codec, Outcome>& outcome) {
   codec.named(
-      "end_reason", outcome.end_reason, [](match::EndReason reason) { return name(reason); },
-      match::parse_end_reason);
+      "end_reason", outcome.end_reason, [](soccer::EndReason reason) { return name(reason); },
+      soccer::parse_end_reason);
+
   codec.derived("valid", [&] { return outcome.played(); });
   codec.member("forfeit", outcome.forfeit);
   codec.pair("score", outcome.left_score, outcome.right_score);
   codec.pair("penalty_score", outcome.left_penalties, outcome.right_penalties);
   codec.rounded("value", outcome.value, 1e6);
   codec.derived("winner", [&] { return winner_json(outcome); });
+
   codec.named("fault", outcome.fault, soccer::side_name, soccer::parse_side);
   codec.text_or_null("message", outcome.message);
   codec.member("warnings", outcome.warnings);
+
   codec.member("attempts", outcome.attempts);
   codec.member("cycles", outcome.cycles);
   codec.rounded("wall_seconds", outcome.wall_seconds, 1000);
   codec.rounded("run_seconds", outcome.run_seconds, 1000);
   codec.rounded("cycles_per_second", outcome.cycles_per_second, 10);
   codec.member("deterministic", outcome.deterministic);
+
   codec.member("mode", outcome.mode);
   codec.member("started", outcome.started);
   codec.member("ended", outcome.ended);
@@ -97,52 +83,20 @@ static void members(Codec& codec, Object<Codec, Outcome>& outcome) {
   codec.member("right_figures", outcome.right);
 }
 
+}  // namespace cls::league
+
+namespace cls::tournament {
+
+using base::Json;
+using base::JsonDecoder;
+using base::JsonEncoder;
+using base::Result;
+
 static void members(JsonDecoder& codec, WorkResult& result) {
   codec.required("index", result.index);
   codec.required("seed", result.seed);
   members(codec, result.outcome);
 }
-
-Json json_of(const TournamentConfig& config, const ScheduledMatch& match) {
-  const Fixture& fixture = match.fixture;
-  const auto team = [&config](int index) {
-    return config.teams[static_cast<std::size_t>(index)].name;
-  };
-  Json json = JsonEncoder::encode(fixture);
-  if (fixture.stage.empty()) json["stage"] = nullptr;
-  json["left"] = team(fixture.left);
-  json["right"] = team(fixture.right);
-  if (match.outcome) {
-    JsonEncoder codec(json);
-    members(codec, *match.outcome);
-  } else {
-    json["end_reason"] = nullptr;
-    json["score"] = nullptr;
-  }
-  if (match.decision) json["decision"] = json_of(*match.decision);
-  return json;
-}
-
-std::string format_fixture(const Fixture& fixture) {
-  return base::json_line(JsonEncoder::encode(fixture)) + "\n";
-}
-
-Result<Fixture> parse_fixture(std::string_view line) { return parse<Fixture>(line); }
-
-std::string format_outcome(const Outcome& outcome) {
-  return base::json_line(JsonEncoder::encode(outcome));
-}
-
-Result<Outcome> parse_outcome(std::string_view text) { return parse<Outcome>(text); }
-
-std::string format_work_result(const Fixture& fixture, const Outcome& outcome) {
-  Json json = {{"schema", "cls.work/1"}, {"index", fixture.index}, {"seed", fixture.seed}};
-  JsonEncoder codec(json);
-  members(codec, outcome);
-  return base::json_document(json);
-}
-
-Result<WorkResult> parse_work_result(std::string_view text) { return parse<WorkResult>(text); }
 
 namespace {
 
@@ -154,6 +108,43 @@ SideStats stats_of(const match::TeamResult& team) {
 
 }  // namespace
 
+Json json_of(const TournamentConfig& config, const ScheduledMatch& match) {
+  const Fixture& fixture = match.fixture;
+
+  Json json = JsonEncoder::encode(fixture);
+  if (fixture.stage.empty()) json["stage"] = nullptr;
+  json["left"] = config.competition.team(fixture.left);
+  json["right"] = config.competition.team(fixture.right);
+  if (match.outcome) {
+    JsonEncoder codec(json);
+    members(codec, *match.outcome);
+  } else {
+    json["end_reason"] = nullptr;
+    json["score"] = nullptr;
+  }
+  if (match.decision) json["decision"] = json_of(*match.decision);
+  return json;
+}
+
+std::string format_fixture(const Fixture& fixture) { return format_json_line(fixture); }
+
+Result<Fixture> parse_fixture(std::string_view line) { return parse_json<Fixture>(line); }
+
+std::string format_outcome(const Outcome& outcome) {
+  return base::json_line(JsonEncoder::encode(outcome));
+}
+
+Result<Outcome> parse_outcome(std::string_view text) { return parse_json<Outcome>(text); }
+
+std::string format_work_result(const Fixture& fixture, const Outcome& outcome) {
+  Json json = {{"schema", "cls.work/1"}, {"index", fixture.index}, {"seed", fixture.seed}};
+  JsonEncoder codec(json);
+  members(codec, outcome);
+  return base::json_document(json);
+}
+
+Result<WorkResult> parse_work_result(std::string_view text) { return parse_json<WorkResult>(text); }
+
 Outcome outcome_of(const match::MatchResult& result) {
   Outcome outcome;
   outcome.end_reason = result.end_reason;
@@ -163,10 +154,12 @@ Outcome outcome_of(const match::MatchResult& result) {
     outcome.left_penalties = result.left.penalty_score;
     outcome.right_penalties = result.right.penalty_score;
   }
+
   if (result.book) outcome.value = result.book->value;
   if (result.fault != soccer::Side::kNeutral) outcome.fault = result.fault;
   outcome.message = result.message;
   outcome.warnings = result.warnings;
+
   outcome.cycles = result.cycles;
   outcome.wall_seconds = result.wall_seconds;
   outcome.cycles_per_second = result.cycles_per_second;
@@ -174,6 +167,7 @@ Outcome outcome_of(const match::MatchResult& result) {
   outcome.mode = result.mode;
   outcome.version = result.cls_version;
   outcome.server = fmt::format("{} {}", result.server_kind, result.server_version);
+
   outcome.left = stats_of(result.left);
   outcome.right = stats_of(result.right);
   return outcome;

@@ -2,20 +2,29 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
 #include "base/result.h"
+#include "base/text/json.h"
+#include "base/text/json_codec.h"
+#include "league/matches/fixture.h"
 #include "match/result/match_result.h"
 #include "tournament/config/config.h"
-#include "tournament/schedule/fixture.h"
+
+namespace cls::league {
+
+// For documents that have those of a fixture among theirs, see base/text/json_codec.h.
+void members(base::JsonEncoder& codec, const Fixture& fixture);
+void members(base::JsonDecoder& codec, Fixture& fixture);
+
+}  // namespace cls::league
 
 namespace cls::tournament {
 
 /// An element of "matches" in cls.tournament/1: the fixture with team names, and the members of
 /// its outcome; without an outcome "end_reason" and "score" are null.
-nlohmann::ordered_json json_of(const TournamentConfig& config, const ScheduledMatch& match);
+base::Json json_of(const TournamentConfig& config, const ScheduledMatch& match);
 
 /// A line of schedule.jsonl. Teams are indices there.
 std::string format_fixture(const Fixture& fixture);

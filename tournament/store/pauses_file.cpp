@@ -1,44 +1,30 @@
 // Reads and replaces the whole file: it has few lines.
 #include "tournament/store/pauses_file.h"
 
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
-
-#include "base/io/whole_file.h"
 #include "base/system/host.h"
-#include "base/text/json_text.h"
-#include "tournament/store/folder.h"
 #include "tournament/store/json_lines.h"
 
 namespace cls::tournament {
-namespace {
-
 namespace fs = std::filesystem;
 using base::Result;
 
+template <typename Codec>
+static void members(Codec& codec, typename Codec::template Object<Pause>& pause) {
+  codec.required("begin", pause.begin);
+  codec.text_or_null("end", pause.end);
+  codec.required("reason", pause.reason);
+}
+
+namespace {
+
 Result<void> write_pauses(const fs::path& folder, const std::vector<Pause>& pauses) {
-  std::string text;
-  for (const Pause& pause : pauses) {
-    const nlohmann::ordered_json line = {
-        {"begin", pause.begin},
-        {"end",
-         pause.end.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pause.end)},
-        {"reason", pause.reason}};
-    text += base::json_line(line) + "\n";
-  }
-  return base::write_file_durably(folder / kPausesFile, text);
+  return write_json_lines(folder / kPausesFile, pauses);
 }
 
 }  // namespace
 
 Result<std::vector<Pause>> read_pauses(const fs::path& folder) {
-  return read_json_lines(folder / kPausesFile, [](const std::string& line) {
-    const auto json = nlohmann::json::parse(line);
-    const auto& end = json.at("end");
-    return Pause{json.at("begin").get<std::string>(), end.is_null() ? "" : end.get<std::string>(),
-                 json.at("reason").get<std::string>()};
-  });
+  return read_json_lines<Pause>(folder / kPausesFile);
 }
 
 bool is_paused(const std::vector<Pause>& pauses) {

@@ -10,6 +10,7 @@
 #include "base/io/whole_file.h"
 #include "base/text/number_text.h"
 #include "base/text/suggestion.h"
+#include "base/text/trimmed.h"
 
 namespace cls::tournament {
 namespace {
@@ -21,18 +22,11 @@ constexpr const char* kResultForm =
     "must be TEAM GOALS:GOALS TEAM, as in 'RED 2:1 BLUE', or "
     "'RED 2:2 (4:3) BLUE' with a shoot-out";
 
-std::string_view trimmed(std::string_view line) {
-  constexpr std::string_view kSpaces = " \t\r";
-  const std::size_t first = line.find_first_not_of(kSpaces);
-  if (first == line.npos) return {};
-  return line.substr(first, line.find_last_not_of(kSpaces) - first + 1);
-}
-
 Result<int> team_of(const TournamentConfig& config, const std::string& name) {
-  const int team = team_index(config, name);
+  const int team = team_index(config.competition, name);
   if (team >= 0) return team;
   std::vector<std::string_view> known;
-  for (const TeamEntry& one : config.teams) known.push_back(one.name);
+  for (const TeamEntry& one : config.competition.teams) known.push_back(one.name);
   return Error{fmt::format("unknown team '{}'{}", name, base::did_you_mean(name, known))};
 }
 
@@ -73,9 +67,11 @@ Result<void> ResultsFile::add(std::string_view line, const std::string& stage,
     entry.outcome.left_penalties = penalties->first;
     entry.outcome.right_penalties = penalties->second;
   }
+
   TRY_INIT(const int left, team_of(config, fields.front()));
   TRY_INIT(const int right, team_of(config, fields.back()));
   if (left == right) return Error{fmt::format("'{}' meets itself", fields.front())};
+
   entry.left = left;
   if (!entries_.emplace(Key{stage, std::minmax({left, right})}, entry).second) {
     return Error{
@@ -92,8 +88,9 @@ Result<ResultsFile> ResultsFile::parse(std::string_view text, const std::string&
   for (int number = 1; !text.empty(); ++number) {
     const std::string_view whole = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(whole.size() + 1, text.size()));
-    const std::string_view line = trimmed(whole.substr(0, whole.find('#')));
+    const std::string_view line = base::trimmed(whole.substr(0, whole.find('#')));
     if (line.empty()) continue;
+
     if (line.front() == '[') {
       if (line.back() != ']') {
         return Error{fmt::format("{}:{}: a stage ends in ']'", file, number)};
@@ -101,6 +98,7 @@ Result<ResultsFile> ResultsFile::parse(std::string_view text, const std::string&
       stage = line.substr(1, line.size() - 2);
       continue;
     }
+
     if (const auto added = results.add(line, stage, config); !added) {
       return Error{fmt::format("{}:{}: {}", file, number, added.error().message)};
     }
@@ -118,9 +116,7 @@ Result<ResultsFile> ResultsFile::read(const std::filesystem::path& file,
 Result<Outcome> ResultsFile::find(const TournamentConfig& config, const Fixture& fixture) const {
   const auto found = entries_.find({fixture.stage, std::minmax({fixture.left, fixture.right})});
   if (found == entries_.end()) {
-    const auto team = [&config](int index) {
-      return config.teams[static_cast<std::size_t>(index)].name;
-    };
+    const auto team = [&config](int index) { return config.competition.team(index); };
     return Error{fmt::format("{}: no result of {} and {}, match {}, below [{}]", file_,
                              team(fixture.left), team(fixture.right), fixture.index,
                              fixture.stage)};

@@ -167,10 +167,12 @@ ScheduledMatch match_in(SQLite::Statement& row) {
   fixture.right = columns.integer();
   fixture.seed = static_cast<std::uint64_t>(columns.long_integer());
   fixture.decides = columns.integer() != 0;
+
   const std::string state = columns.text();
   match.attempts = columns.integer();
   match.settled = columns.integer();
   if (state != "done" && state != "failed") return match;
+
   auto outcome = parse_outcome(columns.text());
   if (!outcome) {
     throw SQLite::Exception(
@@ -232,6 +234,7 @@ std::unique_ptr<SQLite::Database> database_to_read(const std::filesystem::path& 
     constexpr int kReadOnly = 8;     // SQLITE_READONLY
     constexpr int kCannotOpen = 14;  // SQLITE_CANTOPEN
     if (error.getErrorCode() != kReadOnly && error.getErrorCode() != kCannotOpen) throw;
+
     std::error_code code;
     const auto log_bytes = std::filesystem::file_size(file.string() + "-wal", code);
     if (!code && log_bytes > 0) {
@@ -240,6 +243,7 @@ std::unique_ptr<SQLite::Database> database_to_read(const std::filesystem::path& 
           "the folder");
     }
   }
+
   auto database = std::make_unique<SQLite::Database>(
       immutable_uri(file), SQLite::OPEN_READONLY | SQLite::OPEN_URI, kBusyTimeoutMs);
   check_not_newer(schema_version(*database));
@@ -284,6 +288,7 @@ Result<void> Store::add(std::span<const Fixture> fixtures) {
     SQLite::Statement insert(*database_,
                              "INSERT INTO match (number, round, stage, pairing, left_team, "
                              "right_team, seed, decides) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+
     for (const Fixture& fixture : fixtures) {
       insert.bind(1, fixture.index);
       insert.bind(2, fixture.round);
@@ -296,6 +301,7 @@ Result<void> Store::add(std::span<const Fixture> fixtures) {
       insert.exec();
       insert.reset();
     }
+
     transaction.commit();
   });
 }

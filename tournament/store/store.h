@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "tournament/schedule/fixture.h"
+#include "league/matches/fixture.h"
 
 namespace SQLite {
 class Database;

@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/text/replace_all.h"
 #include "process/command_plan.h"
@@ -15,7 +14,7 @@ namespace cls::tournament {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 Json json_value(const Parameter& parameter, double value) {
   return Json::parse(value_text(parameter, value));

@@ -5,8 +5,8 @@
 #include <map>
 #include <numeric>
 
-#include "tournament/rating/betting.h"
-#include "tournament/schedule/schedule.h"
+#include "league/rating/betting.h"
+#include "league/schedule/schedule.h"
 
 namespace cls::tournament {
 namespace {
@@ -41,21 +41,22 @@ Rounds rounds_of(const TuneConfig& config, const Race& race,
       if (team < race.candidates) pairs[{match.fixture.round, team}].push_back(&match);
     }
   }
+
   Rounds rounds;
   for (const auto& [place, both] : pairs) {
     const auto [round, team] = place;
     if (both.size() != 2) continue;
-    rounds.resize(std::max(rounds.size(), static_cast<std::size_t>(round)));
-    auto& values = rounds[static_cast<std::size_t>(round) - 1];
-    values.resize(static_cast<std::size_t>(race.candidates));
-    values[static_cast<std::size_t>(team)] = value_of_pair(config, both, team);
+    rounds.resize(std::max(rounds.size(), base::index(round)));
+    auto& values = rounds[base::index(round) - 1];
+    values.resize(base::index(race.candidates));
+    values[base::index(team)] = value_of_pair(config, both, team);
   }
   return rounds;
 }
 
 // Half of the candidates always play to the end: the optimizer needs their order.
 std::size_t min_playing(const Race& race) {
-  return static_cast<std::size_t>(std::max(2, (race.candidates + 1) / 2));
+  return base::index(std::max(2, (race.candidates + 1) / 2));
 }
 
 // The average of a round over the candidates that still play, without `candidate`.
@@ -73,7 +74,7 @@ std::optional<double> average_of_others(const std::vector<std::optional<double>>
   return sum / count;
 }
 
-// Whether a candidate is as good as the average of the others, by bets on the differences.
+// The test of a candidate against the average of the others, by bets on the differences.
 BettingTest test_of(const TuneConfig& config) {
   constexpr double kWorse = 0.45;  // of differences scaled to 0 to 1, where 1/2 is an equal
   constexpr double kTypicalVariance = 0.06;
@@ -89,11 +90,12 @@ double RaceResult::mean() const {
 
 std::vector<RaceResult> race_results(const TuneConfig& config, const Race& race,
                                      std::span<const ScheduledMatch> matches) {
-  const auto count = static_cast<std::size_t>(race.candidates);
+  const std::size_t count = base::index(race.candidates);
   std::vector<RaceResult> results(count);
   std::vector<BettingTest> tests(count, test_of(config));
   for (auto& round : rounds_of(config, race, matches)) {
     round.resize(count);
+
     std::vector<std::size_t> worse;
     for (std::size_t i = 0; i < count; ++i) {
       if (!round[i] || results[i].stopped) continue;
@@ -103,11 +105,10 @@ std::vector<RaceResult> race_results(const TuneConfig& config, const Race& race,
       tests[i].add(0.5 + (*round[i] - *others) / 2);
       if (tests[i].for_h0() >= 1 / config.stop) worse.push_back(i);
     }
-    std::stable_sort(worse.begin(), worse.end(), [&](std::size_t a, std::size_t b) {
-      return results[a].mean() < results[b].mean();
-    });
-    auto playing = static_cast<std::size_t>(std::count_if(
-        results.begin(), results.end(), [](const RaceResult& one) { return !one.stopped; }));
+
+    std::ranges::stable_sort(worse, {}, [&](std::size_t i) { return results[i].mean(); });
+
+    auto playing = base::index(std::ranges::count(results, false, &RaceResult::stopped));
     for (const std::size_t i : worse) {
       if (playing <= min_playing(race)) break;
       results[i].stopped = true;
@@ -122,23 +123,24 @@ std::vector<Fixture> next_round(const TuneConfig& config, const Race& race,
   const int round = so_far.empty() ? 1 : so_far.back().fixture.round + 1;
   if (round > config.pairs) return {};
   const auto results = race_results(config, race, so_far);
+
   int index = static_cast<int>(so_far.size());
   int pairing = so_far.empty() ? 0 : so_far.back().fixture.pairing;
   std::vector<Fixture> fixtures;
   const bool direct = race.opponents == 0;
   for (int candidate = 0; candidate < (direct ? 1 : race.candidates); ++candidate) {
-    if (results[static_cast<std::size_t>(candidate)].stopped) continue;
+    if (results[base::index(candidate)].stopped) continue;
     const int opponent = direct ? 1 : race.candidates + (round - 1) % race.opponents;
     ++pairing;
     for (const bool swapped : {false, true}) {
-      Fixture fixture;
-      fixture.index = ++index;
-      fixture.round = round;
-      fixture.pairing = pairing;
-      fixture.left = swapped ? opponent : candidate;
-      fixture.right = swapped ? candidate : opponent;
-      fixture.seed = pairing_seed(config.seed, seed_number(config, race.generation, round));
-      fixtures.push_back(std::move(fixture));
+      fixtures.push_back(
+          {.index = ++index,
+           .round = round,
+           .stage = "",
+           .pairing = pairing,
+           .left = swapped ? opponent : candidate,
+           .right = swapped ? candidate : opponent,
+           .seed = pairing_seed(config.seed, seed_number(config, race.generation, round))});
     }
   }
   return fixtures;

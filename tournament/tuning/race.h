@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "tournament/schedule/fixture.h"
+#include "league/matches/fixture.h"
 #include "tournament/tuning/tune_config.h"
 
 namespace cls::tournament {

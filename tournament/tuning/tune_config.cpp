@@ -147,6 +147,7 @@ class TuneParser {
     if (parameters == nullptr || parsed_.config.parameters.empty()) {
       read.error("no parameters: [parameters.NAME] with min, max and start");
     }
+
     if (tune != nullptr) {
       parse_tune(*tune);
     } else {
@@ -161,12 +162,14 @@ class TuneParser {
     read.read("team", config.team);
     if (config.team.empty()) read.error("team: a side with placeholders is missing");
     read.read("opponents", config.opponents);
+
     if (const auto method = read.read_choice("method", {"cma-es", "spsa"})) {
       config.method = *method == 0 ? TuneMethod::kCmaEs : TuneMethod::kSpsa;
     }
     if (const auto measure = read.read_choice("measure", {"points", "goals", "value"})) {
       config.measure = static_cast<Measure>(*measure);
     }
+
     if (config.measure == Measure::kValue) config.max_goals = kMaxValue;
     read.read("max_goals", config.max_goals, 1, 100);
     read.read("generations", config.generations, 1, 100'000);
@@ -174,11 +177,14 @@ class TuneParser {
     read.read("pairs", config.pairs, 1, 10'000);
     read.read("stop", config.stop);
     read.read("verdict_pairs", config.verdict_pairs, 0, 1'000'000);
+
     int seed = static_cast<int>(config.seed);
     read.read("seed", seed, 0, 2'000'000'000);
     config.seed = static_cast<std::uint64_t>(seed);
+
     read.read("file", config.file);
     read.read("template", config.file_template);
+
     std::vector<std::string> constraints;
     read.read("constraints", constraints);
     for (const std::string& text : constraints) {
@@ -189,6 +195,7 @@ class TuneParser {
         read.error(fmt::format("constraints: '{}': {}", text, constraint.error().message));
       }
     }
+
     if (const toml::table* environment = read.read_table("environment")) {
       parse_environment(*environment);
     }
@@ -211,6 +218,7 @@ class TuneParser {
     for (const auto& [key, node] : table) keys.emplace_back(node.source().begin.line, &key);
     std::stable_sort(keys.begin(), keys.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
+
     for (const auto& [line, key] : keys) {
       const toml::node* node = table.get(key->str());
       if (const toml::table* parameter = node->as_table()) {
@@ -232,9 +240,11 @@ class TuneParser {
     read.read("start", parameter.start);
     read.read("step", parameter.step);
     read.read("integer", parameter.integer);
+
     if (const auto scale = read.read_choice("scale", {"linear", "log"})) {
       parameter.scale = *scale == 0 ? Scale::kLinear : Scale::kLog;
     }
+
     for (const std::string_view key : {"min", "max", "start"}) {
       if (!read.has(key)) read.error(fmt::format("{}: {} is missing", name, key));
     }
@@ -255,6 +265,7 @@ class TuneParser {
         parameter.name == "side" || parameter.name == "name") {
       error("the placeholder has another meaning; choose another name");
     }
+
     if (!(parameter.min < parameter.max)) error("min must be below max");
     if (!(parameter.min <= parameter.start && parameter.start <= parameter.max)) {
       error("start must be from min to max");
@@ -264,6 +275,7 @@ class TuneParser {
     }
     if (parameter.scale == Scale::kLog && parameter.min <= 0)
       error("a log scale needs min above 0");
+
     const auto whole = [](double value) { return value == std::floor(value); };
     if (parameter.integer &&
         !(whole(parameter.min) && whole(parameter.max) && whole(parameter.start))) {
@@ -284,10 +296,12 @@ class TuneParser {
     if (config.method == TuneMethod::kCmaEs && config.population != 0 && config.population < 4) {
       read.error("population: cma-es needs at least 4 candidates");
     }
+
     if (!config.file_template.empty() && config.file.empty()) {
       config.file = config.file_template.substr(config.file_template.find_last_of('/') + 1);
       if (config.file.ends_with(".in")) config.file.resize(config.file.size() - 3);
     }
+
     const bool plain = config.file_template.empty() && !config.file.empty();
     if (plain && !config.file.ends_with(".json") && !config.file.ends_with(".toml")) {
       read.error("file: must end in .json or .toml; other formats need a template");
@@ -296,6 +310,7 @@ class TuneParser {
     if (!config.environment.empty() && !config.team.starts_with("run:")) {
       read.error("environment: needs a team run:COMMAND");
     }
+
     Values start;
     for (const Parameter& parameter : config.parameters) start.push_back(parameter.start);
     for (const Constraint& constraint : config.constraints) {
@@ -345,6 +360,7 @@ std::vector<std::string> plan_lines(const TuneConfig& config) {
       fmt::format("seed = {}", config.seed),
       fmt::format("file = {}", config.file),
       fmt::format("template = {}", config.file_template)};
+
   for (const auto& [name, value] : config.environment) {
     lines.push_back(fmt::format("environment.{} = {}", name, value));
   }
@@ -353,6 +369,7 @@ std::vector<std::string> plan_lines(const TuneConfig& config) {
                                 one.max, one.start, one.step, one.integer ? ", integer" : "",
                                 one.scale == Scale::kLog ? ", log" : ""));
   }
+
   for (const Constraint& one : config.constraints) lines.push_back("constraint = " + one.text);
   // SPSA plans its gains by the number of generations.
   if (config.method == TuneMethod::kSpsa) {

@@ -4,14 +4,14 @@
 #include <fmt/format.h>
 
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "base/system/version.h"
 #include "base/text/counted.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/text/table.h"
 #include "base/text/wrap_text.h"
-#include "tournament/rating/statistics.h"
+#include "league/rating/statistics.h"
 #include "tournament/tuning/candidate.h"
 #include "viewer/charts/charts.h"
 #include "viewer/charts/drawing.h"
@@ -19,7 +19,7 @@
 namespace cls::tournament {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 std::string_view method_name(const TuneConfig& config) {
   return config.method == TuneMethod::kCmaEs ? "cma-es" : "spsa";

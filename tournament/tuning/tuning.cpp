@@ -121,20 +121,22 @@ base::Result<TournamentConfig> generation_config(const Tuning& tuning, const Tou
                                                  const std::vector<TeamEntry>& opponents,
                                                  const fs::path& folder) {
   TournamentConfig config = base;
-  config.format = Format::kList;
-  config.rounds.reset();
-  config.swap_sides = true;
-  config.gauntlet.clear();
-  config.seed = tuning.config().seed;
-  config.teams.clear();
+  Competition& competition = config.competition;
+  competition.format = Format::kList;
+  competition.rounds.reset();
+  competition.swap_sides = true;
+  competition.gauntlet.clear();
+  competition.seed = tuning.config().seed;
+  competition.teams.clear();
+
   const fs::path files = generation_folder(folder, tuning.race().generation) / "files";
   for (std::size_t i = 0; i < tuning.candidates().size(); ++i) {
     const std::string name = fmt::format("tune{}", i + 1);
     TRY_INIT(auto side, prepare_candidate(tuning.config(), tuning.candidates()[i], files / name));
-    config.teams.push_back({name, std::move(side)});
+    competition.teams.push_back({name, std::move(side)});
   }
-  config.teams.insert(config.teams.end(), opponents.begin(), opponents.end());
-  config.matches = {{config.teams.front().name, config.teams.back().name}};
+  std::ranges::copy(opponents, std::back_inserter(competition.teams));
+  competition.matches = {{competition.teams.front().name, competition.teams.back().name}};
   return config;
 }
 
@@ -144,11 +146,9 @@ base::Result<void> replay_generations(Tuning& tuning, const fs::path& folder) {
     const fs::path one = generation_folder(folder, race.generation);
     if (!holds_plan(one)) break;
     TRY_INIT(auto state, read_tournament(one));
+
     const auto& matches = state.matches;
-    const bool done = !matches.empty() &&
-                      std::all_of(matches.begin(), matches.end(), [](const ScheduledMatch& match) {
-                        return match.outcome.has_value();
-                      });
+    const bool done = !matches.empty() && all_have_outcomes(matches);
     if (!done || !next_round(tuning.config(), race, matches).empty()) break;
     tuning.record(race_results(tuning.config(), race, matches));
   }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/result.h"
+#include "league/rating/statistics.h"
 #include "tournament/config/config.h"
-#include "tournament/rating/statistics.h"
 #include "tournament/tuning/optimizer.h"
 #include "tournament/tuning/race.h"
 #include "tournament/tuning/tune_config.h"

@@ -1,0 +1,69 @@
+// One call for all formats, see formats.cpp.
+#include "league/schedule/schedule.h"
+
+#include <map>
+
+#include "league/schedule/fixture_list.h"
+
+namespace cls::league {
+namespace {
+
+Progress run_format(FixtureList& list) {
+  const FormatRules& rules = rules_of(list.competition());
+  if (!rules.later && !list.so_far().empty()) return {};
+  return rules.schedule(list);
+}
+
+}  // namespace
+
+std::vector<Standing> order_by_rank(const Ranks& ranks, const std::vector<Standing>& table) {
+  std::map<int, Standing> by_team;
+  for (const Standing& standing : table) by_team[standing.team] = standing;
+
+  std::vector<Standing> ordered;
+  for (const std::vector<int>& shared : ranks) {
+    const int rank = static_cast<int>(ordered.size()) + 1;
+    for (const int team : shared) {
+      ordered.push_back(by_team.at(team));
+      ordered.back().rank = rank;
+      ordered.back().separated_by.clear();
+    }
+  }
+  return ordered;
+}
+
+std::vector<Fixture> next_fixtures(const Competition& competition,
+                                   std::span<const ScheduledMatch> so_far) {
+  FixtureList list(competition, so_far);
+  run_format(list);
+  return list.take();
+}
+
+std::vector<RankedTable> tables(const Competition& competition,
+                                std::span<const ScheduledMatch> so_far) {
+  FixtureList list(competition, so_far);
+  Progress progress = run_format(list);
+  const bool ranked = !progress.ranks.empty();
+  if (!progress.tables.empty() && !ranked) return std::move(progress.tables);
+
+  std::vector<Standing> table = standings(seeding(competition), so_far,
+                                          tie_breakers_of(competition), byes(competition, so_far));
+  if (ranked) table = order_by_rank(progress.ranks, table);
+  progress.tables.push_back({ranked ? "knock-out" : "", std::move(table)});
+  return std::move(progress.tables);
+}
+
+std::vector<Bye> byes(const Competition& competition, std::span<const ScheduledMatch> so_far) {
+  const auto byes = rules_of(competition).byes;
+  return byes == nullptr ? std::vector<Bye>() : byes(competition, so_far);
+}
+
+std::vector<BracketTie> bracket(const Competition& competition,
+                                std::span<const ScheduledMatch> so_far) {
+  if (so_far.empty()) return {};
+  FixtureList list(competition, so_far);
+  run_format(list);
+  return list.take_bracket();
+}
+
+}  // namespace cls::league
