@@ -48,9 +48,7 @@ double normal_dash_power(const WorldModel& world, bool& recovering) {
   const InterceptTable& table = world.intercept;
   const Vec2 ball = first_reach_point(world);
 
-  if (self.capacity == 0.0) {
-    return std::min(max, self.stamina + world.self_type().extra_stamina);
-  }
+  if (self.capacity == 0.0) return std::min(max, self.stamina + world.self_type().extra_stamina);
   if (self.position.x < world.lines.our_defense &&
       ball.x < world.lines.our_defense + kNumbers.behind_line) {
     return max;

@@ -56,9 +56,7 @@ Vec2 clear_of_ball(Vec2 position, Vec2 ball) {
 /// Intermediate target around the forbidden circle.
 Vec2 around_circle(Vec2 from, Vec2 to, Vec2 ball) {
   constexpr double kRadius = soccer::kCenterCircleRadius + 0.6;
-  if (distance(from, ball) < kRadius) {
-    return ball + soccer::with_length(from - ball, kRadius + 1.0);
-  }
+  if (distance(from, ball) < kRadius) return ball + soccer::with_length(from - ball, kRadius + 1.0);
 
   if (distance(soccer::Segment{from, to}, ball) > kRadius) return to;
   const Vec2 way = to - from;

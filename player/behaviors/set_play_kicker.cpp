@@ -76,9 +76,7 @@ bool go_behind_ball(ActionContext& c, AngleDeg direction) {
   const AngleDeg to_ball = AngleDeg::of(ball - world.self.position);
   const bool in_the_way = distance(ball, world.self.position) < away + 0.3 &&
                           (way - to_ball).abs() < 45.0 && away > 0.6;
-  if (in_the_way) {
-    return go_to_point_dodge(world, c.slots, position, safe_dash_power(world, power));
-  }
+  if (in_the_way) return go_to_point_dodge(world, c.slots, position, safe_dash_power(world, power));
 
   return go_to_point(world, c.slots, position, kClose, safe_dash_power(world, power), {10});
 }

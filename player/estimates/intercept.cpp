@@ -80,9 +80,7 @@ int reach_steps(const WorldModel& world, const PlayerState& player, const BallPa
 
     const int dashes = n - turns_needed(server, type, player, offset, control);
     const double distance = offset.length() - control - credit;
-    if (distance <= 0.0 || (dashes >= 0 && distance <= run.distance[base::index(dashes)])) {
-      return n;
-    }
+    if (distance <= 0.0 || (dashes >= 0 && distance <= run.distance[base::index(dashes)])) return n;
     ++n;
   }
 

@@ -89,9 +89,7 @@ struct Runner {
   void push(Vec2 acceleration) {
     velocity += acceleration;
     const double limit = type->player_speed_max;
-    if (velocity.squared_length() > limit * limit) {
-      velocity = soccer::with_length(velocity, limit);
-    }
+    if (velocity.squared_length() > limit * limit) velocity = soccer::with_length(velocity, limit);
     coast();
   }
 

@@ -46,9 +46,7 @@ std::optional<Vec2> json_point(const base::Json& object, const std::string& key)
 
   const auto x = found->find("x");
   const auto y = found->find("y");
-  if (x == nullptr || y == nullptr || !x->is_number() || !y->is_number()) {
-    return std::nullopt;
-  }
+  if (x == nullptr || y == nullptr || !x->is_number() || !y->is_number()) return std::nullopt;
   return Vec2{x->get<double>(), y->get<double>()};
 }
 

@@ -133,9 +133,7 @@ bool intercept(const WorldModel& world, CommandSlots& slots, bool save_recovery,
     return slots.has_body();
   }
 
-  if (plan->dashes == 0 && plan->steps() <= 1) {
-    return wait_for_ball(world, slots, face_point, 1);
-  }
+  if (plan->dashes == 0 && plan->steps() <= 1) return wait_for_ball(world, slots, face_point, 1);
   if (plan->turns > 0) return slots.turn(plan->turn_angle);
 
   const double threshold = world.server().recover_dec_thr * world.server().stamina_max;

@@ -40,9 +40,7 @@ Vec2 around_posts(const WorldModel& world, Vec2 from, Vec2 target) {
 /// True if our team takes the next kick-off: after conceding, otherwise left and right alternate by
 /// half.
 bool we_kick_off(const WorldModel& world) {
-  if (world.game.mode != PlayMode::kBeforeKickOff) {
-    return world.game.mode_side() != world.our_side;
-  }
+  if (world.game.mode != PlayMode::kBeforeKickOff) return world.game.mode_side() != world.our_side;
   const int half = world.server().half_time_cycles();
   const bool left = half <= 0 || world.game.time.cycle / half % 2 == 0;
   return (world.our_side == Side::kLeft) == left;
@@ -106,9 +104,7 @@ bool go_to_point(const WorldModel& world, CommandSlots& slots, Vec2 target, doub
   }
 
   double margin = options.turn_margin_deg;
-  if (dist > threshold) {
-    margin = std::max(margin, math::to_degrees(math::asin(threshold / dist)));
-  }
+  if (dist > threshold) margin = std::max(margin, math::to_degrees(math::asin(threshold / dist)));
 
   if (direction.abs() > margin) {
     return (better_backwards(world, dist, direction.abs()) &&

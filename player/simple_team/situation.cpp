@@ -12,9 +12,7 @@ constexpr double kFar = 1000.0;  // no opponent known
 
 double Situation::nearest_opponent_to(Vec2 point) const {
   double nearest = kFar;
-  for (const Vec2 opponent : opponents) {
-    nearest = std::min(nearest, distance(point, opponent));
-  }
+  for (const Vec2 opponent : opponents) nearest = std::min(nearest, distance(point, opponent));
   return nearest;
 }
 
