@@ -39,12 +39,14 @@ Result<void> parse_fault(std::string_view key, const base::JsonValue& json, Faul
   if (key == "error") return assign(json.number(0, 1), faults.error);
   if (key == "garbage") return assign(json.number(0, 1), faults.garbage);
   if (key == "oversize") return assign(json.number(0, 1), faults.oversize);
+
   if (key == "status") return assign(json.one_of(proto::status_names()), faults.status);
   if (key == "message") return assign(json.string(), faults.message);
   if (key == "crash_at_cycle") return assign(json.integer(0, kMaxCycle), faults.crash_at_cycle);
   if (key == "hang_at_cycle") return assign(json.integer(0, kMaxCycle), faults.hang_at_cycle);
   if (key == "restart_at_cycle") return assign(json.integer(0, kMaxCycle), faults.restart_at_cycle);
   if (key == "restart_cycles") return assign(json.integer(0, kMaxCycle), faults.restart_cycles);
+
   if (key == "wrong_client_id") return assign(json.boolean(), faults.wrong_client_id);
   if (key == "unimplemented")
     return assign(list_of(json, parse_rpc, "must be a list of RPCs"), faults.unimplemented);

@@ -277,6 +277,7 @@ bool PlayerAgent::act(const protos::PlayerActions& actions) {
   } else {
     execute(actions, world, memory_, slots, statistics_.actions, choice_);
   }
+
   send(slots);
   return true;
 }

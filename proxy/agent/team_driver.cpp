@@ -75,6 +75,7 @@ base::Result<void> TeamDriver::connect_all(const ShouldContinue& should_continue
     if (!connected && team_.players().empty()) return connected;
     if (!connected) team_.warn_once(connected.error().message + ": the team plays without a coach");
   }
+
   if (options_.trainer_port == 0) return {};
   return team_.connect_coach(
       soccer::CoachRole::kTrainer, [this] { return clients_.connect(options_.trainer_port); },

@@ -35,7 +35,7 @@ player::SayIntercept intercept(const protos::InterceptMessage& m) {
   return {known ? first + m.uniform_number() : 0, m.cycle()};
 }
 
-/// Members about the ball and players.
+/// Members about the ball, the goalie and several players.
 std::optional<player::SayMessage> message_of_objects(const protos::Say& say,
                                                      const soccer::ServerParams& server) {
   using Say = protos::Say;
@@ -75,20 +75,6 @@ std::optional<player::SayMessage> message_of_objects(const protos::Say& say,
                       {m.third_uniform_number(), vec(m.third_position())}});
     }
 
-    case Say::kSelfMessage: {
-      const auto& m = say.self_message();
-      return player::SaySelf{vec(m.self_position()), m.self_body_direction(),
-                             fraction(m.self_stamina(), 0.0, server.stamina_max)};
-    }
-    case Say::kTeammateMessage: {
-      const auto& m = say.teammate_message();
-      return player::SayTeammate{m.uniform_number(), vec(m.position()), m.body_direction()};
-    }
-    case Say::kOpponentMessage: {
-      const auto& m = say.opponent_message();
-      return player::SayOpponent{m.uniform_number(), vec(m.position()), m.body_direction()};
-    }
-
     case Say::kBallPlayerMessage: {
       const auto& m = say.ball_player_message();
       return player::SayBallPlayer{
@@ -117,6 +103,20 @@ std::optional<player::SayMessage> say_message_of(const protos::Say& say,
       return player::SaySetplay{say.setplay_message().wait_step()};
     case Say::kPassRequestMessage:
       return player::SayPassRequest{vec(say.pass_request_message().target_point())};
+
+    case Say::kSelfMessage: {
+      const auto& m = say.self_message();
+      return player::SaySelf{vec(m.self_position()), m.self_body_direction(),
+                             fraction(m.self_stamina(), 0.0, server.stamina_max)};
+    }
+    case Say::kTeammateMessage: {
+      const auto& m = say.teammate_message();
+      return player::SayTeammate{m.uniform_number(), vec(m.position()), m.body_direction()};
+    }
+    case Say::kOpponentMessage: {
+      const auto& m = say.opponent_message();
+      return player::SayOpponent{m.uniform_number(), vec(m.position()), m.body_direction()};
+    }
 
     case Say::kStaminaMessage:
       return player::SayStamina{fraction(say.stamina_message().stamina(), 0.0, server.stamina_max)};

@@ -392,6 +392,7 @@ class TeamCalls : public Playmaker {
         replies_.push_back(std::move(*reply));
         continue;
       }
+
       fail(agent,
            {RpcOutcome::kDeadline, 0,
             fmt::format("{}: the reply lacks {}", name(team.rpc), agent_name(agent))},

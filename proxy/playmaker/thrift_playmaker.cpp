@@ -130,6 +130,7 @@ class ThriftPlaymaker : public Playmaker {
       one.fd =
           base::connect_tcp(target_.host, port, std::min(until, Clock::now() + kConnectTimeout));
       if (one.fd) break;
+
       if (cancelled_) {
         failed_.push_back(cancelled_reply(agent, rpc));
         return false;

@@ -112,6 +112,7 @@ std::string describe_verification(const SSL& connection, const std::string& name
       return "the certificate has expired";
     case X509_V_ERR_CERT_NOT_YET_VALID:
       return "the certificate is not valid yet";
+
     case X509_V_ERR_HOSTNAME_MISMATCH:
     case X509_V_ERR_IP_ADDRESS_MISMATCH:
       return "the certificate is not valid for '" + name + "'; use --tls-name for another name";
@@ -215,6 +216,7 @@ std::string explain_tls_failure(const GrpcTarget& target, int agent) {
   SSL& connection = *probe.connection;
   const int got = run(connection, probe.socket.get(), probe.limit,
                       [&] { return SSL_read(&connection, &byte, 1); });
+
   if (got > 0) return {};
   if (std::string alert = describe_alert(!files.certificate.empty()); !alert.empty()) return alert;
   // gRPC servers close the connection without an alert.
