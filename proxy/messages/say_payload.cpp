@@ -36,8 +36,7 @@ player::SayIntercept intercept(const protos::InterceptMessage& m) {
 }
 
 /// Members about the ball, the goalie and several players.
-std::optional<player::SayMessage> message_of_objects(const protos::Say& say,
-                                                     const soccer::ServerParams& server) {
+std::optional<player::SayMessage> message_of_objects(const protos::Say& say) {
   using Say = protos::Say;
   switch (say.message_case()) {
     case Say::kBallMessage:
@@ -131,7 +130,7 @@ std::optional<player::SayMessage> say_message_of(const protos::Say& say,
       return player::SayDribble{vec(say.dribble_message().target_point()),
                                 say.dribble_message().queue_count()};
     default:
-      return message_of_objects(say, server);
+      return message_of_objects(say);
   }
 }
 
