@@ -1,6 +1,7 @@
 // Plays one run of a scenario.
 #include "scenario/scenario_run.h"
 #include "match/terms/option_table.h"
+#include "soccer/per_side.h"
 
 #include <chrono>
 
@@ -53,14 +54,14 @@ base::Result<RunRecord> run_scenario(const Scenario& scenario, const RunSettings
                                                    settings.host, settings.folder},
                                                   {&game_log, &text_log}));
 
-  (match)->add_hooks(director);
-  (match)->play(observer);
+  match->add_hooks(director);
+  match->play(observer);
   director.finish();
-  record.result = (match)->result();
-  for (const auto& side : (match)->sides()) {
+  record.result = match->result();
+  for (const auto& side : match->sides()) {
     if (side->identity().side == soccer::Side::kNeutral) continue;
     if (const proxy::PlaymakerErrors* errors = side->errors(); errors != nullptr) {
-      record.errors.at(side->identity().side == soccer::Side::kLeft ? 0 : 1) = errors->first;
+      record.errors.at(soccer::side_index(side->identity().side)) = errors->first;
     }
     for (const std::string& line : side->failed_expectations()) {
       record.script_failures.push_back(side->identity().name + ": " + line);

@@ -227,7 +227,7 @@ Result<void> JsonValue::expect_keys(const std::vector<std::string_view>& keys) c
   }
 
   for (const auto& [key, unused] : value_->items()) {
-    if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+    if (std::ranges::find(keys, key) != keys.end()) continue;
     std::string message = fmt::format("unknown key '{}'", key);
     const std::string hint = did_you_mean(key, keys);
     message += hint.empty() ? fmt::format(" (known: {})", fmt::join(keys, ", ")) : hint;
@@ -277,7 +277,7 @@ Result<std::string> JsonValue::string() const {
 Result<std::string> JsonValue::one_of(const std::vector<std::string_view>& names) const {
   auto value = string();
   if (!value) return value;
-  if (std::find(names.begin(), names.end(), *value) != names.end()) return value;
+  if (std::ranges::find(names, *value) != names.end()) return value;
 
   const std::string hint = did_you_mean(*value, names);
   return error(

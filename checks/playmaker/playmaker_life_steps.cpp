@@ -1,6 +1,7 @@
 // Steps: disconnect, second matches, memory growth.
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <fstream>
 
 #include "checks/playmaker/playmaker_subject.h"
@@ -16,7 +17,8 @@ double resident_mb(int pid) {
   const auto of_one = [](int one) {
     std::ifstream file(fmt::format("/proc/{}/status", one));
     for (std::string line; std::getline(file, line);) {
-      if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024.0;
+      double kilobytes = 0.0;
+      if (std::sscanf(line.c_str(), "VmRSS: %lf", &kilobytes) == 1) return kilobytes / 1024.0;
     }
     return 0.0;
   };

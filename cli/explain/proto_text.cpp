@@ -4,6 +4,8 @@
 #include <regex>
 #include <sstream>
 
+#include "base/text/number_text.h"
+
 namespace cls::cli {
 namespace {
 
@@ -40,7 +42,7 @@ std::vector<ProtoBlock> read_proto(std::string_view text) {
       ProtoField one;
       if (!is_enum) one.type = match[1];
       one.name = match[is_enum ? 1 : 2];
-      one.number = std::stoi(match[is_enum ? 2 : 3]);
+      one.number = base::parse_int(match.str(is_enum ? 2 : 3)).value();
       // A comment above belongs to the next line, unless it heads several.
       if (!pending.ends_with(":")) one.comment = pending;
       if (match[is_enum ? 3 : 4].matched) add_line(one.comment, match[is_enum ? 3 : 4]);

@@ -6,12 +6,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstring>
 #include <map>
 #include <string_view>
 
 #include "base/io/whole_file.h"
+#include "base/text/number_text.h"
 
 namespace cls::cli {
 namespace {
@@ -72,10 +72,10 @@ std::vector<int> version_numbers(std::string_view text) {
   std::vector<int> numbers;
   while (!text.empty()) {
     int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc()) return {};
+    const std::size_t length = base::parse_int_prefix(text, value);
+    if (length == 0) return {};
     numbers.push_back(value);
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    text.remove_prefix(length);
     if (!text.empty()) text.remove_prefix(1);
   }
   return numbers;

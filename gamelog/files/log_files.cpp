@@ -54,7 +54,7 @@ std::vector<std::string> logs_below(const std::string& folder) {
     if (at->is_regular_file(ignored)) found.push_back(path);
   }
 
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   return found;
 }
 

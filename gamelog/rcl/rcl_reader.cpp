@@ -128,7 +128,7 @@ class RclReader {
   }
 
   std::optional<std::uint8_t> team_index(std::string_view name) {
-    auto found = std::find(record_.teams.begin(), record_.teams.end(), name);
+    auto found = std::ranges::find(record_.teams, name);
     if (found == record_.teams.end()) {
       if (record_.teams.size() == kMaxTeams) return std::nullopt;
       found = record_.teams.emplace(found, name);

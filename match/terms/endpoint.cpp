@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <utility>
 
@@ -94,12 +93,11 @@ Result<Endpoint> parse_address(std::string_view text, std::string_view side) {
     port = port.substr(0, plus);
   }
 
-  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), endpoint.port);
-  if (port.empty() || error == std::errc::invalid_argument || end != port.data() + port.size()) {
-    return unknown_form(text);
-  }
+  const std::optional<int> number = base::parse_int(port);
+  if (!number || port.starts_with('+')) return unknown_form(text);
+  endpoint.port = *number;
   const int highest = endpoint.port + (endpoint.port_step ? kMaxPortStep : 0);
-  if (error != std::errc{} || endpoint.port < 1 || highest > kMaxPort) {
+  if (endpoint.port < 1 || highest > kMaxPort) {
     return wrong(side, fmt::format("port {} is not within 1 to 65535", port));
   }
   const std::string problem = host_problem(endpoint.host);

@@ -12,7 +12,7 @@ TEST(Idioms, AreReportedWithTheirReplacement) {
   for (const char* line :
        {"int n = std::stoi(text);", "rows[2].shown_as = \"x\";", "side == Side::kLeft ? 0 : 1",
         "#include <nlohmann/json.hpp>", "std::cout << 1;", "void* p = NULL;", "x = (attempts)[i];",
-        "if (list.size() == 0) return;", "std::find(all.begin(), all.end(), x)"}) {
+        "auto f = std::bind(g, 1);", "std::find(all.begin(), all.end(), x)"}) {
     EXPECT_EQ(check_idioms({"cli/a.cpp", line}).size(), 1u) << line;
   }
 }

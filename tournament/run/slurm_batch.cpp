@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <chrono>
 
 #include "base/io/whole_file.h"
 #include "base/text/json.h"
 #include "base/text/json_text.h"
+#include "base/text/number_text.h"
 #include "process/command_plan.h"
 #include "tournament/store/folder.h"
 #include "tournament/store/match_document.h"
@@ -149,7 +149,7 @@ int next_batch_number(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder / kSlurmFolder, code)) {
     const std::string name = entry.path().filename().string();
     int number = 0;
-    std::from_chars(name.data(), name.data() + name.size(), number);
+    base::parse_int_prefix(name, number);
     last = std::max(last, number);
   }
   return last + 1;

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <mutex>
 #include <optional>
 
+#include "base/text/number_text.h"
 #include "base/text/split.h"
 
 namespace cls::tournament {
@@ -53,12 +53,9 @@ std::string joined(const std::vector<std::string>& lines) {
 std::optional<std::pair<TaskName, TaskState>> parse_task(std::string_view line) {
   std::vector<std::string_view> fields = base::split(line, '|');
   fields.resize(4);
-  int index = 0;
-  const char* end = fields[1].data() + fields[1].size();
-  if (fields[1].empty() || std::from_chars(fields[1].data(), end, index).ptr != end) {
-    return std::nullopt;
-  }
-  return std::pair(TaskName(fields[0], index),
+  const std::optional<int> index = base::parse_int(fields[1]);
+  if (!index) return std::nullopt;
+  return std::pair(TaskName(fields[0], *index),
                    TaskState{std::string(fields[2]), std::string(fields[3])});
 }
 
@@ -75,7 +72,7 @@ Submission parse_submission(int exit_code, const std::vector<std::string>& outpu
 }
 
 bool may_still_run(const TaskState& state) {
-  return std::find(kFinalStates.begin(), kFinalStates.end(), state.state) == kFinalStates.end();
+  return std::ranges::find(kFinalStates, state.state) == kFinalStates.end();
 }
 
 Result<SlurmClient> SlurmClient::create() {
@@ -116,7 +113,7 @@ Result<int> SlurmClient::max_array_size() {
     const std::size_t digits = line.find_first_of("0123456789");
     int size = 0;
     if (digits == std::string::npos) break;
-    std::from_chars(line.data() + digits, line.data() + line.size(), size);
+    base::parse_int_prefix(std::string_view(line).substr(digits), size);
     if (size == 0) return Error{"this Slurm accepts no job arrays (MaxArraySize = 0)"};
     return size;
   }

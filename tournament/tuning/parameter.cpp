@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 
+#include "base/text/number_text.h"
 #include "base/text/suggestion.h"
 
 namespace cls::tournament {
@@ -79,11 +79,11 @@ class ConstraintParser {
   Result<void> parse_term(double sign) {
     skip_spaces();
     double factor = 1.0;
-    const char* begin = text_.data() + at_;
-    const auto [end, code] = std::from_chars(begin, text_.data() + text_.size(), factor);
-    const bool number = code == std::errc() && end != begin;
+    const std::string_view rest = std::string_view(text_).substr(at_);
+    const std::size_t length = rest.starts_with('+') ? 0 : base::parse_number_prefix(rest, factor);
+    const bool number = length > 0;
     if (number) {
-      at_ += static_cast<std::size_t>(end - begin);
+      at_ += length;
       if (!take('*')) {
         constraint_.limit -= sign * factor;
         return {};

@@ -72,7 +72,7 @@ class TableReader {
     const toml::node* node = table_.get(key);
     read(key, text);
     if (text.empty()) return std::nullopt;
-    const auto found = std::find(names.begin(), names.end(), text);
+    const auto found = std::ranges::find(names, text);
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
     error(*node, fmt::format("{}: must be {}", key, fmt::join(names, " or ")));
     return std::nullopt;
@@ -88,7 +88,7 @@ class TableReader {
   /// Reports the keys that were not read.
   void finish() {
     for (const auto& [key, node] : table_) {
-      if (std::find(known_.begin(), known_.end(), key.str()) == known_.end()) {
+      if (std::ranges::find(known_, key.str()) == known_.end()) {
         error(node, unknown_key("key", key.str(), known_));
       }
     }

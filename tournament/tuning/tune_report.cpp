@@ -9,6 +9,7 @@
 #include "base/text/counted.h"
 #include "base/text/json.h"
 #include "base/text/json_text.h"
+#include "base/text/number_text.h"
 #include "base/text/table.h"
 #include "base/text/wrap_text.h"
 #include "league/rating/statistics.h"
@@ -30,7 +31,7 @@ Values start_values(const TuneConfig& config) {
 }
 
 double number(const Parameter& parameter, double value) {
-  return std::stod(value_text(parameter, value));
+  return base::parse_number(value_text(parameter, value)).value();
 }
 
 Json json_of(const TuneConfig& config, const Values& values) {
