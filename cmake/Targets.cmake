@@ -2,15 +2,17 @@
 
 option(CLS_UNITY "compile several sources as one where a library allows it" OFF)
 
-# cls_library(<target> SOURCES <files...> LINK <targets...> [PCH <name>] [COLD]
+# cls_library(<target> SOURCES <files...> LINK <targets...> [PCH <name>] [COLD [HOT <files...>]]
 #   [UNITY [ALONE <files...>]])
 # The static library of a folder. LINK states what the folder may include (and libraries that its
 # headers or sources use). PCH names precompiled headers (cmake/PrecompiledHeaders.cmake). UNITY
-# compiles sources in batches, which pays where most files include CLI11, nlohmann or gRPC; files
+# compiles sources in batches, which pays where most files include the same large headers; files
 # that are ALONE repeat names of others in their anonymous namespaces. COLD code, in which no match
-# spends its time, is optimized less: there the optimizer takes a third of the time of a build.
+# spends its time, is optimized less, but for its files that are HOT: there the optimizer takes a third
+# of the time of a build.
 function(cls_library target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "COLD;UNITY" "PCH" "SOURCES;LINK;ALONE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "COLD;UNITY" "PCH"
+    "SOURCES;LINK;ALONE;HOT")
   add_library(${target} STATIC ${arg_SOURCES})
   target_include_directories(${target} PUBLIC "${CMAKE_SOURCE_DIR}")
   target_link_libraries(${target} PUBLIC ${arg_LINK} PRIVATE cls_warnings)
@@ -19,6 +21,8 @@ function(cls_library target)
   endif()
   if(arg_COLD)
     cls_cold(${target})
+    set_source_files_properties(${arg_HOT} PROPERTIES
+      COMPILE_OPTIONS "$<$<CONFIG:RelWithDebInfo,Release>:-O2>")
   endif()
   if(arg_UNITY AND CLS_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
@@ -31,18 +35,23 @@ function(cls_cold target)
 endfunction()
 
 # cls_test(<folder> SOURCES <files...> [LINK <targets...>] [NEEDS <targets...>] [TIMEOUT <seconds>]
-#   [PCH <name>] [SLOW])
+#   [PCH <name>] [SHARDS <number> | SLOW])
 # One GoogleTest binary for tests/<folder>, `cls_<folder>_tests`, linked with the folder's library.
-# In CTest a test is named <folder>.<Suite>.<Case> and labelled <folder>. NEEDS lists what must be
-# built although it is not linked (the binary `cls`). SLOW tests have the label <folder>.slow: `make
-# test` leaves them to `make slow-test`. Paths: see tests/support/files.h.
+# NEEDS lists what must be built although it is not linked (the binary `cls`). In CTest each test is
+# an entry <folder>.<Suite>.<Case> with the label <folder>; where no process is tested, SHARDS entries
+# run all of them instead: starting a binary costs more than such a test, and test-results/ has their
+# names and times. SLOW tests have the label <folder>.slow: `make test` leaves them to `make
+# slow-test`. Paths: see tests/support/files.h.
 function(cls_test folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SLOW" "TIMEOUT;PCH" "SOURCES;LINK;NEEDS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SLOW" "TIMEOUT;PCH;SHARDS" "SOURCES;LINK;NEEDS")
   if(NOT arg_SOURCES)
     return()
   endif()
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
+    if(arg_SHARDS)
+      set(arg_TIMEOUT 900)
+    endif()
   endif()
   string(REGEX REPLACE "[-/]" "_" name ${folder})
   set(target cls_${name}_tests)
@@ -65,15 +74,35 @@ function(cls_test folder)
   if(arg_NEEDS)
     add_dependencies(${target} ${arg_NEEDS})
   endif()
-  gtest_discover_tests(${target}
-    TEST_PREFIX "${folder}."
-    DISCOVERY_TIMEOUT 60
-    WORKING_DIRECTORY "${CMAKE_BINARY_DIR}"
-    PROPERTIES
-      LABELS "${label}"
-      TIMEOUT ${arg_TIMEOUT}
-      # Two properties: gtest_discover_tests passes only the first element of a list.
-      ENVIRONMENT "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/tsan.supp"
-      ENVIRONMENT_MODIFICATION
-        "LSAN_OPTIONS=set:suppressions=${CMAKE_SOURCE_DIR}/cmake/lsan.supp:print_suppressions=0")
+  # Two properties: gtest_discover_tests passes only the first element of a list.
+  set(properties
+    LABELS "${label}"
+    TIMEOUT ${arg_TIMEOUT}
+    ENVIRONMENT "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/tsan.supp"
+    ENVIRONMENT_MODIFICATION
+      "LSAN_OPTIONS=set:suppressions=${CMAKE_SOURCE_DIR}/cmake/lsan.supp:print_suppressions=0")
+  if(arg_SHARDS)
+    cls_test_shards(${folder} ${target} ${arg_SHARDS} ${properties})
+  else()
+    gtest_discover_tests(${target}
+      TEST_PREFIX "${folder}."
+      DISCOVERY_TIMEOUT 60
+      WORKING_DIRECTORY "${CMAKE_BINARY_DIR}"
+      PROPERTIES ${properties})
+  endif()
+endfunction()
+
+# Entries <folder>.1 to <folder>.<number>, each with every <number>-th test of the binary.
+function(cls_test_shards folder target number)
+  math(EXPR last "${number} - 1")
+  foreach(index RANGE ${last})
+    math(EXPR shown "${index} + 1")
+    set(name "${folder}.${shown}")
+    add_test(NAME ${name}
+      COMMAND ${target} --gtest_brief=1 "--gtest_output=xml:test-results/${name}.xml"
+      WORKING_DIRECTORY "${CMAKE_BINARY_DIR}")
+    set_tests_properties(${name} PROPERTIES ${ARGN})
+    set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT
+      "GTEST_TOTAL_SHARDS=${number}" "GTEST_SHARD_INDEX=${index}")
+  endforeach()
 endfunction()
