@@ -173,16 +173,18 @@ SayPlayers one_player(const SaidPlayer& player) {
   return message;
 }
 
-PlayerState seen_player(WorldModel& world, Side side, int unum, Vec2 position, int count) {
+/// Adds an opponent seen `age` cycles ago; returns its id.
+int add_opponent(WorldModel& world, int unum, Vec2 position, int age) {
   PlayerState player;
   player.id = world.next_player_id++;
-  player.side = side;
+  player.side = world.their_side();
   player.unum = unum;
   player.position = position;
-  player.pos_count = player.seen_pos_count = count;
-  player.unum_count = unum == 0 ? kNever : count;
+  player.pos_count = player.seen_pos_count = age;
+  player.unum_count = unum == 0 ? kNever : age;
   player.covariance[0] = player.covariance[5] = 0.25;
-  return player;
+  world.opponents.push_back(player);
+  return player.id;
 }
 
 TEST(HeardSayMessages, SetUnseenBall) {
@@ -224,9 +226,8 @@ TEST(HeardSayMessages, AddUnseenPlayersWithNumbers) {
 TEST(HeardSayMessages, NumberUnnumberedTrack) {
   WorldModel world = model(Side::kLeft);
   sense(world, 8);
-  world.opponents.push_back(seen_player(world, Side::kRight, 0, {30.0, 5.0}, 0));
-  world.opponents.push_back(seen_player(world, Side::kRight, 0, {30.0, -5.0}, 0));
-  const int id = world.opponents[0].id;
+  const int id = add_opponent(world, 0, {30.0, 5.0}, 0);
+  add_opponent(world, 0, {30.0, -5.0}, 0);
   const SayPlayers players = one_player({11 + 6, {30.4, 5.3}});
   say(world, 2, players);
   ASSERT_NE(world.opponent(6), nullptr);
@@ -239,8 +240,8 @@ TEST(HeardSayMessages, NumberUnnumberedTrack) {
 TEST(HeardSayMessages, DoNotOverrideRecentlySeenNumber) {
   WorldModel world = model(Side::kLeft);
   sense(world, 8);
-  world.opponents.push_back(seen_player(world, Side::kRight, 6, {30.0, 5.0}, 2));
-  world.opponents.push_back(seen_player(world, Side::kRight, 0, {30.0, -5.0}, 2));
+  add_opponent(world, 6, {30.0, 5.0}, 2);
+  add_opponent(world, 0, {30.0, -5.0}, 2);
   const SayPlayers players = one_player({11 + 6, {30.0, -5.0}});
   say(world, 2, players);
   EXPECT_GT(world.opponent(6)->position.y, 0.0);

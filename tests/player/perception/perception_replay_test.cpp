@@ -1,5 +1,6 @@
 // Accuracy of the world model on recorded matches, against the ground truth of the game log.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -39,6 +40,10 @@ GroundTruths read_truth(const std::string& log) {
     steps[{frame.time, repeated[frame.time]++}] = truth_of(frame);
   }
   return steps;
+}
+
+std::string fixture(const std::string& name) {
+  return tests::read_file(tests::fixture("perception/" + name));
 }
 
 PerceptionError measure(const std::string& transcript, const GroundTruths& truth) {
@@ -100,9 +105,8 @@ const std::vector<HeliosAccuracy> kHelios = {
 // clang-format on
 
 TEST(PerceptionReplay, IsAccurateOnFixtureExcerpt) {
-  const GroundTruths truth = read_truth(tests::read_file(tests::fixture("perception/game.rcg.gz")));
   const PerceptionError measured =
-      measure(tests::read_file(tests::fixture("perception/player_7.txt.gz")), truth);
+      measure(fixture("player_7.txt.gz"), read_truth(fixture("game.rcg.gz")));
   const Errors errors = errors_of(measured);
   print(errors);
 
@@ -116,12 +120,9 @@ TEST(PerceptionReplay, IsAccurateOnFixtureExcerpt) {
 // model of Gaussian see and the turns of the legs the mean errors are 0.17 m (own position), 1.4
 // degrees (body), 0.06 m/cycle (velocity of the ball).
 TEST(PerceptionReplay, IsAccurateWithGaussianSeeAndTwoLegDashes) {
-  const GroundTruths truth =
-      read_truth(tests::read_file(tests::fixture("perception/gaussian_game.rcg.gz")));
-  const std::string transcript =
-      tests::read_file(tests::fixture("perception/gaussian_player_7.txt.gz"));
-  EXPECT_NE(transcript.find("(dash (l "), std::string::npos);
-  const PerceptionError measured = measure(transcript, truth);
+  const std::string transcript = fixture("gaussian_player_7.txt.gz");
+  EXPECT_THAT(transcript, testing::HasSubstr("(dash (l "));
+  const PerceptionError measured = measure(transcript, read_truth(fixture("gaussian_game.rcg.gz")));
   const Errors errors = errors_of(measured);
   print(errors);
 

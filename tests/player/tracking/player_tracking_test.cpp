@@ -37,6 +37,13 @@ struct Scene {
     return player;
   }
 
+  /// Opponents 1 to `last`, near enough for their numbers.
+  void add_near_opponents(int last) {
+    for (int unum = 1; unum <= last; ++unum) {
+      add(Side::kRight, unum, {-12.0 + (unum % 3), 2.0 * unum - 11.0});
+    }
+  }
+
   /// The track of an opponent, which must exist.
   const PlayerState& opponent(int unum) const {
     static const PlayerState kNone;
@@ -169,9 +176,7 @@ TEST(PlayerTracking, TracksClosePlayerBehindWithoutTeam) {
 
 TEST(PlayerTracking, AssignsRemainingNumberToLastUnnumberedPlayer) {
   Scene scene;
-  for (int unum = 1; unum <= 10; ++unum) {
-    scene.add(Side::kRight, unum, {-12.0 + (unum % 3), 2.0 * unum - 11.0});
-  }
+  scene.add_near_opponents(10);
   scene.add(Side::kRight, 11, {25.0, 10.0});  // too far for the number
   scene.cycle();
   EXPECT_EQ(scene.opponent(11).unum_count, kNever);
@@ -180,9 +185,7 @@ TEST(PlayerTracking, AssignsRemainingNumberToLastUnnumberedPlayer) {
 
 TEST(PlayerTracking, LeavesTwoUnnumberedPlayersUnnumbered) {
   Scene scene;
-  for (int unum = 1; unum <= 9; ++unum) {
-    scene.add(Side::kRight, unum, {-12.0 + (unum % 3), 2.0 * unum - 11.0});
-  }
+  scene.add_near_opponents(9);
   scene.add(Side::kRight, 10, {25.0, -10.0});
   scene.add(Side::kRight, 11, {25.0, 10.0});
   scene.cycle();

@@ -170,6 +170,7 @@ TEST(LegTurn, ObeysThePowerLimit) {
 TEST(LegTurn, IsUsedOnlyByAgentsWithTwoLegs) {
   KnownPitch pitch;
   EXPECT_FALSE(useful_leg_turn(pitch.world, 40.0, 100.0, true).has_value());
+
   pitch.world.leg_dashes = true;
   EXPECT_TRUE(useful_leg_turn(pitch.world, 40.0, 100.0, true).has_value());
   EXPECT_FALSE(useful_leg_turn(pitch.world, 0.5, 100.0, true).has_value());
