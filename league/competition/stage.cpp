@@ -49,12 +49,14 @@ class StageCheck {
     check_earlier("ranked_by", stage_->ranked_by);
     check_earlier("carry", stage_->carry);
     check_joining();
+
     require(stage_->teams <= present_,
             fmt::format("teams = {}: only {} are left", stage_->teams, present_));
     const int entrants =
         (stage_->teams > 0 ? stage_->teams : present_) + static_cast<int>(stage_->join.size());
     require(entrants >= 2, fmt::format("{} of at least two teams", entrants));
     present_ += static_cast<int>(stage_->join.size());
+
     if (stage_->format == StageFormat::kGroups) {
       check_groups(entrants);
     } else {
@@ -108,6 +110,7 @@ class StageCheck {
   void check_drawn() {
     require(before_.empty(), "groups by name: possible in the first stage only");
     require(stage_->teams == 0, "groups by name: teams would leave out some of them");
+
     std::set<std::string> seen;
     for (const auto& group : stage_->drawn) {
       require(group.size() >= 2,
@@ -117,6 +120,7 @@ class StageCheck {
         require(seen.insert(team).second, fmt::format("groups: '{}' is there twice", team));
       }
     }
+
     for (const Stage& stage : stages_) {
       for (const std::string& team : stage.join) {
         require(seen.insert(team).second,

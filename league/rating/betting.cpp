@@ -23,7 +23,7 @@ struct Hedge {
 constexpr std::array<Hedge, 2> kHedges = {{{1.0, 0.28}, {0.3, 0.08}}};
 constexpr double kPriorSamples = 5.0;  // weight of the typical variance
 
-// What a bet returns per unit when the sample is `sample` and the bet is against `mean`.
+// The return of a bet per unit when the sample is `sample` and the bet is against `mean`.
 double log_return(double stake, double sample, double mean) {
   return std::log1p(std::max(-1.0, stake * (sample - mean)));
 }

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/index.h"
 #include "league/rating/statistics.h"
 
 namespace cls::league {
@@ -17,8 +18,6 @@ using Matrix = std::vector<std::vector<double>>;
 constexpr double kEloPerUnit = 173.71779276130073;  // 400 / ln 10
 constexpr double kVirtualGames = 1.0;
 
-std::size_t index_of(int team) { return static_cast<std::size_t>(team); }
-
 double win_probability(double rating, double other) { return 1 / (1 + std::exp(other - rating)); }
 
 // Points above the expected ones, by team.
@@ -28,10 +27,10 @@ std::vector<double> gradient(const std::vector<double>& rating,
   for (const double one : rating)
     surplus.push_back(kVirtualGames * (0.5 - win_probability(one, 0.0)));
   for (const PairResults& pair : results) {
-    const double expected =
-        pair.games * win_probability(rating[index_of(pair.first)], rating[index_of(pair.second)]);
-    surplus[index_of(pair.first)] += pair.first_points - expected;
-    surplus[index_of(pair.second)] -= pair.first_points - expected;
+    const double expected = pair.games * win_probability(rating[base::index(pair.first)],
+                                                         rating[base::index(pair.second)]);
+    surplus[base::index(pair.first)] += pair.first_points - expected;
+    surplus[base::index(pair.second)] -= pair.first_points - expected;
   }
   return surplus;
 }
@@ -43,8 +42,8 @@ Matrix information(const std::vector<double>& rating, std::span<const PairResult
     matrix[i][i] = kVirtualGames * p * (1 - p);
   }
   for (const PairResults& pair : results) {
-    const std::size_t i = index_of(pair.first);
-    const std::size_t j = index_of(pair.second);
+    const std::size_t i = base::index(pair.first);
+    const std::size_t j = base::index(pair.second);
     const double p = win_probability(rating[i], rating[j]);
     const double known = pair.games * p * (1 - p);
     matrix[i][i] += known;
@@ -60,12 +59,14 @@ Matrix inverse(Matrix matrix) {
   const std::size_t size = matrix.size();
   Matrix result(size, std::vector<double>(size));
   for (std::size_t i = 0; i < size; ++i) result[i][i] = 1.0;
+
   for (std::size_t column = 0; column < size; ++column) {
     const double pivot = matrix[column][column];
     for (std::size_t k = 0; k < size; ++k) {
       matrix[column][k] /= pivot;
       result[column][k] /= pivot;
     }
+
     for (std::size_t row = 0; row < size; ++row) {
       const double factor = matrix[row][column];
       if (row == column || factor == 0.0) continue;
@@ -114,16 +115,18 @@ double variance_against_mean(const Matrix& covariance, std::size_t i) {
 }  // namespace
 
 Ratings fit_bradley_terry(int teams, std::span<const PairResults> results) {
-  const auto count = static_cast<std::size_t>(teams);
+  const std::size_t count = base::index(teams);
   const std::vector<double> rating = fit(count, results);
   const Matrix covariance = inverse(information(rating, results));
   const double middle =
       std::accumulate(rating.begin(), rating.end(), 0.0) / static_cast<double>(count);
+
   Ratings ratings;
   for (std::size_t i = 0; i < count; ++i) {
     ratings.elo.push_back(kEloPerUnit * (rating[i] - middle));
     ratings.error.push_back(kEloPerUnit * kNormal95 *
                             std::sqrt(std::max(0.0, variance_against_mean(covariance, i))));
+
     ratings.superiority.emplace_back();
     for (std::size_t j = 0; j < count; ++j) {
       const double spread = covariance[i][i] + covariance[j][j] - 2 * covariance[i][j];

@@ -37,12 +37,14 @@ double score_from_elo(double elo) { return 1 / (1 + std::pow(10.0, -elo / 400));
 Estimate estimate(double score, double variance, int count) {
   constexpr int kMinNormalCount = 30;
   constexpr double kMinNormalPoints = 5.0;
+
   Estimate result;
   result.count = count;
   if (count <= 0) {
     result.elo_interval = {elo_from_score(0.0), elo_from_score(1.0)};
     return result;
   }
+
   const double error = std::sqrt(variance / count);
   const double min_points = count * std::min(score, 1 - score);
   result.score = score;
@@ -50,9 +52,11 @@ Estimate estimate(double score, double variance, int count) {
   result.score_interval = few ? wilson(score * count, count)
                               : Interval{std::max(0.0, score - kNormal95 * error),
                                          std::min(1.0, score + kNormal95 * error)};
+
   result.elo = elo_from_score(score);
   result.elo_interval = {elo_from_score(result.score_interval.low),
                          elo_from_score(result.score_interval.high)};
+
   if (error > 0) {
     // Few results do not determine their own variance. Use that of a score of one half, as Wilson's
     // interval does, so that both agree.

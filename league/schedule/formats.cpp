@@ -104,7 +104,7 @@ double stages_size(const Competition& competition) {
 }
 
 // In the order of Format.
-const std::array kFormats = {
+constexpr std::array kFormats = {
     FormatRules{.format = Format::kRoundRobin,
                 .name = "round-robin",
                 .schedule = schedule_round_robin,
@@ -152,6 +152,8 @@ const std::array kFormats = {
                 .size = stages_size,
                 .adds_shoot_outs = true},
 };
+
+static_assert(std::ranges::is_sorted(kFormats, {}, &FormatRules::format));
 
 std::string unknown_team(const Competition& competition, std::string_view key,
                          std::string_view name) {

@@ -102,7 +102,7 @@ class Stages {
 
     slots_ = ranked_entrants();
     out_.clear();
-    if (stage.teams > 0) leave_out(static_cast<std::size_t>(stage.teams));
+    if (stage.teams > 0) leave_out(base::index(stage.teams));
     for (const std::string& team : stage.join) slots_.emplace_back(team_index(competition_, team));
   }
 

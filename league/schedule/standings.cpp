@@ -221,6 +221,7 @@ class Table {
         return;
       }
     }
+
     const int rank = static_cast<int>(result.size()) + 1;
     for (const int team : tied) {
       result.push_back(row(team));

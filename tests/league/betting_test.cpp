@@ -1,5 +1,5 @@
-// The betting test: it is fair, its bounds agree with its decision, and how long it takes beside
-// the SPRT. docs/tournaments.md has the table of the long form (CLS_FULL).
+// The betting test: it is fair, its bounds agree with its decision, and how long it takes compared
+// with the SPRT. docs/tournaments.md has the table of the long form (CLS_FULL).
 #include "league/rating/betting.h"
 
 #include <gtest/gtest.h>
@@ -96,9 +96,11 @@ TEST(Betting, DecidesWalkoversInSixPairs) {
     EXPECT_EQ(test.decision(), expected);
     return count;
   };
+
   EXPECT_EQ(length(1.0, elo40(), Decision::kH1), 6);
   EXPECT_LE(length(0.0, elo40(), Decision::kH0), 6);
   EXPECT_LE(length(0.5, elo40(), Decision::kH0), 40) << "25 are the minimum of any valid test";
+
   Hypotheses strict = elo40();
   strict.alpha = 0.001;
   EXPECT_EQ(length(1.0, strict, Decision::kH1), 12) << "2^-n";

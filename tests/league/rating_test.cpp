@@ -36,6 +36,7 @@ TEST(Rating, EloAndSuperiorityMatchOtherTools) {
   EXPECT_NEAR(many.elo, -0.7736, 1e-4);
   EXPECT_NEAR((many.elo_interval.high - many.elo_interval.low) / 2, 1.2776, 1e-4);
   EXPECT_NEAR(many.superiority, 0.11766, 1e-5);
+
   const Frequencies games = {50, 40, 70};
   const Estimate few = estimate(mean(games), variance(games), 160);
   EXPECT_NEAR(few.elo, 43.658, 1e-3);
@@ -49,10 +50,12 @@ TEST(Rating, EstimatesAreFiniteInEdgeCases) {
   EXPECT_EQ(none.superiority, 0.5);
   EXPECT_EQ(none.score_interval.low, 0.0);
   EXPECT_EQ(none.score_interval.high, 1.0);
+
   const Estimate all_won = estimate(1.0, 0.0, 10);
   EXPECT_NEAR(all_won.elo, 1199.8, 0.1);
   EXPECT_NEAR(all_won.score_interval.low, 0.7225, 1e-4) << "Wilson interval";
   EXPECT_NEAR(all_won.superiority, 1 - std::pow(0.5, 11), 1e-12);
+
   const Estimate all_drawn = estimate(0.5, 0.0, 10);
   EXPECT_EQ(all_drawn.superiority, 0.5);
   EXPECT_LT(all_drawn.score_interval.low, 0.25) << "ten draws do not prove equality";
@@ -90,6 +93,7 @@ TEST(Sprt, DecidesEdgeCases) {
   const Hypotheses hypotheses = elo_hypotheses(0, 40);
   EXPECT_NEAR(upper_llr(hypotheses), 2.944, 1e-3);
   EXPECT_NEAR(lower_llr(hypotheses), -2.944, 1e-3);
+
   const auto decision = [&](const Frequencies& seen) {
     return sprt_state(seen, hypotheses).decision;
   };
@@ -99,6 +103,7 @@ TEST(Sprt, DecidesEdgeCases) {
   EXPECT_EQ(decision({0, 0, 0, 0, 60}), Decision::kH1);
   EXPECT_EQ(decision({60, 0, 0, 0, 0}), Decision::kH0);
   EXPECT_EQ(decision({0, 0, 500, 0, 0}), Decision::kH0);
+
   // Extreme bounds still give finite values.
   for (const double huge : {100.0, 1000.0, 5000.0}) {
     const double llr =
@@ -177,10 +182,12 @@ TEST(Sprt, PredictsItsLength) {
   const auto pairs = [&](double llr, double mean, double elo) {
     return expected_results(llr, mean, kVariance, elo_hypotheses(0, elo));
   };
+
   EXPECT_NEAR(pairs(0, 0.5, 40), 247, 25);
   EXPECT_NEAR(pairs(0, score_from_elo(40), 40), 251, 25);
   EXPECT_NEAR(pairs(0, 0.5, 80), 64, 6);
   EXPECT_NEAR(pairs(0, 0.5, 160), 18, 2);
+
   const double halfway = (0.5 + score_from_elo(40)) / 2;
   EXPECT_GT(pairs(0, halfway, 40), 300) << "the longest";
   EXPECT_NEAR(pairs(0, halfway + 1e-7, 40), pairs(0, halfway, 40), 1) << "continuous there";
@@ -230,7 +237,9 @@ TEST(HeadToHead, CountsPairsByTheirPoints) {
     matches.back().outcome = outcomes[matches.size() - 1];
   }
   const auto all = head_to_heads(matches);
+
   ASSERT_EQ(all.size(), 1u);
+
   const HeadToHead& head_to_head = all[0];
   // Rounds 2 and 4 start with B on the left.
   EXPECT_EQ(head_to_head.games.won, 4);

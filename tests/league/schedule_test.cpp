@@ -18,9 +18,11 @@ using Pairs = std::vector<std::string>;
 TEST(Schedule, RoundRobinPairsSwapSidesOnOneSeed) {
   const auto fixtures = next_fixtures(competition_of(Format::kRoundRobin, 3), {});
   ASSERT_EQ(fixtures.size(), 6u);
+
   std::set<std::string> pairs;
   for (const std::string& pair : pairs_of(fixtures)) pairs.insert(pair);
   EXPECT_EQ(pairs, (std::set<std::string>{"A-B", "B-A", "A-C", "C-A", "B-C", "C-B"}));
+
   for (std::size_t i = 0; i < fixtures.size(); i += 2) {
     EXPECT_EQ(fixtures[i].index, static_cast<int>(i) + 1);
     EXPECT_EQ(fixtures[i].left, fixtures[i + 1].right);
@@ -28,6 +30,7 @@ TEST(Schedule, RoundRobinPairsSwapSidesOnOneSeed) {
     EXPECT_EQ(fixtures[i].seed, fixtures[i + 1].seed);
     EXPECT_EQ(fixtures[i].pairing, fixtures[i + 1].pairing);
   }
+
   EXPECT_NE(fixtures[0].seed, fixtures[2].seed);
 }
 
@@ -102,6 +105,7 @@ TEST(Schedule, GroupsAreFollowedByKnockoutOfTheBest) {
   const auto matches = play_all(competition, better_wins);
   // Serpentine order: A D E H and B C F G.
   EXPECT_EQ(pairs_of(matches).size(), 6u + 6u + 2u + 2u);
+
   const std::vector<ScheduledMatch> last(matches.end() - 4, matches.end());
   EXPECT_EQ(pairs_of(last), (Pairs{"A-C", "B-D", "C-D", "A-B"}));
   EXPECT_EQ(last[0].fixture.stage, "semi-final 1");
@@ -136,10 +140,12 @@ TEST(Schedule, KnockoutTieIsDecidedByGoalsThenByDecider) {
     return outcome;
   };
   const auto matches = play_all(competition, level);
+
   EXPECT_EQ(pairs_of(matches), (Pairs{"A-B", "B-A", "A-B"}));
   EXPECT_TRUE(matches[2].fixture.decides);
   EXPECT_NE(matches[2].fixture.seed, matches[0].fixture.seed);
   EXPECT_EQ(ranking(competition, matches), (Pairs{"B", "A"}));
+
   const auto on_goals = [](const Fixture& fixture) {
     return fixture.left == 0 ? score(3, 1) : score(1, 0);
   };
@@ -152,11 +158,13 @@ TEST(Schedule, KnockoutTieIsDrawnByLotAfterThreeDeciders) {
   const auto matches = play_all(competition, level);
   EXPECT_EQ(matches.size(), 5u) << "a pair, then three deciders";
   EXPECT_EQ(ranking(competition, matches).size(), 2u);
+
   std::set<std::string> winners;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     competition.seed = seed;
     winners.insert(ranking(competition, play_all(competition, level)).front());
   }
+
   EXPECT_EQ(winners.size(), 2u);
 }
 
@@ -191,6 +199,7 @@ TEST(Schedule, DoubleEliminationChallengerMustWinGrandFinalTwice) {
     return better_wins(fixture);
   };
   const auto matches = play_all(competition, referee);
+
   EXPECT_EQ(matches.size(), 7u);
   EXPECT_EQ(matches.back().fixture.stage, "grand final, second");
   EXPECT_EQ(ranking(competition, matches).front(), "A");

@@ -106,8 +106,10 @@ TEST(Stages, DivisionsPlayHomeAndAwayInTheOrderOfTheAverages) {
   const auto matches = play_all(competition, better_wins);
   const auto main = matches_in(matches, "main");
   const auto groups = teams_by_group(main);
+
   EXPECT_EQ(groups.at("main, group E"), (std::set<int>{0, 1, 2}));
   EXPECT_EQ(groups.at("main, group F"), (std::set<int>{3, 4, 5, 6}));
+
   std::map<std::pair<int, int>, int> pairs;
   std::set<std::uint64_t> seeds;
   for (const ScheduledMatch& match : main) {
@@ -118,6 +120,7 @@ TEST(Stages, DivisionsPlayHomeAndAwayInTheOrderOfTheAverages) {
     EXPECT_EQ(count, 1);
     EXPECT_TRUE(pairs.contains({pair.second, pair.first}));
   }
+
   EXPECT_EQ(seeds.size(), main.size());
 }
 
@@ -131,6 +134,7 @@ TEST(Stages, StepladderLetsTheWinnerClimb) {
     return score(0, 1);
   });
   const auto finals = matches_in(matches, "finals");
+
   EXPECT_EQ(pairs_of(finals), (Names{"C-D", "B-D", "A-D"}));
   EXPECT_EQ(finals[0].fixture.stage, "finals, rank 3");
   EXPECT_EQ(finals[1].fixture.stage, "finals, semi-final");
@@ -162,7 +166,9 @@ TEST(Stages, OnlyTheBestGoOnAndTheOthersKeepTheirRank) {
   competition.stages[1].name = "cup";
   competition.stages[1].format = StageFormat::kKnockout;
   competition.stages[1].teams = 4;
+
   ASSERT_EQ(competition_errors(competition), std::vector<std::string>());
+
   const auto matches = play_all(competition, [](const Fixture& fixture) {
     return belongs_to(fixture.stage, "cup") ? score(0, 1) : better_wins(fixture);
   });
@@ -195,6 +201,7 @@ TEST(Stages, TeamsThatTwoStagesLeftOutKeepTheirRanks) {
   const auto matches = play_all(competition, better_wins);
 
   EXPECT_EQ(matches_in(matches, "three").size(), 2u);
+
   const auto table = tables(competition, matches).back().standings;
   EXPECT_EQ(competition.team(table[4].team), "E");
   EXPECT_EQ(table[4].rank, 5);
@@ -238,6 +245,7 @@ TEST(Stages, AreValidated) {
     const auto errors = errors_of(change);
     return errors.size() == 1 ? errors[0] : "not one error but " + std::to_string(errors.size());
   };
+
   EXPECT_EQ(only([](Config& c) { c.stages.clear(); }),
             "format 'stages' requires [[stages]], each with a name");
   EXPECT_EQ(only([](Config& c) { c.format = Format::kSwiss; }),

@@ -35,6 +35,7 @@ TEST(Standings, CountPointsAndGoals) {
       match(0, 1, score(3, 1)), match(1, 0, score(2, 2)), match(0, 1, shoot_out),
       match(0, 1, fault(EndReason::kCrashed)), planned({})};
   const auto table = standings(std::vector<int>{0, 1}, matches, kLeague);
+
   EXPECT_EQ(table[0].team, 0);
   EXPECT_EQ(table[0].points, 4);
   EXPECT_EQ(table[0].played, 3);
@@ -121,7 +122,9 @@ TEST(Standings, ComputeBuchholzAndSonnebornBerger) {
   }
   const std::vector<Bye> byes = {{3, 2}};
   const auto table = standings(kFour, matches, {}, byes);
+
   EXPECT_EQ(table[0].team, 0);
+
   for (const Standing& row : table) {
     if (row.team == 3) {
       EXPECT_EQ(row.points, 6);

@@ -32,6 +32,7 @@ TEST(Comparison, SchedulesPairsOnOneSeedUntilDecided) {
   EXPECT_EQ(fixtures[0].seed, fixtures[1].seed);
   EXPECT_EQ(fixtures[0].left, fixtures[1].right);
   EXPECT_NE(fixtures[1].seed, fixtures[2].seed);
+
   const auto matches = play(comparison, better_wins);
   const ComparisonVerdict known = verdict(comparison, matches);
   EXPECT_EQ(known.decision, Decision::kH1);
@@ -57,9 +58,11 @@ TEST(Comparison, BothTeamsMeetOpponentsOnTheSameSeed) {
   EXPECT_EQ(pairs_of(fixtures),
             (std::vector<std::string>{"A-C", "C-A", "B-C", "C-B", "A-D", "D-A", "B-D", "D-B", "A-C",
                                       "C-A", "B-C", "C-B"}));
+
   for (int i = 1; i < 4; ++i)
     EXPECT_EQ(fixtures[0].seed, fixtures[static_cast<std::size_t>(i)].seed);
   EXPECT_NE(fixtures[0].seed, fixtures[4].seed);
+
   // NEW wins all, BASE draws all: a gain of half the points.
   const auto matches = play(comparison, [](const Fixture& fixture) {
     if (fixture.left == 0) return score(1, 0);
@@ -67,6 +70,7 @@ TEST(Comparison, BothTeamsMeetOpponentsOnTheSameSeed) {
     return score(0, 0);
   });
   const ComparisonVerdict so_far = verdict(comparison, matches);
+
   EXPECT_EQ(so_far.samples, (Frequencies{0, 0, 0, 0, 0, 0, 3, 0, 0}));
   EXPECT_EQ(so_far.strength.score, 0.75);
   EXPECT_TRUE(next_fixtures(comparison, matches).empty());
@@ -78,9 +82,11 @@ TEST(Comparison, IgnoresSamplesAboveTheMaximum) {
   EXPECT_EQ(last_match(comparison), std::nullopt);
   EXPECT_NEAR(expected_samples_left(comparison, verdict(comparison, {})), 247, 25);
   EXPECT_NEAR(max_expected_samples(comparison), 396, 1);
+
   const auto matches = play(comparison, [](const Fixture&) { return score(0, 0); });
   comparison.max_samples = 3;
   EXPECT_EQ(last_match(comparison), 6);
+
   const ComparisonVerdict known = verdict(comparison, matches);
   EXPECT_EQ(known.samples, (Frequencies{0, 0, 3, 0, 0}));
   EXPECT_EQ(expected_samples_left(comparison, known), 0);
@@ -107,12 +113,14 @@ TEST(Comparison, CountsGoalsUpToTheirLimit) {
     return fixture.left == 0 ? score(5, 0) : score(0, 1);
   });
   const ComparisonVerdict known = verdict(comparison, matches);
+
   EXPECT_EQ(known.samples, (Frequencies{0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0}));
   EXPECT_EQ(known.points, (Frequencies{1, 0, 0, 0, 1}));
   EXPECT_NEAR(known.hypotheses.mean0, 0.5, 1e-12);
   EXPECT_NEAR(known.hypotheses.mean1, 0.5 + 0.5 / 6, 1e-12) << "half a goal a match of +-3";
   EXPECT_NEAR(advantage(comparison, mean(known.samples)), 0.25, 1e-12);
   EXPECT_EQ(advantage_text(comparison, mean(known.samples)), "+0.25 goals a match");
+
   comparison.max_samples.reset();
   EXPECT_EQ(walkover_samples(comparison), 6);
 }
@@ -129,11 +137,13 @@ TEST(Comparison, CountsValuesOfSituationsUpToTheirLimit) {
     return outcome;
   });
   const ComparisonVerdict known = verdict(comparison, matches);
+
   EXPECT_EQ(known.samples.size(), std::size_t{4 * kMaxValue * kValueSteps + 1});
   EXPECT_EQ(total(known.samples), 1);
   EXPECT_NEAR(advantage(comparison, mean(known.samples)), (2.5 + kMaxValue) / 2, 1e-9);
   EXPECT_NEAR(known.hypotheses.mean1, 0.5 + 0.25 / kMaxValue, 1e-12);
   EXPECT_EQ(advantage_text(comparison, 0.5 + 0.25 / kMaxValue), "+0.50 goals a match");
+
   comparison.max_samples.reset();
   EXPECT_EQ(walkover_samples(comparison), 6);
 }
@@ -149,6 +159,7 @@ TEST(Comparison, CountsGoalsAgainstOpponents) {
     return fixture.left == 1 ? score(0, 1) : score(1, 0);
   });
   const ComparisonVerdict known = verdict(comparison, matches);
+
   ASSERT_EQ(known.samples.size(), 25u);
   EXPECT_NEAR(advantage(comparison, mean(known.samples)), 4.0, 1e-12);
   EXPECT_EQ(known.strength.score, 1.0) << "by points";

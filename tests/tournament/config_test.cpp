@@ -42,6 +42,7 @@ endpoint = "localhost:50051"
 TEST(Config, ReadsTeamsInFileOrder) {
   const ParsedConfig parsed = parse_config(kWhole, "cls.toml");
   EXPECT_TRUE(parsed.errors.empty()) << parsed.errors.front();
+
   const TournamentConfig& config = parsed.config;
   EXPECT_EQ(config.competition.format, Format::kGauntlet);
   EXPECT_EQ(config.competition.gauntlet, std::vector<std::string>{"NEW"});
@@ -49,6 +50,7 @@ TEST(Config, ReadsTeamsInFileOrder) {
   EXPECT_EQ(config.competition.seed, 9u);
   EXPECT_EQ(config.execution.concurrency, 3);
   EXPECT_EQ(config.execution.on_crash, OnCrash::kRerun);
+
   const match::MatchOptions options = match_options(config.conditions);
   EXPECT_EQ(options.time_limit_s, 90.0);
   EXPECT_EQ(options.limits.memory, 2ULL << 30);
@@ -83,6 +85,7 @@ endpoint = "moc"
 [tournment]
 )",
                                            "f.toml");
+
   EXPECT_EQ(parsed.errors,
             (std::vector<std::string>{
                 "f.toml:2: unknown key 'ronds'; did you mean 'rounds'?",
@@ -144,18 +147,23 @@ TEST(Config, RejectsContradictions) {
   config.competition.gauntlet = {"NEWW"};
   EXPECT_EQ(validate(config),
             std::vector<std::string>{"gauntlet: unknown team 'NEWW'; did you mean 'NEW'?"});
+
   config = parse_config(kWhole, "").config;
   config.competition.teams.pop_back();
   config.competition.format = Format::kList;
   config.competition.matches = {{"OLD", "OLD"}};
+
   EXPECT_EQ(validate(config).size(), 3u);  // one team, no such subject, against itself
   config = parse_config(kWhole, "").config;
+
   config.competition.format = Format::kGroups;
   EXPECT_EQ(validate(config).size(), 2u);  // too few teams for two groups, and to advance
   config = parse_config(kWhole, "").config;
+
   config.conditions.options["mode"] = "lokstep";
   EXPECT_EQ(validate(config),
             std::vector<std::string>{"--mode 'lokstep': did you mean 'lockstep'?"});
+
   config.conditions.options.clear();
   config.conditions.options["server"] = "rcsserver";
   EXPECT_EQ(validate(config).size(), 1u);
@@ -222,20 +230,26 @@ TEST(Config, NamesFirstDifferenceOfTwoPlans) {
   TournamentConfig now = before;
   now.execution.concurrency = 7;
   now.execution.on_crash = OnCrash::kStop;
+
   EXPECT_EQ(first_difference(now, before), "") << "execution is not part of the plan";
+
   now.competition.rounds = 51;
   now.conditions.options.erase("cycles");
   EXPECT_EQ(first_difference(now, before), "rounds is 51, was 50");
+
   now = before;
   now.conditions.options.erase("cycles");
   EXPECT_EQ(first_difference(now, before), "cycles is not set, was 600");
+
   now = before;
   now.competition.teams[1].endpoint = "mock:hold";
   EXPECT_EQ(first_difference(now, before),
             "[teams.\"NEW\"] endpoint is \"mock:hold\", was \"localhost:50051\"");
+
   now = before;
   now.competition.teams.push_back({"THIRD", "mock"});
   EXPECT_EQ(first_difference(now, before), "[teams.\"THIRD\"] endpoint is \"mock\", was not set");
+
   now = before;
   std::swap(now.competition.teams[0], now.competition.teams[1]);
   EXPECT_EQ(first_difference(now, before), "[teams.\"NEW\"] is at another position");
@@ -247,8 +261,10 @@ TEST(Config, CommentedFileHasEveryKeyAndIsValid) {
     EXPECT_THAT(text, HasSubstr(std::string(key.name) + " = ")) << key.name;
   }
   const ParsedConfig parsed = parse_config(text, "cls.toml");
+
   EXPECT_TRUE(parsed.errors.empty()) << parsed.errors.front();
   EXPECT_TRUE(validate(parsed.config).empty());
+
   // It still parses with all commented defaults and examples enabled.
   std::string all = text;
   for (const ConfigKey& key : tournament_keys()) {
@@ -256,6 +272,7 @@ TEST(Config, CommentedFileHasEveryKeyAndIsValid) {
     if (const std::size_t at = all.find(commented); at != std::string::npos) all.erase(at + 1, 1);
   }
   const ParsedConfig everything = parse_config(all, "cls.toml");
+
   EXPECT_TRUE(everything.errors.empty()) << everything.errors.front();
 }
 

@@ -104,13 +104,16 @@ TEST_F(DecisionsTest, AnAwardCountsInTheTableAndNotInRatings) {
   config.competition.swap_sides = false;
   play(config);
   ASSERT_EQ(ranks(), (Names{"A", "B"}));
+
   const auto effect = decide_on(award(1, 0, 3));
   ASSERT_TRUE(effect) << effect.error().message;
   EXPECT_FALSE(effect->drawn_again);
   EXPECT_EQ(ranks(), (Names{"B", "A"}));
+
   const TournamentState now = state();
   EXPECT_FALSE(now.matches[0].outcome->played());
   EXPECT_EQ(now.matches[0].decision->before, "1:0");
+
   play(config);
   EXPECT_TRUE(played().empty());
   EXPECT_EQ(ranks(), (Names{"B", "A"}));
@@ -131,10 +134,12 @@ TEST_F(DecisionsTest, AnAnnulledMatchCountsForNothing) {
   const TournamentConfig config = config_of(Format::kRoundRobin, 2);
   play(config);
   ASSERT_TRUE(decide_on(decision_on(1, DecisionKind::kAnnul)));
+
   const TournamentState now = state();
   const Standing best = tables(now.config.competition, now.matches).back().standings[0];
   EXPECT_EQ(best.played, 1);
   EXPECT_EQ(best.invalid, 0);
+
   const MatchCounts counts = count(now.matches);
   EXPECT_EQ(counts.annulled, 1);
   EXPECT_EQ(counts.invalid, 0);
@@ -147,6 +152,7 @@ TEST_F(DecisionsTest, AReplayIsAnotherAttemptOnAnotherSeed) {
   const std::uint64_t seed = state().matches[0].fixture.seed;
   ASSERT_TRUE(decide_on(decision_on(1, DecisionKind::kReplay)));
   EXPECT_FALSE(state().matches[0].outcome);
+
   play(config, [](const Fixture&) { return score(4, 4); });
   ASSERT_EQ(record_.started.size(), 1u);
   EXPECT_EQ(record_.started[0].number, 2);
@@ -155,8 +161,10 @@ TEST_F(DecisionsTest, AReplayIsAnotherAttemptOnAnotherSeed) {
   EXPECT_EQ(state().matches[0].decision->before, "1:0");
   // Once more.
   ASSERT_TRUE(decide_on(decision_on(1, DecisionKind::kReplay)));
+
   play(config);
   EXPECT_EQ(record_.started.at(0).number, 3);
+
   const auto fixture = read_fixture(folder_.path() / kScheduleFile, 1);
   ASSERT_TRUE(fixture);
   EXPECT_EQ(fixture->seed, record_.started[0].fixture.seed);
@@ -180,6 +188,7 @@ TEST_F(DecisionsTest, UnplayedMatchesAreDrawnAnew) {
   play(config, better_wins, 0);  // draws the first step, and plays nothing
   ASSERT_EQ(state().matches.size(), 4u);
   EXPECT_EQ(state().matches[3].fixture.right, 2);
+
   // C beats both by decision.
   const TournamentState now = state();
   for (int number = 1; number <= 3; ++number) {
@@ -190,6 +199,7 @@ TEST_F(DecisionsTest, UnplayedMatchesAreDrawnAnew) {
     EXPECT_FALSE(effect->refused);
   }
   play(config);
+
   EXPECT_EQ(ranks(), (Names{"A", "C", "B"})) << "A climbs from rank 2";
   EXPECT_EQ(state().matches[3].fixture.left, 0);
   EXPECT_EQ(state().matches[3].fixture.right, 1);
@@ -200,16 +210,19 @@ TEST_F(DecisionsTest, PlayedMatchesAreDiscardedOnlyOnRequest) {
   play(config);
   const Names before = ranks();
   const auto effect = decide_on(decision_on(1, DecisionKind::kReplay));
+
   ASSERT_TRUE(effect);
   EXPECT_TRUE(effect->refused);
   EXPECT_EQ(effect->drawn_again, 4);
   EXPECT_EQ(effect->removed_played, 2);
   EXPECT_EQ(ranks(), before);
   EXPECT_TRUE(read_decisions(folder_.path())->empty());
+
   const auto again = decide_on(decision_on(1, DecisionKind::kReplay), true);
   ASSERT_TRUE(again);
   EXPECT_FALSE(again->refused);
   EXPECT_EQ(state().matches.size(), 3u);
+
   play(config);
   EXPECT_EQ(played().size(), 3u);
 }
@@ -232,9 +245,11 @@ TEST_F(DecisionsTest, WrongDecisionsAreRefused) {
     const auto effect = decide_on(decision);
     return effect ? std::string() : effect.error().message;
   };
+
   EXPECT_EQ(error(award(9, 3, 0)), "no match 9: 1 match is scheduled so far");
   EXPECT_EQ(error(decision_on(1, DecisionKind::kReplay)), "match 1 was not played yet");
   EXPECT_EQ(error(decision_on(1, DecisionKind::kAsPlayed)), "match 1 counts as played already");
+
   play(config);
   EXPECT_EQ(error(award(2, 1, 1)), "match 2 must have a winner: award goals, or penalties too");
 }
@@ -255,19 +270,24 @@ TEST_F(DecisionsTest, CorrectTheLadderOf2024) {
   const auto source = tests::fixture("tournament/robocup2024");
   const ParsedConfig parsed = read_config(source / "cls.toml");
   ASSERT_TRUE(parsed.errors.empty());
+
   const auto make = [&](const TournamentConfig& one) {
     return results_executor(one, source / "results.txt");
   };
   constexpr int kForRank3 = 145;  // 4 x 20 in groups, 58 in divisions, 7 of the ladder
   run_with(parsed.config, kForRank3, make);
+
   ASSERT_EQ(state().matches.size(), 146u);
   EXPECT_EQ(state().matches[144].fixture.stage, "final day, rank 3");
+
   const auto effect = decide_on(award(kForRank3, 1, 0));
   ASSERT_TRUE(effect) << effect.error().message;
   EXPECT_EQ(effect->drawn_again, 146) << "the file has no semi-final of FRA-UNIted";
+
   run_with(parsed.config, std::nullopt, make);
   EXPECT_EQ(ranks(), (Names{"HELIOS", "CYRUS", "YuShan", "FRA-UNIted", "R2D2", "RoboCIn", "Oxsy",
                             "AETeam", "ITAndroids", "Mars"}));
+
   const TournamentState now = state();
   const Report report = make_report(now.config, now.matches, folder_.path());
   const std::string text = report_text(report, {});

@@ -34,11 +34,14 @@ TEST(EventFeed, PassesByLinesThatAreNotEvents) {
   append(R"({"schema":"cls.event/1","event":"goal","folder":"999999-A-vs-B"})");
   append("[1");
   feed.poll(matches, hooks);
+
   EXPECT_TRUE(hooks.idle());
 
   append(R"({"schema":"cls.event/1","event":{},"folder":"000001-A-vs-B"})");
   feed.poll(matches, hooks);
+
   EXPECT_FALSE(hooks.idle()) << "of a match that there is";
+
   const std::atomic<int> signal{0};
   EXPECT_EQ(hooks.finish(signal), std::vector<std::string>());
 }

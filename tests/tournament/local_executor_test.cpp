@@ -51,6 +51,7 @@ TEST_F(LocalExecutor, PlaysInAFolderOfItsOwnWhereAnotherProcessHasTheUsualOne) {
   std::ofstream(usual / "match.rcg") << "of another process";
   std::ofstream(own / "match.rcg") << "of a killed process with this number";
   const Outcome outcome = play("kill -9 $$\n");
+
   EXPECT_EQ(folder_.path() / outcome.folder, own);
   EXPECT_FALSE(fs::exists(own / "match.rcg"));
   EXPECT_TRUE(fs::exists(usual / "match.rcg"));

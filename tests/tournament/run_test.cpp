@@ -82,12 +82,14 @@ TEST_F(TournamentRunTest, PlaysEveryMatchOnceAndStoresIt) {
   EXPECT_EQ(summary.end, RunEnd::kComplete);
   EXPECT_EQ(summary.progress.done, 12);
   EXPECT_EQ(record_.started.size(), 12u);
+
   const auto state = read_tournament(folder_.path());
   ASSERT_TRUE(state) << state.error().message;
   EXPECT_EQ(state->matches.size(), 12u);
   EXPECT_EQ(ranking(state->config.competition, state->matches),
             (std::vector<std::string>{"A", "B", "C", "D"}));
   EXPECT_TRUE(state->running.empty());
+
   run(config, fair);
   EXPECT_EQ(record_.started.size(), 12u) << "no match is played twice";
 }
@@ -132,10 +134,13 @@ TEST_F(TournamentRunTest, ResumesRoundsThatDependOnStoredResults) {
     end = run(config, some).end;
     ASSERT_LT(runs, 20);
   }
+
   EXPECT_GT(runs, 2);
+
   const auto state = read_tournament(folder_.path());
   const auto uninterrupted = play_all(config.competition, better_wins);
   ASSERT_EQ(state->matches.size(), uninterrupted.size());
+
   for (std::size_t i = 0; i < uninterrupted.size(); ++i) {
     EXPECT_EQ(state->matches[i].fixture, uninterrupted[i].fixture);
   }
@@ -150,18 +155,22 @@ TEST_F(TournamentRunTest, StopsAtFaultAndReplaysThatMatchInNextRun) {
     return better_wins(one.fixture);
   };
   const RunSummary first = run(config, broken);
+
   EXPECT_EQ(first.end, RunEnd::kFault);
   EXPECT_EQ(first.message, "match 3 is invalid (crashed): its process ended");
   EXPECT_EQ(count(read_tournament(folder_.path())->matches).invalid, 1);
+
   const RunSummary second = run(config, broken);
   EXPECT_EQ(second.end, RunEnd::kComplete);
   EXPECT_EQ(second.progress.invalid, 0);
   EXPECT_EQ(starts()[3], 2);
+
   std::map<int, int> final_results;
   for (const auto& event : events()) {
     if (event["type"] == "match_finished" && !event["again"].get<bool>())
       ++final_results[event["match"].get<int>()];
   }
+
   EXPECT_EQ(final_results[3], 1) << "the match is played again";
 }
 
@@ -207,7 +216,9 @@ TEST_F(TournamentRunTest, ScoresForfeitThreeNilAgainstSideAtFault) {
     if (one.fixture.index == 2) outcome.fault.reset();
     return outcome;
   });
+
   EXPECT_EQ(summary.end, RunEnd::kComplete);
+
   const auto matches = read_tournament(folder_.path())->matches;
   EXPECT_TRUE(matches[0].outcome->forfeit);
   EXPECT_EQ(matches[0].outcome->left_score, 0);
@@ -226,9 +237,11 @@ TEST_F(TournamentRunTest, LimitsReruns) {
     if (one.fixture.index == 2) return fault(EndReason::kStalled);
     return better_wins(one.fixture);
   });
+
   EXPECT_EQ(summary.end, RunEnd::kComplete);
   EXPECT_EQ(starts()[1], 3);
   EXPECT_EQ(starts()[2], 3);
+
   const auto matches = read_tournament(folder_.path())->matches;
   EXPECT_TRUE(matches[0].outcome->played());
   EXPECT_EQ(matches[0].outcome->attempts, 3);
@@ -252,9 +265,11 @@ TEST_F(TournamentRunTest, PlaysNoMatchAfterTheLast) {
   EXPECT_EQ(some.progress.total, 5);
   EXPECT_EQ(some.progress.done, 5);
   EXPECT_EQ(some.matches.size(), 5u);
+
   last_match_ = 3;
   EXPECT_EQ(run(config, fair).progress.done, 3) << "two of the store do not count";
   EXPECT_EQ(record_.started.size(), 5u);
+
   last_match_.reset();
   EXPECT_EQ(run(config, fair).progress.done, 12);
 }
@@ -264,13 +279,16 @@ TEST_F(TournamentRunTest, CollectsResultFilesOfWork) {
   const auto fixtures = next_fixtures(config.competition, {});
   fs::create_directories(folder_.path() / "results");
   Outcome outcome = score(4, 2);
+
   ASSERT_TRUE(
       base::write_file(folder_.path() / result_file(2, 1), format_work_result(fixtures[1], outcome))
           .ok());
+
   std::ofstream(folder_.path() / "results" / "000001.1.json.tmp") << "{";
   std::ofstream(folder_.path() / "results" / "000001.1.json") << "{ half";
   const std::vector<ScheduledMatch> unplayed = {planned(fixtures[0]), planned(fixtures[1])};
   const auto results = collect_work_results(folder_.path(), unplayed);
+
   ASSERT_EQ(results.size(), 1u);
   EXPECT_EQ(results[0].index, 2);
   EXPECT_EQ(results[0].outcome.left_score, 4);
@@ -279,6 +297,7 @@ TEST_F(TournamentRunTest, CollectsResultFilesOfWork) {
 TEST_F(TournamentRunTest, RecoversResultOfMatchThatOutlivedTheRun) {
   const TournamentConfig config = config_of(Format::kRoundRobin, 2);
   ASSERT_TRUE(prepare_folder(folder_.path(), config).ok());
+
   {
     auto store = Store::open(folder_.path() / "tournament.db");
     ASSERT_TRUE(store);
@@ -292,17 +311,22 @@ TEST_F(TournamentRunTest, RecoversResultOfMatchThatOutlivedTheRun) {
   const fs::path finished =
       folder_.path() / match_folder(config, next_fixtures(config.competition, {})[0], 1);
   fs::create_directories(finished);
+
   ASSERT_TRUE(base::write_file(finished / "result.json", to_json(result)).ok());
+
   result.end_reason = soccer::EndReason::kInterrupted;
   result.seed = next_fixtures(config.competition, {})[1].seed;
   const fs::path broken =
       folder_.path() / match_folder(config, next_fixtures(config.competition, {})[1], 1);
   fs::create_directories(broken);
+
   ASSERT_TRUE(base::write_file(broken / "result.json", to_json(result)).ok());
+
   run(config, fair);
   EXPECT_EQ(starts().count(1), 0u);
   EXPECT_EQ(starts()[2], 1);
   EXPECT_EQ(record_.started.front().number, 2) << "the second attempt";
+
   const auto matches = read_tournament(folder_.path())->matches;
   EXPECT_EQ(matches[0].outcome->left_score, 2);
   EXPECT_FALSE(fs::exists(broken)) << "the folder of an interrupted attempt is removed";
@@ -312,14 +336,18 @@ TEST(Concurrency, DecreasesAfterMissedCycles) {
   TournamentConfig config;
   Concurrency automatic(config, 4);
   EXPECT_EQ(automatic.current(), 4);
+
   Outcome clean = score(0, 0);
   EXPECT_FALSE(automatic.adapt(clean));
+
   Outcome missed = score(0, 0);
   missed.right.missed = 1;
   EXPECT_TRUE(automatic.adapt(missed));
   EXPECT_EQ(automatic.current(), 3);
+
   for (int i = 0; i < 10; ++i) automatic.adapt(clean);
   EXPECT_EQ(automatic.current(), 3) << "a number that was too high is not tried again";
+
   for (int i = 0; i < 10; ++i) automatic.adapt(missed);
   EXPECT_EQ(automatic.current(), 1);
 }
@@ -338,10 +366,12 @@ TEST(Concurrency, StartsLowAndIncreasesInRealTime) {
   config.conditions.options["mode"] = "realtime";
   Concurrency automatic(config, 8);
   EXPECT_EQ(automatic.current(), 2);
+
   const Outcome clean = score(0, 0);
   EXPECT_FALSE(automatic.adapt(clean));
   EXPECT_TRUE(automatic.adapt(clean));
   EXPECT_EQ(automatic.current(), 3);
+
   config.execution.concurrency = 5;
   Concurrency given(config, 1);
   EXPECT_EQ(given.current(), 5);

@@ -50,6 +50,7 @@ TEST(SpectatorView, ShowsScheduleResultsAndTables) {
   for (std::size_t i = 2; i < count; ++i) state.matches[i].outcome.reset();
   state.running = {3};
   const SpectatorPage page = spectator_view(state, "cups/spring");
+
   EXPECT_EQ(page.title, "spring");
   EXPECT_EQ(page.status, "2 of 12 matches played");
   EXPECT_FALSE(page.over);
@@ -92,6 +93,7 @@ TEST(SpectatorView, ShowsNoEndpointsMessagesOrHosts) {
   state.matches[2].decision = MatchDecision{};
   state.matches[2].decision->reason = "SECRET-reason";
   const SpectatorPage page = spectator_view(state, "cup");
+
   EXPECT_THAT(spectator_page(page, "x"), Not(HasSubstr("SECRET")));
   EXPECT_THAT(spectator_now(page, "x"), Not(HasSubstr("SECRET")));
   EXPECT_THAT(spectator_page(page, "x"), HasSubstr("no result"));
@@ -108,6 +110,7 @@ TEST(SpectatorPage, ShowsNamesAsText) {
     EXPECT_THAT(text, Not(HasSubstr("<b>")));
     EXPECT_THAT(text, Not(HasSubstr("<i>")));
   }
+
   EXPECT_THAT(spectator_page(page, "x"), HasSubstr("&lt;b&gt;&quot;&amp;東京"));
 }
 
@@ -153,15 +156,18 @@ TEST_F(TournamentSiteTest, ServesItsPagesAndNothingElse) {
   add_log(folder_.path() / "matches/one");
   const auto site = TournamentSite::open(folder_.path());
   ASSERT_TRUE(site) << site.error().message;
+
   const auto page = (*site)->reply("", "");
   ASSERT_EQ(page.status, 200);
   EXPECT_THAT(page.document->text, HasSubstr("href=\"match/1/\""));
   EXPECT_THAT(page.document->text, Not(HasSubstr("match/2/"))) << "no log";
   EXPECT_EQ((*site)->reply("now", "").status, 200);
   EXPECT_EQ((*site)->reply("match/1", "").location, "1/");
+
   const auto replay = (*site)->reply("match/1/", "");
   ASSERT_EQ(replay.status, 200);
   EXPECT_THAT(whole(*replay.feed), HasSubstr("application/cls-view;base64"));
+
   for (const char* path : {"cls.toml", "plan.toml", "tournament.db", "matches/one/match.rcg.gz",
                            "match/1/match.rcg.gz", "match/1/live", "match/1/drawings-left",
                            "match/2/", "match/3/", "match/0/", "match/-1/", "match/../plan.toml",
@@ -188,6 +194,7 @@ TEST_F(TournamentSiteTest, ReadsNoFolderOutside) {
   play("matches/link");
   fs::create_directory_symlink(outside.path() / "other", folder_.path() / "matches/link");
   const auto site = TournamentSite::open(folder_.path());
+
   ASSERT_TRUE(site) << site.error().message;
   EXPECT_EQ((*site)->reply("match/1/", "").status, 404) << "a link";
 }
@@ -205,6 +212,7 @@ TEST_F(TournamentSiteTest, WritesNothingIntoTheFolder) {
   const std::string store = tests::read_file(folder_.path() / kStoreFile);
   const auto site = TournamentSite::open(folder_.path());
   for (const char* path : {"", "now", "match/1/", "match/2/"}) (*site)->reply(path, "");
+
   EXPECT_EQ(names(), before);
   EXPECT_EQ(tests::read_file(folder_.path() / kStoreFile), store);
 }
@@ -219,6 +227,7 @@ TEST_F(TournamentSiteTest, ShowsOrganizersAllMatches) {
   EXPECT_THAT((*site)->reply("match/1/", "").body, HasSubstr("application/cls-view;base64"));
   EXPECT_EQ((*site)->reply("match/2/", "").body, "the match has no log\n");
   EXPECT_EQ((*site)->reply("match/3/live", "").body, "the match is not played now\n");
+
   for (const char* path : {"now", "match/1", "match/9/", "plan.toml", "match/1/plan.toml"}) {
     EXPECT_EQ((*site)->reply(path, "").status, 404) << path;
   }
@@ -228,12 +237,14 @@ TEST_F(TournamentSiteTest, MakesItsViewAnewAfterAChangeOnly) {
   play("matches/one");
   const auto site = TournamentSite::open(folder_.path(), {.reader = Reader::kOrganizer});
   ASSERT_TRUE(site) << site.error().message;
+
   const std::string before = (*site)->reply("", "").body;
   const int views = (*site)->views();
   for (int i = 0; i < 10; ++i) EXPECT_EQ((*site)->reply("", "").body, before);
   EXPECT_LE((*site)->views(), views + 2) << "its own close of the store, and a new minute";
 
   auto store = Store::open(folder_.path() / kStoreFile);
+
   ASSERT_TRUE(store);
   ASSERT_TRUE(store->finish(3, score(5, 0)));
   EXPECT_THAT((*site)->reply("", "").body, HasSubstr("5 : 0"));
@@ -258,7 +269,9 @@ TEST(ReplayShelf, ForgetsThePagesThatWereNotAskedForLongest) {
   }
   ReplayShelf shelf(2 * size + size / 2);
   const auto first = shelf.page(folder.path() / "a.rcg.gz", "");
+
   EXPECT_EQ(shelf.page(folder.path() / "a.rcg.gz", ""), first) << "made once";
+
   whole(*first);
   whole(*shelf.page(folder.path() / "b.rcg.gz", ""));
   whole(*shelf.page(folder.path() / "c.rcg.gz", ""));

@@ -156,19 +156,23 @@ TEST_F(SlurmExecutorTest, SubmitsMatchesAsOneJobArray) {
   config_.execution.slurm_options = {"--partition=short", "--time=10"};
   start(3);
   EXPECT_EQ(executor_->running(), 3);
+
   const auto calls = slurm_.calls("sbatch");
   ASSERT_EQ(calls.size(), 1u);
   EXPECT_THAT(calls[0], HasSubstr(" --partition=short --time=10 ")) << calls[0];
   EXPECT_THAT(calls[0], HasSubstr(" --array=0-2 ")) << calls[0];
   EXPECT_THAT(calls[0], HasSubstr(" --requeue ")) << calls[0];
+
   const std::string script = tests::read_file(folder_.path() / "slurm/000001.sh");
-  EXPECT_THAT(script, HasSubstr("\nset -- 1 1 2 1 3 1\n")) << script;
+  EXPECT_THAT(script, HasSubstr("\nset -- 1 1 2 1 3 1\n"));
   EXPECT_THAT(script, HasSubstr("exec /opt/cls tournament work " + folder_.path().string() +
                                 " --index \"$1\" --attempt \"$2\" --schedule "))
       << script;
+
   const auto fixture = read_fixture(folder_.path() / "slurm/000001.jsonl", 2);
   ASSERT_TRUE(fixture);
   EXPECT_EQ(*fixture, assignments(2).back().fixture);
+
   for (const int index : {2, 1, 3}) write_result(index);
   EXPECT_EQ(ended(3), (std::map<int, bool>{{1, true}, {2, true}, {3, true}}));
   EXPECT_EQ(executor_->running(), 0);
@@ -202,6 +206,7 @@ TEST_F(SlurmExecutorTest, SubmitsRestAfterSubmitLimit) {
   start(12);
   EXPECT_EQ(slurm_.count("PENDING"), 5);
   EXPECT_EQ(executor_->running(), 12);
+
   std::set<int> done;
   while (done.size() < 12) {
     for (const SlurmBatch& batch : read_batches(folder_.path())) {
@@ -220,6 +225,7 @@ TEST_F(SlurmExecutorTest, SubmitsRestAfterSubmitLimit) {
     for (std::string& note : executor_->take_notes()) notes_.push_back(std::move(note));
     EXPECT_LE(slurm_.count("PENDING"), 5);
   }
+
   EXPECT_TRUE(noted("job submit limit")) << "reports why it takes long";
 }
 
@@ -240,11 +246,13 @@ TEST_F(SlurmExecutorTest, RetriesWhileControllerIsUnreachable) {
   ASSERT_TRUE(executor_->start(assignments(2)).ok());
   EXPECT_TRUE(executor_->wait(100ms));
   EXPECT_TRUE(slurm_.queue().empty());
+
   slurm_.set_down(false);
   while (slurm_.count("PENDING") < 2) ASSERT_TRUE(executor_->wait(10ms));
   slurm_.set_down(true);
   write_result(1);
   write_result(2);
+
   EXPECT_EQ(ended(2).size(), 2u) << "results are collected while it is down";
   EXPECT_TRUE(noted("Unable to contact slurm controller"));
 }
@@ -254,12 +262,14 @@ TEST_F(SlurmExecutorTest, PollsSqueueAfterUnclearReply) {
   slurm_.refuse(Lines(4, "sbatch: error: Socket timed out on send/recv operation"));
   ASSERT_TRUE(executor_->start(assignments(1)).ok());
   EXPECT_EQ(executor_->running(), 1);
+
   for (int time = 1; time <= 3; ++time) {
     EXPECT_EQ(ended(1), (std::map<int, bool>{{1, false}})) << "it was not submitted";
     Assignment again = assignments(1)[0];
     again.number = time + 1;
     ASSERT_TRUE(executor_->start({&again, 1}).ok());
   }
+
   EXPECT_FALSE(noted("produced no result")) << "a failed submission is not a loss";
 }
 
@@ -318,12 +328,15 @@ TEST_F(SlurmExecutorTest, ReturnsMatchOfTaskCancelledByUser) {
   set_state(3, "CANCELLED");
   EXPECT_EQ(ended(1), (std::map<int, bool>{{3, false}}));
   EXPECT_TRUE(noted("produced no result (CANCELLED); the match is rerun"));
+
   Assignment again = assignments(3).back();
   again.number = 2;
   ASSERT_TRUE(executor_->start({&again, 1}).ok());
+
   write_result(again.fixture, 1);
   wait_for_polls(2);
   EXPECT_EQ(executor_->running(), 4) << "the result of an earlier attempt does not count";
+
   write_result(again.fixture, 2);
   EXPECT_EQ(ended(1), (std::map<int, bool>{{3, true}}));
 }
@@ -334,7 +347,8 @@ TEST_F(SlurmExecutorTest, FailsAfterThreeTasksWithoutResult) {
   set_state(1, "FAILED");
   lose_ = true;
   const std::string message = error();
-  EXPECT_THAT(message, HasSubstr("match 1: task 0 of cls-")) << message;
+
+  EXPECT_THAT(message, HasSubstr("match 1: task 0 of cls-"));
   EXPECT_THAT(
       message,
       HasSubstr("produced no result (FAILED): cls: /opt/cls: not found; failed 3 times; see " +
@@ -347,14 +361,17 @@ TEST_F(SlurmExecutorTest, TakesOverBatchesAfterKill) {
   start(4);
   write_result(1);
   EXPECT_EQ(ended(1).size(), 1u);
+
   begin();
   auto all = matches();
   all[0].outcome = score(1, 0);
   for (int i = 0; i < 4; ++i) all[static_cast<std::size_t>(i)].attempts = 1;
   const auto taken_over = executor_->take_over(all);
+
   ASSERT_TRUE(taken_over);
   EXPECT_EQ(*taken_over, (std::vector<int>{2, 3, 4}));
   EXPECT_EQ(executor_->running(), 3);
+
   write_result(2);
   write_result(4);
   set_state(3, "TIMEOUT");
@@ -414,9 +431,11 @@ TEST_F(SlurmExecutorTest, LimitedConcurrencyRunsArraysInSequence) {
   ASSERT_TRUE(executor_->start(assignments(4)).ok());
   EXPECT_THAT(slurm_.calls("sbatch")[0], HasSubstr("--array=0-3%2 "));
   EXPECT_EQ(executor_->free_slots(), 0);
+
   for (const int index : {1, 2, 3}) write_result(index);
   ended(3);
   EXPECT_EQ(executor_->free_slots(), 0);
+
   write_result(4);
   ended(1);
   EXPECT_EQ(executor_->free_slots(), 4);
@@ -481,6 +500,7 @@ TEST_F(SlurmExecutorTest, SchedulesRoundFromResultsOfPreviousRound) {
   config_.execution.executor = ExecutorKind::kSlurm;
   config_.execution.slurm_poll_s = 0.02;
   ASSERT_TRUE(prepare_folder(folder_.path(), config_).ok());
+
   fs::create_directories(folder_.path() / kResultsFolder);
   RunOptions options;
   options.folder = folder_.path();
@@ -499,10 +519,13 @@ TEST_F(SlurmExecutorTest, SchedulesRoundFromResultsOfPreviousRound) {
     ASSERT_TRUE(run) << run.error().message;
     summary = *run;
   }
+
   EXPECT_EQ(summary.end, RunEnd::kComplete);
   EXPECT_EQ(ranking(config_.competition, summary.matches).front(), "A");
+
   const auto uninterrupted = play_all(config_.competition, better_wins);
   ASSERT_EQ(summary.matches.size(), uninterrupted.size());
+
   for (std::size_t i = 0; i < uninterrupted.size(); ++i) {
     EXPECT_EQ(summary.matches[i].fixture, uninterrupted[i].fixture);
   }
@@ -513,6 +536,7 @@ TEST(SlurmSubmission, IsClassifiedByMessage) {
   const auto end = [](int code, const std::string& text) {
     return parse_submission(code, {text}).status;
   };
+
   EXPECT_EQ(end(0, "17"), Status::kAccepted);
   EXPECT_EQ(end(1, "sbatch: error: Batch job submission failed: Invalid job array specification"),
             Status::kLimitReached);

@@ -143,6 +143,7 @@ TEST_F(SlurmTest, LosesNoMatchAfterScancelRequeueAndKill) {
   const auto seen = [&](const std::string& text) {
     return slurm_->run({"scontrol", "--oneliner", "show", "job"}).find(text) != std::string::npos;
   };
+
   // A task may end while it is being cancelled or requeued; then try the next one.
   ASSERT_TRUE(wait_for(playing, [&] {
     const std::string task = running_task();
@@ -154,8 +155,10 @@ TEST_F(SlurmTest, LosesNoMatchAfterScancelRequeueAndKill) {
     if (!task.empty()) slurm_->run({"scontrol", "requeue", task});
     return seen("Restarts=1");
   })) << slurm_->logs();
+
   playing.send_signal(SIGKILL);
   EXPECT_EQ(playing.finish().signal, SIGKILL);
+
   Command again(slurm_arguments(1, cycles), slurm_->environment());
   expect_same_as_local(again.finish(kLimit), 1, cycles);
 }
@@ -185,6 +188,7 @@ TEST_F(SlurmTest, CompletesTournamentAfterPowerCutsOfNodes) {
     slurm_->cut_power(node);
     slurm_->start_node(node);
   }
+
   expect_same_as_local(playing.finish(kLimit), 3, cycles);
 }
 

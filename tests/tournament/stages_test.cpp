@@ -105,6 +105,7 @@ TEST(League, StandsInTheFileInAnyDirection) {
   const auto results =
       ResultsFile::read(fixture_folder("robocup2025") / "results.txt", league.config);
   ASSERT_TRUE(results);
+
   for (const ScheduledMatch& match : league.matches) {
     Fixture turned = match.fixture;
     std::swap(turned.left, turned.right);
@@ -121,15 +122,18 @@ TEST(ResultsFile, NamesTheLineOfAnError) {
     const auto parsed = ResultsFile::parse(text, "r.txt", config);
     return parsed ? std::string() : parsed.error().message;
   };
+
   EXPECT_EQ(error("# nothing\n[x]\nA 1:0 B # note\n"), "");
   EXPECT_EQ(error("[x]\nA 1:0 BB\n"), "r.txt:2: unknown team 'BB'");
   EXPECT_EQ(error("A 1:0 A"), "r.txt:1: 'A' meets itself");
   EXPECT_EQ(error("A 1:0 B\nB 0:1 A\n"), "r.txt:2: a second result of B and A in this stage");
   EXPECT_EQ(error("[x"), "r.txt:1: a stage ends in ']'");
+
   for (const char* wrong :
        {"A 1:0", "A 1-0 B", "A 1:x B", "A -1:0 B", "A 1:1 4:3 B", "A 1:1 () B"}) {
     EXPECT_EQ(error(wrong).rfind("r.txt:1: must be TEAM GOALS:GOALS TEAM", 0), 0u) << wrong;
   }
+
   EXPECT_EQ(error("A 2:1 (4:3) B"), "r.txt:1: a shoot-out follows a level match only");
 }
 
@@ -178,6 +182,7 @@ TEST(Preset, IsAValidConfiguration) {
                 parsed.config.competition.teams.size());
     }
   }
+
   EXPECT_EQ(preset_config("robcup", {}).error().message,
             "unknown preset 'robcup'; did you mean 'robocup'?");
   EXPECT_EQ(preset_config("robocup", {"A", "B", "C"}).error().message,

@@ -33,6 +33,7 @@ TEST(Store, SaysThatItsFileIsGone) {
   auto store = Store::open(folder.path() / "db");
   ASSERT_TRUE(store);
   ASSERT_TRUE(store->add(next_fixtures(config_of(Format::kKnockout, 2).competition, {})).ok());
+
   fs::rename(folder.path() / "db", folder.path() / "moved");
   for (const char* what : {"removed", "replaced"}) {
     const auto stored = store->finish(1, fault(EndReason::kLate));
@@ -73,17 +74,22 @@ TEST(Store, RoundTripsEveryMember) {
     ASSERT_TRUE(store->finish(1, outcome).ok());
   }
   const auto store = Store::open_to_read(folder.path() / "db");
+
   ASSERT_TRUE(store);
+
   const auto matches = store->matches();
   ASSERT_TRUE(matches);
   EXPECT_EQ((*matches)[0].fixture, fixtures[0]);
+
   const auto config = config_of(Format::kKnockout, 2);
   ScheduledMatch before = planned(fixtures[0]);
   before.outcome = outcome;
   EXPECT_EQ(json_of(config, (*matches)[0]), json_of(config, before));
   EXPECT_FALSE((*matches)[1].outcome);
+
   const auto again = parse_work_result(format_work_result(fixtures[0], outcome));
   ASSERT_TRUE(again);
+
   before.outcome = again->outcome;
   EXPECT_EQ(json_of(config, (*matches)[0]), json_of(config, before));
 }
@@ -185,12 +191,15 @@ TEST_F(OldStore, AnswersTheSameQueriesAfterMigration) {
   for (const std::string& name : query("SELECT name FROM pragma_table_info('match')")) {
     columns += (columns.empty() ? "" : ", ") + name;
   }
+
   ASSERT_EQ(std::count(columns.begin(), columns.end(), ','), 43);
+
   const std::string sql = "SELECT " + columns + " FROM match ORDER BY number";
   const std::string documented =
       "SELECT host, count(*), sum(left_missed + right_missed) FROM match GROUP BY host";
   const auto rows = query(sql);
   const auto groups = query(documented);
+
   ASSERT_TRUE(Store::open(file()).ok());
   EXPECT_EQ(query(sql), rows);
   EXPECT_EQ(query(documented), groups);
@@ -201,9 +210,11 @@ TEST_F(OldStore, IsResumedAfterMigration) {
   ASSERT_TRUE(store);
   ASSERT_TRUE(store->requeue(true).ok());
   EXPECT_EQ(*store->begin_attempts(std::vector{5, 6}), (std::vector{2, 1}));
+
   Outcome outcome = score(2, 1);
   outcome.attempts = 2;
   ASSERT_TRUE(store->finish(5, outcome).ok());
+
   const auto all = *store->matches();
   EXPECT_TRUE(all[4].outcome->played());
   EXPECT_EQ(all[4].settled, 2);

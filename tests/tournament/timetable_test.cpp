@@ -51,17 +51,12 @@ TEST(Timetable, AStartIsThatOfItsStageNotOfOneWhoseNameBeginsSo) {
     config.competition.stages[0].name = "final day";
     config.competition.stages[1].name = last;
     config.competition.swap_sides = false;
+
     EXPECT_EQ(next_starts(config).front(), "09:00") << last;
-    EXPECT_EQ(next_starts(config, league::play_all(
-                                      [&] {
-                                        Competition first = config.competition;
-                                        first.stages.pop_back();
-                                        return first;
-                                      }(),
-                                      league::better_wins))
-                  .front(),
-              "18:00")
-        << last;
+    Competition first = config.competition;
+    first.stages.pop_back();
+    const auto played = league::play_all(first, league::better_wins);
+    EXPECT_EQ(next_starts(config, played).front(), "18:00") << last;
   }
 }
 

@@ -103,6 +103,7 @@ TEST(Optimizers, ApproachTheOptimumThroughNoise) {
     cma += error_after(*make_cma_es(cube(2, 0.15, 0.2), 16, seed), 60, 0.6, noisy) / kRuns;
     spsa += error_after(*make_spsa(cube(2, 0.15, 0.2), 500, seed), 500, 0.6, noisy) / kRuns;
   }
+
   EXPECT_LT(cma, 0.25) << "0.45 at the start";
   EXPECT_LT(spsa, 0.2);
 }
@@ -111,6 +112,7 @@ TEST(Optimizers, StayInsideTheCubeAndTheConstraints) {
   for (const bool cma : {true, false}) {
     SearchSpace space = cube(3, 0.3, 0.3);
     space.valid = [](const Point& point) { return point[0] + point[1] <= 0.8; };
+
     auto optimizer = cma ? make_cma_es(space, 0, 5) : make_spsa(space, 100, 5);
     for (int i = 0; i < 100; ++i) {
       std::vector<double> values;
@@ -124,6 +126,7 @@ TEST(Optimizers, StayInsideTheCubeAndTheConstraints) {
       }
       optimizer->tell(values);
     }
+
     EXPECT_TRUE(space.valid(optimizer->best()));
     EXPECT_GT(optimizer->best()[2], 0.9) << cma;
     EXPECT_GT(optimizer->best()[0] + optimizer->best()[1], 0.7) << cma;
@@ -147,6 +150,7 @@ TEST(SymmetricMatrix, DecomposesIntoOrthogonalAxes) {
   for (auto& row : root) {
     for (double& one : row) one = random.normal(0, 1);
   }
+
   SymmetricMatrix matrix(kSize);
   for (std::size_t i = 0; i < kSize; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
@@ -155,6 +159,7 @@ TEST(SymmetricMatrix, DecomposesIntoOrthogonalAxes) {
       matrix.set(i, j, sum);
     }
   }
+
   const EigenDecomposition axes = eigen_decomposition(matrix);
   for (std::size_t i = 0; i < kSize; ++i) {
     for (std::size_t j = 0; j < kSize; ++j) {
@@ -184,20 +189,25 @@ TEST(Parameter, MapsScalesAndIntegers) {
   const Parameter linear = parameter("a", -2, 2, 1);
   EXPECT_EQ(value_at(linear, 0.75), 1.0);
   EXPECT_EQ(value_at(linear, 1.5), 2.0) << "clamped";
+
   Parameter log = parameter("b", 0.001, 10, 0.1);
   log.scale = Scale::kLog;
   EXPECT_NEAR(value_at(log, 0.5), 0.1, 1e-12);
   EXPECT_EQ(value_text(log, 0.1), "0.1");
+
   Parameter whole = parameter("c", 1, 4, 2);
   whole.integer = true;
   std::map<double, int> counts;
   for (int i = 0; i < 400; ++i) ++counts[value_at(whole, (i + 0.5) / 400)];
+
   EXPECT_EQ(counts, (std::map<double, int>{{1, 100}, {2, 100}, {3, 100}, {4, 100}}));
+
   for (const Parameter& one : {linear, log, whole}) {
     for (const double value : {one.min, one.start, one.max}) {
       EXPECT_NEAR(value_at(one, coordinate_of(one, value)), value, 1e-9) << one.name;
     }
   }
+
   EXPECT_EQ(value_text(whole, 3), "3");
 }
 
@@ -209,6 +219,7 @@ TEST(Constraint, ReadsLinearExpressions) {
     EXPECT_TRUE(constraint) << text;
     return constraint && satisfies(values, {*constraint});
   };
+
   EXPECT_TRUE(holds("near < far", {2, 4}));
   EXPECT_FALSE(holds("near < far", {5, 4}));
   EXPECT_TRUE(holds("near + 2 * far <= 10", {2, 4}));
@@ -216,6 +227,7 @@ TEST(Constraint, ReadsLinearExpressions) {
   EXPECT_TRUE(holds("far - near >= 1.5", {2, 4}));
   EXPECT_FALSE(holds("far - near >= 1.5", {3, 4}));
   EXPECT_TRUE(holds("-near >= -3", {3, 0}));
+
   const auto error = [&](const char* text) {
     return parse_constraint(text, parameters).error().message;
   };
@@ -264,6 +276,7 @@ TEST(TuneConfig, NamesLineAndRemedyOfErrors) {
     return parse_tune_config(text, "tune.toml").errors;
   };
   using Lines = std::vector<std::string>;
+
   EXPECT_EQ(errors(kFile, "pairs = 4", "pais = 4"),
             Lines{"tune.toml:7: unknown key 'pais'; did you mean 'pairs'?"});
   EXPECT_EQ(errors(kFile, "pairs = 4", "pairs = 0"),
@@ -385,7 +398,9 @@ TEST(Race, AllCandidatesPlayTheSameSeedsInTurn) {
   config.opponents = {"mock:hold", "mock"};
   const Race race{3, 4, 2};
   const auto fixtures = next_round(config, race, {});
+
   ASSERT_EQ(fixtures.size(), 8u);
+
   for (const Fixture& fixture : fixtures) {
     EXPECT_EQ(fixture.seed, fixtures[0].seed);
     EXPECT_EQ(std::max(fixture.left, fixture.right), 4) << "the first opponent";
@@ -396,6 +411,7 @@ TEST(Race, AllCandidatesPlayTheSameSeedsInTurn) {
     matches.back().outcome = score(1, 1);
   }
   const auto second = next_round(config, race, matches);
+
   ASSERT_EQ(second.size(), 8u);
   EXPECT_EQ(second[0].index, 9);
   EXPECT_NE(second[0].seed, fixtures[0].seed);
@@ -414,13 +430,16 @@ TEST(Race, StopsWorseCandidatesEarly) {
     return values == fake.tuning.candidates()[0] ? 0 : 4;
   });
   const auto& results = fake.tuning.history()[0].results;
+
   EXPECT_TRUE(results[0].stopped);
   EXPECT_LT(results[0].pairs.size(), 8u);
+
   for (std::size_t i = 1; i < results.size(); ++i) {
     EXPECT_FALSE(results[i].stopped);
     EXPECT_EQ(results[i].pairs.size(), 20u);
   }
   const auto values = ranking_values(config, results);
+
   EXPECT_EQ(std::min_element(values.begin(), values.end()), values.begin());
 }
 
@@ -440,6 +459,7 @@ TEST(Race, EqualCandidatesRarelyStop) {
       ++all;
     }
   }
+
   EXPECT_LE(stopped, all / 10) << "the error probability of stop";
 }
 
@@ -448,13 +468,16 @@ TEST(TuneReport, ShowsTableDiffAndPicture) {
   fake.play(3, goals_of);
   const std::string text =
       tune_text(fake.tuning, TuneVerdict{"verdict: undecided\n", "undecided"}, 80);
-  EXPECT_THAT(text, HasSubstr("-y = 20\n+y = ")) << text;
+
+  EXPECT_THAT(text, HasSubstr("-y = 20\n+y = "));
   EXPECT_THAT(text, HasSubstr("verdict: undecided"));
+
   const auto document = base::Json::parse(tune_json(fake.tuning, {}));
   EXPECT_EQ(document["schema"], "cls.tune/1");
   EXPECT_EQ(document["history"].size(), 3u);
   EXPECT_EQ(document["start"]["y"], 20);
   EXPECT_TRUE(document["verdict"].is_null());
+
   const std::string picture = tune_picture(fake.tuning);
   EXPECT_EQ(picture.rfind("<svg ", 0), 0u);
   EXPECT_THAT(picture, HasSubstr(">speed<"));

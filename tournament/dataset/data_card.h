@@ -1,4 +1,4 @@
-// What a data set is, for its readers.
+// The description of a data set for its readers.
 #pragma once
 
 #include <string>

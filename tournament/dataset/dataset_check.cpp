@@ -64,8 +64,8 @@ std::vector<std::string> check_dataset_files(const fs::path& folder,
 
 std::vector<DatasetMatch> sample_of(const std::vector<DatasetMatch>& matches, std::size_t count) {
   std::vector<DatasetMatch> played;
-  std::copy_if(matches.begin(), matches.end(), std::back_inserter(played),
-               [](const DatasetMatch& match) { return !match.files.empty(); });
+  std::ranges::copy_if(matches, std::back_inserter(played),
+                       [](const DatasetMatch& match) { return !match.files.empty(); });
   const std::size_t wanted = std::min(count, played.size());
   std::vector<DatasetMatch> sample;
   for (std::size_t i = 0; i < wanted; ++i) {

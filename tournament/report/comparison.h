@@ -64,7 +64,7 @@ bool is_direct(const Comparison& comparison);
 std::string_view sample_name(const Comparison& comparison);
 int matches_in_sample(const Comparison& comparison);
 
-/// What is wrong with the settings, with the names of options; empty: nothing.
+/// The error of the settings, with the names of options; empty: there is none.
 std::string test_error(const TestSettings& test);
 
 /// A sample is the sum of the measure over its matches, scaled to 0 to 1: 1/2 means that NEW and

@@ -98,6 +98,7 @@ std::string model_text(const Comparison& comparison) {
                                 : in_goals(test.measure)        ? "multinomial SPRT"
                                 : is_direct(comparison)         ? "pentanomial SPRT"
                                                                 : "nonanomial SPRT";
+
   const std::string start = fmt::format("{} ({})", name, sample_text(comparison));
   if (in_goals(test.measure)) {
     const bool goals = test.measure == Measure::kGoals;
@@ -105,6 +106,7 @@ std::string model_text(const Comparison& comparison) {
                        goals ? "goal difference" : "value of situations", test.max_goals,
                        test.goals0, test.goals1, errors);
   }
+
   if (is_direct(comparison)) {
     return fmt::format("{}, logistic Elo: H0 {:+g}, H1 {:+g}, {}", start, test.elo0, test.elo1,
                        errors);

@@ -41,8 +41,8 @@ std::string entrant_text(const Report& report, const Entrant& entrant) {
 
 std::vector<ScheduledMatch> matches_of(const Report& report, const BracketTie& tie) {
   std::vector<ScheduledMatch> found;
-  std::copy_if(report.matches.begin(), report.matches.end(), std::back_inserter(found),
-               [&tie](const ScheduledMatch& match) { return match.fixture.stage == tie.stage; });
+  std::ranges::copy_if(report.matches, std::back_inserter(found),
+                       [&tie](const auto& match) { return match.fixture.stage == tie.stage; });
   return found;
 }
 

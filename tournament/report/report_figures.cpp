@@ -56,8 +56,8 @@ std::vector<PlaymakerFigures> playmaker_figures(std::size_t teams,
   std::vector<std::vector<double>> medians(teams);
   for (const ScheduledMatch& match : matches) {
     if (!match.outcome) continue;
-    const auto left = static_cast<std::size_t>(match.fixture.left);
-    const auto right = static_cast<std::size_t>(match.fixture.right);
+    const std::size_t left = base::index(match.fixture.left);
+    const std::size_t right = base::index(match.fixture.right);
     add_side(figures[left], medians[left], match.outcome->left);
     add_side(figures[right], medians[right], match.outcome->right);
   }

@@ -65,7 +65,7 @@ std::string milliseconds(double microseconds) { return fmt::format("{:.1f}", mic
 // "2026-11-22 10:35:12" of ISO 8601.
 std::string time_text(const std::string& iso) {
   std::string text = iso.substr(0, iso.find('Z'));
-  std::replace(text.begin(), text.end(), 'T', ' ');
+  std::ranges::replace(text, 'T', ' ');
   return text;
 }
 
@@ -385,6 +385,7 @@ ReportTable decisions_table(const Report& report) {
            {"decision"},
            {"reason"},
            {"UTC"}});
+
     const MatchDecision& decision = *match.decision;
     result.table.add_row({fmt::to_string(match.fixture.index), stage_text(match.fixture),
                           report.team(match.fixture.left), report.team(match.fixture.right),

@@ -37,14 +37,14 @@ std::vector<std::size_t> rated_teams(const Report& report);
 ReportTable playmakers_table(const Report& report, bool endpoints);
 /// Empty with a single host.
 ReportTable hosts_table(const Report& report);
-/// Matches without a proper result. Empty if there are none.
-/// What was decided about matches, and why.
+/// Decisions on matches, with their reasons. Empty if there are none.
 ReportTable decisions_table(const Report& report);
 /// Technical time-outs. Empty if there were none.
 ReportTable pauses_table(const Report& report);
 /// When the next matches start. Empty without `start_times`.
 ReportTable schedule_table(const Report& report);
 
+/// Matches without a proper result. Empty if there are none.
 ReportTable failures_table(const Report& report);
 enum class MatchDetails {
   kScores,

@@ -56,6 +56,7 @@ class LocalExecutor : public MatchExecutor {
     constexpr std::chrono::milliseconds kPollInterval{2};
     const auto end = std::chrono::steady_clock::now() + limit;
     std::vector<FinishedMatch> finished = std::exchange(played_, {});
+
     while (true) {
       for (auto at = attempts_.begin(); at != attempts_.end();) {
         at->second.end_overdue();
@@ -68,6 +69,7 @@ class LocalExecutor : public MatchExecutor {
         finished.push_back({at->second.fixture().index, std::move(outcome)});
         at = attempts_.erase(at);
       }
+
       if (!finished.empty() || std::chrono::steady_clock::now() >= end) return finished;
       std::this_thread::sleep_for(kPollInterval);
     }

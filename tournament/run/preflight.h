@@ -26,7 +26,7 @@ struct StartProblem {
 std::vector<StartProblem> check_start(const TournamentConfig& config,
                                       std::chrono::milliseconds patience);
 
-/// What the host can bear, one line each: more parallel matches than cores, too little disk space,
+/// Warnings about the host, one line each: more parallel matches than cores, too little disk space,
 /// external teams without a sandbox, earlier matches played by another version of cls. `matches`:
 /// scheduled so far; `to_play`: expected number of further matches.
 std::vector<std::string> host_warnings(const TournamentConfig& config,

@@ -99,10 +99,12 @@ Result<void> write_batch(const fs::path& folder, const SlurmBatch& batch,
     schedule += format_fixture(one.fixture);
     tasks.push_back({one.fixture.index, one.number});
   }
+
   const Json record = {{"schema", "cls.slurm/1"},
                        {"number", batch.number},
                        {"name", batch.name},
                        {"tasks", std::move(tasks)}};
+
   std::error_code code;
   fs::create_directories(folder / kSlurmFolder, code);
   const std::array<std::pair<const char*, std::string>, 3> files = {
@@ -110,8 +112,7 @@ Result<void> write_batch(const fs::path& folder, const SlurmBatch& batch,
        {".sh", script_of(folder, batch, program)},
        {".json", base::json_line(record)}}};
   for (const auto& [ending, text] : files) {
-    if (auto written = base::write_file(folder / file_of(batch, ending), text); !written)
-      return written;
+    TRY(base::write_file(folder / file_of(batch, ending), text));
   }
   return {};
 }

@@ -23,10 +23,9 @@ constexpr int kDefaultMaxArraySize = 1001;
 template <std::size_t count>
 bool contain_any(const std::vector<std::string>& lines,
                  const std::array<std::string_view, count>& phrases) {
-  return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
-    return std::any_of(phrases.begin(), phrases.end(), [&](std::string_view phrase) {
-      return line.find(phrase) != std::string::npos;
-    });
+  return std::ranges::any_of(lines, [&](const std::string& line) {
+    return std::ranges::any_of(
+        phrases, [&](std::string_view phrase) { return line.find(phrase) != std::string::npos; });
   });
 }
 
@@ -84,6 +83,7 @@ Result<SlurmClient::Output> SlurmClient::run(std::vector<std::string> argv) {
   process::CommandPlan plan;
   plan.name = argv.front();
   plan.argv = std::move(argv);
+
   // Shared with the host's thread, which may add a last line after this function returned.
   struct Lines {
     std::mutex mutex;
@@ -95,9 +95,11 @@ Result<SlurmClient::Output> SlurmClient::run(std::vector<std::string> argv) {
     lines->all.emplace_back(line);
   });
   if (!child) return child.error();
+
   const bool exited = (*child)->wait_gone(kExitTimeout);
   const auto exit = (*child)->status().exit;
   if (!exited) (*child)->end(std::chrono::milliseconds(0));
+
   Output output;
   if (exited && exit && !exit->by_signal) output.exit_code = exit->number;
   const std::lock_guard lock(lines->mutex);

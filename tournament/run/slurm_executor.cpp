@@ -182,7 +182,7 @@ class SlurmExecutor : public MatchExecutor {
     using Status = Submission::Status;
     submission_.begin();
     while (!waiting_.empty()) {
-      const std::size_t size = std::min(waiting_.size(), static_cast<std::size_t>(chunk_));
+      const std::size_t size = std::min(waiting_.size(), base::index(chunk_));
       TRY_INIT(
           const auto submission,
           submit_array({waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(size)}));
@@ -284,7 +284,7 @@ class SlurmExecutor : public MatchExecutor {
       const Task& task = found->second;
       if (task.polls_ended < kPollsUntilLost) continue;
       if (!withdrawn_) {
-        if (auto counted = count_loss(task); !counted) return counted;
+        TRY(count_loss(task));
       }
       finished_.push_back({found->first, std::nullopt});
       settle(found);

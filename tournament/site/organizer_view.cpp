@@ -21,7 +21,7 @@ void add_table(const ReportTable& table, viewer::MatchList& list) {
   if (!table.empty()) list.tables.push_back(table.table.format_html(table.title));
 }
 
-// What a visitor wants to know first.
+// The first lines of the page.
 std::vector<viewer::Fact> facts(const Report& report, std::size_t running) {
   const MatchCounts& counts = report.counts;
 

@@ -1,4 +1,4 @@
-// What organizers see of a tournament: all matches with their states, and the tables.
+// The view of organizers: all matches with their states, and the tables.
 #pragma once
 
 #include <chrono>

@@ -61,7 +61,7 @@ class Viewer {
 
  private:
   bool running(const ScheduledMatch& match) const {
-    return std::binary_search(state_.running.begin(), state_.running.end(), match.fixture.index);
+    return std::ranges::binary_search(state_.running, match.fixture.index);
   }
 
   void add_schedule() {
@@ -126,7 +126,7 @@ class Viewer {
   SpectatorPage page_;
 };
 
-// What counts of a team's matches, over the whole tournament.
+// Goals of a team, over the whole tournament.
 struct TeamGoals {
   int matches = 0;
   int scored = 0;
@@ -181,7 +181,7 @@ void Viewer::add_statistics() {
   for (const ScheduledMatch& match : state_.matches) {
     if (!match.outcome || !match.outcome->played()) continue;
     const auto add = [&](int team, int scored, int conceded) {
-      TeamGoals& goals = teams[static_cast<std::size_t>(team)];
+      TeamGoals& goals = teams[base::index(team)];
       ++goals.matches;
       goals.scored += scored;
       goals.conceded += conceded;

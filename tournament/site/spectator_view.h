@@ -1,4 +1,4 @@
-// What spectators see of a tournament: no endpoints, commands, hosts, latencies or messages of
+// The public view of a tournament: no endpoints, commands, hosts, latencies or messages of
 // failures.
 #pragma once
 

@@ -49,7 +49,7 @@ std::string unfinished_label();
 /// extension of the label, the result that it is writing.
 std::filesystem::path unfinished_folder(int index, int attempt, std::string_view label);
 
-/// What the names in results/ and unfinished/ begin with.
+/// The begin of names in results/ and unfinished/.
 struct AttemptName {
   int index = 0;
   int attempt = 0;

@@ -1,6 +1,7 @@
 // CMA-ES with rank-one and rank-mu updates, equations and constants of the tutorial.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "tournament/tuning/optimizer.h"
@@ -20,12 +21,14 @@ struct Constants {
       weights.push_back(std::log((static_cast<double>(count) + 1) / 2) -
                         std::log(static_cast<double>(i) + 1));
     }
+
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
     double squares = 0.0;
     for (double& weight : weights) {
       weight /= sum;
       squares += weight * weight;
     }
+
     mass = 1 / squares;
     sigma_rate = (mass + 2) / (n + mass + 5);
     damping = 1 + 2 * std::max(0.0, std::sqrt((mass - 1) / (n + 1)) - 1) + sigma_rate;
@@ -71,8 +74,8 @@ class CmaEs : public Optimizer {
   void tell(const std::vector<double>& values) override {
     std::vector<std::size_t> order(trials_.size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
+    std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return values[i]; });
+
     // Steps of the parents in units of sigma.
     std::vector<Point> steps;
     Point mean_step(n_);
@@ -84,6 +87,7 @@ class CmaEs : public Optimizer {
       }
       steps.push_back(std::move(step));
     }
+
     for (std::size_t k = 0; k < n_; ++k) mean_[k] += sigma_ * space_.steps[k] * mean_step[k];
     update_paths(mean_step);
     update_covariance(steps);
@@ -157,6 +161,7 @@ class CmaEs : public Optimizer {
       for (std::size_t k = 0; k < n_; ++k) in_axes[j] += axes_.vectors(k, j) * mean_step[k];
       in_axes[j] /= axes_.roots[j];
     }
+
     double square = 0.0;
     for (std::size_t k = 0; k < n_; ++k) {
       double whitened = 0.0;
@@ -165,14 +170,17 @@ class CmaEs : public Optimizer {
                        std::sqrt(c.sigma_rate * (2 - c.sigma_rate) * c.mass) * whitened;
       square += sigma_path_[k] * sigma_path_[k];
     }
+
     const double length = std::sqrt(square);
     const double settled = std::sqrt(1 - std::pow(1 - c.sigma_rate, 2.0 * (generation_ + 1)));
     const auto n = static_cast<double>(n_);
     grows_ = length / settled < (1.4 + 2 / (n + 1)) * c.expected_length;
+
     for (std::size_t k = 0; k < n_; ++k) {
       path_[k] = (1 - c.path_rate) * path_[k];
       if (grows_) path_[k] += std::sqrt(c.path_rate * (2 - c.path_rate) * c.mass) * mean_step[k];
     }
+
     const double change = (c.sigma_rate / c.damping) * (length / c.expected_length - 1);
     sigma_ = std::min(kMaxSigma, sigma_ * std::exp(std::min(1.0, change)));
   }

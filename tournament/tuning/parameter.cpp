@@ -166,7 +166,7 @@ Result<Constraint> parse_constraint(std::string_view text,
 
 bool satisfies(const Values& values, const std::vector<Constraint>& constraints) {
   constexpr double kTolerance = 1e-9;
-  return std::all_of(constraints.begin(), constraints.end(), [&](const Constraint& constraint) {
+  return std::ranges::all_of(constraints, [&](const Constraint& constraint) {
     double sum = 0.0;
     for (std::size_t i = 0; i < values.size(); ++i) sum += constraint.factors[i] * values[i];
     return sum <= constraint.limit + kTolerance;

@@ -24,10 +24,12 @@ void rotate(SymmetricMatrix& matrix, ColumnVectors& vectors, std::size_t p, std:
   const double tangent = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
   const double cosine = 1 / std::sqrt(tangent * tangent + 1);
   const double sine = tangent * cosine;
+
   const double change = tangent * matrix(p, q);
   matrix.set(p, p, matrix(p, p) - change);
   matrix.set(q, q, matrix(q, q) + change);
   matrix.set(p, q, 0.0);
+
   for (std::size_t k = 0; k < matrix.size(); ++k) {
     const double vp = vectors(k, p);
     const double vq = vectors(k, q);
@@ -56,6 +58,7 @@ EigenDecomposition eigen_decomposition(const SymmetricMatrix& symmetric) {
   const std::size_t size = matrix.size();
   EigenDecomposition result{ColumnVectors(size), std::vector<double>(size)};
   for (std::size_t i = 0; i < size; ++i) result.vectors(i, i) = 1.0;
+
   for (int sweep = 0; sweep < kMaxSweeps && off_diagonal(matrix) > kNegligible; ++sweep) {
     for (std::size_t q = 1; q < size; ++q) {
       for (std::size_t p = 0; p < q; ++p) {
@@ -63,6 +66,7 @@ EigenDecomposition eigen_decomposition(const SymmetricMatrix& symmetric) {
       }
     }
   }
+
   constexpr double kMinEigenvalue = 1e-20;
   for (std::size_t i = 0; i < size; ++i) {
     result.roots[i] = std::sqrt(std::max(kMinEigenvalue, matrix(i, i)));

@@ -216,8 +216,7 @@ class TuneParser {
   void parse_parameters(const toml::table& table) {
     std::vector<std::pair<toml::source_index, const toml::key*>> keys;
     for (const auto& [key, node] : table) keys.emplace_back(node.source().begin.line, &key);
-    std::stable_sort(keys.begin(), keys.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::stable_sort(keys, {}, [](const auto& key) { return key.first; });
 
     for (const auto& [line, key] : keys) {
       const toml::node* node = table.get(key->str());
@@ -257,8 +256,8 @@ class TuneParser {
     const auto error = [&](const std::string& what) {
       read.error(fmt::format("{}: {}", parameter.name, what));
     };
-    const bool is_name = std::all_of(parameter.name.begin(), parameter.name.end(), [](char c) {
-      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
+    const bool is_name = std::ranges::all_of(parameter.name, [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
     });
     if (!is_name) error("a name has letters, digits, '_', '-' and '.' only");
     if (parameter.name == "file" || parameter.name == "port" || parameter.name == "seed" ||

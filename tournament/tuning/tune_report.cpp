@@ -65,6 +65,7 @@ std::string parameter_table(const Tuning& tuning, std::size_t width) {
   const Values start = start_values(config);
   const Values best = tuning.best();
   const auto spread = tuning.spread();
+
   base::Table table;
   table.add_column("parameter");
   table.add_columns({"start", "best"}, base::Table::Align::kRight);
@@ -132,6 +133,7 @@ std::string tune_text(const Tuning& tuning, const std::optional<TuneVerdict>& ve
                         score_text(config, tuning.history().front().score),
                         score_text(config, tuning.history().back().score));
   }
+
   text = base::wrap_text(text, width) + "\n" + parameter_table(tuning, width);
   const std::string diff = values_diff(config, start_values(config), tuning.best());
   text += diff.empty() ? "\nno value changed\n" : "\n--- start\n+++ best\n" + diff;
@@ -164,10 +166,12 @@ std::string tune_picture(const Tuning& tuning) {
   data.title = {fmt::format("{} over {}", method_name(config),
                             base::counted(tuning.history().size(), "generation")),
                 base::counted(tuning.pairs_played(), "pair")};
+
   const bool goals = in_goals(config.measure);
   data.unit = goals ? "goals a match" : "share of the points";
   data.even = goals ? 0.0 : 0.5;
   for (const Generation& one : tuning.history()) data.scores.push_back(band(config, one.score));
+
   const Point start = start_point(config.parameters);
   for (std::size_t i = 0; i < config.parameters.size(); ++i) {
     const Parameter& parameter = config.parameters[i];
@@ -175,6 +179,7 @@ std::string tune_picture(const Tuning& tuning) {
     trace.name = parameter.name;
     trace.ends = {value_text(parameter, parameter.min), value_text(parameter, parameter.max)};
     trace.values.push_back({start[i], start[i] - parameter.step, start[i] + parameter.step});
+
     for (const Generation& one : tuning.history()) {
       const double center = one.coordinates[i];
       trace.values.push_back({center, center - one.spread[i], center + one.spread[i]});

@@ -1,4 +1,4 @@
-// What a tuning found: text, JSON and a picture.
+// The result of a tuning as text, JSON and a picture.
 #pragma once
 
 #include <filesystem>
