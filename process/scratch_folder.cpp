@@ -5,6 +5,8 @@
 #include <stdlib.h>
 
 #include <cerrno>
+#include <cstdlib>
+#include <cstring>
 #include <string>
 #include <system_error>
 
@@ -15,25 +17,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-base::Error cannot_create(const fs::path& parent, const std::error_code& cause) {
-  return base::Error{fmt::format(
-      "cannot create a temporary folder in '{}': {}; set TMPDIR to a folder that you can write to",
-      parent.string(), cause.message())};
+// The folder that std::filesystem::temp_directory_path() takes; its error would not name it.
+fs::path temporary_folder() {
+  for (const char* variable : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
+    const char* folder = std::getenv(variable);
+    if (folder != nullptr && *folder != '\0') return folder;
+  }
+  return "/tmp";
 }
 
 }  // namespace
 
 base::Result<ScratchFolder> ScratchFolder::create() {
-  fs::path parent;
-  try {
-    parent = fs::temp_directory_path();
-  } catch (const fs::filesystem_error& error) {
-    return cannot_create(error.path1(), error.code());
-  }
-
+  const fs::path parent = temporary_folder();
   std::string pattern = (parent / "cls-XXXXXX").string();
   if (::mkdtemp(pattern.data()) == nullptr) {
-    return cannot_create(parent, {errno, std::generic_category()});
+    return base::Error{
+        fmt::format("cannot create a temporary folder in '{}': {}; set TMPDIR to a "
+                    "folder that you can write to",
+                    parent.string(), std::strerror(errno))};
   }
 
   if (const Guard* guard = Guard::active()) guard->delete_at_exit(pattern);

@@ -44,6 +44,13 @@ TEST_F(ScratchFolderTest, IsPrivateAndDeletedWithItsContent) {
   EXPECT_TRUE(fs::is_empty(parent_.path()));
 }
 
+TEST_F(ScratchFolderTest, IsNeverInTheWorkingFolder) {
+  set("");
+  const auto created = ScratchFolder::create();
+  ASSERT_TRUE(created);
+  EXPECT_TRUE(created->path().is_absolute()) << created->path();
+}
+
 TEST_F(ScratchFolderTest, IsAnErrorWithTheFolderAndTheRemedyWhereItCannotBe) {
   for (const char* folder : {"/nonexistent", "/dev/null", "/proc"}) {
     set(folder);
