@@ -111,7 +111,8 @@ TEST(DoHeliosSubstitute, AssignsDistinctFastTypesBeforeKickOff) {
   EXPECT_EQ(world.player(Side::kRight, 1).type, 0) << "the goalie";
   EXPECT_GE(speed_of(11), speed_of(8)) << "forwards are quicker than midfielders";
   EXPECT_EQ(match.coach().commands().at("change_player_type"), 11) << "once";
-  EXPECT_EQ(match.coach().server().errors.first_warning, "");
+  EXPECT_EQ(match.coach().server().errors.warnings, 0)
+      << match.coach().server().errors.first_warning;
 }
 
 TEST(DoHeliosSubstitute, ReplacesTiredPlayersDuringStoppage) {
@@ -155,7 +156,8 @@ TEST(DoHeliosSubstitute, ReplacesTiredPlayersDuringStoppage) {
 
   EXPECT_EQ(fresh, 3) << "as many as the rules allow";
   EXPECT_EQ(match.world().team(Side::kLeft).substitutions, 3);
-  EXPECT_EQ(match.coach().server().errors.first_warning, "");
+  EXPECT_EQ(match.coach().server().errors.warnings, 0)
+      << match.coach().server().errors.first_warning;
 }
 
 // The coach identifies the opponents' types from their movement and sends them to the players,
@@ -176,7 +178,7 @@ TEST(DoHeliosSayPlayerTypes, SendsOpponentTypesToPlayers) {
   match.set_mode(PlayMode::kFreeKickLeft);
   for (int i = 0; i < 4; ++i) match.step_as_coach(say_types);
   EXPECT_EQ(match.coach().commands().at("say"), 1) << "nothing new, nothing said";
-  EXPECT_EQ(match.coach().server().errors.first_error, "");
+  EXPECT_EQ(match.coach().server().errors.errors, 0) << match.coach().server().errors.first_error;
 
   for (int unum = 1; unum <= 11; ++unum) {
     const int type = match.world().player(Side::kLeft, unum).type;
@@ -241,7 +243,7 @@ TEST(DoHeliosSayPlayerTypes, RepeatsWhatTheServerRefused) {
 
   EXPECT_EQ(match.coach().commands().at("say"), 2) << "once again";
   EXPECT_EQ(type_heard_of(5), match.world().player(Side::kLeft, 5).type);
-  EXPECT_EQ(match.coach().server().errors.first_error, "");
+  EXPECT_EQ(match.coach().server().errors.errors, 0) << match.coach().server().errors.first_error;
 }
 
 // The server does not send the play mode to a late coach.
@@ -518,7 +520,7 @@ TEST(TrainerActions, IgnoresInvalidActions) {
   EXPECT_EQ(outcomes.at("unknown").at("unimplemented"), 1);
   EXPECT_EQ(match.world().mode, PlayMode::kPlayOn);
   EXPECT_EQ(match.world().ball.position, ball);
-  EXPECT_EQ(match.coach().server().errors.first_error, "");
+  EXPECT_EQ(match.coach().server().errors.errors, 0) << match.coach().server().errors.first_error;
 }
 
 TEST(TrainerState, IsExactInCoordinatesOfLeftTeam) {
