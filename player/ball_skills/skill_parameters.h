@@ -17,9 +17,9 @@ struct DribbleParameters {
   double body_gap = 0.05;         ///< minimum distance between ball and body, meters
   double pitch_inset = 0.3;       ///< the ball stays so far inside the lines, meters
   double feet_share = 0.45;       ///< distance of the ball after a run, of the kickable margin
-  double offset_cost = 0.2;       ///< points per degree beside the body direction, before a run
+  double offset_cost = 0.2;       ///< points per degree off the body direction, before a run
   double enough = 100.0;          ///< a kick that costs less ends the search, points
-  double turn_offset_cost = 0.3;  ///< points per degree beside the heading, before a turn
+  double turn_offset_cost = 0.3;  ///< points per degree off the heading, before a turn
   double turn_room = 20.0;        ///< points per meter to the nearest opponent, before a turn
   double max_turn_room = 4.0;     ///< an opponent farther away counts as this far, meters
   double turn_noise = 0.1;        ///< margin of the kickable area in a turn, meters

@@ -1,4 +1,4 @@
-// The parts of a decision beside the actions of a Playmaker (docs/spec/proxy-behavior.md 2.3).
+// The parts of a decision that are not actions of a Playmaker (docs/spec/proxy-behavior.md 2.3).
 #pragma once
 
 #include "player/planner/action_context.h"

@@ -95,7 +95,7 @@ class Decoder {
     const double size = bits % kSpeedSign * max / kMaxSpeedStep;
     value = bits >= kSpeedSign ? -size : size;
   }
-  /// What was said is on the grid.
+  /// Values that were said are on the grid.
   void require(bool /*holds*/) {}
   bool ok() const { return ok_; }
 

@@ -35,7 +35,7 @@ enum class ActionOutcome : std::uint8_t {
   kUnimplemented,  ///< unknown to this proxy
 };
 
-/// Who chose the body command of a decision.
+/// The party that chose the body command of a decision.
 enum class DecidedBy : std::uint8_t {
   kActions,  ///< the Playmaker's list
   kPreprocess,

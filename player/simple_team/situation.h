@@ -1,4 +1,4 @@
-// What the simple team knows when it decides, as plain data.
+// The situation in which the simple team decides, as plain data.
 #pragma once
 
 #include "base/fixed_list.h"

@@ -8,7 +8,7 @@
 
 namespace cls::player {
 
-/// What a dash does in the next step, without noise (docs/spec/simulation-model.md 4.3).
+/// The effect of a dash in the next step, without noise (docs/spec/simulation-model.md 4.3).
 struct DashEffect {
   Vec2 acceleration;  ///< pitch axes
   double turn = 0.0;  ///< of the body, degrees; positive: clockwise as printed angles

@@ -37,7 +37,7 @@ void update_view_memory(ViewMemory& view, const WorldModel& world);
 /// Width of the view cone in degrees in synchronous mode (clients of version 18 and later).
 double view_angle(const soccer::ServerParams& server, soccer::ViewWidth width);
 
-/// What the current see message must show.
+/// The area that the current see message must show.
 class VisibleArea {
  public:
   explicit VisibleArea(const WorldModel& world) : world_(world) {}
