@@ -40,7 +40,7 @@ struct InnerLeg {
 };
 
 /// The inner leg that brings the turn to `difference` (of the forward pushes of both legs, in units
-/// of power) with an outer leg straight ahead of `outer`, and gains most along `heading`.
+/// of power) with an outer leg of `outer` straight ahead, and gains most along `heading`.
 InnerLeg inner_leg(const MatchParameters& parameters, double outer, double difference, Vec2 heading,
                    double power) {
   const ServerParams& server = parameters.server;
