@@ -90,8 +90,7 @@ void clear_transient_state(Player& player) {
 }
 
 bool all_players_enabled(const World& world) {
-  return std::all_of(world.players.begin(), world.players.end(),
-                     [](const Player& player) { return player.enabled; });
+  return std::ranges::all_of(world.players, &Player::enabled);
 }
 
 void wait_for_kick_off(World& world, Events& events) {

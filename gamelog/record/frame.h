@@ -47,6 +47,8 @@ struct CommandCounts {
   int pointto = 0;
   int attentionto = 0;
   int change_focus = 0;
+
+  bool operator==(const CommandCounts&) const = default;
 };
 
 /// A player slot, connected or not. Meters and degrees in one coordinate system for both teams.

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "simulator/actions/commands.h"
-#include "simulator/referee/calls.h"
 #include "simulator/referee/collision.h"
 #include "simulator/referee/referee.h"
 #include "simulator/world/angles.h"

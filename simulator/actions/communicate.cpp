@@ -1,7 +1,6 @@
 // pointto, attentionto, say, ear (docs/spec/simulation-model.md 4.12 to 4.14, 8.5).
 #include <algorithm>
 #include <optional>
-#include <utility>
 
 #include "simulator/actions/actions.h"
 #include "simulator/actions/commands.h"

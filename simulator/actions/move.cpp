@@ -25,8 +25,7 @@ std::optional<ServerReply> opponent_field_warning(const World& world, const Play
       x < -world.type_of(player).player_size) {
     return std::nullopt;
   }
-  constexpr auto kCode = soccer::WarningCode::kMovingToOpponentField;
-  return soccer::WarningReply{std::string(name(kCode)), kCode};
+  return soccer::reply_of(soccer::WarningCode::kMovingToOpponentField);
 }
 
 bool has_move_left(const World& world, const Player& player) {
@@ -41,6 +40,7 @@ std::optional<ServerReply> move(World& world, Player& player, const soccer::Move
   if (player.command_done) return std::nullopt;
   const Vec2 position = Vec2{command.x, command.y} * sign(player.side);
   std::optional<ServerReply> reply;
+
   if (may_move_anywhere(world.mode)) {
     player.position = position;
     resolve_collisions(world, events);
@@ -50,12 +50,12 @@ std::optional<ServerReply> move(World& world, Player& player, const soccer::Move
       player.position = position;
       ++player.moves_since_catch;
     } else {
-      constexpr auto kCode = soccer::ErrorCode::kTooManyMoves;
-      reply = soccer::ErrorReply{std::string(name(kCode)), kCode};
+      reply = soccer::reply_of(soccer::ErrorCode::kTooManyMoves);
     }
   } else {
     return std::nullopt;
   }
+
   occupy_legs(player);
   player.command_done = true;
   ++player.counters.move;

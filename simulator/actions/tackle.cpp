@@ -22,7 +22,7 @@ struct Push {
 };
 
 bool opponent_has_ball(const World& world, const Player& player) {
-  return std::any_of(world.players.begin(), world.players.end(), [&](const Player& other) {
+  return std::ranges::any_of(world.players, [&](const Player& other) {
     return other.enabled && other.side != player.side && is_kickable(world, other);
   });
 }

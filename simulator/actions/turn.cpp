@@ -1,4 +1,5 @@
-// turn: the angle depends on the speed (docs/spec/simulation-model.md 4.2).
+// turn, turn_neck, change_focus, change_view (docs/spec/simulation-model.md 4.2, 4.9 to 4.11).
+#include <algorithm>
 #include <cmath>
 
 #include "simulator/actions/commands.h"
@@ -12,7 +13,8 @@ namespace math = soccer::math;
 
 namespace {
 
-// Executed share of the turn. During log replay: the recorded share, if noise can explain it.
+// Executed share of a turn, which depends on the speed. During log replay: the recorded share, if
+// noise can explain it.
 double executed_share(World& world, const Player& player, double planned) {
   const double rand = player_rand(world, player);
   const auto slot = static_cast<std::size_t>(player.slot());
@@ -23,6 +25,13 @@ double executed_share(World& world, const Player& player, double planned) {
       math::normalize_radians(*world.overrides->body[slot] - (player.body + planned));
   const bool explained = rand > 0.0 && std::fabs(noise) <= rand * std::fabs(planned) + rounding;
   return explained && planned != 0.0 ? 1.0 + noise / planned : 1.0;
+}
+
+constexpr double kMaxFocusDistance = 40.0;
+
+double clamp_to_view(const World& world, const View& view, double direction) {
+  const double half = view_cone(view, world.params().visible_angle) / 2.0;
+  return soccer::between(direction, -half, half);
 }
 
 }  // namespace
@@ -38,6 +47,40 @@ void turn(World& world, Player& player, const soccer::Turn& command) {
   occupy_legs(player);
   player.command_done = true;
   ++player.counters.turn;
+}
+
+void turn_neck(World& world, Player& player, const soccer::TurnNeck& command) {
+  if (player.turn_neck_done) return;
+  const soccer::ServerParams& server = world.params();
+  const double moment = soccer::between(command.moment, server.minneckmoment, server.maxneckmoment);
+  player.pending_neck =
+      soccer::between(player.neck + exact_radians(moment), exact_radians(server.minneckang),
+                      exact_radians(server.maxneckang));
+  player.turn_neck_done = true;
+  ++player.counters.turn_neck;
+}
+
+void change_focus(World& world, Player& player, const soccer::ChangeFocus& command) {
+  View& view = player.view;
+  view.focus_distance =
+      std::clamp(view.focus_distance + command.moment_distance, 0.0, kMaxFocusDistance);
+  const double direction =
+      math::normalize_radians(view.focus_direction + exact_radians(command.moment_direction));
+  view.focus_direction = clamp_to_view(world, view, direction);
+  ++player.counters.change_focus;
+}
+
+void change_view(World& world, Player& player, const soccer::ChangeView& command) {
+  View& view = player.view;
+  if (view.synchronous && command.quality == soccer::ViewQuality::kLow) return;
+  view.width = command.width;
+  view.quality = command.quality.value_or(soccer::ViewQuality::kHigh);
+  // Only the form without a quality clamps the focus to the new view cone
+  // (docs/spec/simulation-model.md 15.2).
+  if (!command.quality) {
+    view.focus_direction = clamp_to_view(world, view, view.focus_direction);
+  }
+  ++player.counters.change_view;
 }
 
 }  // namespace cls::simulator::actions

@@ -18,4 +18,10 @@ double player_rand(const World& world, const Player& player);
 /// Factor on the player's speed and acceleration limits in the upper half of the pitch; default 1.
 double slowness_on_top(const World& world, const Player& player);
 
+/// Adds `velocity` to `position` and reflects both at goal posts in the path
+/// (docs/spec/simulation-model.md 3.3). Returns true after a
+/// bounce. Draws from `stream` only if the object is exactly at the center of a post.
+bool advance_past_posts(Vec2& position, Vec2& velocity, double radius, double goal_width,
+                        RandomStream& stream);
+
 }  // namespace cls::simulator

@@ -21,6 +21,7 @@ BodySet overlapping_from(std::size_t first, const Bodies& bodies, Vec2 center, d
   const __m128d x = _mm_set1_pd(center.x);
   const __m128d y = _mm_set1_pd(center.y);
   const __m128d own = _mm_set1_pd(radius);
+
   for (std::size_t i = first; i < bodies.count; i += 2) {
     const __m128d dx = _mm_sub_pd(x, _mm_load_pd(&bodies.x[i]));
     const __m128d dy = _mm_sub_pd(y, _mm_load_pd(&bodies.y[i]));
@@ -46,11 +47,13 @@ void refresh(Bodies& bodies, const World& world) {
   for (std::size_t slot = 0; slot < world.players.size(); ++slot) {
     const Player& player = world.players[slot];
     if (!player.enabled) continue;
+
     const auto own = static_cast<Slot>(slot);
     const double size = world.type_of(player).player_size;
     const bool changed =
         player.position != bodies.position(i) || size != bodies.size[i] || bodies.slots[i] != own;
     bodies.suspects |= BodySet{changed} << i;
+
     bodies.x[i] = player.position.x;
     bodies.y[i] = player.position.y;
     bodies.size[i] = size;

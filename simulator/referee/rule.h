@@ -1,7 +1,8 @@
-// Interface of a referee rule: a table of event handlers.
+// Interface of a referee rule: a table of event handlers, and what rules may call.
 #pragma once
 
-#include "simulator/world/event.h"
+#include "simulator/referee/modes.h"
+#include "simulator/referee/referee.h"
 
 namespace cls::simulator {
 

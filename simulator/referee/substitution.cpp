@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/index.h"
 #include "simulator/referee/modes.h"
 #include "simulator/world/roster.h"
 #include "simulator/world/stamina.h"
@@ -11,27 +12,19 @@ namespace cls::simulator {
 namespace {
 
 using soccer::ErrorCode;
+using soccer::reply_of;
 using soccer::ServerReply;
 using soccer::WarningCode;
 
 constexpr std::uint32_t kRetainedState = state::kStand | state::kGoalie | state::kDiscard;
 
-ServerReply warning(WarningCode code) {
-  return soccer::WarningReply{std::string(name(code)), code};
-}
-
-ServerReply error(ErrorCode code) { return soccer::ErrorReply{std::string(name(code)), code}; }
-
-int& used(World& world, Side side, int type) {
-  return world.team(side).used[static_cast<std::size_t>(type)];
-}
+int& used(World& world, Side side, int type) { return world.team(side).used[base::index(type)]; }
 
 // Players have the default type until one is assigned, so it is not counted for them.
 int on_field(const World& world, Side side, int type) {
-  return static_cast<int>(
-      std::count_if(world.players.begin(), world.players.end(), [=](const Player& player) {
-        return player.joined && player.side == side && player.substituted && player.type == type;
-      }));
+  return static_cast<int>(std::ranges::count_if(world.players, [=](const Player& player) {
+    return player.joined && player.side == side && player.substituted && player.type == type;
+  }));
 }
 
 bool is_unlimited(const World& world, int type) {
@@ -45,25 +38,25 @@ bool is_after_the_match(const World& world) {
 // Returns no reply if the rules allow the substitution. Same order of checks as in rcssserver.
 std::optional<ServerReply> reject_substitution(World& world, Side side, int unum, int type) {
   const soccer::PlayerParams& params = world.rules->player;
-  if (world.mode == PlayMode::kPlayOn) return warning(WarningCode::kCannotSubstituteWhilePlayOn);
+  if (world.mode == PlayMode::kPlayOn) return reply_of(WarningCode::kCannotSubstituteWhilePlayOn);
   if (is_after_the_match(world)) {
-    return warning(WarningCode::kCannotSubstituteWhilePenaltyShootouts);
+    return reply_of(WarningCode::kCannotSubstituteWhilePenaltyShootouts);
   }
   if (world.team(side).substitutions >= params.subs_max) {
-    return warning(WarningCode::kNoSubstitutionsLeft);
+    return reply_of(WarningCode::kNoSubstitutionsLeft);
   }
 
-  if (type < 0 || type >= params.player_types) return error(ErrorCode::kOutOfRangePlayerType);
+  if (type < 0 || type >= params.player_types) return reply_of(ErrorCode::kOutOfRangePlayerType);
   const int uses = used(world, side, type);
   if (uses > 0 && uses >= params.pt_max && !is_unlimited(world, type)) {
-    return warning(WarningCode::kNoLeftOfThatType);
+    return reply_of(WarningCode::kNoLeftOfThatType);
   }
 
-  if (!find_player(world, side, unum)) return warning(WarningCode::kNoSuchPlayer);
+  if (!find_player(world, side, unum)) return reply_of(WarningCode::kNoSuchPlayer);
   const Player& player = world.player(side, unum);
   const bool has_type = player.substituted && player.type == type;
   if (on_field(world, side, type) >= params.pt_max && !is_unlimited(world, type) && !has_type) {
-    return warning(WarningCode::kMaxOfThatTypeOnField);
+    return reply_of(WarningCode::kMaxOfThatTypeOnField);
   }
   return std::nullopt;
 }
@@ -121,13 +114,13 @@ ServerReply change_type(World& world, Side side, int unum, int type, Events& eve
 ServerReply change_type(World& world, const soccer::TrainerChangePlayerType& command,
                         Events& events) {
   const Side side = find_side(world, command.team);
-  if (side == Side::kNeutral) return warning(WarningCode::kNoTeamFound);
+  if (side == Side::kNeutral) return reply_of(WarningCode::kNoTeamFound);
   if (command.type < 0 || command.type >= world.rules->player.player_types) {
-    return error(ErrorCode::kOutOfRangePlayerType);
+    return reply_of(ErrorCode::kOutOfRangePlayerType);
   }
 
   const std::optional<Slot> slot = find_player(world, side, command.unum);
-  if (!slot) return warning(WarningCode::kNoSuchPlayer);
+  if (!slot) return reply_of(WarningCode::kNoSuchPlayer);
 
   substitute(world, *slot, command.type, events);
   return soccer::OkChangePlayerType{soccer::TeamName(command.team), command.unum, command.type};
@@ -135,15 +128,15 @@ ServerReply change_type(World& world, const soccer::TrainerChangePlayerType& com
 
 ServerReply change_goalie(World& world, Side side, int unum, Events& events) {
   const PlayMode mode = world.mode;
-  if (mode == PlayMode::kPlayOn) return warning(WarningCode::kCannotChangeGoalieWhilePlayOn);
+  if (mode == PlayMode::kPlayOn) return reply_of(WarningCode::kCannotChangeGoalieWhilePlayOn);
   if (is_either(mode, PlayMode::kPenaltyReadyLeft) ||
       is_either(mode, PlayMode::kPenaltyTakenLeft)) {
-    return warning(WarningCode::kCannotChangeGoalieWhilePenaltyTaken);
+    return reply_of(WarningCode::kCannotChangeGoalieWhilePenaltyTaken);
   }
 
-  if (has_enabled_goalie(world, side)) return error(ErrorCode::kGoalieAlreadyExists);
+  if (has_enabled_goalie(world, side)) return reply_of(ErrorCode::kGoalieAlreadyExists);
   const std::optional<Slot> slot = find_player(world, side, unum);
-  if (!slot || !world.player(*slot).enabled) return warning(WarningCode::kNoSuchPlayer);
+  if (!slot || !world.player(*slot).enabled) return reply_of(WarningCode::kNoSuchPlayer);
 
   Player& player = world.player(*slot);
   player.goalie = true;

@@ -1,8 +1,6 @@
 // Player types: substitutions by coaches and assignment at the first kick-off.
 #pragma once
 
-#include <optional>
-
 #include "simulator/world/event.h"
 #include "soccer/commands/coach_command.h"
 #include "soccer/messages/server_reply.h"

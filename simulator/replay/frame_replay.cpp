@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
+#include "base/index.h"
 #include "base/text/number_text.h"
 #include "simulator/referee/referee.h"
 #include "soccer/protocol/protocol_version.h"
@@ -16,11 +16,6 @@ namespace {
 namespace math = soccer::math;
 
 constexpr std::uint32_t kTackles = state::kTackle | state::kTackleFault;
-
-auto as_tuple(const Counters& c) {
-  return std::tie(c.kick, c.dash, c.turn, c.catches, c.move, c.turn_neck, c.change_view, c.say,
-                  c.tackle, c.pointto, c.attentionto, c.change_focus);
-}
 
 soccer::ViewWidth width_of(double degrees, double visible_angle) {
   if (degrees < visible_angle * 0.8) return soccer::ViewWidth::kNarrow;
@@ -82,7 +77,7 @@ World world_at_kick_off(std::shared_ptr<const Rules> rules, const gamelog::Frame
     player.view.synchronous = true;
     player.substituted = player.type != 0;
     player.state = frame.players[i].state;
-    ++world.teams[player.side == Side::kRight ? 1 : 0].used[static_cast<std::size_t>(player.type)];
+    ++world.teams[player.side == Side::kRight ? 1 : 0].used[base::index(player.type)];
   }
 
   Events ignored;
@@ -155,11 +150,11 @@ void override_fouls(ReplayOverrides& overrides, const std::vector<std::string>& 
                     const std::vector<Slot>& called_after) {
   const auto charge = [&](Side side, Slot last) {
     const bool is_known = last != kNoPlayer && soccer::side_of_slot(last) == side &&
-                          overrides.tackle.recorded[static_cast<std::size_t>(last)].value_or(false);
+                          overrides.tackle.recorded[base::index(last)].value_or(false);
     for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
       const Slot slot = soccer::slot_of(side, unum);
       if (!is_known || slot == last) {
-        overrides.foul.recorded[static_cast<std::size_t>(slot)] = FoulCall::kCharge;
+        overrides.foul.recorded[base::index(slot)] = FoulCall::kCharge;
       }
     }
   };
@@ -170,7 +165,7 @@ void override_fouls(ReplayOverrides& overrides, const std::vector<std::string>& 
     const Side side = message[prefix.size()] == 'l' ? Side::kLeft : Side::kRight;
     const int unum = base::parse_int(message.substr(prefix.size() + 2)).value_or(0);
     if (unum < 1 || unum > soccer::kPlayersPerTeam) return;
-    overrides.foul.recorded[static_cast<std::size_t>(soccer::slot_of(side, unum))] = call;
+    overrides.foul.recorded[base::index(soccer::slot_of(side, unum))] = call;
   };
 
   for (std::size_t i = 0; i < calls.size(); ++i) {
@@ -187,10 +182,10 @@ void override_fouls(ReplayOverrides& overrides, const std::vector<std::string>& 
 
 void override_shoot_out(ReplayOverrides& overrides, const std::vector<std::string>& calls) {
   const auto side_of_first = [&](std::string_view prefix) -> std::optional<Side> {
-    for (const std::string& message : calls) {
-      if (message.starts_with(prefix)) return message.back() == 'l' ? Side::kLeft : Side::kRight;
-    }
-    return std::nullopt;
+    const auto call = std::ranges::find_if(
+        calls, [&](const std::string& message) { return message.starts_with(prefix); });
+    if (call == calls.end()) return std::nullopt;
+    return call->back() == 'l' ? Side::kLeft : Side::kRight;
   };
 
   overrides.shoot_out_goal = side_of_first("penalty_onfield_");
@@ -198,30 +193,22 @@ void override_shoot_out(ReplayOverrides& overrides, const std::vector<std::strin
 }
 
 Deviation ball_deviation(const World& world, const gamelog::Frame& frame) {
-  Deviation deviation;
-  deviation.position = largest(world.ball.position - frame.ball_position);
-  deviation.velocity = largest(world.ball.velocity - frame.ball_velocity);
-  return deviation;
+  return {.position = largest(world.ball.position - frame.ball_position),
+          .velocity = largest(world.ball.velocity - frame.ball_velocity)};
 }
 
 Deviation player_deviation(const World& world, const gamelog::Frame& frame, Slot slot) {
   const Player& player = world.player(slot);
-  const gamelog::PlayerFrame& recorded = frame.players[static_cast<std::size_t>(slot)];
-  Deviation deviation;
-  deviation.position = largest(player.position - recorded.position);
-  deviation.velocity = largest(player.velocity - recorded.velocity);
-
-  deviation.body = angle_between(player.body, recorded.body);
-  deviation.neck = angle_between(player.neck, recorded.neck);
-
-  deviation.stamina = std::fabs(player.stamina.value - recorded.stamina);
-  deviation.effort = std::max(std::fabs(player.stamina.effort - recorded.effort),
-                              std::fabs(player.stamina.recovery - recorded.recovery));
-  deviation.capacity = std::fabs(player.stamina.capacity - recorded.capacity);
-
-  deviation.same_counters = as_tuple(player.counters) == as_tuple(recorded.counts);
-  deviation.same_state = player.state == recorded.state;
-  return deviation;
+  const gamelog::PlayerFrame& recorded = frame.players[base::index(slot)];
+  return {.position = largest(player.position - recorded.position),
+          .velocity = largest(player.velocity - recorded.velocity),
+          .body = angle_between(player.body, recorded.body),
+          .neck = angle_between(player.neck, recorded.neck),
+          .stamina = std::fabs(player.stamina.value - recorded.stamina),
+          .effort = std::max(std::fabs(player.stamina.effort - recorded.effort),
+                             std::fabs(player.stamina.recovery - recorded.recovery)),
+          .capacity = std::fabs(player.stamina.capacity - recorded.capacity),
+          .same_counters = player.counters == recorded.counts};
 }
 
 }  // namespace cls::simulator

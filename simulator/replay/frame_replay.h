@@ -46,7 +46,6 @@ struct Deviation {
   double effort = 0.0;  ///< or recovery
   double capacity = 0.0;
   bool same_counters = true;
-  bool same_state = true;
 };
 
 Deviation ball_deviation(const World& world, const gamelog::Frame& frame);

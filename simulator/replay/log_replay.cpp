@@ -7,17 +7,17 @@
 #include <set>
 #include <utility>
 
+#include "base/index.h"
 #include "simulator/actions/actions.h"
 #include "simulator/actions/trainer.h"
 #include "simulator/referee/modes.h"
 #include "simulator/referee/referee.h"
 #include "simulator/referee/substitution.h"
 #include "simulator/replay/frame_replay.h"
-#include "simulator/replay/logged_frames.h"
+#include "simulator/replay/logged_match.h"
 #include "simulator/replay/recorded_step.h"
 #include "simulator/replay/step_comparison.h"
 #include "simulator/replay/stronger_push.h"
-#include "simulator/replay/text_log_index.h"
 #include "simulator/step.h"
 #include "simulator/world/roster.h"
 #include "soccer/commands/coach_command.h"
@@ -42,8 +42,8 @@ bool is_noisy(const Rules& rules) {
   const bool windy = !server.wind_none && (server.wind_random || server.wind_rand != 0.0);
 
   return server.player_rand != 0.0 || server.ball_rand != 0.0 || windy ||
-         std::any_of(rules.types.begin(), rules.types.end(),
-                     [](const soccer::PlayerType& type) { return type.kick_rand != 0.0; });
+         std::ranges::any_of(rules.types,
+                             [](const soccer::PlayerType& type) { return type.kick_rand != 0.0; });
 }
 
 class LogReplay {
@@ -150,8 +150,7 @@ class LogReplay {
     TouchState& state = world_.referee.touch;
     const bool is_contested =
         state.touch_time == world_.clock.time &&
-        std::any_of(pushes_.begin(), pushes_.end(),
-                    [&](const BallPush& push) { return push.slot == state.toucher; });
+        std::ranges::find(pushes_, state.toucher, &BallPush::slot) != pushes_.end();
     if (is_contested) {
       contestants_ = strongest_pushers(world_, pushes_, ball_displacement(after));
       contest_time_ = state.touch_time;
@@ -161,7 +160,7 @@ class LogReplay {
     }
 
     const bool is_one_of_them =
-        std::find(contestants_.begin(), contestants_.end(), state.toucher) != contestants_.end();
+        std::ranges::find(contestants_, state.toucher) != contestants_.end();
     if (state.touch_time != contest_time_ || !is_one_of_them) contestants_.clear();
   }
 
@@ -195,9 +194,8 @@ class LogReplay {
     const LoggedStep* step = text_.at(world_.clock);
     if (step == nullptr || world_.mode != PlayMode::kBeforeKickOff) return;
 
-    const bool called = std::any_of(step->calls.begin(), step->calls.end(),
-                                    [](const auto& call) { return call.starts_with("kick_off_"); });
-    if (called) kick_off(world_, events_);
+    const auto starts_half = [](const auto& call) { return call.starts_with("kick_off_"); };
+    if (std::ranges::any_of(step->calls, starts_half)) kick_off(world_, events_);
   }
 
   void apply_commands() {
@@ -241,7 +239,7 @@ class LogReplay {
     constexpr double kBelowRounding = 1e-8;
     const World start = world_;
     const std::size_t event_count = events_.size();
-    const bool recorded = recorded_contact_[static_cast<std::size_t>(slot)];
+    const bool recorded = recorded_contact_[base::index(slot)];
 
     apply(world_, slot, command, events_);
     for (int i = 1; i <= kTries && world_.player(slot).has(state::kBallCollide) != recorded; ++i) {
@@ -350,8 +348,7 @@ class LogReplay {
                                     const std::multiset<TimedCall>& other,
                                     std::vector<std::string>& out) {
       std::vector<TimedCall> rest;
-      std::set_difference(one.begin(), one.end(), other.begin(), other.end(),
-                          std::back_inserter(rest));
+      std::ranges::set_difference(one, other, std::back_inserter(rest));
       for (const auto& [when, call] : rest) {
         if (is_in_gap(when)) continue;
         out.push_back(std::to_string(when.first) + ',' + std::to_string(when.second) + ' ' + call);
@@ -366,7 +363,7 @@ class LogReplay {
   }
 
   bool is_in_gap(const std::pair<int, int>& when) const {
-    return std::any_of(gaps_.begin(), gaps_.end(), [&](const auto& gap) {
+    return std::ranges::any_of(gaps_, [&](const auto& gap) {
       return when >= std::pair{gap.first.time, gap.first.stoppage} &&
              when <= std::pair{gap.second.time, gap.second.stoppage};
     });

@@ -1,10 +1,9 @@
 // Searches for the direction of motion before a bounce.
 #include "simulator/replay/post_bounce.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include "simulator/motion/goal_post.h"
+#include "simulator/motion/motion.h"
 #include "soccer/pitch.h"
 
 namespace cls::simulator {

@@ -1,8 +1,9 @@
 // Tries possible outcomes of a step until one matches the record.
 #include "simulator/replay/recorded_step.h"
 
+#include "base/index.h"
 #include "simulator/replay/frame_replay.h"
-#include "simulator/replay/logged_frames.h"
+#include "simulator/replay/logged_match.h"
 #include "simulator/replay/post_bounce.h"
 #include "simulator/step.h"
 
@@ -16,20 +17,11 @@ bool is_off(const Deviation& deviation) {
   return deviation.position > kRounding || deviation.velocity > kRounding;
 }
 
-// Sets the arrival to the result of the search; returns false if there is none.
+// Sets the arrival of a motion to the result of the search; returns false if there is none.
 bool set_arrival(RecordedMotion& motion, const PostBounce& bounce) {
   const std::optional<Vec2> arrival = arrival_without_post(bounce);
   if (arrival) motion.arrival = *arrival;
   return arrival.has_value();
-}
-
-PostBounce recorded_bounce(const World& start, const RecordedMotion& motion, Vec2 from) {
-  PostBounce bounce;
-  bounce.from = from;
-  bounce.expected = motion.expected;
-  bounce.reach = motion.reach;
-  bounce.goal_width = start.params().goal_width;
-  return bounce;
 }
 
 // A bounce off a post hides where the object came from. Reads the possible noise from `stepped` and
@@ -38,16 +30,19 @@ bool find_bounces(World& start, const World& stepped, const gamelog::Frame& afte
   bool found = false;
   const bool touched = shows_any(after, state::kBallCollide);
   if (!touched && stepped.overrides->ball.arrival && is_off(ball_deviation(stepped, after))) {
-    PostBounce bounce = recorded_bounce(start, stepped.overrides->ball, start.ball.position);
-    bounce.radius = start.params().ball_size;
-    bounce.decay = start.params().ball_decay;
-    bounce.to = after.ball_position;
-    bounce.velocity = after.ball_velocity;
-    found = set_arrival(start.overrides->ball, bounce);
+    const RecordedMotion& motion = stepped.overrides->ball;
+    found = set_arrival(start.overrides->ball, {.from = start.ball.position,
+                                                .expected = motion.expected,
+                                                .reach = motion.reach,
+                                                .radius = start.params().ball_size,
+                                                .decay = start.params().ball_decay,
+                                                .to = after.ball_position,
+                                                .velocity = after.ball_velocity,
+                                                .goal_width = start.params().goal_width});
   }
 
   for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
-    const auto i = static_cast<std::size_t>(slot);
+    const auto i = base::index(slot);
     const gamelog::PlayerFrame& shown = after.players[i];
     const bool hit = ((shown.state | stepped.player(slot).state) & state::kPostCollide) != 0;
     if (!hit || !stepped.overrides->players[i].arrival ||
@@ -55,13 +50,16 @@ bool find_bounces(World& start, const World& stepped, const gamelog::Frame& afte
       continue;
     }
 
-    PostBounce bounce =
-        recorded_bounce(start, stepped.overrides->players[i], start.player(slot).position);
+    const RecordedMotion& motion = stepped.overrides->players[i];
     const soccer::PlayerType& type = start.type_of(start.player(slot));
-    bounce.radius = type.player_size;
-    bounce.decay = type.player_decay;
-    bounce.to = shown.position;
-    bounce.velocity = shown.velocity;
+    const PostBounce bounce = {.from = start.player(slot).position,
+                               .expected = motion.expected,
+                               .reach = motion.reach,
+                               .radius = type.player_size,
+                               .decay = type.player_decay,
+                               .to = shown.position,
+                               .velocity = shown.velocity,
+                               .goal_width = start.params().goal_width};
     found = set_arrival(start.overrides->players[i], bounce) || found;
   }
   return found;

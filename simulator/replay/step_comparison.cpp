@@ -7,8 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "base/index.h"
 #include "simulator/replay/frame_replay.h"
-#include "simulator/replay/logged_frames.h"
+#include "simulator/replay/logged_match.h"
 
 namespace cls::simulator {
 namespace {
@@ -94,7 +95,7 @@ class Comparison {
   }
 
   void compare_player(Slot slot) {
-    const auto i = static_cast<std::size_t>(slot);
+    const auto i = base::index(slot);
     const Player& was = step_.before.player(slot);
     const Player& now = step_.after.player(slot);
     const gamelog::PlayerFrame& shown = step_.recorded.players[i];
@@ -136,7 +137,7 @@ class Comparison {
 
   void compare_bits(Slot slot) {
     const Player& now = step_.after.player(slot);
-    const std::uint32_t shown = step_.recorded.players[static_cast<std::size_t>(slot)].state;
+    const std::uint32_t shown = step_.recorded.players[base::index(slot)].state;
     const std::uint32_t differs = now.state ^ shown;
 
     const bool only_contacts = differs != 0 && (differs & ~kContacts) == 0;
@@ -156,7 +157,7 @@ class Comparison {
   bool is_borderline_contact(Slot slot) const {
     constexpr double kRounding = 5e-4;
     const Player& simulated = step_.after.player(slot);
-    const gamelog::PlayerFrame& recorded = step_.recorded.players[static_cast<std::size_t>(slot)];
+    const gamelog::PlayerFrame& recorded = step_.recorded.players[base::index(slot)];
     const bool touches = simulated.has(kContacts);
 
     const double size = step_.after.type_of(simulated).player_size;
@@ -168,9 +169,8 @@ class Comparison {
       const Player& player = step_.after.player(other);
       if (other == slot || !player.enabled) continue;
 
-      const Vec2 position = touches
-                                ? step_.recorded.players[static_cast<std::size_t>(other)].position
-                                : player.position;
+      const Vec2 position =
+          touches ? step_.recorded.players[base::index(other)].position : player.position;
       const double gap = distance(at, position) - size - step_.after.type_of(player).player_size;
       is_borderline = is_borderline || std::fabs(gap) < kRounding;
     }
@@ -226,7 +226,7 @@ class Comparison {
     }
 
     close_step();
-    ClassTally& of_class = result_.by_class[static_cast<std::size_t>(what.kind)];
+    ClassTally& of_class = result_.by_class[base::index(what.kind)];
     of_class.worst = std::max({of_class.worst, off.position, off.velocity});
     tally.add(misses.empty());
     of_class.add(misses.empty());
@@ -236,7 +236,7 @@ class Comparison {
   }
 
   void excuse(Excuse why) {
-    ++result_.by_cause[static_cast<std::size_t>(why)];
+    ++result_.by_cause[base::index(why)];
     excused_ = true;
   }
 
@@ -268,7 +268,7 @@ class Comparison {
   }
 
   void sample_player_noise(Slot slot, StepClass kind) {
-    const RecordedMotion& motion = overrides_.players[static_cast<std::size_t>(slot)];
+    const RecordedMotion& motion = overrides_.players[base::index(slot)];
     if (!motion.explained || motion.noise_max < kMinNoise || magnifies_rounding(kind) ||
         step_.half_time || step_.after.wind.rand > 0.0) {
       return;

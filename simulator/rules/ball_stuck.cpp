@@ -1,6 +1,5 @@
 // Ball stuck rule: drop ball after the ball stays in one area too long
 // (docs/spec/simulation-model.md 9.12).
-#include "simulator/referee/calls.h"
 #include "simulator/referee/rule.h"
 
 namespace cls::simulator {

@@ -1,9 +1,6 @@
 // Catch rule: catch faults outside the penalty area, and back passes
 // (docs/spec/simulation-model.md 9.11).
 #include "simulator/referee/areas.h"
-#include "simulator/referee/calls.h"
-#include "simulator/referee/modes.h"
-#include "simulator/referee/referee.h"
 #include "simulator/referee/rule.h"
 
 namespace cls::simulator {

@@ -5,9 +5,6 @@
 #include <cmath>
 
 #include "simulator/referee/areas.h"
-#include "simulator/referee/calls.h"
-#include "simulator/referee/modes.h"
-#include "simulator/referee/referee.h"
 #include "simulator/referee/rule.h"
 
 namespace cls::simulator {
@@ -74,6 +71,7 @@ FoulCall detect_foul(World& world, const Player& tackler, bool foul) {
   bool yellow = false;
   bool red = false;
   bool drawn = false;
+
   for (Player& victim : world.players) {
     if (!victim.enabled || victim.side == tackler.side || !is_kickable(world, victim)) continue;
     bool detected = false;
@@ -83,6 +81,7 @@ FoulCall detect_foul(World& world, const Player& tackler, bool foul) {
       detected = stream.bernoulli(probability);
       charge = charge || detected;
     }
+
     if (!is_in_path_to_ball(world, tackler, victim)) continue;
     if (foul) {
       if (detected) (stream.bernoulli(red_probability) ? red : yellow) = true;
@@ -93,6 +92,7 @@ FoulCall detect_foul(World& world, const Player& tackler, bool foul) {
     charge = true;
     if (stream.bernoulli(red_probability)) yellow = true;
   }
+
   const FoulCall call = red      ? FoulCall::kRed
                         : yellow ? FoulCall::kYellow
                         : charge ? FoulCall::kCharge

@@ -1,10 +1,7 @@
 // Free kick rule: takers of set plays, distance of opponents, double touches
 // (docs/spec/simulation-model.md 9.7).
 #include "simulator/referee/areas.h"
-#include "simulator/referee/calls.h"
 #include "simulator/referee/clearing.h"
-#include "simulator/referee/modes.h"
-#include "simulator/referee/referee.h"
 #include "simulator/referee/rule.h"
 
 namespace cls::simulator {

@@ -2,9 +2,6 @@
 // (docs/spec/simulation-model.md 9.13).
 #include <cmath>
 
-#include "simulator/referee/calls.h"
-#include "simulator/referee/modes.h"
-#include "simulator/referee/referee.h"
 #include "simulator/referee/rule.h"
 #include "soccer/pitch.h"
 

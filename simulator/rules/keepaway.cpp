@@ -2,8 +2,6 @@
 // (docs/spec/simulation-model.md 10.3).
 #include <cmath>
 
-#include "simulator/referee/calls.h"
-#include "simulator/referee/referee.h"
 #include "simulator/referee/rule.h"
 #include "simulator/world/stamina.h"
 

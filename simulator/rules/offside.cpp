@@ -1,13 +1,10 @@
 // Offside rule: a player beyond the offside line at a pass may not play the ball next
 // (docs/spec/simulation-model.md 9.8).
 #include <algorithm>
-#include <limits>
 
+#include "base/index.h"
 #include "simulator/referee/areas.h"
-#include "simulator/referee/calls.h"
 #include "simulator/referee/clearing.h"
-#include "simulator/referee/modes.h"
-#include "simulator/referee/referee.h"
 #include "simulator/referee/rule.h"
 #include "soccer/pitch.h"
 
@@ -75,7 +72,7 @@ void mark_candidates(World& world, const Player& kicker) {
     if (!player.enabled || player.side != side || player.unum == kicker.unum) continue;
     if (player.position.x * sign(side) <= line) continue;
 
-    world.referee.offside.marks[static_cast<std::size_t>(player.slot())] =
+    world.referee.offside.marks[base::index(player.slot())] =
         Vec2{line * sign(side), player.position.y};
   }
 }
@@ -108,7 +105,7 @@ void ball_contact(World& world, Player& player, double acceleration, Events& eve
     state.kick_acceleration = acceleration;
   }
 
-  if (const auto& mark = state.marks[static_cast<std::size_t>(player.slot())]) {
+  if (const auto& mark = state.marks[base::index(player.slot())]) {
     state.offense_position = *mark;
     call_offside(world, events);
     return;
@@ -130,7 +127,7 @@ void ball_touched(World& world, Player& player, Events& events) {
 
 void ball_missed(World& world, Player& player, Events& events) {
   OffsideState& state = world.referee.offside;
-  const auto& mark = state.marks[static_cast<std::size_t>(player.slot())];
+  const auto& mark = state.marks[base::index(player.slot())];
   if (!mark ||
       distance(player.position, world.ball.position) >= world.params().offside_active_area_size) {
     return;

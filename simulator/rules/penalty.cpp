@@ -6,9 +6,6 @@
 #include <optional>
 
 #include "simulator/referee/areas.h"
-#include "simulator/referee/calls.h"
-#include "simulator/referee/modes.h"
-#include "simulator/referee/referee.h"
 #include "simulator/referee/rule.h"
 #include "simulator/rules/foul.h"
 #include "soccer/pitch.h"

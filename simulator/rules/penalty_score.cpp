@@ -1,7 +1,7 @@
 // Counts the kicks of a shoot-out and decides it.
+#include "base/index.h"
 #include "simulator/rules/penalty.h"
 
-#include "simulator/referee/calls.h"
 #include "simulator/referee/referee.h"
 
 namespace cls::simulator {
@@ -73,13 +73,12 @@ void count_miss(World& world, Side side, Events& events) { count(world, side, fa
 
 void record_kicker(World& world, Side side, const Player& kicker) {
   auto& kicked = world.referee.penalty.has_kicked[index_of(side)];
-  kicked.set(static_cast<std::size_t>(kicker.unum));
+  kicked.set(base::index(kicker.unum));
   if (kicked.count() >= soccer::kPlayersPerTeam) kicked.reset();
 }
 
 bool has_kicked(const World& world, const Player& player) {
-  return world.referee.penalty.has_kicked[index_of(player.side)].test(
-      static_cast<std::size_t>(player.unum));
+  return world.referee.penalty.has_kicked[index_of(player.side)].test(base::index(player.unum));
 }
 
 }  // namespace cls::simulator

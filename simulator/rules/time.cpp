@@ -1,8 +1,6 @@
 // Time rule: ends halves and the match; the kick-off command starts a half
 // (docs/spec/simulation-model.md 9.6).
-#include "simulator/referee/calls.h"
 #include "simulator/referee/clearing.h"
-#include "simulator/referee/referee.h"
 #include "simulator/referee/rule.h"
 #include "simulator/referee/substitution.h"
 #include "simulator/world/stamina.h"

@@ -2,10 +2,7 @@
 #include <cmath>
 
 #include "simulator/referee/areas.h"
-#include "simulator/referee/calls.h"
 #include "simulator/referee/clearing.h"
-#include "simulator/referee/modes.h"
-#include "simulator/referee/referee.h"
 #include "simulator/referee/rule.h"
 #include "soccer/pitch.h"
 

@@ -72,10 +72,12 @@ soccer::SenseBody sense_body(const World& world, Slot slot) {
   sense.stamina = player.stamina.value;
   sense.effort = player.stamina.effort;
   sense.capacity = player.stamina.capacity;
+
   sense.speed = math::quantize(player.velocity.length(), kSpeedStep);
   sense.speed_direction = truncated_degrees(math::normalize_radians(
       soccer::direction_radians(player.velocity) - player.body - player.neck));
   sense.head_angle = truncated_degrees(player.neck);
+
   sense.counts = command_counts(player.counters);
   sense.arm = arm_state(world, player, true);
   if (player.attention != kNoPlayer) {
@@ -83,6 +85,7 @@ soccer::SenseBody sense_body(const World& world, Slot slot) {
     sense.attention_unum = soccer::unum_of_slot(player.attention);
   }
   sense.attention_count = player.counters.attentionto;
+
   sense.tackle_expires_in = player.tackle_cycles;
   sense.tackle_count = player.counters.tackle;
   sense.collided_with_ball = player.contacts.ball;
@@ -90,6 +93,7 @@ soccer::SenseBody sense_body(const World& world, Slot slot) {
   sense.collided_with_post = player.contacts.post;
   sense.foul_charged = player.foul_cycles;
   sense.card = card(player);
+
   sense.has_focus_point = true;
   sense.focus_distance = player.view.focus_distance;
   sense.focus_direction = exact_degrees(player.view.focus_direction);

@@ -21,7 +21,7 @@ PendingMessages::Say take_next(const Player& listener, std::vector<PendingMessag
     return say.speaker == listener.attention;
   };
 
-  auto count = std::count_if(says.begin(), says.end(), is_attended);
+  auto count = std::ranges::count_if(says, is_attended);
   const bool attended = count > 0;
   if (!attended) count = static_cast<std::ptrdiff_t>(says.size());
 
@@ -40,21 +40,18 @@ int direction_to(const Player& listener, const Player& speaker) {
 }
 
 soccer::Hear make_hear(const World& world, const Player& listener, const Player& speaker) {
-  soccer::Hear hear;
-  hear.time = world.clock.time;
-  hear.sender = speaker.side == listener.side ? soccer::Hear::Sender::kTeammate
-                                              : soccer::Hear::Sender::kOpponent;
-  hear.unum = speaker.unum;
-  return hear;
+  return {.time = world.clock.time,
+          .sender = speaker.side == listener.side ? soccer::Hear::Sender::kTeammate
+                                                  : soccer::Hear::Sender::kOpponent,
+          .unum = speaker.unum};
 }
 
 void hear_trainer(const World& world, std::vector<std::string>& messages,
                   std::vector<soccer::Hear>& out) {
   for (std::string& message : messages) {
-    soccer::Hear& hear = out.emplace_back();
-    hear.time = world.clock.time;
-    hear.sender = soccer::Hear::Sender::kTrainer;
-    hear.text = std::move(message);
+    out.push_back({.time = world.clock.time,
+                   .sender = soccer::Hear::Sender::kTrainer,
+                   .text = std::move(message)});
   }
 
   messages.clear();
@@ -64,14 +61,11 @@ void hear_own_says(const World& world, Slot listener, std::vector<PendingMessage
                    std::vector<soccer::Hear>& out) {
   for (PendingMessages::Say& say : says) {
     if (say.speaker != listener) continue;
-    soccer::Hear& own = out.emplace_back();
-    own.time = world.clock.time;
-    own.sender = soccer::Hear::Sender::kSelf;
-    own.text = std::move(say.text);
+    out.push_back({.time = world.clock.time,
+                   .sender = soccer::Hear::Sender::kSelf,
+                   .text = std::move(say.text)});
   }
-
-  const auto is_own = [&](const PendingMessages::Say& say) { return say.speaker == listener; };
-  says.erase(std::remove_if(says.begin(), says.end(), is_own), says.end());
+  std::erase_if(says, [=](const PendingMessages::Say& say) { return say.speaker == listener; });
 }
 
 }  // namespace
@@ -88,10 +82,7 @@ void queue_say(const World& world, const PlayerSaid& said, Slot listener,
     if (!player.ears.complete[side] && !player.ears.partial[side]) return;
   }
 
-  const auto of_speaker = [&](const PendingMessages::Say& say) {
-    return say.speaker == said.speaker;
-  };
-  if (std::count_if(pending.says.begin(), pending.says.end(), of_speaker) <
+  if (std::ranges::count(pending.says, said.speaker, &PendingMessages::Say::speaker) <
       PendingMessages::kMaxMessagesPerSpeaker) {
     pending.says.push_back({said.speaker, said.text});
   }

@@ -1,6 +1,7 @@
 // Intersects the line of sight with the border lines.
 #include "simulator/senses/sight_lines.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -54,7 +55,7 @@ SightLines lines_in_sight(const Player& player) {
   SightLines lines;
   for (const Border& border : borders_from(p)) {
     if (lines.size() == max_lines) break;
-    if (const auto line = intersect(player, border)) lines.add(*line);
+    if (const auto line = intersect(player, border)) lines.push_back(*line);
   }
   return lines;
 }

@@ -1,9 +1,7 @@
 // Border lines of the pitch in the line of sight of a player.
 #pragma once
 
-#include <array>
-#include <cstddef>
-
+#include "base/fixed_list.h"
 #include "simulator/world/player.h"
 #include "soccer/pitch.h"
 
@@ -16,18 +14,7 @@ struct SightLine {
   double direction = 0.0;  ///< radians: angle between sight and line, as in see messages
 };
 
-/// At most two.
-class SightLines {
- public:
-  void add(const SightLine& line) { lines_[count_++] = line; }
-  std::size_t size() const { return count_; }
-  const SightLine* begin() const { return lines_.data(); }
-  const SightLine* end() const { return lines_.data() + count_; }
-
- private:
-  std::array<SightLine, 2> lines_;
-  std::size_t count_ = 0;
-};
+using SightLines = base::FixedList<SightLine, 2>;
 
 /// In message order. At most one from inside the pitch, two from outside; independent of the view
 /// cone (docs/spec/simulation-model.md 7.8).

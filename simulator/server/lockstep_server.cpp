@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/index.h"
 #include "soccer/memory_channel.h"
 
 namespace cls::simulator {
@@ -36,8 +37,7 @@ void LockstepServer::accept_clients() {
       channel->send(reply);
     }
   }
-  const auto is_admitted = [](const PendingConnection& each) { return each.channel == nullptr; };
-  pending_.erase(std::remove_if(pending_.begin(), pending_.end(), is_admitted), pending_.end());
+  std::erase_if(pending_, [](const PendingConnection& each) { return each.channel == nullptr; });
 }
 
 base::Result<int> LockstepServer::open_monitor_port(const std::string& address, int port) {
@@ -52,7 +52,7 @@ base::Result<int> LockstepServer::open_player_port(const std::string& address, i
 }
 
 base::Result<int> LockstepServer::open(ListeningPort role, const std::string& address, int port) {
-  if (network_ == nullptr) network_ = std::make_unique<UdpNetwork>(*match_);
+  if (network_ == nullptr) network_ = make_udp_network(*match_);
   TRY(network_->open(role, address, port));
   return network_->port(role);
 }
@@ -83,7 +83,7 @@ void LockstepServer::run_cycle(const Change& after_step) {
   if (network_ != nullptr) network_->poll(std::chrono::steady_clock::now() + kMonitorPollLimit);
   accept_clients();
   for (ClientId client = 0; client < kFirstMonitor; ++client) {
-    if (awaits(client)) ++missed_[static_cast<std::size_t>(client)];
+    if (awaits(client)) ++missed_[base::index(client)];
   }
   match_->execute();
   match_->step();

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/index.h"
 #include "base/result.h"
 #include "simulator/server/udp_network.h"
 #include "simulator/sessions/match_server.h"
@@ -86,9 +87,7 @@ class LockstepServer {
   bool awaits(ClientId client);
 
   /// Cycles in which the client received (think) but did not send (done) in time.
-  std::int64_t missed_cycles(ClientId client) const {
-    return missed_[static_cast<std::size_t>(client)];
-  }
+  std::int64_t missed_cycles(ClientId client) const { return missed_[base::index(client)]; }
 
   /// True after time_over or at the cycle limit.
   bool finished() const { return match_->finished(); }

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/index.h"
 #include "base/system/udp_socket.h"
 #include "simulator/server/message_compression.h"
 
@@ -49,7 +50,7 @@ class UdpChannel : public soccer::Channel {
   UdpChannel& operator=(const UdpChannel&) = delete;
 
   ~UdpChannel() override {
-    unflushed_.erase(std::remove(unflushed_.begin(), unflushed_.end(), this), unflushed_.end());
+    std::erase(unflushed_, this);
     flush();
   }
 
@@ -101,18 +102,18 @@ class UdpChannel : public soccer::Channel {
   std::string buffer_;
 };
 
-}  // namespace
-
-class UdpNetwork::Sockets {
+/// Listening sockets, a socket per client, and one epoll instance.
+class SocketNetwork : public UdpNetwork {
  public:
-  explicit Sockets(MatchServer& match) : match_(match), epoll_(::epoll_create1(EPOLL_CLOEXEC)) {}
+  explicit SocketNetwork(MatchServer& match)
+      : match_(match), epoll_(::epoll_create1(EPOLL_CLOEXEC)) {}
 
-  void bind_clients(RightsOf rights_of, OnIntrusion on_intrusion) {
+  void bind_clients(RightsOf rights_of, OnIntrusion on_intrusion) override {
     rights_of_ = std::move(rights_of);
     on_intrusion_ = std::move(on_intrusion);
   }
 
-  base::Result<void> open(ListeningPort role, const std::string& address, int port) {
+  base::Result<void> open(ListeningPort role, const std::string& address, int port) override {
     const auto error = [&](const std::string& cause) {
       return base::Error{"cannot listen on " + address + " port " + std::to_string(port) + ": " +
                          cause};
@@ -129,19 +130,19 @@ class UdpNetwork::Sockets {
     return {};
   }
 
-  int port(ListeningPort role) const {
+  int port(ListeningPort role) const override {
     for (const ListeningSocket& listening : listening_) {
       if (listening.role == role) return listening.socket.local_port();
     }
     return 0;
   }
 
-  void poll(Time deadline) {
+  void poll(Time deadline) override {
     while (handle_ready(0) && std::chrono::steady_clock::now() < deadline) {
     }
   }
 
-  void receive_until(Time deadline, const std::function<bool()>& enough) {
+  void receive_until(Time deadline, const std::function<bool()>& enough) override {
     bool waits = !enough();
     do {
       if (waits) flush();
@@ -150,7 +151,7 @@ class UdpNetwork::Sockets {
     } while (waits && std::chrono::steady_clock::now() < deadline);
   }
 
-  void flush() {
+  void flush() override {
     for (UdpChannel* channel : unflushed_) channel->flush();
     unflushed_.clear();
   }
@@ -218,7 +219,7 @@ class UdpNetwork::Sockets {
     std::array<epoll_event, 128> ready;  // exceeds the number of sockets
     const int count = ::epoll_wait(epoll_.get(), ready.data(), ready.size(), timeout_ms);
     for (int i = 0; i < count; ++i) {
-      const std::uint64_t mark = ready[static_cast<std::size_t>(i)].data.u64;
+      const std::uint64_t mark = ready[base::index(i)].data.u64;
       if ((mark & kListeningMark) != 0) {
         receive_requests(listening_[mark & ~kListeningMark]);
       } else {
@@ -318,7 +319,7 @@ class UdpNetwork::Sockets {
   }
 
   Client& client_at(ClientId id) {
-    const auto index = static_cast<std::size_t>(id);
+    const auto index = base::index(id);
     if (index >= clients_.size()) clients_.resize(index + 1);
     return clients_[index];
   }
@@ -333,25 +334,10 @@ class UdpNetwork::Sockets {
   IncomingDatagrams incoming_;
 };
 
-UdpNetwork::UdpNetwork(MatchServer& match) : sockets_(std::make_unique<Sockets>(match)) {}
-UdpNetwork::~UdpNetwork() = default;
+}  // namespace
 
-void UdpNetwork::bind_clients(RightsOf rights_of, OnIntrusion on_intrusion) {
-  sockets_->bind_clients(std::move(rights_of), std::move(on_intrusion));
+std::unique_ptr<UdpNetwork> make_udp_network(MatchServer& match) {
+  return std::make_unique<SocketNetwork>(match);
 }
-
-base::Result<void> UdpNetwork::open(ListeningPort role, const std::string& address, int port) {
-  return sockets_->open(role, address, port);
-}
-
-int UdpNetwork::port(ListeningPort role) const { return sockets_->port(role); }
-
-void UdpNetwork::poll(Time deadline) { sockets_->poll(deadline); }
-
-void UdpNetwork::receive_until(Time deadline, const std::function<bool()>& enough) {
-  sockets_->receive_until(deadline, enough);
-}
-
-void UdpNetwork::flush() { sockets_->flush(); }
 
 }  // namespace cls::simulator

@@ -21,39 +21,35 @@ class UdpNetwork {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  /// The match must outlive the network, and must close its connections before the network is
-  /// destroyed (MatchServer::disconnect_all).
-  explicit UdpNetwork(MatchServer& match);
-  ~UdpNetwork();
+  virtual ~UdpNetwork() = default;
 
-  /// Whose process sends from an address of this host, in terms of rights.
+  /// The rights of the process that sends from an address of this host.
   using RightsOf = std::function<ClientRights(const base::SocketAddress&)>;
   /// Called with each request beyond the rights of its sender.
   using OnIntrusion = std::function<void(const base::SocketAddress&, std::string_view request)>;
   /// From now on admits clients by the rights of their processes. `rights_of` is called for each
   /// connection request.
-  void bind_clients(RightsOf rights_of, OnIntrusion on_intrusion);
+  virtual void bind_clients(RightsOf rights_of, OnIntrusion on_intrusion) = 0;
 
   /// Listens for requests. `address` is numeric; port 0 selects a free port. The error names both.
-  base::Result<void> open(ListeningPort role, const std::string& address, int port);
+  virtual base::Result<void> open(ListeningPort role, const std::string& address, int port) = 0;
 
   /// Number of an open port.
-  int port(ListeningPort role) const;
+  virtual int port(ListeningPort role) const = 0;
 
   /// Receives pending datagrams, until `deadline`: a flood must not delay the match.
-  void poll(Time deadline);
+  virtual void poll(Time deadline) = 0;
 
   /// Receives datagrams until `deadline` or until `enough()`. Receives pending datagrams even if
   /// `enough()` is true immediately.
-  void receive_until(Time deadline, const std::function<bool()>& enough);
+  virtual void receive_until(Time deadline, const std::function<bool()>& enough) = 0;
 
   /// Sends the messages queued since the last flush.
-  void flush();
-
- private:
-  class Sockets;
-
-  std::unique_ptr<Sockets> sockets_;
+  virtual void flush() = 0;
 };
+
+/// The match must outlive the network, and must close its connections before the network is
+/// destroyed (MatchServer::disconnect_all).
+std::unique_ptr<UdpNetwork> make_udp_network(MatchServer& match);
 
 }  // namespace cls::simulator

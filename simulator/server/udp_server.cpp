@@ -34,9 +34,7 @@ base::Result<std::unique_ptr<UdpServer>> UdpServer::open(UdpConfig config) {
 }
 
 UdpServer::UdpServer(UdpConfig config, std::unique_ptr<MatchServer> match)
-    : config_(std::move(config)),
-      match_(std::move(match)),
-      network_(std::make_unique<UdpNetwork>(*match_)) {
+    : config_(std::move(config)), match_(std::move(match)), network_(make_udp_network(*match_)) {
   if (world().params().synch_mode) match_->answer_on_receipt();
 }
 

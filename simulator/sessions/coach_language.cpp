@@ -1,50 +1,34 @@
 // Quotas and delays of coach language messages.
 #include "simulator/sessions/coach_language.h"
 
+#include "base/index.h"
+
 namespace cls::simulator {
 namespace {
 
 using soccer::ClangKind;
 using soccer::ErrorCode;
 
-ErrorCode quota_error(ClangKind kind) {
-  switch (kind) {
-    case ClangKind::kFreeform:
-      return ErrorCode::kSaidTooManyFreeform;
-    case ClangKind::kInfo:
-      return ErrorCode::kSaidTooManyInfo;
-    case ClangKind::kAdvice:
-      return ErrorCode::kSaidTooManyAdvice;
-    case ClangKind::kDefine:
-      return ErrorCode::kSaidTooManyDefine;
-    case ClangKind::kMeta:
-      return ErrorCode::kSaidTooManyMeta;
-    case ClangKind::kRule:
-      return ErrorCode::kSaidTooManyRule;
-    case ClangKind::kDelete:
-      break;
-  }
-  return ErrorCode::kSaidTooManyDelete;
-}
+/// Rules of a kind of message.
+struct KindRules {
+  ErrorCode quota_error;
+  int soccer::ServerParams::*quota;  ///< of a window of play_on; freeform has another limit
+  bool in_version_7;
+  bool in_version_8;
+};
 
-int window_quota(const soccer::ServerParams& params, ClangKind kind) {
-  switch (kind) {
-    case ClangKind::kInfo:
-      return params.clang_info_win;
-    case ClangKind::kAdvice:
-      return params.clang_advice_win;
-    case ClangKind::kDefine:
-      return params.clang_define_win;
-    case ClangKind::kMeta:
-      return params.clang_meta_win;
-    case ClangKind::kRule:
-      return params.clang_rule_win;
-    case ClangKind::kDelete:
-      return params.clang_del_win;
-    case ClangKind::kFreeform:
-      break;
-  }
-  return 0;
+const KindRules& rules_of(ClangKind kind) {
+  using soccer::ServerParams;
+  static constexpr std::array<KindRules, 7> kRules = {{
+      {ErrorCode::kSaidTooManyFreeform, nullptr, true, true},
+      {ErrorCode::kSaidTooManyInfo, &ServerParams::clang_info_win, true, false},
+      {ErrorCode::kSaidTooManyAdvice, &ServerParams::clang_advice_win, true, false},
+      {ErrorCode::kSaidTooManyDefine, &ServerParams::clang_define_win, true, true},
+      {ErrorCode::kSaidTooManyMeta, &ServerParams::clang_meta_win, true, false},
+      {ErrorCode::kSaidTooManyRule, &ServerParams::clang_rule_win, false, true},
+      {ErrorCode::kSaidTooManyDelete, &ServerParams::clang_del_win, false, true},
+  }};
+  return kRules[base::index(kind)];
 }
 
 // In play_on, freeform messages are allowed for freeform_send_period cycles per period.
@@ -64,15 +48,16 @@ bool is_freeform_time(const World& world) {
 
 std::optional<ErrorCode> CoachLanguage::say(const World& world, const soccer::CoachSay& message) {
   if (message.kind == ClangKind::kFreeform) {
-    const auto max_length = static_cast<std::size_t>(world.params().say_coach_msg_size);
+    const auto max_length = base::index(world.params().say_coach_msg_size);
     if (message.freeform().size() > max_length) return ErrorCode::kCouldNotParseSay;
     if (!is_freeform_time(world)) return ErrorCode::kCannotSayFreeformWhilePlayOn;
-    if (freeform_allowed_ >= 0 && freeform_said_ >= freeform_allowed_)
-      return quota_error(message.kind);
+    if (freeform_allowed_ >= 0 && freeform_said_ >= freeform_allowed_) {
+      return rules_of(message.kind).quota_error;
+    }
     ++freeform_said_;
   } else if (world.mode == PlayMode::kPlayOn) {
-    int& left = left_[static_cast<std::size_t>(message.kind)];
-    if (left <= 0) return quota_error(message.kind);
+    int& left = left_[base::index(message.kind)];
+    if (left <= 0) return rules_of(message.kind).quota_error;
     --left;
   }
 
@@ -96,7 +81,8 @@ void CoachLanguage::begin_step(const World& world, std::vector<Message>& out) {
   if (window_start_ && now - *window_start_ < params.clang_win_size) return;
   window_start_ = now;
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
-    left_[kind] = window_quota(params, static_cast<ClangKind>(kind));
+    const KindRules& rules = rules_of(static_cast<ClangKind>(kind));
+    left_[kind] = rules.quota == nullptr ? 0 : params.*rules.quota;
   }
 }
 
@@ -109,16 +95,8 @@ bool understands(const soccer::Clang& versions, ClangKind kind) {
     return versions.min_version <= version && version <= versions.max_version;
   };
 
-  switch (kind) {
-    case ClangKind::kFreeform:
-    case ClangKind::kDefine:
-      return within(7) || within(8);
-    case ClangKind::kRule:
-    case ClangKind::kDelete:
-      return within(8);
-    default:
-      return within(7);
-  }
+  const KindRules& rules = rules_of(kind);
+  return (rules.in_version_7 && within(7)) || (rules.in_version_8 && within(8));
 }
 
 }  // namespace cls::simulator

@@ -1,10 +1,13 @@
-// Admits coaches and sends them messages and views.
+// Admits coaches, executes their commands, and sends them messages and views.
 #include "simulator/sessions/coach_registry.h"
 
 #include <utility>
+#include <variant>
 
+#include "base/index.h"
+#include "simulator/actions/trainer.h"
+#include "simulator/referee/substitution.h"
 #include "simulator/senses/exact_view.h"
-#include "simulator/sessions/handshake.h"
 #include "simulator/world/roster.h"
 #include "soccer/commands/connection_request.h"
 #include "soccer/messages/hear.h"
@@ -13,15 +16,22 @@ namespace cls::simulator {
 namespace {
 
 using soccer::ErrorCode;
+using soccer::reply_of;
+using soccer::ServerReply;
+using soccer::WarningCode;
 
 bool allows_trainer(const World& world) {
   return world.params().coach || world.params().coach_w_referee;
 }
 
+constexpr int kTileColumns = 32;
+constexpr int kTileRows = 8;
+constexpr std::string_view kTileSize = "8 8 ";  // start of the XPM header
+
 }  // namespace
 
 const CoachSession* CoachRegistry::session(ClientId client) const {
-  return sessions_[static_cast<std::size_t>(client - kLeftCoach)].get();
+  return sessions_[base::index(client - kLeftCoach)].get();
 }
 
 AdmissionResult CoachRegistry::admit(const World& world, ListeningPort port,
@@ -64,10 +74,7 @@ CoachSession& CoachRegistry::connect(const World& world, const Admission& admiss
                                      std::unique_ptr<soccer::Channel> channel) {
   slot(admission.client) = std::make_unique<CoachSession>();
   CoachSession& coach = *slot(admission.client);
-  coach.client = admission.client;
-  coach.version = admission.version;
-  coach.own_name = admission.own_name;
-  coach.channel = std::move(channel);
+  coach.open(admission, std::move(channel));
 
   coach.reply(soccer::CoachInitReply{coach.side()});
   send_parameters(world, coach);
@@ -125,23 +132,17 @@ void CoachRegistry::send_say(const World& world, const PlayerSaid& said) {
   for (auto& coach : sessions_) {
     if (coach == nullptr || !coach->hears()) continue;
 
-    soccer::Hear hear;
-    hear.time = world.clock.time;
-    hear.sender = soccer::Hear::Sender::kPlayer;
-    hear.team = visible_team_name(world, coach->side(), speaker.side, coach->own_name);
-    hear.unum = speaker.unum;
-    hear.goalie = speaker.goalie;
-    hear.text = said.text;
-
-    send(*coach, hear);
+    send(*coach, {.time = world.clock.time,
+                  .sender = soccer::Hear::Sender::kPlayer,
+                  .goalie = speaker.goalie,
+                  .unum = speaker.unum,
+                  .team = visible_team_name(world, coach->side(), speaker.side, coach->own_name),
+                  .text = said.text});
   }
 }
 
 void CoachRegistry::send_coach_message(const World& world, const CoachMessage& message) {
-  soccer::Hear hear;
-  hear.time = world.clock.time;
-  hear.text = message.say.text;
-
+  soccer::Hear hear = {.time = world.clock.time, .text = message.say.text};
   if (message.side != Side::kNeutral) {
     hear.sender = message.side == Side::kLeft ? soccer::Hear::Sender::kOnlineCoachLeft
                                               : soccer::Hear::Sender::kOnlineCoachRight;
@@ -205,6 +206,90 @@ void CoachRegistry::send_think() {
     coach->send(text_);
     coach->think_sent = true;
   }
+}
+
+/// One overload per command that concerns more than the world.
+struct CoachRegistry::Executor {
+  CoachRegistry& registry;
+  World& world;
+  CoachSession& coach;
+  Events& events;
+  CoachCommandResult& result;
+
+  void operator()(const soccer::Look&) { registry.send_view(world, coach, true); }
+  void operator()(const soccer::Eye& command) {
+    coach.eye = command.on;
+    result.reply = soccer::OkEye{command.on};
+  }
+  void operator()(const soccer::TrainerEar& command) {
+    coach.ear = command.on;
+    result.reply = soccer::OkEar{command.on};
+  }
+  void operator()(const soccer::RequestTeamNames&) {
+    result.reply =
+        soccer::OkTeamNames{visible_team_name(world, coach.side(), Side::kLeft, coach.own_name),
+                            visible_team_name(world, coach.side(), Side::kRight, coach.own_name)};
+  }
+  void operator()(const soccer::ChangePlayerType& command) {
+    result.reply = command.type
+                       ? change_type(world, coach.side(), command.unum, *command.type, events)
+                       : change_goalie(world, coach.side(), command.unum, events);
+  }
+  void operator()(const soccer::CoachSay& message) {
+    const auto refusal = registry.language_[index(coach.side())].say(world, message);
+    result.reply = refusal ? reply_of(*refusal) : soccer::OkSay{};
+  }
+  void operator()(const soccer::TrainerSay& message) {
+    const auto max_length = base::index(world.params().say_coach_msg_size);
+    result.message.emplace().say.text = message.text.substr(0, max_length);
+    result.reply = soccer::OkSay{};
+  }
+  void operator()(const soccer::TeamGraphic& graphic) {
+    result.reply = registry.reject_tile(world, coach, graphic, std::nullopt);
+    if (result.reply) return;
+    result.tile = TeamGraphicTile{coach.side(), graphic};
+    result.reply = soccer::OkTeamGraphic{graphic.x, graphic.y};
+  }
+  void operator()(const soccer::Done&) {}
+  void operator()(const soccer::Bye&) { coach.lost = true; }
+  void operator()(const soccer::Compression& command) {
+    if (command.level > Connection::kMaxCompressionLevel) {
+      result.reply = reply_of(ErrorCode::kIllegalCommandForm);
+    } else {
+      coach.compress(command.level);
+    }
+  }
+  template <typename Other>
+  void operator()(const Other& command) {
+    result.reply = apply(world, command, events);
+  }
+};
+
+CoachCommandResult CoachRegistry::execute(World& world, CoachSession& coach,
+                                          const CoachInbox::Datagram& datagram, Events& events) {
+  CoachCommandResult result;
+  if (!datagram.error) {
+    std::visit(Executor{*this, world, coach, events, result}, datagram.command);
+  } else if (const auto* tile = std::get_if<soccer::TeamGraphic>(&datagram.command)) {
+    result.reply = reject_tile(world, coach, *tile, datagram.error);
+  } else {
+    result.reply = reply_of(*datagram.error);
+  }
+  return result;
+}
+
+// A tile outside the graphic causes a warning but is accepted.
+std::optional<ServerReply> CoachRegistry::reject_tile(const World& world, CoachSession& coach,
+                                                      const soccer::TeamGraphic& tile,
+                                                      std::optional<ErrorCode> form_error) {
+  if (world.mode != PlayMode::kBeforeKickOff) return reply_of(WarningCode::kOnlyBeforeKickOff);
+  if (form_error == ErrorCode::kIllegalCommandForm) return reply_of(*form_error);
+  if (tile.x < 0 || tile.x >= kTileColumns || tile.y < 0 || tile.y >= kTileRows) {
+    coach.reply(WarningCode::kInvalidTileLocation);
+  }
+  if (form_error) return reply_of(*form_error);
+  if (!tile.xpm.front().starts_with(kTileSize)) return reply_of(WarningCode::kInvalidTileSize);
+  return std::nullopt;
 }
 
 }  // namespace cls::simulator

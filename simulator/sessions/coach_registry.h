@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/index.h"
 #include "simulator/sessions/coach_language.h"
 #include "simulator/sessions/session.h"
 #include "simulator/sessions/team_graphic.h"
@@ -81,7 +82,7 @@ class CoachRegistry {
  private:
   static std::size_t index(Side side) { return side == Side::kRight ? 1 : 0; }
   std::unique_ptr<CoachSession>& slot(ClientId client) {
-    return sessions_[static_cast<std::size_t>(client - kLeftCoach)];
+    return sessions_[base::index(client - kLeftCoach)];
   }
 
   AdmissionResult admit_coach(const World& world, std::string_view datagram,

@@ -1,4 +1,4 @@
-// Connections of clients: identity, channel, quota and think/done state.
+// Connections of clients: identity, channel, quota and think/done state, first messages.
 #pragma once
 
 #include <cstddef>
@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include "simulator/world/world.h"
@@ -44,11 +45,11 @@ struct Admission {
   int version = 0;
   bool reconnected = false;
   bool binary = false;  ///< its messages have no closing NUL on a network
-  /// What it calls its team, where that is not the team's name; see ClientRights::team_name.
+  /// Its name for its team, where that is not the team's name; see ClientRights::team_name.
   soccer::TeamName own_name = {};
 };
 
-/// What the sender of a request may become, where the server knows whose process it is. With the
+/// The rights of the sender of a request, where the server knows whose process it is. With the
 /// right to play for one side only, it belongs to that side whatever name it sends.
 struct ClientRights {
   bool left = true;   ///< a player or the online coach of the left side
@@ -124,6 +125,14 @@ struct Connection {
     text_.reserve(kReplyCapacity);
   }
 
+  /// Connects an admitted client.
+  void open(const Admission& admission, std::unique_ptr<soccer::Channel> to_client) {
+    client = admission.client;
+    version = admission.version;
+    own_name = admission.own_name;
+    channel = std::move(to_client);
+  }
+
   ClientId client = kNoClient;
   int version = 0;
   soccer::TeamName own_name;  ///< see Admission::own_name
@@ -175,5 +184,23 @@ struct Connection {
 
   std::string text_;  ///< reused
 };
+
+// Messages that follow the reply to an init of any client (docs/spec/server-protocol.md 2.1).
+
+/// First client version that receives changes of the goalie.
+constexpr int kFirstGoalieChangeVersion = 16;
+
+/// True if the server supports clients of this version.
+bool is_supported_version(double version);
+
+/// Sends server_param, player_param and the player types in the form of the client's version.
+void send_parameters(const World& world, Connection& client);
+
+/// Sends the players with a type other than the default; without the type for opponents of `side`.
+void send_changed_types(const World& world, Side side, Connection& client);
+
+/// Sends the text of server::coach_msg_file to an online coach, unless it cannot be read or is too
+/// long for a message.
+void send_coach_file(const World& world, Connection& coach);
 
 }  // namespace cls::simulator

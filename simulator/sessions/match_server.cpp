@@ -9,7 +9,6 @@
 #include <variant>
 
 #include "simulator/actions/actions.h"
-#include "simulator/sessions/handshake.h"
 #include "simulator/step.h"
 #include "simulator/world/roster.h"
 #include "soccer/commands/connection_request.h"
@@ -178,6 +177,14 @@ void MatchServer::modify_world(const std::function<void(World&, Events&)>& chang
   dispatch_events();
 }
 
+template <typename Session>
+void MatchServer::answer_on_receipt(Session& session) {
+  auto* datagram = session.inbox.answerable();
+  if (datagram == nullptr) return;
+  answer(session, *datagram);
+  datagram->answered = true;
+}
+
 void MatchServer::receive(ClientId id, std::string_view datagram, bool null_terminated) {
   Connection* client = connection(id);
   if (client == nullptr) return;
@@ -260,13 +267,6 @@ void MatchServer::answer(PlayerSession& session, const PlayerInbox::Datagram& da
   if (!datagram.complete) session.reply(ErrorCode::kIllegalCommandForm);
 }
 
-void MatchServer::answer_on_receipt(PlayerSession& session) {
-  PlayerInbox::Datagram* datagram = session.inbox.answerable();
-  if (datagram == nullptr) return;
-  answer(session, *datagram);
-  datagram->answered = true;
-}
-
 void MatchServer::execute(PlayerSession& session, const soccer::PlayerCommand& command) {
   if (std::holds_alternative<soccer::Bye>(command)) {
     leave(world_, session.slot());
@@ -313,13 +313,6 @@ void MatchServer::answer(CoachSession& coach, const CoachInbox::Datagram& datagr
     monitors_.add_tile(*result.tile);
   }
   if (result.reply) coach.reply(*result.reply);
-}
-
-void MatchServer::answer_on_receipt(CoachSession& coach) {
-  CoachInbox::Datagram* datagram = coach.inbox.answerable();
-  if (datagram == nullptr) return;
-  answer(coach, *datagram);
-  datagram->answered = true;
 }
 
 void MatchServer::declare_clang_versions(PlayerSession& session, const soccer::Clang& versions) {

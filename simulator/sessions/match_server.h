@@ -172,8 +172,8 @@ class MatchServer {
   void execute(PlayerSession& session, const soccer::PlayerCommand& command);
   void execute(CoachSession& coach);
   void answer(CoachSession& coach, const CoachInbox::Datagram& datagram);
-  void answer_on_receipt(PlayerSession& session);
-  void answer_on_receipt(CoachSession& coach);
+  template <typename Session>
+  void answer_on_receipt(Session& session);
   void declare_clang_versions(PlayerSession& session, const soccer::Clang& versions);
   void remove_lost();
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "base/index.h"
 #include "simulator/senses/body_sense.h"
 #include "simulator/senses/exact_view.h"
-#include "simulator/sessions/handshake.h"
 #include "simulator/world/roster.h"
 #include "soccer/messages/sense_body.h"
 
@@ -100,15 +100,18 @@ AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerReconnec
   if (named != Side::kNeutral && !rights.may_play_for(named)) {
     return Intrusion{ErrorCode::kNoSuchTeamOrPlayer};
   }
+
   if (world.mode == PlayMode::kPlayOn) return ErrorCode::kCannotReconnectWhilePlayOn;
   const std::optional<Slot> slot = find_player(world, named, request.unum);
   if (!slot) return ErrorCode::kNoSuchTeamOrPlayer;
   Player& player = world.player(*slot);
   if (player.has(state::kRedCard)) return ErrorCode::kRedCardedPlayer;
+
   rejoin(world, *slot);
   player.ears.complete = {true, true};
   player.ears.partial = {false, false};
   player.attention = kNoPlayer;
+
   Admission admission{*slot, player.client_version, true};
   if (!has_name(world, named, named, request.team)) {
     admission.own_name = soccer::TeamName(request.team);
@@ -118,12 +121,9 @@ AdmissionResult PlayerRegistry::admit(World& world, const soccer::PlayerReconnec
 
 PlayerSession& PlayerRegistry::connect(const World& world, const Admission& admission,
                                        std::unique_ptr<soccer::Channel> channel) {
-  auto& session = sessions_[static_cast<std::size_t>(admission.client)];
+  auto& session = sessions_[base::index(admission.client)];
   session = std::make_unique<PlayerSession>();
-  session->client = admission.client;
-  session->version = admission.version;
-  session->own_name = admission.own_name;
-  session->channel = std::move(channel);
+  session->open(admission, std::move(channel));
 
   const Player& player = world.player(admission.client);
   if (admission.reconnected) {
@@ -139,8 +139,8 @@ PlayerSession& PlayerRegistry::connect(const World& world, const Admission& admi
 }
 
 int PlayerRegistry::connected() const {
-  return static_cast<int>(std::count_if(sessions_.begin(), sessions_.end(),
-                                        [](const auto& session) { return session != nullptr; }));
+  return static_cast<int>(
+      std::ranges::count_if(sessions_, [](const auto& session) { return session != nullptr; }));
 }
 
 void PlayerRegistry::disconnect_all() {
@@ -195,15 +195,13 @@ void PlayerRegistry::send_coach_message(const World& world, const CoachMessage& 
     }
     if (message.side != soccer::side_of_slot(session->slot())) continue;
 
-    soccer::Hear hear;
-    hear.time = world.clock.time;
-    hear.sender = message.side == Side::kLeft ? soccer::Hear::Sender::kOnlineCoachLeft
-                                              : soccer::Hear::Sender::kOnlineCoachRight;
-    hear.text = understands(clang_versions(session->slot()), message.say.kind) ? message.say.text
-                                                                               : kUnsupportedClang;
-
+    const bool understood = understands(clang_versions(session->slot()), message.say.kind);
     text_.clear();
-    soccer::format(hear, soccer::Recipient::kPlayer, text_);
+    soccer::format({.time = world.clock.time,
+                    .sender = message.side == Side::kLeft ? soccer::Hear::Sender::kOnlineCoachLeft
+                                                          : soccer::Hear::Sender::kOnlineCoachRight,
+                    .text = understood ? message.say.text : kUnsupportedClang},
+                   soccer::Recipient::kPlayer, text_);
     session->send(text_);
   }
 }

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "base/index.h"
 #include "simulator/senses/vision.h"
 #include "simulator/sessions/coach_registry.h"
 #include "simulator/sessions/session.h"
@@ -34,10 +34,8 @@ class PlayerRegistry {
                          std::unique_ptr<soccer::Channel> channel);
 
   /// Null if the player is not connected.
-  PlayerSession* session(Slot slot) { return sessions_[static_cast<std::size_t>(slot)].get(); }
-  const PlayerSession* session(Slot slot) const {
-    return sessions_[static_cast<std::size_t>(slot)].get();
-  }
+  PlayerSession* session(Slot slot) { return sessions_[base::index(slot)].get(); }
+  const PlayerSession* session(Slot slot) const { return sessions_[base::index(slot)].get(); }
   int connected() const;
   void disconnect_all();
   /// Closes lost connections; their players leave the pitch.
@@ -47,9 +45,7 @@ class PlayerRegistry {
   void end_step();
 
   /// Versions of the coach language that the player has declared; zero if none.
-  soccer::Clang& clang_versions(Slot slot) {
-    return clang_versions_[static_cast<std::size_t>(slot)];
-  }
+  soccer::Clang& clang_versions(Slot slot) { return clang_versions_[base::index(slot)]; }
 
   void send_referee_message(const World& world, const soccer::Hear& message);
   void queue_say(const World& world, const PlayerSaid& said);

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/text/number_text.h"
 #include "simulator/world/world.h"
 
 namespace cls::simulator {
@@ -19,8 +20,16 @@ struct RefereeMessage {
   Side side = Side::kNeutral;   ///< appended as a letter unless neutral: penalty_foul_l
   std::optional<int> number{};  ///< appended last: goal_l_1, yellow_card_r_7
 
-  void append_to(std::string& out) const;
-  std::string text() const;
+  void append_to(std::string& out) const {
+    out += name;
+    if (side != Side::kNeutral) (out += '_') += letter(side);
+    if (number) base::append_int(*number, out += '_');
+  }
+  std::string text() const {
+    std::string result;
+    append_to(result);
+    return result;
+  }
 };
 
 /// Precedes the RefereeMessage with the name of the mode.

@@ -11,12 +11,12 @@
 
 namespace cls::simulator {
 
+using soccer::kNoPlayer;
 using soccer::Side;
 using soccer::Vec2;
 
 /// Index of a player in arrays of 22 (soccer::slot_of), or kNoPlayer.
 using Slot = int;
-constexpr Slot kNoPlayer = -1;
 
 /// Bits of a player's state as logs and monitors show them (docs/spec/simulation-model.md 12.1).
 namespace state {

@@ -7,10 +7,6 @@
 namespace cls::simulator {
 namespace {
 
-// Clients of this version and later are in synchronous view mode from the start
-// (docs/spec/simulation-model.md 7.1).
-constexpr int kFirstSynchronousVersion = 18;
-
 constexpr std::uint32_t kCards = state::kYellowCard | state::kRedCard;
 
 void move_to_bench(Player& player) {
@@ -42,12 +38,12 @@ soccer::TeamName known_name(const World& world, Side viewer, Side side) {
 }  // namespace
 
 std::optional<Slot> join(World& world, Side side, bool goalie, int client_version) {
-  const auto free =
-      std::find_if(world.players.begin(), world.players.end(),
-                   [side](const Player& player) { return player.side == side && !player.joined; });
-  const bool has_goalie = std::any_of(
-      world.players.begin(), world.players.end(),
-      [side](const Player& player) { return has_joined(player, side) && player.goalie; });
+  const auto free = std::ranges::find_if(world.players, [side](const Player& player) {
+    return player.side == side && !player.joined;
+  });
+  const bool has_goalie = std::ranges::any_of(world.players, [side](const Player& player) {
+    return has_joined(player, side) && player.goalie;
+  });
   if (free == world.players.end() || (goalie && has_goalie)) return std::nullopt;
 
   Player& player = *free;
@@ -91,9 +87,8 @@ void send_off(World& world, Slot slot, Events& events) {
 }
 
 int joined_count(const World& world, Side side) {
-  return static_cast<int>(
-      std::count_if(world.players.begin(), world.players.end(),
-                    [side](const Player& player) { return has_joined(player, side); }));
+  return static_cast<int>(std::ranges::count_if(
+      world.players, [side](const Player& player) { return has_joined(player, side); }));
 }
 
 void name_team(World& world, Side side, std::string_view name) {
@@ -141,7 +136,7 @@ std::optional<Slot> find_player(const World& world, Side side, int unum) {
 }
 
 bool has_enabled_goalie(const World& world, Side side) {
-  return std::any_of(world.players.begin(), world.players.end(), [side](const Player& player) {
+  return std::ranges::any_of(world.players, [side](const Player& player) {
     return player.enabled && player.goalie && player.side == side;
   });
 }

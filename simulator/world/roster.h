@@ -8,6 +8,10 @@
 
 namespace cls::simulator {
 
+/// Clients of this version and later are in synchronous view mode from the start
+/// (docs/spec/simulation-model.md 7.1).
+constexpr int kFirstSynchronousVersion = 18;
+
 /// Enables the next free player of a team at its bench position. Returns no slot if the team is
 /// full, or if `goalie` is set and the team already has a goalie
 /// (docs/spec/simulation-model.md 1.5).

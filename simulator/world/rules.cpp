@@ -23,6 +23,7 @@ Result<void> validate(const soccer::ServerParams& server, const soccer::PlayerPa
   if (server.ball_size <= 0) return Error{"server::ball_size must be positive"};
   if (server.player_size <= 0) return Error{"server::player_size must be positive"};
   if (server.maxpower <= 0) return Error{"server::maxpower must be positive"};
+
   for (const auto& [name, halfs] : {std::pair{"nr_normal_halfs", server.nr_normal_halfs},
                                     std::pair{"nr_extra_halfs", server.nr_extra_halfs}}) {
     if (std::abs(std::int64_t{halfs}) > soccer::kMaxHalfs) {
@@ -30,6 +31,7 @@ Result<void> validate(const soccer::ServerParams& server, const soccer::PlayerPa
                                soccer::kMaxHalfs)};
     }
   }
+
   if (player.player_types < 1 || player.player_types > kMaxPlayerTypes) {
     return Error{"player::player_types must be within 1.." + std::to_string(kMaxPlayerTypes)};
   }
@@ -40,7 +42,7 @@ Result<void> validate(const soccer::ServerParams& server, const soccer::PlayerPa
 
 Result<std::shared_ptr<const Rules>> make_rules(const soccer::ServerParams& server,
                                                 soccer::PlayerParams player, std::uint64_t seed) {
-  if (Result<void> valid = validate(server, player); !valid) return valid.error();
+  TRY(validate(server, player));
   // random_seed, which clients receive, is an int.
   if (player.random_seed < 0) player.random_seed = static_cast<int>(seed & 0x7FFFFFFFU);
   return make_rules(
@@ -51,8 +53,8 @@ Result<std::shared_ptr<const Rules>> make_rules(const soccer::ServerParams& serv
 Result<std::shared_ptr<const Rules>> make_rules(const soccer::ServerParams& server,
                                                 const soccer::PlayerParams& player,
                                                 std::vector<soccer::PlayerType> types) {
-  if (Result<void> valid = validate(server, player); !valid) return valid.error();
-  if (types.size() != static_cast<std::size_t>(player.player_types)) {
+  TRY(validate(server, player));
+  if (std::ssize(types) != player.player_types) {
     return Error{"there must be player::player_types player types"};
   }
   Rules rules{server, player, std::move(types)};

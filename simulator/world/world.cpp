@@ -8,6 +8,16 @@ namespace {
 
 namespace math = soccer::math;
 
+template <std::size_t... kSlots>
+PlayerStreams per_player(std::uint64_t seed, std::string_view purpose,
+                         std::index_sequence<kSlots...>) {
+  return {RandomStream(seed, purpose, kSlots)...};
+}
+
+PlayerStreams per_player(std::uint64_t seed, std::string_view purpose) {
+  return per_player(seed, purpose, std::make_index_sequence<soccer::kPlayersOnPitch>());
+}
+
 Player make_player(Slot slot, const Rules& rules) {
   Player player;
   player.side = soccer::side_of_slot(slot);
@@ -34,6 +44,20 @@ Wind make_wind(const soccer::ServerParams& server, std::uint64_t seed) {
 }
 
 }  // namespace
+
+// Changing the name of a stream changes every match.
+RandomStreams::RandomStreams(std::uint64_t seed)
+    : ball_motion(seed, "ball motion"),
+      player_motion(per_player(seed, "player motion")),
+      turn(per_player(seed, "turn")),
+      kick_noise(per_player(seed, "kick noise")),
+      tackle(per_player(seed, "tackle")),
+      tackle_noise(per_player(seed, "tackle noise")),
+      catch_ball(per_player(seed, "catch")),
+      foul(per_player(seed, "foul")),
+      collision(seed, "collision"),
+      placement(seed, "placement"),
+      shoot_out(seed, "shoot-out") {}
 
 Vec2 bench_position(const Player& player) {
   return {-3.0 * player.unum * sign(player.side), -37.0};

@@ -8,16 +8,37 @@
 
 #include "base/boxed.h"
 #include "simulator/world/player.h"
-#include "simulator/world/random_streams.h"
 #include "simulator/world/referee_state.h"
 #include "simulator/world/replay_overrides.h"
 #include "simulator/world/rules.h"
 #include "soccer/play_mode.h"
 #include "soccer/protocol/team_name.h"
+#include "soccer/random.h"
 
 namespace cls::simulator {
 
 using soccer::PlayMode;
+using soccer::RandomStream;
+using PlayerStreams = std::array<RandomStream, soccer::kPlayersOnPitch>;
+
+/// One random stream per purpose, so that a draw for one purpose never shifts another: the streams
+/// of the simulation itself. The server derives its own streams (order of commands, senses)
+/// from World::seed.
+struct RandomStreams {
+  explicit RandomStreams(std::uint64_t seed = 0);
+
+  RandomStream ball_motion;
+  PlayerStreams player_motion;
+  PlayerStreams turn;  ///< turns, and rotation by dashes
+  PlayerStreams kick_noise;
+  PlayerStreams tackle;  ///< success
+  PlayerStreams tackle_noise;
+  PlayerStreams catch_ball;
+  PlayerStreams foul;      ///< indexed by tackler
+  RandomStream collision;  ///< directions for objects at the same position
+  RandomStream placement;  ///< random positions chosen by the referee
+  RandomStream shoot_out;  ///< goal, first taker, coin toss
+};
 
 /// Identifies a simulation step: `stoppage` counts the steps with a stopped clock since `time`
 /// advanced.

@@ -31,8 +31,8 @@ struct Hear {
   bool goalie = false;   ///< kPlayer
   int direction = 0;     ///< kTeammate, kOpponent with text: degrees relative to the own body
   int unum = 0;          ///< kTeammate, kPlayer
-  TeamName team;         ///< kPlayer
-  std::string text;      ///< without quotes; empty when partial
+  TeamName team{};       ///< kPlayer
+  std::string text{};    ///< without quotes; empty when partial
 };
 
 /// Parses a hear message to any recipient (version 8 and later). Errors name the byte and leave

@@ -119,6 +119,12 @@ using ServerReply = std::variant<PlayerInitReply, ReconnectReply, CoachInitReply
                                  OkEye, OkEar, OkTeamNames, OkCheckBall, OkChangePlayerType, OkSay,
                                  OkTeamGraphic, OkStart, OkChangeMode, OkMove, OkRecover>;
 
+/// The reply of a code.
+inline ServerReply reply_of(ErrorCode code) { return ErrorReply{std::string(name(code)), code}; }
+inline ServerReply reply_of(WarningCode code) {
+  return WarningReply{std::string(name(code)), code};
+}
+
 /// Parses any of these messages; errors name the byte. `(ok look ...)` is a GlobalView.
 base::Result<void> parse(std::string_view message, ServerReply& out);
 

@@ -23,6 +23,7 @@ TEST(BareServer, AllocatesNothingAfterStart) {
   config.cycle_limit = 3000;
   BareServer match(config);
   std::int64_t allocations = 0;
+
   for (int cycle = 0; match.world().mode != soccer::PlayMode::kTimeOver; ++cycle) {
     const std::int64_t before = allocation_count();
     match.serve();
@@ -35,6 +36,7 @@ TEST(BareServer, AllocatesNothingAfterStart) {
     match.act();
   }
   const auto& teams = match.world().teams;
+
   EXPECT_GT(teams[0].score + teams[1].score, 0);  // the match had events
   EXPECT_GT(allocations, 0);                      // allocations are counted
 }

@@ -51,6 +51,7 @@ soccer::PlayerCommand decide(const World& world, const Player& player) {
   if (player.goalie && to_ball < 1.2 && world.mode == PlayMode::kPlayOn) {
     return soccer::Catch{bearing(player, world.ball.position)};
   }
+
   if (is_kickable(world, player)) return soccer::Kick{70.0, bearing(player, goal)};
   const Vec2 ball_soon = world.ball.position + world.ball.velocity;
   if (player.goalie) {
@@ -63,6 +64,7 @@ soccer::PlayerCommand decide(const World& world, const Player& player) {
     }
     return go_to(player, ball_soon);
   }
+
   // Player 11 waits in front of the opponent goal.
   const double with_ball = player.unum == 11 ? 0.0 : 0.6;
   return go_to(player, home_of(player) + world.ball.position * with_ball);
@@ -110,6 +112,7 @@ std::uint64_t fingerprint(const World& world) {
   add(hash, static_cast<std::uint64_t>(world.mode));
   add(hash, world.ball.position);
   add(hash, world.ball.velocity);
+
   for (const Player& player : world.players) {
     add(hash, player.position);
     add(hash, player.velocity);
@@ -118,6 +121,7 @@ std::uint64_t fingerprint(const World& world) {
     add(hash, static_cast<std::uint64_t>(player.state));
     add(hash, static_cast<std::uint64_t>(player.counters.kick + 1000 * player.counters.dash));
   }
+
   RandomStreams random = world.random;
   add(hash, random.ball_motion.next());
   add(hash, random.foul[3].next());

@@ -9,11 +9,12 @@ namespace cls::tests {
 
 using namespace cls::simulator;
 
-soccer::ServerParams noise_free_params() {
+soccer::ServerParams noise_free_params(const Change& change) {
   soccer::ServerParams server;
   server.player_rand = 0.0;
   server.ball_rand = 0.0;
   server.kick_rand = 0.0;
+  if (change) change(server);
   return server;
 }
 
@@ -70,8 +71,8 @@ int Stage::step_until_mode_changes(int max_steps) {
   return steps;
 }
 
-std::vector<std::string> Stage::take_calls() {
-  std::vector<std::string> result;
+Calls Stage::take_calls() {
+  Calls result;
   for (const Event& event : events) {
     if (const auto* message = std::get_if<RefereeMessage>(&event.what)) {
       result.push_back(std::to_string(event.clock.time) + ' ' + message->text());

@@ -1,6 +1,9 @@
 // A world for tests of single commands and steps.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +22,11 @@ using soccer::PlayMode;
 using soccer::Side;
 using soccer::Vec2;
 
-/// Default parameters without noise.
-soccer::ServerParams noise_free_params();
+using Calls = std::vector<std::string>;
+using Change = std::function<void(soccer::ServerParams&)>;
+
+/// Default parameters without noise; `change` may set others.
+soccer::ServerParams noise_free_params(const Change& change = {});
 
 simulator::World make_match(const soccer::ServerParams& server,
                             const soccer::PlayerParams& player = {}, std::uint64_t seed = 1);
@@ -29,6 +35,7 @@ simulator::World make_match(const soccer::ServerParams& server,
 class Stage {
  public:
   explicit Stage(const soccer::ServerParams& server = noise_free_params());
+  explicit Stage(const Change& change) : Stage(noise_free_params(change)) {}
 
   /// Adds the next player of a side, at rest, with body angle 0.
   simulator::Player& add(Side side, Vec2 position, bool goalie = false);
@@ -45,11 +52,17 @@ class Stage {
   int step_until_mode_changes(int max_steps = 1000);
 
   /// Removes and returns the referee messages so far, as "TIME MESSAGE".
-  std::vector<std::string> take_calls();
+  Calls take_calls();
 
   simulator::World world;
   simulator::Events events;
   std::optional<soccer::ServerReply> reply;  ///< to the last command
+};
+
+/// Tests on the default stage.
+class OnStage : public testing::Test {
+ protected:
+  Stage stage;
 };
 
 /// Both coordinates within `tolerance`.

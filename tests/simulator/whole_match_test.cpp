@@ -59,6 +59,7 @@ void expect_sane(const World& world) {
   const soccer::ServerParams& server = world.params();
   ASSERT_TRUE(std::isfinite(world.ball.position.x) && std::isfinite(world.ball.position.y));
   ASSERT_LE(world.ball.velocity.length(), server.ball_speed_max * 1.05 * server.ball_decay + 1e-9);
+
   for (const Player& player : world.players) {
     ASSERT_TRUE(std::isfinite(player.position.x) && std::isfinite(player.position.y));
     // Some stoppages do not apply the field rule, and collisions are resolved after it.
@@ -96,6 +97,7 @@ TEST(WholeMatch, PlaysWholeMatchWithAllEvents) {
       ++calls[call];
     }
   }
+
   EXPECT_EQ(calls["half_time"], 10);
   EXPECT_EQ(calls["time_up"], 10);
   for (const char* call : {"goal", "kick_in", "corner_kick", "goal_kick", "free_kick", "offside",

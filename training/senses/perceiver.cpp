@@ -2,20 +2,19 @@
 #include "training/senses/perceiver.h"
 
 #include <cassert>
-#include <memory>
 #include <utility>
 #include <variant>
 
-#include "player/looking/body_command.h"
+#include "player/looking/looking.h"
 #include "player/perception/perception.h"
 #include "simulator/senses/body_sense.h"
-#include "simulator/sessions/handshake.h"
+#include "simulator/sessions/connection.h"
 #include "soccer/memory_channel.h"
 
 namespace cls::training {
 namespace {
 
-// What the server has formatted parses.
+// Messages that the server has formatted parse.
 template <typename Message>
 void read(std::string_view text, Message& out) {
   const base::Result<void> parsed = parse(text, out);

@@ -10,7 +10,9 @@ namespace cls::tests {
 namespace {
 
 using simulator::Player;
-using Calls = std::vector<std::string>;
+using CollisionVector = OnStage;
+using GoalPostVector = OnStage;
+using KickVector = OnStage;
 
 // Printed with six significant digits.
 constexpr double kPrinted = 5e-6;
@@ -32,6 +34,7 @@ TEST_F(DashVector, AcceleratesFromDashToDash) {
   run("(dash 100)");
   expect_near(player.position, {0.6, 10});
   expect_near(player.velocity, {0.24, 0});
+
   run("(dash 100)");
   expect_near(player.position, {1.44, 10});
   expect_near(player.velocity, {0.336, 0});
@@ -98,8 +101,7 @@ TEST_F(DashVector, ExhaustedDashRotatesAndIsSlightlyTooStrong) {
   EXPECT_EQ(std::rint(body_degrees(player)), -9);
 }
 
-TEST(KickVector, KicksBallStraightAhead) {
-  Stage stage;
+TEST_F(KickVector, KicksBallStraightAhead) {
   Player& player = stage.add(Side::kLeft, {0, 10});
   stage.place_ball({0.6, 10});
   stage.command(player, "(kick 100 0)");
@@ -109,8 +111,7 @@ TEST(KickVector, KicksBallStraightAhead) {
   EXPECT_EQ(player.counters.kick, 1);
 }
 
-TEST(KickVector, KicksBallAtTheSide) {
-  Stage stage;
+TEST_F(KickVector, KicksBallAtTheSide) {
   Player& player = stage.add(Side::kLeft, {0, 10});
   stage.place_ball({0, 10.8});
   stage.command(player, "(kick 50 45)");
@@ -120,9 +121,7 @@ TEST(KickVector, KicksBallAtTheSide) {
 }
 
 TEST(TackleVector, PushesBallSideways) {
-  soccer::ServerParams server = noise_free_params();
-  server.tackle_rand_factor = 0.0;
-  Stage stage(server);
+  Stage stage([](auto& server) { server.tackle_rand_factor = 0.0; });
   Player& player = stage.add(Side::kLeft, {0, 10});
   stage.place_ball({1.0, 10.2});
   stage.world.overrides.emplace().tackle.recorded[0] = true;
@@ -133,8 +132,7 @@ TEST(TackleVector, PushesBallSideways) {
   EXPECT_EQ(player.tackle_cycles, 9);
 }
 
-TEST(CollisionVector, MovesBallAndPlayerApartEqually) {
-  Stage stage;
+TEST_F(CollisionVector, MovesBallAndPlayerApartEqually) {
   Player& player = stage.add(Side::kLeft, {0, 10});
   stage.place_ball({1, 10}, {-0.8, 0});
   stage.step();
@@ -143,8 +141,7 @@ TEST(CollisionVector, MovesBallAndPlayerApartEqually) {
   expect_near(player.position, {-0.0925, 10});
 }
 
-TEST(CollisionVector, SeparatesTwoPlayers) {
-  Stage stage;
+TEST_F(CollisionVector, SeparatesTwoPlayers) {
   stage.place_ball({-30, -30});
   Player& a = stage.place(stage.add(Side::kLeft, {0, 10}), {0, 10}, {0.4, 0});
   Player& b = stage.place(stage.add(Side::kLeft, {1, 10}), {1, 10}, {-0.2, 0.1});
@@ -155,8 +152,7 @@ TEST(CollisionVector, SeparatesTwoPlayers) {
   expect_near(b.velocity, {0.008, -0.004});
 }
 
-TEST(CollisionVector, KeepsBallInPlaceDuringSetPlay) {
-  Stage stage;
+TEST_F(CollisionVector, KeepsBallInPlaceDuringSetPlay) {
   Player& player = stage.add(Side::kLeft, {-5, -10});
   stage.place_ball({0, -10});
   stage.world.kick_off_side = Side::kLeft;
@@ -185,6 +181,7 @@ TEST_F(CatchVector, GoalieCatchesBallAndMovesTwice) {
   put({-46, 0}, {-45, 0});
   stage.command(*goalie, "(catch 0)");
   EXPECT_EQ(stage.take_calls(), (Calls{"10 goalie_catch_ball_l", "10 free_kick_l"}));
+
   stage.step();
   expect_near(goalie->position, {-45.385, 0});
   expect_near(stage.world.ball.position, {-45, 0});
@@ -228,8 +225,7 @@ TEST_F(CatchVector, BackPassLeadsToIndirectFreeKick) {
   EXPECT_EQ(stage.world.clock.time, 12);
 }
 
-TEST(GoalPostVector, ReflectsCentralAndGrazingHits) {
-  Stage stage;
+TEST_F(GoalPostVector, ReflectsCentralAndGrazingHits) {
   stage.place_ball({51, 7.07}, {1.8, 0});
   stage.step();
   expect_near(stage.world.ball.position, {51.79, 7.07});

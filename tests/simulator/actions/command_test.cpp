@@ -137,9 +137,11 @@ TEST_F(Command, MovesArmOnlyAfterPointToBan) {
   stage.command(player, "(pointto 10 90)");
   expect_near(player.arm.target, {0, 20});
   EXPECT_TRUE(is_pointing(stage.world, player));
+
   stage.step(4);
   stage.command(player, "(pointto 5 0)(pointto off)");
   EXPECT_EQ(player.counters.pointto, 1);
+
   stage.step();
   stage.command(player, "(pointto off)");
   EXPECT_EQ(player.counters.pointto, 2);
@@ -171,6 +173,7 @@ TEST_F(Command, AttendsOnlyToConnectedPlayers) {
   stage.command(player, "(attentionto Red 1)");
   EXPECT_EQ(player.attention, 1);
   EXPECT_EQ(player.counters.attentionto, 1);
+
   stage.command(player, "(attentionto off)");
   EXPECT_EQ(player.attention, simulator::kNoPlayer);
   stage.command(player, "(attentionto Blue 2)");

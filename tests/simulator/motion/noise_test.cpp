@@ -50,24 +50,33 @@ soccer::ServerParams endless() {
   return server;
 }
 
-TEST(Noise, OfBallGrowsWithSpeed) {
+class Noise : public testing::Test {
+ protected:
+  /// The next sample: play goes on, whatever has happened.
+  void resume() {
+    stage.set_mode(PlayMode::kPlayOn);
+    stage.events.clear();
+  }
+
+  Stage stage{endless()};
+  Player& player = stage.add(Side::kLeft, {0, 10});
+};
+
+TEST_F(Noise, OfBallGrowsWithSpeed) {
+  stage.place(player, {-30, 10});
   for (const double speed : {0.5, 2.5}) {
-    Stage stage{endless()};
     Radii radii;
     for (int i = 0; i < kSamples; ++i) {
       stage.place_ball({0, 0}, {speed, 0});
       stage.step();
       radii.add(stage.world.ball.position - Vec2{speed, 0}, 0.05 * speed);
-      stage.set_mode(PlayMode::kPlayOn);
-      stage.events.clear();
+      resume();
     }
     expect_uniform_in_radius(radii);
   }
 }
 
-TEST(Noise, OfPlayersIsRelativeToSpeed) {
-  Stage stage{endless()};
-  Player& player = stage.add(Side::kLeft, {0, 10});
+TEST_F(Noise, OfPlayersIsRelativeToSpeed) {
   stage.place_ball({-30, 0});
   Radii radii;
   for (int i = 0; i < kSamples; ++i) {
@@ -75,15 +84,12 @@ TEST(Noise, OfPlayersIsRelativeToSpeed) {
     stage.step();
     radii.add(player.position - Vec2{0.3, 10.4}, 0.1 * 0.5);
     stage.place_ball({-30, 0});
-    stage.set_mode(PlayMode::kPlayOn);
-    stage.events.clear();
+    resume();
   }
   expect_uniform_in_radius(radii);
 }
 
-TEST(Noise, OfTurnIsUniformWithinTenthOfMoment) {
-  Stage stage{endless()};
-  Player& player = stage.add(Side::kLeft, {0, 10});
+TEST_F(Noise, OfTurnIsUniformWithinTenthOfMoment) {
   double sum = 0.0;
   double squares = 0.0;
   for (int i = 0; i < kSamples; ++i) {
@@ -113,17 +119,19 @@ void expect_kick_noise(Vec2 ball, Vec2 ball_velocity, double power, double rate)
     mean += stage.world.ball.acceleration / kSamples;
     stage.events.clear();
   }
+
   Vec2 variance;
   for (const Vec2 push : pushes) {
     const Vec2 off = push - mean;
     variance += Vec2{off.x * off.x, off.y * off.y} / kSamples;
     EXPECT_LE(off.length(), limit * 1.05);
   }
+
   EXPECT_NEAR(variance.x / (limit * limit / 6.0), 1.0, 0.05);
   EXPECT_NEAR(variance.y / (limit * limit / 6.0), 1.0, 0.05);
 }
 
-TEST(Noise, OfKickGrowsWithPowerDistanceAngleAndBallSpeed) {
+TEST(KickNoise, GrowsWithPowerDistanceAngleAndBallSpeed) {
   // Closest position in front, ball at rest: 0.5 by position and 0.5 by speed.
   expect_kick_noise({0.385, 0}, {}, 100, 1.0);
   expect_kick_noise({0.385, 0}, {}, 50, 1.0);
@@ -133,18 +141,14 @@ TEST(Noise, OfKickGrowsWithPowerDistanceAngleAndBallSpeed) {
   expect_kick_noise({0.385, 0}, {0, 3.0 * 0.94}, 100, 1.5);
 }
 
-TEST(Noise, IsZeroAtRest) {
-  Stage stage{endless()};
-  Player& player = stage.add(Side::kLeft, {0, 10});
+TEST_F(Noise, IsZeroAtRest) {
   stage.place_ball({-30, 0});
   stage.step(50);
   expect_near(player.position, {0, 10}, 0.0);
   expect_near(stage.world.ball.position, {-30, 0}, 0.0);
 }
 
-TEST(Noise, TackleSucceedsWithComputedProbability) {
-  Stage stage{endless()};
-  Player& player = stage.add(Side::kLeft, {0, 10});
+TEST_F(Noise, TackleSucceedsWithComputedProbability) {
   int successes = 0;
   for (int i = 0; i < kSamples; ++i) {
     player.command_done = false;
@@ -158,9 +162,10 @@ TEST(Noise, TackleSucceedsWithComputedProbability) {
   EXPECT_NEAR(successes / double(kSamples), 1.0 - failure, 0.01);
 }
 
-TEST(Noise, WindAcceleratesOnlyWithRandomPart) {
+TEST(Wind, AcceleratesOnlyWithRandomPart) {
   soccer::ServerParams server = noise_free_params();
   server.wind_force = 10.0;
+
   for (const double rand : {0.0, 0.3}) {
     server.wind_rand = rand;
     Stage stage(server);

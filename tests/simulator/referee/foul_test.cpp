@@ -10,18 +10,12 @@ namespace {
 using simulator::FoulCall;
 using simulator::Player;
 namespace state = simulator::state;
-using Calls = std::vector<std::string>;
 
 // A referee that detects every foul; a victim that dashes with the ball, the tackler right behind.
 class Foul : public ::testing::Test {
  protected:
-  static soccer::ServerParams params() {
-    soccer::ServerParams server = noise_free_params();
-    server.foul_detect_probability = 1.0;
-    return server;
-  }
   Foul()
-      : stage(params()),
+      : stage([](auto& server) { server.foul_detect_probability = 1.0; }),
         tackler(stage.add(Side::kLeft, {0, 10})),
         victim(stage.add(Side::kRight, {0.8, 10})) {
     stage.place_ball({1.3, 10});
@@ -132,9 +126,7 @@ TEST_F(Foul, RedCardSendsPlayerOffImmediately) {
 }
 
 TEST(IllegalDefense, IsCalledForTooManyDefendersForTooLong) {
-  soccer::ServerParams server = noise_free_params();
-  server.illegal_defense_number = 3;
-  Stage stage(server);
+  Stage stage([](auto& server) { server.illegal_defense_number = 3; });
   Player& attacker = stage.add(Side::kLeft, {30, 0});
   for (int i = 0; i < 3; ++i) stage.add(Side::kRight, {45, -5.0 + 5 * i});
   stage.place_ball({30.5, 0});

@@ -9,12 +9,9 @@ namespace cls::tests {
 namespace {
 
 using simulator::Player;
-using Calls = std::vector<std::string>;
 
 soccer::ServerParams keepaway_params() {
-  soccer::ServerParams server = noise_free_params();
-  server.keepaway = true;
-  return server;
+  return noise_free_params([](auto& server) { server.keepaway = true; });
 }
 
 /// Three keepers and two takers, in the first episode.

@@ -8,14 +8,14 @@ namespace cls::tests {
 namespace {
 
 using simulator::Player;
-using Calls = std::vector<std::string>;
+using BeforeTheFirstKickOff = OnStage;
 
 // Halves and extra halves of ten cycles.
 soccer::ServerParams tiny_match() {
-  soccer::ServerParams server = noise_free_params();
-  server.half_time = 1;
-  server.extra_half_time = 1;
-  return server;
+  return noise_free_params([](auto& server) {
+    server.half_time = 1;
+    server.extra_half_time = 1;
+  });
 }
 
 class MatchTime : public ::testing::Test {
@@ -44,10 +44,12 @@ TEST_F(MatchTime, AlternatesKickOffsAndExtendsDraw) {
   play_half();
   EXPECT_EQ(stage.take_calls(), (Calls{"10 half_time", "10 before_kick_off"}));
   EXPECT_EQ(stage.world.clock, (simulator::Clock{10, 0}));
+
   kick_off();
   EXPECT_EQ(stage.world.mode, PlayMode::kKickOffRight);
   play_half();
   EXPECT_EQ(stage.take_calls(), (Calls{"20 time_extended", "20 before_kick_off"}));
+
   kick_off();
   EXPECT_EQ(stage.world.mode, PlayMode::kKickOffLeft);
   play_half();
@@ -92,12 +94,14 @@ TEST_F(MatchTime, RestoresStaminaOnlyInNormalHalves) {
   EXPECT_EQ(player.stamina.value, 8000);
   EXPECT_EQ(player.stamina.recovery, 1.0);
   EXPECT_EQ(player.stamina.capacity, 130600);
+
   stage.set_mode(PlayMode::kPlayOn);
   stage.step(9);
   tire();
   stage.step();
   EXPECT_EQ(stage.world.mode, PlayMode::kBeforeKickOff);
   EXPECT_GT(player.stamina.capacity, 130000);
+
   kick_off();
   EXPECT_LT(player.stamina.value, 4000);
 }
@@ -115,8 +119,7 @@ TEST_F(MatchTime, MovesPlayersToOwnHalfAtKickOff) {
 }
 
 // Found in a recorded match whose left team waited at the ball for the first kick-off.
-TEST(BeforeTheFirstKickOff, AllowsLeftTeamInCenterCircle) {
-  Stage stage;
+TEST_F(BeforeTheFirstKickOff, AllowsLeftTeamInCenterCircle) {
   stage.world = make_match(noise_free_params());
   Player& left = stage.add(Side::kLeft, {-0.39, 0});
   Player& right = stage.add(Side::kRight, {0.39, 3});
@@ -149,12 +152,17 @@ TEST_F(GoldenGoal, EndsExtraTimeImmediately) {
   EXPECT_EQ(stage.take_calls(), (Calls{"23 goal_l_1", "23 time_over"}));
 }
 
-TEST(AutoMode, KicksOffHundredStepsAfterLastPlayerConnected) {
-  soccer::ServerParams server = noise_free_params();
-  server.auto_mode = true;
-  Stage stage(server);
-  stage.world.clock = {};
-  stage.set_mode(PlayMode::kBeforeKickOff);
+class AutoMode : public testing::Test {
+ protected:
+  AutoMode() {
+    stage.world.clock = {};
+    stage.set_mode(PlayMode::kBeforeKickOff);
+  }
+
+  Stage stage{[](auto& server) { server.auto_mode = true; }};
+};
+
+TEST_F(AutoMode, KicksOffHundredStepsAfterLastPlayerConnected) {
   for (int unum = 1; unum <= 11; ++unum) {
     stage.add(Side::kLeft, {-3.0 * unum, -20});
     stage.add(Side::kRight, {3.0 * unum, 20});
@@ -164,20 +172,12 @@ TEST(AutoMode, KicksOffHundredStepsAfterLastPlayerConnected) {
   EXPECT_EQ(stage.take_calls(), Calls{"0 kick_off_l"});
 }
 
-TEST(AutoMode, KicksOffAfterConnectWaitWithMissingPlayers) {
-  soccer::ServerParams server = noise_free_params();
-  server.auto_mode = true;
-  Stage stage(server);
-  stage.world.clock = {};
-  stage.set_mode(PlayMode::kBeforeKickOff);
+TEST_F(AutoMode, KicksOffAfterConnectWaitWithMissingPlayers) {
   stage.add(Side::kLeft, {-3, -20});
   EXPECT_EQ(stage.step_until_mode_changes(), 300);
 }
 
-TEST(AutoMode, EndsAfterGameOverWait) {
-  soccer::ServerParams server = noise_free_params();
-  server.auto_mode = true;
-  Stage stage(server);
+TEST_F(AutoMode, EndsAfterGameOverWait) {
   stage.set_mode(PlayMode::kTimeOver);
   stage.step(99);
   EXPECT_FALSE(stage.world.auto_mode.ended);

@@ -89,6 +89,7 @@ TEST(Overlaps, IsFoundWhenAPlayerGrowsInPlace) {
 TEST(Overlaps, AreThoseOfAllPairsAfterBodiesMove) {
   soccer::RandomStream random(4, "crowd");
   Stage stage;
+
   add_crowd(stage, 15, random);
   Bodies bodies;
   refresh(bodies, stage.world);
@@ -111,6 +112,7 @@ TEST(Overlaps, AreThoseOfAllPairsAfterBodiesMove) {
 TEST(Overlaps, OfCircleAreThoseOfEachPlayer) {
   soccer::RandomStream random(3, "crowd");
   Stage stage;
+
   add_crowd(stage, 7, random);
   Bodies bodies;
   refresh(bodies, stage.world);

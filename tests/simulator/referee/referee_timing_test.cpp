@@ -7,10 +7,9 @@ namespace cls::tests {
 namespace {
 
 using simulator::Player;
-using Calls = std::vector<std::string>;
+using RefereeTiming = OnStage;
 
-TEST(RefereeTiming, KicksOffFiftyOneStepsAfterGoal) {
-  Stage stage;
+TEST_F(RefereeTiming, KicksOffFiftyOneStepsAfterGoal) {
   stage.place_ball({51.5, 0}, {2, 0});
   stage.step();
   EXPECT_EQ(stage.take_calls(), (Calls{"11 goal_l_1"}));
@@ -23,8 +22,7 @@ TEST(RefereeTiming, KicksOffFiftyOneStepsAfterGoal) {
   expect_near(stage.world.ball.position, {0, 0}, 0.0);
 }
 
-TEST(RefereeTiming, DropsBallWhenKickOffIsNotTaken) {
-  Stage stage;
+TEST_F(RefereeTiming, DropsBallWhenKickOffIsNotTaken) {
   stage.world.clock.time = 0;
   stage.set_mode(PlayMode::kBeforeKickOff);
   simulator::kick_off(stage.world, stage.events);
@@ -82,8 +80,7 @@ TEST_F(OffsideTiming, IgnoresMissedKickFarFromBall) {
   EXPECT_EQ(stage.take_calls(), Calls{});
 }
 
-TEST(RefereeTiming, CallsDoubleTouch) {
-  Stage stage;
+TEST_F(RefereeTiming, CallsDoubleTouch) {
   Player& player = stage.add(Side::kLeft, {-20, 0});
   stage.place_ball({-19.4, 0});
   stage.world.kick_off_side = Side::kLeft;
@@ -91,11 +88,13 @@ TEST(RefereeTiming, CallsDoubleTouch) {
   stage.take_calls();
   stage.command(player, "(kick 10 0)");
   EXPECT_EQ(stage.take_calls(), (Calls{"10 play_on"}));
+
   stage.step();
   stage.command(player, "(dash 1)");
   stage.step();
   stage.place_ball(player.position + Vec2{0.6, 0});
   stage.command(player, "(kick 10 0)");
+
   EXPECT_EQ(stage.take_calls(), (Calls{"12 free_kick_fault_l"}));
   EXPECT_TRUE(player.has(simulator::state::kFreeKickFault));
   EXPECT_EQ(stage.step_until_mode_changes(), 31);
@@ -103,8 +102,7 @@ TEST(RefereeTiming, CallsDoubleTouch) {
   EXPECT_EQ(stage.world.clock, (simulator::Clock{13, 0}));
 }
 
-TEST(RefereeTiming, TreatsKicksWithoutDashAsOneKick) {
-  Stage stage;
+TEST_F(RefereeTiming, TreatsKicksWithoutDashAsOneKick) {
   Player& player = stage.add(Side::kLeft, {-20, 0});
   stage.place_ball({-19.4, 0});
   stage.set_mode(PlayMode::kFreeKickLeft);

@@ -3,14 +3,18 @@
 
 #include <cmath>
 
-#include "simulator/referee/calls.h"
+#include "simulator/referee/referee.h"
 #include "tests/simulator/stage.h"
 
 namespace cls::tests {
 namespace {
 
 using simulator::Player;
-using Calls = std::vector<std::string>;
+using BallStuck = OnStage;
+using CatchFault = OnStage;
+using DropBall = OnStage;
+using GoalKick = OnStage;
+using SetPlay = OnStage;
 
 // A ball that left the pitch after a left player had kicked it from `from`.
 class OverTheLine : public ::testing::Test {
@@ -94,8 +98,7 @@ TEST(IndirectFreeKick, ScoresOnlyAfterTouchOfSecondPlayer) {
   }
 }
 
-TEST(SetPlay, KeepsOpponentsAtDistance) {
-  Stage stage;
+TEST_F(SetPlay, KeepsOpponentsAtDistance) {
   Player& own = stage.add(Side::kLeft, {1, 0});
   Player& near = stage.add(Side::kRight, {-3, 4});
   Player& far = stage.add(Side::kRight, {20, 0});
@@ -111,8 +114,7 @@ TEST(SetPlay, KeepsOpponentsAtDistance) {
   expect_near(near.velocity, {0, 0}, 0.0);
 }
 
-TEST(SetPlay, KeepsClearedPlayersOnFieldNearLines) {
-  Stage stage;
+TEST_F(SetPlay, KeepsClearedPlayersOnFieldNearLines) {
   Player& near = stage.add(Side::kRight, {55, 33});
   simulator::award_corner_kick(stage.world, Side::kLeft, stage.events);
   stage.place_ball({51.5, 33});
@@ -122,14 +124,12 @@ TEST(SetPlay, KeepsClearedPlayersOnFieldNearLines) {
   EXPECT_LE(near.position.y, 39.0 + 1e-9);
 }
 
-TEST(SetPlay, MovesFreeKickInOpponentPenaltyAreaToItsCorner) {
-  Stage stage;
+TEST_F(SetPlay, MovesFreeKickInOpponentPenaltyAreaToItsCorner) {
   simulator::award_free_kick(stage.world, Side::kLeft, {50, -3}, stage.events);
   expect_near(stage.world.ball.position, {36, -20.16});
 }
 
-TEST(SetPlay, ResumesAfterKickOfEitherTeam) {
-  Stage stage;
+TEST_F(SetPlay, ResumesAfterKickOfEitherTeam) {
   Player& other = stage.add(Side::kRight, {10, 10});
   stage.set_mode(PlayMode::kFreeKickLeft);
   stage.place_ball(other.position + Vec2{0.6, 0});
@@ -137,22 +137,21 @@ TEST(SetPlay, ResumesAfterKickOfEitherTeam) {
   EXPECT_EQ(stage.world.mode, PlayMode::kPlayOn);
 }
 
-TEST(SetPlay, ResumesWhenBallMoves) {
-  Stage stage;
+TEST_F(SetPlay, ResumesWhenBallMoves) {
   stage.set_mode(PlayMode::kKickInLeft);
   stage.place_ball({0, 0}, {0.1, 0});
   stage.step();
   EXPECT_EQ(stage.world.mode, PlayMode::kPlayOn);
 }
 
-TEST(GoalKick, LastsUntilBallLeavesPenaltyArea) {
-  Stage stage;
+TEST_F(GoalKick, LastsUntilBallLeavesPenaltyArea) {
   Player& goalie = stage.add(Side::kLeft, {-47.5, 9.16}, true);
   Player& opponent = stage.add(Side::kRight, {-40, 0});
   stage.place_ball({-55, 3});
   simulator::award_goal_kick(stage.world, Side::kLeft, stage.events);
   expect_near(stage.world.ball.position, {-47, 9.16});
   stage.step();
+
   // Moved out through the front of the area, which is enlarged by the player size.
   expect_near(opponent.position, {-35.7, 0});
   stage.command(goalie, "(kick 100 0)");
@@ -163,12 +162,12 @@ TEST(GoalKick, LastsUntilBallLeavesPenaltyArea) {
     stage.step();
     ++steps;
   }
+
   EXPECT_EQ(stage.world.mode, PlayMode::kPlayOn);
   EXPECT_GT(stage.world.ball.position.x, -36.0);
 }
 
-TEST(GoalKick, IsRepeatedWhenOpponentTakesIt) {
-  Stage stage;
+TEST_F(GoalKick, IsRepeatedWhenOpponentTakesIt) {
   Player& opponent = stage.add(Side::kRight, {-40, 0});
   simulator::award_goal_kick(stage.world, Side::kLeft, stage.events);
   stage.place(opponent, stage.world.ball.position + Vec2{0.6, 0});
@@ -181,15 +180,12 @@ TEST(GoalKick, IsRepeatedWhenOpponentTakesIt) {
 // A goalie that repeatedly fails to kick the ball out of its area.
 class ProperGoalKicks : public ::testing::Test {
  protected:
-  static soccer::ServerParams params(bool free_kick_faults) {
-    soccer::ServerParams server = noise_free_params();
-    server.proper_goal_kicks = true;
-    server.free_kick_faults = free_kick_faults;
-    return server;
-  }
-
   // Awards the goal kick to the left and lets the goalie kick so weakly that the ball stays in.
-  explicit ProperGoalKicks(bool free_kick_faults = true) : stage(params(free_kick_faults)) {
+  explicit ProperGoalKicks(bool free_kick_faults = true)
+      : stage([=](auto& server) {
+          server.proper_goal_kicks = true;
+          server.free_kick_faults = free_kick_faults;
+        }) {
     simulator::award_goal_kick(stage.world, Side::kLeft, stage.events);
     kick_weakly(stage.add(Side::kLeft, {0, 0}, true));
   }
@@ -244,8 +240,7 @@ TEST_F(ProperGoalKicksWithoutFaults, AreRepeatedAfterSecondTouch) {
   EXPECT_EQ(stage.world.mode, PlayMode::kGoalKickLeft);
 }
 
-TEST(BallStuck, DropsBallAfterHundredCycles) {
-  Stage stage;
+TEST_F(BallStuck, DropsBallAfterHundredCycles) {
   stage.place_ball({20, 5});
   stage.step();
   EXPECT_EQ(stage.step_until_mode_changes(99), 99);
@@ -255,8 +250,7 @@ TEST(BallStuck, DropsBallAfterHundredCycles) {
   EXPECT_EQ(stage.take_calls(), (Calls{"111 drop_ball", "111 play_on"}));
 }
 
-TEST(DropBall, ClearsBothTeamsAndMovesBallOutOfPenaltyArea) {
-  Stage stage;
+TEST_F(DropBall, ClearsBothTeamsAndMovesBallOutOfPenaltyArea) {
   Player& left = stage.add(Side::kLeft, {-37, 20.5});
   Player& right = stage.add(Side::kRight, {-33, 22});
   stage.place_ball({-45, 10});
@@ -267,8 +261,7 @@ TEST(DropBall, ClearsBothTeamsAndMovesBallOutOfPenaltyArea) {
   EXPECT_EQ(stage.world.mode, PlayMode::kPlayOn);
 }
 
-TEST(CatchFault, IsCalledWhenGoalieCarriesBallOut) {
-  Stage stage;
+TEST_F(CatchFault, IsCalledWhenGoalieCarriesBallOut) {
   Player& goalie = stage.add(Side::kLeft, {-40, 0}, true);
   stage.place_ball({-39.5, 0});
   stage.command(goalie, "(catch 0)");

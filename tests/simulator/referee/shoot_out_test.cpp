@@ -1,5 +1,6 @@
 // The shoot-out: timing as observed on rcssserver (docs/spec/simulation-model.md 14.4), and
 // decision (docs/spec/simulation-model.md 9.14).
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "simulator/rules/penalty.h"
@@ -9,12 +10,14 @@ namespace cls::tests {
 namespace {
 
 using simulator::Player;
+using testing::Contains;
+using testing::EndsWith;
 
 soccer::ServerParams shoot_out_params() {
-  soccer::ServerParams server = noise_free_params();
-  server.nr_normal_halfs = 0;
-  server.nr_extra_halfs = 0;
-  return server;
+  return noise_free_params([](auto& server) {
+    server.nr_normal_halfs = 0;
+    server.nr_extra_halfs = 0;
+  });
 }
 
 /// Two full teams right after the kick-off command of a match with only a shoot-out.
@@ -59,6 +62,7 @@ class ShootOut : public ::testing::Test {
     stage.place(player, stage.world.ball.position - Vec2{0.6 * end, 0});
     stage.command(player, "(kick 1 0)");
     ASSERT_EQ(stage.world.mode, for_side(PlayMode::kPenaltyTakenLeft, taker()));
+
     stage.step();
     if (taker() == scores) {
       stage.world.ball.position = {51.0 * end, 0};
@@ -69,6 +73,7 @@ class ShootOut : public ::testing::Test {
       stage.step();
       stage.world.ball.velocity = {0, 3.0};
     }
+
     stage.step();
   }
 
@@ -76,26 +81,26 @@ class ShootOut : public ::testing::Test {
 };
 
 TEST_F(ShootOut, AdvancesByTimeoutsWithoutKicks) {
-  std::vector<std::string> calls;
+  Calls calls;
   for (int i = 0; i < 2100 && stage.world.mode != PlayMode::kTimeOver; ++i) {
     stage.step();
     for (std::string& call : stage.take_calls()) calls.push_back(std::move(call));
   }
+
   ASSERT_GT(calls.size(), 10U);
   // Sides are random; replace their letters.
-  std::vector<std::string> sideless;
+  Calls sideless;
   for (const std::string& call : calls) {
     const bool has_side = call.ends_with("_l") || call.ends_with("_r");
     sideless.push_back(has_side ? call.substr(0, call.size() - 2) : call);
   }
-  const std::vector<std::string> start(sideless.begin(), sideless.begin() + 8);
-  EXPECT_EQ(start,
-            (std::vector<std::string>{"1 penalty_onfield", "1 penalty_setup", "71 penalty_ready",
-                                      "82 penalty_miss", "93 penalty_setup", "164 penalty_ready",
-                                      "175 penalty_miss", "186 penalty_setup"}));
-  const std::vector<std::string> end(sideless.end() - 3, sideless.end());
-  EXPECT_EQ(end,
-            (std::vector<std::string>{"1942 penalty_miss", "1942 penalty_draw", "1943 time_over"}));
+
+  EXPECT_EQ(
+      Calls(sideless.begin(), sideless.begin() + 8),
+      (Calls{"1 penalty_onfield", "1 penalty_setup", "71 penalty_ready", "82 penalty_miss",
+             "93 penalty_setup", "164 penalty_ready", "175 penalty_miss", "186 penalty_setup"}));
+  EXPECT_EQ(Calls(sideless.end() - 3, sideless.end()),
+            (Calls{"1942 penalty_miss", "1942 penalty_draw", "1943 time_over"}));
   // Sides take turns.
   EXPECT_NE(calls[1].back(), calls[4].back());
   EXPECT_EQ(calls[1].back(), calls[7].back());
@@ -139,10 +144,8 @@ TEST_F(ShootOut, EndsWhenOneSideCannotCatchUp) {
   stage.step(3);
   EXPECT_EQ(stage.world.mode, PlayMode::kTimeOver);
   EXPECT_EQ(stage.world.team(first).penalty_goals, 3);
-  const std::vector<std::string> calls = stage.take_calls();
-  const std::string winner = std::string("penalty_winner_") + letter(first);
-  EXPECT_TRUE(std::any_of(calls.begin(), calls.end(),
-                          [&](const std::string& call) { return call.ends_with(winner); }));
+  EXPECT_THAT(stage.take_calls(),
+              Contains(EndsWith(std::string("penalty_winner_") + letter(first))));
 }
 
 TEST_F(ShootOut, CallsFoulForKickDuringSetup) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/motion/goal_post.h"
+#include "simulator/motion/motion.h"
 #include "simulator/replay/post_bounce.h"
 #include "simulator/replay/stronger_push.h"
 #include "tests/simulator/replay/replayed_logs.h"
@@ -80,6 +80,7 @@ TEST(ReplayNoise, ExcusesLastTouchOnlyWhenNoiseDecides) {
   // Here the displacement of the ball shows that the push of the attacker was stronger.
   Logs logs = read_excerpt("stronger-touch");
   EXPECT_EQ(excused(replay(logs), Excuse::kToucher), 0);
+
   for (std::size_t i = frame_at(logs.game, 1670); i < logs.game.frames(); ++i) {
     logs.game.mode[i] = PlayMode::kCornerKickLeft;
   }
@@ -91,6 +92,7 @@ TEST(ReplayNoise, ExcusesLastTouchOnlyWhenNoiseDecides) {
     logs.text.text += call;
   }
   const LogAgreement agreement = replay(logs);
+
   EXPECT_GT(agreement.mode.misses(), 0);
   EXPECT_EQ(excused(agreement, Excuse::kToucher), 0);
 }
@@ -107,9 +109,11 @@ PostBounce bounce_with_noise(Vec2 noise) {
   Vec2 velocity = Vec2{2.3, 0.9} + noise;
   soccer::RandomStream stream(1, "test");
   EXPECT_TRUE(advance_past_posts(position, velocity, bounce.radius, bounce.goal_width, stream));
+
   const auto rounded = [](Vec2 v) {
     return Vec2{std::rint(v.x * 1e4) / 1e4, std::rint(v.y * 1e4) / 1e4};
   };
+
   bounce.to = rounded(position);
   bounce.velocity = rounded(velocity * bounce.decay);
   return bounce;

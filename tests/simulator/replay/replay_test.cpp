@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "gamelog/record/record_builder.h"
 #include "tests/simulator/replay/replayed_logs.h"
 #include "tests/support/files.h"
 
@@ -42,10 +43,12 @@ TEST(Replay, MatchesRcssserverInMatchWithoutNoise) {
   EXPECT_EQ(agreement.players.steps, 47476);
   EXPECT_EQ(agreement.agreed(), agreement.steps()) << all_misses(agreement);
   expect_same_game(agreement);
+
   // Random tackles and fouls, and half time with its 23 objects.
   EXPECT_LT(agreement.excused_share(), 0.001);
   EXPECT_EQ(agreement.uncounted, 0);
   EXPECT_EQ(agreement.by_cause[static_cast<std::size_t>(Excuse::kHalfTime)], 23);
+
   for (const StepClass contact :
        {StepClass::kBallKick, StepClass::kBallTackle, StepClass::kBallCatch, StepClass::kBallHeld,
         StepClass::kBallCollision, StepClass::kPlayerCollision, StepClass::kPlayerPlaced,
@@ -84,6 +87,7 @@ TEST(Replay, ReportsExactlyTheStepsOfShiftedRecords) {
   using Place = std::tuple<int, int, Slot>;
   std::set<Place> expected;
   int shifted = 0;
+
   for (std::size_t frame = 2; frame + 2 < logs.game.frames() && shifted < 100; frame += 3) {
     const auto in_play = [&](std::size_t i) { return logs.game.mode[i] == PlayMode::kPlayOn; };
     if (!in_play(frame - 1) || !in_play(frame) || !in_play(frame + 1)) continue;
@@ -99,12 +103,14 @@ TEST(Replay, ReportsExactlyTheStepsOfShiftedRecords) {
       expected.insert({logs.game.time[i], logs.game.stopped[i], slot});
     }
   }
+
   ASSERT_EQ(shifted, 100);
   const LogAgreement agreement = replay(logs);
   std::set<Place> reported;
   for (const Miss& miss : agreement.misses) {
     reported.insert({miss.clock.time, miss.clock.stoppage, miss.slot});
   }
+
   EXPECT_EQ(reported, expected) << all_misses(agreement);
   EXPECT_EQ(agreement.steps() - agreement.agreed(), static_cast<int>(expected.size()));
 }
@@ -126,32 +132,12 @@ TEST(Replay, ReportsStepWithOneWrongValue) {
 }
 
 TEST(Replay, SkipsGapsBetweenFrames) {
-  Logs logs = read_logs(tests::fixture("simulator/noise-free"));
+  const Logs logs = read_logs(tests::fixture("simulator/noise-free"));
   MatchRecord cut = logs.game;
-  gamelog::resize_frames(cut, 300);
-  for (std::size_t i = 200; i < 300; ++i) {
-    // Ten frames are missing.
-    cut.time[i] = logs.game.time[i + 10];
-    cut.stopped[i] = logs.game.stopped[i + 10];
-    cut.mode[i] = logs.game.mode[i + 10];
-    cut.team_state[i] = logs.game.team_state[i + 10];
-    cut.ball_position[i] = logs.game.ball_position[i + 10];
-    cut.ball_velocity[i] = logs.game.ball_velocity[i + 10];
-    for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
-      const std::size_t to = i * gamelog::kSlots + slot;
-      const std::size_t from = to + 10 * gamelog::kSlots;
-      cut.players.state[to] = logs.game.players.state[from];
-      cut.players.position[to] = logs.game.players.position[from];
-      cut.players.velocity[to] = logs.game.players.velocity[from];
-      cut.players.body[to] = logs.game.players.body[from];
-      cut.players.neck[to] = logs.game.players.neck[from];
-      cut.players.stamina[to] = logs.game.players.stamina[from];
-      cut.players.effort[to] = logs.game.players.effort[from];
-      cut.players.recovery[to] = logs.game.players.recovery[from];
-      cut.players.capacity[to] = logs.game.players.capacity[from];
-      cut.players.counters[to] = logs.game.players.counters[from];
-    }
-  }
+  gamelog::resize_frames(cut, 200);
+  gamelog::RecordBuilder builder(cut);
+  for (std::size_t i = 210; i < 310; ++i) builder.append_frame(frame_at(logs.game, i));
+
   const LogAgreement agreement = replay({cut, logs.text});
   EXPECT_EQ(agreement.skipped, 1);
   EXPECT_EQ(agreement.ball.steps, 298);
@@ -199,9 +185,11 @@ TEST(Replay, RejectsUnusableLogs) {
   MatchRecord old = logs.game;
   old.version = gamelog::RcgVersion::kV2;
   EXPECT_THAT(message(old, logs.text), HasSubstr("lack the precision"));
+
   MatchRecord short_one = logs.game;
   gamelog::resize_frames(short_one, 1);
   EXPECT_THAT(message(short_one, logs.text), HasSubstr("fewer than two frames"));
+
   RclRecord strangers = logs.text;
   for (std::string& team : strangers.teams) team += "_B";
   EXPECT_THAT(message(logs.game, strangers), HasSubstr("no messages of the teams of the game log"));

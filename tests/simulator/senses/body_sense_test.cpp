@@ -34,6 +34,7 @@ World recorded_scene() {
   World world = empty_pitch();
   world.mode = PlayMode::kBeforeKickOff;
   Player& me = place(world, Side::kLeft, 1, {-3, -37}, 9.63341, 19);
+
   me.neck = math::to_radians(20.0000001);
   me.view.width = soccer::ViewWidth::kNarrow;
   me.view.focus_distance = 10;
@@ -51,6 +52,7 @@ World recorded_scene() {
   me.arm = {me.position + soccer::polar_degrees(10, 9.63341 + 20 + 20), 1};
   place(world, Side::kLeft, 2, {-6, -37}, 0, 18).goalie = true;
   place(world, Side::kRight, 1, {3, -37}, 0, 14);
+
   return world;
 }
 
@@ -117,8 +119,8 @@ TEST(FullView, ReportsOwnScoreFirstAndCaughtBall) {
   world.mode = PlayMode::kFreeKickLeft;
   world.ball_catcher = soccer::slot_of(Side::kLeft, 2);
   const std::string text = full_state_text(world, world.player(Side::kRight, 1));
-  EXPECT_THAT(text, HasSubstr("(pmode goalie_catch_ball_l)")) << text;
-  EXPECT_THAT(text, HasSubstr("(score 0 3)")) << text;
+  EXPECT_THAT(text, HasSubstr("(pmode goalie_catch_ball_l)"));
+  EXPECT_THAT(text, HasSubstr("(score 0 3)"));
 }
 
 }  // namespace

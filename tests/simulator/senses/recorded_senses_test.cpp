@@ -90,9 +90,11 @@ const std::vector<Field>& fields_of(ObservedDetail detail) {
       {"body", [](const auto& a, const auto& b) { return a.body == b.body; }},
       {"head", [](const auto& a, const auto& b) { return a.head == b.head; }},
   };
+
   static const std::vector<Field> position(all.begin(), all.begin() + 4);
   static const std::vector<Field> motion(all.begin(), all.begin() + 6);
   if (detail == ObservedDetail::kPose) return all;
+
   return detail == ObservedDetail::kMotion ? motion : position;
 }
 
@@ -144,9 +146,11 @@ class Comparison {
   void compare_see(Slot slot, std::string_view message) {
     soccer::See recorded;
     ASSERT_TRUE(soccer::parse(message, recorded)) << message;
+
     std::size_t names = 0;
     while (names < kMaxWorlds && !same_names(recorded, seen(names, slot))) ++names;
     tally_.add("objects", names == 0, names < kMaxWorlds, where_);
+
     if (names == kMaxWorlds) return;
     const soccer::See computed = seen(names, slot);
     for (std::size_t i = 0; i < recorded.objects.size(); ++i) {
@@ -174,11 +178,13 @@ class Comparison {
   void compare_sense_body(Slot slot, std::string_view message) {
     soccer::SenseBody recorded;
     ASSERT_TRUE(soccer::parse(message, recorded)) << message;
+
     const auto groups = [](const soccer::SenseBody& sense) {
       std::string out;
       soccer::format(sense, 18, out);
       return out;
     };
+
     // Three fields are rounded from values that the log rounds too; the other text must be equal.
     soccer::SenseBody computed = sense_body(world(0), slot);
     const soccer::SenseBody exact = computed;
@@ -227,11 +233,13 @@ Tally compare_player(const std::vector<World>& worlds, Slot slot, std::string_vi
     const auto kind = soccer::message_kind(spoken.message);
     const bool is_body = kind == soccer::MessageKind::kSenseBody;
     if (!spoken.by_server || (!is_body && kind != soccer::MessageKind::kSee)) continue;
-    const int time = std::stoi(std::string(spoken.message.substr(spoken.message.find(' ') + 1)));
+    int time = 0;
+    base::parse_int_prefix(spoken.message.substr(spoken.message.find(' ') + 1), time);
     if (is_body) ++bodies[time];
     const auto found = by_clock.find({time, bodies[time] - 1});
     if (found != by_clock.end()) comparison.compare(*found->second, slot, spoken.message);
   }
+
   return comparison.tally();
 }
 

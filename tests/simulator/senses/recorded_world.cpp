@@ -104,6 +104,7 @@ std::vector<World> recorded_worlds(std::shared_ptr<const Rules> rules, std::stri
   std::array<Timers, soccer::kPlayersOnPitch> timers;
   std::vector<World> worlds;
   World world = make_world(std::move(rules), 1);
+
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const gamelog::Frame& frame = frames[i];
     const bool same_time = i > 0 && frames[i - 1].time == frame.time;
@@ -118,6 +119,7 @@ std::vector<World> recorded_worlds(std::shared_ptr<const Rules> rules, std::stri
     }
     worlds.push_back(world);
   }
+
   return worlds;
 }
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "base/text/number_text.h"
 #include "soccer/math.h"
 #include "soccer/pitch.h"
 #include "tests/simulator/senses/scene.h"
@@ -27,9 +28,15 @@ testing::AssertionResult can_be_seen(const World& world, const Player& observer,
   return testing::AssertionFailure() << "for example " << see_text(world, observer);
 }
 
-TEST(Vision, MatchesRcssserverForPlayerOnBench) {
+/// An observer of client version 18 on an empty pitch.
+class Vision : public testing::Test {
+ protected:
   World world = empty_pitch();
-  Player& me = place(world, Side::kLeft, 1, {-3, -37}, 0, 19);
+  Player& me = place(world, Side::kLeft, 1, {0, 0});
+};
+
+TEST_F(Vision, MatchesRcssserverForPlayerOnBench) {
+  place(world, Side::kLeft, 1, {-3, -37}, 0, 19);
   EXPECT_TRUE(can_be_seen(
       world, me,
       "(see 0 ((f c t) 4.3 45 0 0) ((f r t) 55.7 3) ((f r b) 90 52) ((f g r b) 70.8 38) ((g r) "
@@ -40,13 +47,13 @@ TEST(Vision, MatchesRcssserverForPlayerOnBench) {
       "43) ((f r b 30) 90 48))"));
 }
 
-TEST(Vision, MatchesRcssserverForFocusedPlayer) {
-  World world = empty_pitch();
-  Player& me = place(world, Side::kLeft, 1, {-3, -37}, 9.63341, 19);
+TEST_F(Vision, MatchesRcssserverForFocusedPlayer) {
+  place(world, Side::kLeft, 1, {-3, -37}, 9.63341, 19);
   place(world, Side::kLeft, 2, {-6, -37}).goalie = true;
   place(world, Side::kRight, 1, {3, -37}, 0, 14);
   me.neck = math::to_radians(20);
   me.view.width = soccer::ViewWidth::kNarrow;
+
   EXPECT_TRUE(can_be_seen(
       world, me,
       "(see 0 ((f c t) 4.3 15 0 0) ((f r t) 55.7 -27) ((f r b) 90 22) ((f g r b) 70.8 9) ((g r) "
@@ -54,6 +61,7 @@ TEST(Vision, MatchesRcssserverForFocusedPlayer) {
       "((f b r 50) 92.8 25) ((f r 0) 70.8 2) ((f r t 10) 66 -6) ((f r t 20) 62.8 -14) ((f r t 30) "
       "60.9 -23) ((f r b 10) 76.7 8) ((f r b 20) 83.1 14) ((f r b 30) 90 18) ((P) 3 150) ((p "
       "\"RightTeam\" 1) 6 -30 0 0 -30 -30) ((l r) 64.1 60) ((l t) 6 -30))"));
+
   me.view.focus_distance = 10;
   me.view.focus_direction = math::to_radians(20);
   EXPECT_TRUE(can_be_seen(
@@ -65,9 +73,8 @@ TEST(Vision, MatchesRcssserverForFocusedPlayer) {
       "\"RightTeam\" 1) 5.9 -30 0 0 -30 -30) ((l r) 64.1 60) ((l t) 6 -30))"));
 }
 
-TEST(Vision, MatchesRcssserverForOldClient) {
-  World world = empty_pitch();
-  Player& me = place(world, Side::kRight, 1, {3, -37}, 0, 14);
+TEST_F(Vision, MatchesRcssserverForOldClient) {
+  place(world, Side::kRight, 1, {3, -37}, 0, 14);
   me.view.focus_distance = 10;  // not used by this version
   EXPECT_TRUE(can_be_seen(
       world, me,
@@ -77,9 +84,8 @@ TEST(Vision, MatchesRcssserverForOldClient) {
       "30) 55.1 7) ((f r b 10) 72.2 41))"));
 }
 
-TEST(Vision, ReportsOnlyDirectionsInLowQuality) {
-  World world = empty_pitch();
-  Player& me = place(world, Side::kLeft, 1, {-3, -37}, 9.63341, 15);
+TEST_F(Vision, ReportsOnlyDirectionsInLowQuality) {
+  place(world, Side::kLeft, 1, {-3, -37}, 9.63341, 15);
   place(world, Side::kLeft, 2, {-6, -37});
   place(world, Side::kRight, 1, {3, -37});
   me.view.quality = soccer::ViewQuality::kLow;
@@ -90,9 +96,7 @@ TEST(Vision, ReportsOnlyDirectionsInLowQuality) {
   EXPECT_EQ(see_part(see, "(l r)"), "((l r) 80)");
 }
 
-TEST(Vision, QuantizesMotion) {
-  World world = empty_pitch();
-  Player& me = place(world, Side::kLeft, 1, {0, 0});
+TEST_F(Vision, QuantizesMotion) {
   me.velocity = {0.2, 0};
   world.ball.position = {10, 0};
   world.ball.velocity = {-1, 0.5};
@@ -101,19 +105,18 @@ TEST(Vision, QuantizesMotion) {
 }
 
 // Includes directions next to a rounding boundary or to the edge of the view cone.
-TEST(Vision, RoundsExactDirections) {
-  World world = empty_pitch();
-  Player& me = place(world, Side::kLeft, 1, {0, 0});
+TEST_F(Vision, RoundsExactDirections) {
   const VisionModel model(world.params());
   RandomStream random(1, "places");
   RandomStream noise(1, "noise");
   soccer::See seen;
   int count = 0;
+
   for (int i = 0; i < 4000; ++i) {
     me.position = {random.uniform(-60.0, 60.0), random.uniform(-40.0, 40.0)};
     me.body = random.uniform(-math::kPi, math::kPi);
     me.neck = random.uniform(-1.5, 1.5);
-    const auto direction_to = [&me](std::size_t landmark) {
+    const auto direction_to = [&](std::size_t landmark) {
       const Vec2 offset = soccer::kLandmarks[landmark].position - me.position;
       return math::normalize_radians(
           math::normalize_radians(soccer::direction_radians(offset) - me.body) - me.neck);
@@ -131,12 +134,11 @@ TEST(Vision, RoundsExactDirections) {
       ASSERT_EQ(object.direction, std::rint(math::to_degrees(direction_to(object.index))));
     }
   }
+
   EXPECT_GT(count, 50000);
 }
 
-TEST(Vision, CoversViewConeAndThreeMetersAround) {
-  World world = empty_pitch();
-  Player& me = place(world, Side::kLeft, 1, {0, 0});
+TEST_F(Vision, CoversViewConeAndThreeMetersAround) {
   const auto ball_at = [&](double degrees, double distance) {
     world.ball.position = soccer::polar_degrees(distance, degrees);
     return see_text(world, me);
@@ -150,12 +152,12 @@ TEST(Vision, CoversViewConeAndThreeMetersAround) {
   EXPECT_EQ(see_part(ball_at(90.1, 10), "(b)"), "");
 }
 
-TEST(Vision, IdentifiesPlayersByDistance) {
-  World world = empty_pitch();
-  Player& me = place(world, Side::kLeft, 1, {-50, 0});
+TEST_F(Vision, IdentifiesPlayersByDistance) {
+  place(world, Side::kLeft, 1, {-50, 0});
   Player& other = place(world, Side::kRight, 7, {-31, 0}, 90);
   other.goalie = true;
   EXPECT_EQ(see_part(see_text(world, me), "(p"), "((p \"RightTeam\" 7 goalie)");
+
   const auto shares = [&](double x, std::string_view name) {
     other.position.x = x;
     int count = 0;
@@ -164,6 +166,7 @@ TEST(Vision, IdentifiesPlayersByDistance) {
     }
     return count / 2000.0;
   };
+
   // 30 m is quantized to 30: half of the messages lack the uniform number. 4 deviations: 0.045.
   EXPECT_NEAR(shares(-20, "(p \"RightTeam\" 7"), 0.5, 0.045);
   EXPECT_EQ(shares(-20, "(p \"RightTeam\""), 1.0);
@@ -174,22 +177,20 @@ TEST(Vision, IdentifiesPlayersByDistance) {
   EXPECT_EQ(shares(12, "((p)"), 1.0);
 }
 
-TEST(Vision, ShowsFixedNameOfOpponents) {
+TEST_F(Vision, ShowsFixedNameOfOpponents) {
   soccer::ServerParams params;
   params.fixed_teamname_l = "Home";
   params.fixed_teamname_r = "Away";
-  World world = empty_pitch(params);
-  Player& me = place(world, Side::kLeft, 1, {0, 0});
+  world = empty_pitch(params);
+  place(world, Side::kLeft, 1, {0, 0});
   place(world, Side::kLeft, 2, {5, 0});
   place(world, Side::kRight, 3, {6, 0});
   const std::string see = see_text(world, me);
-  EXPECT_THAT(see, HasSubstr("(p \"LeftTeam\" 2)")) << see;
-  EXPECT_THAT(see, HasSubstr("(p \"Away\" 3)")) << see;
+  EXPECT_THAT(see, HasSubstr("(p \"LeftTeam\" 2)"));
+  EXPECT_THAT(see, HasSubstr("(p \"Away\" 3)"));
 }
 
-TEST(Vision, MarksKickersAndTacklers) {
-  World world = empty_pitch();
-  Player& me = place(world, Side::kLeft, 1, {0, 0});
+TEST_F(Vision, MarksKickersAndTacklers) {
   Player& other = place(world, Side::kRight, 7, {8, 0}, 180);
   other.kick_cycles = 0;
   const std::string name = "(p \"RightTeam\" 7)";
@@ -201,14 +202,14 @@ TEST(Vision, MarksKickersAndTacklers) {
   EXPECT_EQ(see_part(see_text(world, me), name), "((p \"RightTeam\" 7) 8.2 0 0 0 180 180)");
 }
 
-TEST(Vision, PointingNoiseGrowsWithDistance) {
-  World world = empty_pitch();
-  Player& me = place(world, Side::kLeft, 1, {-10, 0});
+TEST_F(Vision, PointingNoiseGrowsWithDistance) {
+  place(world, Side::kLeft, 1, {-10, 0});
   Player& other = place(world, Side::kRight, 7, {0, 0});
   other.arm = {{10, 10}, 3};  // 45 degrees from there
   const int count = 4000;
   double sum = 0.0;
   double square = 0.0;
+
   for (std::uint64_t seed = 0; seed < count; ++seed) {
     RandomStream noise(seed, "test");
     soccer::See message;
@@ -220,28 +221,31 @@ TEST(Vision, PointingNoiseGrowsWithDistance) {
       square += (object.point_direction - 45.0) * (object.point_direction - 45.0);
     }
   }
+
   // (10 / 125.1)^4 * 178.75 + 1.25 degrees, plus rounding to whole degrees.
   const double deviation = std::sqrt(1.2573 * 1.2573 + 1.0 / 12.0);
   EXPECT_NEAR(sum / count, 0.0, 4 * deviation / std::sqrt(count));
   EXPECT_NEAR(std::sqrt(square / count), deviation, 4 * deviation / std::sqrt(2.0 * count));
 }
 
-TEST(Vision, GaussianNoiseIsCenteredOnExactDistance) {
-  World world = empty_pitch();
-  Player& me = place(world, Side::kLeft, 1, {0, 0}, 0, 19);
+TEST_F(Vision, GaussianNoiseIsCenteredOnExactDistance) {
+  place(world, Side::kLeft, 1, {0, 0}, 0, 19);
   me.view.gaussian = true;
   me.view.focus_distance = 30;
   world.ball.position = {20, 0};  // 20 m away, 10 m from the focus
   const int count = 4000;
   double sum = 0.0;
   double square = 0.0;
+
   for (std::uint64_t seed = 0; seed < count; ++seed) {
-    const std::string part = see_part(see_text(world, me, seed), "(b)");
-    const double error = std::stod(part.substr(5)) - 20.0;
+    double distance = 0.0;
+    base::parse_number_prefix(see_part(see_text(world, me, seed), "(b)").substr(5), distance);
+    const double error = distance - 20.0;
     sum += error;
     square += error * error;
   }
   const double deviation = 20 * 0.0125 + 10 * 0.0125;
+
   EXPECT_NEAR(sum / count, 0.0, 4 * deviation / std::sqrt(count));
   EXPECT_NEAR(std::sqrt(square / count), deviation, 4 * deviation / std::sqrt(2.0 * count));
 }

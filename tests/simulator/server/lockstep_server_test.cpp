@@ -95,6 +95,7 @@ TEST(LockstepServer, FlushesGameLogWhenPlayModeChanges) {
   match.server->record(&log, nullptr);
   int turns = 0;
   std::size_t last = std::string::npos;
+
   while (!match.server->finished()) {
     match.run_cycle();
     const std::size_t turn = log.bytes().rfind("(playmode ");
@@ -103,6 +104,7 @@ TEST(LockstepServer, FlushesGameLogWhenPlayModeChanges) {
     ++turns;
     EXPECT_GT(log.visible.size(), turn);
   }
+
   EXPECT_THAT(log.visible, HasSubstr("(playmode 400 time_over)"));
   EXPECT_GE(turns, 4);
 }
@@ -112,6 +114,7 @@ TEST(LockstepServer, PlaysMatchFromKickOffToTimeOver) {
   match.run_to_end();
   const auto lines = referee_lines(match);
   ASSERT_GE(lines.size(), 8u);
+
   // The step after which the last player is connected is the first step of the wait.
   EXPECT_EQ(lines[0], "0,5\t(referee kick_off_l)");
   EXPECT_EQ(lines[1].substr(lines[1].find('\t')), "\t(referee play_on)");
@@ -121,6 +124,7 @@ TEST(LockstepServer, PlaysMatchFromKickOffToTimeOver) {
   EXPECT_EQ(lines[lines.size() - 2], "400,0\t(referee time_up)");
   EXPECT_EQ(lines.back(), "400,0\t(referee time_over)");
   EXPECT_EQ(match.server->world().clock.time, 400);
+
   for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
     EXPECT_EQ(match.server->missed_cycles(slot), 0);
   }
@@ -131,12 +135,14 @@ TEST(LockstepServer, RecordsEveryStepAndResult) {
   match.run_to_end();
   const std::string& log = match.game_log.bytes();
   EXPECT_TRUE(log.starts_with("ULG6\n(server_param (audio_cut_dist 50)"));
+
   const auto frames = tests::read_frames(log);
   std::set<int> times;
   for (const auto& frame : frames) times.insert(frame.time);
   EXPECT_EQ(times.size(), 399u);
   EXPECT_EQ(times.count(200), 0u) << "half time has no frame";
   EXPECT_EQ(frames.back().mode, PlayMode::kTimeOver);
+
   const World& world = match.server->world();
   const std::string score = std::to_string(world.teams[0].score);
   const std::string other_score = std::to_string(world.teams[1].score);
@@ -191,6 +197,7 @@ TEST(LockstepServer, ExecutesBothTeamsFirstEquallyOften) {
   int left = 0;
   int cycles = 0;
   std::string_view stamp;
+
   for (const auto line : tests::split_lines(match.text_log.bytes())) {
     const std::string_view now = line.substr(0, line.find('\t'));
     if (now == stamp || line.find("\tRecv") == std::string_view::npos || now == "0,0") continue;
@@ -198,6 +205,7 @@ TEST(LockstepServer, ExecutesBothTeamsFirstEquallyOften) {
     ++cycles;
     left += line.find("Recv Left_") != std::string_view::npos;
   }
+
   ASSERT_GT(cycles, 400);
   EXPECT_NEAR(left, cycles / 2.0, 2 * std::sqrt(cycles)) << "four deviations";
 }
@@ -207,6 +215,7 @@ TEST(LockstepServer, ContinuesIdenticallyFromForkedWorld) {
   for (int cycle = 0; cycle < 120; ++cycle) match.run_cycle();
   World fork = match.server->world();
   const World before = fork;
+
   Events events;
   const auto go_on = [&events](World& world) {
     for (int i = 0; i < 50; ++i) {
@@ -218,17 +227,21 @@ TEST(LockstepServer, ContinuesIdenticallyFromForkedWorld) {
       finish_step(world, events);
       events.clear();
     }
+
     gamelog::Frame frame;
     to_frame(world, frame);
     std::string text = std::to_string(frame.time);
     for (const auto& player : frame.players) {
       text += ' ' + std::to_string(player.position.x) + ' ' + std::to_string(player.body);
     }
+
     return text;
   };
+
   World again = before;
   const std::string result = go_on(fork);
   EXPECT_EQ(result, go_on(again));
+
   match.run_cycle();
   EXPECT_EQ(match.server->world().clock.time, before.clock.time + 1) << "the original is untouched";
 }

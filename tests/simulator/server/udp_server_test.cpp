@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "simulator/server/message_compression.h"
 #include "tests/simulator/server/running_server.h"
 #include "tests/support/scripted_player.h"
@@ -32,10 +34,21 @@ std::vector<std::unique_ptr<ScriptedPlayer>> two_teams(int port) {
   return players;
 }
 
-// Joins team A as a player or, at the port of coaches, as its coach.
-void join(UdpClient& client, std::string_view reply) {
-  client.send("(init A (version 18))");
-  ASSERT_EQ(client.wait(), reply);
+/// The first player of team A or, at the port of coaches, its coach.
+class Joined : public UdpClient {
+ public:
+  explicit Joined(int port, std::string_view reply = "(init l 1 before_kick_off)")
+      : UdpClient(port) {
+    send("(init A (version 18))");
+    if (const std::string answer = wait(); answer != reply) throw std::runtime_error(answer);
+  }
+};
+
+/// The next message that begins so; what comes before it is dropped. Empty if there is none.
+std::string wait_for(UdpClient& client, std::string_view start) {
+  std::string message = client.wait();
+  while (!message.empty() && !message.starts_with(start)) message = client.wait();
+  return message;
 }
 
 TEST(UdpServer, PlaysMatchOfTwoTeams) {
@@ -69,17 +82,11 @@ TEST(UdpServer, EndsEarlyWhenAllClientsDisconnectAfterTimeOver) {
 
 TEST(UdpServer, RepliesFromNewPortAndKeepsListening) {
   RunningServer running(quick_match());
-  UdpClient client(running.port);
-  client.send("(init A (version 18))");
-  EXPECT_EQ(client.wait(), "(init l 1 before_kick_off)");
+  Joined client(running.port);
   EXPECT_NE(client.server_port(), running.port);
   client.set_server_port(running.port);
   client.send("(init A (version 18))");
-  std::string message;
-  while (message != "(error only_init_allowed_on_init_port)" &&
-         !(message = client.wait()).empty()) {
-  }
-  EXPECT_EQ(message, "(error only_init_allowed_on_init_port)");
+  EXPECT_NE(wait_for(client, "(error only_init_allowed_on_init_port)"), "");
   EXPECT_NE(client.server_port(), running.port);
 }
 
@@ -106,9 +113,7 @@ TEST(UdpServer, AcceptsRequestsWithLineFeedAndWithoutNul) {
 
 TEST(UdpServer, WarnsOfDatagramsWithoutNul) {
   RunningServer running(quick_match());
-  UdpClient client(running.port);
-  client.send("(init A (version 18))");
-  ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
+  Joined client(running.port);
   client.send_bytes("(score)");
   client.send("(done)");
   bool warned = false;
@@ -127,6 +132,7 @@ TEST(UdpServer, IgnoresGarbage) {
     garbage.send_bytes(bytes.substr(0, static_cast<std::size_t>(i * 40)));
     garbage.send_bytes(std::string(static_cast<std::size_t>(i), '('));
   }
+
   // Garbage may have filled the server's buffer: the client repeats its request until it gets a
   // reply.
   UdpClient client(running.port);
@@ -135,24 +141,19 @@ TEST(UdpServer, IgnoresGarbage) {
     client.send("(init A (version 18))");
     message = client.wait(milliseconds(20));
   }
+
   EXPECT_EQ(message, "(init l 1 before_kick_off)");
   client.send_bytes(bytes);
   client.send_bytes(std::string("(turn 1)\0(turn 2)", 17));
   client.send("(say \"abc\")(done)");
-  while (!message.starts_with("(hear 0 self") && !(message = client.wait()).empty()) {
-  }
-  EXPECT_EQ(message, "(hear 0 self \"abc\")");
+  EXPECT_EQ(wait_for(client, "(hear 0 self"), "(hear 0 self \"abc\")");
 }
 
 TEST(UdpServer, RemovesClientWithClosedSocket) {
   UdpConfig config = quick_match();
   config.max_wait = milliseconds(50);
   RunningServer running(config);
-  {
-    UdpClient client(running.port);
-    client.send("(init A (version 18))");
-    ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
-  }
+  { Joined client(running.port); }
   // Sending to the closed port fails, and the next cycle runs without the player.
   ScriptedPlayer witness(std::make_unique<UdpClient>(running.port), "A");
   witness.join();
@@ -198,9 +199,7 @@ using Clock = std::chrono::steady_clock;
 
 TEST(UdpServer, StepsInRealTime) {
   RunningServer running(real_time_match());
-  UdpClient client(running.port);
-  client.send("(init A (version 18))");
-  ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
+  Joined client(running.port);
   int senses = 0;
   const auto begin = Clock::now();
   while (senses < 40) senses += client.wait().starts_with("(sense_body 0 ") ? 1 : 0;
@@ -227,17 +226,15 @@ TEST(UdpServer, SendsNoThinkInRealTime) {
     }
     senses += message.starts_with("(sense_body") ? 1 : 0;
   }
+
   EXPECT_TRUE(received);
 }
 
 TEST(UdpServer, ExecutesCommandsWithoutDoneInRealTime) {
   RunningServer running(real_time_match());
-  UdpClient client(running.port);
-  client.send("(init A (version 18))");
-  ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
+  Joined client(running.port);
   client.send("(turn 90)(score)");
-  std::string message = client.wait();
-  while (!message.empty() && !message.starts_with("(score")) message = client.wait();
+  std::string message = wait_for(client, "(score");
   EXPECT_EQ(message, "(score 0 0 0)");
   while (!message.empty() && message.find("(turn 1)") == std::string::npos) message = client.wait();
   EXPECT_TRUE(message.starts_with("(sense_body 0 ")) << message;
@@ -266,12 +263,14 @@ TEST(UdpServer, SendsSeeAtSendStepInRealTime) {
   client.send("(init A (version 14))");
   int senses = 0;
   int sees = 0;
+
   while (senses < 16) {
     const std::string message = client.wait();
     ASSERT_FALSE(message.empty());
     if (senses > 0 && message.starts_with("(see ")) ++sees;
     if (message.starts_with("(sense_body")) ++senses;
   }
+
   EXPECT_EQ(sees, 10);  // in 15 cycles
 }
 
@@ -283,13 +282,9 @@ TEST(UdpServer, LetsMonitorWatchAndStartMatch) {
   monitor.send("(dispinit version 5)");
   EXPECT_TRUE(monitor.wait().starts_with("(server_param "));
   EXPECT_NE(monitor.server_port(), running.port);
-  std::string message;
-  while (!message.starts_with("(show 0 (pm 1) ") && !(message = monitor.wait()).empty()) {
-  }
+  EXPECT_NE(wait_for(monitor, "(show 0 (pm 1) "), "");
   monitor.send("(dispstart)");
-  while (!message.starts_with("(show 3 (pm 4) ") && !(message = monitor.wait()).empty()) {
-  }
-  EXPECT_TRUE(message.starts_with("(show 3 (pm 4) "));
+  EXPECT_NE(wait_for(monitor, "(show 3 (pm 4) "), "");
   EXPECT_EQ(running.stop(), UdpServerExit::kStopped);
 }
 
@@ -297,8 +292,7 @@ TEST(UdpServer, DoesNotWaitForClientsThatSentBye) {
   UdpConfig config = quick_match();
   config.max_wait = std::chrono::hours(1);
   RunningServer running(config);
-  UdpClient player(running.port);
-  ASSERT_NO_FATAL_FAILURE(join(player, "(init l 1 before_kick_off)"));
+  Joined player(running.port);
   UdpClient coach(running.server->port(ListeningPort::kOnlineCoaches));
   while (!coach.wait(milliseconds(20)).starts_with("(init l")) coach.send("(init A (version 18))");
   coach.send("(eye on)");
@@ -307,10 +301,12 @@ TEST(UdpServer, DoesNotWaitForClientsThatSentBye) {
   UdpClient witness(running.port);
   witness.send("(init B (version 18))");
   std::string message;
+
   for (int thinks = 0; thinks < 3; thinks += message == "(think)" ? 1 : 0) {
     ASSERT_FALSE((message = witness.wait()).empty());
     if (message == "(think)") witness.send("(done)");
   }
+
   EXPECT_EQ(running.stop(), UdpServerExit::kStopped);
 }
 
@@ -320,6 +316,7 @@ TEST(UdpServer, SendsThinkOnlyAfterSenses) {
   UdpConfig config = quick_match();
   config.pause_before_start = milliseconds(30);
   RunningServer running(config);
+
   for (int i = 0; i < 8; ++i) {
     UdpClient player(running.port);
     player.send("(init A (version 18))");
@@ -339,12 +336,11 @@ TEST(UdpServer, SendsThinkToCoachOnlyAfterItsView) {
   UdpConfig config = quick_match();
   config.pause_before_start = milliseconds(30);
   RunningServer running(config);
-  UdpClient player(running.port);
-  ASSERT_NO_FATAL_FAILURE(join(player, "(init l 1 before_kick_off)"));
-  UdpClient coach(running.server->port(ListeningPort::kOnlineCoaches));
-  ASSERT_NO_FATAL_FAILURE(join(coach, "(init l ok)"));
+  Joined player(running.port);
+  Joined coach(running.server->port(ListeningPort::kOnlineCoaches), "(init l ok)");
   coach.send("(eye on)");
   std::string first;
+
   while (first != "(think)" && !first.starts_with("(see_global")) {
     std::string message;
     while (player.receive(message)) {
@@ -352,6 +348,7 @@ TEST(UdpServer, SendsThinkToCoachOnlyAfterItsView) {
     }
     if (coach.receive(message)) first = message;
   }
+
   EXPECT_THAT(first, HasSubstr("(see_global"));
 }
 
@@ -360,11 +357,9 @@ TEST(UdpServer, AnswersOnReceiptInSynchronousMode) {
   UdpConfig config = quick_match();
   config.max_wait = std::chrono::hours(1);
   RunningServer running(config);
-  UdpClient player(running.port);
-  ASSERT_NO_FATAL_FAILURE(join(player, "(init l 1 before_kick_off)"));
-  for (std::string message; message != "(think)";) {
-    ASSERT_FALSE((message = player.wait()).empty());
-  }
+  Joined player(running.port);
+  ASSERT_NE(wait_for(player, "(think)"), "");
+
   for (const auto& [command, answer] : {std::pair{"(clang (ver 7 8))", "(ok clang (ver 7 8))"},
                                         {"(score)", "(score 0 0 0)"},
                                         {"(nonsense)", "(error illegal_command_form)"},
@@ -376,8 +371,7 @@ TEST(UdpServer, AnswersOnReceiptInSynchronousMode) {
   player.send("(score)");  // after the turn
   EXPECT_EQ(player.wait(milliseconds(50)), "");
 
-  UdpClient coach(running.server->port(ListeningPort::kOnlineCoaches));
-  ASSERT_NO_FATAL_FAILURE(join(coach, "(init l ok)"));
+  Joined coach(running.server->port(ListeningPort::kOnlineCoaches), "(init l ok)");
   for (std::string message; message != "(ok eye on)";) {
     coach.send("(eye on)");
     ASSERT_FALSE((message = coach.wait()).empty());
@@ -390,13 +384,12 @@ TEST(UdpServer, AnswersOnReceiptInSynchronousMode) {
 // cycle before it decides.
 TEST(UdpServer, SendsThinkToCoachesLateInSomeCycles) {
   RunningServer running(quick_match());
-  UdpClient player(running.port);
-  ASSERT_NO_FATAL_FAILURE(join(player, "(init l 1 before_kick_off)"));
-  UdpClient coach(running.server->port(ListeningPort::kOnlineCoaches));
-  ASSERT_NO_FATAL_FAILURE(join(coach, "(init l ok)"));
+  Joined player(running.port);
+  Joined coach(running.server->port(ListeningPort::kOnlineCoaches), "(init l ok)");
   coach.send("(eye on)");
   std::string cycle;
   std::map<std::string, int> orders;
+
   for (int views = 0; views < 150;) {
     std::string message;
     while (player.receive(message)) {
@@ -410,6 +403,7 @@ TEST(UdpServer, SendsThinkToCoachesLateInSomeCycles) {
     if (message == "(think)") coach.send("(done)");
     if (views >= 10 && message != "(ok eye on)") cycle += message.substr(0, 5) + " ";
   }
+
   EXPECT_EQ(running.stop(), UdpServerExit::kStopped);
   const int late = orders["(see_ (hear (thin "];
   EXPECT_EQ(orders["(see_ (thin (hear "] + late, 140);
@@ -424,13 +418,14 @@ TEST(UdpServer, ListensForCoachesAndTrainerOnSeparatePorts) {
   UdpClient trainer(running.server->port(ListeningPort::kTrainers));
   trainer.send("(init (version 18))");
   EXPECT_EQ(trainer.wait(), "(init ok)");
-  UdpClient player(running.port);
-  ASSERT_NO_FATAL_FAILURE(join(player, "(init l 1 before_kick_off)"));
+
+  Joined player(running.port);
   const int coach_port = running.server->port(ListeningPort::kOnlineCoaches);
   UdpClient coach(coach_port);
   coach.send("(init A Cch (version 18))");
   EXPECT_EQ(coach.wait(), "(init l ok)");
   EXPECT_NE(coach.server_port(), coach_port);
+
   UdpClient second(coach_port);
   second.send("(init A (version 18))");
   EXPECT_EQ(second.wait(), "(error already_have_coach)");
@@ -442,14 +437,9 @@ TEST(UdpServer, ListensForCoachesAndTrainerOnSeparatePorts) {
 // Like rcssserver: the reply is uncompressed, then every message is a zlib stream.
 TEST(UdpServer, CompressesBothDirectionsOnRequest) {
   RunningServer running(real_time_match());
-  UdpClient client(running.port);
-  client.send("(init A (version 18))");
-  ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
+  Joined client(running.port);
   client.send("(compression 6)");
-  std::string message;
-  while (message != "(ok compression 6)" && !(message = client.wait()).empty()) {
-  }
-  EXPECT_EQ(message, "(ok compression 6)");
+  EXPECT_EQ(wait_for(client, "(ok compression"), "(ok compression 6)");
   MessageCompression stream(6);
   client.send_bytes(stream.compress(std::string("(score)\0", 8)));
   std::string plain;
@@ -459,6 +449,7 @@ TEST(UdpServer, CompressesBothDirectionsOnRequest) {
     ASSERT_TRUE(stream.decompress(bytes, 8192, plain)) << bytes.size();
     ASSERT_EQ(plain.back(), '\0');
   }
+
   EXPECT_EQ(plain.substr(0, plain.size() - 1), "(score 0 0 0)");
 }
 

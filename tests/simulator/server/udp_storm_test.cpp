@@ -34,6 +34,33 @@ class Witness {
   ScriptedPlayer player_;
 };
 
+/// A thread that calls `send` until the end of the scope, after `start`.
+class Flood {
+ public:
+  template <typename Start, typename Send>
+  Flood(int port, Start start, Send send) {
+    thread_ = std::thread([this, port, start, send] {
+      UdpClient client(port);
+      start(client);
+      while (!stop_) send(client);
+    });
+  }
+  ~Flood() {
+    stop_ = true;
+    thread_.join();
+  }
+
+ private:
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+void join_flood(UdpClient& client) {
+  client.send("(init Flood (version 18))");
+  while (!client.wait().starts_with("(ok synch_see)")) {
+  }
+}
+
 UdpConfig endless() {
   UdpConfig config = quick_match();
   config.pause_before_start = milliseconds(1);
@@ -64,6 +91,7 @@ TEST(UdpStorm, RunsManyServersConcurrently) {
 TEST(UdpStorm, SurvivesMonitorsThatConnectAndDisconnect) {
   RunningServer running(endless());
   Witness witness(running.port);
+
   for (int round = 0; round < 10; ++round) {
     std::vector<std::unique_ptr<UdpClient>> crowd;
     for (int i = 0; i < 30; ++i) {
@@ -81,6 +109,7 @@ TEST(UdpStorm, SurvivesMonitorsThatConnectAndDisconnect) {
   }
   UdpClient last(running.port);
   last.send("(dispinit version 5)");
+
   EXPECT_TRUE(last.wait().starts_with("(server_param "));
   EXPECT_EQ(running.stop(), UdpServerExit::kStopped);
 }
@@ -97,66 +126,56 @@ TEST(UdpStorm, SurvivesPlayersThatConnectAndDisconnect) {
     // Some clients closed their sockets; the server notices with the next message to them.
     witness.play(1);
   }
+
   EXPECT_EQ(taken, 21);  // and the witness
   UdpClient back(running.port);
   back.send("(reconnect Storm 3)");
+
   EXPECT_EQ(back.wait(), "(reconnect r before_kick_off)");
 }
 
-// Exceeds the receive quota of a client; its (done) is recognized anyway.
-TEST(UdpStorm, FloodOfOneClientDelaysNoOtherClient) {
+/// A server with a witness, which a flood of commands must not delay.
+template <typename Start, typename Send>
+void expect_no_delay(Start start, Send send) {
   UdpConfig config = endless();
   config.max_wait = milliseconds(2000);
   RunningServer running(config);
   Witness witness(running.port);
-  std::atomic<bool> stop{false};
-  std::thread flood([&] {
-    UdpClient client(running.port);
-    client.send("(init Flood (version 18))");
-    while (!client.wait().starts_with("(ok synch_see)")) {
-    }
-    while (!stop) client.send("(turn 10)(say \"abc\")(done)");
-  });
-  const auto begin = std::chrono::steady_clock::now();
-  witness.play(50);
-  const auto needed = std::chrono::steady_clock::now() - begin;
-  stop = true;
-  flood.join();
+  std::chrono::steady_clock::duration needed{};
+
+  {
+    const Flood flood(running.port, start, send);
+    const auto begin = std::chrono::steady_clock::now();
+    witness.play(50);
+    needed = std::chrono::steady_clock::now() - begin;
+  }
+
   EXPECT_LT(needed, std::chrono::seconds(20));
   EXPECT_EQ(running.stop(), UdpServerExit::kStopped);
   EXPECT_GT(running.server->world().player(Side::kRight, 1).counters.turn, 0);
 }
 
+// Exceeds the receive quota of a client; its (done) is recognized anyway.
+TEST(UdpStorm, FloodOfOneClientDelaysNoOtherClient) {
+  expect_no_delay(join_flood,
+                  [](UdpClient& client) { client.send("(turn 10)(say \"abc\")(done)"); });
+}
+
 // The datagrams of a client that compresses cost the server a hundred times their size.
 TEST(UdpStorm, CompressedFloodDelaysNoOtherClient) {
-  UdpConfig config = endless();
-  config.max_wait = milliseconds(2000);
-  RunningServer running(config);
-  Witness witness(running.port);
   MessageCompression zlib(9);
   std::string turns;
   while (turns.size() < 8000) turns += "(turn 10)";
   const std::string datagram(zlib.compress(turns));
   ASSERT_LT(datagram.size(), 100u);
-  std::atomic<bool> stop{false};
-  std::thread flood([&] {
-    UdpClient client(running.port);
-    client.send("(init Flood (version 18))");
-    while (!client.wait().starts_with("(ok synch_see)")) {
-    }
+
+  const auto start = [](UdpClient& client) {
+    join_flood(client);
     client.send("(compression 9)");
     client.wait_bytes();
-    // It never sends (done), and never has to: it floods the server.
-    while (!stop) client.send_bytes(datagram);
-  });
-  const auto begin = std::chrono::steady_clock::now();
-  witness.play(50);
-  const auto needed = std::chrono::steady_clock::now() - begin;
-  stop = true;
-  flood.join();
-  EXPECT_LT(needed, std::chrono::seconds(20));
-  EXPECT_EQ(running.stop(), UdpServerExit::kStopped);
-  EXPECT_GT(running.server->world().player(Side::kRight, 1).counters.turn, 0);
+  };
+  // It never sends (done), and never has to: it floods the server.
+  expect_no_delay(start, [&](UdpClient& client) { client.send_bytes(datagram); });
 }
 
 // Receives up to so many sense_body messages, or fewer if the server stops sending.
@@ -170,43 +189,33 @@ int count_senses(UdpClient& client, int most) {
   return senses;
 }
 
-// Each of these datagrams causes work a thousand times its size.
-TEST(UdpStorm, FloodOfRequestsDelaysNoClient) {
-  for (const std::string request : {"(sense_body)", "(say \"abc\")", "(clang (ver 7 8))"}) {
-    RunningServer running(real_time_match());
-    UdpClient client(running.port);
-    client.send("(init A (version 18))");
-    ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
-    std::string datagram;
-    while (datagram.size() < 8000) datagram += request;
-    std::atomic<bool> stop{false};
-    std::thread flood([&] {
-      UdpClient other(running.port);
-      other.send("(init A (version 18))");
-      other.wait();
-      while (!stop) other.send(datagram);
-    });
-    const int senses = count_senses(client, 20);
-    stop = true;
-    flood.join();
-    EXPECT_EQ(senses, 20) << request;
-  }
-}
-
-TEST(UdpStorm, FloodOnListeningPortDelaysNoClient) {
+/// A server in real time whose client must receive its senses during a flood.
+template <typename Start, typename Send>
+void expect_senses(Start start, Send send) {
   RunningServer running(real_time_match());
   UdpClient client(running.port);
   client.send("(init A (version 18))");
   ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
-  std::atomic<bool> stop{false};
-  std::thread flood([&] {
-    UdpClient stranger(running.port);
-    while (!stop) stranger.send("(dash 100)");
-  });
-  const int senses = count_senses(client, 20);
-  stop = true;
-  flood.join();
-  EXPECT_EQ(senses, 20);
+  const Flood flood(running.port, start, send);
+  EXPECT_EQ(count_senses(client, 20), 20);
+}
+
+// Each of these datagrams causes work a thousand times its size.
+TEST(UdpStorm, FloodOfRequestsDelaysNoClient) {
+  for (const std::string request : {"(sense_body)", "(say \"abc\")", "(clang (ver 7 8))"}) {
+    SCOPED_TRACE(request);
+    std::string datagram;
+    while (datagram.size() < 8000) datagram += request;
+    const auto start = [](UdpClient& other) {
+      other.send("(init A (version 18))");
+      other.wait();
+    };
+    expect_senses(start, [&](UdpClient& other) { other.send(datagram); });
+  }
+}
+
+TEST(UdpStorm, FloodOnListeningPortDelaysNoClient) {
+  expect_senses([](UdpClient&) {}, [](UdpClient& stranger) { stranger.send("(dash 100)"); });
 }
 
 }  // namespace

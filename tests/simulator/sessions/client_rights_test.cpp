@@ -2,14 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <map>
-#include <memory>
-#include <string>
-#include <vector>
-
-#include "simulator/sessions/match_server.h"
 #include "simulator/world/roster.h"
-#include "soccer/memory_channel.h"
+#include "tests/simulator/sessions/match_clients.h"
 
 namespace cls::simulator {
 namespace {
@@ -24,37 +18,22 @@ constexpr ClientRights kRightOnly{false, true, false, false};
 constexpr ClientRights kWatch{false, false, false, true};
 constexpr ClientRights kNothing{false, false, false, false};
 
-class ClientRightsTest : public testing::Test {
+class ClientRightsTest : public MatchClients {
  protected:
+  ClientRightsTest() { start(); }
+
   AdmissionResult ask(const std::string& request, const ClientRights& rights,
                       ListeningPort port = ListeningPort::kPlayers) {
     return server_->admit(port, request, rights);
   }
-  /// Connects the client; its id, or the reply as a negative number.
   ClientId connect(const std::string& request, const ClientRights& rights,
                    ListeningPort port = ListeningPort::kPlayers) {
-    const AdmissionResult result = ask(request, rights, port);
-    if (!std::holds_alternative<Admission>(result)) return kNoClient;
-    auto [server_end, client_end] = soccer::make_memory_channel();
-    const auto& admission = std::get<Admission>(result);
-    clients_[admission.client] = std::move(client_end);
-    server_->complete_handshake(admission, std::move(server_end), request);
-    return admission.client;
+    return MatchClients::connect(request, port, rights);
   }
   bool intrudes(const std::string& request, const ClientRights& rights,
                 ListeningPort port = ListeningPort::kPlayers) {
     return std::holds_alternative<Intrusion>(ask(request, rights, port));
   }
-  std::vector<std::string> messages(ClientId client) {
-    std::vector<std::string> texts;
-    std::string text;
-    while (clients_[client]->receive(text)) texts.push_back(text);
-    return texts;
-  }
-  const World& world() const { return server_->world(); }
-
-  std::unique_ptr<MatchServer> server_ = std::move(*MatchServer::create({}));
-  std::map<ClientId, std::unique_ptr<soccer::Channel>> clients_;
 };
 
 TEST_F(ClientRightsTest, DecideTheSideWhateverComesFirst) {
@@ -132,17 +111,13 @@ TEST_F(TwinsTest, ReconnectAndHaveCoaches) {
   const ClientId coach =
       connect("(init Twins (version 18))", kRightOnly, ListeningPort::kOnlineCoaches);
   EXPECT_EQ(coach, kRightCoach);
-  messages(coach);
-  server_->receive(coach, "(team_names)");
-  server_->execute();
-  EXPECT_THAT(messages(coach),
+  EXPECT_THAT(answers(coach, "(team_names)"),
               Contains(HasSubstr("(ok team_names (team l Twins_l) (team r Twins)")));
 }
 
 TEST_F(TwinsTest, AttendToTheirOwnByName) {
   connect("(init Twins (version 18))", kRightOnly);
-  server_->receive(right_, "(attentionto Twins 2)");
-  server_->execute();
+  answers(right_, "(attentionto Twins 2)");
   EXPECT_EQ(world().player(right_).attention, soccer::slot_of(Side::kRight, 2));
 }
 
@@ -167,8 +142,7 @@ class MixedTeamTest : public ClientRightsTest {
   std::string seen_by(ClientId client) {
     messages(client);
     for (int cycle = 0; cycle < 5; ++cycle) {
-      server_->step();
-      server_->sense();
+      step();
       server_->see(99);
       for (const std::string& text : messages(client)) {
         if (text.starts_with("(see ")) return text;
@@ -201,9 +175,7 @@ TEST_F(MixedTeamTest, PlayersSeeTheirTeamUnderTheirOwnName) {
 
 TEST_F(MixedTeamTest, PlayersNameTeamsInCommandsAsTheySeeThem) {
   const auto attends = [this](ClientId client, const std::string& command) {
-    messages(client);
-    server_->receive(client, command);
-    server_->execute();
+    answers(client, command);
     return world().player(client).attention;
   };
   EXPECT_EQ(attends(first_, "(attentionto A 2)"), second_);
@@ -211,22 +183,17 @@ TEST_F(MixedTeamTest, PlayersNameTeamsInCommandsAsTheySeeThem) {
   EXPECT_EQ(attends(second_, "(attentionto B 1)"), first_);
   EXPECT_EQ(attends(second_, "(attentionto A 1)"), opponent_);
 
-  server_->receive(first_, "(ear (off A))");
-  server_->receive(first_, "(ear (off C))");
-  server_->execute();
-  EXPECT_THAT(messages(first_), ElementsAre("(error no team with name C)"));
+  EXPECT_THAT(answers(first_, "(ear (off A))"), ElementsAre());
+  EXPECT_THAT(answers(first_, "(ear (off C))"), ElementsAre("(error no team with name C)"));
 }
 
 TEST_F(MixedTeamTest, CoachAndReconnectedPlayersKeepTheirNames) {
   const ClientId coach = connect("(init B (version 18))", kMixed, ListeningPort::kOnlineCoaches);
   EXPECT_EQ(coach, kLeftCoach);
-  messages(coach);
-  server_->receive(coach, "(team_names)");
-  server_->execute();
-  EXPECT_THAT(messages(coach), Contains(HasSubstr("(ok team_names (team l B) (team r A)")));
+  EXPECT_THAT(answers(coach, "(team_names)"),
+              Contains(HasSubstr("(ok team_names (team l B) (team r A)")));
   EXPECT_EQ(connect("(reconnect A 1)", kMixed), first_);
-  server_->receive(first_, "(move -10 0)");
-  server_->execute();
+  answers(first_, "(move -10 0)");
   EXPECT_THAT(seen_by(first_), HasSubstr("((p \"A\" 2)"));
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/text/number_text.h"
 #include "soccer/memory_channel.h"
 #include "tests/support/rcg_lines.h"
 
@@ -34,6 +35,7 @@ bool matches(std::string_view pattern, std::string_view text) {
     while (at < text.size() && is_digit(text[at])) ++at;
     if (at == start) return false;
   }
+
   return at == text.size();
 }
 
@@ -65,6 +67,7 @@ void parse_line(std::string_view line, Conversation& out) {
     if (out.turns.empty()) throw std::runtime_error("no datagram before this line");
     return out.turns.back();
   };
+
   switch (line.front()) {
     case '=':
       out.settings.emplace_back(rest);
@@ -77,7 +80,7 @@ void parse_line(std::string_view line, Conversation& out) {
       last().included.emplace_back(rest);
       return;
     case '+':
-      out.turns.emplace_back().cycles = std::stoi(std::string(rest));
+      out.turns.emplace_back().cycles = base::parse_int(rest).value();
       return;
     case '>': {
       Turn& turn = out.turns.emplace_back();

@@ -3,60 +3,25 @@
 
 #include <gtest/gtest.h>
 
-#include "soccer/memory_channel.h"
 #include "soccer/messages/parameter_message.h"
+#include "tests/simulator/sessions/match_clients.h"
 #include "tests/support/files.h"
 #include "tests/support/transcript.h"
 
 namespace cls::simulator {
 namespace {
 
-/// A server and the client ends of its players.
-class MatchServerTest : public testing::Test {
+class MatchServerTest : public MatchClients {
  protected:
-  void start(const MatchConfig& config = {}) {
-    server_ = std::move(*MatchServer::create(config));
-    server_->record(nullptr, &text_log_);
-  }
-
   void SetUp() override { start(); }
 
-  /// Connects a client; returns the text of the error, or an empty string.
+  /// Connects a player; returns the text of the error, or an empty string.
   std::string connect(const std::string& request) {
-    const auto answer = server_->admit(ListeningPort::kPlayers, request);
-    if (const auto* error = std::get_if<soccer::ErrorCode>(&answer)) {
-      std::string text;
-      soccer::format(*error, text);
-      return text;
-    }
-    auto [server_end, client_end] = soccer::make_memory_channel();
-    slot_ = std::get<Admission>(answer).client;
-    clients_[slot_] = std::move(client_end);
-    server_->complete_handshake(std::get<Admission>(answer), std::move(server_end), request);
-    return "";
+    const ClientId client = MatchClients::connect(request);
+    if (client != kNoClient) slot_ = client;
+    return refusal_;
   }
 
-  std::vector<std::string> messages(Slot slot) {
-    std::vector<std::string> result;
-    std::string message;
-    while (clients_[slot]->receive(message)) result.push_back(message);
-    return result;
-  }
-
-  /// Replies to a datagram of the player.
-  std::vector<std::string> answers(Slot slot, const std::string& datagram,
-                                   bool null_terminated = true) {
-    messages(slot);
-    server_->receive(slot, datagram, null_terminated);
-    server_->execute();
-    return messages(slot);
-  }
-
-  using Texts = std::vector<std::string>;
-
-  std::unique_ptr<MatchServer> server_;
-  base::StringSink text_log_;
-  std::map<Slot, std::unique_ptr<soccer::Channel>> clients_;
   Slot slot_ = kNoPlayer;  ///< of the last client
 };
 
@@ -64,9 +29,11 @@ TEST_F(MatchServerTest, CompletesHandshakeLikeRcssserver) {
   const std::string text = tests::read_file(tests::fixture("simulator/handshake-v18.txt.gz"));
   const auto transcript = tests::read_transcript(text);
   ASSERT_EQ(transcript.size(), 23u);
+
   MatchConfig config;
   ASSERT_TRUE(soccer::parse(transcript[2].message, config.server));
   ASSERT_TRUE(soccer::parse(transcript[3].message, config.player));
+
   start(config);
   for (int unum = 1; unum <= 10; ++unum) {
     ASSERT_EQ(connect(std::string(transcript[0].message)), "");
@@ -136,6 +103,7 @@ TEST_F(MatchServerTest, RepliesToCommandsLikeRcssserver) {
       {"(turn 30)(turn_neck 20)", {}},
       {"(move 10 10)", {}},  // the body command of this cycle was executed
   };
+
   for (const auto& [command, expected] : cases) {
     EXPECT_EQ(answers(slot_, command), expected) << command;
   }
@@ -187,9 +155,9 @@ TEST_F(MatchServerTest, SendsFullStateToEnabledSide) {
   const Slot right = slot_;
   messages(left);
   messages(right);
-  server_->step();
-  server_->sense();
+  step();
   const Texts to_left = messages(left);
+
   ASSERT_EQ(to_left.size(), 2u);
   EXPECT_TRUE(to_left[1].starts_with("(fullstate 0 (pmode before_kick_off)"));
   EXPECT_EQ(messages(right).size(), 1u);
@@ -208,9 +176,11 @@ TEST_F(MatchServerTest, SendsTypesAtFirstKickOffAndToLateClients) {
   messages(left);
   messages(right);
   server_->step();
+
   // The first player keeps type 0, the second gets the next one.
   EXPECT_EQ(messages(left), (Texts{"(change_player_type 2 1)", "(hear 0 referee kick_off_l)"}));
   EXPECT_EQ(messages(right), (Texts{"(change_player_type 2)", "(hear 0 referee kick_off_l)"}));
+
   connect("(init A (version 18))");
   const Texts greeting = messages(slot_);
   EXPECT_EQ(greeting.front(), "(init l 3 kick_off_l)");
@@ -225,10 +195,12 @@ TEST_F(MatchServerTest, AllowsReconnectOutsidePlayOn) {
   server_->step();
   server_->receive(slot, "(bye)");
   server_->execute();
+
   EXPECT_FALSE(server_->world().player(slot).enabled);
   EXPECT_EQ(connect("(reconnect A 2)"), "(error no_such_team_or_player)");
   EXPECT_EQ(connect("(reconnect A 1)"), "");
   EXPECT_EQ(slot_, slot);
+
   const Texts greeting = messages(slot);
   EXPECT_EQ(greeting.front(), "(reconnect l before_kick_off)");
   EXPECT_TRUE(greeting[1].starts_with("(server_param "));
@@ -259,6 +231,7 @@ TEST_F(MatchServerTest, ResetsReceiveQuotaInEachStep) {
     server_->execute();
     return messages(slot_).size();
   };
+
   EXPECT_EQ(answers_to("(score)", 200), 200U);
   EXPECT_EQ(answers_to("(score)", 200), 56U);
   server_->step();
@@ -305,6 +278,7 @@ TEST_F(MatchServerTest, LimitsSayMessagesPerSpeaker) {
   server_->sense();
   Texts heard = messages(slot_);
   std::erase_if(heard, [](const std::string& text) { return !text.starts_with("(hear "); });
+
   EXPECT_EQ(heard.size(), static_cast<std::size_t>(PendingMessages::kMaxMessagesPerSpeaker));
 }
 

@@ -2,68 +2,26 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <memory>
-#include <string>
-#include <vector>
-
-#include "simulator/sessions/match_server.h"
-#include "soccer/memory_channel.h"
+#include "tests/simulator/sessions/match_clients.h"
 
 namespace cls::simulator {
 namespace {
 
 using testing::HasSubstr;
 
-class MonitorTest : public testing::Test {
+class MonitorTest : public MatchClients {
  protected:
   MonitorTest() { start({}); }
 
   void start(MatchConfig config) {
     config.seed = 7;
-    server_ = std::move(*MatchServer::create(config));
-  }
-
-  /// A client of the match; its id, or kNoClient if it was refused.
-  ClientId connect(const std::string& request) {
-    auto [server_end, client_end] = soccer::make_memory_channel();
-    const auto answer = server_->admit(ListeningPort::kPlayers, request);
-    if (const auto* refused = std::get_if<soccer::ErrorCode>(&answer)) {
-      refusal_ = name(*refused);
-      return kNoClient;
-    }
-    const Admission admission = std::get<Admission>(answer);
-    server_->complete_handshake(admission, std::move(server_end), request);
-    const auto place = static_cast<std::size_t>(admission.client);
-    if (ends_.size() <= place) ends_.resize(place + 1);
-    ends_[place] = std::move(client_end);
-    return admission.client;
-  }
-
-  std::vector<std::string> messages(ClientId client) {
-    std::vector<std::string> result;
-    std::string message;
-    auto& end = *ends_[static_cast<std::size_t>(client)];
-    while (end.receive(message)) result.push_back(message);
-    return result;
-  }
-
-  std::vector<std::string> answers(ClientId client, const std::string& datagram) {
-    messages(client);
-    server_->receive(client, datagram);
-    return messages(client);
+    MatchClients::start(config);
   }
 
   void step() {
     server_->execute();
-    server_->step();
-    server_->sense();
+    MatchClients::step();
   }
-
-  const World& world() const { return server_->world(); }
-
-  std::unique_ptr<MatchServer> server_;
-  std::vector<std::unique_ptr<soccer::Channel>> ends_;
-  std::string refusal_;
 };
 
 TEST_F(MonitorTest, ReceivesParametersThenEveryStep) {
@@ -91,12 +49,14 @@ TEST_F(MonitorTest, ReceivesFormOfItsVersion) {
   EXPECT_TRUE(messages(v1).empty());
   EXPECT_EQ(messages(v2).size(), 20u);
   EXPECT_TRUE(messages(json)[0].starts_with("{\"server_param\":{"));
+
   messages(v3);
   messages(v4);
   step();
   EXPECT_TRUE(messages(json).at(0).starts_with(R"({"show":{"time":0,"stime":1,"mode":"before_k)"));
   EXPECT_EQ(messages(v1).at(0).size(), 2052u);
   EXPECT_EQ(messages(v2).at(0).size(), 2056u);
+
   // Unlike rcssserver, which sends all monitors the form that the first one requested.
   EXPECT_THAT(messages(v3).at(0), HasSubstr("(s 8000 1 1)"));
   EXPECT_THAT(messages(v4).at(0), HasSubstr("(s 8000 1 1 130600)"));
@@ -106,14 +66,14 @@ TEST_F(MonitorTest, IsRefusedWithUnknownVersionOrBeyondMaximum) {
   for (const char* request : {"(dispinit version 6)", "(dispinit version 0)",
                               "(dispinit version -2)", "(dispinit version 1e99)"}) {
     EXPECT_EQ(connect(request), kNoClient) << request;
-    EXPECT_EQ(refusal_, "illegal_client_version");
+    EXPECT_EQ(refusal_, "(error illegal_client_version)");
   }
   MatchConfig config;
   config.server.max_monitors = 1;
   start(config);
   EXPECT_NE(connect("(dispinit)"), kNoClient);
   EXPECT_EQ(connect("(dispinit)"), kNoClient);
-  EXPECT_EQ(refusal_, "no_more_monitor");
+  EXPECT_EQ(refusal_, "(error no_more_monitor)");
 }
 
 TEST_F(MonitorTest, FreesSlotOnDisconnect) {
@@ -129,8 +89,7 @@ TEST_F(MonitorTest, FreesSlotOnDisconnect) {
 
 TEST_F(MonitorTest, ReceivesErrorForUnknownCommand) {
   const ClientId monitor = connect("(dispinit version 3)");
-  EXPECT_EQ(answers(monitor, "(foo)"),
-            (std::vector<std::string>{"(msg 0 1 \"(error illegal_command_form)\")"}));
+  EXPECT_EQ(answers(monitor, "(foo)"), (Texts{"(msg 0 1 \"(error illegal_command_form)\")"}));
   messages(monitor);
   server_->receive(monitor, "(dispstart)", false);
   EXPECT_EQ(messages(monitor).at(0), "(msg 0 1 \"(warning message_not_null_terminated)\")");
@@ -153,13 +112,11 @@ TEST_F(MonitorTest, CallsFoulsAndDropBalls) {
   const ClientId monitor = connect("(dispinit version 5)");
   messages(player);
   server_->receive(monitor, "(dispfoul 160 -80 1)");
-  EXPECT_EQ(messages(player),
-            (std::vector<std::string>{"(hear 0 referee foul_r)", "(hear 0 referee free_kick_l)"}));
+  EXPECT_EQ(messages(player), (Texts{"(hear 0 referee foul_r)", "(hear 0 referee free_kick_l)"}));
   EXPECT_EQ(world().ball.position, (Vec2{10.0, -5.0}));
   EXPECT_EQ(world().mode, PlayMode::kFreeKickLeft);
   server_->receive(monitor, "(dispfoul -160 80 0)");
-  EXPECT_EQ(messages(player),
-            (std::vector<std::string>{"(hear 0 referee drop_ball)", "(hear 0 referee play_on)"}));
+  EXPECT_EQ(messages(player), (Texts{"(hear 0 referee drop_ball)", "(hear 0 referee play_on)"}));
   EXPECT_EQ(world().ball.position, (Vec2{-10.0, 5.0}));
 }
 
@@ -170,9 +127,11 @@ TEST_F(MonitorTest, MovesDiscardsAndBooksPlayers) {
   server_->receive(monitor, "(dispplayer 1 1 -320 160 90)");
   EXPECT_EQ(world().player(Side::kLeft, 1).position, (Vec2{-20.0, 10.0}));
   EXPECT_NEAR(world().player(Side::kLeft, 1).body, 1.5708, 1e-4);
+
   messages(player);
   server_->receive(monitor, "(dispcard 1 1 yellow)");
   EXPECT_EQ(messages(player).at(0), "(hear 0 referee yellow_card_l_1)");
+
   server_->receive(monitor, "(dispdiscard 1 2)");
   EXPECT_FALSE(world().player(Side::kLeft, 2).enabled);
   EXPECT_TRUE(world().player(Side::kLeft, 2).has(state::kDiscard));
@@ -182,7 +141,7 @@ TEST_F(MonitorTest, MovesDiscardsAndBooksPlayers) {
   server_->receive(monitor, "(dispplayer -1 5 16 0 378)");
   EXPECT_EQ(world().player(Side::kRight, 5).position, (Vec2{1.0, 0.0}));
   EXPECT_NEAR(world().player(Side::kRight, 5).body, 6.5973, 1e-4);
-  EXPECT_EQ(answers(monitor, "(dispplayer 2 5 0 0 0)"), std::vector<std::string>());
+  EXPECT_EQ(answers(monitor, "(dispplayer 2 5 0 0 0)"), Texts());
 }
 
 TEST_F(MonitorTest, ReceivesInitialBodyAngleOfPlayers) {
@@ -227,18 +186,19 @@ TEST_F(MonitorTest, ReceivesTypeChanges) {
   connect("(init A (version 18))");
   messages(monitor);
   server_->receive(monitor, "(dispstart)");
-  EXPECT_EQ(messages(monitor),
-            (std::vector<std::string>{"(msg 0 1 \"(change_player_type l 2 1)\")"}));
+  EXPECT_EQ(messages(monitor), (Texts{"(msg 0 1 \"(change_player_type l 2 1)\")"}));
 }
 
 TEST_F(MonitorTest, ExecutesTrainerCommandsInTrainerMode) {
   ClientId monitor = connect("(dispinit version 5)");
   EXPECT_EQ(answers(monitor, "(move (ball) 10 5)").at(0),
             "(msg 0 1 \"(error illegal_command_form)\")");
+
   MatchConfig config;
   config.server.coach_w_referee = true;
   start(config);
   monitor = connect("(dispinit version 5)");
+
   EXPECT_EQ(answers(monitor, "(move (ball) 10 5)").at(0), "(msg 0 1 \"(ok move)\")");
   EXPECT_EQ(world().ball.position, (Vec2{10.0, 5.0}));
   EXPECT_EQ(answers(monitor, "(change_mode drop_ball)").back(), "(msg 0 1 \"(ok change_mode)\")");

@@ -30,6 +30,7 @@ class ProcessHost : public Host {
           std::string("server::game_logging=off"), std::string("server::text_logging=off")}) {
       arguments.push_back(argument);
     }
+
     arguments.insert(arguments.end(), settings.begin(), settings.end());
     const std::string path = folder_.path();
     server_ = std::make_unique<Command>(
@@ -61,6 +62,7 @@ class ProcessHost : public Host {
     const auto timeout = Time::now() + milliseconds(expected > 0 ? 1000 : 0);
     auto quiet_until = last_action_ + milliseconds(30);
     std::vector<std::string> messages;
+
     while (true) {
       const auto now = Time::now();
       const bool waits = now < quiet_until || (messages.size() < expected && now < timeout);

@@ -15,8 +15,11 @@ namespace {
 
 using testing::HasSubstr;
 using namespace cls::simulator;
+using Roster = OnStage;
+using Stamina = OnStage;
+using Trainer = OnStage;
 
-TEST(Roster, AssignsUniformNumbersInOrderOfConnection) {
+TEST_F(Roster, AssignsUniformNumbersInOrderOfConnection) {
   World world = make_match({});
   EXPECT_EQ(join(world, Side::kLeft, false, 18), slot_of(Side::kLeft, 1));
   EXPECT_EQ(join(world, Side::kRight, true, 18), slot_of(Side::kRight, 1));
@@ -31,7 +34,7 @@ TEST(Roster, AssignsUniformNumbersInOrderOfConnection) {
   EXPECT_FALSE(join(world, Side::kLeft, false, 18).has_value()) << "eleven players per team";
 }
 
-TEST(Roster, TurnsRightPlayersToZeroInFirstStep) {
+TEST_F(Roster, TurnsRightPlayersToZeroInFirstStep) {
   World world = make_match({});
   const Slot slot = *join(world, Side::kRight, false, 18);
   EXPECT_DOUBLE_EQ(world.player(slot).body, soccer::math::kPi);
@@ -40,8 +43,7 @@ TEST(Roster, TurnsRightPlayersToZeroInFirstStep) {
   EXPECT_DOUBLE_EQ(world.player(slot).body, 0.0);
 }
 
-TEST(Roster, AllowsPlayersToLeaveAndReconnect) {
-  Stage stage;
+TEST_F(Roster, AllowsPlayersToLeaveAndReconnect) {
   Player& player = stage.add(Side::kLeft, {0, 0});
   player.counters.kick = 4;
   player.stamina.value = 5000;
@@ -66,11 +68,13 @@ class Substitution : public ::testing::Test {
     }
   }
 
-  std::string change(int unum, int type) {
-    const soccer::ServerReply reply = change_type(world, Side::kLeft, unum, type, events);
+  static std::string text_of(const soccer::ServerReply& reply) {
     if (const auto* warning = std::get_if<soccer::WarningReply>(&reply)) return warning->text;
     if (const auto* error = std::get_if<soccer::ErrorReply>(&reply)) return error->text;
     return "ok";
+  }
+  std::string change(int unum, int type) {
+    return text_of(change_type(world, Side::kLeft, unum, type, events));
   }
 
   void start() {
@@ -112,6 +116,7 @@ TEST_F(Substitution, ChecksEveryRuleDuringMatch) {
   EXPECT_EQ(change(2, -1), "out_of_range_player_type");
   EXPECT_EQ(change(2, 5), "no_left_of_that_type");
   EXPECT_EQ(change(12, 15), "no_such_player");
+
   Player& player = world.player(Side::kLeft, 2);
   player.stamina.value = 1000;
   player.state |= state::kYellowCard;
@@ -125,6 +130,7 @@ TEST_F(Substitution, ChecksEveryRuleDuringMatch) {
   EXPECT_EQ(change(2, 16), "ok");
   EXPECT_EQ(change(2, 17), "ok");
   EXPECT_EQ(change(4, 14), "no_subs_left");
+
   world.mode = PlayMode::kPlayOn;
   EXPECT_EQ(change(4, 14), "cannot_sub_while_playon");
   world.mode = PlayMode::kKickInLeft;
@@ -135,10 +141,7 @@ TEST_F(Substitution, ChecksEveryRuleDuringMatch) {
 TEST_F(Substitution, ChangesGoalieOnlyWithoutGoalie) {
   start();
   const auto text = [&](int unum) {
-    const soccer::ServerReply reply = change_goalie(world, Side::kLeft, unum, events);
-    if (const auto* warning = std::get_if<soccer::WarningReply>(&reply)) return warning->text;
-    if (const auto* error = std::get_if<soccer::ErrorReply>(&reply)) return error->text;
-    return std::string("ok");
+    return text_of(change_goalie(world, Side::kLeft, unum, events));
   };
   EXPECT_EQ(text(4), "goalie_already_exists");
   leave(world, slot_of(Side::kLeft, 1));
@@ -147,8 +150,7 @@ TEST_F(Substitution, ChangesGoalieOnlyWithoutGoalie) {
   EXPECT_EQ(world.player(Side::kLeft, 4).state, state::kStand | state::kGoalie);
 }
 
-TEST(Stamina, RecoversUntilCapacityIsUsedUp) {
-  Stage stage;
+TEST_F(Stamina, RecoversUntilCapacityIsUsedUp) {
   Player& player = stage.add(Side::kLeft, {0, 0});
   player.stamina = {5000, 1.0, 1.0, 70};
   update_stamina(stage.world, player);
@@ -161,14 +163,14 @@ TEST(Stamina, RecoversUntilCapacityIsUsedUp) {
   EXPECT_DOUBLE_EQ(player.stamina.value, 5070);
 }
 
-TEST(Stamina, ExhaustionReducesEffortAndRecovery) {
-  Stage stage;
+TEST_F(Stamina, ExhaustionReducesEffortAndRecovery) {
   Player& player = stage.add(Side::kLeft, {0, 0});
   player.stamina = {2400, 1.0, 1.0, 100000};
   update_stamina(stage.world, player);
   EXPECT_DOUBLE_EQ(player.stamina.recovery, 0.998);
   EXPECT_DOUBLE_EQ(player.stamina.effort, 0.995);
   EXPECT_DOUBLE_EQ(player.stamina.value, 2400 + 45 * 0.998);
+
   player.stamina.value = 4800;
   update_stamina(stage.world, player);
   EXPECT_DOUBLE_EQ(player.stamina.effort, 1.0);
@@ -179,10 +181,8 @@ TEST(Stamina, ExhaustionReducesEffortAndRecovery) {
   EXPECT_DOUBLE_EQ(player.stamina.recovery, 0.5);
 }
 
-TEST(Stamina, HasNoLimitWithNegativeCapacity) {
-  soccer::ServerParams server = noise_free_params();
-  server.stamina_capacity = -1.0;
-  Stage stage(server);
+TEST_F(Stamina, HasNoLimitWithNegativeCapacity) {
+  stage = Stage([](auto& server) { server.stamina_capacity = -1.0; });
   Player& player = stage.add(Side::kLeft, {0, 0});
   player.stamina.value = 100;
   stage.step(10);
@@ -213,8 +213,7 @@ TEST(Rules, DrawsTypesFromPlayerSeedOrMatchSeed) {
   EXPECT_EQ(drawn->types[1].player_decay, rules->types[1].player_decay);
 }
 
-TEST(Trainer, CheckBallReportsPosition) {
-  Stage stage;
+TEST_F(Trainer, CheckBallReportsPosition) {
   const auto place = [&](Vec2 position) {
     stage.place_ball(position);
     return locate_ball(stage.world);
@@ -227,10 +226,8 @@ TEST(Trainer, CheckBallReportsPosition) {
   EXPECT_EQ(place({0, 34.1}), soccer::BallPlace::kOutOfField);
 }
 
-TEST(Trainer, MakesNoCallsWithoutReferee) {
-  soccer::ServerParams server = noise_free_params();
-  server.coach = true;
-  Stage stage(server);
+TEST_F(Trainer, MakesNoCallsWithoutReferee) {
+  stage = Stage([](auto& server) { server.coach = true; });
   stage.place_ball({52, 0}, {1, 0});
   stage.step(5);
   EXPECT_EQ(stage.world.mode, PlayMode::kPlayOn);

@@ -1,5 +1,5 @@
-// Restores printed decimals and matches frames with a text log.
-#include "simulator/replay/logged_frames.h"
+// Groups the lines of a text log by step, restores printed decimals and matches both logs.
+#include "simulator/replay/logged_match.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,15 @@ namespace cls::simulator {
 
 using gamelog::Frame;
 using gamelog::MatchRecord;
+using gamelog::RclLine;
+using gamelog::RclSource;
 
 namespace {
+
+Slot last_player(const LoggedStep& step) {
+  if (step.received.empty() || step.received.back().source != RclSource::kPlayer) return kNoPlayer;
+  return soccer::slot_of(step.received.back().side, step.received.back().unum);
+}
 
 double printed(double value, double decimals) {
   constexpr double kSingle = 0.1;  // exceeds the error of single precision
@@ -22,6 +29,36 @@ double printed(double value, double decimals) {
 Vec2 printed(Vec2 v) { return {printed(v.x, 1e4), printed(v.y, 1e4)}; }
 
 }  // namespace
+
+TextLogIndex::TextLogIndex(const gamelog::RclRecord& text, const gamelog::TeamFrames& teams) {
+  is_truncated_ = !text.errors.empty();
+  std::vector<Side> sides;
+  for (const std::string& team : text.teams) {
+    const Side side = team == teams[0].name   ? Side::kLeft
+                      : team == teams[1].name ? Side::kRight
+                                              : Side::kNeutral;
+    sides.push_back(side);
+    knows_a_team_ = knows_a_team_ || side != Side::kNeutral;
+  }
+
+  for (const RclLine& line : text.lines) {
+    LoggedStep& step = steps_[{line.time, line.stopped}];
+    const std::string_view message = text.text_of(line);
+    if (line.source == RclSource::kReferee) {
+      step.calls.emplace_back(message);
+      step.called_after.push_back(last_player(step));
+    } else if (line.source == RclSource::kTrainer) {
+      step.received.push_back({line.source, Side::kNeutral, 0, message});
+    } else if (line.source != RclSource::kOther && sides[line.team] != Side::kNeutral) {
+      step.received.push_back({line.source, sides[line.team], line.unum, message});
+    }
+  }
+}
+
+const LoggedStep* TextLogIndex::at(Clock clock) const {
+  const auto found = steps_.find({clock.time, clock.stoppage});
+  return found == steps_.end() ? nullptr : &found->second;
+}
 
 Frame printed_frame(const MatchRecord& game, std::size_t i) {
   Frame frame = frame_at(game, i);
@@ -37,8 +74,8 @@ Frame printed_frame(const MatchRecord& game, std::size_t i) {
 }
 
 bool shows_any(const Frame& frame, std::uint32_t state_bits) {
-  return std::any_of(frame.players.begin(), frame.players.end(),
-                     [=](const auto& player) { return (player.state & state_bits) != 0; });
+  return std::ranges::any_of(frame.players,
+                             [=](const auto& player) { return (player.state & state_bits) != 0; });
 }
 
 bool follows(Clock after, Clock before) {
@@ -65,10 +102,9 @@ bool same_match(const MatchRecord& game, const TextLogIndex& text) {
     auto step = text.steps().lower_bound({game.time[i] - 1, 0});
     for (; step != text.steps().end() && step->first.first <= game.time[i]; ++step) {
       const std::vector<std::string>& calls = step->second.calls;
-      if (std::find(calls.begin(), calls.end(), mode) != calls.end()) {
-        ++called;
-        break;
-      }
+      if (std::ranges::find(calls, mode) == calls.end()) continue;
+      ++called;
+      break;
     }
   }
   return 2 * called >= changes;

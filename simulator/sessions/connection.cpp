@@ -1,5 +1,5 @@
 // Sends parameters, player types and the coach message file.
-#include "simulator/sessions/handshake.h"
+#include "simulator/sessions/connection.h"
 
 #include <fstream>
 #include <iterator>
