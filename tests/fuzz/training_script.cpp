@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/text/json.h"
 #include "base/text/number_text.h"
 #include "tests/training/stage.h"
 
@@ -40,16 +40,16 @@ bool succeeds(int code) {
 // would take long.
 std::string smaller(std::string_view config) {
   constexpr int kMaxWorlds = 3;
-  auto json = nlohmann::json::parse(config, nullptr, false);
+  auto json = base::Json::parse_or_discarded(config);
   if (!json.is_object()) return std::string(config);
   const auto limit = [&json](const char* key, int most) {
-    const auto found = json.find(key);
-    if (found != json.end() && found->is_number() && *found > most) *found = most;
+    const base::Json* found = json.find(key);
+    if (found != nullptr && found->is_number() && found->get<double>() > most) json[key] = most;
   };
   limit("num_envs", kMaxWorlds);
   limit("threads", 2);
   limit("frame_skip", 4);
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return json.dump();
 }
 
 class Pool {

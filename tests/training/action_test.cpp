@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/index.h"
 #include "tests/training/stage.h"
 
 namespace cls::tests {
@@ -70,18 +71,24 @@ TEST(TrainingActions, LegalityIsThatOfEachAction) {
 // Trained policies know actions by number.
 TEST(TrainingActions, KeepTheirNumbers) {
   const std::vector<training::Action>& low = training::low_discrete_actions().actions;
-  EXPECT_EQ(low[0].name, "noop");
-  EXPECT_EQ(low[4].name, "dash_100_-135");
-  EXPECT_EQ(low[17].name, "turn_-120");
-  EXPECT_EQ(low[29].name, "kick_50_1");
-  EXPECT_EQ(low[80].name, "tackle_135");
+  for (const auto& [id, name] : {std::pair{0, "noop"},
+                                 {4, "dash_100_-135"},
+                                 {17, "turn_-120"},
+                                 {29, "kick_50_1"},
+                                 {80, "tackle_135"}}) {
+    EXPECT_EQ(low[base::index(id)].name, name);
+  }
+
   const std::vector<training::Action>& skills = training::skill_actions().actions;
   ASSERT_EQ(skills.size(), 83U);
-  EXPECT_EQ(skills[1].name, "shoot");
-  EXPECT_EQ(skills[9].name, "pass_1");
-  EXPECT_EQ(skills[20].name, "kick_hard_0");
-  EXPECT_EQ(skills[51].name, "dribble_0");
-  EXPECT_EQ(skills[82].name, "run_15");
+
+  for (const auto& [id, name] : {std::pair{1, "shoot"},
+                                 {9, "pass_1"},
+                                 {20, "kick_hard_0"},
+                                 {51, "dribble_0"},
+                                 {82, "run_15"}}) {
+    EXPECT_EQ(skills[base::index(id)].name, name);
+  }
 }
 
 TEST(TrainingActions, HaveNamesOfTheirOwn) {
@@ -90,6 +97,11 @@ TEST(TrainingActions, HaveNamesOfTheirOwn) {
     for (const training::Action& action : set->actions) names.insert(action.name);
     EXPECT_EQ(names.size(), set->actions.size()) << set->name;
   }
+}
+
+int id_of(const training::ActionSet& set, std::string_view name) {
+  return static_cast<int>(std::ranges::find(set.actions, name, &training::Action::name) -
+                          set.actions.begin());
 }
 
 /// One attacker without opponents whose action is repeated.
@@ -103,13 +115,7 @@ class OneAttacker : public testing::Test {
     EXPECT_EQ(pool_.reset(4), CLS_TRAINING_OK);
   }
 
-  int id(std::string_view name) const {
-    const auto& actions = set_.actions;
-    for (std::size_t i = 0; i < actions.size(); ++i) {
-      if (actions[i].name == name) return static_cast<int>(i);
-    }
-    return -1;
-  }
+  int id(std::string_view name) const { return id_of(set_, name); }
 
   void repeat(std::string_view name, int steps) {
     pool_.action_ids[0] = id(name);
@@ -118,15 +124,10 @@ class OneAttacker : public testing::Test {
     }
   }
 
-  cls_training_world view() const {
-    cls_training_world world = {};
-    world.struct_size = sizeof world;
-    EXPECT_EQ(cls_training_view(pool_.handle, 0, &world), CLS_TRAINING_OK);
-    return world;
-  }
+  cls_training_world view() const { return pool_.view(); }
 
   bool is_legal(std::string_view name) const {
-    return pool_.action_masks[static_cast<std::size_t>(id(name))] == 1;
+    return pool_.action_masks[base::index(id(name))] == 1;
   }
 
   const training::ActionSet& set_;
@@ -141,8 +142,7 @@ class OneSkilledAttacker : public OneAttacker {
 TEST_F(OneAttacker, ShootNeedsTheBall) {
   EXPECT_TRUE(is_legal("SHOOT"));
   repeat("SHOOT", 1);
-  const cls_training_world world = view();
-  EXPECT_GT(world.ball_vx, 1.0);
+  EXPECT_GT(view().ball_vx, 1.0);
   repeat("NOOP", 3);
   EXPECT_FALSE(is_legal("SHOOT"));
   repeat("SHOOT", 1);
@@ -165,7 +165,7 @@ TEST_F(OneAttacker, DribblingScores) {
 TEST_F(OneAttacker, MoveToReachesItsTarget) {
   // Targets have HFO's scale: x from -5.25 to 57.75, y from -37.4 to 37.4.
   const std::vector<int> offsets = training::hfo_actions().offsets();
-  const auto first = static_cast<std::size_t>(offsets[static_cast<std::size_t>(id("MOVE_TO"))]);
+  const auto first = base::index(offsets[base::index(id("MOVE_TO"))]);
   pool_.action_values[first] = 0.0F;
   pool_.action_values[first + 1] = 0.2F;
   repeat("MOVE_TO", 100);
@@ -215,20 +215,16 @@ TEST_F(OneSkilledAttacker, HasNoOneToPassToOrToMark) {
 TEST(TrainingSkills, PassReachesTheTeammate) {
   BoundPool pool(R"({"task": "HalfFieldOffense", "offense": 2, "actions": "skills",)"
                  R"( "options": {"offense_on_ball": 1}})");
-  const std::vector<training::Action>& actions = training::skill_actions().actions;
-  const auto id = [&](std::string_view name) {
-    const auto named = [&](const training::Action& action) { return action.name == name; };
-    return static_cast<std::int32_t>(std::find_if(actions.begin(), actions.end(), named) -
-                                     actions.begin());
-  };
+  const auto id = [](std::string_view name) { return id_of(training::skill_actions(), name); };
+
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     ASSERT_EQ(pool.reset(seed), CLS_TRAINING_OK);
-    const bool first = pool.action_masks[static_cast<std::size_t>(id("pass_1"))] == 1;
+    const bool first = pool.action_masks[base::index(id("pass_1"))] == 1;
     const std::size_t passer = first ? 0 : 1;
     const std::size_t mate = 1 - passer;
     pool.action_ids[passer] = id("pass_1");
     pool.action_ids[mate] = id("take_ball");
-    const auto shoot = mate * pool.ids + static_cast<std::size_t>(id("shoot"));
+    const auto shoot = mate * pool.ids + base::index(id("shoot"));
     int cycles = 0;
     while (pool.action_masks[shoot] == 0 && cycles < 60) {
       ASSERT_EQ(pool.step(), CLS_TRAINING_OK);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/files.h"
+#include "tests/support/rcg_lines.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/training/stage.h"
 
@@ -17,19 +18,12 @@ constexpr const char* kConfig =
     R"({"task": "HalfFieldOffense", "num_envs": 2, "offense": 2, "defense": 2, "actions": "hfo"})";
 
 std::string play(BoundPool& pool, int steps) {
-  std::string bytes;
   soccer::RandomStream random(21, "actions");
-  for (int i = 0; i < steps; ++i) {
-    pool.draw_actions(random);
-    EXPECT_EQ(pool.step(), CLS_TRAINING_OK) << cls_training_error();
-    bytes += pool.outputs();
-  }
-  return bytes;
+  return pool.play(random, steps);
 }
 
 TEST(TrainingEpisode, RestoredSnapshotGivesTheSameSteps) {
-  BoundPool pool(kConfig);
-  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+  BoundPool pool(kConfig, 1);
   play(pool, 10);
   std::uint64_t first = 0;
   std::uint64_t second = 0;
@@ -41,13 +35,13 @@ TEST(TrainingEpisode, RestoredSnapshotGivesTheSameSteps) {
     ASSERT_EQ(cls_training_restore(pool.handle, 1, second), CLS_TRAINING_OK);
     EXPECT_EQ(play(pool, 20), expected);
   }
+
   EXPECT_EQ(cls_training_release(pool.handle, first), CLS_TRAINING_OK);
   EXPECT_EQ(cls_training_restore(pool.handle, 0, first), CLS_TRAINING_BAD_HANDLE);
 }
 
 TEST(TrainingEpisode, ForksDivergeWithTheirActionsOnly) {
-  BoundPool pool(kConfig);
-  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+  BoundPool pool(kConfig, 1);
   play(pool, 5);
   ASSERT_EQ(cls_training_fork(pool.handle, 0, 1), CLS_TRAINING_OK);
   std::fill(pool.action_ids.begin(), pool.action_ids.end(), 18);
@@ -65,17 +59,16 @@ TEST(TrainingEpisode, RecordingIsAGameLog) {
   BoundPool pool(kConfig);
   ASSERT_EQ(cls_training_record(pool.handle, 0, path.c_str()), CLS_TRAINING_OK);
   ASSERT_EQ(pool.reset(7), CLS_TRAINING_OK);
+
   play(pool, 12);
   ASSERT_EQ(pool.reset(8), CLS_TRAINING_OK) << cls_training_error();
   const std::string text = read_file(path);
   EXPECT_EQ(text.substr(0, 5), "ULG6\n");
   EXPECT_THAT(text, HasSubstr(" play_on)"));
-  std::size_t shows = 0;
-  for (std::size_t at = text.find("(show "); at != std::string::npos;
-       at = text.find("(show ", at + 1)) {
-    ++shows;
-  }
-  EXPECT_EQ(shows, 13U) << "the start and twelve steps";
+
+  const auto lines = split_lines(text);
+  EXPECT_EQ(std::ranges::count_if(lines, [](auto line) { return line.starts_with("(show "); }), 13)
+      << "the start and twelve steps";
   const std::string commands = read_file((folder.path() / "episode.rcl").string());
   EXPECT_EQ(commands.substr(0, 9), "0,0\tRecv ");
   EXPECT_THAT(commands, HasSubstr("left_7: ("));

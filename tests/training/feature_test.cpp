@@ -42,6 +42,7 @@ TEST(TrainingFeatures, TeamsSeeMirroredWorldsAlike) {
   const auto setup = setup_of(
       R"({"task": "Match", "offense": 2, "defense": 2, "agents": "both", "features": "ego"})");
   simulator::World world = setup->prepared;
+
   for (const int slot : setup->cast.left) {
     const int twin = slot + soccer::kPlayersPerTeam;
     simulator::Player& left = world.player(slot);
@@ -54,6 +55,7 @@ TEST(TrainingFeatures, TeamsSeeMirroredWorldsAlike) {
     right.body = soccer::math::normalize_radians(left.body + soccer::math::kPi);
     right.goalie = left.goalie;
   }
+
   std::array<training::Scene, 2> scenes;
   std::array<std::vector<float>, 2> seen;
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
@@ -64,6 +66,7 @@ TEST(TrainingFeatures, TeamsSeeMirroredWorldsAlike) {
     training::kEgoFeatures.fill({scenes[i], setup->cast, 0, setup->task->stage(side)},
                                 seen[i].data());
   }
+
   for (std::size_t i = 0; i < seen[0].size(); ++i) {
     EXPECT_NEAR(seen[0][i], seen[1][i], 1e-6) << setup->feature_columns[i].name;
   }
@@ -82,6 +85,7 @@ double plain_opening(const training::Scene& scene, const training::Cast& cast, V
       covered.emplace_back(middle - half, middle + half);
     }
   }
+
   std::sort(covered.begin(), covered.end());
   double widest = 0.0;
   double from = low;
@@ -89,6 +93,7 @@ double plain_opening(const training::Scene& scene, const training::Cast& cast, V
     widest = std::max(widest, begin - from);
     from = std::max(from, end);
   }
+
   return std::max(widest, high - from);
 }
 

@@ -12,7 +12,7 @@
 
 #include "soccer/pitch.h"
 #include "tests/training/stage.h"
-#include "training/tasks/task_rules.h"
+#include "training/tasks/task.h"
 
 namespace cls::tests {
 namespace {
@@ -37,6 +37,11 @@ class HalfField : public testing::Test {
 
   void ball(Vec2 position) { world_.ball.position = position; }
 
+  /// Judges one cycle with the ball there.
+  Status next(Vec2 position) {
+    ball(position);
+    return next();
+  }
   /// Judges one cycle.
   Status next() {
     const Status status = task_.judge(world_, options_, memory_);
@@ -54,58 +59,43 @@ class HalfField : public testing::Test {
 };
 
 TEST_F(HalfField, BallBetweenThePostsIsAGoal) {
-  ball({52.0, 3.0});
-  EXPECT_EQ(next(), Status::kInGame);
-  ball({53.0, 3.0});
-  EXPECT_EQ(next(), Status::kGoal);
+  EXPECT_EQ(next({52.0, 3.0}), Status::kInGame);
+  EXPECT_EQ(next({53.0, 3.0}), Status::kGoal);
 }
 
 TEST_F(HalfField, BallBesideThePostsIsOutOneCycleLater) {
-  ball({52.0, 12.0});
-  EXPECT_EQ(next(), Status::kInGame);
-  ball({53.0, 12.0});
-  EXPECT_EQ(next(), Status::kInGame) << "the position of the cycle before counts";
+  EXPECT_EQ(next({52.0, 12.0}), Status::kInGame);
+  EXPECT_EQ(next({53.0, 12.0}), Status::kInGame) << "the position of the cycle before counts";
   EXPECT_EQ(next(), Status::kOutOfBounds);
 }
 
 TEST_F(HalfField, BallBehindTheMiddleIsOutOneCycleLater) {
-  ball({-0.1, 0.0});
-  EXPECT_EQ(next(), Status::kInGame);
+  EXPECT_EQ(next({-0.1, 0.0}), Status::kInGame);
   EXPECT_EQ(next(), Status::kOutOfBounds);
 }
 
 TEST_F(HalfField, TwoCyclesOfADefenderCapture) {
-  ball(world_.player(defender_).position);
-  EXPECT_EQ(next(), Status::kInGame);
+  EXPECT_EQ(next(world_.player(defender_).position), Status::kInGame);
   EXPECT_EQ(next(), Status::kInGame);
   EXPECT_EQ(next(), Status::kCaptured) << "counted in one cycle, judged in the next";
 }
 
 TEST_F(HalfField, CyclesOfPossessionNeedNotBeConsecutive) {
-  ball(world_.player(defender_).position);
-  EXPECT_EQ(next(), Status::kInGame);
-  ball({20.0, 0.0});
-  EXPECT_EQ(next(), Status::kInGame);
-  ball(world_.player(defender_).position);
-  EXPECT_EQ(next(), Status::kInGame);
+  EXPECT_EQ(next(world_.player(defender_).position), Status::kInGame);
+  EXPECT_EQ(next({20.0, 0.0}), Status::kInGame);
+  EXPECT_EQ(next(world_.player(defender_).position), Status::kInGame);
   EXPECT_EQ(next(), Status::kCaptured);
 }
 
 TEST_F(HalfField, OnlyTheAttackersPossessionClearsTheCount) {
-  ball(world_.player(defender_).position);
-  EXPECT_EQ(next(), Status::kInGame);
-  ball(world_.player(attacker_).position);
-  EXPECT_EQ(next(), Status::kInGame);
-  ball(world_.player(defender_).position);
-  EXPECT_EQ(next(), Status::kInGame);
+  EXPECT_EQ(next(world_.player(defender_).position), Status::kInGame);
+  EXPECT_EQ(next(world_.player(attacker_).position), Status::kInGame);
+  EXPECT_EQ(next(world_.player(defender_).position), Status::kInGame);
   EXPECT_EQ(next(), Status::kInGame) << "one cycle before and two after the attacker";
   EXPECT_EQ(next(), Status::kCaptured);
 }
 
-TEST_F(HalfField, GoalieCapturesAtOnce) {
-  ball({51.8, 0.0});
-  EXPECT_EQ(next(), Status::kCaptured);
-}
+TEST_F(HalfField, GoalieCapturesAtOnce) { EXPECT_EQ(next({51.8, 0.0}), Status::kCaptured); }
 
 TEST_F(HalfField, UntouchedBallRunsOutOfTime) {
   int cycles = 0;
@@ -115,8 +105,7 @@ TEST_F(HalfField, UntouchedBallRunsOutOfTime) {
 
 TEST_F(HalfField, TouchResetsTheUntouchedCount) {
   for (int i = 0; i < 90; ++i) ASSERT_EQ(next(), Status::kInGame);
-  ball(world_.player(attacker_).position);
-  EXPECT_EQ(next(), Status::kInGame);
+  EXPECT_EQ(next(world_.player(attacker_).position), Status::kInGame);
   EXPECT_EQ(memory_.untouched, 0);
 }
 
@@ -133,6 +122,7 @@ Samples drawn_by_hfo(int draws, int attackers) {
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
+
   std::vector<Vec2> squares = {{-1, -1}, {-1, 1},  {1, 1},  {1, -1}, {0, 2},
                                {0, -2},  {-2, -2}, {-2, 2}, {2, 2},  {2, -2}};
   Samples samples;
@@ -148,6 +138,7 @@ Samples drawn_by_hfo(int draws, int attackers) {
     }
     add_point(samples, "defender", {uniform(42.0, 52.5), uniform(-27.2, 27.2)});
   }
+
   return samples;
 }
 
@@ -165,6 +156,7 @@ Samples drawn_by_task(int draws) {
     EXPECT_EQ(world.player(setup->cast.right[0]).position, (Vec2{soccer::kHalfLength, 0.0}));
     add_point(samples, "defender", world.player(setup->cast.right[1]).position);
   }
+
   return samples;
 }
 
@@ -211,6 +203,7 @@ TEST(HalfFieldStart, AttackersStartInDifferentSquares) {
     squares.insert({static_cast<int>(std::floor(away.x)), static_cast<int>(std::floor(away.y))});
     ++inside;
   }
+
   EXPECT_EQ(squares.size(), static_cast<std::size_t>(inside));
   EXPECT_GE(inside, 3);
 }
@@ -230,9 +223,11 @@ TEST(HalfFieldStart, AttackerAtTheBallIsTheOneAskedFor) {
     }
     return 0;
   };
+
   EXPECT_EQ(at_ball(0, 1), 0);
   EXPECT_EQ(at_ball(1, 1), 7) << "by uniform number";
   EXPECT_EQ(at_ball(3, 1), 11);
+
   std::set<int> chosen;
   for (std::uint64_t seed = 0; seed < 40; ++seed) chosen.insert(at_ball(4, seed));
   EXPECT_EQ(chosen, (std::set<int>{7, 8, 11})) << "a random one where there are fewer";

@@ -95,7 +95,7 @@ class ServerMatch {
     server_->sense();
   }
 
-  /// What the client in `slot` has received since the last call.
+  /// The messages to the client in `slot` since the last call.
   std::vector<std::string> received(Slot slot) {
     std::vector<std::string> messages;
     std::string message;
@@ -170,6 +170,7 @@ TEST_P(TrainingMatchServer, CommandsOfAnEpisodeGiveItsGameLog) {
     episode.step(actions.draw(), &recorder);
     match.play_cycle(episode);
   }
+
   EXPECT_GT(episode.cycles(), 20);
   recorder.finish(episode.world());
   match.finish();
@@ -177,9 +178,11 @@ TEST_P(TrainingMatchServer, CommandsOfAnEpisodeGiveItsGameLog) {
   const auto expected = comparable_lines(recorded, has_start);
   const auto played = comparable_lines(match.log, false);
   ASSERT_EQ(played.size(), expected.size());
+
   for (std::size_t i = 0; i < expected.size(); ++i) {
     ASSERT_EQ(played[i], expected[i]) << "line " << i;
   }
+
   EXPECT_EQ(command_lines(match.text_log), command_lines(commands));
 }
 
@@ -218,6 +221,7 @@ void read_messages(const std::vector<std::string>& messages, player::WorldModel&
         break;
     }
   }
+
   update_derived(world);
 }
 
@@ -261,6 +265,7 @@ TEST_P(TrainingWorldModel, IsThatOfAClientOfAMatchServer) {
     match.received(setup->cast.agents[agent]);  // of the handshake
     clients.push_back(*episode.world_model(agent));
   }
+
   RandomActions actions(*setup);
   for (int cycle = 0; cycle < 100 && !episode.ended(); ++cycle) {
     episode.step(actions.draw(), nullptr);
@@ -274,6 +279,7 @@ TEST_P(TrainingWorldModel, IsThatOfAClientOfAMatchServer) {
       if (HasFailure()) FAIL() << "agent " << agent << ", cycle " << cycle;
     }
   }
+
   EXPECT_GT(episode.cycles(), 20);
 }
 
@@ -319,9 +325,11 @@ class TrainingMatchPlayers : public testing::TestWithParam<MatchPlayers> {};
 TEST_P(TrainingMatchPlayers, DecideAsTheAgentsOfAMatch) {
   const auto behavior = mock_server::make_behavior(GetParam().behavior);
   ASSERT_TRUE(behavior);
+
   const auto setup = setup_of(GetParam().config);
   training::Episode episode(setup);
   std::set<std::size_t> kinds;
+
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     episode.reset(seed, setup->options);
     ServerMatch match(episode);
@@ -345,6 +353,7 @@ TEST_P(TrainingMatchPlayers, DecideAsTheAgentsOfAMatch) {
       for (auto& [slot, agent] : agents) read_messages(match.received(slot), agent.world);
     }
   }
+
   EXPECT_GE(kinds.size(), 5U) << "kinds of commands";
 }
 

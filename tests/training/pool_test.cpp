@@ -14,17 +14,11 @@ namespace cls::tests {
 namespace {
 
 std::string play(BoundPool& pool, std::uint64_t seed, int steps) {
-  std::string bytes;
   soccer::RandomStream random(seed, "actions");
   // Written only where an episode ends, so that rows of an earlier play would remain.
   for (auto* array : {&pool.final_observations, &pool.final_state}) std::ranges::fill(*array, 0.0F);
   EXPECT_EQ(pool.reset(seed), CLS_TRAINING_OK) << cls_training_error();
-  for (int i = 0; i < steps; ++i) {
-    pool.draw_actions(random);
-    EXPECT_EQ(pool.step(), CLS_TRAINING_OK) << cls_training_error();
-    bytes += pool.outputs();
-  }
-  return bytes;
+  return pool.play(random, steps);
 }
 
 std::string config(const std::string& more) {
@@ -59,6 +53,7 @@ TEST(TrainingPool, EachWorldIsTheSameAlone) {
   BoundPool one(R"({"task": "HalfFieldOffense", "num_envs": 1, "defense": 1})");
   ASSERT_EQ(many.reset(10), CLS_TRAINING_OK);
   ASSERT_EQ(one.reset(12), CLS_TRAINING_OK);
+
   soccer::RandomStream random(1, "actions");
   for (int i = 0; i < 50 && one.status[0] == CLS_TRAINING_IN_GAME; ++i) {
     many.draw_actions(random);
@@ -92,8 +87,7 @@ TEST(TrainingPool, StepsDoNotAllocate) {
 }
 
 TEST(TrainingPool, AMillionResetsDoNotAllocate) {
-  BoundPool pool(R"({"task": "HalfFieldOffense", "num_envs": 64})");
-  ASSERT_EQ(pool.reset(0), CLS_TRAINING_OK);
+  BoundPool pool(R"({"task": "HalfFieldOffense", "num_envs": 64})", 0);
   if (!counts_allocations()) GTEST_SKIP() << "a sanitizer replaces the allocator";
   const std::int64_t before = allocation_count();
   for (std::uint64_t first = 0; first < 1'000'000; first += 64) {
@@ -112,8 +106,8 @@ TEST(TrainingPool, WorldModelsDoNotAllocateAfterTheFirstCycles) {
 
 TEST(TrainingPool, DrawsOpponentsFromAPool) {
   BoundPool pool(R"({"task": "HalfFieldOffense", "defense": 2, "num_envs": 400,)"
-                 R"( "opponent": {"hold": 1, "scripted": 3, "mock": 0}})");
-  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+                 R"( "opponent": {"hold": 1, "scripted": 3, "mock": 0}})",
+                 1);
   std::array<int, 3> counts = {};
   for (const int drawn : pool.opponent) ++counts.at(static_cast<std::size_t>(drawn));
   EXPECT_NEAR(counts[0], 100, 40);
@@ -126,12 +120,10 @@ TEST(TrainingPool, DrawsOpponentsFromAPool) {
 
 TEST(TrainingPool, StandingOpponentsStandInTheirEpisodesOnly) {
   BoundPool pool(R"({"task": "HalfFieldOffense", "defense": 2, "num_envs": 40,)"
-                 R"( "opponent": {"hold": 1, "scripted": 1}, "actions": "low_discrete"})");
-  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+                 R"( "opponent": {"hold": 1, "scripted": 1}, "actions": "low_discrete"})",
+                 1);
   const auto places = [&](std::size_t world) {
-    cls_training_world view = {};
-    view.struct_size = sizeof view;
-    EXPECT_EQ(cls_training_view(pool.handle, world, &view), CLS_TRAINING_OK);
+    const cls_training_world view = pool.view(world);
     return std::pair{view.players[12].x, view.players[12].y};
   };
   std::vector<std::pair<double, double>> before;
@@ -152,8 +144,7 @@ TEST(TrainingPool, WithoutOpponentsThereIsNone) {
 }
 
 TEST(TrainingPool, NextStepResetsInTheStepAfterTheEnd) {
-  BoundPool pool(R"({"task": "ReachBall", "autoreset": "next_step", "max_cycles": 5})");
-  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+  BoundPool pool(R"({"task": "ReachBall", "autoreset": "next_step", "max_cycles": 5})", 1);
   EXPECT_EQ(pool.was_reset[0], 1);
   pool.next_seeds[0] = 77;
   for (int i = 0; i < 5; ++i) ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
@@ -173,11 +164,13 @@ TEST(TrainingPool, SameStepKeepsTheFinalObservation) {
   BoundPool none(R"({"task": "ReachBall", "autoreset": "disabled", "max_cycles": 5})");
   ASSERT_EQ(same.reset(1), CLS_TRAINING_OK);
   ASSERT_EQ(none.reset(1), CLS_TRAINING_OK);
+
   same.next_seeds[0] = 2;
   for (int i = 0; i < 5; ++i) {
     ASSERT_EQ(same.step(), CLS_TRAINING_OK);
     ASSERT_EQ(none.step(), CLS_TRAINING_OK);
   }
+
   EXPECT_EQ(same.truncated[0], 1);
   EXPECT_EQ(same.was_reset[0], 1);
   EXPECT_EQ(same.final_observations, none.observations);
@@ -187,8 +180,7 @@ TEST(TrainingPool, SameStepKeepsTheFinalObservation) {
 }
 
 TEST(TrainingPool, DisabledAutoresetStandsStillAndThenRefuses) {
-  BoundPool pool(R"({"task": "ReachBall", "num_envs": 2, "max_cycles": 5})");
-  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+  BoundPool pool(R"({"task": "ReachBall", "num_envs": 2, "max_cycles": 5})", 1);
   for (int i = 0; i < 5; ++i) ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
   EXPECT_EQ(pool.step(), CLS_TRAINING_BAD_ORDER);
   const std::uint8_t mask[] = {0, 1};

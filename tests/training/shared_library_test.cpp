@@ -34,7 +34,7 @@ TEST(TrainingLibrary, ExportsOnlyItsInterfaceAndNeedsNoProtobuf) {
   std::istringstream lines(symbols.out);
   int count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
-    EXPECT_THAT(line, HasSubstr(" T cls_training_")) << line;
+    EXPECT_THAT(line, HasSubstr(" T cls_training_"));
   }
   EXPECT_EQ(count, 17);
   const CommandResult needs = run({"readelf", "-d", kLibrary});

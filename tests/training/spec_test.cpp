@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "tests/support/files.h"
@@ -41,15 +40,15 @@ TEST(TrainingSpec, TablesHaveARowPerColumn) {
 }
 
 TEST(TrainingSpec, CatalogNamesUnitsAndBounds) {
-  const nlohmann::ordered_json catalog = training::catalog();
+  const base::Json catalog = training::catalog();
   EXPECT_EQ(catalog["reward_version"], 1);
   for (const auto& term : catalog["reward_terms"]) {
-    EXPECT_LT(term["low"].get<double>(), term["high"].get<double>()) << term["name"];
-    EXPECT_FALSE(term["unit"].get<std::string>().empty()) << term["name"];
+    EXPECT_LT(term["low"].get<double>(), term["high"].get<double>()) << term["name"].dump();
+    EXPECT_FALSE(term["unit"].get<std::string>().empty()) << term["name"].dump();
   }
   for (const auto& set : catalog["feature_sets"]) {
     for (const auto& column : set["items_1v1"]) {
-      EXPECT_LT(column["low"].get<double>(), column["high"].get<double>()) << column["name"];
+      EXPECT_LT(column["low"].get<double>(), column["high"].get<double>()) << column["name"].dump();
     }
   }
 }
@@ -59,8 +58,7 @@ TEST(TrainingSpec, RewardTermsStayWithinTheirBounds) {
        {R"({"task": "HalfFieldOffense", "offense": 2, "defense": 2, "actions": "hfo",
             "autoreset": "next_step"})",
         R"({"task": "Match", "agents": "both", "actions": "hfo", "autoreset": "next_step"})"}) {
-    BoundPool pool(config);
-    ASSERT_EQ(pool.reset(3), CLS_TRAINING_OK);
+    BoundPool pool(config, 3);
     soccer::RandomStream random(5, "actions");
     for (int step = 0; step < 300; ++step) {
       pool.draw_actions(random);

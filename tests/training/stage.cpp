@@ -1,6 +1,8 @@
 // Sizes and binds the arrays of a pool.
 #include "tests/training/stage.h"
 
+#include <gtest/gtest.h>
+
 #include <stdexcept>
 
 namespace cls::tests {
@@ -52,6 +54,10 @@ BoundPool::BoundPool(const std::string& config) {
   }
 }
 
+BoundPool::BoundPool(const std::string& config, std::uint64_t first) : BoundPool(config) {
+  if (reset(first) != CLS_TRAINING_OK) throw std::runtime_error(cls_training_error());
+}
+
 BoundPool::~BoundPool() { cls_training_close(handle); }
 
 int BoundPool::reset(std::uint64_t first) {
@@ -68,6 +74,23 @@ void BoundPool::draw_actions(soccer::RandomStream& random) {
         random.uniform(static_cast<double>(column.low), static_cast<double>(column.high)));
   }
   for (std::uint64_t& seed : next_seeds) seed = random.next();
+}
+
+std::string BoundPool::play(soccer::RandomStream& random, int steps) {
+  std::string bytes;
+  for (int i = 0; i < steps; ++i) {
+    draw_actions(random);
+    EXPECT_EQ(step(), CLS_TRAINING_OK) << cls_training_error();
+    bytes += outputs();
+  }
+  return bytes;
+}
+
+cls_training_world BoundPool::view(std::size_t world) const {
+  cls_training_world out = {};
+  out.struct_size = sizeof out;
+  EXPECT_EQ(cls_training_view(handle, world, &out), CLS_TRAINING_OK);
+  return out;
 }
 
 std::string BoundPool::outputs() const {

@@ -19,6 +19,8 @@ class BoundPool {
  public:
   /// Throws std::runtime_error, which fails the test, if the configuration is refused.
   explicit BoundPool(const std::string& config);
+  /// Resets it with the seeds from `first` on.
+  BoundPool(const std::string& config, std::uint64_t first);
   ~BoundPool();
   BoundPool(const BoundPool&) = delete;
   BoundPool& operator=(const BoundPool&) = delete;
@@ -28,6 +30,10 @@ class BoundPool {
   int step() { return cls_training_step(handle); }
   /// Draws actions of all agents; also seeds of automatic resets.
   void draw_actions(soccer::RandomStream& random);
+  /// Plays steps with actions of `random` and expects that they succeed; returns the outputs().
+  std::string play(soccer::RandomStream& random, int steps);
+  /// The physical state of a world.
+  cls_training_world view(std::size_t world = 0) const;
   /// Everything that the pool writes, as bytes.
   std::string outputs() const;
 

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -24,8 +23,7 @@ void expect_within(const std::vector<float>& values, const training::Columns& co
 void play_randomly(const std::string& config) {
   SCOPED_TRACE(config);
   const auto setup = setup_of(config);
-  BoundPool pool(config);
-  ASSERT_EQ(pool.reset(3), CLS_TRAINING_OK) << cls_training_error();
+  BoundPool pool(config, 3);
   soccer::RandomStream random(5, "actions");
   for (int i = 0; i < 25; ++i) {
     pool.draw_actions(random);
@@ -35,26 +33,20 @@ void play_randomly(const std::string& config) {
   }
 }
 
-cls_training_world view_of(const BoundPool& pool) {
-  cls_training_world world = {};
-  world.struct_size = sizeof world;
-  EXPECT_EQ(cls_training_view(pool.handle, 0, &world), CLS_TRAINING_OK);
-  return world;
-}
-
 TEST(TrainingTasks, ObservationsStayWithinTheirBounds) {
   // Every pair of task and action set, with the feature sets in turn.
   std::size_t turn = 0;
+
   for (const training::Task& task : training::tasks()) {
     for (const training::ActionSet* actions : training::action_sets()) {
       const auto& sets = training::feature_sets();
       const training::FeatureSet* features = sets[turn++ % sets.size()];
       if (features->left_only && task.agents != training::Agents::kLeft) continue;
-      play_randomly(nlohmann::json({{"task", task.id},
-                                    {"actions", actions->name},
-                                    {"features", features->name},
-                                    {"autoreset", "same_step"}})
-                        .dump());
+      const base::Json config = {{"task", task.id},
+                                 {"actions", actions->name},
+                                 {"features", features->name},
+                                 {"autoreset", "same_step"}};
+      play_randomly(config.dump());
     }
   }
 }
@@ -65,11 +57,10 @@ TEST(TrainingTasks, BothTeamsCanBeAgents) {
 }
 
 TEST(TrainingTasks, HeldOpponentsStand) {
-  BoundPool pool(R"({"task": "HalfFieldOffense", "defense": 2, "opponent": "hold"})");
-  ASSERT_EQ(pool.reset(3), CLS_TRAINING_OK);
-  const cls_training_world before = view_of(pool);
+  BoundPool pool(R"({"task": "HalfFieldOffense", "defense": 2, "opponent": "hold"})", 3);
+  const cls_training_world before = pool.view();
   for (int i = 0; i < 20; ++i) ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
-  const cls_training_world after = view_of(pool);
+  const cls_training_world after = pool.view();
   EXPECT_NEAR(before.players[12].x, after.players[12].x, 1e-9);
 }
 
@@ -83,18 +74,19 @@ TEST(TrainingTasks, AcademyStartsAtTheOriginalPlaces) {
     double second_left[2];
     double second_right[2];
   };
+
   const std::vector<Case> cases = {
       {"3Vs1WithKeeper", {3, 2}, {0.62, 0.0}, {0.7, 0.2}, {-0.75, 0.0}},
       {"Corner", {11, 11}, {0.99, 0.41}, {1.0, 0.42}, {-0.75, -0.18}},
       {"CounterattackEasy", {11, 11}, {0.26, -0.11}, {-0.672, -0.19576}, {0.128, -0.19576}},
       {"PassAndShootWithKeeper", {2, 2}, {0.7, -0.28}, {0.7, -0.3}, {-0.75, 0.3}},
       {"SingleGoalVersusLazy", {11, 11}, {-0.48, -0.06356}, {0.0, 0.02}, {-0.05, 0.0}}};
+
   for (const Case& one : cases) {
     SCOPED_TRACE(one.task);
     const std::string id = std::string("Academy-") + one.task;
-    BoundPool pool(R"({"task": ")" + id + R"(", "options": {"difficulty": 0}})");
-    ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
-    const cls_training_world world = view_of(pool);
+    BoundPool pool(R"({"task": ")" + id + R"(", "options": {"difficulty": 0}})", 1);
+    const cls_training_world world = pool.view();
     const auto x = [](double value) { return value * 52.5; };
     const auto y = [](double value) { return value / 0.42 * 34.0; };
     EXPECT_NEAR(world.ball_x, x(one.ball[0]), 1e-9);
@@ -113,11 +105,10 @@ TEST(TrainingTasks, AcademyStartsAtTheOriginalPlaces) {
 }
 
 TEST(TrainingTasks, LazyOpponentsStandButTheirGoalie) {
-  BoundPool pool(R"({"task": "Academy-SingleGoalVersusLazy", "options": {"difficulty": 0}})");
-  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
-  const cls_training_world before = view_of(pool);
+  BoundPool pool(R"({"task": "Academy-SingleGoalVersusLazy", "options": {"difficulty": 0}})", 1);
+  const cls_training_world before = pool.view();
   for (int i = 0; i < 30; ++i) ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
-  const cls_training_world after = view_of(pool);
+  const cls_training_world after = pool.view();
   int moved = 0;
   for (int slot = 11; slot < 22; ++slot) {
     const bool away = std::abs(after.players[slot].x - before.players[slot].x) > 0.01;
@@ -128,8 +119,7 @@ TEST(TrainingTasks, LazyOpponentsStandButTheirGoalie) {
 }
 
 TEST(TrainingTasks, ReachingTheBallEndsReachBall) {
-  BoundPool pool(R"({"task": "ReachBall", "actions": "hfo"})");
-  ASSERT_EQ(pool.reset(3), CLS_TRAINING_OK);
+  BoundPool pool(R"({"task": "ReachBall", "actions": "hfo"})", 3);
   pool.action_ids[0] = 18;
   while (pool.status[0] == CLS_TRAINING_IN_GAME) ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
   EXPECT_EQ(pool.status[0], CLS_TRAINING_REACHED);
@@ -141,29 +131,22 @@ TEST(TrainingTasks, DifficultyMovesTheStart) {
   BoundPool pool(R"({"task": "HalfFieldOffense", "num_envs": 2})");
   ASSERT_EQ(cls_training_set_options(pool.handle, 1, R"({"difficulty": 0})"), CLS_TRAINING_OK);
   ASSERT_EQ(pool.reset(3), CLS_TRAINING_OK);
-  cls_training_world world = {};
-  world.struct_size = sizeof world;
-  ASSERT_EQ(cls_training_view(pool.handle, 0, &world), CLS_TRAINING_OK);
-  EXPECT_LT(world.ball_x, 11.0);
-  ASSERT_EQ(cls_training_view(pool.handle, 1, &world), CLS_TRAINING_OK);
-  EXPECT_GT(world.ball_x, 40.0);
+  EXPECT_LT(pool.view(0).ball_x, 11.0);
+  EXPECT_GT(pool.view(1).ball_x, 40.0);
 }
 
 TEST(TrainingTasks, MatchKicksOffAndGoesOnAfterGoals) {
-  BoundPool pool(R"({"task": "Match", "num_agents": 1, "opponent": "hold"})");
-  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+  BoundPool pool(R"({"task": "Match", "num_agents": 1, "opponent": "hold"})", 1);
   pool.action_ids[0] = 13;
-  cls_training_world world = {};
-  world.struct_size = sizeof world;
   for (int i = 0; i < 1200; ++i) ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
-  ASSERT_EQ(cls_training_view(pool.handle, 0, &world), CLS_TRAINING_OK);
+  const cls_training_world world = pool.view();
   EXPECT_GT(world.time, 800);
   EXPECT_GT(world.score[0], 0) << "scripted players against standing ones";
   EXPECT_EQ(pool.status[0], CLS_TRAINING_IN_GAME);
 }
 
 TEST(TrainingTasks, CatalogListsEverything) {
-  const nlohmann::ordered_json catalog = training::catalog();
+  const base::Json catalog = training::catalog();
   EXPECT_EQ(catalog["schema"], "cls.training.catalog/1");
   EXPECT_EQ(catalog["tasks"].size(), 17U);
   EXPECT_EQ(catalog["statuses"][1]["name"], "GOAL");

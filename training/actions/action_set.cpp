@@ -6,6 +6,8 @@
 #include <cassert>
 #include <string>
 
+#include "base/index.h"
+
 namespace cls::training {
 namespace {
 
@@ -39,8 +41,8 @@ std::vector<int> ActionSet::offsets() const {
 Legality::Legality(const ActionSet& set) {
   for (std::size_t id = 0; id < set.actions.size(); ++id) {
     const Condition legal = set.actions[id].legal;
-    const auto known = std::find(conditions_.begin(), conditions_.end(), legal);
-    const auto condition = static_cast<std::size_t>(known - conditions_.begin());
+    const auto known = std::ranges::find(conditions_, legal);
+    const std::size_t condition = base::index(known - conditions_.begin());
     if (known == conditions_.end()) conditions_.push_back(legal);
 
     const bool continues = !runs_.empty() && runs_.back().condition == condition;
@@ -66,10 +68,8 @@ const std::vector<const ActionSet*>& action_sets() {
 }
 
 const ActionSet* find_action_set(std::string_view name) {
-  for (const ActionSet* set : action_sets()) {
-    if (set->name == name) return set;
-  }
-  return nullptr;
+  const auto found = std::ranges::find(action_sets(), name, &ActionSet::name);
+  return found == action_sets().end() ? nullptr : *found;
 }
 
 }  // namespace cls::training

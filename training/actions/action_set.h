@@ -29,10 +29,10 @@ struct Action {
 /// `choose` makes the command.
 struct ActionSet {
   std::string_view name;
-  int version;
+  int version = 1;
   std::string_view summary;
-  std::vector<Action> actions;  ///< empty for a box
-  Columns box;                  ///< empty for a list of actions
+  std::vector<Action> actions{};  ///< empty for a box
+  Columns box{};                  ///< empty for a list of actions
   PlayerCommand (*choose)(const PointOfView& view, const float* values) = nullptr;
 
   int id_count() const { return static_cast<int>(actions.size()); }

@@ -16,15 +16,15 @@ inline std::string_view stored(std::string name) {
   return names.emplace_back(std::move(name));
 }
 
-/// What the legality of an action of `Family` asks: kLegal, the same for all indices (null: always
-/// legal), or legal() of the index.
+/// The condition of an action of `Family`: kLegal, the same for all indices, or legal() of the
+/// index; null (always legal) without either.
 template <typename Family, std::size_t kIndex>
 constexpr Condition legality() {
-  if constexpr (requires { Family::kLegal; }) {
-    return Family::kLegal;
-  } else {
+  if constexpr (requires { Family::kLegal; }) return Family::kLegal;
+  if constexpr (requires { &Family::legal; }) {
     return [](const PointOfView& view) { return Family::legal(view, kIndex); };
   }
+  return nullptr;
 }
 
 template <typename Family, std::size_t... kIndices>
@@ -38,7 +38,7 @@ void append_family(std::vector<Action>& out, std::index_sequence<kIndices...>) {
 }
 
 /// Appends the actions of `Family`, which has static functions of an index below kCount: name() and
-/// command(), and legal() or a constant kLegal (see legality()).
+/// command(), and may have legal() or a constant kLegal (see legality()).
 template <typename Family>
 void append_family(std::vector<Action>& out) {
   append_family<Family>(out, std::make_index_sequence<Family::kCount>());

@@ -2,16 +2,11 @@
 // the half of the task and a margin of 10 percent.
 #include <cmath>
 
-#include "soccer/pitch.h"
-#include "training/actions/action_set.h"
-#include "training/actions/conditions.h"
-#include "training/skills/positions.h"
+#include "training/actions/shared_actions.h"
 
 namespace cls::training {
 namespace {
 
-const Column kPower = {"power", "1", 0, 100};
-const Column kDirection = {"direction", "deg", -180, 180};
 const Column kX = {"x", "half", -1, 1};
 const Column kY = {"y", "half", -1, 1};
 const Column kSpeed = {"speed", "m/cycle", 0, 3};
@@ -28,11 +23,6 @@ bool has_no_ball(const PointOfView& view) { return !has_ball(view); }
 bool can_pass(const PointOfView& view) { return has_ball(view) && view.teammate_count() > 0; }
 bool can_mark(const PointOfView& view) { return view.opponent_count() > 0; }
 
-PlayerCommand dash(const PointOfView&, const float* v) { return soccer::Dash{v[0], v[1]}; }
-PlayerCommand turn(const PointOfView&, const float* v) { return soccer::Turn{v[0]}; }
-PlayerCommand tackle(const PointOfView&, const float* v) { return soccer::Tackle{v[0], false}; }
-PlayerCommand kick(const PointOfView&, const float* v) { return soccer::Kick{v[0], v[1]}; }
-
 PlayerCommand kick_to_target(const PointOfView& view, const float* v) {
   return kick_to(view.scene, view.self, target(view, v), v[2]);
 }
@@ -45,18 +35,22 @@ PlayerCommand dribble_to_target(const PointOfView& view, const float* v) {
 PlayerCommand intercept_ball(const PointOfView& view, const float*) {
   return intercept(view.scene, view.self);
 }
-PlayerCommand move(const PointOfView& view, const float*) {
-  return go_to(view.scene, view.self, support_position(view), 1.0);
+
+// The seen player with the number of the values; kNoSeat if none of `seats` has it.
+Seat numbered(const PointOfView& view, const Seats& seats, const float* v) {
+  const int number = static_cast<int>(std::lround(v[0]));
+  for (const Seat seat : seats) {
+    const ScenePlayer& player = view.scene.player(seat);
+    if (player.seen && player.unum == number) return seat;
+  }
+  return kNoSeat;
 }
 
 // A number that no teammate wears acts as noop.
 PlayerCommand pass(const PointOfView& view, const float* v) {
-  const int number = static_cast<int>(std::lround(v[0]));
-  for (const Seat seat : teammates_of(view)) {
-    const ScenePlayer& mate = view.scene.player(seat);
-    if (mate.seen && mate.unum == number) return pass_to(view.scene, view.self, mate.position);
-  }
-  return stand();
+  const Seat mate = numbered(view, teammates_of(view), v);
+  if (mate == kNoSeat) return stand();
+  return pass_to(view.scene, view.self, view.scene.player(mate).position);
 }
 
 // Towards the goal.
@@ -68,53 +62,40 @@ PlayerCommand reduce_angle(const PointOfView& view, const float*) {
   return go_to(view.scene, view.self, angle_reducing_position(view), 0.5);
 }
 PlayerCommand mark(const PointOfView& view, const float* v) {
-  const int number = static_cast<int>(std::lround(v[0]));
-  for (const Seat seat : opponents_of(view)) {
-    const ScenePlayer& opponent = view.scene.player(seat);
-    if (opponent.seen && opponent.unum == number) {
-      return go_to(view.scene, view.self, marking_position(view, seat), 0.5);
-    }
-  }
-  return stand();
-}
-PlayerCommand defend_goal(const PointOfView& view, const float*) {
-  return go_to(view.scene, view.self, guard_position(view), 0.5);
+  const Seat opponent = numbered(view, opponents_of(view), v);
+  if (opponent == kNoSeat) return stand();
+  return go_to(view.scene, view.self, marking_position(view, opponent), 0.5);
 }
 PlayerCommand go_to_ball(const PointOfView& view, const float*) {
   return go_to(view.scene, view.self, view.scene.ball, 0.5);
-}
-PlayerCommand reorient(const PointOfView& view, const float*) {
-  return face(view.scene, view.self, view.scene.ball);
 }
 
 }  // namespace
 
 const ActionSet& hfo_actions() {
-  static const ActionSet set = {"hfo",
-                                2,
-                                "HFO's twenty actions; QUIT acts as NOOP",
-                                {{"DASH", {kPower, kDirection}, dash},
-                                 {"TURN", {kDirection}, turn},
-                                 {"TACKLE", {kDirection}, tackle, tackle_reaches},
-                                 {"KICK", {kPower, kDirection}, kick, has_ball},
-                                 {"KICK_TO", {kX, kY, kSpeed}, kick_to_target, has_ball},
-                                 {"MOVE_TO", {kX, kY}, move_to},
-                                 {"DRIBBLE_TO", {kX, kY}, dribble_to_target},
-                                 {"INTERCEPT", {}, intercept_ball},
-                                 {"MOVE", {}, move},
-                                 {"SHOOT", {}, shoot_at_goal, has_ball},
-                                 {"PASS", {kNumber}, pass, can_pass},
-                                 {"DRIBBLE", {}, dribble, has_ball},
-                                 {"CATCH", {}, catch_now, catch_reaches},
-                                 {"NOOP", {}, nothing},
-                                 {"QUIT", {}, nothing},
-                                 {"REDUCE_ANGLE_TO_GOAL", {}, reduce_angle},
-                                 {"MARK_PLAYER", {kNumber}, mark, can_mark},
-                                 {"DEFEND_GOAL", {}, defend_goal},
-                                 {"GO_TO_BALL", {}, go_to_ball, has_no_ball},
-                                 {"REORIENT", {}, reorient}},
-                                {},
-                                nullptr};
+  static const ActionSet set = {.name = "hfo",
+                                .version = 2,
+                                .summary = "HFO's twenty actions; QUIT acts as NOOP",
+                                .actions = {{"DASH", {kPower, kDirection}, dash},
+                                            {"TURN", {kDirection}, turn},
+                                            {"TACKLE", {kDirection}, tackle, tackle_reaches},
+                                            {"KICK", {kPower, kDirection}, kick, has_ball},
+                                            {"KICK_TO", {kX, kY, kSpeed}, kick_to_target, has_ball},
+                                            {"MOVE_TO", {kX, kY}, move_to},
+                                            {"DRIBBLE_TO", {kX, kY}, dribble_to_target},
+                                            {"INTERCEPT", {}, intercept_ball},
+                                            {"MOVE", {}, support},
+                                            {"SHOOT", {}, shoot_at_goal, has_ball},
+                                            {"PASS", {kNumber}, pass, can_pass},
+                                            {"DRIBBLE", {}, dribble, has_ball},
+                                            {"CATCH", {}, catch_now, catch_reaches},
+                                            {"NOOP", {}, nothing},
+                                            {"QUIT", {}, nothing},
+                                            {"REDUCE_ANGLE_TO_GOAL", {}, reduce_angle},
+                                            {"MARK_PLAYER", {kNumber}, mark, can_mark},
+                                            {"DEFEND_GOAL", {}, guard},
+                                            {"GO_TO_BALL", {}, go_to_ball, has_no_ball},
+                                            {"REORIENT", {}, face_ball}}};
   return set;
 }
 

@@ -1,20 +1,10 @@
 // Action sets "low", "low_all" and "low_flat": the commands of the soccer server.
 #include <algorithm>
-#include <array>
 
-#include "training/actions/action_set.h"
-#include "training/actions/conditions.h"
+#include "training/actions/shared_actions.h"
 
 namespace cls::training {
 namespace {
-
-const Column kPower = {"power", "1", 0, 100};
-const Column kDirection = {"direction", "deg", -180, 180};
-
-PlayerCommand dash(const PointOfView&, const float* v) { return soccer::Dash{v[0], v[1]}; }
-PlayerCommand turn(const PointOfView&, const float* v) { return soccer::Turn{v[0]}; }
-PlayerCommand kick(const PointOfView&, const float* v) { return soccer::Kick{v[0], v[1]}; }
-PlayerCommand tackle(const PointOfView&, const float* v) { return soccer::Tackle{v[0], false}; }
 
 std::vector<Action> common() {
   return {{"dash", {kPower, kDirection}, dash},
@@ -24,8 +14,7 @@ std::vector<Action> common() {
 
 // Layout of "low_flat": scores of the four kinds, then their parameters.
 PlayerCommand choose(const PointOfView&, const float* values) {
-  const auto scores = std::array<float, 4>{values[0], values[1], values[2], values[3]};
-  const auto best = std::max_element(scores.begin(), scores.end()) - scores.begin();
+  const auto best = std::max_element(values, values + 4) - values;
   const auto power = [&](int i) { return (values[i] + 1.0F) * 50.0F; };
   const auto angle = [&](int i) { return values[i] * 180.0F; };
 
@@ -44,14 +33,15 @@ PlayerCommand choose(const PointOfView&, const float* values) {
 }  // namespace
 
 const ActionSet& low_actions() {
-  static const ActionSet set = {"low",    1,  "dash, turn and kick with their own parameters",
-                                common(), {}, nullptr};
+  static const ActionSet set = {.name = "low",
+                                .summary = "dash, turn and kick with their own parameters",
+                                .actions = common()};
   return set;
 }
 
 const ActionSet& low_all_actions() {
   static const ActionSet set = [] {
-    ActionSet all = {"low_all", 1, "low, tackle and catch", common(), {}, nullptr};
+    ActionSet all = {.name = "low_all", .summary = "low, tackle and catch", .actions = common()};
     all.actions.push_back({"tackle", {kDirection}, tackle, tackle_reaches});
     all.actions.push_back({"catch", {}, catch_now, catch_reaches});
     return all;
@@ -60,22 +50,19 @@ const ActionSet& low_all_actions() {
 }
 
 const ActionSet& low_flat_actions() {
-  static const ActionSet set = {"low_flat",
-                                1,
-                                "scores of dash, turn, tackle and kick and their parameters in "
-                                "-1..1; the highest score acts",
-                                {},
-                                {{"dash_score", "1"},
-                                 {"turn_score", "1"},
-                                 {"tackle_score", "1"},
-                                 {"kick_score", "1"},
-                                 {"dash_power", "-1: 0, 1: 100"},
-                                 {"dash_direction", "180 deg"},
-                                 {"turn_direction", "180 deg"},
-                                 {"tackle_direction", "180 deg"},
-                                 {"kick_power", "-1: 0, 1: 100"},
-                                 {"kick_direction", "180 deg"}},
-                                choose};
+  static const ActionSet set = [] {
+    ActionSet flat = {.name = "low_flat",
+                      .summary =
+                          "scores of dash, turn, tackle and kick and their parameters in "
+                          "-1..1; the highest score acts",
+                      .choose = choose};
+    append(flat.box, "", {"dash_score", "turn_score", "tackle_score", "kick_score"});
+    append(flat.box, "", {"dash_power"}, "-1: 0, 1: 100");
+    append(flat.box, "", {"dash_direction", "turn_direction", "tackle_direction"}, "180 deg");
+    append(flat.box, "", {"kick_power"}, "-1: 0, 1: 100");
+    append(flat.box, "", {"kick_direction"}, "180 deg");
+    return flat;
+  }();
   return set;
 }
 

@@ -2,9 +2,8 @@
 #include <array>
 #include <string>
 
-#include "training/actions/action_set.h"
-#include "training/actions/conditions.h"
 #include "training/actions/family.h"
+#include "training/actions/shared_actions.h"
 
 namespace cls::training {
 namespace {
@@ -22,7 +21,6 @@ struct Dashes {
   static PlayerCommand command(const PointOfView&, std::size_t i) {
     return soccer::Dash{static_cast<double>(power(i)), static_cast<double>(direction(i))};
   }
-  static constexpr Condition kLegal = nullptr;
 };
 
 struct Turns {
@@ -33,7 +31,6 @@ struct Turns {
   static PlayerCommand command(const PointOfView&, std::size_t i) {
     return soccer::Turn{static_cast<double>(kMoments[i])};
   }
-  static constexpr Condition kLegal = nullptr;
 };
 
 struct Kicks {
@@ -65,14 +62,11 @@ struct Tackles {
 
 const ActionSet& low_discrete_actions() {
   static const ActionSet set = [] {
-    ActionSet all = {"low_discrete",
-                     1,
-                     "noop, 16 dashes, 8 turns, 48 kicks and 8 tackles; kick_POWER_I has "
-                     "direction 22.5 I - 180 degrees",
-                     {},
-                     {},
-                     nullptr};
-    all.actions.push_back({"noop", {}, nothing});
+    ActionSet all = {.name = "low_discrete",
+                     .summary =
+                         "noop, 16 dashes, 8 turns, 48 kicks and 8 tackles; kick_POWER_I has "
+                         "direction 22.5 I - 180 degrees",
+                     .actions = {{"noop", {}, nothing}}};
     append_family<Dashes>(all.actions);
     append_family<Turns>(all.actions);
     append_family<Kicks>(all.actions);

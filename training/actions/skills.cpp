@@ -5,11 +5,8 @@
 #include <string>
 
 #include "soccer/math.h"
-#include "soccer/pitch.h"
-#include "training/actions/action_set.h"
-#include "training/actions/conditions.h"
 #include "training/actions/family.h"
-#include "training/skills/positions.h"
+#include "training/actions/shared_actions.h"
 
 namespace cls::training {
 namespace {
@@ -30,7 +27,7 @@ struct Passes {
 
   static Seat receiver(const PointOfView& view, std::size_t i) {
     const Seats mates = teammates_of(view);
-    return i < mates.count ? mates.items[i] : kNoSeat;
+    return i < mates.size() ? mates[i] : kNoSeat;
   }
   static std::string name(std::size_t i) { return "pass_" + std::to_string(i + 1); }
   static PlayerCommand command(const PointOfView& view, std::size_t i) {
@@ -74,25 +71,12 @@ struct Runs {
   static PlayerCommand command(const PointOfView& view, std::size_t i) {
     return go_to(view.scene, view.self, ahead(view.me().position, i, 10.0), 0.0);
   }
-  static constexpr Condition kLegal = nullptr;
 };
 
 // Goes to the ball and stops it.
 PlayerCommand take_ball(const PointOfView& view, const float*) {
   if (has_ball(view)) return kick_to(view.scene, view.self, view.scene.ball, 0.0);
   return intercept(view.scene, view.self);
-}
-
-PlayerCommand face_ball(const PointOfView& view, const float*) {
-  return face(view.scene, view.self, view.scene.ball);
-}
-
-PlayerCommand support(const PointOfView& view, const float*) {
-  return go_to(view.scene, view.self, support_position(view), 1.0);
-}
-
-PlayerCommand guard(const PointOfView& view, const float*) {
-  return go_to(view.scene, view.self, guard_position(view), 0.5);
 }
 
 PlayerCommand mark(const PointOfView& view, const float*) {
@@ -103,7 +87,7 @@ bool can_mark(const PointOfView& view) {
   return view.scene.ball_seen && opponent_to_mark(view) != kNoSeat;
 }
 
-PlayerCommand tackle(const PointOfView& view, const float*) {
+PlayerCommand tackle_forward(const PointOfView& view, const float*) {
   return soccer::Tackle{bearing_degrees(view.me(), {1.0, 0.0}), false};
 }
 
@@ -112,21 +96,19 @@ PlayerCommand tackle(const PointOfView& view, const float*) {
 const ActionSet& skill_actions() {
   static const ActionSet set = [] {
     ActionSet all = {
-        "skills",
-        1,
-        "shoot, take the ball, support, defend, ten passes, 32 kicks, 16 dribbles and 16 "
-        "runs; dribble_I has direction 22.5 I - 180 degrees on the pitch",
-        {{"noop", {}, nothing},
-         {"shoot", {}, shoot_at_goal, has_ball},
-         {"take_ball", {}, take_ball, sees_ball},
-         {"face_ball", {}, face_ball, sees_ball},
-         {"support", {}, support, sees_ball},
-         {"guard", {}, guard, sees_ball},
-         {"mark", {}, mark, can_mark},
-         {"tackle", {}, tackle, tackle_reaches},
-         {"catch", {}, catch_now, catch_reaches}},
-        {},
-        nullptr};
+        .name = "skills",
+        .summary =
+            "shoot, take the ball, support, defend, ten passes, 32 kicks, 16 dribbles and 16 "
+            "runs; dribble_I has direction 22.5 I - 180 degrees on the pitch",
+        .actions = {{"noop", {}, nothing},
+                    {"shoot", {}, shoot_at_goal, has_ball},
+                    {"take_ball", {}, take_ball, sees_ball},
+                    {"face_ball", {}, face_ball, sees_ball},
+                    {"support", {}, support, sees_ball},
+                    {"guard", {}, guard, sees_ball},
+                    {"mark", {}, mark, can_mark},
+                    {"tackle", {}, tackle_forward, tackle_reaches},
+                    {"catch", {}, catch_now, catch_reaches}}};
     append_family<Passes>(all.actions);
     append_family<Kicks>(all.actions);
     append_family<Dribbles>(all.actions);

@@ -1,4 +1,4 @@
-// The C interface: checks pointers, sizes and handles; catches everything.
+// The C interface: knows pools by handle; checks pointers and sizes; catches everything.
 #include "training/c_api/cls_training.h"
 
 #include <unistd.h>
@@ -8,12 +8,14 @@
 #include <cstddef>
 #include <cstring>
 #include <exception>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 
 #include "base/system/version.h"
 #include "base/text/json.h"
-#include "training/c_api/registry.h"
 #include "training/pool/specification.h"
 
 namespace cls::training {
@@ -55,6 +57,54 @@ int guarded(Body body) noexcept {
   } catch (...) {
     return fail(Code::kInternal, "unknown exception");
   }
+}
+
+struct RegisteredPool {
+  Pool pool;
+  pid_t process;                               ///< that created it
+  std::atomic_flag in_use = ATOMIC_FLAG_INIT;  ///< by a call
+};
+
+/// Pools by handle. Handles are never used again. The registry is not destroyed at exit: after
+/// fork() a child must not wait for threads that it does not have.
+struct Registry {
+  std::mutex mutex;
+  std::map<std::uint64_t, std::shared_ptr<RegisteredPool>> pools;
+  std::uint64_t next = 1;
+};
+
+Registry& registry() {
+  static Registry& instance = *new Registry;
+  return instance;
+}
+
+std::uint64_t register_pool(PoolConfig config) {
+  // In two steps: the pool's threads hold its address.
+  auto entry =
+      std::shared_ptr<RegisteredPool>(new RegisteredPool{Pool(std::move(config)), ::getpid()});
+  Registry& all = registry();
+  const std::lock_guard lock(all.mutex);
+  const std::uint64_t handle = all.next++;
+  all.pools.emplace(handle, std::move(entry));
+  return handle;
+}
+
+/// Null for unknown handles.
+std::shared_ptr<RegisteredPool> find_pool(std::uint64_t handle) {
+  Registry& all = registry();
+  const std::lock_guard lock(all.mutex);
+  const auto found = all.pools.find(handle);
+  return found == all.pools.end() ? nullptr : found->second;
+}
+
+void forget_pool(std::uint64_t handle) {
+  std::shared_ptr<RegisteredPool> last;  // destroyed after the lock
+  Registry& all = registry();
+  const std::lock_guard lock(all.mutex);
+  const auto found = all.pools.find(handle);
+  if (found == all.pools.end()) return;
+  last = std::move(found->second);
+  all.pools.erase(found);
 }
 
 struct Release {
@@ -214,47 +264,47 @@ void fill_view(const Episode& episode, cls_training_world& out) {
 }  // namespace
 }  // namespace cls::training
 
-using cls::training::Code;
-using cls::training::guarded;
-using cls::training::null_pointer;
-using cls::training::Outcome;
-using cls::training::Pool;
-using cls::training::with_pool;
+// The functions of the header, outside all namespaces.
+namespace engine = cls::training;
+using engine::Code;
+using engine::guarded;
+using engine::null_pointer;
+using engine::Outcome;
+using engine::Pool;
+using engine::with_pool;
 
 int32_t cls_training_abi(void) { return CLS_TRAINING_ABI; }
 
 const char* cls_training_version(void) { return cls::base::kVersion.data(); }
 
-const char* cls_training_error(void) { return cls::training::last_error().c_str(); }
+const char* cls_training_error(void) { return engine::last_error().c_str(); }
 
 int cls_training_catalog(char* out, size_t capacity, size_t* length) {
-  return guarded([&] {
-    return cls::training::write_text(cls::training::catalog().dump(), out, capacity, length);
-  });
+  return guarded(
+      [&] { return engine::write_text(engine::catalog().dump(), out, capacity, length); });
 }
 
 int cls_training_create(const char* config_json, uint64_t* pool) {
   return guarded([&]() -> Outcome {
     if (config_json == nullptr) return null_pointer("config_json");
     if (pool == nullptr) return null_pointer("pool");
-    auto config = cls::training::parse_pool_config(config_json);
+    auto config = engine::parse_pool_config(config_json);
     if (!config) return {Code::kBadConfig, config.error().message};
-    *pool = cls::training::register_pool(std::move(*config));
+    *pool = engine::register_pool(std::move(*config));
     return {};
   });
 }
 
 int cls_training_spec(uint64_t handle, char* out, size_t capacity, size_t* length) {
   return with_pool(handle, [&](Pool& pool) {
-    return cls::training::write_text(cls::training::specification(pool).dump(), out, capacity,
-                                     length);
+    return engine::write_text(engine::specification(pool).dump(), out, capacity, length);
   });
 }
 
 int cls_training_close(uint64_t handle) {
   return with_pool(handle, [&](Pool& pool) {
     Outcome written = pool.finish_recordings();
-    cls::training::forget_pool(handle);
+    engine::forget_pool(handle);
     return written;
   });
 }
@@ -267,7 +317,7 @@ int cls_training_bind(uint64_t handle, const cls_training_buffers* buffers) {
                                   std::to_string(buffers->struct_size) +
                                   "; another version of the header?"};
     }
-    return cls::training::bind(pool, *buffers);
+    return engine::bind(pool, *buffers);
   });
 }
 
@@ -325,7 +375,7 @@ int cls_training_view(uint64_t handle, uint64_t env, cls_training_world* world) 
       return {Code::kBadSize, "struct_size must be " + std::to_string(sizeof *world)};
     }
     if (env >= pool.size()) return {Code::kBadIndex, "no world " + std::to_string(env)};
-    cls::training::fill_view(pool.episode(env), *world);
+    engine::fill_view(pool.episode(env), *world);
     return {};
   });
 }

@@ -8,14 +8,13 @@
 #include <span>
 #include <utility>
 
+#include "base/index.h"
 #include "base/overloaded.h"
 #include "simulator/actions/actions.h"
 #include "simulator/step.h"
 #include "soccer/commands/rounding.h"
-#include "training/episode/state.h"
 #include "training/scene/estimated_scene.h"
 #include "training/scene/openings.h"
-#include "training/tasks/formation.h"
 
 namespace cls::training {
 namespace {
@@ -30,29 +29,16 @@ bool allows_moves(soccer::PlayMode mode) {
 
 // The text of a command has no more digits, so that a client can send the same command.
 void round_numbers(PlayerCommand& command) {
-  using soccer::rounded_for_command;
-  std::visit(
-      base::Overloaded{[](soccer::Dash& dash) {
-                         dash.power = rounded_for_command(dash.power);
-                         dash.direction = rounded_for_command(dash.direction);
-                       },
-                       [](soccer::Turn& turn) { turn.moment = rounded_for_command(turn.moment); },
-                       [](soccer::Kick& kick) {
-                         kick.power = rounded_for_command(kick.power);
-                         kick.direction = rounded_for_command(kick.direction);
-                       },
-                       [](soccer::Tackle& tackle) {
-                         tackle.angle_or_power = rounded_for_command(tackle.angle_or_power);
-                       },
-                       [](soccer::Catch& catches) {
-                         catches.direction = rounded_for_command(catches.direction);
-                       },
-                       [](soccer::Move& move) {
-                         move.x = rounded_for_command(move.x);
-                         move.y = rounded_for_command(move.y);
-                       },
-                       [](auto&) {}},
-      command);
+  const auto round = [](auto&... numbers) {
+    ((numbers = soccer::rounded_for_command(numbers)), ...);
+  };
+  std::visit(base::Overloaded{[&](soccer::Dash& dash) { round(dash.power, dash.direction); },
+                              [&](soccer::Turn& turn) { round(turn.moment); },
+                              [&](soccer::Kick& kick) { round(kick.power, kick.direction); },
+                              [&](soccer::Tackle& tackle) { round(tackle.angle_or_power); },
+                              [&](soccer::Catch& catches) { round(catches.direction); },
+                              [&](soccer::Move& move) { round(move.x, move.y); }, [](auto&) {}},
+             command);
 }
 
 // Logs the commands as one datagram.
@@ -123,11 +109,10 @@ void Episode::draw_types(soccer::RandomStream& random) {
 }
 
 void Episode::fill_scenes() {
-  for (const Side side : {Side::kLeft, Side::kRight}) {
+  for (const Side side : soccer::kBothSides) {
     if (setup_->cast.team(side).empty()) continue;
-    Scene& scene = scenes_[side == Side::kRight ? 1 : 0];
-    fill_scene(world_, side, setup_->cast, scene);
-    if (setup_->observes[side == Side::kRight ? 1 : 0]) complete_for_observers(scene);
+    fill_scene(world_, side, setup_->cast, scenes_[side]);
+    if (setup_->observes[side]) complete_for_observers(scenes_[side]);
   }
   for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
     fill_scene(perceivers_[agent].world, setup_->cast, estimated_[agent]);
@@ -140,15 +125,14 @@ double Episode::time_left() const {
 
 int Episode::agent_in(int slot) const {
   const std::vector<int>& agents = setup_->cast.agents;
-  const auto place = std::find(agents.begin(), agents.end(), slot);
+  const auto place = std::ranges::find(agents, slot);
   return place == agents.end() ? -1 : static_cast<int>(place - agents.begin());
 }
 
 PointOfView Episode::view_of(int slot, bool last_action_worked) const {
   const Side side = soccer::side_of_slot(slot);
   const int agent = has_world_models() ? agent_in(slot) : -1;
-  return {agent >= 0 ? estimated_[static_cast<std::size_t>(agent)]
-                     : scenes_[side == Side::kRight ? 1 : 0],
+  return {agent >= 0 ? estimated_[base::index(agent)] : scenes_[side],
           setup_->cast,
           seat_of(side, slot),
           setup_->task->stage(side),
@@ -184,7 +168,7 @@ PlayerCommand Episode::command_of(std::size_t agent, const AgentActions& actions
     return set.choose(view, clipped.data());
   }
 
-  const auto id = static_cast<std::size_t>(actions.ids[agent]);
+  const auto id = base::index(actions.ids[agent]);
   const Action& action = set.actions[id];
   if (action.legal != nullptr && !action.legal(view)) {
     ++agents_[agent].illegal;
@@ -192,7 +176,7 @@ PlayerCommand Episode::command_of(std::size_t agent, const AgentActions& actions
     return stand();
   }
 
-  clip(static_cast<std::size_t>(setup_->offsets[id]), action.parameters.size());
+  clip(base::index(setup_->offsets[id]), action.parameters.size());
   return action.command(view, clipped.data());
 }
 
@@ -201,17 +185,17 @@ void Episode::choose_commands(const AgentActions& actions) {
   for (std::size_t agent = 0; agent < cast.agents.size(); ++agent) {
     const int slot = cast.agents[agent];
     if (!world_.player(slot).enabled) continue;
-    PlayerCommand& command = commands_[static_cast<std::size_t>(slot)];
+    PlayerCommand& command = commands_[base::index(slot)];
     command = command_of(agent, actions);
     if (const auto* dash = std::get_if<soccer::Dash>(&command)) {
       add_effort(dash->power, rewards_[agent]);
     }
   }
 
-  for (const Side side : {Side::kLeft, Side::kRight}) {
+  for (const Side side : soccer::kBothSides) {
     std::optional<TeamSituation> situation;  // of the scripted players, if there is one
     for (const int slot : cast.team(side)) {
-      const auto i = static_cast<std::size_t>(slot);
+      const auto i = base::index(slot);
       if (setup_->is_agent[i] || !world_.player(slot).enabled) continue;
       commands_[i] = driven_command(slot, situation);
     }
@@ -219,7 +203,7 @@ void Episode::choose_commands(const AgentActions& actions) {
 }
 
 PlayerCommand Episode::driven_command(int slot, std::optional<TeamSituation>& situation) {
-  const Driver driver = others_.drivers[static_cast<std::size_t>(slot)];
+  const Driver driver = others_.drivers[base::index(slot)];
   if (driver == Driver::kScripted) {
     const PointOfView view = view_of(slot, true);
     if (!situation) situation = assess(view.scene, view.cast);
@@ -233,29 +217,29 @@ PlayerCommand Episode::driven_command(int slot, std::optional<TeamSituation>& si
 
 // Before a kick-off all players move to the formation; the agents have no action for it.
 void Episode::return_to_formation() {
-  for (const Side side : {Side::kLeft, Side::kRight}) {
+  for (const Side side : soccer::kBothSides) {
     for (const int slot : setup_->cast.team(side)) {
       const Vec2 place = kick_off_position(slot) * soccer::sign(side);
-      commands_[static_cast<std::size_t>(slot)] = soccer::Move{place.x, place.y};
+      commands_[base::index(slot)] = soccer::Move{place.x, place.y};
     }
   }
 }
 
 std::span<const PlayerCommand> Episode::commands(int slot) const {
   const int agent = has_world_models() ? agent_in(slot) : -1;
-  if (agent >= 0) return perceivers_[static_cast<std::size_t>(agent)].commands;
+  if (agent >= 0) return perceivers_[base::index(agent)].commands;
   if (const MatchPlayer* player = match_player(slot)) return player->senses.commands;
-  return {&commands_[static_cast<std::size_t>(slot)], 1};
+  return {&commands_[base::index(slot)], 1};
 }
 
 void Episode::send_commands() {
-  for (const Side side : {Side::kLeft, Side::kRight}) {
+  for (const Side side : soccer::kBothSides) {
     for (const int slot : setup_->cast.team(side)) {
-      round_numbers(commands_[static_cast<std::size_t>(slot)]);
+      round_numbers(commands_[base::index(slot)]);
     }
   }
   for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
-    const auto slot = static_cast<std::size_t>(setup_->cast.agents[agent]);
+    const auto slot = base::index(setup_->cast.agents[agent]);
     if (!training::choose_commands(perceivers_[agent], commands_[slot])) {
       agents_[agent].last_action_worked = false;
     }

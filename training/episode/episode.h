@@ -54,7 +54,7 @@ class Episode {
   /// The commands of the last cycle of a player in `slot`, in the order of execution: what a client
   /// would have sent.
   std::span<const PlayerCommand> commands(int slot) const;
-  /// What an agent estimates; null with the full state.
+  /// The estimates of an agent; null with the full state.
   const player::WorldModel* world_model(std::size_t agent) const {
     return has_world_models() ? &perceivers_[agent].world : nullptr;
   }
@@ -99,7 +99,7 @@ class Episode {
   OptionValues options_{};
   Status status_ = Status::kInGame;
   bool started_ = false;
-  std::array<Scene, 2> scenes_;        ///< exact: left, right
+  soccer::PerSide<Scene> scenes_;      ///< exact
   std::vector<Perceiver> perceivers_;  ///< of the agents; may be empty
   std::vector<Scene> estimated_;       ///< by agent, from their world models
   Others others_;

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "base/index.h"
+
 namespace cls::training {
 namespace {
 
@@ -18,7 +20,7 @@ void draw_drivers(const Setup& setup, const simulator::World& world, Others& oth
     if (drawn < 0) continue;
 
     Driver& driver = others.drivers[slot];
-    driver = pool[static_cast<std::size_t>(drawn)].driver;
+    driver = pool[base::index(drawn)].driver;
     const bool stands = setup.task->lazy && opponent && !world.players[slot].goalie;
     if (stands && driver == Driver::kScripted) driver = Driver::kHold;
   }
@@ -35,10 +37,10 @@ void for_each_player(const Setup& setup, Others& others, Do&& what) {
 }  // namespace
 
 const MatchPlayer* match_player(const Setup& setup, const Others& others, int slot) {
-  const auto i = static_cast<std::size_t>(slot);
+  const auto i = base::index(slot);
   const int index = setup.match_player_of[i];
   if (index < 0 || !perceives(others.drivers[i])) return nullptr;
-  return &others.players[static_cast<std::size_t>(index)];
+  return &others.players[base::index(index)];
 }
 
 MatchPlayer* match_player(const Setup& setup, Others& others, int slot) {
@@ -49,8 +51,8 @@ void begin_others(const Setup& setup, const simulator::World& world, SenseBuffer
                   Others& others) {
   draw_drivers(setup, world, others);
   for_each_player(setup, others, [&](int slot, MatchPlayer& player) {
-    player = setup.match_players[static_cast<std::size_t>(
-        setup.match_player_of[static_cast<std::size_t>(slot)])];
+    player =
+        setup.match_players[base::index(setup.match_player_of[static_cast<std::size_t>(slot)])];
     begin_perception(*setup.vision, world, slot, player.senses, buffers);
   });
 }

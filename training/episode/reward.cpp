@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/index.h"
 #include "soccer/pitch.h"
 
 namespace cls::training {
@@ -97,7 +98,7 @@ void begin_rewards(const simulator::World& world, const Cast& cast, RewardMemory
   memory = {};
   memory.ball_to_right_goal = distance(world.ball.position, kRightGoal);
   for (const int slot : cast.agents) {
-    const auto i = static_cast<std::size_t>(slot);
+    const auto i = base::index(slot);
     memory.to_ball[i] = distance(world.player(slot).position, world.ball.position);
     memory.touched[i] = simulator::is_kickable(world, world.player(slot));
   }
@@ -110,7 +111,7 @@ void add_rewards(const simulator::World& world, const Cast& cast, Status status,
 
   for (std::size_t agent = 0; agent < cast.agents.size(); ++agent) {
     const int slot = cast.agents[agent];
-    const auto i = static_cast<std::size_t>(slot);
+    const auto i = base::index(slot);
     const simulator::Player& player = world.player(slot);
     RewardValues& sum = sums[agent];
     const double sign = soccer::sign(player.side);

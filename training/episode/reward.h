@@ -25,7 +25,7 @@ const std::array<RewardTerm, kRewardTerms>& reward_terms();
 /// Unweighted terms of one step for one player, from the view of its team.
 using RewardValues = std::array<double, kRewardTerms>;
 
-/// What rewards compare between steps. Part of an episode.
+/// Values that rewards compare between steps. Part of an episode.
 struct RewardMemory {
   double ball_to_right_goal = 0.0;  ///< meters from the ball to the goal that the left attacks
   int rings = 0;                    ///< checkpoints of the left team so far

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/index.h"
 #include "base/text/suggestion.h"
 #include "simulator/actions/actions.h"
 #include "simulator/world/rules.h"
-#include "training/episode/state.h"
 
 namespace cls::training {
 namespace {
@@ -49,12 +49,16 @@ Result<int> choose_count(std::string_view key, int wanted, const Task& task, con
                            range.high, task.id, count)};
 }
 
+bool plays(Agents agents, Side side) {
+  return agents == Agents::kBoth || (agents == Agents::kLeft) == (side == Side::kLeft);
+}
+
 // Chooses the drivers of all players that are not agents.
 void choose_drivers(const SetupChoices& choices, Agents agents, Setup& setup) {
-  for (const Side side : {Side::kLeft, Side::kRight}) {
-    const bool own = agents == Agents::kBoth || (agents == Agents::kLeft) == (side == Side::kLeft);
+  for (const Side side : soccer::kBothSides) {
+    const bool own = plays(agents, side);
     for (const int slot : setup.cast.team(side)) {
-      const auto i = static_cast<std::size_t>(slot);
+      const auto i = base::index(slot);
       setup.is_opponent[i] = !own;
       if (!own) setup.opponents = choices.opponents;
       if (own && !setup.is_agent[i]) setup.teammates = choices.teammates;
@@ -64,27 +68,21 @@ void choose_drivers(const SetupChoices& choices, Agents agents, Setup& setup) {
 
 Result<void> choose_cast(const SetupChoices& choices, Setup& setup) {
   const Task& task = *setup.task;
-  const Result<int> left = choose_count("offense", choices.offense, task, task.offense);
-  if (!left) return left.error();
-  const Result<int> right = choose_count("defense", choices.defense, task, task.defense);
-  if (!right) return right.error();
+  TRY_INIT(int left, choose_count("offense", choices.offense, task, task.offense));
+  TRY_INIT(int right, choose_count("defense", choices.defense, task, task.defense));
 
   const Agents agents = choices.agents < 0 ? task.agents : static_cast<Agents>(choices.agents);
-  int players[] = {*left, *right};
-  if (choices.opponents.empty() && agents != Agents::kBoth) {
-    players[agents == Agents::kLeft ? 1 : 0] = 0;
-  }
+  if (choices.opponents.empty() && !plays(agents, Side::kLeft)) left = 0;
+  if (choices.opponents.empty() && !plays(agents, Side::kRight)) right = 0;
 
-  setup.cast.left = team_slots(task, Side::kLeft, players[0]);
-  setup.cast.right = team_slots(task, Side::kRight, players[1]);
-  for (const Side side : {Side::kLeft, Side::kRight}) {
-    const bool plays =
-        agents == Agents::kBoth || (agents == Agents::kLeft) == (side == Side::kLeft);
+  setup.cast.left = team_slots(task, Side::kLeft, left);
+  setup.cast.right = team_slots(task, Side::kRight, right);
+  for (const Side side : soccer::kBothSides) {
     const std::vector<int>& team = setup.cast.team(side);
     const int most = static_cast<int>(team.size());
     const int wanted = choices.num_agents < 0 ? most : choices.num_agents;
 
-    if (!plays) continue;
+    if (!plays(agents, side)) continue;
     if (wanted < 1 || wanted > most) {
       return Error{
           fmt::format("'num_agents' must be 1..{}, the size of the team, not {}", most, wanted)};
@@ -96,7 +94,7 @@ Result<void> choose_cast(const SetupChoices& choices, Setup& setup) {
                              team.begin() + first + wanted);
   }
 
-  for (const int slot : setup.cast.agents) setup.is_agent[static_cast<std::size_t>(slot)] = true;
+  for (const int slot : setup.cast.agents) setup.is_agent[base::index(slot)] = true;
   choose_drivers(choices, agents, setup);
   return {};
 }
@@ -107,24 +105,23 @@ Result<void> choose_sets(const SetupChoices& choices, Setup& setup) {
     return name.empty() ? std::string(usual) : name;
   };
 
-  TRY_INIT(const auto features, choose_features(or_usual(choices.features, task.features)));
-  TRY_INIT(const auto actions, choose_actions(or_usual(choices.actions, task.actions)));
-  setup.features = features;
-  setup.actions = actions;
+  TRY_INIT(setup.features, choose_features(or_usual(choices.features, task.features)));
+  TRY_INIT(setup.actions, choose_actions(or_usual(choices.actions, task.actions)));
 
-  const auto is_right = [](int slot) { return soccer::side_of_slot(slot) == Side::kRight; };
-  const auto& agents = setup.cast.agents;
-  if (setup.features->left_only && std::any_of(agents.begin(), agents.end(), is_right)) {
+  const auto has_agents = [&](Side side) {
+    return std::ranges::find(setup.cast.agents, side, soccer::side_of_slot) !=
+           setup.cast.agents.end();
+  };
+  if (setup.features->left_only && has_agents(Side::kRight)) {
     return Error{fmt::format("the feature set '{}' is for attackers only; use hfo_high or ego",
                              setup.features->name)};
   }
 
   // All rows are equally wide: each team's own columns come first, zeros fill the rest.
-  for (const Side side : {Side::kLeft, Side::kRight}) {
+  for (const Side side : soccer::kBothSides) {
     const int own = static_cast<int>(setup.cast.team(side).size());
     const int others = static_cast<int>(setup.cast.others(side).size());
-    const auto plays = [side](int slot) { return soccer::side_of_slot(slot) == side; };
-    if (std::none_of(agents.begin(), agents.end(), plays)) continue;
+    if (!has_agents(side)) continue;
     Columns columns = setup.features->columns(own - 1, others);
     if (columns.size() > setup.feature_columns.size()) setup.feature_columns = std::move(columns);
   }
@@ -159,7 +156,7 @@ Result<void> prepare_world(Setup& setup) {
   simulator::World& world = setup.prepared;
   world = simulator::make_world(rules, kTypesSeed);
 
-  for (const Side side : {Side::kLeft, Side::kRight}) {
+  for (const Side side : soccer::kBothSides) {
     simulator::Team& team = world.team(side);
     team.name = soccer::TeamName(side == Side::kLeft ? "left" : "right");
     team.connected = true;
@@ -180,9 +177,8 @@ Result<void> prepare_world(Setup& setup) {
 }
 
 bool may_perceive(const DriverPool& pool) {
-  return std::any_of(pool.begin(), pool.end(), [](const DriverShare& share) {
-    return share.weight > 0.0 && perceives(share.driver);
-  });
+  return std::ranges::any_of(
+      pool, [](const DriverShare& share) { return share.weight > 0.0 && perceives(share.driver); });
 }
 
 // The agents of cls do not listen to opponents.
@@ -201,13 +197,13 @@ void prepare_senses(Setup& setup) {
     if (setup.fidelity == Fidelity::kWorldModel) {
       setup.perceivers.push_back(make_perceiver(setup.prepared, slot));
     } else {
-      setup.observes[soccer::side_of_slot(slot) == Side::kRight ? 1 : 0] = true;
+      setup.observes[soccer::side_of_slot(slot)] = true;
     }
   }
 
-  for (const Side side : {Side::kLeft, Side::kRight}) {
+  for (const Side side : soccer::kBothSides) {
     for (const int slot : setup.cast.team(side)) {
-      const auto i = static_cast<std::size_t>(slot);
+      const auto i = base::index(slot);
       if (setup.is_agent[i]) continue;
       if (!may_perceive(setup.is_opponent[i] ? setup.opponents : setup.teammates)) continue;
       setup.match_player_of[i] = static_cast<int>(setup.match_players.size());
@@ -228,13 +224,10 @@ std::string agent_name(int slot) {
 }
 
 Result<std::shared_ptr<const Setup>> make_setup(const SetupChoices& choices) {
-  const Result<const Task*> task = choose_task(choices.task);
-  if (!task) return task.error();
-
   auto setup = std::make_shared<Setup>();
-  setup->task = *task;
-  if (Result<void> done = choose_cast(choices, *setup); !done) return done.error();
-  if (Result<void> done = choose_sets(choices, *setup); !done) return done.error();
+  TRY_INIT(setup->task, choose_task(choices.task));
+  TRY(choose_cast(choices, *setup));
+  TRY(choose_sets(choices, *setup));
 
   setup->weights = choices.weights;
   setup->frame_skip = choices.frame_skip;
@@ -242,7 +235,7 @@ Result<std::shared_ptr<const Setup>> make_setup(const SetupChoices& choices) {
   setup->random_types = choices.random_types;
   setup->options = setup->task->usual_options();
 
-  if (Result<void> done = prepare_world(*setup); !done) return done.error();
+  TRY(prepare_world(*setup));
   setup->fidelity = choices.fidelity;
   prepare_senses(*setup);
 

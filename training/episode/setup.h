@@ -8,20 +8,22 @@
 
 #include "base/result.h"
 #include "simulator/world/world.h"
+#include "soccer/per_side.h"
 #include "training/actions/action_set.h"
 #include "training/episode/reward.h"
 #include "training/features/feature_set.h"
-#include "training/npc/match_player.h"
+#include "training/npc/driver.h"
 #include "training/senses/perceiver.h"
 #include "training/tasks/task.h"
 
 namespace cls::training {
 
-/// What agents know. Never mixed in a pool; the full state is not what players know in matches.
+/// The knowledge of agents. Never mixed in a pool; players of matches do not know the full state.
 enum class Fidelity : unsigned char {
   kFullState,   ///< the exact world, without messages
   kWorldModel,  ///< the estimates of cls agents, from the messages of the server
 };
+constexpr auto kFidelityNames = base::enum_names<Fidelity>("full_state", "world_model");
 
 /// From which the player types of all pools are drawn.
 constexpr std::uint64_t kTypesSeed = 1;
@@ -52,7 +54,7 @@ struct Setup {
   DriverPool teammates;  ///< of players of the agents' team that are not agents; empty: none
   DriverPool opponents;  ///< empty: none
   std::array<bool, soccer::kPlayersOnPitch> is_agent{};
-  std::array<bool, 2> observes{};  ///< left, right: agents of the team read the exact scene
+  soccer::PerSide<bool> observes;  ///< agents of the team read the exact scene
   std::array<bool, soccer::kPlayersOnPitch> is_opponent{};  ///< of the agents; none with both teams
   const FeatureSet* features = nullptr;
   const ActionSet* actions = nullptr;
@@ -85,5 +87,11 @@ base::Result<std::shared_ptr<const Setup>> make_setup(const SetupChoices& choice
 
 /// "left_7"
 std::string agent_name(int slot);
+
+/// The full state of an episode as numbers, for critics that may see everything.
+Columns state_columns(const Cast& cast);
+
+/// Writes as many numbers as there are columns, from the left team's view.
+void fill_state(const simulator::World& world, const Cast& cast, double time_left, float* out);
 
 }  // namespace cls::training

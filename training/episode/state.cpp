@@ -1,7 +1,7 @@
-// Central state: ball, clock and all players of the cast.
-#include "training/episode/state.h"
-
+// The full state of an episode as numbers: ball, clock and all players of the cast.
+#include "soccer/per_side.h"
 #include "soccer/pitch.h"
+#include "training/episode/setup.h"
 #include "training/features/feature_writer.h"
 
 namespace cls::training {
@@ -34,17 +34,15 @@ Columns state_columns(const Cast& cast) {
                  {"time_left", "1", 0, 1},
                  {"score_difference", "goals", -20, 20}};
 
-  for (const Side side : {Side::kLeft, Side::kRight}) {
+  for (const Side side : soccer::kBothSides) {
     for (const int slot : cast.team(side)) {
       const std::string name = agent_name(slot);
-      out.push_back({name + "_on_pitch", "0/1", -1, 1});
-      out.push_back({name + "_x", "52.5 m", -1.2F, 1.2F});
-      out.push_back({name + "_y", "34 m", -1.2F, 1.2F});
-      out.push_back({name + "_vx", "1.2 m/cycle", -1, 1});
-      out.push_back({name + "_vy", "1.2 m/cycle", -1, 1});
-      out.push_back({name + "_body_sin", "1", -1, 1});
-      out.push_back({name + "_body_cos", "1", -1, 1});
-      out.push_back({name + "_stamina", "8000", 0, 1});
+      append(out, name, {"_on_pitch"}, "0/1");
+      append(out, name, {"_x"}, "52.5 m", -1.2F, 1.2F);
+      append(out, name, {"_y"}, "34 m", -1.2F, 1.2F);
+      append(out, name, {"_vx", "_vy"}, "1.2 m/cycle");
+      append(out, name, {"_body_sin", "_body_cos"});
+      append(out, name, {"_stamina"}, "8000", 0);
     }
   }
   return out;
@@ -60,7 +58,7 @@ void fill_state(const simulator::World& world, const Cast& cast, double time_lef
   out.value(time_left, 0.0);
   out.value(world.team(Side::kLeft).score - world.team(Side::kRight).score, -20.0, 20.0);
 
-  for (const Side side : {Side::kLeft, Side::kRight}) {
+  for (const Side side : soccer::kBothSides) {
     for (const int slot : cast.team(side)) add_player(world, slot, out);
   }
 }

@@ -14,53 +14,38 @@ constexpr double kBallSpeed = 3.0;    // ball_speed_max
 constexpr double kPlayerSpeed = 1.2;  // above player_speed_max of all types
 constexpr int kPlayerColumns = 10;
 
-void add_player_columns(const std::string& who, Columns& out) {
-  out.push_back({who + "_seen", "0/1", -1, 1});
-  out.push_back({who + "_sin", "1", -1, 1});
-  out.push_back({who + "_cos", "1", -1, 1});
-  out.push_back({who + "_distance", "60 m", 0, 1});
-  out.push_back({who + "_vx", "1.2 m/cycle", -1, 1});
-  out.push_back({who + "_vy", "1.2 m/cycle", -1, 1});
-  out.push_back({who + "_body_sin", "1", -1, 1});
-  out.push_back({who + "_body_cos", "1", -1, 1});
-  out.push_back({who + "_goalie", "0/1", -1, 1});
-  out.push_back({who + "_ball_distance", "60 m", 0, 1});
+void append_player(Columns& out, const std::string& who) {
+  append(out, who, {"_seen"}, "0/1");
+  append(out, who, {"_sin", "_cos"});
+  append(out, who, {"_distance"}, "60 m", 0);
+  append(out, who, {"_vx", "_vy"}, "1.2 m/cycle");
+  append(out, who, {"_body_sin", "_body_cos"});
+  append(out, who, {"_goalie"}, "0/1");
+  append(out, who, {"_ball_distance"}, "60 m", 0);
 }
 
 Columns columns(int teammates, int opponents) {
-  Columns out = {{"self_x", "52.5 m", -1.2F, 1.2F},
-                 {"self_y", "34 m", -1.2F, 1.2F},
-                 {"self_sin", "1", -1, 1},
-                 {"self_cos", "1", -1, 1},
-                 {"self_forward_speed", "1.2 m/cycle", -1, 1},
-                 {"self_sideward_speed", "1.2 m/cycle", -1, 1},
-                 {"self_stamina", "8000", 0, 1},
-                 {"self_kickable", "0/1", -1, 1},
-                 {"self_frozen", "0/1", -1, 1},
-                 {"play_on", "0/1", -1, 1},
-                 {"time_left", "1", 0, 1},
-                 {"ball_seen", "0/1", -1, 1},
-                 {"ball_sin", "1", -1, 1},
-                 {"ball_cos", "1", -1, 1},
-                 {"ball_distance", "60 m", 0, 1},
-                 {"ball_vx", "3 m/cycle", -1, 1},
-                 {"ball_vy", "3 m/cycle", -1, 1},
-                 {"ball_x", "52.5 m", -1.2F, 1.2F},
-                 {"ball_y", "34 m", -1.2F, 1.2F}};
+  Columns out = {{"self_x", "52.5 m", -1.2F, 1.2F}, {"self_y", "34 m", -1.2F, 1.2F}};
+  append(out, "self", {"_sin", "_cos"});
+  append(out, "self", {"_forward_speed", "_sideward_speed"}, "1.2 m/cycle");
+  append(out, "self", {"_stamina"}, "8000", 0);
+  append(out, "", {"self_kickable", "self_frozen", "play_on"}, "0/1");
+  append(out, "", {"time_left"}, "1", 0);
+
+  append(out, "ball", {"_seen"}, "0/1");
+  append(out, "ball", {"_sin", "_cos"});
+  append(out, "ball", {"_distance"}, "60 m", 0);
+  append(out, "ball", {"_vx", "_vy"}, "3 m/cycle");
+  append(out, "ball", {"_x"}, "52.5 m", -1.2F, 1.2F);
+  append(out, "ball", {"_y"}, "34 m", -1.2F, 1.2F);
 
   for (const char* goal : {"their_goal", "their_left_post", "their_right_post", "own_goal"}) {
-    const std::string name = goal;
-    out.push_back({name + "_sin", "1", -1, 1});
-    out.push_back({name + "_cos", "1", -1, 1});
-    out.push_back({name + "_distance", "60 m", 0, 1});
+    append(out, goal, {"_sin", "_cos"});
+    append(out, goal, {"_distance"}, "60 m", 0);
   }
 
-  for (int i = 1; i <= teammates; ++i) {
-    add_player_columns("teammate" + std::to_string(i), out);
-  }
-  for (int i = 1; i <= opponents; ++i) {
-    add_player_columns("opponent" + std::to_string(i), out);
-  }
+  for (int i = 1; i <= teammates; ++i) append_player(out, "teammate" + std::to_string(i));
+  for (int i = 1; i <= opponents; ++i) append_player(out, "opponent" + std::to_string(i));
   return out;
 }
 
@@ -175,7 +160,9 @@ void fill(const PointOfView& view, float* numbers) {
 }  // namespace
 
 const FeatureSet kEgoFeatures = {
-    "ego",   1,   "egocentric: directions relative to the body, own team attacks +x", false, false,
-    columns, fill};
+    .name = "ego",
+    .summary = "egocentric: directions relative to the body, own team attacks +x",
+    .columns = columns,
+    .fill = fill};
 
 }  // namespace cls::training

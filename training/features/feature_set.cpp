@@ -1,6 +1,8 @@
 // The list of feature sets.
 #include "training/features/feature_set.h"
 
+#include <algorithm>
+
 namespace cls::training {
 
 const std::vector<const FeatureSet*>& feature_sets() {
@@ -10,10 +12,8 @@ const std::vector<const FeatureSet*>& feature_sets() {
 }
 
 const FeatureSet* find_feature_set(std::string_view name) {
-  for (const FeatureSet* set : feature_sets()) {
-    if (set->name == name) return set;
-  }
-  return nullptr;
+  const auto found = std::ranges::find(feature_sets(), name, &FeatureSet::name);
+  return found == feature_sets().end() ? nullptr : *found;
 }
 
 }  // namespace cls::training

@@ -11,14 +11,14 @@ namespace cls::training {
 
 struct FeatureSet {
   std::string_view name;
-  int version;
+  int version = 1;
   std::string_view summary;
-  bool left_only;       ///< meaningless for the right team, and refused for it
-  bool needs_openings;  ///< reads PointOfView::openings
+  bool left_only = false;       ///< meaningless for the right team, and refused for it
+  bool needs_openings = false;  ///< reads PointOfView::openings
   /// Columns for so many teammates (without the agent) and opponents.
-  Columns (*columns)(int teammates, int opponents);
+  Columns (*columns)(int teammates, int opponents) = nullptr;
   /// Writes as many numbers as there are columns. Does not allocate.
-  void (*fill)(const PointOfView& view, float* out);
+  void (*fill)(const PointOfView& view, float* out) = nullptr;
 };
 
 /// A change of a set's columns or values needs a new version.

@@ -22,34 +22,26 @@ double max_distance() {
 
 Columns columns(int teammates, int opponents) {
   Columns out;
-  for (const char* name : {"self_x", "self_y", "self_body", "ball_x", "ball_y", "kickable",
-                           "goal_distance", "goal_angle", "goal_opening"}) {
-    out.push_back({name, "1", -1, 1});
-  }
-  out.push_back({"nearest_opponent_distance", "1", kMissing, 1});
+  append(out, "self_", {"x", "y", "body"});
+  append(out, "", {"ball_x", "ball_y", "kickable", "goal_distance", "goal_angle", "goal_opening"});
+  append(out, "", {"nearest_opponent_distance"}, "1", kMissing);
 
-  const auto each = [&](const char* team, int count, const char* what, float low, float high) {
-    for (int i = 1; i <= count; ++i) {
-      out.push_back({team + std::to_string(i) + what, high > 1 ? "number" : "1", low, high});
+  for (const char* what : {"_goal_opening", "_nearest_opponent_distance", "_pass_opening"}) {
+    for (int i = 1; i <= teammates; ++i) {
+      append(out, "teammate" + std::to_string(i), {what}, "1", kMissing);
     }
-  };
-  each("teammate", teammates, "_goal_opening", kMissing, 1);
-  each("teammate", teammates, "_nearest_opponent_distance", kMissing, 1);
-  each("teammate", teammates, "_pass_opening", kMissing, 1);
-
-  const auto positions = [&](const char* team, int count) {
+  }
+  const auto append_positions = [&](const char* team, int count) {
     for (int i = 1; i <= count; ++i) {
       const std::string name = team + std::to_string(i);
-      out.push_back({name + "_x", "1", kMissing, 1});
-      out.push_back({name + "_y", "1", kMissing, 1});
-      out.push_back({name + "_number", "number", kMissing, 11});
+      append(out, name, {"_x", "_y"}, "1", kMissing);
+      append(out, name, {"_number"}, "number", kMissing, 11);
     }
   };
-  positions("teammate", teammates);
-  positions("opponent", opponents);
+  append_positions("teammate", teammates);
+  append_positions("opponent", opponents);
 
-  out.push_back({"last_action_worked", "1", -1, 1});
-  out.push_back({"stamina", "1", -1, 1});
+  append(out, "", {"last_action_worked", "stamina"});
   return out;
 }
 
@@ -82,7 +74,7 @@ struct Scale {
 Seats seen(const PointOfView& view, const Seats& all) {
   Seats seats;
   for (const Seat seat : all) {
-    if (view.scene.player(seat).seen) seats.add(seat);
+    if (view.scene.player(seat).seen) seats.push_back(seat);
   }
   return seats;
 }
@@ -91,8 +83,8 @@ void add_players(FeatureWriter& out, const Scale& scale, const PointOfView& view
                  const Openings& openings) {
   const Seats teammates = seen(view, teammates_of(view));
   const Seats opponents = seen(view, opponents_of(view));
-  const int no_teammates = view.teammate_count() - static_cast<int>(teammates.count);
-  const int no_opponents = view.opponent_count() - static_cast<int>(opponents.count);
+  const int no_teammates = view.teammate_count() - static_cast<int>(teammates.size());
+  const int no_opponents = view.opponent_count() - static_cast<int>(opponents.size());
   const auto position = [&](Seat seat) { return view.scene.player(seat).position; };
 
   for (const Seat seat : teammates) scale.width(openings.to_goal(seat));
@@ -136,8 +128,10 @@ void fill(const PointOfView& view, float* numbers) {
 }  // namespace
 
 const FeatureSet kHfoHighFeatures = {
-    "hfo_high", 1,    "HFO's high-level features: positions, openings to goal and teammates",
-    false,      true, columns,
-    fill};
+    .name = "hfo_high",
+    .summary = "HFO's high-level features: positions, openings to goal and teammates",
+    .needs_openings = true,
+    .columns = columns,
+    .fill = fill};
 
 }  // namespace cls::training

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "soccer/math.h"
 #include "soccer/pitch.h"
 #include "training/features/feature_set.h"
 #include "training/features/feature_writer.h"
@@ -45,47 +44,35 @@ double max_distance() {
                    soccer::kPitchWidth * soccer::kPitchWidth);
 }
 
-void add_landmark_columns(const std::string& name, Columns& out) {
-  out.push_back({name + "_sin", "1", -1, 1});
-  out.push_back({name + "_cos", "1", -1, 1});
-  out.push_back({name + "_proximity", "1", -1, 1});
+void append_landmark(Columns& out, const std::string& name) {
+  append(out, name, {"_sin", "_cos", "_proximity"});
 }
 
-void add_player_columns(const std::string& name, Columns& out) {
-  add_landmark_columns(name, out);
-  for (const char* part : {"_body_sin", "_body_cos", "_speed", "_velocity_sin", "_velocity_cos"}) {
-    out.push_back({name + part, "1", -1, 1});
-  }
+void append_player(Columns& out, const std::string& name) {
+  append_landmark(out, name);
+  append(out, name, {"_body_sin", "_body_cos", "_speed", "_velocity_sin", "_velocity_cos"});
 }
 
 Columns columns(int teammates, int opponents) {
   Columns out;
-  for (const char* name :
-       {"self_position_valid", "self_velocity_valid", "self_velocity_sin", "self_velocity_cos",
-        "self_speed", "self_body_sin", "self_body_cos", "stamina", "frozen", "hits_ball",
-        "hits_player", "hits_post", "kickable"}) {
-    out.push_back({name, "1", -1, 1});
-  }
+  append(out, "self_",
+         {"position_valid", "velocity_valid", "velocity_sin", "velocity_cos", "speed", "body_sin",
+          "body_cos"});
+  append(out, "", {"stamina", "frozen", "hits_ball", "hits_player", "hits_post", "kickable"});
+  for (const Landmark& landmark : kLandmarks) append_landmark(out, landmark.name);
+  append(out, "", {"left_proximity", "right_proximity", "top_proximity", "bottom_proximity"});
 
-  for (const Landmark& landmark : kLandmarks) add_landmark_columns(landmark.name, out);
-  for (const char* name : {"left_proximity", "right_proximity", "top_proximity", "bottom_proximity",
-                           "ball_position_valid"}) {
-    out.push_back({name, "1", -1, 1});
-  }
-
-  add_landmark_columns("ball", out);
-  for (const char* name :
-       {"ball_velocity_valid", "ball_speed", "ball_velocity_sin", "ball_velocity_cos"}) {
-    out.push_back({name, "1", -1, 1});
-  }
+  append(out, "ball", {"_position_valid"});
+  append_landmark(out, "ball");
+  append(out, "ball", {"_velocity_valid", "_speed", "_velocity_sin", "_velocity_cos"});
 
   const auto name = [](const char* team, int i) { return team + std::to_string(i); };
-  for (int i = 1; i <= teammates; ++i) add_player_columns(name("teammate", i), out);
-  for (int i = 1; i <= opponents; ++i) add_player_columns(name("opponent", i), out);
-  for (int i = 1; i <= teammates; ++i) out.push_back({name("teammate", i) + "_number", "100"});
-  for (int i = 1; i <= opponents; ++i) out.push_back({name("opponent", i) + "_number", "100"});
+  for (int i = 1; i <= teammates; ++i) append_player(out, name("teammate", i));
+  for (int i = 1; i <= opponents; ++i) append_player(out, name("opponent", i));
+  for (int i = 1; i <= teammates; ++i) append(out, name("teammate", i), {"_number"}, "100");
+  for (int i = 1; i <= opponents; ++i) append(out, name("opponent", i), {"_number"}, "100");
 
-  out.push_back({"last_action_worked", "1", -1, 1});
+  append(out, "", {"last_action_worked"});
   return out;
 }
 
@@ -164,7 +151,7 @@ Seats listed(const PointOfView& view, Seats all) {
   Seats seats;
   for (const Seat seat : all) {
     const ScenePlayer& player = view.scene.player(seat);
-    if (player.seen && player.position.x > 0.0) seats.add(seat);
+    if (player.seen && player.position.x > 0.0) seats.push_back(seat);
   }
   return seats;
 }
@@ -183,8 +170,8 @@ void fill(const PointOfView& view, float* numbers) {
 
   const Seats teammates = listed(view, teammates_of(view));
   const Seats opponents = listed(view, opponents_of(view));
-  const int missing_teammates = view.teammate_count() - static_cast<int>(teammates.count);
-  const int missing_opponents = view.opponent_count() - static_cast<int>(opponents.count);
+  const int missing_teammates = view.teammate_count() - static_cast<int>(teammates.size());
+  const int missing_opponents = view.opponent_count() - static_cast<int>(opponents.size());
 
   for (const Seat seat : teammates) add_player(out, pose, view.scene.player(seat));
   out.same(kPlayerFeatures * missing_teammates, 0.0F);
@@ -202,8 +189,10 @@ void fill(const PointOfView& view, float* numbers) {
 }  // namespace
 
 const FeatureSet kHfoLowFeatures = {
-    "hfo_low", 1,     "HFO's low-level features: angles and distances to landmarks and players",
-    true,      false, columns,
-    fill};
+    .name = "hfo_low",
+    .summary = "HFO's low-level features: angles and distances to landmarks and players",
+    .left_only = true,
+    .columns = columns,
+    .fill = fill};
 
 }  // namespace cls::training

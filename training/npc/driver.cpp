@@ -1,7 +1,48 @@
-// Drawing a driver.
+// Draws drivers, and decides as agents do, without a Playmaker's messages.
 #include "training/npc/driver.h"
 
+#include "player/behaviors/automatic_play.h"
+#include "player/behaviors/behaviors.h"
+#include "player/perception/perception.h"
+#include "player/planner/plan_execution.h"
+
 namespace cls::training {
+namespace {
+
+using player::ActionContext;
+
+// The options of the mock Playmaker's behavior "planner".
+player::PlannerOptions all_kinds() {
+  player::PlannerOptions options;
+  options.simple_pass = true;
+  options.simple_dribble = true;
+  return options;
+}
+
+bool in_play(const player::GameState& game) {
+  return !game.goalie_catch &&
+         (game.mode == soccer::PlayMode::kPlayOn || game.mode == soccer::PlayMode::kDropBall);
+}
+
+void play_by_planner(ActionContext& context) {
+  const player::WorldModel& world = context.world;
+  if (soccer::is_penalty_mode(world.game.mode)) {
+    play_penalty(context);
+  } else if (!in_play(world.game)) {
+    play_set_play(context);
+  } else if (world.goalie) {
+    play_goalie(context);
+  } else if (!world.self.kickable) {
+    basic_move(context);
+  } else if (must_leave_ball(world, context.memory)) {
+    leave_ball(context);
+  } else if (!shoot_and_look(context) && !world.self.frozen()) {
+    const player::Plan& plan = plan_of_decision(context, all_kinds());
+    if (!kick_out_of_danger(context)) execute_plan_or_hold(context, plan, plan.best);
+  }
+}
+
+}  // namespace
 
 int draw_driver(const DriverPool& pool, soccer::RandomStream& random) {
   double left = 0.0;
@@ -16,6 +57,26 @@ int draw_driver(const DriverPool& pool, soccer::RandomStream& random) {
     if (left < 0.0) break;
   }
   return last;
+}
+
+void decide(Driver driver, MatchPlayer& player) {
+  const player::WorldModel& world = player.senses.world;
+  player::CommandSlots slots(world);
+  player::NeckPlan neck;
+  player::ActionReport report;
+  player::PlanChoice choice;
+  ActionContext context{world, player.memory, slots, neck, report, choice};
+
+  begin_decision(context);
+  if (driver == Driver::kMock) {
+    play_as_simple_team(context);
+  } else if (!play_automatically(context, {})) {
+    play_by_planner(context);
+  }
+
+  finish_decision(context);
+  slots.compose(player.senses.commands);
+  record_sent_commands(player.senses.world, player.senses.commands);
 }
 
 }  // namespace cls::training

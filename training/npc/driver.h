@@ -1,11 +1,12 @@
-// Who plays the players that are not agents.
+// Drivers of the players that are not agents; some perceive and decide as agents do.
 #pragma once
 
-#include <array>
-#include <string_view>
 #include <vector>
 
+#include "base/text/enum_names.h"
+#include "player/planner/action_context.h"
 #include "soccer/random.h"
+#include "training/senses/perceiver.h"
 
 namespace cls::training {
 
@@ -16,8 +17,7 @@ enum class Driver : unsigned char {
   kPlanner,   ///< as the mock Playmaker's behavior "planner": the skills and the planner of cls
 };
 
-/// By value.
-constexpr std::array<std::string_view, 4> kDriverNames = {"hold", "scripted", "mock", "planner"};
+constexpr auto kDriverNames = base::enum_names<Driver>("hold", "scripted", "mock", "planner");
 
 /// True for drivers of players that perceive and decide as the agents of a match do.
 constexpr bool perceives(Driver driver) {
@@ -34,5 +34,19 @@ using DriverPool = std::vector<DriverShare>;
 
 /// Index of a driver, drawn by weight; -1 for an empty pool.
 int draw_driver(const DriverPool& pool, soccer::RandomStream& random);
+
+/// A player that perceives and decides as the agents of a match do. A copyable value.
+struct MatchPlayer {
+  Perceiver senses;
+  player::ActionMemory memory;
+};
+
+/// Decides from the completed world model: fills player.senses.commands with what such an agent of
+/// a match sends. The driver must be one that perceives.
+void decide(Driver driver, MatchPlayer& player);
+
+/// One decision of a player of the mock Playmaker's simple team, between player::begin_decision()
+/// and player::finish_decision().
+void play_as_simple_team(player::ActionContext& context);
 
 }  // namespace cls::training

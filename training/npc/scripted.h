@@ -9,7 +9,7 @@
 
 namespace cls::training {
 
-/// What the players of a team weigh in a cycle, worked out once for all of them.
+/// The situation of a team in a cycle, worked out once for all of its players.
 struct TeamSituation {
   Marking marking;
   int rival_cycles = 0;  ///< until the opponent nearest to the ball reaches it

@@ -1,17 +1,11 @@
 // From a world model to the situation of the simple team, from its actions to skills.
-#include "training/npc/simple_team_player.h"
-
-#include "player/ball_skills/clear_ball.h"
-#include "player/ball_skills/dribble.h"
-#include "player/ball_skills/smart_kick.h"
+#include "player/ball_skills/ball_skills.h"
 #include "player/behaviors/automatic_play.h"
 #include "player/behaviors/behaviors.h"
-#include "player/looking/body_neck.h"
-#include "player/looking/neck.h"
-#include "player/movement/intercept.h"
+#include "player/looking/looking.h"
 #include "player/movement/movement.h"
-#include "player/movement/tackle.h"
 #include "player/simple_team/simple_team.h"
+#include "training/npc/driver.h"
 
 namespace cls::training {
 namespace {

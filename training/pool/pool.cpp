@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/index.h"
+
 namespace cls::training {
 namespace {
 
@@ -25,9 +27,9 @@ void prefetch(const void* start, std::size_t bytes) {
 
 Pool::Pool(PoolConfig config)
     : config_(std::move(config)),
-      crew_(static_cast<std::size_t>(config_.num_envs), static_cast<std::size_t>(config_.threads),
+      crew_(base::index(config_.num_envs), base::index(config_.threads),
             [this](std::size_t begin, std::size_t end) { work(begin, end); }) {
-  const auto count = static_cast<std::size_t>(config_.num_envs);
+  const auto count = base::index(config_.num_envs);
   worlds_.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     worlds_.push_back({Episode(config_.setup), config_.options});
@@ -184,7 +186,7 @@ void Pool::fill_row(std::size_t env, bool step) {
     if (buffers_.illegal != nullptr) buffers_.illegal[row] = episode.illegal(agent);
   }
 
-  const bool truncated = statuses()[static_cast<std::size_t>(episode.status())].truncated;
+  const bool truncated = statuses()[base::index(episode.status())].truncated;
   buffers_.terminated[env] = episode.ended() && !truncated ? 1 : 0;
   buffers_.truncated[env] = episode.ended() && truncated ? 1 : 0;
   buffers_.status[env] = static_cast<std::int32_t>(episode.status());
@@ -210,7 +212,7 @@ Outcome Pool::set_options(std::int64_t env, const std::string& json) {
     if (Outcome known = check_index(static_cast<std::uint64_t>(env)); !known.ok()) return known;
   }
 
-  const auto first = env < 0 ? std::size_t{0} : static_cast<std::size_t>(env);
+  const auto first = env < 0 ? std::size_t{0} : base::index(env);
   const std::size_t last = env < 0 ? worlds_.size() : first + 1;
   for (std::size_t i = first; i < last; ++i) {
     const auto options = parse_options(*setup().task, json, worlds_[i].options);

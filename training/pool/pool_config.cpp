@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/text/json.h"
 #include "base/text/json_document.h"
 
 namespace cls::training {
@@ -23,10 +23,7 @@ const Names kKeys = {"task",       "num_envs", "threads",      "obs",       "fea
                      "actions",    "offense",  "defense",      "agents",    "num_agents",
                      "teammates",  "opponent", "goalie_agent", "autoreset", "frame_skip",
                      "max_cycles", "reward",   "options",      "types"};
-const Names kAutoresets = {"disabled", "next_step", "same_step"};
-const Names kObservations = {"full_state", "world_model"};
-const Names kAgents = {"offense", "defense", "both"};
-const Names kTypes = {"default", "random"};
+constexpr auto kRandomTypesNames = base::enum_names<bool>("default", "random");
 
 constexpr int kMaxEnvs = 65536;
 constexpr int kMaxThreads = 256;
@@ -34,29 +31,41 @@ constexpr int kMaxFrameSkip = 100;
 constexpr int kMaxCycles = 1000000;
 constexpr double kMaxWeight = 1e6;
 
+/// Calls `take` with the index and the value of each of `names` that the object has; it must not
+/// have others. `range_of` gives the limits of the value of an index.
+template <typename RangeOf, typename Take>
+Result<void> read_numbers(const JsonValue& object, const Names& names, RangeOf range_of,
+                          Take take) {
+  TRY(object.expect_keys(names));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!object.has(names[i])) continue;
+    const auto [low, high] = range_of(i);
+    TRY_INIT(const double number, object[names[i]].number(low, high));
+    take(i, number);
+  }
+  return {};
+}
+
 Result<DriverPool> parse_drivers(const JsonValue& value, bool or_none) {
-  Names names(kDriverNames.begin(), kDriverNames.end());
+  Names names(kDriverNames.texts.begin(), kDriverNames.texts.end());
   DriverPool pool;
   if (!value.is_object()) {
     if (or_none) names.push_back("none");
-    const Result<std::string> name = value.one_of(names);
-    if (!name) return name.error();
-    const auto at =
-        static_cast<std::size_t>(std::find(names.begin(), names.end(), *name) - names.begin());
-    if (at < kDriverNames.size()) pool.push_back({static_cast<Driver>(at), 1.0});
+    TRY_INIT(const std::string name, value.one_of(names));
+    if (const auto driver = kDriverNames.parse(name)) pool.push_back({*driver, 1.0});
     return pool;
   }
 
-  if (Result<void> known = value.expect_keys(names); !known) return known.error();
   double sum = 0.0;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!value.has(names[i])) continue;
-    const Result<double> weight = value[names[i]].number(0.0, kMaxWeight);
-    if (!weight) return weight.error();
-    pool.push_back({static_cast<Driver>(i), *weight});
-    sum += *weight;
-  }
-
+  TRY(read_numbers(
+      value, names,
+      [](std::size_t) {
+        return std::pair{0.0, kMaxWeight};
+      },
+      [&](std::size_t i, double weight) {
+        pool.push_back({static_cast<Driver>(i), weight});
+        sum += weight;
+      }));
   if (sum > 0.0) return pool;
   return value.error(fmt::format("needs a weight above 0 for one of {}", fmt::join(names, ", ")));
 }
@@ -72,15 +81,13 @@ class Reader {
   void text(std::string_view key, std::string& out) {
     if (wanted(key)) take(object_[key].string(), out);
   }
-  /// Index of the value in `names`.
-  template <typename Enum>
-  void choice(std::string_view key, const Names& names, Enum& out) {
+  /// The value with one of `names`, in its own type or as a number.
+  template <typename Enum, std::size_t kCount, typename Out>
+  void choice(std::string_view key, const base::EnumNames<Enum, kCount>& names, Out& out) {
     if (!wanted(key)) return;
     std::string name;
-    take(object_[key].one_of(names), name);
-    if (error.message.empty()) {
-      out = static_cast<Enum>(std::find(names.begin(), names.end(), name) - names.begin());
-    }
+    take(object_[key].one_of({names.texts.begin(), names.texts.end()}), name);
+    if (const auto value = names.parse(name)) out = static_cast<Out>(*value);
   }
   void flag(std::string_view key, bool& out) {
     if (wanted(key)) take(object_[key].boolean(), out);
@@ -109,30 +116,25 @@ class Reader {
 Result<std::array<double, kRewardTerms>> parse_weights(const JsonValue& object) {
   Names names;
   for (const RewardTerm& term : reward_terms()) names.push_back(term.name);
-  if (Result<void> known = object.expect_keys(names); !known) return known.error();
-
   std::array<double, kRewardTerms> weights = {};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!object.has(names[i])) continue;
-    const Result<double> weight = object[names[i]].number(-kMaxWeight, kMaxWeight);
-    if (!weight) return weight.error();
-    weights[i] = *weight;
-  }
+  TRY(read_numbers(
+      object, names,
+      [](std::size_t) {
+        return std::pair{-kMaxWeight, kMaxWeight};
+      },
+      [&](std::size_t i, double weight) { weights[i] = weight; }));
   return weights;
 }
 
 Result<OptionValues> parse_options(const Task& task, const JsonValue& object, OptionValues values) {
   Names names;
   for (const TaskOption& option : task.options) names.push_back(option.name);
-  if (Result<void> known = object.expect_keys(names); !known) return known.error();
-
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!object.has(names[i])) continue;
-    const TaskOption& option = task.options[i];
-    const Result<double> value = object[names[i]].number(option.low, option.high);
-    if (!value) return value.error();
-    values[i] = *value;
-  }
+  TRY(read_numbers(
+      object, names,
+      [&](std::size_t i) {
+        return std::pair{task.options[i].low, task.options[i].high};
+      },
+      [&](std::size_t i, double value) { values[i] = value; }));
   return values;
 }
 
@@ -148,35 +150,24 @@ void read_choices(Reader& in, SetupChoices& choices) {
   in.text("actions", choices.actions);
   in.integer("offense", 0, soccer::kPlayersPerTeam, choices.offense);
   in.integer("defense", 0, soccer::kPlayersPerTeam, choices.defense);
-  in.choice("agents", kAgents, choices.agents);
+  in.choice("agents", kAgentsNames, choices.agents);
   in.integer("num_agents", 1, soccer::kPlayersPerTeam, choices.num_agents);
   in.flag("goalie_agent", choices.goalie_agent);
   in.drivers("teammates", false, choices.teammates);
   in.drivers("opponent", true, choices.opponents);
   in.integer("frame_skip", 1, kMaxFrameSkip, choices.frame_skip);
   in.integer("max_cycles", 0, kMaxCycles, choices.max_cycles);
-  in.choice("obs", kObservations, choices.fidelity);
+  in.choice("obs", kFidelityNames, choices.fidelity);
 
-  int types = 0;
-  in.choice("types", kTypes, types);
-  choices.random_types = types == 1;
+  in.choice("types", kRandomTypesNames, choices.random_types);
 }
 
 }  // namespace
 
-std::string_view fidelity_name(Fidelity fidelity) {
-  return kObservations[static_cast<std::size_t>(fidelity)];
-}
-
-std::string_view autoreset_name(Autoreset mode) {
-  return kAutoresets[static_cast<std::size_t>(mode)];
-}
-
 Result<PoolConfig> parse_pool_config(const std::string& json) {
-  const Result<JsonDocument> document = JsonDocument::parse("configuration", json);
-  if (!document) return document.error();
-  const JsonValue root(*document);
-  if (Result<void> known = root.expect_keys(kKeys); !known) return known.error();
+  TRY_INIT(const JsonDocument document, JsonDocument::parse("configuration", json));
+  const JsonValue root(document);
+  TRY(root.expect_keys(kKeys));
   if (!root.has("task")) return root.error("the key 'task' is missing");
 
   PoolConfig config;
@@ -185,12 +176,11 @@ Result<PoolConfig> parse_pool_config(const std::string& json) {
   read_choices(in, choices);
   in.integer("num_envs", 1, kMaxEnvs, config.num_envs);
   in.integer("threads", 1, kMaxThreads, config.threads);
-  in.choice("autoreset", kAutoresets, config.autoreset);
+  in.choice("autoreset", kAutoresetNames, config.autoreset);
   if (!in.error.message.empty()) return in.error;
 
   if (root.has("reward")) {
-    TRY_INIT(auto weights, parse_weights(root["reward"]));
-    choices.weights = weights;
+    TRY_INIT(choices.weights, parse_weights(root["reward"]));
   }
 
   auto setup = make_setup(choices);
@@ -199,16 +189,14 @@ Result<PoolConfig> parse_pool_config(const std::string& json) {
   config.options = config.setup->options;
 
   if (root.has("options")) {
-    TRY_INIT(auto options, parse_options(*config.setup->task, root["options"], config.options));
-    config.options = options;
+    TRY_INIT(config.options, parse_options(*config.setup->task, root["options"], config.options));
   }
   return config;
 }
 
 Result<OptionValues> parse_options(const Task& task, const std::string& json, OptionValues values) {
-  const Result<JsonDocument> document = JsonDocument::parse("options", json);
-  if (!document) return document.error();
-  return parse_options(task, JsonValue(*document), values);
+  TRY_INIT(const JsonDocument document, JsonDocument::parse("options", json));
+  return parse_options(task, JsonValue(document), values);
 }
 
 }  // namespace cls::training

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "base/result.h"
 #include "training/episode/setup.h"
@@ -10,12 +9,7 @@
 namespace cls::training {
 
 enum class Autoreset : unsigned char { kDisabled, kNextStep, kSameStep };
-
-/// "full_state" or "world_model"
-std::string_view fidelity_name(Fidelity fidelity);
-
-/// "disabled", "next_step" or "same_step"
-std::string_view autoreset_name(Autoreset mode);
+constexpr auto kAutoresetNames = base::enum_names<Autoreset>("disabled", "next_step", "same_step");
 
 struct PoolConfig {
   std::shared_ptr<const Setup> setup;

@@ -1,4 +1,4 @@
-// What can be trained as tables for people: tasks, feature sets, action sets, rewards, statuses.
+// The catalog as tables for people: tasks, feature sets, action sets, rewards, statuses.
 #pragma once
 
 #include <string>

@@ -2,13 +2,14 @@
 #include "training/pool/specification.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "base/text/json.h"
 
 namespace cls::training {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 // Floats as the decimals that were written in the tables: -1.2 rather than -1.2000000476837158.
 double tidy(float value) { return std::round(static_cast<double>(value) * 1e6) / 1e6; }
@@ -91,13 +92,9 @@ Json describe(const ActionSet& set) {
 Json names_of(const DriverPool& pool) {
   Json names = Json::array();
   for (const DriverShare& share : pool) {
-    names.push_back(kDriverNames[static_cast<std::size_t>(share.driver)]);
+    names.push_back(kDriverNames.name(share.driver));
   }
   return names;
-}
-
-std::string_view agents_name(Agents agents) {
-  return agents == Agents::kLeft ? "offense" : agents == Agents::kRight ? "defense" : "both";
 }
 
 }  // namespace
@@ -110,7 +107,7 @@ Json document_of(const Task& task) {
           {"summary", task.summary},
           {"offense", to_json(task.offense)},
           {"defense", to_json(task.defense)},
-          {"agents", agents_name(task.agents)},
+          {"agents", kAgentsNames.name(task.agents)},
           {"features", task.features},
           {"actions", task.actions},
           {"referee", task.referee},
@@ -162,7 +159,7 @@ Json specification(const Pool& pool) {
       {"task", setup.task->id},
       {"version", setup.task->version},
       {"half", setup.task->half},
-      {"obs", fidelity_name(setup.fidelity)},
+      {"obs", kFidelityNames.name(setup.fidelity)},
       {"num_envs", pool.size()},
       {"threads", pool.threads()},
       {"num_agents", setup.agent_count()},
@@ -182,7 +179,7 @@ Json specification(const Pool& pool) {
       {"opponents", names_of(setup.opponents)},
       {"max_cycles", setup.max_cycles},
       {"frame_skip", setup.frame_skip},
-      {"autoreset", autoreset_name(pool.config().autoreset)},
+      {"autoreset", kAutoresetNames.name(pool.config().autoreset)},
       {"options", options},
       {"statuses", status_list()}};
 }

@@ -1,4 +1,4 @@
-// Who takes part in an episode.
+// The players of an episode.
 #pragma once
 
 #include <array>
@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/fixed_list.h"
 #include "soccer/pitch.h"
 #include "training/scene/scene.h"
 
@@ -44,20 +45,13 @@ struct PointOfView {
   int opponent_count() const { return static_cast<int>(cast.others(scene.side).size()); }
 };
 
-/// Up to eleven seats, without allocation.
-struct Seats {
-  std::array<Seat, soccer::kPlayersPerTeam> items{};
-  std::size_t count = 0;
-
-  void add(Seat seat) { items[count++] = seat; }
-  const Seat* begin() const { return items.data(); }
-  const Seat* end() const { return items.data() + count; }
-};
+/// Seats of a team.
+using Seats = base::FixedList<Seat, soccer::kPlayersPerTeam>;
 
 /// The seats of `team` in the scenes of `side`, in the order of the cast.
 inline Seats seats_of(Side side, const std::vector<int>& team) {
   Seats seats;
-  for (const int slot : team) seats.add(seat_of(side, slot));
+  for (const int slot : team) seats.push_back(seat_of(side, slot));
   return seats;
 }
 
@@ -66,7 +60,7 @@ inline Seats teammates_of(const PointOfView& view) {
   Seats seats;
   for (const int slot : view.cast.team(view.scene.side)) {
     const Seat seat = seat_of(view.scene.side, slot);
-    if (seat != view.self) seats.add(seat);
+    if (seat != view.self) seats.push_back(seat);
   }
   return seats;
 }
@@ -79,13 +73,14 @@ inline Seats opponents_of(const PointOfView& view) {
 /// library's stable sort allocates.
 inline void sort_by_distance(const Scene& scene, Vec2 point, Seats& seats) {
   std::array<double, soccer::kPlayersPerTeam> away;
-  for (std::size_t i = 0; i < seats.count; ++i) {
-    away[i] = squared_distance(scene.player(seats.items[i]).position, point);
+  for (std::size_t i = 0; i < seats.size(); ++i) {
+    away[i] = squared_distance(scene.player(seats[i]).position, point);
   }
-  for (std::size_t i = 1; i < seats.count; ++i) {
+
+  for (std::size_t i = 1; i < seats.size(); ++i) {
     for (std::size_t k = i; k > 0 && away[k] < away[k - 1]; --k) {
       std::swap(away[k], away[k - 1]);
-      std::swap(seats.items[k], seats.items[k - 1]);
+      std::swap(seats[k], seats[k - 1]);
     }
   }
 }

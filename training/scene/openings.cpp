@@ -22,10 +22,7 @@ struct Cover {
   double distance;  ///< meters
 };
 
-struct Covers {
-  std::array<Cover, kMaxPlayers> items;  ///< by low
-  std::size_t count = 0;
-};
+using Covers = base::FixedList<Cover, kMaxPlayers>;  ///< by low
 
 struct Interval {
   double low;
@@ -50,8 +47,7 @@ struct Rays {
 double widest(const Covers& covers, Interval whole, double reach) {
   double widest = 0.0;
   double free_from = whole.low;
-  for (std::size_t i = 0; i < covers.count; ++i) {
-    const Cover& cover = covers.items[i];
+  for (const Cover& cover : covers) {
     if (cover.distance >= reach || cover.high < whole.low || cover.low > whole.high) continue;
     widest = std::max(widest, cover.low - free_from);
     free_from = std::max(free_from, cover.high);
@@ -75,14 +71,12 @@ std::size_t add_opponents(const Scene& scene, const Seats& opponents, Vec2 eye, 
 
 Covers covers_of(const Rays& rays, std::size_t opponents) {
   Covers covers;
-  covers.count = opponents;
   for (std::size_t i = 0; i < opponents; ++i) {
     const double middle = rays.directions[2 * i];
     const double half = rays.directions[2 * i + 1];
-    covers.items[i] = {middle - half, middle + half, rays.vectors[2 * i + 1].x};
+    covers.push_back({middle - half, middle + half, rays.vectors[2 * i + 1].x});
   }
-  std::sort(covers.items.begin(), covers.items.begin() + static_cast<std::ptrdiff_t>(opponents),
-            [](const Cover& a, const Cover& b) { return a.low < b.low; });
+  std::ranges::sort(covers, {}, &Cover::low);
   return covers;
 }
 
@@ -107,9 +101,9 @@ Openings::Openings(const Scene& scene, const Cast& cast) {
     const Covers covers = covers_of(rays, seen);
     eye.goal = widest(covers, {rays.directions[posts], rays.directions[posts + 1]},
                       std::numeric_limits<double>::infinity());
-    for (std::size_t i = 0; i < team.count; ++i) {
+    for (std::size_t i = 0; i < team.size(); ++i) {
       const double middle = rays.directions[mates + i];
-      eye.teammates[static_cast<std::size_t>(team.items[i])] =
+      eye.teammates[static_cast<std::size_t>(team[i])] =
           widest(covers, {middle - math::kPi / 4.0, middle + math::kPi / 4.0},
                  rays.vectors[mates + i].length());
     }

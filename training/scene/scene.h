@@ -1,4 +1,4 @@
-// What one team, or one agent, knows of the pitch: plain data that features and skills read.
+// The pitch as one team, or one agent, knows it: plain data that features and skills read.
 #pragma once
 
 #include <array>

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "soccer/math.h"
 #include "soccer/pitch.h"
 
 namespace cls::training {
@@ -32,7 +31,7 @@ Vec2 support_position(const PointOfView& view) {
   // Lanes from top to bottom, by the order of uniform numbers.
   int lane = 0;
   for (const Seat seat : mates) lane += seat < view.self ? 1 : 0;
-  const int lanes = static_cast<int>(mates.count) + 1;
+  const int lanes = static_cast<int>(mates.size()) + 1;
   const double share = lanes > 1 ? 2.0 * lane / (lanes - 1) - 1.0 : 0.0;
 
   const Vec2 ball = view.scene.ball;

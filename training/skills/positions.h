@@ -21,7 +21,7 @@ Vec2 marking_position(const PointOfView& view, Seat opponent);
 /// the ball between the own goal's posts that no teammate covers.
 Vec2 angle_reducing_position(const PointOfView& view);
 
-/// What decides who marks whom; the same for all players of a team.
+/// The facts that decide who marks whom; the same for all players of a team.
 struct Marking {
   Seat chaser = kNoSeat;  ///< own player nearest to the ball, who marks no opponent
   Seat holder = kNoSeat;  ///< opponent nearest to the ball, whom no player marks

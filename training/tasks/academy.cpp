@@ -6,7 +6,7 @@
 
 #include "soccer/math.h"
 #include "soccer/pitch.h"
-#include "training/tasks/task_rules.h"
+#include "training/tasks/task.h"
 
 namespace cls::training {
 namespace {
@@ -19,14 +19,13 @@ struct Place {
   double y;
 };
 
-/// Who takes part and where. Goalies who stand at the other end of the pitch are left out.
+/// The players and their places. Goalies who stand at the other end of the pitch are left out.
 struct Situation {
   std::string_view id;
   std::string_view summary;
   Place ball;
   std::vector<Place> left;
-  std::vector<Place> right;
-  bool goalie;                ///< the first player of the right team is one
+  std::vector<Place> right;   ///< a goalie stands on the goal line, and is the first one
   bool lazy = false;          ///< the right team stands, except its goalie
   bool ends_captured = true;  ///< the right team's possession ends the episode
   int cycles = 400;
@@ -60,104 +59,77 @@ std::vector<Place> countered(Place first, Place second) {
           {-0.51, 0.0},  {-0.54, -0.316102}};
 }
 
+const std::vector<Place> kInTheMiddle = {{0.0, 0.0}};
+const std::vector<Place> kTwoAttackers = {{0.7, 0.0}, {0.7, -0.3}};
+
+const std::vector<Place> kCornerAttack = {{-1.0, 0.0},  {1.0, 0.42},  {0.7, 0.15}, {0.7, 0.05},
+                                          {0.7, -0.05}, {0.0, 0.0},   {0.6, 0.35}, {0.8, 0.07},
+                                          {0.8, -0.03}, {0.8, -0.13}, {0.7, -0.3}};
+const std::vector<Place> kCornerDefense = {
+    {1.0, 0.0},   {0.75, 0.18},  {0.75, 0.08},  {0.75, -0.02}, {1.0, 0.1}, {0.8, 0.25},
+    {0.88, 0.07}, {0.88, -0.03}, {0.88, -0.13}, {0.75, -0.25}, {0.2, 0.0}};
+
 const std::vector<Situation> kSituations = {
     {"Academy-EmptyGoalClose",
      "at the ball in front of an empty goal",
      {0.77, 0.0},
      {{0.75, 0.0}},
-     {},
-     false},
-    {"Academy-EmptyGoal",
-     "at the ball in the middle, empty goal",
-     {0.02, 0.0},
-     {{0.0, 0.0}},
-     {},
-     false},
+     {}},
+    {"Academy-EmptyGoal", "at the ball in the middle, empty goal", {0.02, 0.0}, kInTheMiddle, {}},
     {"Academy-RunToScore",
      "run to an empty goal before five chasers",
      {0.02, 0.0},
-     {{0.0, 0.0}},
-     kChasers,
-     false},
+     kInTheMiddle,
+     kChasers},
     {"Academy-RunToScoreWithKeeper",
      "the same with a goalie",
      {0.02, 0.0},
-     {{0.0, 0.0}},
-     kGoalieAndChasers,
-     true},
+     kInTheMiddle,
+     kGoalieAndChasers},
     {"Academy-PassAndShootWithKeeper",
      "two attackers, the one without the ball is free",
      {0.7, -0.28},
-     {{0.7, 0.0}, {0.7, -0.3}},
-     {{1.0, 0.0}, {0.75, -0.3}},
-     true},
+     kTwoAttackers,
+     {{1.0, 0.0}, {0.75, -0.3}}},
     {"Academy-RunPassAndShootWithKeeper",
      "two attackers, the one at the ball is free",
      {0.7, -0.28},
-     {{0.7, 0.0}, {0.7, -0.3}},
-     {{1.0, 0.0}, {0.75, -0.1}},
-     true},
+     kTwoAttackers,
+     {{1.0, 0.0}, {0.75, -0.1}}},
     {"Academy-3Vs1WithKeeper",
      "three attackers, a defender and a goalie",
      {0.62, 0.0},
      {{0.6, 0.0}, {0.7, 0.2}, {0.7, -0.2}},
-     {{1.0, 0.0}, {0.75, 0.0}},
-     true},
-    {"Academy-Corner",
-     "a corner of eleven against eleven",
-     {0.99, 0.41},
-     {{-1.0, 0.0},
-      {1.0, 0.42},
-      {0.7, 0.15},
-      {0.7, 0.05},
-      {0.7, -0.05},
-      {0.0, 0.0},
-      {0.6, 0.35},
-      {0.8, 0.07},
-      {0.8, -0.03},
-      {0.8, -0.13},
-      {0.7, -0.3}},
-     {{1.0, 0.0},
-      {0.75, 0.18},
-      {0.75, 0.08},
-      {0.75, -0.02},
-      {1.0, 0.1},
-      {0.8, 0.25},
-      {0.88, 0.07},
-      {0.88, -0.03},
-      {0.88, -0.13},
-      {0.75, -0.25},
-      {0.2, 0.0}},
-     true,
-     false,
-     false},
+     {{1.0, 0.0}, {0.75, 0.0}}},
+    {.id = "Academy-Corner",
+     .summary = "a corner of eleven against eleven",
+     .ball = {0.99, 0.41},
+     .left = kCornerAttack,
+     .right = kCornerDefense,
+     .ends_captured = false},
     {"Academy-CounterattackEasy",
      "eleven against eleven, one defender and the goalie are back",
      {0.26, -0.11},
      kCounterattack,
-     countered({-0.4, 0.06356}, {0.4, -0.063559}),
-     true},
+     countered({-0.4, 0.06356}, {0.4, -0.063559})},
     {"Academy-CounterattackHard",
      "the same with two defenders",
      {0.26, -0.11},
      kCounterattack,
-     countered({0.4, 0.06356}, {0.4, -0.063559}),
-     true},
-    {"Academy-SingleGoalVersusLazy",
-     "eleven against a goalie and ten who stand",
-     {-0.48, -0.06356},
-     kLeftEleven,
-     kRightEleven,
-     true,
-     true,
-     true,
-     3000}};
+     countered({0.4, 0.06356}, {0.4, -0.063559})},
+    {.id = "Academy-SingleGoalVersusLazy",
+     .summary = "eleven against a goalie and ten who stand",
+     .ball = {-0.48, -0.06356},
+     .left = kLeftEleven,
+     .right = kRightEleven,
+     .lazy = true,
+     .cycles = 3000}};
 
 Vec2 to_pitch(Place place) {
   return {place.x * soccer::kHalfLength, place.y / 0.42 * soccer::kHalfWidth};
 }
 
-// Players stand up to half a meter beside their places, so that episodes differ.
+// Players stand up to half a meter from their places, so that episodes differ.
 void place_situation(const Situation& situation, const Placing& start) {
   const double noise = 0.5 * start.options[0];
   const auto near = [&](Place place) {
@@ -206,22 +178,17 @@ Task make() {
   const Situation& situation = kSituations[kIndex];
   const int left = static_cast<int>(situation.left.size());
   const int right = static_cast<int>(situation.right.size());
-  return {situation.id,
-          0,
-          situation.summary,
-          {left, left, left},
-          {right, right, right},
-          Agents::kLeft,
-          "ego",
-          "hfo",
-          false,
-          situation.goalie,
-          false,
-          situation.cycles,
-          {{"difficulty", 1, 0, 1, "0: players start exactly at their places; 1: within 0.5 m"}},
-          place<kIndex>,
-          judge<kIndex>,
-          situation.lazy};
+  return {.id = situation.id,
+          .summary = situation.summary,
+          .offense = {left, left, left},
+          .defense = {right, right, right},
+          .right_goalie = right > 0 && situation.right.front().x >= 1.0,
+          .max_cycles = situation.cycles,
+          .options = {{"difficulty", 1, 0, 1,
+                       "0: players start exactly at their places; 1: within 0.5 m"}},
+          .place = place<kIndex>,
+          .judge = judge<kIndex>,
+          .lazy = situation.lazy};
 }
 
 template <std::size_t... kIndices>

@@ -6,7 +6,7 @@
 
 #include "soccer/math.h"
 #include "soccer/pitch.h"
-#include "training/tasks/task_rules.h"
+#include "training/tasks/task.h"
 
 namespace cls::training {
 namespace {
@@ -23,8 +23,8 @@ constexpr std::size_t kMinBallY = 4;
 constexpr std::size_t kMaxBallY = 5;
 constexpr std::size_t kUntouched = 6;
 
-const std::vector<TaskOption>& options() {
-  static const std::vector<TaskOption> all = {
+std::vector<TaskOption> options() {
+  return {
       {"difficulty", 1, 0, 1, "0: ball and attackers start together near the goal; 1: as in HFO"},
       {"offense_on_ball", 0, 0, 11,
        "0: no player; k: the k-th attacker by number starts at the ball, a random one if there is "
@@ -34,7 +34,6 @@ const std::vector<TaskOption>& options() {
       {"min_ball_y", -0.8, -1, 1, "start of the ball, share of half the width"},
       {"max_ball_y", 0.8, -1, 1, "same"},
       {"untouched_time", 100, 0, 100000, "cycles without a player at the ball; 0: no limit"}};
-  return all;
 }
 
 Vec2 place_ball(const Placing& start) {
@@ -64,7 +63,7 @@ void place_attackers(const Placing& start, Vec2 ball) {
 
   const int chosen = on_ball(start);
   std::array<int, soccer::kPlayersPerTeam> slots{};  // by number, as HFO counts them
-  const auto end = std::copy(start.cast.left.begin(), start.cast.left.end(), slots.begin());
+  const auto end = std::ranges::copy(start.cast.left, slots.begin()).out;
   std::sort(slots.begin(), end);
   const double spread = by_difficulty(start.options[kDifficulty], 0.2, 1.0);
 
@@ -124,21 +123,18 @@ Status judge(const simulator::World& world, const OptionValues& options, TaskMem
 }  // namespace
 
 Task half_field_offense() {
-  return {"HalfFieldOffense",
-          0,
-          "HFO: attackers against defenders and a goalie in one half",
-          {1, 10, 1},
-          {0, 11, 0},
-          Agents::kLeft,
-          "hfo_low",
-          "low",
-          false,
-          true,
-          true,
-          kTrialTime + 1,
-          options(),
-          place,
-          judge};
+  return {.id = "HalfFieldOffense",
+          .summary = "HFO: attackers against defenders and a goalie in one half",
+          .offense = {1, 10, 1},
+          .defense = {0, 11, 0},
+          .features = "hfo_low",
+          .actions = "low",
+          .right_goalie = true,
+          .half = true,
+          .max_cycles = kTrialTime + 1,
+          .options = options(),
+          .place = place,
+          .judge = judge};
 }
 
 Task half_field_defense() {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "soccer/math.h"
-#include "training/tasks/task_rules.h"
+#include "training/tasks/task.h"
 
 namespace cls::training {
 namespace {
@@ -54,22 +54,15 @@ Status judge(const simulator::World& world, const OptionValues& options, TaskMem
 }  // namespace
 
 Task keepaway() {
-  return {"Keepaway",
-          0,
-          "keepers pass the ball away from takers in a small square",
-          {2, 8, 3},
-          {1, 8, 2},
-          Agents::kLeft,
-          "ego",
-          "hfo",
-          false,
-          false,
-          false,
-          3000,
-          {{"difficulty", 1, 0, 1, "0: the takers start 20 m away; 1: in their corner"},
-           {"size", 20, 10, 60, "length of the square's sides in meters"}},
-          place,
-          judge};
+  return {.id = "Keepaway",
+          .summary = "keepers pass the ball away from takers in a small square",
+          .offense = {2, 8, 3},
+          .defense = {1, 8, 2},
+          .max_cycles = 3000,
+          .options = {{"difficulty", 1, 0, 1, "0: the takers start 20 m away; 1: in their corner"},
+                      {"size", 20, 10, 60, "length of the square's sides in meters"}},
+          .place = place,
+          .judge = judge};
 }
 
 }  // namespace cls::training

@@ -1,8 +1,7 @@
 // Match: eleven against eleven with the full referee of the soccer server.
 #include "soccer/math.h"
 #include "soccer/pitch.h"
-#include "training/tasks/formation.h"
-#include "training/tasks/task_rules.h"
+#include "training/tasks/task.h"
 
 namespace cls::training {
 namespace {
@@ -41,22 +40,18 @@ Status judge(const simulator::World& world, const OptionValues& options, TaskMem
 }  // namespace
 
 Task match() {
-  return {"Match",
-          0,
-          "a match with the full referee, 6000 cycles",
-          {1, 11, 11},
-          {0, 11, 11},
-          Agents::kLeft,
-          "ego",
-          "hfo",
-          true,
-          true,
-          false,
-          8000,
-          {{"difficulty", 1, 0, 1, "no effect: the start is a kick-off"},
-           {"stop_play", 0, 0, 2, "0: until full time; 1: until a goal; 2: until play stops"}},
-          place,
-          judge};
+  return {.id = "Match",
+          .summary = "a match with the full referee, 6000 cycles",
+          .offense = {1, 11, 11},
+          .defense = {0, 11, 11},
+          .referee = true,
+          .right_goalie = true,
+          .max_cycles = 8000,
+          .options = {{"difficulty", 1, 0, 1, "no effect: the start is a kick-off"},
+                      {"stop_play", 0, 0, 2,
+                       "0: until full time; 1: until a goal; 2: until play stops"}},
+          .place = place,
+          .judge = judge};
 }
 
 }  // namespace cls::training

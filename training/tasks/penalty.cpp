@@ -3,7 +3,7 @@
 
 #include "soccer/math.h"
 #include "soccer/pitch.h"
-#include "training/tasks/task_rules.h"
+#include "training/tasks/task.h"
 
 namespace cls::training {
 namespace {
@@ -42,22 +42,18 @@ Status judge(const simulator::World& world, const OptionValues& /*options*/, Tas
 }  // namespace
 
 Task penalty() {
-  return {"Penalty",
-          0,
-          "a shooter against a goalie, as in a shoot-out",
-          {1, 1, 1},
-          {0, 1, 1},
-          Agents::kLeft,
-          "ego",
-          "low",
-          false,
-          true,
-          true,
-          200,
-          {{"difficulty", 1, 0, 1, "0: from 11 m; 1: from `distance`"},
-           {"distance", 42.5, 5, 50, "meters from the ball to the goal line"}},
-          place,
-          judge};
+  return {.id = "Penalty",
+          .summary = "a shooter against a goalie, as in a shoot-out",
+          .offense = {1, 1, 1},
+          .defense = {0, 1, 1},
+          .actions = "low",
+          .right_goalie = true,
+          .half = true,
+          .max_cycles = 200,
+          .options = {{"difficulty", 1, 0, 1, "0: from 11 m; 1: from `distance`"},
+                      {"distance", 42.5, 5, 50, "meters from the ball to the goal line"}},
+          .place = place,
+          .judge = judge};
 }
 
 }  // namespace cls::training

@@ -1,7 +1,7 @@
 // Reach ball: run to the ball anywhere on the pitch until it can be kicked.
 #include "soccer/math.h"
 #include "soccer/pitch.h"
-#include "training/tasks/task_rules.h"
+#include "training/tasks/task.h"
 
 namespace cls::training {
 namespace {
@@ -36,22 +36,16 @@ Status judge(const simulator::World& world, const OptionValues& /*options*/, Tas
 }  // namespace
 
 Task reach_ball() {
-  return {"ReachBall",
-          0,
-          "run to the ball until it can be kicked",
-          {1, 11, 1},
-          {0, 0, 0},
-          Agents::kLeft,
-          "ego",
-          "low",
-          false,
-          false,
-          false,
-          200,
-          {{"difficulty", 1, 0, 1, "0: near and at rest; 1: anywhere, rolling at `speed`"},
-           {"speed", 0, 0, 2.7, "meters per cycle of the ball at the start"}},
-          place,
-          judge};
+  return {
+      .id = "ReachBall",
+      .summary = "run to the ball until it can be kicked",
+      .offense = {1, 11, 1},
+      .actions = "low",
+      .max_cycles = 200,
+      .options = {{"difficulty", 1, 0, 1, "0: near and at rest; 1: anywhere, rolling at `speed`"},
+                  {"speed", 0, 0, 2.7, "meters per cycle of the ball at the start"}},
+      .place = place,
+      .judge = judge};
 }
 
 }  // namespace cls::training

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/index.h"
 #include "simulator/referee/areas.h"
 #include "soccer/pitch.h"
-#include "training/tasks/task_rules.h"
 
 namespace cls::training {
 
@@ -50,13 +50,6 @@ OptionValues Task::usual_options() const {
   return values;
 }
 
-int Task::option_index(std::string_view name) const {
-  for (std::size_t i = 0; i < options.size(); ++i) {
-    if (options[i].name == name) return static_cast<int>(i);
-  }
-  return -1;
-}
-
 const std::vector<Task>& tasks() {
   static const std::vector<Task> all = [] {
     std::vector<Task> list = {
@@ -68,24 +61,37 @@ const std::vector<Task>& tasks() {
 }
 
 const Task* find_task(std::string_view id) {
-  for (const Task& task : tasks()) {
-    if (task.id == id) return &task;
-  }
-  return nullptr;
+  const auto found = std::ranges::find(tasks(), id, &Task::id);
+  return found == tasks().end() ? nullptr : &*found;
 }
 
 std::vector<int> team_slots(const Task& task, Side side, int players) {
   // HFO's numbers of attackers; the others count from 1, their goalie.
   static constexpr std::array<int, soccer::kPlayersPerTeam> kAttackers = {11, 7, 8, 9, 10, 6,
                                                                           3,  2, 4, 5, 1};
+  const bool hfo_order = task.half && side == Side::kLeft;
   std::vector<int> slots;
-
   for (int i = 0; i < players; ++i) {
-    const bool hfo_order = task.half && side == Side::kLeft;
-    const int unum = hfo_order ? kAttackers[static_cast<std::size_t>(i)] : i + 1;
-    slots.push_back(soccer::slot_of(side, unum));
+    slots.push_back(soccer::slot_of(side, hfo_order ? kAttackers[base::index(i)] : i + 1));
   }
   return slots;
+}
+
+Vec2 kick_off_position(int slot) {
+  // A 4-3-3 by uniform number. The last one stands at the circle, ready for the kick-off.
+  static constexpr std::array<Vec2, soccer::kPlayersPerTeam> kPlaces = {{{-50, 0},
+                                                                         {-35, -7},
+                                                                         {-35, 7},
+                                                                         {-33, -20},
+                                                                         {-33, 20},
+                                                                         {-20, 0},
+                                                                         {-18, -11},
+                                                                         {-18, 11},
+                                                                         {-9.6, -20},
+                                                                         {-9.6, 20},
+                                                                         {-9.6, 0}}};
+  return kPlaces[base::index(soccer::unum_of_slot(slot) - 1)] *
+         soccer::sign(soccer::side_of_slot(slot));
 }
 
 bool scored_against(const simulator::World& world, Side defender, const TaskMemory& memory) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/enum_names.h"
 #include "simulator/world/world.h"
 #include "training/scene/cast.h"
 
@@ -44,7 +45,7 @@ constexpr std::size_t kMaxOptions = 8;
 /// Values by index in Task::options.
 using OptionValues = std::array<double, kMaxOptions>;
 
-/// What the rules of a task remember between cycles.
+/// Memory of the rules of a task between cycles.
 struct TaskMemory {
   Vec2 previous_ball;
   int cycles = 0;
@@ -73,30 +74,30 @@ struct Range {
 };
 
 enum class Agents : unsigned char { kLeft, kRight, kBoth };
+constexpr auto kAgentsNames = base::enum_names<Agents>("offense", "defense", "both");
 
 struct Task {
   std::string_view id;
-  int version;
+  int version = 0;
   std::string_view summary;
-  Range offense;  ///< players of the left team
-  Range defense;  ///< of the right team, including its goalie
-  Agents agents;  ///< default
-  std::string_view features;
-  std::string_view actions;
-  bool referee;       ///< the full referee of the soccer server; otherwise only the task's rules
-  bool right_goalie;  ///< the first player of the right team is its goalie
-  bool half;          ///< played in the right half of the pitch
-  int max_cycles;
-  std::vector<TaskOption> options;
-  void (*place)(const Placing& start);
+  Range offense{};                ///< players of the left team
+  Range defense{};                ///< of the right team, including its goalie
+  Agents agents = Agents::kLeft;  ///< default
+  std::string_view features = "ego";
+  std::string_view actions = "hfo";
+  bool referee = false;  ///< the full referee of the soccer server; otherwise only the task's rules
+  bool right_goalie = false;  ///< the first player of the right team is its goalie
+  bool half = false;          ///< played in the right half of the pitch
+  int max_cycles = 0;
+  std::vector<TaskOption> options{};
+  void (*place)(const Placing& start) = nullptr;
   /// Called after every step; updates the memory.
-  Status (*judge)(const simulator::World& world, const OptionValues& options, TaskMemory& memory);
+  Status (*judge)(const simulator::World& world, const OptionValues& options,
+                  TaskMemory& memory) = nullptr;
   bool lazy = false;  ///< opponents stand, except their goalie, where "scripted" would play
 
   Stage stage(Side side) const;
   OptionValues usual_options() const;
-  /// Index in `options`; -1 for unknown names.
-  int option_index(std::string_view name) const;
 };
 
 /// All tasks; "difficulty" is the first option of each.
@@ -107,5 +108,28 @@ const Task* find_task(std::string_view id);
 
 /// Slots of a team with so many players of a task, in the order of the arrays.
 std::vector<int> team_slots(const Task& task, Side side, int players);
+
+/// Position of a player at a kick-off: in the own half, server coordinates.
+Vec2 kick_off_position(int slot);
+
+// Rules that tasks share.
+
+/// True if the ball crossed the goal line of `defender` between the posts in this cycle.
+bool scored_against(const simulator::World& world, Side defender, const TaskMemory& memory);
+
+/// Counts cycles, possession and untouched cycles as HFO's referee does.
+void count_possession(const simulator::World& world, TaskMemory& memory);
+
+/// Linear from `easy` (difficulty 0) to `usual` (difficulty 1).
+double by_difficulty(double difficulty, double easy, double usual);
+
+// One file each.
+Task half_field_offense();
+Task half_field_defense();
+Task keepaway();
+Task penalty();
+Task reach_ball();
+Task match();
+std::vector<Task> academy();
 
 }  // namespace cls::training
