@@ -43,4 +43,7 @@ constexpr Side side_of_slot(int slot) {
 }
 constexpr int unum_of_slot(int slot) { return slot % kPlayersPerTeam + 1; }
 
+/// In place of such an index: no player.
+constexpr std::int8_t kNoPlayer = -1;
+
 }  // namespace cls::soccer
