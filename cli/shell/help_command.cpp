@@ -48,6 +48,7 @@ int list_topics(bool json) {
     document["topics"].push_back({{"name", topic.name}, {"title", topic.title}});
   }
   if (json) return print_json(document);
+  return kOk;
 }
 
 int print_topic(const HelpTopic& topic, bool json) {

@@ -161,13 +161,13 @@ int run_compare(const CompareArguments& arguments) {
 void add_test_options(Command& command, CompareArguments& arguments) {
   TestSettings& test = arguments.test;
   command
-      .setting("--test", arguments.test_name,
+      .setting("--test WHICH", arguments.test_name,
                "betting adapts to the difference; sprt as in chess engine testing")
       .one_of({"betting", "sprt"});
 
   command
       .option(
-          "--measure", arguments.measure,
+          "--measure WHAT", arguments.measure,
           "what counts: points, goals (difference), or with --book value (default: points, with "
           "--book value)")
       .one_of({"points", "goals", "value"});

@@ -97,7 +97,7 @@ void add_tune_init_command(Command& tune) {
   auto [command, arguments] = tune.command("init", kTuneInitDescription, run_tune_init);
   command.option("DIR", arguments.folder, "folder of the files (default: working directory)");
   command.flag("--force", arguments.force, "rename existing files to NAME.old");
-  command.flag("--json", arguments.json, "print one JSON document");
+  command.flag("--json", arguments.json, "print one JSON document").of_group(kOutputGroup);
 }
 
 void add_tune_command(Command& app) {

@@ -231,7 +231,7 @@ TEST_F(Settings, ManifestSaysHowWhereAndWithWhat) {
   EXPECT_GT(manifest["machine"]["memory_bytes"], 1'000'000);
   EXPECT_TRUE(manifest["machine"]["kernel"].get<std::string>().starts_with("Linux "));
   EXPECT_TRUE(manifest["environment"].is_object());
-  EXPECT_GE(manifest["ended"], manifest["started"]);
+  EXPECT_GE(manifest["ended"].get<std::string>(), manifest["started"].get<std::string>());
 }
 
 TEST_F(Settings, ResultsKnowWhenTheMatchBegan) {
