@@ -4,7 +4,6 @@
 #include "league/matches/fixture.h"
 
 namespace cls::league {
-namespace {
 
 Outcome awarded(Outcome outcome, const MatchDecision& decision) {
   outcome.forfeit = true;
@@ -14,6 +13,8 @@ Outcome awarded(Outcome outcome, const MatchDecision& decision) {
   outcome.right_penalties = decision.right_penalties;
   return outcome;
 }
+
+namespace {
 
 void plan_replay(ScheduledMatch& match, std::uint64_t seed) {
   match.replay_seed = seed;

@@ -37,7 +37,11 @@ inline constexpr auto kDecisionKinds =
 
 constexpr std::string_view name(DecisionKind kind) { return kDecisionKinds.name(kind); }
 
+struct Outcome;
 struct ScheduledMatch;
+
+/// The outcome that a match has by an award.
+Outcome awarded(Outcome outcome, const MatchDecision& decision);
 
 /// Gives the matches, which are by number and as stored, what was decided about them. Of several
 /// decisions on a match the last one counts. A match to be replayed that still has its old seed

@@ -119,8 +119,7 @@ class Opponents {
 
   std::size_t pair() {
     const double luck = random_.unit();
-    return static_cast<std::size_t>(game(luck) +
-                                    game(random_.unit() < 0.5 ? luck : random_.unit()));
+    return base::index(game(luck) + game(random_.unit() < 0.5 ? luck : random_.unit()));
   }
 
  private:

@@ -70,12 +70,12 @@ TEST(Schedule, RoundRobinBalancesSidesWithoutSwapping) {
   for (int teams = 2; teams <= 12; ++teams) {
     Competition competition = competition_of(Format::kRoundRobin, teams);
     competition.swap_sides = false;
-    std::vector<int> balance(static_cast<std::size_t>(teams));
+    std::vector<int> balance(base::index(teams));
     const auto fixtures = next_fixtures(competition, {});
     EXPECT_EQ(static_cast<int>(fixtures.size()), teams * (teams - 1) / 2);
     for (const Fixture& fixture : fixtures) {
-      ++balance[static_cast<std::size_t>(fixture.left)];
-      --balance[static_cast<std::size_t>(fixture.right)];
+      ++balance[base::index(fixture.left)];
+      --balance[base::index(fixture.right)];
     }
     for (const int one : balance) EXPECT_LE(std::abs(one), 2) << teams << " teams";
   }

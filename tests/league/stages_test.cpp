@@ -68,7 +68,7 @@ TEST(Stages, AreAFunctionOfTheResultsSoFar) {
     const auto matches = play_all(competition, random_results(static_cast<std::uint64_t>(teams)));
     EXPECT_TRUE(next_fixtures(competition, matches).empty());
     EXPECT_TRUE(check_schedule(competition, matches)) << teams;
-    EXPECT_EQ(ranking(competition, matches).size(), static_cast<std::size_t>(teams));
+    EXPECT_EQ(ranking(competition, matches).size(), base::index(teams));
   }
 }
 
@@ -83,7 +83,7 @@ TEST(Stages, GroupsDifferByOneTeamAtMostAndHoldEveryTeamOnce) {
       ASSERT_EQ(groups.size(), 2u);
       const std::size_t first = groups.begin()->second.size();
       const std::size_t second = groups.rbegin()->second.size();
-      EXPECT_EQ(first + second, static_cast<std::size_t>(teams));
+      EXPECT_EQ(first + second, base::index(teams));
       EXPECT_LE(std::max(first, second) - std::min(first, second), 1u) << teams << stage.name;
       EXPECT_EQ(matches_in(matches, stage.name).size(),
                 (first * (first - 1) + second * (second - 1)) / 2);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "league/schedule/formats.h"
 #include "tests/league/made_up_results.h"
 
 namespace cls::league {

@@ -59,8 +59,7 @@ TEST(Comparison, BothTeamsMeetOpponentsOnTheSameSeed) {
             (std::vector<std::string>{"A-C", "C-A", "B-C", "C-B", "A-D", "D-A", "B-D", "D-B", "A-C",
                                       "C-A", "B-C", "C-B"}));
 
-  for (int i = 1; i < 4; ++i)
-    EXPECT_EQ(fixtures[0].seed, fixtures[static_cast<std::size_t>(i)].seed);
+  for (int i = 1; i < 4; ++i) EXPECT_EQ(fixtures[0].seed, fixtures[base::index(i)].seed);
   EXPECT_NE(fixtures[0].seed, fixtures[4].seed);
 
   // NEW wins all, BASE draws all: a gain of half the points.

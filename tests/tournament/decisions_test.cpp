@@ -192,7 +192,7 @@ TEST_F(DecisionsTest, UnplayedMatchesAreDrawnAnew) {
   // C beats both by decision.
   const TournamentState now = state();
   for (int number = 1; number <= 3; ++number) {
-    const Fixture& fixture = now.matches[static_cast<std::size_t>(number) - 1].fixture;
+    const Fixture& fixture = now.matches[base::index(number) - 1].fixture;
     if (fixture.left != 2 && fixture.right != 2) continue;
     const auto effect = decide_on(fixture.left == 2 ? award(number, 3, 0) : award(number, 0, 3));
     ASSERT_TRUE(effect) << effect.error().message;

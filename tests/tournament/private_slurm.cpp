@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "base/index.h"
 #include "tests/support/files.h"
 #include "tests/support/marked_processes.h"
 
@@ -117,20 +118,19 @@ bool PrivateSlurm::wait_until_ready() {
 }
 
 void PrivateSlurm::kill_daemon(int node) {
-  ::kill(nodes_.at(static_cast<std::size_t>(node))->status().pid, SIGKILL);
+  ::kill(nodes_.at(base::index(node))->status().pid, SIGKILL);
 }
 
 void PrivateSlurm::cut_power(int node) {
-  const auto& daemon = nodes_.at(static_cast<std::size_t>(node));
+  const auto& daemon = nodes_.at(base::index(node));
   daemon->end(0ms);
   daemon->wait_gone(20s);
 }
 
 void PrivateSlurm::start_node(int node) {
   const std::string name = fmt::format("cls{}", node);
-  nodes_.at(static_cast<std::size_t>(node)) = start(
-      name,
-      {find_program("slurmd"), "-D", "-N", name, "-f", (folder_.path() / "slurm.conf").string()});
+  nodes_.at(base::index(node)) = start(name, {find_program("slurmd"), "-D", "-N", name, "-f",
+                                              (folder_.path() / "slurm.conf").string()});
 }
 
 std::vector<std::string> PrivateSlurm::environment() const {

@@ -403,8 +403,7 @@ TEST(Report, ShowsRoundsAndByesOfSwiss) {
   expect_part(text, "round 3");
   expect_part(text, "buch");
   const json document = json::parse(report_json(played.report));
-  EXPECT_EQ(document["byes"].size(),
-            static_cast<std::size_t>(rounds_of(played.config.competition)));
+  EXPECT_EQ(document["byes"].size(), base::index(rounds_of(played.config.competition)));
   EXPECT_EQ(document["byes"][0]["round"], 1);
 }
 

@@ -51,7 +51,7 @@ class SlurmExecutorTest : public testing::Test {
     std::vector<Assignment> all;
     for (Fixture& fixture : next_fixtures(config_.competition, {}))
       all.push_back({std::move(fixture), 1});
-    all.resize(static_cast<std::size_t>(count));
+    all.resize(base::index(count));
     return all;
   }
 
@@ -365,7 +365,7 @@ TEST_F(SlurmExecutorTest, TakesOverBatchesAfterKill) {
   begin();
   auto all = matches();
   all[0].outcome = score(1, 0);
-  for (int i = 0; i < 4; ++i) all[static_cast<std::size_t>(i)].attempts = 1;
+  for (int i = 0; i < 4; ++i) all[base::index(i)].attempts = 1;
   const auto taken_over = executor_->take_over(all);
 
   ASSERT_TRUE(taken_over);

@@ -173,7 +173,7 @@ TEST(Preset, IsAValidConfiguration) {
       }
       ParsedConfig parsed = parse_config(*text, "cls.toml");
       ASSERT_TRUE(parsed.errors.empty()) << parsed.errors.front();
-      const std::size_t named = teams == 0 ? 8 : static_cast<std::size_t>(teams);
+      const std::size_t named = teams == 0 ? 8 : base::index(teams);
       EXPECT_EQ(parsed.config.competition.teams.size(), in_pairs ? named / 2 : named);
       for (TeamEntry& team : parsed.config.competition.teams) team.endpoint = "mock";
       ASSERT_EQ(validate(parsed.config), std::vector<std::string>()) << preset << " " << teams;

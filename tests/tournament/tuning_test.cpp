@@ -345,7 +345,7 @@ class FakeTuning {
                      const std::function<int(const Values&, const Fixture&)>& goals) const {
     const auto& candidates = tuning.candidates();
     const auto of = [&](int team) {
-      const auto index = static_cast<std::size_t>(team);
+      const auto index = base::index(team);
       return index < candidates.size() ? goals(candidates[index], fixture) : 1;
     };
     return score(of(fixture.left), of(fixture.right));
@@ -390,7 +390,7 @@ TEST(Tuning, CandidatesPlayEachOtherWithoutOpponents) {
   direct.play(60, goals_of);
   EXPECT_LT(std::abs(direct.tuning.best()[0]), 10);
   EXPECT_EQ(direct.tuning.pairs_played(), 60 * config.pairs);
-  EXPECT_EQ(direct.last.size(), 2u * static_cast<std::size_t>(config.pairs));
+  EXPECT_EQ(direct.last.size(), 2u * base::index(config.pairs));
 }
 
 TEST(Race, AllCandidatesPlayTheSameSeedsInTurn) {

@@ -268,6 +268,15 @@ base::Json json_of(const Timetable& timetable) {
   return starts;
 }
 
+Json superiority_json(const Report& report) {
+  Json rows = Json::array();
+  for (const auto& row : report.ratings.superiority) {
+    rows.push_back(Json::array());
+    for (const double one : row) rows.back().push_back(rounded(one));
+  }
+  return rows;
+}
+
 std::string report_json(const Report& report) {
   const TournamentConfig& config = *report.config;
   Json matches = Json::array();
@@ -284,12 +293,6 @@ std::string report_json(const Report& report) {
   Json crosstable = Json::array();
   for (const HeadToHead& head_to_head : report.head_to_heads)
     crosstable.push_back(json_of(report, head_to_head));
-
-  Json superiority = Json::array();
-  for (const auto& row : report.ratings.superiority) {
-    superiority.push_back(Json::array());
-    for (const double one : row) superiority.back().push_back(rounded(one));
-  }
 
   Json breakers = Json::array();
   for (const TieBreaker breaker : tie_breakers_of(config.competition))
@@ -324,7 +327,7 @@ std::string report_json(const Report& report) {
       {"byes", byes_json(report)},
       {"schedule", json_of(report.timetable)},
       {"pauses", pauses_json(report)},
-      {"rating", {{"model", "Bradley-Terry"}, {"superiority", std::move(superiority)}}},
+      {"rating", {{"model", "Bradley-Terry"}, {"superiority", superiority_json(report)}}},
       {"matches", std::move(matches)},
       {"versions", {{"cls", base::kVersion}, {"wire", base::kWireVersion}}}};
   return base::json_document(document);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/text/enum_names.h"
 #include "league/matches/fixture.h"
 #include "tournament/config/config.h"
 #include "tournament/run/match_executor.h"
@@ -46,8 +47,11 @@ enum class RunEnd {
   kFault,          ///< on_crash = "stop" and a match was invalid
 };
 
-/// Its name in events.jsonl: "complete", "decided", "stopped", "interrupted", "fault".
-std::string_view name(RunEnd end);
+/// Its name in events.jsonl.
+constexpr std::string_view name(RunEnd end) {
+  return base::enum_names<RunEnd>("complete", "decided", "stopped", "interrupted", "fault")
+      .name(end);
+}
 
 struct RunOptions {
   std::filesystem::path folder;

@@ -27,13 +27,8 @@ void remove_work_results(const fs::path& folder, int first) {
 }
 
 bool lacks_winner(const MatchDecision& decision, const Fixture& fixture) {
-  if (decision.kind != DecisionKind::kAward || !fixture.decides) return false;
-  Outcome outcome;
-  outcome.left_score = decision.left_score;
-  outcome.right_score = decision.right_score;
-  outcome.left_penalties = decision.left_penalties;
-  outcome.right_penalties = decision.right_penalties;
-  return winner_sign(outcome) == 0;
+  return decision.kind == DecisionKind::kAward && fixture.decides &&
+         winner_sign(awarded({}, decision)) == 0;
 }
 
 // Why there is nothing to decide; empty: there is.
