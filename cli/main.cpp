@@ -17,12 +17,10 @@ namespace {
 
 using namespace cls;
 using namespace cls::cli;
-
 // A command whose output is lost has failed, although its work is done. A reader that has left,
 // such as head(1), knows that.
 int finish_output(int exit_code) {
   std::fflush(stdout);
-
   const int output = cls::base::write_error(cls::base::StandardStream::kOutput);
   const int errors = cls::base::write_error(cls::base::StandardStream::kError);
   if (output == 0 && errors == 0) return exit_code;
@@ -36,9 +34,8 @@ int finish_output(int exit_code) {
 // fails, which the command reports when it needs the guard.
 std::optional<process::Guard> start_guard(const Command& commands, int argc, char** argv) {
   if (!may_start_programs(commands, argc, argv)) return std::nullopt;
-  auto guard = process::Guard::start(argc, argv);
-  if (!guard) return std::nullopt;
-  return *std::move(guard);
+  if (auto guard = process::Guard::start(argc, argv)) return *std::move(guard);
+  return std::nullopt;
 }
 
 // Runs the command and turns exceptions into error lines.

@@ -17,7 +17,7 @@
 
 #include "base/system/version.h"
 #include "base/text/stored_formats.h"
-#include "cli/support/exit_code.h"
+#include "cli/terminal/exit_code.h"
 #include "cli/terminal/json_stdout.h"
 #include "proto/recording_file.h"
 #include "proto/saved_match_file.h"

@@ -8,7 +8,7 @@
 namespace cls::analysis {
 
 /// Speed ranges in shares of the player type's top speed.
-enum class SpeedBand : unsigned char { kStand, kJog, kRun, kSprint };  // below 20, 60, 85 %, above
+/// Standing, jogging, running and sprinting: below 20, 60 and 85 % of the top speed, and above.
 constexpr std::size_t kSpeedBandCount = 4;
 
 struct Movement {

@@ -2,6 +2,7 @@
 #include "checks/doctor/playmaker_probe.h"
 
 #include <fmt/format.h>
+#include <array>
 
 #include <filesystem>
 #include <optional>
@@ -18,6 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kReach = "reach";
+constexpr std::array kProbedSteps = {kReach,           "register_identity", "register_language",
+                                     "all_parameters", "init_message",      "player_actions",
+                                     "planner"};
 
 DoctorCheck unreachable(DoctorCheck check, std::string found) {
   check.status = DoctorStatus::kUnreachable;
@@ -66,9 +70,7 @@ DoctorCheck probe_playmaker(const match::Endpoint& endpoint, std::chrono::millis
   options.endpoint = endpoint;
   options.start_timeout = limit;
   options.deadline = limit;
-  options.only = {kReach,           "register_identity", "register_language",
-                  "all_parameters", "init_message",      "player_actions",
-                  "planner"};
+  options.only.assign(kProbedSteps.begin(), kProbedSteps.end());
 
   std::string found = endpoint.text + ":";
   CheckStep failed;

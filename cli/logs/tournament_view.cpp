@@ -7,9 +7,9 @@
 #include <thread>
 
 #include "cli/support/browser.h"
-#include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/exit_code.h"
 #include "tournament/site/tournament_site.h"
 #include "tournament/store/folder.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/match/match_arguments.h"
-#include "cli/support/exit_code.h"
+#include "cli/terminal/exit_code.h"
 #include "cli/terminal/json_stdout.h"
 
 namespace cls::cli {

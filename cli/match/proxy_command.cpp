@@ -128,6 +128,32 @@ void add_playmaker_options(Command& command, ProxyArguments& arguments) {
       .one_of({kGrpc, kThrift});
 }
 
+// The coach, the trainer, the formation, and what shows the decisions.
+void add_team_options(Command& command, ProxyArguments& arguments) {
+  command
+      .option("-P,--coach-port", arguments.coach_port,
+              "coach port of the soccer server (default: --port + 2)")
+      .range(1, kMaxPort);
+
+  command.flag("-C,--without-coach", arguments.without_coach, "connect only the players")
+      .of_group(kTeamsGroup);
+  command.flag("--coach", arguments.coach_only, "connect only the coach").of_group(kTeamsGroup);
+  command.flag("--trainer", arguments.trainer, "connect a trainer instead of the coach")
+      .of_group(kTeamsGroup);
+  command
+      .option("--trainer-port", arguments.trainer_port,
+              "trainer port of the soccer server (default: --port + 1)")
+      .range(1, kMaxPort);
+
+  command
+      .option("-f,--formation DIR", arguments.formation,
+              "folder with formations, see docs/formations.md (default: built-in)")
+      .of_group(kTeamsGroup);
+  add_match_option(command, "debug_server", arguments.debug_server);
+  add_match_option(command, "debug_server_log", arguments.debug_server_log);
+  add_match_option(command, "debug_log", arguments.debug_log);
+}
+
 void add_options(Command& command, ProxyArguments& arguments) {
   StandaloneTeamOptions& options = arguments.options;
   command.options.front().names = "--help";  // -h is the host
@@ -170,28 +196,7 @@ void add_options(Command& command, ProxyArguments& arguments) {
       .flag("--json", arguments.json,
             "print side and players as one line of JSON; all else goes to stderr")
       .of_group(kOutputGroup);
-  command
-      .option("-P,--coach-port", arguments.coach_port,
-              "coach port of the soccer server (default: --port + 2)")
-      .range(1, kMaxPort);
-
-  command.flag("-C,--without-coach", arguments.without_coach, "connect only the players")
-      .of_group(kTeamsGroup);
-  command.flag("--coach", arguments.coach_only, "connect only the coach").of_group(kTeamsGroup);
-  command.flag("--trainer", arguments.trainer, "connect a trainer instead of the coach")
-      .of_group(kTeamsGroup);
-  command
-      .option("--trainer-port", arguments.trainer_port,
-              "trainer port of the soccer server (default: --port + 1)")
-      .range(1, kMaxPort);
-
-  command
-      .option("-f,--formation DIR", arguments.formation,
-              "folder with formations, see docs/formations.md (default: built-in)")
-      .of_group(kTeamsGroup);
-  add_match_option(command, "debug_server", arguments.debug_server);
-  add_match_option(command, "debug_server_log", arguments.debug_server_log);
-  add_match_option(command, "debug_log", arguments.debug_log);
+  add_team_options(command, arguments);
 }
 
 // Reads --playmaker; returns the exit code.

@@ -4,7 +4,7 @@
 #include <string>
 #include "cli/command/command.h"
 
-#include "cli/support/exit_code.h"
+#include "cli/terminal/exit_code.h"
 
 namespace cls::cli {
 

@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-#include "cli/support/exit_code.h"
+#include "cli/terminal/exit_code.h"
 
 namespace cls::cli {
 

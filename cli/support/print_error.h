@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "cli/support/exit_code.h"
+#include "cli/terminal/exit_code.h"
 
 namespace cls::cli {
 

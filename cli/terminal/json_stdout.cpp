@@ -11,7 +11,7 @@
 
 #include "base/io/standard_streams.h"
 #include "base/text/json_text.h"
-#include "cli/support/exit_code.h"
+#include "cli/terminal/exit_code.h"
 
 namespace cls::cli {
 

@@ -30,9 +30,9 @@ TEST(UnusedDeclarations, AreReported) {
       {"cli/a.cpp", "// kLimit count\nint count(int x) {\n  return x;\n}\n"}};
 
   EXPECT_EQ(to_text(check_unused_declarations(files)),
-            "cli/a.h:1: kLimit: nothing uses it; delete it\n"
             "cli/a.h:3: Lonely: nothing uses it; delete it\n"
-            "cli/a.h:2: count: nothing uses it; delete it\n");
+            "cli/a.h:2: count: nothing uses it; delete it\n"
+            "cli/a.h:1: kLimit: nothing uses it; delete it\n");
 }
 
 TEST(UnusedDeclarations, IncludeNoneThatAnotherLineNames) {

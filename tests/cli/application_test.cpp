@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/support/exit_code.h"
+#include "cli/terminal/exit_code.h"
 #include "tests/support/json.h"
 
 namespace cls::tests {
@@ -201,8 +201,8 @@ struct Mistake {
   std::string error;
 };
 
-TEST(Application, UsageErrorsNameArgumentValueAndForm) {
-  const std::vector<Mistake> mistakes = {
+const std::vector<Mistake>& mistakes() {
+  static const std::vector<Mistake> table = {
       {{}, "no command; see cls --help, or begin with: cls match mock mock"},
       {{"mach", "mock", "mock"}, "unknown command 'mach'; did you mean 'match'?"},
       {{"mtch", "mock", "mock"}, "unknown command 'mtch'; did you mean 'match'?"},
@@ -258,7 +258,11 @@ TEST(Application, UsageErrorsNameArgumentValueAndForm) {
        "--max-missed '-1': must be a whole number from 0"},
       {{"mock", "--host", ""}, "--host '': must be a host"},
   };
-  for (const Mistake& mistake : mistakes) {
+  return table;
+}
+
+TEST(Application, UsageErrorsNameArgumentValueAndForm) {
+  for (const Mistake& mistake : mistakes()) {
     const Answer answer = run(mistake.words);
     EXPECT_EQ(answer.exit_code, cls::cli::kUsage) << mistake.error;
     EXPECT_EQ(answer.err, "cls: " + mistake.error + "\n");

@@ -1,5 +1,5 @@
 // Exit codes: the table of docs/cli.md, and commands that end with each of them.
-#include "cli/support/exit_code.h"
+#include "cli/terminal/exit_code.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

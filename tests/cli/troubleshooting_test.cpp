@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/support/exit_code.h"
+#include "cli/terminal/exit_code.h"
 #include "tests/cli/doc_page.h"
 #include "tests/support/files.h"
 
@@ -48,7 +48,7 @@ TEST(Troubleshooting, HintNamesDoctorWhenNothingStarted) {
 
 TEST(Troubleshooting, HasAnchorOfEveryExitCode) {
   const DocPage page = read_page(page_path());
-  const std::string header = read_file(source_folder() / "cli/support/exit_code.h");
+  const std::string header = read_file(source_folder() / "cli/terminal/exit_code.h");
   const std::regex value(R"(  k\w+ = (\d+),)");
   int codes = 0;
   for (std::sregex_iterator at(header.begin(), header.end(), value), end; at != end; ++at) {

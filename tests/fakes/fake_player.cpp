@@ -19,7 +19,7 @@ int play(const fakes::Flags& flags, soccer::UdpClients& clients, soccer::Channel
   while (clients.wait_until(steady_clock::now() + std::chrono::seconds(5))) {
     while (server.receive(message)) {
       int time = 0;
-      if (message.rfind("(error", 0) == 0) std::printf("%s\n", message.c_str());
+      if (message.starts_with("(error")) std::printf("%s\n", message.c_str());
       if (std::sscanf(message.c_str(), "(sense_body %d", &time) == 1) {
         if (flags.has("exit-at-cycle") && time >= flags.number("exit-at-cycle")) {
           std::fprintf(stderr, "lost my boots\n");

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "tests/support/temporary_folder.h"
@@ -20,14 +21,23 @@ using testing::StartsWith;
 /// Runs each test with a folder of its own in TMPDIR.
 class ScratchFolderTest : public testing::Test {
  protected:
-  ~ScratchFolderTest() override { set(before_.c_str()); }
+  ScratchFolderTest() {
+    if (const char* before = std::getenv("TMPDIR")) before_ = before;
+  }
+  ~ScratchFolderTest() override {
+    if (before_) {
+      set(before_->c_str());
+    } else {
+      ::unsetenv("TMPDIR");
+    }
+  }
 
   static void set(const char* folder) { ::setenv("TMPDIR", folder, 1); }
 
   tests::TemporaryFolder parent_;
 
  private:
-  std::string before_ = fs::temp_directory_path();
+  std::optional<std::string> before_;
 };
 
 TEST_F(ScratchFolderTest, IsPrivateAndDeletedWithItsContent) {

@@ -257,6 +257,15 @@ Json pauses_json(const Report& report) {
   return pauses;
 }
 
+Json superiority_json(const Report& report) {
+  Json rows = Json::array();
+  for (const auto& row : report.ratings.superiority) {
+    rows.push_back(Json::array());
+    for (const double one : row) rows.back().push_back(rounded(one));
+  }
+  return rows;
+}
+
 }  // namespace
 
 base::Json json_of(const Timetable& timetable) {
@@ -266,15 +275,6 @@ base::Json json_of(const Timetable& timetable) {
         {{"match", start.match}, {"start", utc_time_text(start.time)}, {"server", start.server}});
   }
   return starts;
-}
-
-Json superiority_json(const Report& report) {
-  Json rows = Json::array();
-  for (const auto& row : report.ratings.superiority) {
-    rows.push_back(Json::array());
-    for (const double one : row) rows.back().push_back(rounded(one));
-  }
-  return rows;
 }
 
 std::string report_json(const Report& report) {
