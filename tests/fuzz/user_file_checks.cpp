@@ -9,7 +9,6 @@
 
 #include <cstdlib>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -18,14 +17,16 @@
 #include "base/io/byte_sink.h"
 #include "base/io/gzip_sink.h"
 #include "base/system/unique_fd.h"
+#include "base/text/json.h"
 #include "base/text/json_document.h"
+#include "league/schedule/schedule.h"
+#include "league/schedule/schedule_check.h"
 #include "match/result/match_result.h"
 #include "match/saved/saved_match.h"
 #include "match/terms/planner_file.h"
 #include "mock-server/script/named_behaviors.h"
 #include "mock-server/script/script.h"
 #include "player/formation/formation_file.h"
-#include "player/formation/librcsc_formation.h"
 #include "player/world/planner_parameters.h"
 #include "proto/playmaker.pb.h"
 #include "proto/recording_file.h"
@@ -33,8 +34,6 @@
 #include "scenario/scenario_file.h"
 #include "tournament/config/config.h"
 #include "tournament/config/config_file.h"
-#include "tournament/schedule/schedule.h"
-#include "tournament/schedule/schedule_check.h"
 #include "tournament/store/match_document.h"
 #include "tournament/tuning/tune_config.h"
 
@@ -88,9 +87,11 @@ void check_config(const std::string& text) {
   require(first_difference(parsed.config, again.config).empty());
   constexpr std::size_t kFewTeams = 16;
   constexpr int kFewRounds = 20;
-  if (parsed.config.teams.size() > kFewTeams || rounds_of(parsed.config) > kFewRounds) return;
-  for (const Fixture& fixture : next_fixtures(parsed.config, {})) {
-    require(check_teams(parsed.config, fixture).ok());
+  if (parsed.config.competition.teams.size() > kFewTeams ||
+      rounds_of(parsed.config.competition) > kFewRounds)
+    return;
+  for (const Fixture& fixture : next_fixtures(parsed.config.competition, {})) {
+    require(check_teams(parsed.config.competition, fixture).ok());
   }
 }
 

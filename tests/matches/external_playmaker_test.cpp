@@ -5,10 +5,10 @@
 
 #include <string>
 
-#include "base/text/json.h"
 #include "tests/matches/full_tests.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/python.h"
 #include "tests/support/temporary_folder.h"
 
@@ -36,7 +36,7 @@ TEST(ExternalPlaymaker, PythonExamplePlaysMatch) {
   EXPECT_EQ(played.exit_code, 0) << played.err;
   EXPECT_EQ(played.err, "");
 
-  const auto result = base::Json::parse(cls::tests::read_file(folder.path() / "result.json"));
+  const auto result = cls::base::Json::parse(cls::tests::read_file(folder.path() / "result.json"));
   EXPECT_EQ(result["end_reason"], "finished");
   EXPECT_EQ(result["cycles"], half_time * 20);
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <iostream>
 
-#include "base/text/json.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "soccer/pitch.h"
 #include "soccer/play_mode.h"
 #include "tests/matches/full_tests.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::tests {

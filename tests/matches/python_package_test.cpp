@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "base/text/json.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/json.h"
 #include "tests/support/python.h"
 #include "tests/support/temporary_folder.h"
 

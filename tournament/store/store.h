@@ -35,10 +35,10 @@ class Store {
   ~Store();
 
   /// All matches by number, with their outcomes.
-  base::Result<std::vector<ScheduledMatch>> matches() const;
+  base::Result<std::vector<league::ScheduledMatch>> matches() const;
 
   /// Appends rows, all or none of them.
-  base::Result<void> add(std::span<const Fixture> fixtures);
+  base::Result<void> add(std::span<const league::Fixture> fixtures);
 
   /// Records that attempts at these matches start. Returns the attempts' numbers, from 1.
   base::Result<std::vector<int>> begin_attempts(std::span<const int> indices);
@@ -56,7 +56,7 @@ class Store {
   base::Result<void> remove_from(int index);
 
   /// Commits an outcome. One that is not `final` is valid until requeue().
-  base::Result<void> finish(int index, const Outcome& outcome, bool final = true);
+  base::Result<void> finish(int index, const league::Outcome& outcome, bool final = true);
 
  private:
   explicit Store(std::unique_ptr<SQLite::Database> database);
