@@ -224,7 +224,7 @@ def main():
                         help="evaluate random and open-loop policies instead")
     options = parser.parse_args()
     # Dense rewards for training; what counts is the share of goals.
-    config = {"id": "cls/HalfFieldOffense-v0", "offense": options.offense,
+    config = {"task": "cls/HalfFieldOffense-v0", "offense": options.offense,
               "defense": options.defense, "num_agents": 1, "features": "ego",
               "actions": "low_discrete", "obs": options.obs, "max_cycles": 500, "reward": REWARD}
     random = np.random.default_rng(options.seed)

@@ -267,7 +267,7 @@ def parse():
 def main():
     options = parse()
     torch.set_num_threads(1)
-    config = {"id": "cls/HalfFieldOffense-v0", "offense": options.offense,
+    config = {"task": "cls/HalfFieldOffense-v0", "offense": options.offense,
               "defense": options.defense, "features": "ego", "actions": options.actions,
               "obs": options.obs, "opponent": options.opponent, "max_cycles": 500,
               "frame_skip": options.frame_skip, "reward": REWARD}

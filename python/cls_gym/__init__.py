@@ -1,7 +1,7 @@
 """Reinforcement learning on the soccer simulator of cls.
 
-    import cls_gym
-    envs = cls_gym.VectorEnv("cls/HFO-1v0-v0", num_envs=64, obs="full_state")
+>>> import cls_gym
+>>> envs = cls_gym.VectorEnv("cls/HFO-1v0-v0", num_envs=64, obs="full_state")
 
 Env is a gymnasium.Env, VectorEnv a gymnasium.vector.VectorEnv, ParallelEnv a PettingZoo
 environment, cls_gym.hfo the interface of HFO. All need NumPy; Gymnasium and PettingZoo are used
@@ -12,14 +12,27 @@ from __future__ import annotations
 from typing import Any
 
 from cls_gym._api import AutoresetMode, ClosedEnvironmentError, ResetNeeded
-from cls_gym._engine import ActionError, ConfigError, EngineError, Snapshot, catalog, version
+from cls_gym._config import ActionError, ConfigError, EngineError, KeywordError
+from cls_gym._engine import catalog, version
+from cls_gym._history import Snapshot
 from cls_gym.env import Env
 from cls_gym.tasks import ids
 from cls_gym.vector import VectorEnv
 
 __all__ = ["ActionError", "AutoresetMode", "ClosedEnvironmentError", "ConfigError", "EngineError",
-           "Env", "ParallelEnv", "ResetNeeded", "Snapshot", "VectorEnv", "catalog", "ids",
-           "version"]
+           "Env", "KeywordError", "ParallelEnv", "ResetNeeded", "Snapshot", "VectorEnv", "catalog",
+           "ids", "make_env", "make_vector_env", "version"]
+
+
+def make_env(**keywords: Any) -> Env:
+    """Env by keywords: the entry point of gymnasium.make() and of make_vec() with the modes "sync"
+    and "async"."""
+    return Env(**keywords)
+
+
+def make_vector_env(**keywords: Any) -> VectorEnv:
+    """VectorEnv by keywords: the entry point of make_vec() with "vector_entry_point"."""
+    return VectorEnv(**keywords)
 
 
 def _register() -> None:
@@ -27,8 +40,8 @@ def _register() -> None:
     from gymnasium.envs.registration import register, registry
     for id in ids():
         if id not in registry:
-            register(id, entry_point="cls_gym:Env", vector_entry_point="cls_gym:VectorEnv",
-                     kwargs={"id": id})
+            register(id, entry_point="cls_gym:make_env",
+                     vector_entry_point="cls_gym:make_vector_env", kwargs={"task": id})
 
 
 def __getattr__(name: str) -> Any:

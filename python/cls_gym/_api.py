@@ -2,15 +2,41 @@
 from __future__ import annotations
 
 import enum
+import re
 import warnings
 from typing import Any, Dict, Optional
 
 import numpy as np
 
+from cls_gym._config import ConfigError
 from cls_gym.seeding import generator
+
+#: The oldest Gymnasium that has what the classes here need.
+GYMNASIUM = "1.1"
+#: Set if there is an older one: its version. The classes are none of Gymnasium's then.
+old_gymnasium: Optional[str] = None
 
 try:
     import gymnasium
+except ImportError:
+    pass
+else:
+    _version = getattr(gymnasium, "__version__", "of unknown version")
+    if [int(part) for part in re.findall(r"\d+", _version)[:2]] < [1, 1]:
+        old_gymnasium = _version
+
+
+def check_gymnasium(owner: str) -> None:
+    """Raises ImportError where an older Gymnasium is installed, whose wrappers would refuse
+    `owner` or misuse it."""
+    if old_gymnasium is not None:
+        raise ImportError(f"cls_gym.{owner}: Gymnasium {old_gymnasium} is too old, {GYMNASIUM} or "
+                          "later is needed: pip install --upgrade gymnasium")
+
+
+try:
+    if old_gymnasium is not None:
+        raise ImportError
     from gymnasium.vector import AutoresetMode
 
     BaseEnv: Any = gymnasium.Env
@@ -96,4 +122,4 @@ def mode_of(name: Any) -> AutoresetMode:
         if str(name).replace("_", "").lower() == mode.value.replace("_", "").lower():
             return mode
     modes = ", ".join(mode.name.lower() for mode in AutoresetMode)
-    raise ValueError(f"autoreset_mode: unknown {name!r}; modes: {modes}")
+    raise ConfigError(f"autoreset_mode: unknown {name!r}; modes: {modes}")

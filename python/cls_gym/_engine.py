@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import ctypes
 import functools
+import hashlib
 import json
 import os
 import pathlib
@@ -11,6 +12,8 @@ from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 
+from cls_gym._config import (ActionError, ConfigError, EngineError, check_choice, plain,
+                             readable)
 from cls_gym.spec import ActionSet, Feature, Spec
 
 LIBRARY = "libcls_training.so"
@@ -18,18 +21,6 @@ VARIABLE = "CLS_TRAINING_LIBRARY"
 ABI = 2
 
 _SMALL_BUFFER = -9
-
-
-class EngineError(RuntimeError):
-    """The engine refused a call: a line that names the cause."""
-
-
-class ConfigError(EngineError, ValueError):
-    """A task, a setting or a value that does not exist."""
-
-
-class ActionError(EngineError, ValueError):
-    """An action that is not a number or no id of the action set. No world has moved."""
 
 
 _EXCEPTIONS: Dict[int, Callable[[str], Exception]] = {-3: ConfigError, -6: ActionError,
@@ -52,6 +43,7 @@ _ARRAYS: Dict[str, Tuple[type, str]] = {
     "final_observations": (np.float32, "NAF"), "final_state": (np.float32, "NS"),
     "was_reset": (np.bool_, "N"), "cycles": (np.int32, "N"), "score": (np.int32, "N2"),
     "illegal": (np.int32, "NA"), "seeds": (np.uint64, "N"), "opponent": (np.int32, "N")}
+_INPUTS = ("action_ids", "action_values", "next_seeds")
 
 
 class _Buffers(ctypes.Structure):
@@ -136,6 +128,14 @@ def _check(code: int) -> None:
         raise _EXCEPTIONS.get(code, EngineError)(text or f"the engine returned {code}")
 
 
+def _check_text(code: int) -> None:
+    """_check() of a call that reads a JSON text of keywords."""
+    try:
+        _check(code)
+    except ConfigError as error:
+        raise ConfigError(readable(str(error))) from None
+
+
 def _document(call: Callable[[Any, int, Any], int]) -> Dict[str, Any]:
     """A JSON document from a function that writes into a buffer."""
     length = ctypes.c_size_t()
@@ -158,35 +158,29 @@ def version() -> str:
     return library().cls_training_version().decode()
 
 
-class Snapshot:
-    """An episode at one moment. Freed with its last reference."""
-
-    def __init__(self, pool: "Pool", env: int) -> None:
-        handle = ctypes.c_uint64()
-        _check(pool.call("snapshot", env, ctypes.byref(handle)))
-        self.handle = handle.value
-        self.pool_handle = pool.handle
-        weakref.finalize(self, library().cls_training_release, pool.handle, handle.value)
+@functools.lru_cache(maxsize=None)
+def fingerprint() -> str:
+    """Version and hash of the engine's file. Two engines with the same one play the same."""
+    digest = hashlib.sha256(library_path().read_bytes()).hexdigest()
+    return f"{version()} {digest[:16]}"
 
 
 class Pool:
     """N worlds and their arrays, attributes with the names of _ARRAYS."""
 
     def __init__(self, config: Dict[str, Any]) -> None:
-        self.config = config
+        self.config = {key: plain(value, key) for key, value in config.items()}
         handle = ctypes.c_uint64()
-        _check(library().cls_training_create(json.dumps(config).encode(), ctypes.byref(handle)))
+        _check_text(library().cls_training_create(json.dumps(self.config).encode(),
+                                                  ctypes.byref(handle)))
         self.handle = handle.value
+        self.process = os.getpid()
         self.closed = False
         self._free = weakref.finalize(self, library().cls_training_close, self.handle)
         self.spec = _spec(_document(functools.partial(self.call, "spec")))
+        self._buffers = _Buffers(struct_size=ctypes.sizeof(_Buffers))
         self._allocate(config["num_envs"])
         self._step = functools.partial(library().cls_training_step, ctypes.c_uint64(self.handle))
-
-    def use_seeds(self, seeds: np.ndarray) -> None:
-        """Takes the seeds of automatic resets from another array, uint64[N]."""
-        self.next_seeds = seeds
-        self._bind()
 
     def _allocate(self, n: int) -> None:
         spec, a = self.spec, len(self.spec.agents)
@@ -194,20 +188,48 @@ class Pool:
         sizes = {"N": n, "A": a, "I": a if k else 0, "F": len(spec.features), "K": k,
                  "V": len(spec.actions.values), "S": len(spec.state_features),
                  "R": len(spec.reward_terms), "2": 2}
-        for name, (kind, shape) in _ARRAYS.items():
-            setattr(self, name, np.zeros([sizes[one] for one in shape], kind))
-        if self.config.get("autoreset") != "same_step":
-            self.final_observations = None
-        self.final_state = None
-        self._bind()
+        arrays = {name: np.zeros([sizes[one] for one in shape], kind)
+                  for name, (kind, shape) in _ARRAYS.items()}
+        for name in ("final_observations", "final_state"):
+            if self.config.get("autoreset") != "same_step":
+                setattr(self, name, None)
+                del arrays[name]
+        for name, array in arrays.items():
+            setattr(self, name, array)
+        self.bind(**arrays)
 
-    def _bind(self) -> None:
-        buffers = _Buffers(struct_size=ctypes.sizeof(_Buffers))
-        for name in _ARRAYS:
-            array = getattr(self, name)
-            if array is not None and array.size:
-                setattr(buffers, name, _Buffer(array.ctypes.data, array.size))
-        _check(self.call("bind", ctypes.byref(buffers)))
+    def bind(self, **arrays: Any) -> None:
+        """Replaces arrays, by the names of _ARRAYS, by others of the same type and number of
+        elements: contiguous and writable NumPy arrays of any shape, or what has DLPack, such as
+        tensors in shared or pinned memory. The attributes become views of them."""
+        checked = {name: self._fitting(name, value) for name, value in arrays.items()}
+        for name, array in checked.items():
+            setattr(self, name, array)
+            field = getattr(self._buffers, name)
+            field.data, field.count = (array.ctypes.data, array.size) if array.size else (None, 0)
+        _check(self.call("bind", ctypes.byref(self._buffers)))
+
+    def _fitting(self, name: str, value: Any) -> np.ndarray:
+        """`value` as an array in the shape of the one with this name."""
+        if name not in _ARRAYS:
+            check_choice("bind", name, list(_ARRAYS))
+        array = value if isinstance(value, np.ndarray) else np.from_dlpack(value)
+        kind, now = np.dtype(_ARRAYS[name][0]), getattr(self, name, None)
+        if now is None:  # not allocated yet, or not filled in this mode
+            now = array
+            if hasattr(self, name):
+                raise ConfigError(f"bind: {name} is for autoreset_mode=\"same_step\"")
+        if array.dtype != kind or array.size != now.size:
+            raise ConfigError(f"bind: {name}: {array.dtype}{list(array.shape)}, must be "
+                              f"{kind}{list(now.shape)}")
+        if not (array.flags.c_contiguous and array.flags.writeable and array.flags.aligned):
+            raise ConfigError(f"bind: {name}: must be contiguous, aligned and writable")
+        return array.reshape(now.shape)
+
+    def outputs(self) -> Dict[str, np.ndarray]:
+        """The arrays that the engine fills."""
+        names = [name for name in _ARRAYS if name not in _INPUTS]
+        return {name: getattr(self, name) for name in names if getattr(self, name) is not None}
 
     def call(self, name: str, *arguments: Any) -> int:
         """A function of the engine for this pool: its code."""
@@ -224,16 +246,24 @@ class Pool:
         if code:
             _check(code)
 
-    def set_options(self, options: Dict[str, Any]) -> None:
-        """Options of the task for the next episodes of all worlds."""
-        _check(self.call("set_options", -1, json.dumps(options).encode()))
+    def set_options(self, options: Dict[str, Any], env: int = -1) -> None:
+        """Options of the task for the next episodes of a world; -1: of all worlds."""
+        document = {key: plain(value, key) for key, value in options.items()}
+        _check_text(self.call("set_options", env, json.dumps(document).encode()))
 
-    def restore(self, env: int, snapshot: Snapshot) -> None:
-        """Continues in world `env` where the snapshot was taken."""
-        if snapshot.pool_handle != self.handle:
-            raise EngineError("restore: the snapshot is of another environment; worlds of one "
-                              "VectorEnv share their snapshots")
-        _check(self.call("restore", env, snapshot.handle))
+    def snapshot(self, env: int) -> int:
+        """A handle of the episode of world `env`: of this pool and this process alone."""
+        handle = ctypes.c_uint64()
+        _check(self.call("snapshot", env, ctypes.byref(handle)))
+        return handle.value
+
+    def restore(self, env: int, handle: int) -> None:
+        """Continues in world `env` where a snapshot was taken."""
+        _check(self.call("restore", env, handle))
+
+    def release(self, handle: int) -> None:
+        """Frees a snapshot."""
+        self.call("release", handle)
 
     def fork(self, source: int, target: int) -> None:
         """Copies the episode of one world into another one."""

@@ -9,7 +9,10 @@ import numpy as np
 
 from cls_gym import rendering
 from cls_gym._api import ClosedEnvironmentError, ResetNeeded, warn
-from cls_gym._engine import ActionError, EngineError, Pool, Snapshot
+from cls_gym._config import (MASKS, ActionError, ConfigError, EngineError, check_choice,
+                             check_keywords, with_features)
+from cls_gym._engine import Pool, catalog, fingerprint
+from cls_gym._history import Episode, History, Snapshot, replay
 from cls_gym.spec import bounds
 from cls_gym.tasks import resolve
 
@@ -35,42 +38,88 @@ def alone(method: Method) -> Method:
 
 
 class Worlds:
-    """N worlds of one task. Arrays are the buffers of the pool: copy what you return."""
+    """N worlds of one task. Arrays are the buffers of the pool: copy what you return.
 
-    def __init__(self, id: str, num_envs: int, config: Dict[str, Any]) -> None:
-        self.id = id
-        task, settings = resolve(id)
-        self.config = config
-        self.pool = Pool({**settings, **config, "task": task, "num_envs": num_envs})
-        self.spec = self.pool.spec
+    Pickle and deepcopy give the same worlds in any process: the running episodes are played again
+    there, from their seeds and actions. A recording stays behind.
+    """
+
+    def __init__(self, task: str, num_envs: int, config: Dict[str, Any], *, mask: str = "info",
+                 autoreset: str = "disabled", owner: str = "Worlds", own: Sequence[str] = ()
+                 ) -> None:
+        check_keywords(owner, config, ("task", "mask", *own))
+        check_choice("mask", mask, MASKS)
+        name, settings = resolve(task)
+        [entry] = [one for one in catalog()["tasks"] if one["id"] == name]
+        settings.update(with_features(config, entry, catalog()["feature_sets"]))
+        self.task = task
         self.num_envs = num_envs
+        self._arguments = (task, num_envs, dict(config), mask, autoreset)
+        self.pool = self._create({**settings, "task": name, "num_envs": num_envs,
+                                  "autoreset": autoreset})
+        self.spec = self.pool.spec
+        kinds = self.spec.actions
+        if mask != "info" and not kinds.names:
+            raise ConfigError(f"mask: {mask!r} needs ids, which actions={kinds.name!r} has not; "
+                              "did you mean 'info'?")
+        self.history = History(self.pool)
+        self.recording = np.zeros(num_envs, np.bool_)
         self.in_use = threading.RLock()  # held by alone()
         self.agents = len(self.spec.agents)
-        self.observation_space = self.spec.observation_space(self.agents)
-        self.action_space = self.spec.actions.space(self.agents)
+        self.action_space = kinds.space(self.agents)
         self._started = np.zeros(num_envs, np.bool_)
         self._all_started = False
+        self._scaled = bool(kinds.names and kinds.values)
+        #: What the ids' mask is called: "action_mask" is what action_space.sample() takes.
+        self.mask_name = "id_mask" if self._scaled else "action_mask"
+        self.mask_place = mask if kinds.names else None
+        self._unmasked = (None,) * sum(bool(own) for own in kinds.parameters)
+        self.observation_space = self.spec.observation_space(self.agents, mask)
+        self._view()
+        if self._scaled:
+            low, high = bounds(kinds.values)
+            self._half_range = (high - low) / 2
+            self._middle = low + self._half_range
+        everywhere = np.ones(num_envs, np.bool_)
+        self._set_everywhere = {"_" + key: everywhere for key, _ in self.columns}
+
+    def _create(self, config: Dict[str, Any]) -> Pool:
+        try:
+            return Pool(config)
+        except ConfigError as error:
+            if "1..0" not in str(error):  # no player of a team that should have agents
+                raise
+            raise ConfigError(f"agents: {config.get('agents')!r} needs players of the defense, "
+                              f"which {self.task} has not as it is; did you mean 'offense'?"
+                              ) from None
+
+    def _view(self) -> None:
+        """Takes the arrays of the pool."""
         pool = self.pool
         # float32[N, F] or float32[N, A, F]
         self.observations = self._per_agent(pool.observations)
         self._own_rewards = pool.rewards[:, 0]
         if pool.final_observations is not None:
             self.final_observations = self._per_agent(pool.final_observations)
+        self.masks = self._per_agent(pool.action_masks) if self.spec.actions.names else None
         self.columns: List[Tuple[str, np.ndarray]] = [
             ("status", pool.status), ("cycles", pool.cycles), ("score", pool.score),
             ("illegal", self._per_agent(pool.illegal)), ("seed", pool.seeds),
             ("reward_terms", pool.reward_terms), ("opponent", pool.opponent)]
-        self.masks = self._per_agent(pool.action_masks) if self.spec.actions.names else None
-        if self.masks is not None:
-            self.columns.append(("action_mask", self.masks))
+        self._masks_in_infos = self.mask_place == "info"
+        if self._masks_in_infos:
+            self.columns.append((self.mask_name, self.masks))
         self._targets = self._action_targets()
-        self._scaled = bool(self.spec.actions.names and self.spec.actions.values)
-        if self._scaled:
-            low, high = bounds(self.spec.actions.values)
-            self._half_range = (high - low) / 2
-            self._middle = low + self._half_range
-        everywhere = np.ones(num_envs, np.bool_)
-        self._set_everywhere = {"_" + key: everywhere for key, _ in self.columns}
+
+    def show_in(self, observations: np.ndarray) -> None:
+        """Observations are in another array from the next step on."""
+        self.pool.bind(observations=observations)
+        self.observations = self._per_agent(self.pool.observations)
+
+    def bind(self, arrays: Dict[str, Any]) -> None:
+        """Replaces arrays of the pool."""
+        self.pool.bind(**arrays)
+        self._view()
 
     def _per_agent(self, array: np.ndarray) -> np.ndarray:
         """[N, A, ...], or [N, ...] of the only agent."""
@@ -129,26 +178,51 @@ class Worlds:
               options: Optional[Dict[str, Any]]) -> None:
         """Starts episodes: in all worlds, or where `which` (bool[N]) is true."""
         self.check_open()
+        if not isinstance(options, (dict, type(None))):
+            raise TypeError(f"reset: options: a dictionary, not {options!r:.60}")
         known = {}
         for key, value in (options or {}).items():
             if key in self.spec.options:
                 known[key] = value
             else:
                 names = ", ".join(self.spec.options) or "none"
-                warn(f"reset: option {key!r} is unknown and has no effect; options of {self.id}: "
+                warn(f"reset: option {key!r} is unknown and has no effect; options of {self.task}: "
                      f"{names}")
         if known:
             self.pool.set_options(known)
-        self.pool.reset(which, seeds)
+            self.history.set_options(known)
+        try:
+            self.pool.reset(which, seeds)
+        except OSError:  # a recording could not be written: the reset is complete otherwise
+            self._begun(which)
+            raise
+        self._begun(which)
+
+    def _begun(self, which: Optional[np.ndarray]) -> None:
+        self.history.begin(which)
         self._started[slice(None) if which is None else which] = True
         self._all_started = bool(self._started.all())
 
-    def step(self) -> None:
-        """Plays a step in all worlds whose episode has not ended."""
-        self.check_open()
+    def step(self) -> bool:
+        """Plays a step in all worlds whose episode has not ended. Returns whether one began."""
+        if self.pool.closed:
+            self.check_open()
         if not self._all_started:
             raise ResetNeeded("step: call reset() first")
-        self.pool.step()
+        try:
+            self.pool.step()
+        except OSError:  # a recording could not be written: the step is complete otherwise
+            self._note()
+            raise
+        return self._note()
+
+    def _note(self) -> bool:
+        self.history.append()
+        was_reset = self.pool.was_reset
+        if not np.count_nonzero(was_reset):
+            return False
+        self.history.begin(was_reset)
+        return True
 
     def rewards(self) -> np.ndarray:
         """float64[N]: the mean over the agents."""
@@ -160,34 +234,117 @@ class Worlds:
     def info(self, index: int, ended: bool = False) -> Info:
         """What Env.step() returns beside the observation, of one world."""
         info = {key: column[index].copy() for key, column in self.columns}
-        if ended and self.masks is not None:
-            info["action_mask"][...] = 0
+        if self._masks_in_infos:
+            if ended:
+                info[self.mask_name][...] = 0
+            if self._scaled:
+                info["action_mask"] = (info["id_mask"], *self._unmasked)
         return info
 
-    def infos(self) -> Info:
-        """The same of all worlds, running ones: an array per key, `_key`: where it was set."""
+    def mask_info(self, mask: np.ndarray) -> Info:
+        """What an info has of a mask of ids."""
+        if not self._masks_in_infos:
+            return {}
+        mask = mask.copy()
+        return {"action_mask": mask} if not self._scaled else {
+            "id_mask": mask, "action_mask": (mask, *self._unmasked)}
+
+    def infos(self, ended: Optional[np.ndarray] = None) -> Info:
+        """The same of all worlds: an array per key (not the tuples `action_mask`), `_key`: where it
+        was set. `ended`: bool[N], which have ended and have no mask; None: none has."""
         infos: Info = self._set_everywhere.copy()
         for key, column in self.columns:
             infos[key] = column.copy()
+        if ended is not None and self._masks_in_infos:
+            infos[self.mask_name][ended] = 0
         return infos
+
+    def observe(self, which: Any = slice(None), ended: Any = None, final: bool = False) -> Any:
+        """Observations of worlds (an index or a slice), with their masks where `mask` says so.
+        `ended`: those (of the result) that have no mask; final: those before a reset."""
+        rows = (self.final_observations if final else self.observations)[which]
+        if self.mask_place in (None, "info"):
+            return rows.copy()
+        assert self.masks is not None
+        masks = self.masks[which].copy()
+        if ended is not None:
+            masks[ended] = 0
+        if self.mask_place == "appended":
+            return np.concatenate([rows, masks], axis=-1, dtype=np.float32)
+        return {"observation": rows.copy(), self.mask_name: masks}
+
+    def legal(self, index: int) -> np.ndarray:
+        """bool[K] or bool[A K]: which ids have an effect now; all where the episode is over."""
+        if self.masks is None:
+            raise ActionError(f"action_masks: actions={self.spec.actions.name!r} has no ids")
+        if self.pool.terminated[index] or self.pool.truncated[index]:
+            if self.pool.config["autoreset"] != "same_step":
+                return np.ones(self.masks[index].size, np.bool_)
+        return self.masks[index].ravel() != 0
 
     # ---- worlds as values
 
-    def snapshot(self, index: int) -> Snapshot:
+    def check_begun(self, index: int, call: str) -> None:
         self.check_open()
         if not self._started[index]:
-            raise ResetNeeded("snapshot: call reset() first")
-        return Snapshot(self.pool, index)
+            raise ResetNeeded(f"{call}: call reset() first")
+
+    def snapshot(self, index: int) -> Snapshot:
+        self.check_begun(index, "snapshot")
+        return Snapshot(self.pool, self.history, index)
 
     def restore(self, index: int, snapshot: Snapshot) -> None:
         self.check_open()
-        self.pool.restore(index, snapshot)
+        if not isinstance(snapshot, Snapshot):
+            raise TypeError(f"restore: a Snapshot, not {snapshot!r:.60}")
+        self.pool.view(index)  # refuses an index that is none
+        if not snapshot.is_of(self.pool) and self.recording.any():
+            raise EngineError("restore: a snapshot of another environment plays its episode again, "
+                              "which would be recorded; record(None) first")
+        snapshot.restore(self.pool, self.history, index, np.flatnonzero(self._started).tolist())
         self._started[index] = True
+        self._all_started = bool(self._started.all())
+
+    def fork(self, source: int, target: int) -> None:
+        """Copies the episode of one world into another one."""
+        self.check_begun(source, "fork")
+        self.pool.fork(source, target)
+        self.history.adopt(target, self.history.moment(source))
+        self._started[target] = True
+        self._all_started = bool(self._started.all())
+
+    def __reduce__(self) -> Any:
+        if not self.in_use.acquire(False):
+            raise EngineError("pickle: another thread uses the environment; copy it from one "
+                              "thread at a time")
+        try:
+            episodes: Dict[int, Episode] = {}
+            if not self.pool.closed:
+                self.pool.view(0)  # refuses a pool of another process
+                for index in np.flatnonzero(self._started).tolist():
+                    episodes[index] = self.history.moment(index).episode()
+            return _again, (type(self), self._arguments, self.history.options, fingerprint(),
+                            {index: one._asdict() for index, one in episodes.items()},
+                            self.pool.closed)
+        finally:
+            self.in_use.release()
+
+    def play_again(self, options: Dict[str, float], engine: str,
+                   episodes: Dict[int, Episode]) -> None:
+        """Plays the episodes of other worlds in these. Raises EngineError if they differ here."""
+        self.history.options = options
+        self.pool.set_options(options)
+        if episodes:
+            replay(self.pool, episodes, options, engine)
+        for index, episode in episodes.items():
+            self.history.adopt(index, self.history.received(episode))
+            self._started[index] = True
         self._all_started = bool(self._started.all())
 
     def record(self, index: int, path: Optional[str]) -> None:
         self.check_open()
         self.pool.record(index, path)
+        self.recording[index] = path is not None
 
     # ---- images
 
@@ -234,8 +391,21 @@ class Worlds:
         self.pool.close()
 
 
+def _again(kind: Any, arguments: Tuple[Any, ...], options: Dict[str, float], engine: str,
+           episodes: Dict[int, Dict[str, Any]], closed: bool) -> Worlds:
+    """Worlds by value."""
+    task, num_envs, config, mask, autoreset = arguments
+    worlds: Worlds = kind(task, num_envs, config, mask=mask, autoreset=autoreset)
+    if closed:
+        worlds.close()
+    else:
+        worlds.play_again(options, engine,
+                          {index: Episode(**one) for index, one in episodes.items()})
+    return worlds
+
+
 def check_render_mode(mode: Optional[str],
                       modes: Sequence[str] = ("human", "rgb_array", "ansi")) -> None:
     """Raises ValueError for an unknown mode."""
     if mode is not None and mode not in modes:
-        raise ValueError(f"render_mode: unknown {mode!r}; modes: {', '.join(modes)}")
+        raise ConfigError(f"render_mode: unknown {mode!r:.60}; modes: {', '.join(modes)}")

@@ -6,8 +6,8 @@ from typing import Any, Dict, Optional, Tuple
 import numpy as np
 
 from cls_gym import spaces
-from cls_gym._api import BaseEnv, ResetNeeded
-from cls_gym._engine import Snapshot
+from cls_gym._api import BaseEnv, ResetNeeded, check_gymnasium
+from cls_gym._history import Snapshot
 from cls_gym._worlds import METADATA, Info, Worlds, alone, check_render_mode
 from cls_gym.seeding import episode_seed
 
@@ -15,30 +15,44 @@ from cls_gym.seeding import episode_seed
 class Env(BaseEnv):
     """A task for one agent, or for several that are controlled together.
 
-        env = cls_gym.Env("cls/HFO-1v0-v0", obs="full_state")
-        observation, info = env.reset(seed=1)
-        observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
+    >>> import cls_gym
+    >>> env = cls_gym.Env("cls/HFO-1v0-v0", actions="low_discrete")
+    >>> observation, info = env.reset(seed=1)
+    >>> action = env.action_space.sample(info["action_mask"])
+    >>> observation, reward, terminated, truncated, info = env.step(action)
+    >>> observation.shape, observation.dtype, int(info["cycles"])
+    ((59,), dtype('float32'), 1)
 
-    observation: float32[F]; with A > 1 agents float32[A, F]. `features` names its numbers.
-    action: as `action_space` says; with A > 1 agents one row per agent.
+    observation: float32[F]; with A > 1 agents float32[A, F]. `spec_of_task.features` names its
+    numbers. action: as `action_space` says; with A > 1 agents one row per agent.
     reward: float, the mean over the agents. terminated, truncated: bool.
     info: `status` (index of `statuses`), `cycles` since the start of the episode, `score` (left,
     right), `illegal` actions of the episode, `seed` of the episode, `reward_terms`
     (`spec_of_task.reward_terms` names them), `opponent` of the episode (index in
-    `spec_of_task.opponents`; -1: none) and, where the action set has ids, `action_mask` (int8[K],
-    or int8[A, K]: 1 where an id has an effect now; 0 after the end).
+    `spec_of_task.opponents`; -1: none) and, where the action set has ids, `action_mask`: what
+    action_space.sample() takes. It is int8[K] or int8[A, K], 1 where an id has an effect now, 0
+    after the end; where actions are tuples it is (`id_mask`, None, ...), and `id_mask` that array,
+    which action_space.sample() takes, too.
+
+    mask: "info" (default); "observation": observations are {"observation": as above, "action_mask"
+    (or "id_mask"): the array}; "appended": float32[F + K] or [A, F + K], the mask after the
+    features. With the last two the info has no mask. Other keywords: docs/training.md.
+    Raises KeywordError (a TypeError) for an unknown keyword, ConfigError (a ValueError) for a value
+    that does not exist, and ImportError where Gymnasium is installed and too old.
 
     An episode is a function of task, options, seed and actions. reset(seed=S) starts the same
-    sequence of episodes each time.
+    sequence of episodes each time. pickle and copy.deepcopy give an environment that continues with
+    the same bits in any process, by playing the running episode again.
     """
 
     metadata: Dict[str, Any] = dict(METADATA)
 
-    def __init__(self, id: str = "cls/HFO-1v0-v0", *, render_mode: Optional[str] = None,
-                 **config: Any) -> None:
+    def __init__(self, task: str = "cls/HFO-1v0-v0", *, render_mode: Optional[str] = None,
+                 mask: str = "info", **config: Any) -> None:
+        check_gymnasium("Env")
         check_render_mode(render_mode)
         self.render_mode = render_mode
-        self._worlds = Worlds(id, 1, config)
+        self._worlds = Worlds(task, 1, config, mask=mask, owner="Env", own=("render_mode",))
         self._ended = False
         self.observation_space: spaces.Space = self._worlds.observation_space
         self.action_space: spaces.Space = self._worlds.action_space
@@ -48,19 +62,40 @@ class Env(BaseEnv):
         """cls_gym.spec.Spec: features, actions, reward terms with names, units, bounds."""
         return self._worlds.spec
 
+    @property
+    def num_agents(self) -> int:
+        """A: the players whose actions the caller chooses."""
+        return self._worlds.agents
+
+    @property
+    def alive(self) -> np.ndarray:
+        """bool[A]: False after a red card; the agent observes zeros and does not act."""
+        return self._worlds.pool.alive[0].copy()
+
+    @property
+    def agent_rewards(self) -> np.ndarray:
+        """float32[A]: the rewards of the last step by agent."""
+        return self._worlds.pool.rewards[0].copy()
+
+    def action_masks(self) -> np.ndarray:
+        """bool[K], with A > 1 agents bool[A K], agent by agent: which ids have an effect now; all
+        after the end. Raises ActionError where the action set has no ids."""
+        self._worlds.check_begun(0, "action_masks")
+        return self._worlds.legal(0)
+
     @alone
     def reset(self, *, seed: Optional[int] = None,
-              options: Optional[Dict[str, Any]] = None) -> Tuple[np.ndarray, Info]:
+              options: Optional[Dict[str, Any]] = None) -> Tuple[Any, Info]:
         """Starts an episode. `options` (names: `spec_of_task.options`) hold until changed."""
         self._worlds.check_open()
         super().reset(seed=seed)
         self._worlds.reset(None, np.array([episode_seed(self.np_random)], np.uint64), options)
         self._ended = False
         self._worlds.show(self.render_mode)
-        return self._worlds.observations[0].copy(), self._worlds.info(0)
+        return self._worlds.observe(0), self._worlds.info(0)
 
     @alone
-    def step(self, action: Any) -> Tuple[np.ndarray, float, bool, bool, Info]:
+    def step(self, action: Any) -> Tuple[Any, float, bool, bool, Info]:
         """Plays one step: `frame_skip` cycles, or fewer at the end of the episode."""
         worlds = self._worlds
         worlds.check_open()
@@ -71,8 +106,8 @@ class Env(BaseEnv):
         terminated, truncated = bool(worlds.pool.terminated[0]), bool(worlds.pool.truncated[0])
         self._ended = terminated or truncated
         worlds.show(self.render_mode)
-        return (worlds.observations[0].copy(), float(worlds.rewards()[0]), terminated, truncated,
-                worlds.info(0, self._ended))
+        return (worlds.observe(0, ... if self._ended else None), float(worlds.rewards()[0]),
+                terminated, truncated, worlds.info(0, self._ended))
 
     def state(self) -> np.ndarray:
         """float32[S]: the full state, for a central critic; `spec_of_task.state_features`."""
@@ -90,11 +125,13 @@ class Env(BaseEnv):
         return self._worlds.snapshot(0)
 
     @alone
-    def restore(self, snapshot: Snapshot) -> np.ndarray:
-        """Continues where snapshot() was taken; returns the observation there."""
+    def restore(self, snapshot: Snapshot) -> Any:
+        """Continues where snapshot() was taken, here or in another environment or process with the
+        same task and settings; returns the observation there. Raises EngineError where those differ
+        or the engine plays the episode differently."""
         self._worlds.restore(0, snapshot)
         self._ended = bool(self._worlds.pool.terminated[0] or self._worlds.pool.truncated[0])
-        return self._worlds.observations[0].copy()
+        return self._worlds.observe(0, ... if self._ended else None)
 
     def record(self, path: Optional[str]) -> None:
         """Writes the next episode, from its reset() to its end, as a game log (rcg) and its

@@ -1,9 +1,20 @@
 """Self-play: snapshots of policies, their results against each other, opponents to train with.
 
-    league = cls_gym.league.League("league")
-    number = league.add(policy)                  # a snapshot
-    opponent = league.opponent(number, "pfsp")   # the one to train against next
-    envs = cls_gym.league.SelfPlay(league.policy(opponent), num_envs=64)
+>>> import numpy as np
+>>> from cls_gym import VectorEnv
+>>> from cls_gym.league import CONFIG, TASK, League, SelfPlay
+>>> from cls_gym.policy import Policy, describe
+>>> about = describe(VectorEnv(TASK, **CONFIG, agents="both"))
+>>> shape = len(about["feature_names"]), len(about["action_names"])
+>>> first, second = [Policy([(np.full(shape, x), np.zeros(shape[1]))], about) for x in (0, 1)]
+>>> league = League("league")
+>>> league.add(first), league.add(second)  # snapshots
+(1, 2)
+>>> opponent = league.opponent(2, "pfsp")  # the one to train against next
+>>> envs = SelfPlay(league.policy(opponent), num_envs=64)
+>>> league.play(1, 2, episodes=4)
+Results(wins=0, draws=4, losses=0)
+>>> league.close()
 
 Episodes of a league are short matches with the same number of players on both sides; a policy of
 the feature set "ego" plays either side. compare() plays whole matches: it calls `cls compare`.
@@ -174,8 +185,15 @@ class League:
             raise LeagueError(f"cls compare: {document['matches'][0]['message']}")
         return document
 
+    def __reduce__(self) -> Any:
+        return _open, (str(self.folder.resolve()), self.config)
+
     def close(self) -> None:
         self._results.close()
+
+
+def _open(folder: str, config: Dict[str, Any]) -> League:
+    return League(folder, **config)
 
 
 def play_episodes(home: Policy, away: Policy, episodes: int, seed: int,

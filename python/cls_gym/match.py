@@ -1,8 +1,12 @@
 """Whole matches against any team of `cls match`, external teams over UDP too: slow.
 
-    env = cls_gym.match.MatchEnv("team:teams/helios", features="ego")
-    observation, info = env.reset(seed=1)
-    observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
+>>> from cls_gym.match import MatchEnv
+>>> env = MatchEnv("mock", options=["--cycles", "60"])  # or "team:teams/helios", ...
+>>> observation, info = env.reset(seed=1)
+>>> observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
+>>> observation.shape
+(10, 241)
+>>> env.close()
 
 Each episode is a process, `cls match`, whose left team asks this one; the numbers are those of
 obs="world_model" in cls/Match-v0. A step takes milliseconds, with an external team tens of
@@ -22,7 +26,7 @@ import numpy as np
 
 from cls_gym import play, spaces
 from cls_gym._api import BaseEnv, ClosedEnvironmentError, ResetNeeded
-from cls_gym._engine import ConfigError, EngineError
+from cls_gym._config import ConfigError, EngineError
 from cls_gym._worlds import Worlds
 from cls_gym.seeding import episode_seed
 
@@ -211,6 +215,10 @@ class MatchEnv(BaseEnv):
         self._match = None
         if self._folder is not None:
             self._folder.cleanup()
+
+    def __reduce__(self) -> Any:
+        raise TypeError("MatchEnv: a match runs in other processes and cannot be copied; make a "
+                        "MatchEnv where it is needed")
 
     def close(self) -> None:
         """Ends the match and the server; may be called again."""

@@ -11,8 +11,8 @@ except ImportError as error:
     raise ImportError("cls_gym.ParallelEnv needs PettingZoo: pip install pettingzoo") from error
 
 from cls_gym import spaces
-from cls_gym._api import ResetNeeded
-from cls_gym._engine import ActionError
+from cls_gym._api import ResetNeeded, check_gymnasium
+from cls_gym._config import ActionError
 from cls_gym._worlds import METADATA, Worlds, alone, check_render_mode
 from cls_gym.seeding import episode_seed, generator
 
@@ -22,40 +22,41 @@ Dicts = Tuple[Dict[str, Any], Dict[str, float], Dict[str, bool], Dict[str, bool]
 class ParallelEnv(_Base):
     """A task for agents that act at the same time: "left_7", "right_1", ...
 
-        env = cls_gym.ParallelEnv("cls/HFO-2v2-v0", agents="both")
-        observations, infos = env.reset(seed=1)
-        observations, rewards, terminations, truncations, infos = env.step(
-            {agent: env.action_space(agent).sample() for agent in env.agents})
+    >>> import cls_gym
+    >>> env = cls_gym.ParallelEnv("cls/HFO-2v2-v0", agents="both", actions="low_discrete")
+    >>> observations, infos = env.reset(seed=1)
+    >>> env.agents
+    ['left_11', 'left_7', 'right_1', 'right_2']
+    >>> observations, rewards, terminations, truncations, infos = env.step(
+    ...     {agent: env.action_space(agent).sample(infos[agent]["action_mask"])
+    ...      for agent in env.agents})
+    >>> observations["left_7"].shape
+    (61,)
 
-    observation: float32[F]; where actions are ids alone {"observation": float32[F], "action_mask":
-    int8[K]}. info["action_mask"] has the mask of each action set with ids. state(): float32[S].
-    `agents` is empty when the episode is over; a red card ends it for one agent alone.
+    observation: float32[F]. info["action_mask"]: what action_space(agent).sample() takes, where the
+    action set has ids; `mask` "observation" or "appended" as in Env. state(): float32[S]. `agents`
+    is empty when the episode is over; a red card ends it for one agent alone. Copies and faults are
+    those of Env.
     """
 
     metadata: Dict[str, Any] = dict(METADATA, name="cls_v0", is_parallelizable=True)
 
-    def __init__(self, id: str = "cls/HFO-2v1-v0", *, render_mode: Optional[str] = None,
-                 **config: Any) -> None:
+    def __init__(self, task: str = "cls/HFO-2v1-v0", *, render_mode: Optional[str] = None,
+                 mask: str = "info", **config: Any) -> None:
+        check_gymnasium("ParallelEnv")
         check_render_mode(render_mode)
         self.render_mode = render_mode
-        self._worlds = Worlds(id, 1, config)
+        self._worlds = Worlds(task, 1, config, mask=mask, owner="ParallelEnv",
+                              own=("render_mode",))
         spec = self._worlds.spec
-        self.metadata = dict(self.metadata, name=id)
+        self.metadata = dict(self.metadata, name=task)
         self.possible_agents: List[str] = list(spec.agents)
         self.agents: List[str] = []
         self._place = {agent: place for place, agent in enumerate(spec.agents)}
-        self._masked = bool(spec.actions.names) and not spec.actions.values
         self._random: Optional[np.random.Generator] = None
-        self._observation_spaces = {agent: self._space_of_observation() for agent in spec.agents}
+        self._observation_spaces = {agent: spec.observation_space(1, mask) for agent in spec.agents}
         self._action_spaces = {agent: spec.actions.space(1) for agent in spec.agents}
         self.state_space = spec.state_space()
-
-    def _space_of_observation(self) -> spaces.Space:
-        spec = self._worlds.spec
-        if not self._masked:
-            return spec.observation_space(1)
-        mask = spaces.Box(0, 1, (len(spec.actions.names),), np.int8)
-        return spaces.Dict({"observation": spec.observation_space(1), "action_mask": mask})
 
     def observation_space(self, agent: str) -> spaces.Space:
         return self._observation_spaces[agent]
@@ -108,14 +109,10 @@ class ParallelEnv(_Base):
         self._worlds.set_actions(batch)
 
     def _observe(self, agents: List[str]) -> Dict[str, Any]:
-        pool = self._worlds.pool
-        seen: Dict[str, Any] = {}
-        for agent in agents:
-            observation = pool.observations[0, self._place[agent]].copy()
-            seen[agent] = observation if not self._masked else {
-                "observation": observation,
-                "action_mask": pool.action_masks[0, self._place[agent]].copy()}
-        return seen
+        worlds = self._worlds
+        if worlds.agents == 1:
+            return {agent: worlds.observe(0) for agent in agents}
+        return {agent: worlds.observe((0, self._place[agent])) for agent in agents}
 
     def _infos(self, agents: List[str]) -> Dict[str, Any]:
         pool = self._worlds.pool
@@ -125,8 +122,7 @@ class ParallelEnv(_Base):
             infos[agent] = {"status": int(pool.status[0]), "cycles": int(pool.cycles[0]),
                             "score": pool.score[0].copy(), "seed": int(pool.seeds[0]),
                             "illegal": int(pool.illegal[0, place])}
-            if self._worlds.spec.actions.names:
-                infos[agent]["action_mask"] = pool.action_masks[0, place].copy()
+            infos[agent].update(self._worlds.mask_info(pool.action_masks[0, place]))
         return infos
 
     def state(self) -> np.ndarray:

@@ -5,7 +5,7 @@ from typing import Any, Callable, Dict, List, Sequence, Tuple, Union
 
 import numpy as np
 
-from cls_gym._engine import ConfigError
+from cls_gym._config import ConfigError
 from cls_gym.policy import Policy
 from cls_gym.vector import VectorEnv
 
@@ -63,11 +63,11 @@ class SelfPlay:
     players of all worlds are rows of one call per step.
     """
 
-    def __init__(self, opponent: Pool, num_envs: int, *, id: str = TASK,
+    def __init__(self, opponent: Pool, num_envs: int, *, task: str = TASK,
                  teammates: Union[Pool, None] = None, num_agents: Union[int, None] = None,
                  **config: Any) -> None:
-        settings = {**CONFIG, **config} if id == TASK else config
-        self.envs = VectorEnv(id, num_envs, **{**settings, "agents": "both"},
+        settings = {**CONFIG, **config} if task == TASK else config
+        self.envs = VectorEnv(task, num_envs, **{**settings, "agents": "both"},
                               autoreset_mode="same_step")
         names = self.envs.spec_of_task.agents
         self._left = sum(agent.startswith("left") for agent in names)

@@ -95,8 +95,13 @@ except ImportError:
             self.nvec = np.array(nvec, dtype)
             super().__init__(self.nvec.shape, dtype, seed)
 
-        def sample(self, mask: None = None) -> np.ndarray:
-            return self._random.integers(self.nvec).astype(self.dtype)
+        def sample(self, mask: Any = None) -> np.ndarray:
+            """An integer for each place; with a mask, a tuple of those of Discrete."""
+            if mask is None:
+                return self._random.integers(self.nvec).astype(self.dtype)
+            rows = [self._random.choice(np.flatnonzero(row)) if np.any(row) else 0
+                    for row in np.reshape(np.asarray(mask), (self.nvec.size, -1))]
+            return np.array(rows, self.dtype).reshape(self.shape)
 
         def contains(self, value: Any) -> bool:
             value = np.asarray(value)
@@ -122,8 +127,12 @@ except ImportError:
                 space.seed(None if seed is None else seed + number)
             return seed
 
-        def sample(self, mask: None = None) -> TupleType[Any, ...]:
-            return tuple(space.sample() for space in self.spaces)
+        def sample(self, mask: Optional[TupleType[Any, ...]] = None) -> TupleType[Any, ...]:
+            """A value of each space; with a mask, a tuple of their masks or None."""
+            masks = (None,) * len(self.spaces) if mask is None else mask
+            if not isinstance(masks, tuple) or len(masks) != len(self.spaces):
+                raise ValueError(f"mask: a tuple of {len(self.spaces)}, not {mask!r:.60}")
+            return tuple(space.sample(mask=one) for space, one in zip(self.spaces, masks))
 
         def contains(self, value: Any) -> bool:
             return (isinstance(value, tuple) and len(value) == len(self.spaces)
@@ -154,8 +163,9 @@ except ImportError:
                 space.seed(None if seed is None else seed + number)
             return seed
 
-        def sample(self, mask: None = None) -> DictType[str, Any]:
-            return {key: space.sample() for key, space in self.spaces.items()}
+        def sample(self, mask: Optional[DictType[str, Any]] = None) -> DictType[str, Any]:
+            return {key: space.sample(mask=(mask or {}).get(key))
+                    for key, space in self.spaces.items()}
 
         def contains(self, value: Any) -> bool:
             return (isinstance(value, dict) and value.keys() == self.spaces.keys()
@@ -171,21 +181,68 @@ except ImportError:
             return f"Dict({self.spaces})"
 
     def _batch_space(space: Space, n: int) -> Space:
-        if isinstance(space, Box):
-            return Box(np.stack([space.low] * n), np.stack([space.high] * n), dtype=space.dtype)
-        if isinstance(space, Discrete):
-            return MultiDiscrete([space.n] * n)
-        if isinstance(space, MultiDiscrete):
-            return MultiDiscrete(np.stack([space.nvec] * n))
-        if isinstance(space, Tuple):
-            return Tuple(_batch_space(one, n) for one in space.spaces)
-        return Dict({key: _batch_space(one, n) for key, one in space.spaces.items()})
+        return Box(np.stack([space.low] * n), np.stack([space.high] * n), dtype=space.dtype)
+
+
+def _drawn(space: Space, mask: np.ndarray) -> np.ndarray:
+    """For each row of a mask [..., K] an id whose number is not 0; 0 where there is none."""
+    if mask.shape[:-1] != space.shape or mask.shape[-1] != space.count:
+        raise ValueError(f"mask: shape {mask.shape}, must be {(*space.shape, space.count)}")
+    random = space.np_random if HAVE_GYMNASIUM else space._random
+    ranks = np.cumsum(mask != 0, axis=-1)
+    wanted = (random.random(space.shape) * ranks[..., -1]).astype(np.int64)
+    return np.argmax(ranks > wanted[..., None], axis=-1).astype(space.dtype)
+
+
+class Ids(MultiDiscrete):
+    """int64[n] of `count` ids. sample() takes a mask [n, K] as one array, too."""
+
+    def __init__(self, n: int, count: int) -> None:
+        super().__init__([count] * n)
+        self.count = int(count)
+
+    def sample(self, mask: Any = None, **named: Any) -> np.ndarray:
+        """An id for each place. mask: an array [n, K] of which an id may be drawn where it is not
+        0, or a tuple of its rows as for MultiDiscrete."""
+        return _drawn(self, mask) if isinstance(mask, np.ndarray) else super().sample(mask, **named)
+
+
+class IdRows(Box):
+    """int64[N, n] of `count` ids, as Gymnasium batches a MultiDiscrete; masks [N, n, K]."""
+
+    def __init__(self, rows: int, n: int, count: int) -> None:
+        super().__init__(0, count - 1, (rows, n), np.int64)
+        self.count = int(count)
+
+    def sample(self, mask: Any = None, **named: Any) -> np.ndarray:
+        """An id for each place, drawn where the mask is not 0."""
+        if mask is None and HAVE_GYMNASIUM:
+            return super().sample(**named)
+        return _drawn(self, np.ones((*self.shape, self.count)) if mask is None else mask)
+
+
+class IdsAndNumbers(Tuple):
+    """Ids, or one, and the numbers of actions. sample() takes a mask of the ids, too."""
+
+    def sample(self, mask: Any = None, **named: Any) -> TupleType[Any, ...]:
+        """A value of each space. mask: of the ids, or a tuple: that, and None for each other."""
+        if isinstance(mask, np.ndarray):
+            mask = (mask, *[None] * (len(self.spaces) - 1))
+        return super().sample(mask, **named)
 
 
 def batch_space(space: Space, n: int) -> Space:
     """The space of n values side by side, as the arrays of a vector environment hold them."""
+    if isinstance(space, IdsAndNumbers):
+        return IdsAndNumbers([batch_space(one, n) for one in space.spaces])
+    if isinstance(space, Dict):
+        return Dict({key: batch_space(one, n) for key, one in space.spaces.items()})
+    if isinstance(space, Discrete):
+        return Ids(n, int(space.n))
+    if isinstance(space, Ids):
+        return IdRows(n, len(space.nvec), space.count)
     return _batch_space(space, n)
 
 
-__all__: List[str] = ["Box", "Dict", "Discrete", "MultiDiscrete", "Space", "Tuple", "batch_space",
-                      "HAVE_GYMNASIUM"]
+__all__: List[str] = ["Box", "Dict", "Discrete", "IdRows", "Ids", "IdsAndNumbers", "MultiDiscrete",
+                      "Space", "Tuple", "batch_space", "HAVE_GYMNASIUM"]

@@ -34,13 +34,13 @@ class ActionSet(NamedTuple):
         """
         if not self.values:
             n = len(self.names)
-            return spaces.Discrete(n) if agents == 1 else spaces.MultiDiscrete([n] * agents)
+            return spaces.Discrete(n) if agents == 1 else spaces.Ids(agents, n)
         if not self.names:
             one = _box(self.values)
         else:
-            one = spaces.Tuple((spaces.Discrete(len(self.names)),
-                                *(spaces.Box(-1.0, 1.0, (len(own),), np.float32)
-                                  for own in self.parameters if own)))
+            one = spaces.IdsAndNumbers([spaces.Discrete(len(self.names)),
+                                        *(spaces.Box(-1.0, 1.0, (len(own),), np.float32)
+                                          for own in self.parameters if own)])
         return one if agents == 1 else spaces.batch_space(one, agents)
 
 
@@ -60,12 +60,22 @@ class Spec(NamedTuple):
     opponents: Tuple[str, ...]  #: who plays them; info["opponent"] is an index
     document: Dict[str, Any]
 
-    def observation_space(self, agents: int) -> spaces.Box:
-        """float32[F], or float32[agents, F]."""
+    def observation_space(self, agents: int, mask: str = "info") -> spaces.Space:
+        """float32[F], or float32[agents, F]. mask "appended": with K masks, 0 or 1, after the
+        features; "observation": a Dict of `observation` and the ids' mask, int8[K]."""
         low, high = bounds(self.features)
+        ids = len(self.actions.names)
+        if mask == "appended":
+            low, high = np.append(low, np.zeros(ids, np.float32)), \
+                np.append(high, np.ones(ids, np.float32))
         shape = (len(low),) if agents == 1 else (agents, len(low))
-        return spaces.Box(np.broadcast_to(low, shape), np.broadcast_to(high, shape),
-                          dtype=np.float32)
+        box = spaces.Box(np.broadcast_to(low, shape), np.broadcast_to(high, shape),
+                         dtype=np.float32)
+        if mask != "observation":
+            return box
+        name = "id_mask" if self.actions.values else "action_mask"
+        return spaces.Dict({"observation": box,
+                            name: spaces.Box(0, 1, (*shape[:-1], ids), np.int8)})
 
     def state_space(self) -> spaces.Box:
         """float32[S]: the full state for a central critic."""

@@ -5,7 +5,8 @@ import difflib
 import re
 from typing import Any, Dict, List, Tuple
 
-from cls_gym._engine import ConfigError, catalog
+from cls_gym._config import ConfigError
+from cls_gym._engine import catalog
 
 _SHORT = re.compile(r"HFO-(\d+)v(\d+)$")
 HFO_SIZES = [(1, 0), (1, 1), (2, 1), (2, 2), (3, 2), (3, 3), (4, 3), (4, 4), (4, 5), (5, 5)]
@@ -13,6 +14,8 @@ HFO_SIZES = [(1, 0), (1, 1), (2, 1), (2, 2), (3, 2), (3, 3), (4, 3), (4, 4), (4,
 
 def resolve(id: str) -> Tuple[str, Dict[str, Any]]:
     """The engine's task and the settings that an id stands for."""
+    if not isinstance(id, str):
+        raise ConfigError(f"task: a name such as 'cls/HFO-1v0-v0', not {id!r:.60}")
     name, _, version = id.rpartition("-v")
     if not version.isdigit():
         name, version = id, ""
@@ -26,9 +29,9 @@ def resolve(id: str) -> Tuple[str, Dict[str, Any]]:
     if name not in versions:
         close = difflib.get_close_matches(f"cls/{name}-v0", ids(), 1, 0.5)
         hint = f"; did you mean {close[0]}?" if close else f"; tasks: {', '.join(ids())}"
-        raise ConfigError(f"unknown task {id!r}{hint}")
+        raise ConfigError(f"task: unknown {id!r}{hint}")
     if version and int(version) != versions[name]:
-        raise ConfigError(f"{id}: this cls has cls/{name}-v{versions[name]} only")
+        raise ConfigError(f"task: {id}: this cls has cls/{name}-v{versions[name]} only")
     return name, settings
 
 

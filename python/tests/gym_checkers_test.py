@@ -5,7 +5,7 @@ import types
 import unittest
 import warnings
 
-from gym_support import ACTION_SETS, TASKS, differences
+from gym_support import ACTION_SETS, TASKS, differences, seeded_actions
 
 import cls_gym
 
@@ -18,7 +18,7 @@ try:
 except ImportError:
     gymnasium = None
 try:
-    from pettingzoo.test import (max_cycles_test, parallel_api_test, parallel_seed_test,
+    from pettingzoo.test import (api_test, max_cycles_test, parallel_api_test, parallel_seed_test,
                                  render_test)
     from pettingzoo.utils import parallel_to_aec
 except ImportError:
@@ -65,11 +65,28 @@ class Gymnasium(unittest.TestCase):
                     check(env)
                     env.close()
 
+    def test_make_vec_in_its_three_modes(self):
+        results = []
+        for mode in ("sync", "async", "vector_entry_point"):
+            with self.subTest(mode):
+                envs = gymnasium.make_vec(HFO, num_envs=3, vectorization_mode=mode,
+                                          actions="low_discrete", max_cycles=9)
+                out = [envs.reset(seed=5)]
+                for action in seeded_actions(envs.action_space, 2, 25):
+                    out.append(envs.step(action))
+                results.append(out)
+                self.assertIs(envs.unwrapped.metadata["autoreset_mode"],
+                              gymnasium.vector.AutoresetMode.NEXT_STEP)
+                envs.close()
+        self.assertEqual(differences(results[0], results[1]), [])
+        self.assertEqual(differences(results[0], results[2]), [])
+
     def test_make_vec_makes_the_native_environment(self):
         envs = gymnasium.make_vec("cls_gym:" + HFO, num_envs=3, actions="low_discrete")
         self.assertIsInstance(envs.unwrapped, cls_gym.VectorEnv)
         self.assertEqual(envs.metadata["autoreset_mode"],
                          gymnasium.vector.AutoresetMode.NEXT_STEP)
+        self.assertIs(envs.unwrapped.autoreset_mode, envs.metadata["autoreset_mode"])
         envs.close()
 
     def test_vector_equals_sync_vector_env(self):
@@ -77,26 +94,41 @@ class Gymnasium(unittest.TestCase):
             for actions in ("low", "low_flat", "low_discrete", "skills"):
                 with self.subTest(f"{mode} {actions}"):
                     self.compare(mode, actions=actions, max_cycles=30)
+            for mask in ("observation", "appended"):
+                for task, actions in ((HFO, "low"), ("cls/HFO-2v1-v0", "low_discrete")):
+                    with self.subTest(f"{mode} {mask} {actions}"):
+                        self.compare(mode, task, actions=actions, mask=mask, max_cycles=30)
 
-    def compare(self, mode, **config):
+    def comparable(self, one, other):
+        """Without what the native environment has beside, and tuples, which it has not."""
+        for infos in (one[-1], one[-1].get("final_info", {})):
+            if "id_mask" in infos:
+                infos.pop("action_mask")
+                infos.pop("_action_mask")
+        for key in ("final_state", "_final_state"):
+            other[-1].pop(key, None)
+        return one, other
+
+    def compare(self, mode, task=HFO, **config):
         count = 4
-        sync = gymnasium.vector.SyncVectorEnv([lambda: cls_gym.Env(HFO, **config)] * count,
+        sync = gymnasium.vector.SyncVectorEnv([lambda: cls_gym.Env(task, **config)] * count,
                                               autoreset_mode=mode)
-        native = cls_gym.VectorEnv(HFO, count, autoreset_mode=mode, **config)
+        native = cls_gym.VectorEnv(task, count, autoreset_mode=mode, **config)
         self.assertEqual(sync.observation_space, native.observation_space)
         self.assertEqual(sync.action_space, native.action_space)
-        self.assertEqual(differences(sync.reset(seed=3), native.reset(seed=3)), [])
-        self.assertEqual(differences(sync.reset(), native.reset()), [])
+        for seed in (3, None):
+            self.assertEqual(differences(*self.comparable(sync.reset(seed=seed),
+                                                          native.reset(seed=seed))), [])
         sync.action_space.seed(1)
         for _ in range(150):
             action = sync.action_space.sample()
             one, other = sync.step(action), native.step(action)
-            self.assertEqual(differences(one, other), [])
+            self.assertEqual(differences(*self.comparable(one, other)), [])
             ended = one[2] | one[3]
             if mode is gymnasium.vector.AutoresetMode.DISABLED and ended.any():
-                self.assertEqual(differences(
+                self.assertEqual(differences(*self.comparable(
                     sync.reset(options={"reset_mask": ended.copy()}),
-                    native.reset(options={"reset_mask": ended.copy()})), [])
+                    native.reset(options={"reset_mask": ended.copy()}))), [])
         sync.close()
         native.close()
 
@@ -119,13 +151,13 @@ class PettingZoo(unittest.TestCase):
         return cls_gym.ParallelEnv(task, agents="both", **dict({"features": "ego"}, **config))
 
     def test_checkers_accept(self):
-        for actions in ("low", "low_flat", "low_discrete", "skills"):
-            with self.subTest(actions), warnings.catch_warnings():
-                warnings.simplefilter("error")
-                # The test passes the unknown option "options", which must warn.
-                warnings.filterwarnings("ignore", ".*option 'options' is unknown")
-                parallel_api_test(self.make(actions=actions), 1000)
-                parallel_seed_test(lambda: self.make(actions=actions))
+        for actions in ACTION_SETS:
+            for mask in ("info", "observation", "appended"):
+                if mask != "info" and actions not in ("low", "low_discrete"):
+                    continue
+                with self.subTest(f"{actions} {mask}"), warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    self.check(actions=actions, mask=mask)
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             max_cycles_test(types.SimpleNamespace(
@@ -134,8 +166,19 @@ class PettingZoo(unittest.TestCase):
         with contextlib.redirect_stdout(io.StringIO()):
             render_test(lambda render_mode: parallel_to_aec(self.make(render_mode=render_mode)))
 
+    def check(self, **config):
+        # The test passes the unknown option "options", which must warn.
+        warnings.filterwarnings("ignore", ".*option 'options' is unknown")
+        parallel_api_test(self.make(**config), 1000)
+        parallel_seed_test(lambda: self.make(**config))
+        # It prefers Box and Discrete, which "low" and "hfo" are not, nor mask="observation".
+        warnings.filterwarnings("ignore", ".*space for each agent probably should be")
+        warnings.filterwarnings("ignore", "Observation is not a NumPy array")
+        with contextlib.redirect_stdout(io.StringIO()):
+            api_test(parallel_to_aec(self.make(**config)), 1000)
+
     def test_episode_over_dictionaries(self):
-        env = self.make(actions="low_discrete", max_cycles=25)
+        env = self.make(actions="low_discrete", mask="observation", max_cycles=25)
         observations, infos = env.reset(seed=1)
         self.assertEqual(set(observations), set(env.possible_agents))
         self.assertEqual({agent.split("_")[0] for agent in env.possible_agents},

@@ -126,7 +126,7 @@ class SelfPlays(unittest.TestCase):
                 return np.full(len(seen), action)
             return act
 
-        worlds = SelfPlay([(chooses(0), 1), (chooses(1), 3)], 40, id="cls/HalfFieldOffense-v0",
+        worlds = SelfPlay([(chooses(0), 1), (chooses(1), 3)], 40, task="cls/HalfFieldOffense-v0",
                           offense=2, defense=2, features="ego", actions="low_discrete")
         _, infos = worlds.reset(1)
         drawn = infos["opponent"]
@@ -177,7 +177,7 @@ class SelfPlays(unittest.TestCase):
             return np.ones(len(seen), np.int64)
 
         worlds = SelfPlay(lambda seen, _: np.zeros(len(seen), np.int64), 3, offense=3, defense=2,
-                          id="cls/HalfFieldOffense-v0", features="ego", actions="low_discrete",
+                          task="cls/HalfFieldOffense-v0", features="ego", actions="low_discrete",
                           num_agents=1, teammates=teammate)
         seen, infos = worlds.reset(1)
         self.assertEqual((seen.shape[:2], infos["action_mask"].shape), ((3, 1), (3, 1, 81)))
