@@ -1,14 +1,17 @@
 """The Python interface of HFO (Half Field Offense), in the process instead of over a server.
 
-    from cls_gym.hfo import *
-    hfo = HFOEnvironment()
-    hfo.connectToServer(HIGH_LEVEL_FEATURE_SET)
-    while True:
-        status = IN_GAME
-        while status == IN_GAME:
-            features = hfo.getState()
-            hfo.act(DASH, 20.0, 0.0)
-            status = hfo.step()
+>>> from cls_gym.hfo import *
+>>> hfo = HFOEnvironment(seed=1)
+>>> hfo.connectToServer(HIGH_LEVEL_FEATURE_SET)
+>>> for episode in range(2):
+...     status = IN_GAME
+...     while status == IN_GAME:
+...         features = hfo.getState()
+...         hfo.act(DASH, 20.0, 0.0)
+...         status = hfo.step()
+...     print(hfo.statusToString(status))
+OutOfTime
+OutOfTime
 
 What bin/HFO takes as options, the environment variable CLS_HFO has, or the arguments of
 HFOEnvironment: CLS_HFO="--defense-npcs 1 --fullstate --trials 100 --seed 1". One agent plays; the
