@@ -39,22 +39,20 @@ double goalie_margin(const gamelog::MatchRecord& record, std::size_t entry, cons
 ShotSituation situation_of(const Flow& flow, const Shot& shot) {
   const gamelog::MatchRecord& record = *flow.record;
   const Touch& touch = flow.touches[shot.touch];
-  const auto slot = slot_index(shot.slot);
-  const double sign = attack_sign(slot);
+  const double sign = attack_sign(shot.slot);
 
   const Vec2 from = touch.contact * sign;
   const double half_width = record.server.goal_width / 2;
   const Vec2 top = {soccer::kHalfLength, -half_width};
   const Vec2 bottom = {soccer::kHalfLength, half_width};
 
-  ShotSituation situation;
-  situation.distance = shot.distance;
-  situation.cycles = shot.cycles;
+  ShotSituation situation = {.distance = shot.distance,
+                             .cycles = shot.cycles,
+                             .goalie_margin = std::numeric_limits<double>::max()};
   situation.opening = std::fabs(soccer::math::to_radians(soccer::math::normalize_degrees(
       soccer::direction_degrees(bottom - from) - soccer::direction_degrees(top - from))));
 
-  situation.goalie_margin = std::numeric_limits<double>::max();
-  for (const std::size_t other : kTeamSlots[1 - team_of(slot)]) {
+  for (const std::size_t other : kTeamSlots[1 - team_of(shot.slot)]) {
     const std::size_t entry = entry_of(touch.frame - 1, other);
     if (!gamelog::is_enabled(record, entry)) continue;
     if (is_goalie(record, entry)) {

@@ -18,6 +18,7 @@ void add_passes(const std::vector<Pass>& passes, const ThreatGrid& grid, std::si
   for (const Pass& pass : passes) {
     const auto passer = slot_index(pass.passer);
     if (!pass.completed() || team_of(passer) != team) continue;
+
     const std::size_t from = passer % kTeamSize;
     const std::size_t to = slot_index(pass.receiver) % kTeamSize;
 

@@ -119,12 +119,11 @@ PerPlayer<Movement> measure_movement(const Flow& flow) {
     if (record.time[i] < record.time[i - 1]) continue;
     for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
       const std::size_t entry = entry_of(i, slot);
-      if (!gamelog::is_enabled(record, entry) ||
-          !gamelog::is_enabled(record, entry - gamelog::kSlots))
-        continue;
+      const std::size_t before = entry - gamelog::kSlots;
+      if (!gamelog::is_enabled(record, entry) || !gamelog::is_enabled(record, before)) continue;
 
-      const double step = soccer::distance(record.players.position[entry],
-                                           record.players.position[entry - gamelog::kSlots]);
+      const double step =
+          soccer::distance(record.players.position[entry], record.players.position[before]);
       const double top_speed = type_of(record, entry).player_speed_max;
       if (step > kMaxStepFactor * top_speed) continue;
 
@@ -144,8 +143,10 @@ PerPlayer<Movement> measure_movement(const Flow& flow) {
 PerPlayer<Stamina> measure_stamina(const gamelog::MatchRecord& record) {
   PerPlayer<Stamina> result;
   if (record.version < gamelog::RcgVersion::kV3) return result;
-  for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot)
+
+  for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
     result[slot] = StaminaMeter(record, slot).measure();
+  }
   return result;
 }
 

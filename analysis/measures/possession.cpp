@@ -7,7 +7,7 @@ namespace cls::analysis {
 namespace {
 
 void count(std::int8_t slot, PerTeam<int>& frames) {
-  if (slot != kNoPlayer) ++frames[team_of(slot_index(slot))];
+  if (slot != kNoPlayer) ++frames[team_of(slot)];
 }
 
 // Frames before a touch count for the toucher, back to the previous touch or the start of the live
@@ -52,10 +52,10 @@ Possession measure_possession(const Flow& flow) {
   for (std::size_t i = 0; i < record.frames(); ++i) {
     if (flow.phase[i] == Phase::kSet) {
       const soccer::Side taker = soccer::side(record.mode[i]);
-      if (taker != soccer::Side::kNeutral) ++result.all_play[taker == soccer::Side::kLeft ? 0 : 1];
+      if (taker != soccer::Side::kNeutral) ++result.all_play[team_of(taker)];
     }
-    if (!flow.is_live(i)) continue;
 
+    if (!flow.is_live(i)) continue;
     ++result.live_frames;
     count(flow.owner[i], result.last_touch);
     count(flow.owner[i], result.all_play);

@@ -25,6 +25,10 @@ struct Pressing {
   double passes_per_action() const {
     return defensive_actions == 0 ? 0.0 : static_cast<double>(opponent_passes) / defensive_actions;
   }
+  /// Share of the opponent's frames under pressure.
+  double pressure() const {
+    return opponent_frames == 0 ? 0.0 : static_cast<double>(pressure_frames) / opponent_frames;
+  }
 };
 
 struct PressingStats {

@@ -19,8 +19,6 @@ struct SentCommands {
   int tackles = 0;
   int turn_necks = 0;
   bool done = false;
-
-  void clear() { *this = SentCommands{}; }
 };
 
 bool requests_foul(std::string_view arguments) {
@@ -34,7 +32,7 @@ void add_datagram(std::string_view datagram, SentCommands& sent, Responsiveness&
   gamelog::CommandCursor cursor(datagram);
   gamelog::LoggedCommand command;
   while (cursor.next(command)) {
-    ++player.commands[static_cast<std::size_t>(command.kind)];
+    ++player.commands[base::index(command.kind)];
     sent.body += gamelog::is_body_command(command.kind);
 
     switch (command.kind) {
@@ -80,7 +78,7 @@ class LogWalker {
   PerPlayer<Responsiveness> walk() {
     for (std::size_t i = 0; i + 1 < record_.frames(); ++i) {
       if (record_.time[i + 1] < record_.time[i]) break;  // another match begins
-      for (SentCommands& sent : sent_) sent.clear();
+      sent_ = {};
       collect(i);
       const bool match_goes_on = flow_.phase[i + 1] != Phase::kOver;
       for (std::size_t slot = 0; slot < gamelog::kSlots && match_goes_on; ++slot) evaluate(i, slot);
@@ -96,26 +94,24 @@ class LogWalker {
       const int order = clock_order(line, record_, frame);
       if (order > 0) return;
       ++line_;
-      if (order < 0 || line.source != gamelog::RclSource::kPlayer || sides_[line.team] < 0)
-        continue;
+      if (order < 0 || line.source != gamelog::RclSource::kPlayer) continue;
+      if (sides_[line.team] < 0) continue;
 
-      const std::size_t slot =
-          static_cast<std::size_t>(sides_[line.team]) * (kTeamSize) + line.unum - 1U;
+      const std::size_t slot = base::index(sides_[line.team]) * kTeamSize + line.unum - 1U;
       add_datagram(text_.text_of(line), sent_[slot], players_[slot]);
     }
   }
 
   int increase(std::size_t entry, gamelog::Counter counter) const {
-    const auto index = static_cast<std::size_t>(counter);
-    return record_.players.counters[entry + gamelog::kSlots][index] -
-           record_.players.counters[entry][index];
+    const auto& counters = record_.players.counters;
+    const std::size_t index = base::index(counter);
+    return counters[entry + gamelog::kSlots][index] - counters[entry][index];
   }
 
   void evaluate(std::size_t frame, std::size_t slot) {
     const std::size_t entry = entry_of(frame, slot);
-    if (!gamelog::is_enabled(record_, entry) ||
-        !gamelog::is_enabled(record_, entry + gamelog::kSlots))
-      return;
+    if (!gamelog::is_enabled(record_, entry)) return;
+    if (!gamelog::is_enabled(record_, entry + gamelog::kSlots)) return;
 
     const SentCommands& sent = sent_[slot];
     Responsiveness& player = players_[slot];
@@ -133,12 +129,13 @@ class LogWalker {
     was_double_[slot] = sent.body > 1;
     was_idle_[slot] = idle && could_act;
 
-    player.rejected_kicks += std::max(0, sent.kicks - increase(entry, gamelog::Counter::kKick));
-    player.rejected_turn_necks +=
-        std::max(0, sent.turn_necks - increase(entry, gamelog::Counter::kTurnNeck));
+    const auto rejected = [&](int asked, gamelog::Counter counter) {
+      return std::max(0, asked - increase(entry, counter));
+    };
+    player.rejected_kicks += rejected(sent.kicks, gamelog::Counter::kKick);
+    player.rejected_turn_necks += rejected(sent.turn_necks, gamelog::Counter::kTurnNeck);
     if (record_.version >= gamelog::RcgVersion::kV4) {
-      player.rejected_tackles +=
-          std::max(0, sent.tackles - increase(entry, gamelog::Counter::kTackle));
+      player.rejected_tackles += rejected(sent.tackles, gamelog::Counter::kTackle);
     }
   }
 
@@ -202,7 +199,7 @@ PerPlayer<Attention> measure_attention(const gamelog::MatchRecord& record) {
       const int target = record.players.attention[entry];
       if (target < 0) continue;
       ++player.attentive;
-      ++player.targets[static_cast<std::size_t>(target)];
+      ++player.targets[base::index(target)];
     }
   }
 

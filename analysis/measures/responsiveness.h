@@ -28,6 +28,7 @@ struct Responsiveness {
   int datagrams = 0;
   std::array<int, gamelog::kCommandKindCount> commands = {};  ///< sent, by CommandKind
 
+  int rejected() const { return rejected_kicks + rejected_tackles + rejected_turn_necks; }
   double silent_share() const { return steps == 0 ? 0.0 : static_cast<double>(silent) / steps; }
 };
 

@@ -14,7 +14,7 @@ namespace {
 using soccer::Vec2;
 
 constexpr double kQuarter = soccer::kPitchLength / 4;  // borders at -26.25, 0 and 26.25
-constexpr std::size_t kControlStep = 10;
+constexpr int kControlStep = 10;
 constexpr int kControlColumns = 21;
 constexpr int kControlRows = 14;
 
@@ -82,7 +82,7 @@ void add_pitch_control(const Flow& flow, Territory& result) {
   int live = 0;
 
   for (std::size_t i = 0; i < flow.phase.size(); ++i) {
-    if (!flow.is_live(i) || live++ % static_cast<int>(kControlStep) != 0) continue;
+    if (!flow.is_live(i) || live++ % kControlStep != 0) continue;
     const PerTeam<double> shares = ControlMap(*flow.record, i).shares();
     ++samples;
     for (std::size_t team = 0; team < 2; ++team) result.teams[team].pitch_control += shares[team];
@@ -98,9 +98,8 @@ void add_touches(const Flow& flow, Territory& result) {
     if (touch.live_phase < 0) continue;
     for (const std::int8_t player : touch.nearest) {
       if (player == kNoPlayer) continue;
-      const auto slot = slot_index(player);
-      const Vec2 seen = touch.contact * attack_sign(slot);
-      TeamTerritory& team = result.teams[team_of(slot)];
+      const Vec2 seen = touch.contact * attack_sign(player);
+      TeamTerritory& team = result.teams[team_of(player)];
       team.box_touches += in_opponent_box(seen);
       team.final_third_touches += third_of(seen.x) == 2;
     }
@@ -129,9 +128,8 @@ Territory measure_territory(const Flow& flow) {
     sum_x += ball.x;
 
     if (flow.owner[i] == kNoPlayer) continue;
-    const auto owner = static_cast<std::size_t>(flow.owner[i]);
-    const double sign = attack_sign(owner);
-    TeamTerritory& team = result.teams[team_of(owner)];
+    const double sign = attack_sign(flow.owner[i]);
+    TeamTerritory& team = result.teams[team_of(flow.owner[i])];
     ++team.thirds_owned[third_of(ball.x * sign)];
     const bool continues = i > 0 && flow.live_phase[i] == flow.live_phase[i - 1];
     team.box_entries += continues && in_opponent_box(ball * sign) &&

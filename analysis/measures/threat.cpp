@@ -44,8 +44,8 @@ ThreatGrid threat_grid(const Flow& flow, const std::vector<Pass>& passes,
   }
 
   for (std::size_t i = 0; i < shots.size(); ++i) {
-    const double sign = attack_sign(static_cast<std::size_t>(shots[i].slot));
-    const std::size_t cell = threat_cell(flow.touches[shots[i].touch].contact * sign);
+    const soccer::Vec2 contact = flow.touches[shots[i].touch].contact;
+    const std::size_t cell = threat_cell(contact * attack_sign(shots[i].slot));
     ++actions[cell];
     shot_worth[cell] += expected[i];
   }
@@ -64,13 +64,14 @@ ThreatGrid threat_grid(const Flow& flow, const std::vector<Pass>& passes,
 PerPlayer<double> threat_added(const ThreatGrid& grid, const std::vector<Pass>& passes,
                                const std::vector<Carry>& carries) {
   PerPlayer<double> added = {};
+  const auto add = [&](std::int8_t slot, const auto& move) {
+    added[slot_index(slot)] += grid[threat_cell(move.to)] - grid[threat_cell(move.from)];
+  };
+
   for (const Pass& pass : passes) {
-    if (!pass.completed()) continue;
-    added[slot_index(pass.passer)] += grid[threat_cell(pass.to)] - grid[threat_cell(pass.from)];
+    if (pass.completed()) add(pass.passer, pass);
   }
-  for (const Carry& carry : carries) {
-    added[slot_index(carry.slot)] += grid[threat_cell(carry.to)] - grid[threat_cell(carry.from)];
-  }
+  for (const Carry& carry : carries) add(carry.slot, carry);
   return added;
 }
 

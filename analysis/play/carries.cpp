@@ -8,15 +8,13 @@ using soccer::Vec2;
 
 constexpr double kMinDribble = 1.0;
 constexpr double kMaxDistanceInFront = 3.0;
-constexpr std::size_t kDash = static_cast<std::size_t>(gamelog::Counter::kDash);
 
 int opponents_passed(const gamelog::MatchRecord& record, const Carry& carry, std::size_t first,
                      std::size_t last) {
-  const auto slot = slot_index(carry.slot);
-  const double sign = attack_sign(slot);
+  const double sign = attack_sign(carry.slot);
   int passed = 0;
 
-  for (const std::size_t other : kTeamSlots[1 - team_of(slot)]) {
+  for (const std::size_t other : kTeamSlots[1 - team_of(carry.slot)]) {
     const std::size_t entry = entry_of(first, other);
     if (!gamelog::is_enabled(record, entry)) continue;
     const Vec2 before = Vec2(record.players.position[entry]) * sign;
@@ -44,19 +42,16 @@ std::vector<Carry> find_carries(const Flow& flow) {
     const auto slot = slot_index(touch.slot);
     const double sign = attack_sign(slot);
 
-    Carry carry;
-    carry.touch = static_cast<std::uint32_t>(i);
-    carry.slot = touch.slot;
-    carry.from = touch.contact * sign;
-    carry.to = next.contact * sign;
+    Carry carry = {.touch = static_cast<std::uint32_t>(i),
+                   .slot = touch.slot,
+                   .from = touch.contact * sign,
+                   .to = next.contact * sign};
 
-    const std::size_t last = next.frame - 1;
-    const auto dashes = [&](std::size_t frame) {
-      return record.players.counters[entry_of(frame, slot)][kDash];
-    };
     // Versions 1 and 2 have no dash counter.
-    const bool ran =
-        record.version < gamelog::RcgVersion::kV3 || dashes(last) > dashes(touch.frame);
+    const std::size_t last = next.frame - 1;
+    const bool ran = record.version < gamelog::RcgVersion::kV3 ||
+                     has_executed(record, gamelog::Counter::kDash, entry_of(touch.frame, slot),
+                                  entry_of(last, slot));
     carry.dribble = ran && carry.distance() >= kMinDribble;
     carry.passed = opponents_passed(record, carry, touch.frame - 1, last);
 

@@ -2,22 +2,20 @@
 #include "analysis/play/chains.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "analysis/play/pitch_areas.h"
-#include "soccer/pitch.h"
+#include "base/text/enum_names.h"
 
 namespace cls::analysis {
 namespace {
 
-constexpr std::array<std::string_view, 5> kResultNames = {"goal", "shot", "box_entry", "lost",
-                                                          "out"};
+constexpr auto kResultNames =
+    base::enum_names<ChainResult>("goal", "shot", "box_entry", "lost", "out");
 constexpr int kAssistCycles = 60;
 
 bool continues(const Touch& next, const Chain& chain, const Touch& last) {
   return !next.contested() && next.live_phase == last.live_phase &&
-         team_of(slot_index(next.slot)) == chain.team;
+         team_of(next.slot) == chain.team;
 }
 
 class ChainClassifier {
@@ -73,7 +71,7 @@ class ChainClassifier {
 
 }  // namespace
 
-std::string_view name(ChainResult result) { return kResultNames[static_cast<std::size_t>(result)]; }
+std::string_view name(ChainResult result) { return kResultNames.name(result); }
 
 std::vector<Chain> find_chains(const Flow& flow, const std::vector<Pass>& passes,
                                const std::vector<Shot>& shots) {
@@ -87,7 +85,7 @@ std::vector<Chain> find_chains(const Flow& flow, const std::vector<Pass>& passes
     }
 
     Chain chain;
-    chain.team = team_of(slot_index(first.slot));
+    chain.team = team_of(first.slot);
     chain.first_touch = static_cast<std::uint32_t>(i);
     while (i + 1 < flow.touches.size() && continues(flow.touches[i + 1], chain, flow.touches[i])) {
       ++i;
@@ -105,21 +103,17 @@ Assist find_assist(const Flow& flow, const std::vector<Pass>& passes, const Shot
   const Touch& taken = flow.touches[shot.touch];
   const gamelog::MatchRecord& record = *flow.record;
   std::int8_t receiver = shot.slot;
-  const std::size_t team = team_of(slot_index(shot.slot));
 
   // No opponent touched the ball between pass and shot.
   const auto in_chain = [&](const Pass& pass) {
     return std::all_of(flow.touches.begin() + pass.touch, flow.touches.begin() + shot.touch,
                        [&](const Touch& touch) {
                          return touch.live_phase == taken.live_phase && !touch.contested() &&
-                                team_of(slot_index(touch.slot)) == team;
+                                same_team(touch.slot, shot.slot);
                        });
   };
 
-  auto at =
-      std::upper_bound(passes.begin(), passes.end(), shot.touch,
-                       [](std::uint32_t touch, const Pass& pass) { return touch <= pass.touch; });
-
+  auto at = std::ranges::lower_bound(passes, shot.touch, {}, &Pass::touch);
   while (at != passes.begin()) {
     --at;
     const std::uint32_t frame = flow.touches[at->touch].frame;

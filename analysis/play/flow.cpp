@@ -7,9 +7,8 @@
 namespace cls::analysis {
 namespace {
 
-constexpr std::size_t kKick = static_cast<std::size_t>(gamelog::Counter::kKick);
-constexpr std::size_t kCatch = static_cast<std::size_t>(gamelog::Counter::kCatch);
-constexpr std::size_t kTackle = static_cast<std::size_t>(gamelog::Counter::kTackle);
+using gamelog::Counter;
+using gamelog::RcgVersion;
 
 // A larger displacement than ball_speed_max plus this margin (m) means that the ball was placed.
 constexpr double kPlacedMargin = 0.3;
@@ -21,56 +20,39 @@ bool follows(const gamelog::MatchRecord& record, std::size_t frame) {
   return frame > 0 && record.time[frame] >= record.time[frame - 1];
 }
 
-// Detects a player's touch between two frames.
-class TouchDetector {
- public:
-  TouchDetector(const gamelog::MatchRecord& record, std::size_t entry)
-      : before_(record.players.state[entry - gamelog::kSlots]),
-        now_(record.players.state[entry]),
-        counters_before_(record.players.counters[entry - gamelog::kSlots]),
-        counters_now_(record.players.counters[entry]),
-        version_(record.version) {}
+// True for a state with the bit of a command, and without that of its failure.
+bool succeeded(std::uint32_t state, std::uint32_t command, std::uint32_t failure) {
+  return (state & (command | failure)) == command;
+}
 
-  std::optional<TouchKind> kind() const {
-    if ((before_ & now_ & gamelog::kStateEnabled) == 0) return std::nullopt;
-    if (kicked()) return TouchKind::kKick;
-    if (tackled() && (now_ & gamelog::kStateTackle) != 0 &&
-        (now_ & gamelog::kStateTackleFailed) == 0) {
-      return TouchKind::kTackle;
-    }
-    if (caught() && (now_ & gamelog::kStateCatch) != 0) {
-      return (now_ & gamelog::kStateCatchFailed) != 0 ? TouchKind::kPunch : TouchKind::kCatch;
-    }
-    return std::nullopt;
+// A player's touch between two frames. Versions 1 and 2 have no counters and version 3 none for
+// tackles: the state bits are used.
+std::optional<TouchKind> touch_kind(const gamelog::MatchRecord& record, std::size_t entry) {
+  const std::uint32_t now = record.players.state[entry];
+  const std::uint32_t before = record.players.state[entry - gamelog::kSlots];
+  if ((before & now & gamelog::kStateEnabled) == 0) return std::nullopt;
+
+  const auto executed = [&](Counter command, RcgVersion first_counted, bool by_state) {
+    return record.version >= first_counted ? has_executed(record, command, entry) : by_state;
+  };
+
+  if (executed(Counter::kKick, RcgVersion::kV3,
+               succeeded(now, gamelog::kStateKick, gamelog::kStateKickFailed))) {
+    return TouchKind::kKick;
   }
 
- private:
-  bool increased(std::size_t counter) const {
-    return counters_now_[counter] > counters_before_[counter];
-  }
-  bool was_set(std::uint32_t bit) const { return (now_ & bit) != 0 && (before_ & bit) == 0; }
-
-  // Versions 1 and 2 have no counters and version 3 none for tackles: the state bits are used.
-  bool kicked() const {
-    if (version_ >= gamelog::RcgVersion::kV3) return increased(kKick);
-    return (now_ & gamelog::kStateKick) != 0 && (now_ & gamelog::kStateKickFailed) == 0;
-  }
-  bool tackled() const {
-    return version_ >= gamelog::RcgVersion::kV4 ? increased(kTackle)
-                                                : was_set(gamelog::kStateTackle);
-  }
-  bool caught() const {
-    return version_ >= gamelog::RcgVersion::kV3
-               ? increased(kCatch)
-               : (now_ & gamelog::kStateCatchFailed) == 0 && was_set(gamelog::kStateCatch);
+  if (succeeded(now, gamelog::kStateTackle, gamelog::kStateTackleFailed) &&
+      executed(Counter::kTackle, RcgVersion::kV4, (before & gamelog::kStateTackle) == 0)) {
+    return TouchKind::kTackle;
   }
 
-  std::uint32_t before_;
-  std::uint32_t now_;
-  const gamelog::Counters& counters_before_;
-  const gamelog::Counters& counters_now_;
-  gamelog::RcgVersion version_;
-};
+  if ((now & gamelog::kStateCatch) != 0 &&
+      executed(Counter::kCatch, RcgVersion::kV3,
+               has_caught(now) && (before & gamelog::kStateCatch) == 0)) {
+    return has_caught(now) ? TouchKind::kCatch : TouchKind::kPunch;
+  }
+  return std::nullopt;
+}
 
 // The logged velocity is zero if the referee stops the ball in the same step. The displacement is
 // not, unless the ball was placed.
@@ -96,13 +78,13 @@ bool was_placed(const gamelog::MatchRecord& record, std::size_t frame) {
 std::optional<Touch> touch_in(const gamelog::MatchRecord& record, std::size_t frame) {
   Touch touch;
   const soccer::Vec2 ball = record.ball_position[frame - 1];
-  PerTeam<double> nearest = {std::numeric_limits<double>::max(),
-                             std::numeric_limits<double>::max()};
+  PerTeam<double> nearest;
+  nearest.fill(std::numeric_limits<double>::max());
   PerTeam<TouchKind> kinds = {};
 
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
     const std::size_t entry = entry_of(frame, slot);
-    const auto kind = TouchDetector(record, entry).kind();
+    const auto kind = touch_kind(record, entry);
     if (!kind) continue;
 
     touch.touchers |= std::uint32_t{1} << slot;
@@ -214,8 +196,7 @@ Flow build_flow(const gamelog::MatchRecord& record) {
 const soccer::PlayerType& type_of(const gamelog::MatchRecord& record, std::size_t entry) {
   static const soccer::PlayerType kDefault;
   const int type = record.players.type[entry];
-  if (type < 0 || static_cast<std::size_t>(type) >= record.types.size()) return kDefault;
-  return record.types[static_cast<std::size_t>(type)];
+  return type >= 0 && type < std::ssize(record.types) ? record.types[base::index(type)] : kDefault;
 }
 
 double kickable_radius(const gamelog::MatchRecord& record, std::size_t entry) {

@@ -2,16 +2,20 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <vector>
 
+#include "base/index.h"
 #include "gamelog/record/match_record.h"
 #include "soccer/geometry.h"
+#include "soccer/per_side.h"
 #include "soccer/play_mode.h"
+#include "soccer/side.h"
 
 namespace cls::analysis {
 
-constexpr std::int8_t kNoPlayer = -1;
+using soccer::kNoPlayer;
 
 /// Kind of play of a frame. Statistics count kLive unless they say otherwise
 /// (docs/spec/match-statistics.md 1.1).
@@ -88,12 +92,46 @@ constexpr PerTeam<std::array<std::size_t, kTeamSize>> kTeamSlots = {
     {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, {11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21}}};
 
 /// A slot other than kNoPlayer as an index.
-inline std::size_t slot_index(std::int8_t slot) { return static_cast<std::size_t>(slot); }
+constexpr std::size_t slot_index(std::int8_t slot) { return base::index(slot); }
+
+// Of a slot other than kNoPlayer.
+constexpr soccer::Side side_of(std::integral auto slot) {
+  return soccer::side_of_slot(static_cast<int>(slot));
+}
+constexpr int unum_of(std::integral auto slot) {
+  return soccer::unum_of_slot(static_cast<int>(slot));
+}
+constexpr std::size_t team_of(std::integral auto slot) {
+  return base::index(slot) < kTeamSize ? 0 : 1;
+}
+constexpr std::size_t team_of(soccer::Side side) { return soccer::side_index(side); }
+constexpr bool same_team(std::integral auto a, std::integral auto b) {
+  return team_of(a) == team_of(b);
+}
 
 /// +1 for left, -1 for right: multiplied by it, a position is seen by a team that attacks +x.
-inline double attack_sign(std::size_t slot) { return slot < kTeamSize ? 1.0 : -1.0; }
-inline std::size_t team_of(std::size_t slot) { return slot < kTeamSize ? 0 : 1; }
-inline bool same_team(std::size_t a, std::size_t b) { return team_of(a) == team_of(b); }
+constexpr double attack_sign(std::integral auto slot) { return team_of(slot) == 0 ? 1.0 : -1.0; }
+
+/// Bits of a player's state that it did not have a frame before.
+inline std::uint32_t newly_set(const gamelog::MatchRecord& record, std::size_t entry) {
+  return record.players.state[entry] & ~record.players.state[entry - gamelog::kSlots];
+}
+
+/// True for the state of a goalie that caught the ball.
+constexpr bool has_caught(std::uint32_t state) {
+  return (state & (gamelog::kStateCatch | gamelog::kStateCatchFailed)) == gamelog::kStateCatch;
+}
+
+/// True if a player's counter of a command grew between two of its entries, or in the last frame.
+inline bool has_executed(const gamelog::MatchRecord& record, gamelog::Counter command,
+                         std::size_t before, std::size_t entry) {
+  const auto& counters = record.players.counters;
+  return counters[entry][base::index(command)] > counters[before][base::index(command)];
+}
+inline bool has_executed(const gamelog::MatchRecord& record, gamelog::Counter command,
+                         std::size_t entry) {
+  return has_executed(record, command, entry - gamelog::kSlots, entry);
+}
 
 /// Player type of an entry; the default type if the log has none.
 const soccer::PlayerType& type_of(const gamelog::MatchRecord& record, std::size_t entry);

@@ -11,9 +11,6 @@ namespace {
 
 using soccer::Vec2;
 
-constexpr std::size_t kCatch = static_cast<std::size_t>(gamelog::Counter::kCatch);
-constexpr std::size_t kMove = static_cast<std::size_t>(gamelog::Counter::kMove);
-
 // Sum of the goalie's positions while the ball is near.
 struct PositionSum {
   Vec2 sum;
@@ -24,22 +21,21 @@ void add_actions(const gamelog::MatchRecord& record, std::size_t entry, bool hol
                  Goalkeeping& goalie) {
   const std::size_t before = entry - gamelog::kSlots;
   const std::uint32_t state = record.players.state[entry];
-  const auto increase = [&](std::size_t counter) {
-    return record.players.counters[entry][counter] - record.players.counters[before][counter];
-  };
-
   if ((state & gamelog::kStateCatch) != 0) {
     // Without counters (versions 1 and 2) punches cannot be distinguished from other failures.
     const bool counted = record.version >= gamelog::RcgVersion::kV3
-                             ? increase(kCatch) > 0
-                             : (state & gamelog::kStateCatchFailed) == 0;
-    const bool failed = (state & gamelog::kStateCatchFailed) != 0;
-    goalie.catches += counted && !failed;
-    goalie.punches += counted && failed;
+                             ? has_executed(record, gamelog::Counter::kCatch, entry)
+                             : has_caught(state);
+    goalie.catches += counted && has_caught(state);
+    goalie.punches += counted && !has_caught(state);
     goalie.failed_catches += !counted;
   }
 
-  if (holds_ball) goalie.moves_after_catch += std::max(0, increase(kMove));
+  if (holds_ball) {
+    constexpr std::size_t kMove = base::index(gamelog::Counter::kMove);
+    const auto& counters = record.players.counters;
+    goalie.moves_after_catch += std::max(0, counters[entry][kMove] - counters[before][kMove]);
+  }
 }
 
 void add_position(const Flow& flow, std::size_t frame, std::size_t slot, PositionSum& positions,
@@ -63,8 +59,7 @@ PerTeam<Goalkeeping> measure_goalkeeping(const Flow& flow, const std::vector<Sho
   PerTeam<bool> holds = {};
 
   for (std::size_t i = 1; i < record.frames(); ++i) {
-    const bool free_kick = record.mode[i] == soccer::PlayMode::kFreeKickLeft ||
-                           record.mode[i] == soccer::PlayMode::kFreeKickRight;
+    const bool free_kick = soccer::without_side(record.mode[i]) == soccer::PlayMode::kFreeKickLeft;
     for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
       const std::size_t entry = entry_of(i, slot);
       const std::size_t team = team_of(slot);
@@ -72,10 +67,7 @@ PerTeam<Goalkeeping> measure_goalkeeping(const Flow& flow, const std::vector<Sho
       if (flow.phase[i] == Phase::kPenalty || record.time[i] < record.time[i - 1]) continue;
 
       add_actions(record, entry, holds[team], goalies[team]);
-      const bool caught =
-          (record.players.state[entry] & (gamelog::kStateCatch | gamelog::kStateCatchFailed)) ==
-          gamelog::kStateCatch;
-      holds[team] = free_kick && (holds[team] || caught);
+      holds[team] = free_kick && (holds[team] || has_caught(record.players.state[entry]));
       if (flow.is_live(i)) add_position(flow, i, slot, positions[team], goalies[team]);
     }
   }
@@ -87,7 +79,7 @@ PerTeam<Goalkeeping> measure_goalkeeping(const Flow& flow, const std::vector<Sho
   }
 
   for (const Shot& shot : shots) {
-    Goalkeeping& goalie = goalies[1 - team_of(slot_index(shot.slot))];
+    Goalkeeping& goalie = goalies[1 - team_of(shot.slot)];
     goalie.saves += shot.outcome == ShotOutcome::kSaved;
     goalie.conceded_on_target += shot.outcome == ShotOutcome::kGoal && shot.on_target;
   }

@@ -16,7 +16,7 @@ std::int32_t shot_before(const Flow& flow, const std::vector<Shot>& shots, const
   for (std::size_t i = shots.size(); i > 0; --i) {
     const Shot& shot = shots[i - 1];
     const std::uint32_t frame = flow.touches[shot.touch].frame;
-    if (frame > goal.frame || team_of(slot_index(shot.slot)) != team) continue;
+    if (frame > goal.frame || team_of(shot.slot) != team) continue;
 
     const bool this_one = shot.outcome == ShotOutcome::kGoal &&
                           (goal.frame == frame ||
@@ -73,7 +73,7 @@ void add_goals(const Flow& flow, const std::vector<Shot>& shots, const gamelog::
     goal.side = team == 0 ? Side::kLeft : Side::kRight;
     goal.shot = shot_before(flow, shots, goal, team);
     if (goal.shot >= 0) {
-      goal.scorer = shots[static_cast<std::size_t>(goal.shot)].slot;
+      goal.scorer = shots[base::index(goal.shot)].slot;
     } else {
       find_scorer(flow, team, goal);
     }

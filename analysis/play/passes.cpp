@@ -2,11 +2,11 @@
 #include "analysis/play/passes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "analysis/play/pitch_areas.h"
+#include "base/text/enum_names.h"
 #include "soccer/pitch.h"
 
 namespace cls::analysis {
@@ -19,8 +19,8 @@ constexpr double kPlayedDistance = 3.0;
 constexpr int kOneTwoCycles = 40;
 constexpr double kOneTwoGain = 5.0;
 
-constexpr std::array<std::string_view, 6> kOutcomeNames = {"completed", "intercepted", "contested",
-                                                           "out",       "offside",     "stopped"};
+constexpr auto kPassOutcomes = base::enum_names<PassOutcome>(
+    "completed", "intercepted", "contested", "out", "offside", "stopped");
 
 PassDirection direction_of(Vec2 path) {
   if (path.x >= std::fabs(path.y)) return PassDirection::kForward;
@@ -41,8 +41,8 @@ class PassClassifier {
         launch_(launch),
         end_(end),
         pass_(pass),
-        team_(team_of(slot_index(pass.passer))),
-        sign_(attack_sign(slot_index(pass.passer))) {}
+        team_(team_of(pass.passer)),
+        sign_(attack_sign(pass.passer)) {}
 
   void mark_completed() {
     const auto receiver = slot_index(pass_.receiver);
@@ -111,17 +111,12 @@ class PassClassifier {
 };
 
 PassOutcome outcome_of_dead_ball(const Flow& flow, std::size_t end) {
-  const soccer::PlayMode mode = flow.record->mode[end];
-  switch (mode) {
+  switch (soccer::without_side(flow.record->mode[end])) {
     case soccer::PlayMode::kOffsideLeft:
-    case soccer::PlayMode::kOffsideRight:
       return PassOutcome::kOffside;
     case soccer::PlayMode::kKickInLeft:
-    case soccer::PlayMode::kKickInRight:
     case soccer::PlayMode::kCornerKickLeft:
-    case soccer::PlayMode::kCornerKickRight:
     case soccer::PlayMode::kGoalKickLeft:
-    case soccer::PlayMode::kGoalKickRight:
       return PassOutcome::kOut;
     default:
       return PassOutcome::kStopped;
@@ -141,14 +136,12 @@ struct PassBuilder {
   Pass build(std::size_t index) const {
     const Touch& touch = flow.touches[index];
     const gamelog::MatchRecord& record = *flow.record;
-    const auto passer = slot_index(touch.slot);
-    const double sign = attack_sign(passer);
+    const double sign = attack_sign(touch.slot);
 
-    Pass pass;
-    pass.touch = static_cast<std::uint32_t>(index);
-    pass.passer = touch.slot;
-    pass.from = touch.contact * sign;
-    pass.speed = touch.launch.length();
+    Pass pass = {.touch = static_cast<std::uint32_t>(index),
+                 .passer = touch.slot,
+                 .from = touch.contact * sign,
+                 .speed = touch.launch.length()};
 
     const Touch* next = next_in_play(index);
     std::size_t end = 0;
@@ -156,14 +149,14 @@ struct PassBuilder {
       end = next->frame - 1;  // position of the ball when it was touched
       pass.to = next->contact * sign;
       pass.receiver = next->slot;
-      pass.outcome = offside_at(flow, *next, team_of(passer))    ? PassOutcome::kOffside
-                     : next->contested()                         ? PassOutcome::kContested
-                     : same_team(passer, slot_index(next->slot)) ? PassOutcome::kCompleted
-                                                                 : PassOutcome::kIntercepted;
+      pass.outcome = offside_at(flow, *next, team_of(touch.slot)) ? PassOutcome::kOffside
+                     : next->contested()                          ? PassOutcome::kContested
+                     : same_team(touch.slot, next->slot)          ? PassOutcome::kCompleted
+                                                                  : PassOutcome::kIntercepted;
     } else {
       end = std::min(flow.end_of_play(touch), record.frames() - 1);
       // A dropped ball was moved by the referee: the pass ended in the frame before.
-      const bool dropped = std::binary_search(flow.placed.begin(), flow.placed.end(), end);
+      const bool dropped = std::ranges::binary_search(flow.placed, end);
       pass.to = Vec2(record.ball_position[dropped ? end - 1 : end]) * sign;
       pass.outcome = outcome_of_dead_ball(flow, end);
     }
@@ -209,9 +202,7 @@ double offside_line(const gamelog::MatchRecord& record, std::size_t frame,
   return std::max({second, 0.0, record.ball_position[frame].x * sign});
 }
 
-std::string_view name(PassOutcome outcome) {
-  return kOutcomeNames[static_cast<std::size_t>(outcome)];
-}
+std::string_view name(PassOutcome outcome) { return kPassOutcomes.name(outcome); }
 
 std::vector<Pass> find_passes(const Flow& flow, const std::vector<Shot>& shots) {
   std::vector<Pass> passes;
@@ -249,7 +240,7 @@ PerTeam<int> one_twos(const Flow& flow, const std::vector<Pass>& passes) {
     const bool one_phase = first.live_phase == second.live_phase;
     const auto frames = second.frame + back.frames - first.frame;
     if (one_phase && frames <= kOneTwoCycles && back.to.x - there.from.x >= kOneTwoGain) {
-      ++count[team_of(slot_index(there.passer))];
+      ++count[team_of(there.passer)];
     }
   }
   return count;

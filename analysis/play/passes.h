@@ -32,8 +32,8 @@ struct Pass {
   std::int8_t receiver = kNoPlayer;  ///< next toucher: teammate, interceptor or none
   PassOutcome outcome = PassOutcome::kStopped;
   PassDirection direction = PassDirection::kForward;
-  soccer::Vec2 from;
-  soccer::Vec2 to;  ///< contact point of the next touch, or position of the ball at the stoppage
+  soccer::Vec2 from{};
+  soccer::Vec2 to{};  ///< contact point of the next touch, or position of the ball at the stoppage
   std::uint32_t frames = 0;       ///< from touch to touch
   double speed = 0.0;             ///< at launch, meters per cycle
   double nearest_opponent = 0.0;  ///< meters from the receiver at reception; completed passes only

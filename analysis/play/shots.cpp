@@ -2,9 +2,9 @@
 #include "analysis/play/shots.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "base/text/enum_names.h"
 #include "soccer/math.h"
 #include "soccer/pitch.h"
 
@@ -22,15 +22,12 @@ constexpr std::uint32_t kSecondTouchFrames = 3;
 constexpr std::uint32_t kDeflectionFrames = 10;  // from an opponent's touch to the goal
 constexpr double kPostRadius = 1.0;
 
-constexpr std::array<std::string_view, 6> kOutcomeNames = {"goal", "saved", "blocked",
-                                                           "wide", "post",  "other"};
-
-PlayMode goal_mode(std::size_t team) {
-  return team == 0 ? PlayMode::kGoalLeft : PlayMode::kGoalRight;
-}
+constexpr auto kShotOutcomes =
+    base::enum_names<ShotOutcome>("goal", "saved", "blocked", "wide", "post", "other");
 
 bool goal_at(const Flow& flow, std::size_t frame, std::size_t team) {
-  return frame < flow.phase.size() && flow.record->mode[frame] == goal_mode(team);
+  const PlayMode goal = team == 0 ? PlayMode::kGoalLeft : PlayMode::kGoalRight;
+  return frame < flow.phase.size() && flow.record->mode[frame] == goal;
 }
 
 // True if the ball reversed near a post without a touch.
@@ -48,11 +45,6 @@ bool hit_post(const Flow& flow, std::size_t first, std::size_t last, double sign
   return false;
 }
 
-// True for a touch of the opponent, which ends a shot by `slot`.
-bool ends_shot(const Touch& next, std::size_t slot) {
-  return next.contested() || !same_team(slot_index(next.slot), slot);
-}
-
 // True if the goal follows an opponent's touch so soon that it counts for the shot.
 bool deflected_into_goal(const Flow& flow, std::size_t touch, std::size_t team) {
   const Touch& deflection = flow.touches[touch];
@@ -67,14 +59,14 @@ bool deflected_into_goal(const Flow& flow, std::size_t touch, std::size_t team) 
 // Sets the outcome. False if a teammate or the shooter touches next: then it was not a shot.
 bool find_outcome(const Flow& flow, Shot& shot) {
   const Touch& touch = flow.touches[shot.touch];
-  const auto slot = slot_index(shot.slot);
-  const std::size_t team = team_of(slot);
+  const std::size_t team = team_of(shot.slot);
   const std::size_t end = flow.end_of_play(touch);
   const std::size_t next = shot.touch + 1;
 
   if (next < flow.touches.size() && flow.touches[next].frame <= end) {
     const Touch& after = flow.touches[next];
-    if (!ends_shot(after, slot)) return false;
+    if (!after.contested() && same_team(after.slot, shot.slot)) return false;
+
     const std::int8_t opponent = after.nearest[1 - team];
     const std::size_t entry = entry_of(after.frame, slot_index(opponent));
     if (deflected_into_goal(flow, next, team)) {
@@ -87,7 +79,7 @@ bool find_outcome(const Flow& flow, Shot& shot) {
 
   if (goal_at(flow, end, team)) {
     shot.outcome = ShotOutcome::kGoal;
-  } else if (hit_post(flow, touch.frame, end, attack_sign(slot))) {
+  } else if (hit_post(flow, touch.frame, end, attack_sign(shot.slot))) {
     shot.outcome = ShotOutcome::kPost;
   } else if (end < flow.phase.size() && flow.phase[end] == Phase::kSet) {
     shot.outcome = ShotOutcome::kWide;
@@ -105,9 +97,7 @@ bool touches_again(const Flow& flow, std::size_t touch, std::size_t slot) {
 
 }  // namespace
 
-std::string_view name(ShotOutcome outcome) {
-  return kOutcomeNames[static_cast<std::size_t>(outcome)];
-}
+std::string_view name(ShotOutcome outcome) { return kShotOutcomes.name(outcome); }
 
 bool heads_for_goal(const gamelog::MatchRecord& record, const Touch& touch, std::size_t slot,
                     Shot& shot) {
@@ -140,8 +130,8 @@ std::vector<Shot> find_shots(const Flow& flow) {
       if (player == kNoPlayer) continue;
       const auto slot = slot_index(player);
       Shot shot;
-      if (!heads_for_goal(*flow.record, touch, slot, shot) || touches_again(flow, i, slot))
-        continue;
+      if (!heads_for_goal(*flow.record, touch, slot, shot)) continue;
+      if (touches_again(flow, i, slot)) continue;
 
       shot.touch = static_cast<std::uint32_t>(i);
       shot.slot = player;

@@ -31,6 +31,8 @@ struct TeamStoppages {
   int set_plays() const {
     return kick_offs + kick_ins + corners + goal_kicks + free_kicks + indirect_free_kicks;
   }
+
+  friend bool operator==(const TeamStoppages&, const TeamStoppages&) = default;
 };
 
 struct Foul {

@@ -4,14 +4,13 @@
 namespace cls::analysis {
 namespace {
 
-constexpr std::size_t kTackle = static_cast<std::size_t>(gamelog::Counter::kTackle);
 constexpr std::uint32_t kTackleBits = gamelog::kStateTackle | gamelog::kStateTackleFailed;
 
 bool begins(const gamelog::MatchRecord& record, std::size_t entry) {
   const std::size_t before = entry - gamelog::kSlots;
   if ((record.players.state[before] & gamelog::kStateEnabled) == 0) return false;
   if (record.version >= gamelog::RcgVersion::kV4) {
-    return record.players.counters[entry][kTackle] > record.players.counters[before][kTackle];
+    return has_executed(record, gamelog::Counter::kTackle, entry);
   }
   return (record.players.state[entry] & kTackleBits) != 0 &&
          (record.players.state[before] & kTackleBits) == 0;
@@ -25,15 +24,14 @@ void classify_hits(const Flow& flow, PerPlayer<Tackles>& tackles) {
     const auto slot = slot_index(touch.slot);
     const std::int8_t owner = flow.owner[touch.frame - 1];
     if (owner == kNoPlayer) continue;
-    if (same_team(slot_index(owner), slot)) {
+    if (same_team(owner, slot)) {
       ++tackles[slot].as_kick;
       continue;
     }
 
     std::size_t next = i + 1;
     while (next < flow.touches.size() && flow.touches[next].contested()) ++next;
-    if (next < flow.touches.size() &&
-        same_team(static_cast<std::size_t>(flow.touches[next].slot), slot)) {
+    if (next < flow.touches.size() && same_team(flow.touches[next].slot, slot)) {
       ++tackles[slot].effective;
     }
   }

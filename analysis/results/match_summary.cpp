@@ -8,6 +8,7 @@
 
 #include "analysis/play/flow.h"
 #include "analysis/play/shots.h"
+#include "base/text/enum_names.h"
 #include "base/text/number_text.h"
 
 namespace cls::analysis {
@@ -19,8 +20,7 @@ using soccer::Side;
 constexpr std::string_view kResult = "(result ";
 constexpr std::size_t kDateSize = 12;
 
-Side side_of(std::size_t slot) { return soccer::side_of_slot(static_cast<int>(slot)); }
-int unum_of(std::size_t slot) { return soccer::unum_of_slot(static_cast<int>(slot)); }
+constexpr auto kWinnerNames = base::enum_names<Winner>("left", "right", "draw", "");
 
 std::string version_name(gamelog::RcgVersion version) {
   return version == gamelog::RcgVersion::kJson ? "json" : std::to_string(static_cast<int>(version));
@@ -79,11 +79,9 @@ void read_player(const gamelog::MatchRecord& record, std::size_t slot, MatchSumm
     const int cycle = record.time[i];
     const bool enabled = (state & gamelog::kStateEnabled) != 0;
 
-    if (i > 0 && (state & ~before & gamelog::kStateYellowCard) != 0) {
-      summary.cards.push_back({at(cycle), false});
-    }
-    if (i > 0 && (state & ~before & gamelog::kStateRedCard) != 0)
-      summary.cards.push_back({at(cycle), true});
+    const std::uint32_t cards = i > 0 ? state & ~before : 0;
+    if ((cards & gamelog::kStateYellowCard) != 0) summary.cards.push_back({at(cycle), false});
+    if ((cards & gamelog::kStateRedCard) != 0) summary.cards.push_back({at(cycle), true});
 
     if (enabled && !seen) {
       seen = true;
@@ -109,16 +107,10 @@ void read_player(const gamelog::MatchRecord& record, std::size_t slot, MatchSumm
   if (!seen && record.frames() > 0) summary.never_connected.push_back(player);
 }
 
-template <typename Event>
-void sort_by_cycle(std::vector<Event>& events) {
-  std::stable_sort(events.begin(), events.end(),
-                   [](const Event& a, const Event& b) { return a.cycle < b.cycle; });
-}
-
 void read_goals(const gamelog::MatchRecord& record, MatchSummary& summary) {
   const Flow flow = build_flow(record);
   for (const Goal& goal : find_goals(flow, find_shots(flow))) {
-    const int unum = goal.scorer == kNoPlayer ? 0 : unum_of(slot_index(goal.scorer));
+    const int unum = goal.scorer == kNoPlayer ? 0 : unum_of(goal.scorer);
     summary.goals.push_back({goal.cycle, goal.side, unum, goal.own_goal});
   }
 }
@@ -183,19 +175,7 @@ double half_time_cycles(const soccer::ServerParams& server) {
   return std::isfinite(cycles) ? cycles : 0.0;
 }
 
-std::string_view winner_name(Winner winner) {
-  switch (winner) {
-    case Winner::kLeft:
-      return "left";
-    case Winner::kRight:
-      return "right";
-    case Winner::kDraw:
-      return "draw";
-    case Winner::kNone:
-      break;
-  }
-  return "";
-}
+std::string_view winner_name(Winner winner) { return kWinnerNames.name(winner); }
 
 void set_end(const RecordedEnd& end, MatchSummary& summary) {
   summary.end_reason = end.reason;
@@ -232,11 +212,11 @@ MatchSummary summarize(const gamelog::MatchRecord& record, const gamelog::RclRec
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) read_player(record, slot, summary);
   if (record.version < gamelog::RcgVersion::kV4 && text != nullptr) read_cards(*text, summary);
 
-  sort_by_cycle(summary.cards);
-  sort_by_cycle(summary.substitutions);
-  sort_by_cycle(summary.disconnections);
-  sort_by_cycle(summary.reconnections);
-  sort_by_cycle(summary.late_starts);
+  std::ranges::stable_sort(summary.cards, {}, &PlayerEvent::cycle);
+  std::ranges::stable_sort(summary.substitutions, {}, &PlayerEvent::cycle);
+  for (auto* events : {&summary.disconnections, &summary.reconnections, &summary.late_starts}) {
+    std::ranges::stable_sort(*events, {}, &PlayerEvent::cycle);
+  }
 
   read_goals(record, summary);
   Winner tossed = Winner::kNone;
@@ -264,7 +244,7 @@ MatchSummary summarize(const gamelog::RclRecord& text) {
     const auto scored = parse_referee_message(message);
     if (scored && scored->what == "goal") {
       summary.goals.push_back({line.time, scored->side, 0, false});
-      summary.teams[scored->side == Side::kLeft ? 0 : 1].score = scored->number;
+      summary.teams[team_of(scored->side)].score = scored->number;
     }
 
     for (std::size_t i = 0; i < 2; ++i) {
@@ -283,6 +263,12 @@ MatchSummary summarize(const gamelog::RclRecord& text) {
 
   summary.parse_errors = text.errors.count;
   return summary;
+}
+
+std::array<std::string, 2> team_ids(const MatchSummary& summary) {
+  const auto& [left, right] = summary.teams;
+  if (left.name == right.name || left.name.empty() || right.name.empty()) return {"left", "right"};
+  return {left.name, right.name};
 }
 
 }  // namespace cls::analysis

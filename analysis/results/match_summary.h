@@ -106,4 +106,9 @@ double half_time_cycles(const soccer::ServerParams& server);
 /// Summarizes a text log alone: no scorers, substitutions or disconnections.
 MatchSummary summarize(const gamelog::RclRecord& text);
 
+/// Identifiers of the teams in files for other programs: the names of left and right team, because
+/// a team plays on both sides in a tournament; "left" and "right" if the names do not tell the
+/// teams apart.
+std::array<std::string, 2> team_ids(const MatchSummary& summary);
+
 }  // namespace cls::analysis

@@ -27,6 +27,7 @@ std::vector<Half> halves_of(const soccer::ServerParams& server) {
       start += length;
     }
   };
+
   const double half = half_time_cycles(server);
   const double extra =
       server.half_time == 0 ? 0.0 : half * server.extra_half_time / server.half_time;
@@ -42,7 +43,7 @@ std::vector<Half> halves_of(const soccer::ServerParams& server) {
 const Half& half_at(const std::vector<Half>& halves, int time) {
   const auto later = std::find_if(halves.begin() + 1, halves.end(),
                                   [time](const Half& half) { return half.start >= time; });
-  return *(later - 1);
+  return *std::prev(later);
 }
 
 }  // namespace
@@ -51,6 +52,7 @@ std::vector<Period> find_periods(const gamelog::MatchRecord& record) {
   const std::vector<Half> halves = halves_of(record.server);
   std::vector<Period> periods;
   bool shoot_out = false;
+
   for (std::size_t i = 0; i < record.frames(); ++i) {
     shoot_out = shoot_out || soccer::is_penalty_mode(record.mode[i]);
     const Half& half = half_at(halves, record.time[i]);

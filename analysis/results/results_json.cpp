@@ -1,7 +1,6 @@
 // Formats the JSON document of results.
 #include "analysis/results/results_text.h"
-
-#include <nlohmann/json.hpp>
+#include "base/text/json.h"
 
 #include "analysis/results/team_table.h"
 #include "base/text/json_text.h"
@@ -10,7 +9,7 @@
 namespace cls::analysis {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 Json event_json(const PlayerEvent& event) {
   return {{"cycle", event.cycle}, {"side", side_name(event.side)}, {"unum", event.unum}};

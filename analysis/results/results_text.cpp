@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "analysis/results/team_table.h"
+#include "base/index.h"
 #include "base/text/table.h"
 
 namespace cls::analysis {
@@ -21,9 +22,8 @@ std::string list_of(const std::vector<Event>& events, Extra extra) {
   std::string text;
   for (const Event& event : events) {
     if (!text.empty()) text += "; ";
-    text += fmt::format("{} {} {}", event.cycle, soccer::letter(event.side),
-                        event.unum == 0 ? std::string("?") : std::to_string(event.unum));
-    text += extra(event);
+    text += fmt::format("{} {} {}{}", event.cycle, soccer::letter(event.side),
+                        event.unum == 0 ? "?" : std::to_string(event.unum), extra(event));
   }
   return text;
 }
@@ -49,17 +49,9 @@ std::string players_text(const std::vector<PlayerEvent>& events) {
 std::string name_of(const TeamSummary& team) { return team.name.empty() ? "-" : team.name; }
 
 std::string winner_text(const MatchSummary& match) {
-  switch (match.winner) {
-    case Winner::kLeft:
-      return name_of(match.teams[0]);
-    case Winner::kRight:
-      return name_of(match.teams[1]);
-    case Winner::kDraw:
-      return "draw";
-    case Winner::kNone:
-      break;
-  }
-  return "incomplete";
+  if (match.winner == Winner::kNone) return "incomplete";
+  if (match.winner == Winner::kDraw) return "draw";
+  return name_of(match.teams[match.winner == Winner::kRight ? 1 : 0]);
 }
 
 // Counts of rare events; CSV and JSON list them.
@@ -71,8 +63,7 @@ std::string remarks_text(const MatchSummary& match) {
     text += fmt::format("{} {}", count, what);
   };
 
-  const auto red = static_cast<std::size_t>(std::count_if(
-      match.cards.begin(), match.cards.end(), [](const CardSummary& card) { return card.red; }));
+  const std::size_t red = base::index(std::ranges::count(match.cards, true, &CardSummary::red));
   if (match.coin_toss) text = "coin toss";
 
   add(match.cards.size() - red, "yellow");
@@ -101,9 +92,7 @@ std::vector<std::string> short_names(const std::vector<MatchSummary>& matches) {
     names.push_back(match.file.substr(match.file.rfind('/') + 1));
     distinct.insert(names.back());
     folders.insert(match.file.substr(0, match.file.size() - names.back().size()));
-    const auto differ =
-        std::mismatch(shared.begin(), shared.end(), match.file.begin(), match.file.end());
-    shared.erase(differ.first, shared.end());
+    shared.erase(std::ranges::mismatch(shared, match.file).in1, shared.end());
   }
 
   if (distinct.size() == names.size()) return names;
@@ -145,9 +134,8 @@ std::string all_remarks(const MatchSummary& match) {
 
 // A row per match that fits in a line: without the winner, without remarks if there are none.
 base::Table text_table(const std::vector<MatchSummary>& matches) {
-  const bool remarks = std::any_of(matches.begin(), matches.end(), [](const MatchSummary& match) {
-    return !all_remarks(match).empty();
-  });
+  const bool remarks = std::ranges::any_of(
+      matches, [](const MatchSummary& match) { return !all_remarks(match).empty(); });
 
   base::Table table;
   table.add_column("left");
@@ -174,15 +162,13 @@ base::Table text_table(const std::vector<MatchSummary>& matches) {
 
 base::Table csv_table(const std::vector<MatchSummary>& matches) {
   base::Table table;
-  for (const char* head : {"file",           "date",           "version",
-                           "left",           "right",          "left_score",
-                           "right_score",    "left_penalties", "right_penalties",
-                           "winner",         "complete",       "cycles",
-                           "goals",          "cards",          "substitutions",
-                           "disconnections", "late_starts",    "never_connected",
-                           "damage",         "end_reason"}) {
-    table.add_column(head);
-  }
+  table.add_columns({"file",           "date",           "version",
+                     "left",           "right",          "left_score",
+                     "right_score",    "left_penalties", "right_penalties",
+                     "winner",         "complete",       "cycles",
+                     "goals",          "cards",          "substitutions",
+                     "disconnections", "late_starts",    "never_connected",
+                     "damage",         "end_reason"});
 
   for (const MatchSummary& match : matches) {
     const auto& [left, right] = match.teams;
@@ -216,9 +202,8 @@ base::Table csv_table(const std::vector<MatchSummary>& matches) {
 base::Table team_table_text(const TeamTable& standings) {
   base::Table table;
   table.add_column("team");
-  for (const char* head : {"played", "won", "drawn", "lost", "goals", "difference", "points"}) {
-    table.add_column(head, Align::kRight);
-  }
+  table.add_columns({"played", "won", "drawn", "lost", "goals", "difference", "points"},
+                    Align::kRight);
 
   for (const TeamResults& row : standings.rows) {
     table.add_row({row.team, std::to_string(row.played), std::to_string(row.won),

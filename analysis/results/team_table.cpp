@@ -43,8 +43,7 @@ TeamTable team_table(const std::vector<MatchSummary>& matches) {
   }
 
   for (auto& [name, row] : by_name) standings.rows.push_back(std::move(row));
-  std::sort(standings.rows.begin(), standings.rows.end(),
-            [](const TeamResults& a, const TeamResults& b) { return order(a) < order(b); });
+  std::ranges::sort(standings.rows, {}, order);
   return standings;
 }
 

@@ -42,7 +42,7 @@ struct BookFrame {
   std::array<BookPlayer, soccer::kPlayersOnPitch> players;  ///< by slot
 };
 
-/// What a player has besides its motion.
+/// The state of a player without its motion.
 struct BookStamina {
   int type = 0;  ///< index into the types of the log
   double stamina = 0.0;

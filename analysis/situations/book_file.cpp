@@ -5,18 +5,20 @@
 
 #include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/index.h"
 #include "base/io/byte_source.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
+#include "base/text/lines.h"
 
 namespace cls::analysis {
 namespace {
 
 using base::Error;
+using base::Json;
 using base::Result;
-using Json = nlohmann::ordered_json;
 using soccer::Vec2;
 
 constexpr const char* kFormat = "cls.book/1";
@@ -151,13 +153,11 @@ BookStamina parse_stamina(const Json& values, std::size_t types) {
   if (!values.is_array() || values.size() != kNumbersOfPlayer) {
     fail("'players' needs five numbers for each player");
   }
-  BookStamina player;
-  player.type = whole(values[0], "players", 0, static_cast<int>(types) - 1);
-  player.stamina = number(values[1], "players", 0.0, kMaxStamina);
-  player.effort = number(values[2], "players", 0.0, 1.0);
-  player.recovery = number(values[3], "players", 0.0, 1.0);
-  player.capacity = number(values[4], "players", -1.0, kMaxStamina);
-  return player;
+  return {.type = whole(values[0], "players", 0, static_cast<int>(types) - 1),
+          .stamina = number(values[1], "players", 0.0, kMaxStamina),
+          .effort = number(values[2], "players", 0.0, 1.0),
+          .recovery = number(values[3], "players", 0.0, 1.0),
+          .capacity = number(values[4], "players", -1.0, kMaxStamina)};
 }
 
 BookFrame parse_frame(const Json& values) {
@@ -165,6 +165,7 @@ BookFrame parse_frame(const Json& values) {
   if (!values.is_array() || values.size() != kSize) {
     fail(fmt::format("'frames' needs {} numbers for each step", kSize));
   }
+
   Numbers read(values, "frames");
   BookFrame frame;
   frame.ball = read.point(kMaxPosition);
@@ -184,28 +185,34 @@ Situation parse_situation(const Json& object, const Book& book) {
   const auto parsed = parse_situation_class(kind);
   if (!parsed) fail(fmt::format("'class': '{}' is not a class of situations", kind));
   situation.kind = *parsed;
+
   const int last_log = static_cast<int>(book.logs.size()) - 1;
   situation.log = whole(member(object, "log"), "log", 0, last_log);
   situation.time = whole(member(object, "time"), "time", 0, kMaxTime);
+
   const Json& score = list(object, "score", 2);
   for (std::size_t i = 0; i < 2; ++i) situation.score[i] = whole(score[i], "score", 0, kMaxTime);
   situation.mode = parse_mode(text(object, "mode"));
-  const std::size_t types = book.logs[static_cast<std::size_t>(situation.log)].types.size();
+
+  const std::size_t types = book.logs[base::index(situation.log)].types.size();
   const Json& players = list(object, "players", soccer::kPlayersOnPitch);
   for (std::size_t i = 0; i < players.size(); ++i) {
     situation.players[i] = parse_stamina(players[i], types);
   }
-  for (const Json& frame : list(object, "frames", static_cast<std::size_t>(book.warm_up) + 1)) {
+  for (const Json& frame : list(object, "frames", base::index(book.warm_up) + 1)) {
     situation.frames.push_back(parse_frame(frame));
   }
   return situation;
 }
 
 void parse_line(std::string_view line, Book& book, bool first) {
-  const Json object = Json::parse(line, nullptr, false);
-  if (object.is_discarded()) fail(first ? "not a book of situations" : "not a line of JSON");
-  if (first && !object.is_object()) fail("not a book of situations");
-  if (first) return parse_header(object, book);
+  const Json object = Json::parse_or_discarded(line);
+  if (first) {
+    if (!object.is_object()) fail("not a book of situations");
+    return parse_header(object, book);
+  }
+
+  if (object.is_discarded()) fail("not a line of JSON");
   if (book.situations.size() >= kMaxSituations) {
     fail(fmt::format("more than {} situations", kMaxSituations));
   }
@@ -246,12 +253,14 @@ std::string format_situation(const Situation& situation) {
       "{{\"class\":\"{}\",\"log\":{},\"time\":{},\"score\":[{},{}],\"mode\":\"{}\",\"players\":",
       name(situation.kind), situation.log, situation.time, situation.score[0], situation.score[1],
       soccer::name(situation.mode));
+
   char before = '[';
   for (const BookStamina& player : situation.players) {
     fmt::format_to(std::back_inserter(line), "{}[{},{:.6g},{:.6g},{:.6g},{:.6g}]", before,
                    player.type, player.stamina, player.effort, player.recovery, player.capacity);
     before = ',';
   }
+
   line += "],\"frames\":";
   before = '[';
   for (const BookFrame& frame : situation.frames) {
@@ -267,10 +276,7 @@ std::string format_situation(const Situation& situation) {
 Result<Book> parse_book(std::string_view text) {
   Book book;
   int number = 0;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
+  for (const std::string_view line : base::lines_of(text)) {
     ++number;
     try {
       parse_line(line, book, number == 1);

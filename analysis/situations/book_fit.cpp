@@ -22,6 +22,7 @@ Row solve(Matrix a, Row b, double ridge) {
     // Figures that depend on each other share their weight.
     a[i][i] = a[i][i] * (1.0 + ridge) + 1e-9;
   }
+
   for (std::size_t i = 0; i < kFigures; ++i) {
     for (std::size_t row = i + 1; row < kFigures; ++row) {
       const double factor = a[row][i] / a[i][i];
@@ -31,6 +32,7 @@ Row solve(Matrix a, Row b, double ridge) {
       b[row] -= factor * b[i];
     }
   }
+
   Row x{};
   for (std::size_t i = kFigures; i-- > 0;) {
     double rest = b[i];
@@ -59,10 +61,23 @@ struct Moments2 {
   double correlation() const { return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : 0.0; }
 };
 
+// The sum of the squared deviations of values of windows from the mean of their match.
+double deviations(const auto& matches, auto value_of) {
+  double sum = 0.0;
+  for (const auto& match : matches) {
+    double mean = 0.0;
+    const auto count = static_cast<double>(match.windows.size());
+    for (const Row& window : match.windows) mean += value_of(window) / count;
+    for (const Row& window : match.windows) sum += std::pow(value_of(window) - mean, 2);
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::string BookFitter::add(const gamelog::MatchRecord& record) {
   if (record.frames() < 2) return "the log has no frames";
+
   const Flow flow = build_flow(record);
   Match match;
   std::size_t begin = 0;
@@ -70,6 +85,7 @@ std::string BookFitter::add(const gamelog::MatchRecord& record) {
     // A window has as many cycles of game time; stopped ones count as those before a kick-off do.
     std::size_t end = begin + 1;
     while (end < record.frames() && record.time[end] < record.time[begin] + cycles_) ++end;
+
     if (record.time[end - 1] - record.time[begin] < cycles_ / 2) break;
     if (record.mode[begin] == soccer::PlayMode::kPlayOn) {
       match.windows.push_back(figures_of(flow, begin, std::min(end + 1, record.frames())).values());
@@ -77,6 +93,7 @@ std::string BookFitter::add(const gamelog::MatchRecord& record) {
     begin = end;
   }
   if (match.windows.size() < kMinWindows) return "the match is too short";
+
   const int length = record.time[record.frames() - 1] - record.time[0];
   const auto& teams = record.final_teams();
   const double difference = (teams[0].score - teams[1].score) * kMatchCycles / std::max(length, 1);
@@ -88,6 +105,7 @@ std::string BookFitter::add(const gamelog::MatchRecord& record) {
 BookFit BookFitter::fit() const {
   BookFit fit;
   fit.matches = static_cast<int>(matches_.size());
+
   Matrix products{};
   Row targets{};
   for (const Match& match : matches_) {
@@ -104,8 +122,17 @@ BookFit BookFitter::fit() const {
   if (fit.windows == 0) return fit;
   fit.weights = solve(products, targets, ridge_);
 
-  // Scale: the regression of the difference of a match on the mean value of its windows.
-  Moments2 scale;
+  scale(fit);
+  const auto value_of = [&](const Row& window) { return dot(fit.weights, window); };
+  const double share = cycles_ / kMatchCycles;
+  const auto goals_of = [&](const Row& window) { return window[0] / share; };
+  fit.variance = deviations(matches_, value_of) / fit.windows;
+  fit.variance_of_goals = deviations(matches_, goals_of) / fit.windows;
+  return fit;
+}
+
+void BookFitter::scale(BookFit& fit) const {
+  Moments2 means;
   Moments2 windows;
   Moments2 goals;
   for (const Match& match : matches_) {
@@ -116,31 +143,13 @@ BookFit BookFitter::fit() const {
       windows.add(value, match.difference);
       goals.add(window[0], match.difference);
     }
-    scale.add(mean, match.difference);
+    means.add(mean, match.difference);
   }
-  const double factor = scale.xx > 0 ? scale.xy / scale.xx : 0.0;
+
+  const double factor = means.xx > 0 ? means.xy / means.xx : 0.0;
   for (double& weight : fit.weights) weight *= factor;
   fit.correlation = windows.correlation();
   fit.correlation_of_goals = goals.correlation();
-  const double share = cycles_ / kMatchCycles;
-  double within = 0.0;
-  double within_goals = 0.0;
-  for (const Match& match : matches_) {
-    double mean = 0.0;
-    double mean_goals = 0.0;
-    const auto count = static_cast<double>(match.windows.size());
-    for (const Row& window : match.windows) {
-      mean += dot(fit.weights, window) / count;
-      mean_goals += window[0] / share / count;
-    }
-    for (const Row& window : match.windows) {
-      within += std::pow(dot(fit.weights, window) - mean, 2);
-      within_goals += std::pow(window[0] / share - mean_goals, 2);
-    }
-  }
-  fit.variance = within / fit.windows;
-  fit.variance_of_goals = within_goals / fit.windows;
-  return fit;
 }
 
 }  // namespace cls::analysis

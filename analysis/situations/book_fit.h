@@ -51,6 +51,10 @@ class BookFitter {
     double difference = 0.0;  ///< goals a match of 6000 cycles
   };
 
+  /// Scales the weights by the regression of the difference of a match on the mean value of its
+  /// windows, and sets the correlations.
+  void scale(BookFit& fit) const;
+
   int cycles_;
   double ridge_;
   std::vector<Match> matches_;

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <tuple>
 #include <utility>
 
 #include "analysis/play/flow.h"
+#include "analysis/play/pitch_areas.h"
 #include "soccer/pitch.h"
 #include "soccer/random.h"
 
@@ -17,7 +19,6 @@ namespace {
 using gamelog::MatchRecord;
 using soccer::PlayMode;
 
-constexpr double kThird = soccer::kPitchLength / 6;  // x at which the last third begins
 constexpr double kMaxX = soccer::kHalfLength - 1.0;
 constexpr double kMaxTurnoverX = 40.0;
 constexpr int kTurnoverAge = 3;  // cycles since the other team touched the ball
@@ -27,16 +28,12 @@ constexpr std::uint32_t kBlocked = gamelog::kStateTackle | gamelog::kStateTackle
                                    gamelog::kStateCharged | gamelog::kStateRedCard;
 
 bool is_playable(PlayMode mode) {
-  switch (mode) {
+  switch (soccer::without_side(mode)) {
     case PlayMode::kPlayOn:
     case PlayMode::kFreeKickLeft:
-    case PlayMode::kFreeKickRight:
     case PlayMode::kKickInLeft:
-    case PlayMode::kKickInRight:
     case PlayMode::kCornerKickLeft:
-    case PlayMode::kCornerKickRight:
     case PlayMode::kGoalKickLeft:
-    case PlayMode::kGoalKickRight:
       return true;
     default:
       return false;
@@ -52,36 +49,49 @@ class Moments {
   std::optional<SituationClass> class_at(std::size_t frame) const {
     if (!is_complete(frame)) return std::nullopt;
     if (record_.mode[frame] != PlayMode::kPlayOn) return set_play(frame);
+
     const double side = owner_sign(frame);
     const double x = record_.ball_position[frame].x;
     if (side == 0.0 || std::fabs(x) > kMaxX) return std::nullopt;
-    const auto before = frame - static_cast<std::size_t>(std::min(warm_up_, kTurnoverAge));
+
+    const std::size_t before = frame - base::index(std::min(warm_up_, kTurnoverAge));
     const double earlier = owner_sign(before);
     if (earlier != 0.0 && earlier != side) {
       if (std::fabs(x) > kMaxTurnoverX) return std::nullopt;
       return SituationClass::kTurnover;
     }
-    if (side > 0 && x > kThird) return SituationClass::kAttack;
-    if (side < 0 && x < -kThird) return SituationClass::kDefense;
+
+    if (side > 0 && x > kThirdBorder) return SituationClass::kAttack;
+    if (side < 0 && x < -kThirdBorder) return SituationClass::kDefense;
     return std::nullopt;
+  }
+
+  /// Index of a team's goalie among its players; -1: it has none.
+  int goalie_of(std::size_t frame, std::size_t team) const {
+    for (std::size_t i = 0; i < kTeamSize; ++i) {
+      if (is_goalie(record_, entry_of(frame, kTeamSlots[team][i]))) return static_cast<int>(i);
+    }
+    return -1;
   }
 
  private:
   double owner_sign(std::size_t frame) const {
     const std::int8_t owner = flow_.owner[frame];
-    return owner == kNoPlayer ? 0.0 : attack_sign(slot_index(owner));
+    return owner == kNoPlayer ? 0.0 : attack_sign(owner);
   }
 
   // All players are there and can act, and the steps before are recorded without a gap, in one
   // mode.
   bool is_complete(std::size_t frame) const {
-    const auto steps = static_cast<std::size_t>(warm_up_);
+    const std::size_t steps = base::index(warm_up_);
     if (frame < steps || !is_playable(record_.mode[frame])) return false;
+
     for (std::size_t at = frame - steps; at <= frame; ++at) {
       if (record_.mode[at] != record_.mode[frame]) return false;
       const auto age = static_cast<int>(frame - at);
       if (record_.time[at] != record_.time[frame] - age || record_.stopped[at] != 0) return false;
     }
+
     for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
       const std::uint32_t state = record_.players.state[entry_of(frame, slot)];
       if ((state & gamelog::kStateEnabled) == 0 || (state & kBlocked) != 0) return false;
@@ -89,23 +99,13 @@ class Moments {
     return goalie_of(frame, 0) >= 0 && goalie_of(frame, 1) >= 0;
   }
 
- public:
-  /// Index of a team's goalie among its players; -1: it has none.
-  int goalie_of(std::size_t frame, std::size_t team) const {
-    for (std::size_t i = 0; i < kTeamSize; ++i) {
-      const std::size_t entry = entry_of(frame, team * kTeamSize + i);
-      if (is_goalie(record_, entry)) return static_cast<int>(i);
-    }
-    return -1;
-  }
-
- private:
   std::optional<SituationClass> set_play(std::size_t frame) const {
     int age = 0;
-    while (age <= kMaxSetPlayAge && static_cast<std::size_t>(age) < frame &&
-           record_.mode[frame - static_cast<std::size_t>(age) - 1] == record_.mode[frame]) {
+    while (age <= kMaxSetPlayAge && base::index(age) < frame &&
+           record_.mode[frame - base::index(age) - 1] == record_.mode[frame]) {
       ++age;
     }
+
     if (age < std::max(kSetPlayAge, warm_up_) || age > kMaxSetPlayAge) return std::nullopt;
     return SituationClass::kSetPlay;
   }
@@ -138,11 +138,10 @@ Situation situation_at(const MatchRecord& record, const Moments& moments, std::s
 
   // The goalie changes places with number 1.
   std::array<std::size_t, gamelog::kSlots> slots{};
-  for (std::size_t i = 0; i < slots.size(); ++i) slots[i] = i;
+  std::iota(slots.begin(), slots.end(), std::size_t{0});
   for (std::size_t team = 0; team < 2; ++team) {
     const std::size_t first = team * kTeamSize;
-    std::swap(slots[first],
-              slots[first + static_cast<std::size_t>(moments.goalie_of(frame, team))]);
+    std::swap(slots[first], slots[first + base::index(moments.goalie_of(frame, team))]);
   }
 
   const gamelog::PlayerColumns& players = record.players;
@@ -151,7 +150,7 @@ Situation situation_at(const MatchRecord& record, const Moments& moments, std::s
     situation.players[i] = {players.type[entry], players.stamina[entry], players.effort[entry],
                             players.recovery[entry], players.capacity[entry]};
   }
-  for (std::size_t at = frame - static_cast<std::size_t>(warm_up); at <= frame; ++at) {
+  for (std::size_t at = frame - base::index(warm_up); at <= frame; ++at) {
     situation.frames.push_back(frame_of(record, at, slots));
   }
   return situation;
@@ -169,54 +168,59 @@ std::string BookMaker::add(const MatchRecord& record, std::string name) {
   std::array<int, kSituationClasses> last{};
   last.fill(-options_.spacing);
   const auto log = static_cast<int>(book_.logs.size());
-  std::size_t found = 0;
+  bool found = false;
+
   for (std::size_t frame = 0; frame < record.frames(); ++frame) {
     const auto kind = moments.class_at(frame);
     if (!kind) continue;
-    int& before = last[static_cast<std::size_t>(*kind)];
+    int& before = last[base::index(*kind)];
     if (record.time[frame] < before + options_.spacing) continue;
     before = record.time[frame];
+
     Situation situation = situation_at(record, moments, frame, options_.warm_up);
     situation.kind = *kind;
     situation.log = log;
-    found_[static_cast<std::size_t>(*kind)].push_back(std::move(situation));
-    ++found;
+    found_[base::index(*kind)].push_back(std::move(situation));
+    found = true;
   }
-  if (found == 0) return "the match has no moment with 22 players in play";
+
+  if (!found) return "the match has no moment with 22 players in play";
   const auto& teams = record.final_teams();
   book_.logs.push_back({std::move(name), {teams[0].name, teams[1].name}, record.types});
   return {};
 }
 
 std::size_t BookMaker::moments(SituationClass kind) const {
-  return found_[static_cast<std::size_t>(kind)].size();
+  return found_[base::index(kind)].size();
 }
 
 Book BookMaker::make() {
-  std::size_t each = static_cast<std::size_t>(options_.count) / kSituationClasses;
+  std::size_t each = base::index(options_.count) / kSituationClasses;
   for (const auto& list : found_) each = std::min(each, list.size());
   book_.seed = options_.seed;
   book_.warm_up = options_.warm_up;
+
   soccer::RandomStream draw(options_.seed, "book");
   for (auto& list : found_) {
     draw.shuffle(std::span<Situation>(list));
-    // Matches take turns: a stable sort by the number of the moment within its match.
+
+    // Matches take turns: by the number of the moment within its match.
     std::vector<std::size_t> of_log(book_.logs.size());
     std::vector<std::pair<std::size_t, std::size_t>> order;
     for (std::size_t i = 0; i < list.size(); ++i) {
-      order.emplace_back(of_log[static_cast<std::size_t>(list[i].log)]++, i);
+      order.emplace_back(of_log[base::index(list[i].log)]++, i);
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::sort(order);
+
     for (std::size_t i = 0; i < each; ++i) {
       book_.situations.push_back(std::move(list[order[i].second]));
     }
     list.clear();
   }
-  std::stable_sort(book_.situations.begin(), book_.situations.end(),
-                   [](const Situation& a, const Situation& b) {
-                     return std::tuple(a.log, a.time, a.kind) < std::tuple(b.log, b.time, b.kind);
-                   });
+
+  std::ranges::stable_sort(book_.situations, {}, [](const Situation& one) {
+    return std::tuple(one.log, one.time, one.kind);
+  });
   return std::exchange(book_, {});
 }
 

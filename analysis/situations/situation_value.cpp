@@ -22,7 +22,7 @@ constexpr std::array<double, kFigureNames.size()> kWeights = {3.69, 7.01, 2.38, 
 // time for the better team to get all of its advantage (docs/tournaments.md).
 constexpr double kSituationScale = 4.0;
 
-double sign_of(std::int8_t slot) { return slot == kNoPlayer ? 0.0 : attack_sign(slot_index(slot)); }
+double sign_of(std::int8_t slot) { return slot == kNoPlayer ? 0.0 : attack_sign(slot); }
 
 double closeness(Vec2 ball, double goal_x) {
   return std::max(0.0, 1.0 - soccer::distance(ball, Vec2{goal_x, 0.0}) / kDangerRange);
@@ -44,6 +44,7 @@ SituationFigures figures_of(const Flow& flow, std::size_t begin, std::size_t end
   SituationFigures figures;
   const int lead = lead_at(record, begin);
   std::size_t last = begin;
+
   for (std::size_t frame = begin; frame < end && figures.goals == 0.0; ++frame) {
     last = frame;
     figures.mean_ball_x += record.ball_position[frame].x / soccer::kHalfLength;
@@ -51,6 +52,7 @@ SituationFigures figures_of(const Flow& flow, std::size_t begin, std::size_t end
     figures.mean_danger += danger(record.ball_position[frame]);
     figures.goals = std::clamp(lead_at(record, frame) - lead, -1, 1);
   }
+
   const auto count = static_cast<double>(last - begin + 1);
   figures.mean_ball_x /= count;
   figures.mean_possession /= count;

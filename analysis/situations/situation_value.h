@@ -1,4 +1,4 @@
-// What a played situation is worth: goals, expected goals and territory, in goals a match.
+// The value of a played situation: goals, expected goals and territory, in goals a match.
 #pragma once
 
 #include <array>

@@ -1,24 +1,20 @@
-// All statistics by name: the one list from which JSON, CSV and text are made.
+// Objects with the members of cls.stats/1 (docs/formats/statistics.md lists names and units).
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 
 #include "analysis/results/match_summary.h"
 #include "analysis/statistics/match_statistics.h"
-#include "analysis/statistics/team_totals.h"
+#include "base/text/json.h"
 
 namespace cls::analysis {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
-// Objects with the members of cls.stats/1 (docs/formats/statistics.md lists names and units). CSV
-// columns and text rows refer to these members. Numbers are not rounded.
-
-Json team_fields(const MatchSummary& summary, const MatchStatistics& all, const TeamTotals& totals,
-                 std::size_t team);
-Json player_fields(const MatchStatistics& all, std::size_t slot);
+// Numbers are not rounded.
+Json team_fields(const MatchSummary& summary, const MatchStatistics& all, std::size_t team);
+Json player_fields(const MatchSummary& summary, const MatchStatistics& all, std::size_t slot);
 /// Statistics of the match that belong to neither team.
 Json game_fields(const MatchStatistics& all);
 
@@ -27,11 +23,10 @@ double share(int part, int whole);
 /// `[x, y]`.
 Json point_json(soccer::Vec2 p);
 /// "left" or "right"; empty for kNoPlayer.
-const char* side_text(std::int8_t slot);
+const char* side_text(int slot);
 
-/// To four decimals, the precision of logs; never -0.
+/// To four decimals, the precision of logs; never -0. Of JSON: every real number in it.
 double rounded(double value);
-/// Rounds every real number in `json`.
-void round_numbers(Json& json);
+Json rounded(const Json& value);
 
 }  // namespace cls::analysis

@@ -13,8 +13,9 @@ namespace {
 void add_touches(const Flow& flow, PerPlayer<BallActions>& work) {
   for (const Touch& touch : flow.touches) {
     if (touch.live_phase < 0) continue;
-    for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot)
+    for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
       work[slot].touches += touch.touchers >> slot & 1;
+    }
   }
 }
 
@@ -25,6 +26,7 @@ void add_passes(const std::vector<Pass>& passes, PerPlayer<BallActions>& work) {
     passer.crosses += pass.cross;
     passer.losses +=
         pass.outcome == PassOutcome::kIntercepted || pass.outcome == PassOutcome::kContested;
+
     if (!pass.completed()) continue;
     ++passer.completed;
     passer.pass_length += pass.length();
@@ -48,14 +50,17 @@ void add_shots(const MatchStatistics& all, PerPlayer<BallActions>& work) {
     ++shooter.shots;
     shooter.on_target += shot.on_target;
     shooter.expected_goals += all.expected[i];
+
     const Assist assist = find_assist(all.flow, all.passes, shot);
     if (assist.passer != kNoPlayer) ++work[slot_index(assist.passer)].key_passes;
   }
+
   for (std::size_t i = 0; i < all.goals.size(); ++i) {
     const Goal& goal = all.goals[i];
     if (goal.scorer == kNoPlayer) continue;
-    ++(goal.own_goal ? work[slot_index(goal.scorer)].own_goals
-                     : work[slot_index(goal.scorer)].goals);
+    BallActions& scorer = work[slot_index(goal.scorer)];
+    ++(goal.own_goal ? scorer.own_goals : scorer.goals);
+
     const Assist& assist = all.assists[i];
     if (assist.passer != kNoPlayer) ++work[slot_index(assist.passer)].assists;
     if (assist.second != kNoPlayer) ++work[slot_index(assist.second)].second_assists;
@@ -65,10 +70,9 @@ void add_shots(const MatchStatistics& all, PerPlayer<BallActions>& work) {
 std::vector<Assist> find_assists(const MatchStatistics& all) {
   std::vector<Assist> assists;
   for (const Goal& goal : all.goals) {
-    const bool by_shot = goal.shot >= 0;
-    assists.push_back(
-        by_shot ? find_assist(all.flow, all.passes, all.shots[static_cast<std::size_t>(goal.shot)])
-                : Assist{});
+    assists.push_back(goal.shot < 0
+                          ? Assist{}
+                          : find_assist(all.flow, all.passes, all.shots[base::index(goal.shot)]));
   }
   return assists;
 }
@@ -83,12 +87,11 @@ Rating rating_of(const MatchStatistics& all, std::size_t slot) {
                    8.0 * work.own_goals;
   rating.discipline = -1.0 * all.stoppages.fouls_by[slot] - 2.0 * all.stoppages.yellow_cards[slot] -
                       6.0 * all.stoppages.red_cards[slot];
-  const gamelog::MatchRecord& record = *all.flow.record;
-  if (was_goalie(record, slot)) {
+
+  if (was_goalie(*all.flow.record, slot)) {
     const std::size_t team = team_of(slot);
-    const auto conceded = std::count_if(
-        all.goals.begin(), all.goals.end(),
-        [team](const Goal& goal) { return (goal.side == soccer::Side::kLeft ? 0U : 1U) != team; });
+    const auto conceded = std::ranges::count_if(
+        all.goals, [team](const Goal& goal) { return team_of(goal.side) != team; });
     rating.defense += 3.0 * all.goalkeeping[team].saves - 1.5 * static_cast<double>(conceded);
   }
   return rating;
@@ -101,6 +104,7 @@ MatchStatistics compute_statistics(const gamelog::MatchRecord& record,
   MatchStatistics all;
   all.flow = build_flow(record);
   const Flow& flow = all.flow;
+
   all.possession = measure_possession(flow);
   all.shots = find_shots(flow);
   all.expected = expected_goals(flow, all.shots);
@@ -110,6 +114,7 @@ MatchStatistics compute_statistics(const gamelog::MatchRecord& record,
   all.carries = find_carries(flow);
   all.chains = find_chains(flow, all.passes, all.shots);
   all.one_twos = one_twos(flow, all.passes);
+
   all.tackles = count_tackles(flow);
   all.territory = measure_territory(flow);
   all.stoppages = count_stoppages(flow);
@@ -124,6 +129,7 @@ MatchStatistics compute_statistics(const gamelog::MatchRecord& record,
   }
   all.attention = measure_attention(record);
   if (text != nullptr) all.responsiveness = measure_responsiveness(flow, *text);
+
   add_touches(flow, all.ball_actions);
   add_passes(all.passes, all.ball_actions);
   add_carries(all.carries, all.ball_actions);
@@ -141,27 +147,29 @@ std::vector<std::string> exclusion_reasons(const MatchSummary& summary,
   constexpr double kMaxSilentShareInSynchMode = 0.01;
   constexpr double kMaxSilentShare = 0.02;
   const gamelog::MatchRecord& record = *statistics.flow.record;
-  std::vector<std::string> reasons;
   if (record.frames() == 0) return {"no frames"};
+
+  std::vector<std::string> reasons;
   if (!summary.complete) {
     reasons.push_back(summary.end_reason.empty() ? "no time_over"
                                                  : "end reason: " + summary.end_reason);
   }
+
   const double max_silent = record.server.synch_mode ? kMaxSilentShareInSynchMode : kMaxSilentShare;
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
-    const int at = static_cast<int>(slot);
-    const std::string player =
-        fmt::format("{} {}", soccer::letter(soccer::side_of_slot(at)), soccer::unum_of_slot(at));
+    const std::string player = fmt::format("{} {}", soccer::letter(side_of(slot)), unum_of(slot));
     const std::uint32_t last = record.players.state[entry_of(record.frames() - 1, slot)];
     if (statistics.attention[slot].frames == 0) {
       reasons.push_back(player + " never connected");
     } else if ((last & (gamelog::kStateEnabled | gamelog::kStateRedCard)) == 0) {
       reasons.push_back(player + " disconnected");
     }
+
     if (!statistics.responsiveness) continue;
     const double silent = (*statistics.responsiveness)[slot].silent_share();
-    if (silent > max_silent)
+    if (silent > max_silent) {
       reasons.push_back(fmt::format("{} silent in {:.1f} % of steps", player, 100 * silent));
+    }
   }
   return reasons;
 }

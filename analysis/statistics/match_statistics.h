@@ -7,7 +7,7 @@
 
 #include "analysis/measures/pass_network.h"
 #include "analysis/measures/physical.h"
-#include "analysis/measures/positions.h"
+#include "analysis/measures/position_stats.h"
 #include "analysis/measures/possession.h"
 #include "analysis/measures/pressing.h"
 #include "analysis/measures/responsiveness.h"
@@ -49,6 +49,8 @@ struct BallActions {
   double expected_goals = 0.0;
   double threat = 0.0;
   int losses = 0;  ///< passes intercepted by an opponent or touched next by both teams
+
+  double mean_pass_length() const { return completed == 0 ? 0.0 : pass_length / completed; }
 };
 
 /// Rating: a weighted sum of actions. Goals 10, assists 5, shots on target 1.5, key passes 2,

@@ -5,7 +5,7 @@
 
 #include "analysis/results/match_summary.h"
 #include "analysis/statistics/match_statistics.h"
-#include "analysis/statistics/spadl_table.h"
+#include "analysis/statistics/spadl_actions.h"
 #include "analysis/statistics/statistics_json.h"
 #include "analysis/statistics/statistics_text.h"
 #include "base/system/parallel.h"
@@ -22,45 +22,58 @@ struct Part {
   bool usable = false;
 };
 
-base::Table empty_table(StatisticsFormat format) {
-  return format == StatisticsFormat::kCsvPlayers  ? player_table()
-         : format == StatisticsFormat::kCsvEvents ? event_table()
-         : format == StatisticsFormat::kSpadl     ? spadl_table()
-                                                  : team_table();
+// A CSV table: its columns, and how the rows of a match are added.
+struct CsvFormat {
+  base::Table (*columns)();
+  void (*add)(const MatchSummary&, const MatchStatistics&, base::Table&);
+};
+
+CsvFormat csv_format(StatisticsFormat format) {
+  switch (format) {
+    case StatisticsFormat::kCsvPlayers:
+      return {player_table, add_players};
+    case StatisticsFormat::kCsvEvents:
+      return {event_table, add_events};
+    case StatisticsFormat::kSpadl:
+      return {spadl_table, add_spadl};
+    default:
+      return {team_table, add_teams};
+  }
 }
 
 void write_part(const MatchSummary& summary, const MatchStatistics& statistics,
                 StatisticsFormat format, bool events, std::size_t width, Part& part) {
-  switch (format) {
-    case StatisticsFormat::kText:
-      part.text = statistics_text(summary, statistics, width);
-      break;
-    case StatisticsFormat::kJson:
-      part.text = statistics_json(summary, statistics, events);
-      break;
-    case StatisticsFormat::kCsv:
-      add_teams(summary, statistics, part.rows);
-      break;
-    case StatisticsFormat::kCsvPlayers:
-      add_players(summary, statistics, part.rows);
-      break;
-    case StatisticsFormat::kCsvEvents:
-      add_events(summary, statistics, part.rows);
-      break;
-    case StatisticsFormat::kSpadl:
-      add_spadl(summary, statistics, part.rows);
-      break;
+  if (format == StatisticsFormat::kText) {
+    part.text = statistics_text(summary, statistics, width);
+  } else if (format == StatisticsFormat::kJson) {
+    part.text = statistics_json(summary, statistics, events);
+  } else {
+    csv_format(format).add(summary, statistics, part.rows);
   }
+}
+
+std::optional<gamelog::RclRecord> read_text(const std::string& file,
+                                            std::vector<LogProblem>& problems) {
+  if (file.empty()) return std::nullopt;
+
+  auto text = gamelog::read_rcl_file(file);
+  if (!text) {
+    problems.push_back({file, text.error().message, {}});
+    return std::nullopt;
+  }
+  if (!text->errors.empty()) problems.push_back({file, "", text->errors});
+  return *std::move(text);
 }
 
 Part read_part(const MatchInput& input, StatisticsFormat format, bool events, std::size_t width) {
   const gamelog::MatchLogs& logs = input.logs;
   Part part;
-  part.rows = empty_table(format);
+  part.rows = csv_format(format).columns();
   if (logs.game.empty()) {
     part.problems.push_back({logs.text, logs.text + ": no game log (rcg) beside it", {}});
     return part;
   }
+
   const auto record = gamelog::read_rcg_file(logs.game);
   if (!record) {
     part.problems.push_back({logs.game, record.error().message, {}});
@@ -68,21 +81,14 @@ Part read_part(const MatchInput& input, StatisticsFormat format, bool events, st
   }
   if (!record->errors.empty()) part.problems.push_back({logs.game, "", record->errors});
   if (record->frames() == 0) return part;
-  std::optional<gamelog::RclRecord> text;
-  if (!logs.text.empty()) {
-    auto read = gamelog::read_rcl_file(logs.text);
-    if (!read) {
-      part.problems.push_back({logs.text, read.error().message, {}});
-    } else {
-      text = std::move(*read);
-      if (!text->errors.empty()) part.problems.push_back({logs.text, "", text->errors});
-    }
-  }
+
+  const auto text = read_text(logs.text, part.problems);
   const gamelog::RclRecord* text_log = text ? &*text : nullptr;
   MatchSummary summary = summarize(*record, text_log);
   summary.file = logs.game;
   summary.text_log = text ? logs.text : "";
   if (input.end) set_end(*input.end, summary);
+
   part.usable = true;
   write_part(summary, compute_statistics(*record, text_log), format, events, width, part);
   return part;
@@ -96,6 +102,7 @@ std::string joined(std::vector<Part>& parts, StatisticsFormat format) {
     }
     return statistics_document(matches);
   }
+
   std::string text;
   if (format == StatisticsFormat::kText) {
     for (const Part& part : parts) {
@@ -104,7 +111,8 @@ std::string joined(std::vector<Part>& parts, StatisticsFormat format) {
     }
     return text;
   }
-  base::Table table = empty_table(format);
+
+  base::Table table = csv_format(format).columns();
   for (Part& part : parts) table.append_rows(std::move(part.rows));
   return table.format_csv();
 }
@@ -118,6 +126,7 @@ StatisticsOutput read_statistics(const std::vector<MatchInput>& matches, Statist
   std::vector<Part> parts(matches.size());
   const auto work = [&](std::size_t i) { parts[i] = read_part(matches[i], format, events, width); };
   base::parallel_for(matches.size(), jobs, work, on_done);
+
   StatisticsOutput output;
   for (Part& part : parts) {
     for (LogProblem& problem : part.problems) output.problems.push_back(std::move(problem));

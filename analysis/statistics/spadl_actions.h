@@ -1,4 +1,5 @@
-// The events of a match as actions of SPADL, the Soccer Player Action Description Language.
+// The events of a match as actions of SPADL, the Soccer Player Action Description Language, and as
+// a table with the columns of socceraction.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/results/match_summary.h"
 #include "analysis/statistics/match_statistics.h"
+#include "base/text/table.h"
 
 namespace cls::analysis {
 
@@ -61,10 +64,15 @@ struct SpadlAction {
   SpadlType type = SpadlType::kPass;
   SpadlResult result = SpadlResult::kFail;
   SpadlBodyPart body_part = SpadlBodyPart::kFoot;
-  std::optional<std::size_t> event;  ///< index into list_events(); none: follows from another event
+  std::optional<std::size_t>
+      event{};  ///< index into list_events(); none: follows from another event
 };
 
 /// In the order of the match (docs/formats/events.md has the definitions). Shoot-outs have none.
 std::vector<SpadlAction> spadl_actions(const MatchStatistics& statistics);
+
+/// A CSV table to which matches are added one by one.
+base::Table spadl_table();
+void add_spadl(const MatchSummary& summary, const MatchStatistics& statistics, base::Table& table);
 
 }  // namespace cls::analysis

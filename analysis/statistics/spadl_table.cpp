@@ -1,5 +1,5 @@
 // One row for each action.
-#include "analysis/statistics/spadl_table.h"
+#include "analysis/statistics/spadl_actions.h"
 
 #include <array>
 #include <string>
@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "analysis/results/periods.h"
-#include "analysis/results/team_ids.h"
-#include "analysis/statistics/spadl_actions.h"
 #include "base/text/number_text.h"
 #include "soccer/side.h"
 

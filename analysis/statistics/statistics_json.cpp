@@ -12,15 +12,13 @@
 namespace cls::analysis {
 namespace {
 
-Json unum_or_null(std::int8_t slot) {
-  return slot == kNoPlayer ? Json(nullptr) : Json(soccer::unum_of_slot(slot));
-}
+Json unum_or_null(std::int8_t slot) { return slot == kNoPlayer ? Json() : Json(unum_of(slot)); }
 
 // Adds the origin of a goal: its shot, and the passes and start of its chain.
 void add_origin(const MatchStatistics& all, const Shot& shot, Json& json) {
   json["shot_distance"] = shot.distance;
   json["shot_cycles"] = shot.cycles;
-  const auto chain = std::find_if(all.chains.begin(), all.chains.end(), [&](const Chain& c) {
+  const auto chain = std::ranges::find_if(all.chains, [&](const Chain& c) {
     return c.first_touch <= shot.touch && shot.touch <= c.last_touch;
   });
   json["chain_passes"] = chain == all.chains.end() ? Json(nullptr) : Json(chain->passes);
@@ -59,7 +57,8 @@ Json goals_json(const MatchStatistics& all) {
                  {"shot_cycles", nullptr},
                  {"chain_passes", nullptr},
                  {"from_set_play", nullptr}};
-    if (goal.shot >= 0) add_origin(all, all.shots[static_cast<std::size_t>(goal.shot)], json);
+
+    if (goal.shot >= 0) add_origin(all, all.shots[base::index(goal.shot)], json);
     list.push_back(json);
   }
   return list;
@@ -70,6 +69,7 @@ Json shot_list_json(const MatchStatistics& all) {
   for (std::size_t i = 0; i < all.shots.size(); ++i) {
     const Shot& shot = all.shots[i];
     const Touch& touch = all.flow.touches[shot.touch];
+
     list.push_back({{"cycle", all.flow.record->time[touch.frame]},
                     {"frame", touch.frame},
                     {"side", side_text(shot.slot)},
@@ -92,14 +92,14 @@ Json events_json(const MatchStatistics& all) {
     Json json = {{"cycle", event.cycle},
                  {"stopped", event.stopped},
                  {"frame", event.frame},
-                 {"kind", event.kind},
+                 {"kind", name(event.kind)},
                  {"side", event.slot == kNoPlayer ? Json(nullptr) : Json(side_text(event.slot))},
                  {"unum", unum_or_null(event.slot)},
                  {"from", point_json(event.from)},
                  {"to", point_json(event.to)},
                  {"other", unum_or_null(event.other)},
                  {"result", event.result}};
-    if (event.pass >= 0) add_pass(all.passes[static_cast<std::size_t>(event.pass)], json);
+    if (event.kind == EventKind::kPass) add_pass(all.passes[event.index], json);
     json["marks"] = event.marks;
     list.push_back(std::move(json));
   }
@@ -118,18 +118,20 @@ std::string statistics_json(const MatchSummary& summary, const MatchStatistics& 
   json["complete"] = summary.complete;
   json["damage"] = summary.parse_errors;
   json["doubts"] = exclusion_reasons(summary, all);
+
   json["game"] = game_fields(all);
-  json["left"] = team_fields(summary, all, sum_team(all, 0), 0);
-  json["right"] = team_fields(summary, all, sum_team(all, 1), 1);
+  json["left"] = team_fields(summary, all, 0);
+  json["right"] = team_fields(summary, all, 1);
   json["goals"] = goals_json(all);
   json["shots"] = shot_list_json(all);
+
   json["players"] = Json::array();
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
-    json["players"].push_back(player_fields(all, slot));
+    json["players"].push_back(player_fields(summary, all, slot));
   }
+
   if (events) json["events"] = events_json(all);
-  round_numbers(json);
-  return base::json_line(json);
+  return base::json_line(rounded(json));
 }
 
 std::string statistics_document(const std::vector<std::string>& matches) {

@@ -1,4 +1,4 @@
-// Sums over the players and events of a team.
+// Sums over the passes, shots and chains of a team.
 #pragma once
 
 #include <array>
@@ -19,9 +19,9 @@ struct PassTotals {
   int switches = 0;
   int cutbacks = 0;
   int clearances = 0;
-  int one_twos = 0;
   int overtaken = 0;
 };
+PassTotals pass_totals(const MatchStatistics& statistics, std::size_t team);
 
 struct ShotTotals {
   int total = 0;
@@ -30,6 +30,7 @@ struct ShotTotals {
   double expected = 0.0;             ///< sum of goal probabilities
   double expected_by_chain = 0.0;    ///< of at least one goal per chain, summed
 };
+ShotTotals shot_totals(const MatchStatistics& statistics, std::size_t team);
 
 struct ChainTotals {
   int count = 0;
@@ -38,28 +39,6 @@ struct ChainTotals {
   int from_set_play = 0;
   std::array<int, 5> results = {};  ///< by ChainResult
 };
-
-struct TeamTotals {
-  int touches = 0;
-  PassTotals passes;
-  ChainTotals chains;
-  ShotTotals shots;
-  int carries = 0;
-  int dribbles = 0;
-  int take_ons = 0;
-  int goals = 0;
-  int own_goals = 0;
-  double threat = 0.0;
-  Tackles tackles;
-  int interceptions = 0;
-  double distance = 0.0;
-  double stamina_used = 0.0;
-  int exhausted_frames = 0;
-  int steps = 0;  ///< only with a text log, as the next two
-  int silent = 0;
-  int rejected = 0;
-};
-
-TeamTotals sum_team(const MatchStatistics& statistics, std::size_t team);
+ChainTotals chain_totals(const MatchStatistics& statistics, std::size_t team);
 
 }  // namespace cls::analysis

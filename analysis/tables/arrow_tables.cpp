@@ -1,5 +1,5 @@
-// Frames and commands; the events are written beside their CSV (event_table.cpp).
-#include "analysis/tables/arrow_tables.h"
+// Frames and commands; event_table.cpp writes events, in both formats.
+#include "analysis/tables/log_tables.h"
 
 #include <string>
 #include <string_view>
@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/io/arrow_file.h"
+#include "base/text/enum_names.h"
 #include "gamelog/rcl/logged_commands.h"
 #include "soccer/play_mode.h"
-#include "soccer/side.h"
 
 namespace cls::analysis {
 namespace {
@@ -41,28 +41,22 @@ std::vector<ArrowField> frame_fields(bool has_ball_height) {
   }
 
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
-    const std::string player = std::string(1, letter(soccer::side_of_slot(slot))) +
-                               std::to_string(soccer::unum_of_slot(slot));
+    const std::string player = letter(side_of(slot)) + std::to_string(unum_of(slot));
     fields.push_back({player + "_t", ArrowType::kInt16});
-    fields.push_back({player + "_x", ArrowType::kFloat32, kMeters});
-    fields.push_back({player + "_y", ArrowType::kFloat32, kMeters});
-    fields.push_back({player + "_vx", ArrowType::kFloat32, kMetersPerCycle});
-    fields.push_back({player + "_vy", ArrowType::kFloat32, kMetersPerCycle});
-    fields.push_back({player + "_body", ArrowType::kFloat32, kDegrees});
-    fields.push_back({player + "_neck", ArrowType::kFloat32, kDegrees});
-    fields.push_back({player + "_vwidth", ArrowType::kFloat32, kDegrees});
-    fields.push_back({player + "_stamina", ArrowType::kFloat32});
+    for (const auto& [cell, unit] :
+         {std::pair("_x", kMeters), std::pair("_y", kMeters), std::pair("_vx", kMetersPerCycle),
+          std::pair("_vy", kMetersPerCycle), std::pair("_body", kDegrees),
+          std::pair("_neck", kDegrees), std::pair("_vwidth", kDegrees),
+          std::pair("_stamina", "")}) {
+      fields.push_back({player + cell, ArrowType::kFloat32, unit});
+    }
   }
   if (has_ball_height) fields.push_back({"b_z", ArrowType::kFloat32, kMeters});
   return fields;
 }
 
 void add_known(bool known, double value, ArrowWriter& table) {
-  if (known) {
-    table.add(value);
-  } else {
-    table.add_null();
-  }
+  known ? table.add(value) : table.add_null();
 }
 
 void add_player(const MatchRecord& record, std::size_t entry, ArrowWriter& table) {
@@ -80,20 +74,9 @@ void add_player(const MatchRecord& record, std::size_t entry, ArrowWriter& table
   add_known(motion, players.stamina[entry], table);
 }
 
-std::string_view source_name(gamelog::RclSource source) {
-  switch (source) {
-    case gamelog::RclSource::kPlayer:
-      return "player";
-    case gamelog::RclSource::kCoach:
-      return "coach";
-    case gamelog::RclSource::kTrainer:
-      return "trainer";
-    case gamelog::RclSource::kReferee:
-    case gamelog::RclSource::kOther:
-      break;
-  }
-  return {};
-}
+// Empty for those that send no commands.
+constexpr auto kSourceNames =
+    base::enum_names<gamelog::RclSource>("player", "coach", "trainer", "", "");
 
 }  // namespace
 
@@ -102,12 +85,14 @@ void write_frames_arrow(const MatchRecord& record, base::ByteSink& sink) {
   const bool motion = record.version >= RcgVersion::kV3;
   int time = 0;
   int stopped = 0;
+
   for (std::size_t frame = 0; frame < record.frames(); ++frame) {
     stopped = record.time[frame] == std::exchange(time, record.time[frame]) ? stopped + 1 : 0;
     table.add(static_cast<double>(frame + 1));
     table.add(record.time[frame]);
     table.add(stopped);
     table.add(name(record.mode[frame]));
+
     for (const gamelog::TeamFrame& team : record.teams[record.team_state[frame]]) {
       table.add(std::string_view(team.name));
       table.add(team.score);
@@ -119,7 +104,7 @@ void write_frames_arrow(const MatchRecord& record, base::ByteSink& sink) {
     add_known(motion, record.ball_velocity[frame].x, table);
     add_known(motion, record.ball_velocity[frame].y, table);
     for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
-      add_player(record, frame * gamelog::kSlots + slot, table);
+      add_player(record, entry_of(frame, slot), table);
     }
     if (record.has_ball_height) table.add(record.ball_height[frame]);
   }
@@ -138,8 +123,9 @@ void write_commands_arrow(const gamelog::RclRecord& text, base::ByteSink& sink) 
                     {{"schema", "cls.commands/1"}});
 
   for (const gamelog::RclLine& line : text.lines) {
-    const std::string_view source = source_name(line.source);
+    const std::string_view source = kSourceNames.name(line.source);
     if (source.empty()) continue;
+
     const bool of_team = line.source != gamelog::RclSource::kTrainer;
     gamelog::CommandCursor cursor(text.text_of(line));
     for (gamelog::LoggedCommand command; cursor.next(command);) {

@@ -1,13 +1,13 @@
 // Fills the documents.
-#include "analysis/tables/cdf_documents.h"
+#include "analysis/tables/cdf_match.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 
 #include "base/system/version.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "soccer/pitch.h"
 #include "soccer/side.h"
@@ -15,7 +15,7 @@
 namespace cls::analysis {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 using soccer::Side;
 
 constexpr const char* kVendor = "cls";
@@ -23,18 +23,11 @@ constexpr std::array<const char*, 2> kSides = {"home", "away"};
 
 Json score(int home, int away) { return {{"home", home}, {"away", away}}; }
 
-std::size_t team_of_side(Side side) { return side == Side::kRight ? 1 : 0; }
-
 std::string line(const Json& json) { return base::json_line(json) + "\n"; }
 
 const Period* find(const CdfMatch& match, PeriodKind kind) {
-  const auto found = std::find_if(match.periods.begin(), match.periods.end(),
-                                  [kind](const Period& period) { return period.kind == kind; });
+  const auto found = std::ranges::find(match.periods, kind, &Period::kind);
   return found == match.periods.end() ? nullptr : &*found;
-}
-
-bool has_extra_time(const CdfMatch& match) {
-  return find(match, PeriodKind::kFirstExtraHalf) != nullptr;
 }
 
 // Goals in a period, which is that of its last frame minus that of the frame before it.
@@ -82,14 +75,13 @@ bool starts(const CdfMatch& match, std::size_t slot) {
 Json players_of(const CdfMatch& match, std::size_t team, bool whole) {
   Json players = Json::array();
   for (const std::size_t slot : kTeamSlots[team]) {
-    const int unum = soccer::unum_of_slot(static_cast<int>(slot));
     Json player = {{"id", match.player_id(slot)}};
     if (whole) {
       player["first_name"] = match.teams[team];
-      player["last_name"] = std::to_string(unum);
+      player["last_name"] = std::to_string(unum_of(slot));
     }
     player["team_id"] = match.teams[team];
-    player["jersey_number"] = unum;
+    player["jersey_number"] = unum_of(slot);
     player["is_starter"] = starts(match, slot);
     if (whole) player["has_played"] = played(match, slot);
     players.push_back(player);
@@ -114,12 +106,13 @@ Json goals_of(const CdfMatch& match) {
   for (std::size_t i = 0; i < all.goals.size(); ++i) {
     const Goal& goal = all.goals[i];
     if (goal.scorer == kNoPlayer) continue;
+
     const auto& teams = match.record.teams[match.record.team_state[goal.frame]];
     const std::int8_t assist = i < all.assists.size() ? all.assists[i].passer : kNoPlayer;
     goals.push_back(
         {{"time", match.time_of(goal.frame)},
          {"period", cdf_name(period_of(match.periods, goal.frame).kind)},
-         {"team_id", match.teams[team_of_side(goal.side)]},
+         {"team_id", match.teams[team_of(goal.side)]},
          {"player_id", match.player_id(slot_index(goal.scorer))},
          {"assist_id", assist == kNoPlayer ? Json() : Json(match.player_id(slot_index(assist)))},
          {"is_own_goal", goal.own_goal},
@@ -132,8 +125,8 @@ Json goals_of(const CdfMatch& match) {
 // The first frame of a cycle.
 std::size_t frame_of(const CdfMatch& match, int cycle) {
   const auto& time = match.record.time;
-  const auto found = std::find(time.begin(), time.end(), cycle);
-  return found == time.end() ? 0 : static_cast<std::size_t>(found - time.begin());
+  const auto found = std::ranges::find(time, cycle);
+  return found == time.end() ? 0 : base::index(found - time.begin());
 }
 
 Json cards_of(const CdfMatch& match) {
@@ -141,7 +134,7 @@ Json cards_of(const CdfMatch& match) {
   for (const CardSummary& card : match.summary.cards) {
     if (card.side == Side::kNeutral || match.record.frames() == 0) continue;
     const std::size_t frame = frame_of(match, card.cycle);
-    const auto slot = static_cast<std::size_t>(soccer::slot_of(card.side, card.unum));
+    const std::size_t slot = base::index(soccer::slot_of(card.side, card.unum));
     cards.push_back({{"team_id", match.teams[team_of(slot)]},
                      {"time", match.time_of(frame)},
                      {"period", cdf_name(period_of(match.periods, frame).kind)},
@@ -171,7 +164,7 @@ void add_period(const CdfMatch& match, const Period& period, Json& periods, Json
 
 std::string cdf_match_document(const CdfMatch& match) {
   const Json status = {{"is_neutral", true},
-                       {"has_extratime", has_extra_time(match)},
+                       {"has_extratime", find(match, PeriodKind::kFirstExtraHalf) != nullptr},
                        {"has_shootout", match.summary.penalties}};
   const Json events = {
       {"goals", goals_of(match)}, {"substitutions", Json::array()}, {"cards", cards_of(match)}};
@@ -186,6 +179,7 @@ std::string cdf_meta_document(const CdfMatch& match) {
   Json periods = Json::array();
   Json whistles = Json::array();
   for (const Period& period : match.periods) add_period(match, period, periods, whistles);
+
   const int fps = static_cast<int>(std::lround(1.0 / cycle_seconds(match.record.server)));
   const Json tracking = {{"version", base::kVersion},
                          {"name", kVendor},

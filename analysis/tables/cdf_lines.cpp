@@ -1,14 +1,13 @@
 // Events as JSON objects; frames as text, because a match has a hundred thousand places.
-#include "analysis/tables/cdf_lines.h"
+#include "analysis/tables/cdf_match.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
-#include <optional>
 
 #include "analysis/statistics/event_list.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/text/number_text.h"
 #include "soccer/play_mode.h"
@@ -16,7 +15,7 @@
 namespace cls::analysis {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 using soccer::PlayMode;
 
 std::string text_of(const Json& json) { return base::json_line(json); }
@@ -36,13 +35,25 @@ Json sub_type(const Event& event, PlayMode before) {
     case PlayMode::kKickOffLeft:
       return "kick_off";
     default:
-      return event.marks.empty() ? Json() : Json(std::string(event.marks.front()));
+      return event.marks.empty() ? Json() : Json(event.marks.front());
   }
 }
 
-bool is_successful(const Event& event) {
-  return event.result == "completed" || event.result == "goal" || event.kind == "carry" ||
-         event.kind == "tackle";
+bool is_successful(const MatchStatistics& all, const Event& event) {
+  switch (event.kind) {
+    case EventKind::kPass:
+      return all.passes[event.index].completed();
+    case EventKind::kShot:
+      return all.shots[event.index].outcome == ShotOutcome::kGoal;
+    case EventKind::kGoal:
+      return !all.goals[event.index].own_goal;
+    case EventKind::kFoul:
+      return false;
+    case EventKind::kCarry:
+    case EventKind::kTackle:
+      break;
+  }
+  return true;
 }
 
 // "07:03.40": minutes, seconds and hundredths of game time.
@@ -52,37 +63,25 @@ std::string match_clock(const gamelog::MatchRecord& record, std::size_t frame) {
   return fmt::format("{:02}:{:05.2f}", minutes, seconds - minutes * 60.0);
 }
 
-std::optional<double> expected_goals(const MatchStatistics& all, const Event& event) {
-  if (event.kind != "shot") return std::nullopt;
-  for (std::size_t i = 0; i < all.shots.size(); ++i) {
-    const Shot& shot = all.shots[i];
-    if (all.flow.touches[shot.touch].frame == event.frame && shot.slot == event.slot) {
-      return all.expected[i];
-    }
-  }
-  return std::nullopt;
-}
-
 Json event_object(const CdfMatch& match, const Event& event, std::size_t index) {
   const auto& record = match.record;
-  const bool pass = event.kind == "pass";
-  const bool received = pass && event.result == "completed" && event.other != kNoPlayer;
-  const std::size_t end =
-      pass ? event.frame + match.statistics.passes[static_cast<std::size_t>(event.pass)].frames
-           : event.frame;
+  const MatchStatistics& all = match.statistics;
+  const Pass* pass = event.kind == EventKind::kPass ? &all.passes[event.index] : nullptr;
+  const bool received = pass != nullptr && pass->completed();
+  const std::size_t end = event.frame + (pass != nullptr ? pass->frames : 0);
   const std::size_t end_frame = std::min(end, record.frames() - 1);
-  const Json receiver = received ? Json(match.player_id(slot_index(event.other))) : Json();
+
   Json one = {
       {"id", fmt::format("{}_{}", match.id, index)},
       {"time", match.time_of(event.frame)},
       {"period", cdf_name(period_of(match.periods, event.frame).kind)},
-      {"type", std::string(event.kind)},
+      {"type", name(event.kind)},
       {"sub_type", event.frame == 0 ? Json() : sub_type(event, record.mode[event.frame - 1])},
-      {"is_successful", is_successful(event)},
-      {"outcome_type", std::string(event.result)},
+      {"is_successful", is_successful(all, event)},
+      {"outcome_type", event.result},
       {"player_id", match.player_id(slot_index(event.slot))},
-      {"team_id", match.teams[team_of(slot_index(event.slot))]},
-      {"receiver_id", receiver},
+      {"team_id", match.teams[team_of(event.slot)]},
+      {"receiver_id", received ? Json(match.player_id(slot_index(event.other))) : Json()},
       {"receiver_time", received ? Json(match.time_of(end_frame)) : Json()},
       {"x", event.from.x},
       {"y", 0.0 - event.from.y},
@@ -91,9 +90,8 @@ Json event_object(const CdfMatch& match, const Event& event, std::size_t index) 
       {"body_part", "other"},
       {"related_event_ids", nullptr},
       {"match_clock", match_clock(record, event.frame)}};
-  if (const auto expected = expected_goals(match.statistics, event)) {
-    one["metrics"] = {{"xg", *expected}};
-  }
+  if (event.kind == EventKind::kShot) one["metrics"] = {{"xg", all.expected[event.index]}};
+
   return {{"match", {{"id", match.id}}},
           {"meta", {{"is_synced", true}}},
           {"event", one},
@@ -119,18 +117,18 @@ class TrackingLines {
     out_ += R"(","period":")";
     out_ += cdf_name(period_of(match_.periods, frame).kind);
     out_ += match_text_;
+
     out_ += R"(,"teams":{"home":)";
     add_team(frame, 0);
     out_ += R"(,"away":)";
     add_team(frame, 1);
     out_ += R"(},"ball":)";
     add_ball(frame);
+
     out_ += match_.statistics.flow.is_live(frame) ? R"(,"ball_status":true)"
                                                   : R"(,"ball_status":false)";
     const std::int8_t owner = match_.statistics.flow.owner[frame];
-    if (owner != kNoPlayer) {
-      out_ += R"(,"ball_poss_team_id":)" + teams_[team_of(slot_index(owner))];
-    }
+    if (owner != kNoPlayer) out_ += R"(,"ball_poss_team_id":)" + teams_[team_of(owner)];
     out_ += "}\n";
     return out_;
   }

@@ -8,9 +8,8 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/results/team_ids.h"
+#include "base/text/enum_names.h"
 #include "base/text/number_text.h"
-#include "soccer/side.h"
 
 namespace cls::analysis {
 namespace {
@@ -18,10 +17,13 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::sys_days;
 
+// No period has the number 0.
+constexpr auto kPeriodNames = base::enum_names<PeriodKind>(
+    "", "first_half", "second_half", "first_half_extratime", "second_half_extratime", "shootout");
+
 // The two digits of a number; -1 for other text.
 int two_digits(std::string_view text, std::size_t at) {
-  const auto value = base::parse_int(text.substr(std::min(at, text.size()), 2));
-  return value ? *value : -1;
+  return base::parse_int(text.substr(std::min(at, text.size()), 2)).value_or(-1);
 }
 
 // Milliseconds since 1970 of YYYYMMDDhhmm; 0 for other text.
@@ -67,23 +69,9 @@ std::string CdfMatch::time_of(std::size_t frame) const {
 }
 
 std::string CdfMatch::player_id(std::size_t slot) const {
-  return fmt::format("{}_{}", teams[team_of(slot)], soccer::unum_of_slot(static_cast<int>(slot)));
+  return fmt::format("{}_{}", teams[team_of(slot)], unum_of(slot));
 }
 
-std::string_view cdf_name(PeriodKind period) {
-  switch (period) {
-    case PeriodKind::kFirstHalf:
-      return "first_half";
-    case PeriodKind::kSecondHalf:
-      return "second_half";
-    case PeriodKind::kFirstExtraHalf:
-      return "first_half_extratime";
-    case PeriodKind::kSecondExtraHalf:
-      return "second_half_extratime";
-    case PeriodKind::kShootOut:
-      break;
-  }
-  return "shootout";
-}
+std::string_view cdf_name(PeriodKind period) { return kPeriodNames.name(period); }
 
 }  // namespace cls::analysis

@@ -1,4 +1,4 @@
-// What all files of the Common Data Format say of a match: identifiers, periods and times.
+// A match as files of the Common Data Format.
 #pragma once
 
 #include <array>
@@ -10,6 +10,7 @@
 #include "analysis/results/match_summary.h"
 #include "analysis/results/periods.h"
 #include "analysis/statistics/match_statistics.h"
+#include "base/io/byte_sink.h"
 #include "gamelog/record/match_record.h"
 
 namespace cls::analysis {
@@ -43,5 +44,19 @@ struct CdfMatch {
 
 /// "first_half", "second_half", "first_half_extratime", "second_half_extratime", "shootout".
 std::string_view cdf_name(PeriodKind period);
+
+// The files (docs/data.md).
+
+/// Official match data: result, teams, goals and cards. One line of JSON.
+std::string cdf_match_document(const CdfMatch& match);
+
+/// Meta data: periods with their frames and times, teams, pitch. One line of JSON.
+std::string cdf_meta_document(const CdfMatch& match);
+
+/// A line for each event of a known player.
+std::string cdf_events(const CdfMatch& match);
+
+/// A line for each frame with ball and connected players.
+void write_cdf_tracking(const CdfMatch& match, base::ByteSink& sink);
 
 }  // namespace cls::analysis

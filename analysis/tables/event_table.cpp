@@ -1,16 +1,17 @@
 // Pairs each touch with the touch, the goal or the line that ended it.
-#include "analysis/tables/event_table.h"
+#include "analysis/tables/log_tables.h"
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
-#include "analysis/tables/arrow_tables.h"
 #include "base/io/arrow_file.h"
 #include "base/text/number_text.h"
 #include "soccer/play_mode.h"
-#include "soccer/side.h"
 
 namespace cls::analysis {
 namespace {
@@ -19,8 +20,6 @@ using gamelog::MatchRecord;
 using soccer::PlayMode;
 using soccer::Side;
 
-constexpr const char* kHeading =
-    "Type,Side1,Unum1,Time1,Mode1,X1,Y1,Side2,Unum2,Time2,X2,Y2,Success\n";
 constexpr int kUnknownPlayer = -1;
 
 // A side, and one of its players where only one was involved.
@@ -35,10 +34,10 @@ struct Row {
   std::string_view type;
   Actor from;
   std::size_t from_frame = 0;
-  soccer::Vec2 from_point;
-  Actor to;
+  soccer::Vec2 from_point{};
+  Actor to{};
   std::size_t to_frame = 0;
-  soccer::Vec2 to_point;
+  soccer::Vec2 to_point{};
   bool success = false;
 };
 
@@ -61,13 +60,10 @@ Actor actor_of(const Touch& touch) {
   return actor_of(touch, left ? Side::kLeft : Side::kRight);
 }
 
-bool is_out(PlayMode mode) {
-  const PlayMode left = soccer::without_side(mode);
-  return left == PlayMode::kKickInLeft || left == PlayMode::kCornerKickLeft ||
-         left == PlayMode::kGoalKickLeft;
+bool is_out(PlayMode without_side) {
+  return without_side == PlayMode::kKickInLeft || without_side == PlayMode::kCornerKickLeft ||
+         without_side == PlayMode::kGoalKickLeft;
 }
-
-bool is_goal(PlayMode mode) { return soccer::without_side(mode) == PlayMode::kGoalLeft; }
 
 class EventRows {
  public:
@@ -81,21 +77,17 @@ class EventRows {
       }
       if (record_.mode[frame] != record_.mode[frame - 1]) add_mode(frame);
     }
-    std::stable_sort(rows_.begin(), rows_.end(), [this](const Row& a, const Row& b) {
-      return record_.time[a.from_frame] < record_.time[b.from_frame];
-    });
+
+    std::ranges::stable_sort(rows_, {},
+                             [&](const Row& row) { return record_.time[row.from_frame]; });
     return std::move(rows_);
   }
 
  private:
   // A touch happens between two frames: its time and mode are those of the first.
-  Row row_of(std::string_view type, const Touch& first, Actor actor) const {
-    Row row;
-    row.type = type;
-    row.from = actor;
-    row.from_frame = first.frame - 1;
-    row.from_point = first.contact;
-    return row;
+  static Row row_of(std::string_view type, const Touch& first, Actor actor) {
+    return {
+        .type = type, .from = actor, .from_frame = first.frame - 1, .from_point = first.contact};
   }
 
   void add_touch(const Touch& touch) {
@@ -103,6 +95,7 @@ class EventRows {
     last_ = &touch;
     if (before == nullptr || touch.live_phase < 0 || before->live_phase != touch.live_phase) return;
     if (is_catch(*before) || is_catch(touch)) return;
+
     const Actor from = actor_of(*before);
     if (from.unum == kUnknownPlayer) return;
     const Actor to = actor_of(touch);
@@ -124,10 +117,8 @@ class EventRows {
         return;
       }
     }
-    add_pair(row_of(type, *before, from), to, touch, success);
-  }
 
-  void add_pair(Row row, Actor to, const Touch& touch, bool success) {
+    Row row = row_of(type, *before, from);
     row.to = to;
     row.to_frame = touch.frame - 1;
     row.to_point = touch.contact;
@@ -136,13 +127,15 @@ class EventRows {
   }
 
   void add_mode(std::size_t frame) {
-    const PlayMode mode = record_.mode[frame];
-    if (last_ != nullptr && is_goal(mode)) {
+    const PlayMode mode = soccer::without_side(record_.mode[frame]);
+    const Side side = soccer::side(record_.mode[frame]);
+    if (last_ != nullptr && mode == PlayMode::kGoalLeft) {
       const Actor scorer = actor_of(*last_);
-      add_end(scorer.side == side(mode) ? "Shoot" : "OwnGoal", scorer, frame, true);
+      add_end(scorer.side == side ? "Shoot" : "OwnGoal", scorer, frame, true);
     } else if (last_ != nullptr && is_out(mode)) {
-      add_end("OutOfBounds", actor_of(*last_, opponent(side(mode))), frame, false);
+      add_end("OutOfBounds", actor_of(*last_, opponent(side)), frame, false);
     }
+
     // Play stands: what follows is not the consequence of the last touch.
     if (!flow_.is_live(frame)) last_ = nullptr;
   }
@@ -160,11 +153,9 @@ class EventRows {
   }
 
   bool dashed(const Touch& first, const Touch& second) const {
-    constexpr auto kDash = static_cast<std::size_t>(gamelog::Counter::kDash);
     const std::size_t slot = slot_index(first.slot);
-    const auto& counters = record_.players.counters;
-    return counters[entry_of(second.frame, slot)][kDash] >
-           counters[entry_of(first.frame, slot)][kDash];
+    return has_executed(record_, gamelog::Counter::kDash, entry_of(first.frame, slot),
+                        entry_of(second.frame, slot));
   }
 
   const Flow& flow_;
@@ -173,79 +164,86 @@ class EventRows {
   std::vector<Row> rows_;
 };
 
-void append_actor(const Actor& actor, std::string& out) {
-  out += ',';
-  out += soccer::side_name(actor.side);
-  out += ',';
-  base::append_int(actor.unum, out);
-}
-
-void append_point(soccer::Vec2 point, std::string& out) {
-  for (const double value : {point.x, point.y}) {
-    out += ',';
-    base::append_g(value, out);
-  }
-}
-
 // A drop ball is no mode of the table.
-std::string_view mode_name(const Row& row, const MatchRecord& record) {
-  const PlayMode mode = record.mode[row.from_frame];
+std::string_view mode_name(PlayMode mode) {
   return soccer::name(mode == PlayMode::kDropBall ? PlayMode::kPlayOn : mode);
 }
 
-void append_row(const Row& row, const MatchRecord& record, std::string& out) {
-  out += row.type;
-  append_actor(row.from, out);
-  out += ',';
-  base::append_int(record.time[row.from_frame], out);
-  out += ',';
-  out += mode_name(row, record);
-  append_point(row.from_point, out);
-  append_actor(row.to, out);
-  out += ',';
-  base::append_int(record.time[row.to_frame], out);
-  append_point(row.to_point, out);
-  out += row.success ? ",true\n" : ",false\n";
-}
+// A text or a number.
+using Cell = std::variant<std::string_view, double>;
 
-std::vector<base::ArrowField> event_fields() {
-  using base::ArrowType;
-  return {{"Type", ArrowType::kText},       {"Side1", ArrowType::kText},
-          {"Unum1", ArrowType::kInt8},      {"Time1", ArrowType::kInt32, "cycle"},
-          {"Mode1", ArrowType::kText},      {"X1", ArrowType::kFloat32, "m"},
-          {"Y1", ArrowType::kFloat32, "m"}, {"Side2", ArrowType::kText},
-          {"Unum2", ArrowType::kInt8},      {"Time2", ArrowType::kInt32, "cycle"},
-          {"X2", ArrowType::kFloat32, "m"}, {"Y2", ArrowType::kFloat32, "m"},
-          {"Success", ArrowType::kBool}};
-}
+struct Column {
+  const char* heading;
+  base::ArrowType type;
+  const char* unit;
+  Cell (*value)(const Row& row, const MatchRecord& record);
+};
 
-void add_row(const Row& row, const MatchRecord& record, base::ArrowWriter& table) {
-  table.add(row.type);
-  table.add(std::string_view(soccer::side_name(row.from.side)));
-  table.add(row.from.unum);
-  table.add(record.time[row.from_frame]);
-  table.add(mode_name(row, record));
-  table.add(row.from_point.x);
-  table.add(row.from_point.y);
-  table.add(std::string_view(soccer::side_name(row.to.side)));
-  table.add(row.to.unum);
-  table.add(record.time[row.to_frame]);
-  table.add(row.to_point.x);
-  table.add(row.to_point.y);
-  table.add(row.success ? 1.0 : 0.0);
+#define CLS_CELL(...) \
+  [](const Row& r, [[maybe_unused]] const MatchRecord& record) -> Cell { return __VA_ARGS__; }
+
+constexpr Column kColumns[] = {
+    {"Type", base::ArrowType::kText, "", CLS_CELL(r.type)},
+    {"Side1", base::ArrowType::kText, "", CLS_CELL(soccer::side_name(r.from.side))},
+    {"Unum1", base::ArrowType::kInt8, "", CLS_CELL(double(r.from.unum))},
+    {"Time1", base::ArrowType::kInt32, "cycle", CLS_CELL(double(record.time[r.from_frame]))},
+    {"Mode1", base::ArrowType::kText, "", CLS_CELL(mode_name(record.mode[r.from_frame]))},
+    {"X1", base::ArrowType::kFloat32, "m", CLS_CELL(r.from_point.x)},
+    {"Y1", base::ArrowType::kFloat32, "m", CLS_CELL(r.from_point.y)},
+    {"Side2", base::ArrowType::kText, "", CLS_CELL(soccer::side_name(r.to.side))},
+    {"Unum2", base::ArrowType::kInt8, "", CLS_CELL(double(r.to.unum))},
+    {"Time2", base::ArrowType::kInt32, "cycle", CLS_CELL(double(record.time[r.to_frame]))},
+    {"X2", base::ArrowType::kFloat32, "m", CLS_CELL(r.to_point.x)},
+    {"Y2", base::ArrowType::kFloat32, "m", CLS_CELL(r.to_point.y)},
+    {"Success", base::ArrowType::kBool, "", CLS_CELL(r.success ? 1.0 : 0.0)},
+};
+
+#undef CLS_CELL
+
+void append_cell(const Cell& cell, base::ArrowType type, std::string& out) {
+  if (const auto* text = std::get_if<std::string_view>(&cell)) {
+    out += *text;
+  } else if (const double number = std::get<double>(cell); type == base::ArrowType::kBool) {
+    out += number != 0.0 ? "true" : "false";
+  } else if (type == base::ArrowType::kFloat32) {
+    base::append_g(number, out);
+  } else {
+    base::append_int(static_cast<std::int64_t>(number), out);
+  }
 }
 
 }  // namespace
 
 void write_events_arrow(const Flow& flow, base::ByteSink& sink) {
-  base::ArrowWriter table(sink, event_fields(), {{"schema", "cls.events/1"}});
-  for (const Row& row : EventRows(flow).collect()) add_row(row, *flow.record, table);
+  std::vector<base::ArrowField> fields;
+  for (const Column& column : kColumns)
+    fields.push_back({column.heading, column.type, column.unit});
+
+  base::ArrowWriter table(sink, std::move(fields), {{"schema", "cls.events/1"}});
+  for (const Row& row : EventRows(flow).collect()) {
+    for (const Column& column : kColumns) {
+      std::visit([&](auto cell) { table.add(cell); }, column.value(row, *flow.record));
+    }
+  }
   table.close();
 }
 
 std::string event_table(const Flow& flow) {
-  std::string table = kHeading;
-  for (const Row& row : EventRows(flow).collect()) append_row(row, *flow.record, table);
+  std::string table;
+  const auto end_cell = [&table](const Column& column) {
+    table += &column == &kColumns[std::size(kColumns) - 1] ? '\n' : ',';
+  };
+
+  for (const Column& column : kColumns) {
+    table += column.heading;
+    end_cell(column);
+  }
+  for (const Row& row : EventRows(flow).collect()) {
+    for (const Column& column : kColumns) {
+      append_cell(column.value(row, *flow.record), column.type, table);
+      end_cell(column);
+    }
+  }
   return table;
 }
 

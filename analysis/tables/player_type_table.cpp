@@ -1,5 +1,5 @@
 // Reads the lines of the log again, because the record has types by number and not in order.
-#include "analysis/tables/player_type_table.h"
+#include "analysis/tables/log_tables.h"
 
 #include <array>
 

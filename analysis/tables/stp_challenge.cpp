@@ -8,6 +8,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "base/index.h"
 #include "base/io/input_buffer.h"
 #include "base/text/csv_line.h"
 #include "base/text/number_text.h"
@@ -125,11 +126,13 @@ Result<void> cut_stp_file(base::ByteSource& from, StpFile file, int last_cycle,
   for (bool is_first = true;; is_first = false) {
     const InputBuffer::Line kind = input.next_line(line);
     if (kind == InputBuffer::Line::kEnd) break;
+
     const auto place = [&] { return fmt::format("line {}: ", input.line_number()); };
     if (kind == InputBuffer::Line::kTooLong) return Error{place() + "is too long"};
     const auto cycle = cycle_of_line(line, file, is_first);
     if (!cycle) return Error{place() + cycle.error().message};
     if (*cycle && **cycle > last_cycle) return {};
+
     to.write(line);
     if (kind == InputBuffer::Line::kWhole) to.write("\n");
   }
@@ -161,7 +164,7 @@ std::optional<std::string> check_stp_prediction(const StpPrediction& prediction,
                                                 std::int64_t last) {
   for (std::int64_t number = last + 1; number <= last + kStpFrames; ++number) {
     const auto& numbers = prediction.numbers;
-    if (std::find(numbers.begin(), numbers.end(), number) != numbers.end()) continue;
+    if (std::ranges::find(numbers, number) != numbers.end()) continue;
     return fmt::format("has no row {}; it must have rows {} to {}", number, last + 1,
                        last + kStpFrames);
   }
@@ -174,12 +177,14 @@ Result<StpScore> score_stp_prediction(const StpPrediction& prediction, base::Byt
   if (numbers.empty() || numbers.front() != last + 1) {
     return Error{fmt::format("must begin with row {}, behind the test", last + 1)};
   }
+
   std::unordered_map<std::int64_t, std::size_t> index;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (!index.emplace(numbers[i], i).second) {
       return Error{fmt::format("has row {} twice", numbers[i])};
     }
   }
+
   std::vector<std::array<Vec2, kStpAgents>> places(numbers.size());
   std::vector<bool> known(numbers.size(), false);
   TRY(read_stp_rows(truth, StpColumns::kAllPlaces, [&](const StpRow& row) {
@@ -188,11 +193,13 @@ Result<StpScore> score_stp_prediction(const StpPrediction& prediction, base::Byt
     places[found->second] = row.place;
     known[found->second] = true;
   }));
-  const auto unknown = std::find(known.begin(), known.end(), false);
+
+  const auto unknown = std::ranges::find(known, false);
   if (unknown != known.end()) {
-    const auto at = static_cast<std::size_t>(unknown - known.begin());
+    const std::size_t at = base::index(unknown - known.begin());
     return Error{fmt::format("the match has no row {}", numbers[at])};
   }
+
   const Distances sums = distances_of(prediction, places);
   constexpr auto kCounted = static_cast<double>(kLeftPlayers + 1);
   return StpScore{sums.all / (kCounted * static_cast<double>(places.size())), sums.last / kCounted};
@@ -204,10 +211,12 @@ std::string format_stp_prediction(const StpPrediction& prediction) {
     const std::string name = stp_agent(agent);
     table += fmt::format(",{}_x,{}_y", name, name);
   }
+
   const auto append = [&table](double value) {
     table += ',';
     if (!std::isnan(value)) base::append_g(value, table);
   };
+
   for (std::size_t i = 0; i < prediction.numbers.size(); ++i) {
     table += '\n';
     base::append_int(prediction.numbers[i], table);

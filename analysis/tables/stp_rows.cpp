@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/index.h"
 #include "base/io/input_buffer.h"
 #include "base/text/csv_line.h"
 #include "base/text/number_text.h"
@@ -34,9 +35,8 @@ bool is_row_number(std::optional<double> value) {
 // Where the cells of a row go.
 class RowReader {
  public:
-  explicit RowReader(const std::vector<std::string_view>& heading) {
-    for (const std::string_view name : heading) names_.emplace_back(name);
-  }
+  explicit RowReader(const std::vector<std::string_view>& heading)
+      : names_(heading.begin(), heading.end()) {}
 
   Result<void> select(StpColumns columns) {
     TRY(add("#", [this](double value) { row_.number = static_cast<std::int64_t>(value); }));
@@ -46,6 +46,7 @@ class RowReader {
         row_.cycle = std::isnan(value) ? 0 : static_cast<int>(std::clamp(value, -1e9, 1e9));
       });
     }
+
     if (columns == StpColumns::kNumber) return {};
     for (std::size_t agent = 0; agent < kStpAgents; ++agent) {
       const bool is_right = agent >= 11 && agent != kStpBall;
@@ -60,6 +61,7 @@ class RowReader {
     if (cells.size() != names_.size()) {
       return Error{fmt::format("has {} cells, but {} columns", cells.size(), names_.size())};
     }
+
     for (const Number& number : numbers_) {
       const std::string_view text = cells[number.column];
       const auto value = base::parse_number(text);
@@ -69,9 +71,11 @@ class RowReader {
                                  base::printable(text.substr(0, kMaxQuoted)),
                                  is_index ? "an integer" : "a number")};
       }
+
       const double limited = std::clamp(value.value_or(0.0), -kMaxNumber, kMaxNumber);
       number.store(value ? limited : std::numeric_limits<double>::quiet_NaN());
     }
+
     if (mode_) row_.mode = cells[*mode_];
     return &row_;
   }
@@ -83,9 +87,9 @@ class RowReader {
   };
 
   Result<std::size_t> column(const std::string& name) const {
-    const auto found = std::find(names_.begin(), names_.end(), name);
+    const auto found = std::ranges::find(names_, name);
     if (found == names_.end()) return Error{fmt::format("has no column {}", name)};
-    return static_cast<std::size_t>(found - names_.begin());
+    return base::index(found - names_.begin());
   }
 
   Result<void> add(const std::string& name, std::function<void(double)> store) {
@@ -119,6 +123,7 @@ Result<void> read_stp_rows(base::ByteSource& table, StpColumns columns,
   std::vector<std::string_view> cells;
   std::optional<RowReader> reader;
   std::string_view line;
+
   for (;;) {
     const InputBuffer::Line kind = input.next_line(line);
     if (kind == InputBuffer::Line::kEnd) break;
@@ -126,6 +131,7 @@ Result<void> read_stp_rows(base::ByteSource& table, StpColumns columns,
       return Error{fmt::format("line {}: {}", input.line_number(), what)};
     };
     if (kind == InputBuffer::Line::kTooLong) return error_at("is too long");
+
     base::split_csv_line(line, cells);
     if (!reader) {
       reader.emplace(cells);
@@ -134,11 +140,13 @@ Result<void> read_stp_rows(base::ByteSource& table, StpColumns columns,
       }
       continue;
     }
+
     if (line.empty()) continue;
     const auto row = reader->read(cells);
     if (!row) return error_at(row.error().message);
     on_row(**row);
   }
+
   if (!table.error().empty()) return Error{table.error()};
   if (!reader) return Error{"is empty"};
   return {};

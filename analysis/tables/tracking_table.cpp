@@ -1,12 +1,14 @@
 // Formats rows into one buffer, because a match has a million numbers.
 #include "analysis/tables/tracking_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 
+#include "analysis/play/flow.h"
 #include "base/text/number_text.h"
 #include "soccer/play_mode.h"
-#include "soccer/side.h"
 
 namespace cls::analysis {
 namespace {
@@ -19,9 +21,7 @@ constexpr std::size_t kPlayerCells = 9;
 constexpr std::size_t kNumberCells = 8 + gamelog::kSlots * kPlayerCells;
 constexpr std::size_t kMaxModeLength = 64;
 
-char* write_text(std::string_view text, char* to) {
-  return std::copy(text.begin(), text.end(), to);
-}
+char* write_text(std::string_view text, char* to) { return std::ranges::copy(text, to).out; }
 
 char* write_number(float value, char* to) {
   *to = ',';
@@ -68,8 +68,7 @@ void TrackingTable::write_heading() {
       "#,cycle,stopped,playmode,l_name,l_score,l_pen_score,r_name,r_score,r_pen_score,"
       "b_x,b_y,b_vx,b_vy";
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
-    const std::string player = "," + std::string(1, letter(soccer::side_of_slot(slot))) +
-                               std::to_string(soccer::unum_of_slot(slot));
+    const std::string player = fmt::format(",{}{}", soccer::letter(side_of(slot)), unum_of(slot));
     for (const char* cell : {"_t", "_x", "_y", "_vx", "_vy", "_body", "_neck"}) {
       line += player + cell;
     }
@@ -109,7 +108,7 @@ void TrackingTable::on_frame(const MatchRecord& record, std::size_t frame) {
   to = write_players(record, frame, to);
   if (has_ball_height_) to = write_number(record.ball_height[frame], to);
   *to++ = '\n';
-  sink_.write({row_.data(), static_cast<std::size_t>(to - row_.data())});
+  sink_.write({row_.data(), base::index(to - row_.data())});
 }
 
 char* TrackingTable::write_start(const MatchRecord& record, std::size_t frame, char* to) const {
@@ -132,7 +131,7 @@ char* TrackingTable::write_players(const MatchRecord& record, std::size_t frame,
   const bool motion = has_motion(record.version);
 
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
-    const std::size_t entry = frame * gamelog::kSlots + slot;
+    const std::size_t entry = entry_of(frame, slot);
     if (players.state[entry] == 0) {
       to = write_empty_cells(cells, to);
       continue;

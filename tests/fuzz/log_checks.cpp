@@ -11,7 +11,7 @@
 #include "analysis/statistics/match_statistics.h"
 #include "analysis/statistics/statistics_json.h"
 #include "analysis/statistics/statistics_text.h"
-#include "analysis/tables/arrow_tables.h"
+#include "analysis/tables/log_tables.h"
 #include "base/io/byte_sink.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "gamelog/rcg/record_writer.h"

@@ -10,7 +10,6 @@
 #include "base/io/byte_sink.h"
 #include "gamelog/record/match_record.h"
 #include "tests/viewer/record_difference.h"
-#include "viewer/decisions/decision_cycles.h"
 #include "viewer/decisions/decision_reader.h"
 #include "viewer/decisions/decision_table.h"
 #include "viewer/page/page.h"

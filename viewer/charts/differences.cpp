@@ -1,4 +1,4 @@
-// The mean goal difference over the matches with its interval, beside a histogram.
+// The mean goal difference over the matches with its interval, and a histogram at its right.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -144,8 +144,7 @@ void draw_histogram(Drawing& drawing, const DifferencesData& data) {
 }  // namespace
 
 std::string differences_chart(const DifferencesData& data) {
-  Drawing drawing(kChartWidth, kHeight, data.title.text);
-  draw_title(drawing, data.title);
+  Drawing drawing = titled_drawing(data.title, kHeight);
   draw_means(drawing, data);
   draw_histogram(drawing, data);
   return std::move(drawing).finish();

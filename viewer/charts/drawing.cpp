@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/text/decimal_text.h"
+#include "base/text/enum_names.h"
 #include "base/text/utf8.h"
 #include "base/text/xml.h"
 
@@ -40,6 +41,9 @@ constexpr std::string_view kChartStyle =
     ".chart .left-line{stroke:#5ab8f2}.chart .right-line{stroke:#f2a73b}"
     ".chart .ball-line{stroke:#e8ecea}.chart .ring{stroke:#161616}"
     ".chart .ball{fill:#e8ecea;stroke:#161616}.chart .on{fill:#10161d}}";
+
+constexpr auto kAnchors =
+    base::enum_names<Anchor>("", " text-anchor=\"middle\"", " text-anchor=\"end\"");
 
 bool finite(Vec2 point) { return std::isfinite(point.x) && std::isfinite(point.y); }
 
@@ -116,9 +120,7 @@ void Drawing::path(std::string_view data, Look look) {
 
 void Drawing::text(Vec2 at, std::string_view text, std::string_view kind, Anchor anchor) {
   if (!finite(at) || text.empty()) return;
-  const char* where = anchor == Anchor::kMiddle ? " text-anchor=\"middle\""
-                      : anchor == Anchor::kEnd  ? " text-anchor=\"end\""
-                                                : "";
+  const std::string_view where = kAnchors.name(anchor);
   const std::string look = kind.empty() ? "" : fmt::format(" class=\"{}\"", kind);
   text_ += fmt::format("<text x=\"{}\" y=\"{}\"{}{}>{}</text>\n", svg_number(at.x),
                        svg_number(at.y), look, where, base::escape_xml(text));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kLevels = 9;  // 0: nothing to draw
 
-// Half square root, half linear: rare places are visible beside frequent ones.
+// Half square root, half linear: rare places are visible, too.
 std::size_t level_of(double value, double most) {
   if (!(value > 0.0) || !(most > 0.0)) return 0;
   const double linear = std::min(1.0, value / most);
@@ -32,8 +32,7 @@ double largest(const std::vector<double>& cells) {
 
 std::string heat_map(const HeatMapData& data) {
   constexpr double kTop = 34.0;
-  Drawing drawing(kChartWidth, height_with_pitch(kTop, kChartMargin), data.title.text);
-  draw_title(drawing, data.title);
+  Drawing drawing = titled_drawing(data.title, height_with_pitch(kTop, kChartMargin));
 
   const bool complete = data.cells.size() == data.columns * data.rows && !data.cells.empty();
   const PitchPlace place = draw_pitch(drawing, kTop);

@@ -1,16 +1,20 @@
-// Draws what charts have in common.
+// Draws the common parts of charts.
 #include "viewer/charts/layout.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "base/text/enum_names.h"
 #include "soccer/pitch.h"
 
 namespace cls::viewer {
 namespace {
 
 using soccer::Vec2;
+
+constexpr auto kFills = base::enum_names<Tone>("left", "right", "ball-heat");
+constexpr auto kLines = base::enum_names<Tone>("left-line", "right-line", "ball-line");
 
 // Goals stand outside of the lines, and marks on the lines need room.
 constexpr double kPitchFrame = 3.0;
@@ -42,19 +46,16 @@ std::string half_path(const PitchPlace& place, double sign) {
 
 }  // namespace
 
-std::string_view fill_of(Tone tone) {
-  return tone == Tone::kLeft ? "left" : tone == Tone::kRight ? "right" : "ball-heat";
-}
+std::string_view fill_of(Tone tone) { return kFills.name(tone); }
+std::string_view line_of(Tone tone) { return kLines.name(tone); }
 
-std::string_view line_of(Tone tone) {
-  return tone == Tone::kLeft ? "left-line" : tone == Tone::kRight ? "right-line" : "ball-line";
-}
-
-void draw_title(Drawing& drawing, const ChartTitle& title) {
+Drawing titled_drawing(const ChartTitle& title, double height) {
   constexpr double kBaseline = 22.0;
   constexpr std::size_t kCharacters = 52;
+  Drawing drawing(kChartWidth, height, title.text);
   drawing.text({kChartMargin, kBaseline}, shortened_name(title.text, kCharacters), "title");
-  drawing.text({drawing.width() - kChartMargin, kBaseline}, title.note, "soft", Anchor::kEnd);
+  drawing.text({kChartWidth - kChartMargin, kBaseline}, title.note, "soft", Anchor::kEnd);
+  return drawing;
 }
 
 void draw_teams(Drawing& drawing, double y, const std::array<std::string, 2>& teams) {
@@ -86,9 +87,9 @@ PitchPlace draw_pitch(Drawing& drawing, double top) {
 
   constexpr double kSpotRadius = 2.0;
   const double spot = soccer::kHalfLength - soccer::kPenaltySpotDistance;
-  for (const double x : {-spot, 0.0, spot})
+  for (const double x : {-spot, 0.0, spot}) {
     drawing.circle(place.at({x, 0.0}), kSpotRadius, {"spot"});
-
+  }
   return place;
 }
 

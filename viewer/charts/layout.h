@@ -1,4 +1,4 @@
-// What charts have in common: sizes, title, legend, pitch, time axis.
+// Common parts of charts: sizes, title, legend, pitch, time axis.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ constexpr double kChartMargin = 12.0;
 std::string_view fill_of(Tone tone);
 std::string_view line_of(Tone tone);
 
-/// The title, its note at the right. Both are shortened to fit.
-void draw_title(Drawing& drawing, const ChartTitle& title);
+/// A drawing of kChartWidth with the title, and its note at the right. Both are shortened to fit.
+Drawing titled_drawing(const ChartTitle& title, double height);
 
 /// One line with a mark and a text for each team.
 void draw_teams(Drawing& drawing, double y, const std::array<std::string, 2>& teams);

@@ -10,7 +10,7 @@ namespace {
 using soccer::Vec2;
 using Step = RaceData::Step;
 
-constexpr double kHeight = 336.0;
+constexpr double kRaceHeight = 336.0;
 
 double gain_of(const Step& step) {
   return std::isfinite(step.gain) ? std::max(0.0, step.gain) : 0.0;
@@ -30,7 +30,7 @@ class Race {
  public:
   Race(Drawing& drawing, const RaceData& data)
       : drawing_(drawing), data_(data), range_(std::max(0.2, highest_sum(data) * 1.08)) {
-    place_ = {44.0, kChartWidth - 52.0, 62.0, kHeight - 30.0, std::max(1.0, data.axis.last)};
+    place_ = {44.0, kChartWidth - 52.0, 62.0, kRaceHeight - 30.0, std::max(1.0, data.axis.last)};
   }
 
   void draw() {
@@ -101,8 +101,7 @@ class Race {
 }  // namespace
 
 std::string race_chart(const RaceData& data) {
-  Drawing drawing(kChartWidth, kHeight, data.title.text);
-  draw_title(drawing, data.title);
+  Drawing drawing = titled_drawing(data.title, kRaceHeight);
   draw_teams(drawing, 46.0, data.teams);
   Race(drawing, data).draw();
   return std::move(drawing).finish();

@@ -8,7 +8,7 @@ namespace cls::viewer {
 namespace {
 
 constexpr double kNames = 160.0;
-constexpr double kTop = 36.0;
+constexpr double kRatingsTop = 36.0;
 constexpr double kRow = 24.0;
 constexpr double kAxisHeight = 28.0;
 
@@ -32,9 +32,8 @@ Range range_of(const RatingsData& data) {
 }  // namespace
 
 std::string ratings_chart(const RatingsData& data) {
-  const double bottom = kTop + kRow * static_cast<double>(data.teams.size());
-  Drawing drawing(kChartWidth, bottom + kAxisHeight, data.title.text);
-  draw_title(drawing, data.title);
+  const double bottom = kRatingsTop + kRow * static_cast<double>(data.teams.size());
+  Drawing drawing = titled_drawing(data.title, bottom + kAxisHeight);
 
   const Range range = range_of(data);
   const double pixels = (kChartWidth - kNames - 24.0) / (range.high - range.low);
@@ -44,12 +43,12 @@ std::string ratings_chart(const RatingsData& data) {
   const double last = std::floor(range.high / step);
   for (double tick = std::ceil(range.low / step); tick <= last; ++tick) {
     const double at = x(tick * step);
-    drawing.line({at, kTop}, {at, bottom}, {tick == 0.0 ? "zero" : "axis"});
+    drawing.line({at, kRatingsTop}, {at, bottom}, {tick == 0.0 ? "zero" : "axis"});
     drawing.text({at, bottom + 17}, (tick > 0 ? "+" : "") + svg_number(tick * step), "soft",
                  Anchor::kMiddle);
   }
 
-  double y = kTop + kRow / 2;
+  double y = kRatingsTop + kRow / 2;
   for (const RatingsData::Team& team : data.teams) {
     drawing.text({kNames - 12, y + 4.5}, shortened_name(team.name), "", Anchor::kEnd);
     drawing.line({x(team.elo - team.error), y}, {x(team.elo + team.error), y}, {"left-line", 2.0});

@@ -28,8 +28,7 @@ void draw_player(Drawing& drawing, const PitchPlace& place, const Player& player
 std::string scene_chart(const SceneData& data) {
   constexpr double kTeams = 46.0;
   constexpr double kTop = 58.0;
-  Drawing drawing(kChartWidth, height_with_pitch(kTop, kChartMargin), data.title.text);
-  draw_title(drawing, data.title);
+  Drawing drawing = titled_drawing(data.title, height_with_pitch(kTop, kChartMargin));
   const bool named = !data.teams[0].empty() || !data.teams[1].empty();
   if (named) draw_teams(drawing, kTeams, data.teams);
   const PitchPlace place = draw_pitch(drawing, kTop);

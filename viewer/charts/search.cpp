@@ -66,8 +66,8 @@ std::vector<double> ends_of(const SearchData& data) {
 
 void draw_scores(Drawing& drawing, const SearchData& data, const PlotPlace& place) {
   const std::vector<double> ends = ends_of(data);
-  Panel panel{place, *std::min_element(ends.begin(), ends.end()),
-              *std::max_element(ends.begin(), ends.end())};
+  const auto [low, high] = std::ranges::minmax(ends);
+  Panel panel{place, low, high};
   if (!(panel.low < panel.high)) panel.high = panel.low + 1;
 
   draw_frame(drawing, panel, data.unit, {svg_number(panel.low), svg_number(panel.high)});
@@ -89,8 +89,7 @@ std::string search_chart(const SearchData& data) {
   const auto traces = static_cast<double>(data.traces.size());
   const double height =
       kScoreTop + kScoreHeight + traces * (kTraceHeight + kTraceGap) + kGenerationsHeight;
-  Drawing drawing(kChartWidth, height, data.title.text);
-  draw_title(drawing, data.title);
+  Drawing drawing = titled_drawing(data.title, height);
 
   PlotPlace place{76.0, kChartWidth - 20.0, kScoreTop, kScoreTop + kScoreHeight,
                   std::max<double>(1.0, static_cast<double>(data.scores.size()))};

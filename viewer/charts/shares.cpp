@@ -77,8 +77,7 @@ void draw_strip(Drawing& drawing, const PlotPlace& place, const Strip& strip) {
 std::string shares_chart(const SharesData& data) {
   const auto strips = static_cast<double>(data.strips.size());
   const double height = kTop + strips * (kStripHeight + kStripGap) + kAxisHeight;
-  Drawing drawing(kChartWidth, height, data.title.text);
-  draw_title(drawing, data.title);
+  Drawing drawing = titled_drawing(data.title, height);
   draw_teams(drawing, 46.0, data.teams);
 
   PlotPlace place{44.0, kChartWidth - 20.0, kTop + kStripGap - kChartMargin, 0.0,

@@ -1,6 +1,7 @@
 // Circles whose area is the goal probability; goals are filled.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "viewer/charts/layout.h"
@@ -42,16 +43,15 @@ std::string shot_map(const ShotMapData& data) {
   constexpr double kTeams = 46.0;
   constexpr double kTop = 58.0;
   constexpr double kBelow = 40.0;
-  Drawing drawing(kChartWidth, height_with_pitch(kTop, kBelow), data.title.text);
-  draw_title(drawing, data.title);
+  Drawing drawing = titled_drawing(data.title, height_with_pitch(kTop, kBelow));
   draw_teams(drawing, kTeams, data.teams);
   const PitchPlace place = draw_pitch(drawing, kTop);
 
   // Small circles and goals last: nothing hides them.
   std::vector<const Shot*> shots;
   for (const Shot& shot : data.shots) shots.push_back(&shot);
-  std::stable_sort(shots.begin(), shots.end(), [](const Shot* a, const Shot* b) {
-    return a->goal != b->goal ? b->goal : radius_of(a->expected) > radius_of(b->expected);
+  std::ranges::stable_sort(shots, {}, [](const Shot* shot) {
+    return std::pair(shot->goal, -radius_of(shot->expected));
   });
 
   for (const Shot* shot : shots) draw_shot(drawing, place.at(shot->position), *shot);

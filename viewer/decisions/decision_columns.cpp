@@ -54,20 +54,24 @@ const std::vector<DecisionColumnSpec>& decision_columns() {
       column("stopped", kD1, 1, 1, CLS_AT(sample.stopped)),
       column("maker", kChange, 1, 1, CLS_AT(sample.maker)),
       column("call", kChange, 1, 1, CLS_AT(sample.call)),
+
       column("self_x", Coding::kSecond, 1, kCentimeters, CLS_AT(sample.self.x)),
       column("self_y", Coding::kSecond, 1, kCentimeters, CLS_AT(sample.self.y)),
       column("self_body", Coding::kAngle, 1, 1, CLS_AT(sample.self_body)),
       column("self_neck", Coding::kAngle, 1, 1, CLS_AT(sample.self_neck)),
       column("self_age", kD1, 1, 1, CLS_AT(sample.self_age)),
+
       column("ball_x", Coding::kSecond, 1, kCentimeters, CLS_AT(sample.ball.x)),
       column("ball_y", Coding::kSecond, 1, kCentimeters, CLS_AT(sample.ball.y)),
       column("ball_vx", kD1, 1, kCentimeters, CLS_AT(sample.ball_velocity.x)),
       column("ball_vy", kD1, 1, kCentimeters, CLS_AT(sample.ball_velocity.y)),
       column("ball_age", kD1, 1, 1, CLS_AT(sample.ball_age)),
       column("ball_velocity_age", kD1, 1, 1, CLS_AT(sample.ball_velocity_age)),
+
       column("own_reach", kD1, 1, 1, CLS_AT(sample.own_reach)),
       column("teammate_reach", kD1, 1, 1, CLS_AT(sample.teammate_reach)),
       column("opponent_reach", kD1, 1, 1, CLS_AT(sample.opponent_reach)),
+
       column("age", kD1, kSlots, 1, CLS_AT(sample.players[i].age)),
       column("x", kD1, kSlots, kDecimeters, CLS_AT(sample.players[i].position.x)),
       column("y", kD1, kSlots, kDecimeters, CLS_AT(sample.players[i].position.y)),
@@ -77,6 +81,7 @@ const std::vector<DecisionColumnSpec>& decision_columns() {
       column("other_x", kChange, kSlots, kDecimeters, CLS_AT(unnumbered[i].estimate.position.x)),
       column("other_y", kChange, kSlots, kDecimeters, CLS_AT(unnumbered[i].estimate.position.y)),
   };
+
   return table;
 }
 

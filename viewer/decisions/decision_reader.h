@@ -24,6 +24,17 @@ base::Result<TeamDecisions> read_decisions(std::string_view stream);
 /// schema, other columns, no end.
 base::Result<std::string> select_players(std::string_view stream, const std::vector<int>& unums);
 
+/// Cycles of the match, both included.
+struct CycleRange {
+  int first = 0;
+  int last = 0;
+};
+
+/// The stream with the decisions of some cycles only; without `ranges` as it is. Errors: as
+/// read_decisions().
+base::Result<std::string> select_cycles(std::string_view stream,
+                                        const std::vector<CycleRange>& ranges);
+
 /// The stream without its latencies, which are not the same in each run: what remains is, if the
 /// match is. Error: no end.
 base::Result<std::string> without_latencies(std::string_view stream);

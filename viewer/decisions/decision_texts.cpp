@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdlib>
 
+#include "base/index.h"
+
 namespace cls::viewer {
 namespace {
 
@@ -68,8 +70,7 @@ void append_number(const Number& number, std::string& out) {
 }
 
 void add_shape(std::string shape, TextShapes& shapes) {
-  const auto places =
-      static_cast<std::size_t>(std::count(shape.begin(), shape.end(), kNumberPlace));
+  const std::size_t places = base::index(std::ranges::count(shape, kNumberPlace));
   shapes.ids.emplace(shape, shapes.shapes.size());
   shapes.shapes.push_back(std::move(shape));
   shapes.last.emplace_back(places, 0);
@@ -210,8 +211,9 @@ std::vector<std::string> decode_texts(std::size_t count, TextShapes& shapes, std
 
   if (!in.good()) return {};
   std::vector<std::string> texts;
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
     texts.push_back(joined(shapes.shapes[ids[i]], numbers[i]));
+  }
   return texts;
 }
 

@@ -3,16 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/index.h"
 #include "base/system/version.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 
 namespace cls::viewer {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 using Slots = std::array<UnnumberedPlayer, kUnnumberedSlots>;
 
 std::int64_t scaled(double value, const DecisionColumnSpec& column) {
@@ -37,14 +38,12 @@ Integers integers_of(const std::vector<SlottedSample>& samples, const DecisionCo
 /// that they cost nothing.
 void assign_slots(const std::vector<UnnumberedPlayer>& players, Slots& slots) {
   const auto slot_of_id = [&](int id) {
-    return std::find_if(slots.begin(), slots.end(),
-                        [id](const UnnumberedPlayer& slot) { return slot.id == id; });
+    return std::ranges::find(slots, id, &UnnumberedPlayer::id);
   };
 
   for (UnnumberedPlayer& slot : slots) {
-    const bool tracked = std::any_of(players.begin(), players.end(),
-                                     [&](const auto& player) { return player.id == slot.id; });
-    if (!tracked) slot.id = 0;
+    const auto tracked = std::ranges::find(players, slot.id, &UnnumberedPlayer::id);
+    if (tracked == players.end()) slot.id = 0;
   }
 
   for (const UnnumberedPlayer& player : players) {
@@ -87,14 +86,13 @@ DecisionStates::DecisionStates() {
 }
 
 DecisionWriter::Player& DecisionWriter::player_of(int unum) {
-  return players_.at(static_cast<std::size_t>(unum - 1));
+  return players_.at(base::index(unum - 1));
 }
 
-void DecisionWriter::append_chunk(char kind, std::string_view contents, std::string& out) {
+void DecisionWriter::append(ChunkKind kind, std::string_view contents, std::string& out) {
   const std::size_t start = out.size();
-  out += kind;
-  append_string(contents, out);
-  if (kind != kLatencyChunk) add_to_checksum(std::string_view(out).substr(start), checksum_);
+  append_chunk(kind, contents, out);
+  if (kind != ChunkKind::kLatency) add_to_checksum(std::string_view(out).substr(start), checksum_);
 }
 
 void DecisionWriter::append_header(soccer::Side side, std::string_view team, std::string& out) {
@@ -103,7 +101,7 @@ void DecisionWriter::append_header(soccer::Side side, std::string_view team, std
                        {"side", soccer::side_name(side)},
                        {"team", team},
                        {"columns", columns_json()}};
-  append_chunk(kHeaderChunk, base::json_line(header), out);
+  append(ChunkKind::kHeader, base::json_line(header), out);
 }
 
 void DecisionWriter::append(int unum, const DecisionSample& sample, std::string& out) {
@@ -159,11 +157,11 @@ void DecisionWriter::append_blocks(std::string& out) {
     if (!player_of(unum).samples.empty()) unums.push_back(unum);
   }
 
-  for (const int unum : unums) append_chunk(kDecisionsChunk, numbers_of(unum), out);
+  for (const int unum : unums) append(ChunkKind::kDecisions, numbers_of(unum), out);
   for (std::size_t kind = 0; kind < kDecisionTexts.size(); ++kind) {
-    for (const int unum : unums) append_chunk(kTextsChunk, texts_of(unum, kind), out);
+    for (const int unum : unums) append(ChunkKind::kTexts, texts_of(unum, kind), out);
   }
-  for (const int unum : unums) append_chunk(kLatencyChunk, latencies_of(unum), out);
+  for (const int unum : unums) append(ChunkKind::kLatency, latencies_of(unum), out);
 
   for (const int unum : unums) {
     Player& player = player_of(unum);
@@ -175,7 +173,7 @@ void DecisionWriter::append_blocks(std::string& out) {
 void DecisionWriter::append_end(std::string& out) {
   append_blocks(out);
   const Json end = {{"decisions", decisions_}, {"crc32", checksum_text(checksum_)}};
-  append_chunk(kEndChunk, base::json_line(end), out);
+  append(ChunkKind::kEnd, base::json_line(end), out);
 }
 
 }  // namespace cls::viewer

@@ -16,14 +16,7 @@ namespace cls::viewer {
 
 constexpr std::string_view kDecisionsSchema = "cls.decisions/1";
 
-/// Kinds of chunks, beside kHeaderChunk and kEndChunk.
-enum DecisionChunkKind : char {
-  kDecisionsChunk = 'B',  ///< numbers of the decisions of a player
-  kTextsChunk = 'W',      ///< their texts of one kind
-  kLatencyChunk = 'T',    ///< their latencies, which are not the same in each run
-};
-
-/// The texts of a decision, by their kind in a kTextsChunk.
+/// The texts of a decision, by their kind in a chunk of texts.
 constexpr std::array<std::string DecisionSample::*, 4> kDecisionTexts = {
     &DecisionSample::reply, &DecisionSample::commands, &DecisionSample::plan,
     &DecisionSample::drawings};
@@ -63,7 +56,7 @@ class DecisionWriter {
   };
 
   Player& player_of(int unum);
-  void append_chunk(char kind, std::string_view contents, std::string& out);
+  void append(ChunkKind kind, std::string_view contents, std::string& out);
   void append_blocks(std::string& out);
   std::string numbers_of(int unum);
   std::string texts_of(int unum, std::size_t kind);

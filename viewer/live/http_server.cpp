@@ -1,4 +1,4 @@
-// HTTP with Boost.Beast: the only file that includes it. Feeds are sent in pieces as readers accept
+// HTTP with Boost.Asio: the only file that includes it. Feeds are sent in pieces as readers accept
 // them, so a slow reader delays nothing but itself.
 #include "viewer/live/http_server.h"
 
@@ -6,35 +6,31 @@
 #include <openssl/crypto.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <boost/beast/core.hpp>
-#include <boost/beast/http.hpp>
-#include <chrono>
+#include <boost/asio/write.hpp>
 #include <functional>
 #include <iterator>
 #include <list>
 #include <mutex>
 #include <optional>
 #include <random>
-#include <set>
 #include <thread>
 #include <utility>
 
 #include "base/system/host.h"
 #include "base/system/socket_address.h"
+#include "viewer/live/http_request.h"
 
 namespace cls::viewer {
 namespace {
 
 namespace asio = boost::asio;
-namespace beast = boost::beast;
-namespace http = boost::beast::http;
 using asio::ip::tcp;
 using ErrorCode = boost::system::error_code;
 
-constexpr std::size_t kMaxHeader = 8 * 1024;
 constexpr std::chrono::seconds kRequestTimeout{10};
 /// Without free file descriptors accepting fails until a connection ends.
 constexpr std::chrono::milliseconds kAcceptRetry{100};
@@ -58,21 +54,67 @@ std::string host_of(std::string_view header) {
 
 bool is_own_host(std::string_view header, const std::vector<std::string>& names) {
   const std::string host = host_of(header);
-  const auto is_host = [&host](const std::string& name) { return beast::iequals(host, name); };
+  const auto is_host = [&host](const std::string& name) {
+    return equals_ignoring_case(host, name);
+  };
   return is_ip_address(host) || is_host("localhost") ||
-         (!host.empty() && is_host(base::host_name())) ||
-         std::any_of(names.begin(), names.end(), is_host);
+         (!host.empty() && is_host(base::host_name())) || std::ranges::any_of(names, is_host);
 }
 
 // "no-transform" and "q=0" aside: browsers that accept gzip say so in these letters.
 bool accepts_gzip(std::string_view header) { return header.find("gzip") != header.npos; }
 
+// The statuses of this server and its routes.
+constexpr std::array<std::pair<int, std::string_view>, 9> kReasons = {
+    {{200, "OK"},
+     {302, "Found"},
+     {304, "Not Modified"},
+     {400, "Bad Request"},
+     {403, "Forbidden"},
+     {404, "Not Found"},
+     {405, "Method Not Allowed"},
+     {431, "Request Header Fields Too Large"},
+     {503, "Service Unavailable"}}};
+
+std::string_view reason_of(int status) {
+  const auto row = std::ranges::find(kReasons, status, &std::pair<int, std::string_view>::first);
+  return row == kReasons.end() ? "" : row->second;
+}
+
+HttpReply text_reply(int status, std::string text) {
+  return {.status = status, .body = std::move(text)};
+}
+
+HttpReply redirection(std::string location) {
+  return {.status = 302, .location = std::move(location)};
+}
+
+// The status line and the fields that all replies have.
+std::string head_of(int status, const std::string& type, bool stored) {
+  return fmt::format(
+      "HTTP/1.1 {} {}\r\n"
+      "Content-Type: {}\r\n"
+      "Cache-Control: {}\r\n"
+      "X-Content-Type-Options: nosniff\r\n"
+      "X-Frame-Options: DENY\r\n"
+      "Referrer-Policy: no-referrer\r\n"
+      "Cross-Origin-Resource-Policy: same-origin\r\n"
+      "Content-Security-Policy: frame-ancestors 'none'\r\n",
+      status, reason_of(status), type, stored ? "no-cache" : "no-store");
+}
+
 }  // namespace
 
-// What the server and its sessions share. Sessions run on the server's thread only.
+// Shared by the server and its sessions, which run on the server's thread only.
 struct HttpServer::State {
   State(HttpRoutes given, std::string shown, HttpAccess allowed)
       : routes(std::move(given)), shown_host(std::move(shown)), access(std::move(allowed)) {}
+
+  std::string listen(const HttpAddress& address);
+  void accept_next();
+  void begin_session(tcp::socket socket);
+  bool make_room();
+  bool redeem(std::string_view target);
 
   HttpRoutes routes;
   std::string shown_host;
@@ -92,24 +134,15 @@ struct HttpServer::State {
   tcp::acceptor acceptor{io};
   asio::steady_timer accept_timer{io};
   std::thread thread;
-
-  // Whether `target` is the ticket, which is used up then.
-  bool redeem(std::string_view target) {
-    const std::lock_guard lock(ticket_mutex);
-    const bool same = !ticket.empty() && target.size() == ticket.size() + 1 &&
-                      CRYPTO_memcmp(target.data() + 1, ticket.data(), ticket.size()) == 0;
-    if (same) ticket.clear();
-    return same;
-  }
 };
 
-namespace {
-
-template <typename State>
-class Session : public std::enable_shared_from_this<Session<State>> {
+class HttpServer::Session : public std::enable_shared_from_this<Session> {
  public:
   Session(tcp::socket socket, State& state)
-      : stream_(std::move(socket)), timer_(stream_.get_executor()), state_(state) {
+      : socket_(std::move(socket)),
+        deadline_(socket_.get_executor()),
+        poll_(socket_.get_executor()),
+        state_(state) {
     ++state_.connections;
   }
   ~Session() {
@@ -121,7 +154,7 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   // Others may take its place: until it has sent the token, or while it waits for a request.
   void enter_as_stranger() {
     if (entry_) return;
-    state_.strangers.push_back([weak = this->weak_from_this()] {
+    state_.strangers.push_back([weak = weak_from_this()] {
       const auto self = weak.lock();
       if (self == nullptr) return;
       self->leave_strangers();
@@ -132,17 +165,11 @@ class Session : public std::enable_shared_from_this<Session<State>> {
 
   void read_request() {
     if (state_.access.open) enter_as_stranger();
-    parser_.emplace();
-    parser_->header_limit(kMaxHeader);
-
-    stream_.expires_after(kRequestTimeout);
-    http::async_read_header(stream_, buffer_, *parser_,
-                            [self = this->shared_from_this()](ErrorCode error, std::size_t) {
-                              self->on_request(error);
-                            });
+    close_after(kRequestTimeout);
+    read_more();
   }
 
-  void refuse_as_busy() { send_text({503, "", "too many viewers\n", nullptr, 0}, false, false); }
+  void refuse_as_busy() { refuse(503, "too many viewers\n"); }
 
  private:
   void leave_strangers() {
@@ -150,37 +177,66 @@ class Session : public std::enable_shared_from_this<Session<State>> {
     entry_.reset();
   }
 
-  void on_request(ErrorCode error) {
-    if (error == http::error::header_limit) return refuse(431, "the header is too large\n");
-    if (error == http::error::end_of_stream || error == beast::error::timeout) return close();
-    if (error.category() == http::make_error_code(http::error::bad_method).category()) {
-      return refuse(400, "no HTTP request\n");
-    }
-    if (error) return close();
-
-    const auto& request = parser_->get();
-    const bool head = request.method() == http::verb::head;
-    if (!head && request.method() != http::verb::get) return refuse(405, "GET and HEAD only\n");
-
-    // The body of a request is not read, so nothing may follow it.
-    const bool keep = request.keep_alive() && parser_->is_done();
-    if (!is_own_host(view(request[http::field::host]), state_.access.names)) {
-      return refuse(403, "unknown host\n");
-    }
-    if (!head && state_.redeem(view(request.target()))) return redirect();
-    reply(route(view(request.target())), head, keep);
+  // Ends the connection unless what begins now is done by then.
+  void close_after(std::chrono::milliseconds timeout) {
+    deadline_.expires_after(timeout);
+    deadline_.async_wait([weak = weak_from_this()](ErrorCode stopped) {
+      const auto self = weak.lock();
+      if (!stopped && self != nullptr) self->close();
+    });
   }
 
-  static std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
+  // The bytes of the last read may hold the next request, too.
+  void read_more() {
+    const ParsedRequest parsed = parse_request(received_);
+    switch (parsed.state) {
+      case ParsedRequest::State::kWhole:
+        answer(parsed.request);
+        received_.erase(0, parsed.size);
+        return;
+      case ParsedRequest::State::kTooLong:
+        return refuse(431, "the header is too large\n");
+      case ParsedRequest::State::kBad:
+        return refuse(400, "no HTTP request\n");
+      case ParsedRequest::State::kIncomplete:
+        break;
+    }
+
+    socket_.async_read_some(asio::buffer(block_),
+                            [self = shared_from_this()](ErrorCode error, std::size_t size) {
+                              if (error == asio::error::eof && !self->received_.empty()) {
+                                return self->refuse(400, "no HTTP request\n");
+                              }
+                              if (error) return self->close();
+                              self->received_.append(self->block_.data(), size);
+                              self->read_more();
+                            });
+  }
+
+  void answer(const HttpRequest& request) {
+    const bool head = request.method == "HEAD";
+    if (!head && request.method != "GET") return refuse(405, "GET and HEAD only\n");
+    if (!is_own_host(request.field("Host"), state_.access.names)) {
+      return refuse(403, "unknown host\n");
+    }
+    if (!head && state_.redeem(request.target)) {
+      return send_text(redirection(state_.prefix), {}, false, false);
+    }
+
+    // The body of a request is not read, so nothing may follow it.
+    HttpReply reply = route(request.target);
+    if (reply.feed != nullptr && !head) return send_feed(std::move(reply));
+    send_text(std::move(reply), request, head, request.keeps_connection);
+  }
 
   HttpReply route(std::string_view target) {
     const std::string& prefix = state_.prefix;
     if (state_.access.open && target.size() + 1 == prefix.size() && prefix.starts_with(target)) {
-      return {302, HttpReply().type, "", nullptr, 0, nullptr, prefix};
+      return redirection(prefix);
     }
     if (target.size() < prefix.size() ||
         CRYPTO_memcmp(target.data(), prefix.data(), prefix.size()) != 0) {
-      return {404, HttpReply().type, "not found\n", nullptr, 0};
+      return text_reply(404, "not found\n");
     }
 
     leave_strangers();
@@ -191,75 +247,58 @@ class Session : public std::enable_shared_from_this<Session<State>> {
     return state_.routes(target.substr(0, mark), query);
   }
 
-  void reply(HttpReply reply, bool head, bool keep) {
-    if (reply.feed == nullptr || head) return send_text(std::move(reply), head, keep);
-    send_feed(std::move(reply));
-  }
-
-  void redirect() {
-    send_text({302, HttpReply().type, "", nullptr, 0, nullptr, state_.prefix}, false, false);
-  }
-
   void refuse(int status, std::string text) {
-    send_text({status, HttpReply().type, std::move(text), nullptr, 0}, false, false);
+    send_text(text_reply(status, std::move(text)), {}, false, false);
   }
 
-  template <typename Message>
-  void set_fields(Message& message, const std::string& type, bool stored = false) {
-    message.set(http::field::content_type, type);
-    message.set(http::field::cache_control, stored ? "no-cache" : "no-store");
-    message.set("X-Content-Type-Options", "nosniff");
-    message.set("X-Frame-Options", "DENY");
-    message.set("Referrer-Policy", "no-referrer");
-    message.set("Cross-Origin-Resource-Policy", "same-origin");
-    message.set("Content-Security-Policy", "frame-ancestors 'none'");
-  }
-
-  // What of the reply goes out: nothing to readers that have this version already.
-  std::string_view chosen_body(HttpReply& reply) {
-    body_ = std::move(reply.body);
-    document_ = std::move(reply.document);
-    if (document_ == nullptr) return body_;
-
-    const auto& request = parser_->get();
+  // What of the document goes out: nothing to readers that have this version already.
+  std::string_view chosen_version(const HttpRequest& request, int& status, std::string& fields) {
     const std::string tag = fmt::format("W/\"{}\"", document_->tag);
-    text_->set(http::field::etag, tag);
-    text_->set(http::field::vary, "Accept-Encoding");
-    if (view(request[http::field::if_none_match]) == tag) {
-      text_->result(http::status::not_modified);
+    fields = fmt::format("ETag: {}\r\nVary: Accept-Encoding\r\n", tag);
+    if (request.field("If-None-Match") == tag) {
+      status = 304;
       return {};
     }
-    if (!accepts_gzip(view(request[http::field::accept_encoding]))) return document_->text;
-    text_->set(http::field::content_encoding, "gzip");
+
+    if (!accepts_gzip(request.field("Accept-Encoding"))) return document_->text;
+    fields += "Content-Encoding: gzip\r\n";
     return document_->packed;
   }
 
-  void send_text(HttpReply reply, bool head, bool keep) {
-    text_.emplace(static_cast<http::status>(reply.status), 11);
-    set_fields(*text_, reply.type, reply.document != nullptr);
-    if (!reply.location.empty()) text_->set(http::field::location, reply.location);
-    if (reply.status == 405) text_->set(http::field::allow, "GET, HEAD");
+  void send_text(HttpReply reply, const HttpRequest& request, bool head, bool keep) {
+    body_ = std::move(reply.body);
+    document_ = std::move(reply.document);
+    int status = reply.status;
+    std::string fields;
+    const std::string_view body =
+        document_ == nullptr ? body_ : chosen_version(request, status, fields);
 
-    const std::string_view body = chosen_body(reply);
-    text_->keep_alive(keep);
-    if (reply.feed == nullptr && text_->result() != http::status::not_modified) {
-      text_->content_length(body.size());
+    head_ = head_of(status, reply.type, document_ != nullptr);
+    if (!reply.location.empty()) head_ += fmt::format("Location: {}\r\n", reply.location);
+    if (status == 405) head_ += "Allow: GET, HEAD\r\n";
+    head_ += fields;
+    if (!keep) head_ += "Connection: close\r\n";
+    if (reply.feed == nullptr && status != 304) {
+      head_ += fmt::format("Content-Length: {}\r\n", body.size());
     }
-    if (!head) text_->body() = boost::beast::span<const char>(body.data(), body.size());
+    head_ += "\r\n";
 
-    serializer_.emplace(*text_);
-    if (head) serializer_->split(true);
-    stream_.expires_after(state_.access.write_timeout);
+    send(head ? std::string_view() : body, "",
+         [keep](Session& self) { keep ? self.read_request() : self.close(); });
+  }
 
-    const auto sent = [self = this->shared_from_this(), keep](ErrorCode error, std::size_t) {
-      if (error || !keep) return self->close();
-      self->read_request();
-    };
-    if (head) {
-      http::async_write_header(stream_, *serializer_, sent);
-    } else {
-      http::async_write(stream_, *serializer_, sent);
-    }
+  // Writes head_, then `bytes` and `end`, then calls `next`. All of them must stay until then.
+  template <typename Next>
+  void send(std::string_view bytes, std::string_view end, Next next) {
+    close_after(state_.access.write_timeout);
+    const std::array<asio::const_buffer, 3> parts = {asio::buffer(head_), asio::buffer(bytes),
+                                                     asio::buffer(end)};
+    asio::async_write(socket_, parts,
+                      [self = shared_from_this(), next](ErrorCode error, std::size_t) {
+                        if (error) return self->close();
+                        self->deadline_.cancel();
+                        next(*self);
+                      });
   }
 
   void send_feed(HttpReply reply) {
@@ -267,26 +306,19 @@ class Session : public std::enable_shared_from_this<Session<State>> {
     from_ = reply.from;
     ++state_.streams;
 
-    head_.emplace(http::status::ok, 11);
-    set_fields(*head_, reply.type);
-    head_->chunked(true);
-    head_->set("X-Accel-Buffering", "no");  // proxies of this kind send pieces as they come
-    head_->keep_alive(false);
-
-    head_serializer_.emplace(*head_);
-    stream_.expires_after(state_.access.write_timeout);
-    http::async_write_header(stream_, *head_serializer_,
-                             [self = this->shared_from_this()](ErrorCode error, std::size_t) {
-                               if (error) return self->close();
-                               self->watch_reader();
-                               self->send_piece();
-                             });
+    // Proxies that know X-Accel-Buffering send pieces as they come.
+    head_ = head_of(200, reply.type, false) +
+            "Transfer-Encoding: chunked\r\nX-Accel-Buffering: no\r\nConnection: close\r\n\r\n";
+    send("", "", [](Session& self) {
+      self.watch_reader();
+      self.send_piece();
+    });
   }
 
   // A reader of a feed sends nothing more: readable means gone.
   void watch_reader() {
-    stream_.socket().async_wait(tcp::socket::wait_read,
-                                [self = this->shared_from_this()](ErrorCode) { self->close(); });
+    socket_.async_wait(tcp::socket::wait_read,
+                       [self = shared_from_this()](ErrorCode) { self->close(); });
   }
 
   void send_piece() {
@@ -295,103 +327,93 @@ class Session : public std::enable_shared_from_this<Session<State>> {
     if (piece.bytes.empty() && !piece.ended) return wait_for_bytes();
 
     from_ += piece.bytes.size();
-    piece_ = std::move(piece.bytes);
-    stream_.expires_after(state_.access.write_timeout);
-
-    const auto sent = [self = this->shared_from_this()](ErrorCode error, std::size_t) {
-      error || self->piece_.empty() ? self->close() : self->send_piece();
-    };
-    if (piece_.empty()) {
-      asio::async_write(stream_, http::make_chunk_last(), sent);
-    } else {
-      asio::async_write(stream_, http::make_chunk(asio::buffer(piece_)), sent);
-    }
+    body_ = std::move(piece.bytes);
+    head_ = fmt::format("{:x}\r\n", body_.size());
+    send(body_, "\r\n",
+         [](Session& self) { self.body_.empty() ? self.close() : self.send_piece(); });
   }
 
   void wait_for_bytes() {
-    timer_.expires_after(state_.access.feed_interval);
-    timer_.async_wait([self = this->shared_from_this()](ErrorCode error) {
-      if (!error) self->send_piece();
+    poll_.expires_after(state_.access.feed_interval);
+    poll_.async_wait([self = shared_from_this()](ErrorCode stopped) {
+      if (!stopped) self->send_piece();
     });
   }
 
   void close() {
     closed_ = true;
     ErrorCode ignored;
-    timer_.cancel();
-    stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
-    stream_.close();
+    deadline_.cancel();
+    poll_.cancel();
+    socket_.shutdown(tcp::socket::shutdown_send, ignored);
+    socket_.close(ignored);
   }
 
-  beast::tcp_stream stream_;
-  asio::steady_timer timer_;
+  tcp::socket socket_;
+  asio::steady_timer deadline_;
+  asio::steady_timer poll_;  // of a feed that has no bytes now
   State& state_;
 
-  beast::flat_buffer buffer_{2 * kMaxHeader};
-  std::optional<http::request_parser<http::empty_body>> parser_;
+  std::array<char, 2 * kMaxRequestHead> block_;
+  std::string received_;
 
-  using TextBody = http::span_body<const char>;
+  std::string head_;
   std::string body_;
   std::shared_ptr<const HttpDocument> document_;
-  std::optional<http::response<TextBody>> text_;
-  std::optional<http::response_serializer<TextBody>> serializer_;
-
-  std::optional<http::response<http::empty_body>> head_;
-  std::optional<http::response_serializer<http::empty_body>> head_serializer_;
-
   std::shared_ptr<const LiveFeed> feed_;
   std::size_t from_ = 0;
-  std::string piece_;
 
   std::optional<std::list<std::function<void()>>::iterator> entry_;
   bool closed_ = false;
 };
 
+// Whether `target` is the ticket, which is used up then.
+bool HttpServer::State::redeem(std::string_view target) {
+  const std::lock_guard lock(ticket_mutex);
+  const bool same = !ticket.empty() && target.size() == ticket.size() + 1 &&
+                    CRYPTO_memcmp(target.data() + 1, ticket.data(), ticket.size()) == 0;
+  if (same) ticket.clear();
+  return same;
+}
+
 // False if all connections are of viewers.
-template <typename State>
-bool make_room(State& state) {
-  if (state.strangers.empty()) return false;
-  const auto give_way = state.strangers.front();  // a copy, because the entry is removed
+bool HttpServer::State::make_room() {
+  if (strangers.empty()) return false;
+  const auto give_way = strangers.front();  // a copy, because the entry is removed
   give_way();
   return true;
 }
 
-template <typename State>
-void accept_next(State& state);
-
-template <typename State>
-void begin_session(tcp::socket socket, State& state) {
-  const HttpAccess& access = state.access;
+void HttpServer::State::begin_session(tcp::socket socket) {
   if (access.send_buffer > 0) {
     ErrorCode ignored;
     socket.set_option(asio::socket_base::send_buffer_size(access.send_buffer), ignored);
   }
 
-  const bool full = state.connections.load() >= access.max_connections;
-  const bool busy = full && !make_room(state);
-  const auto session = std::make_shared<Session<State>>(std::move(socket), state);
+  const bool full = connections.load() >= access.max_connections;
+  const bool busy = full && !make_room();
+  const auto session = std::make_shared<Session>(std::move(socket), *this);
   if (!busy) session->enter_as_stranger();
   busy ? session->refuse_as_busy() : session->read_request();
 }
 
-template <typename State>
-void accept_next(State& state) {
-  state.acceptor.async_accept([&state](ErrorCode error, tcp::socket socket) {
+void HttpServer::State::accept_next() {
+  acceptor.async_accept([this](ErrorCode error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
     if (!error) {
-      begin_session(std::move(socket), state);
-      return accept_next(state);
+      begin_session(std::move(socket));
+      return accept_next();
     }
 
-    state.accept_timer.expires_after(kAcceptRetry);
-    state.accept_timer.async_wait([&state](ErrorCode stopped) {
-      if (!stopped) accept_next(state);
+    accept_timer.expires_after(kAcceptRetry);
+    accept_timer.async_wait([this](ErrorCode stopped) {
+      if (!stopped) accept_next();
     });
   });
 }
 
-// Listens; returns the error, empty if there is none.
-std::string listen(tcp::acceptor& acceptor, const HttpAddress& address) {
+// Returns the error, empty if there is none.
+std::string HttpServer::State::listen(const HttpAddress& address) {
   ErrorCode error;
   const auto ip = asio::ip::make_address(address.host, error);
   if (error) return "not an IP address of this host";
@@ -405,17 +427,15 @@ std::string listen(tcp::acceptor& acceptor, const HttpAddress& address) {
   return error ? error.message() : "";
 }
 
-}  // namespace
-
 base::Result<std::unique_ptr<HttpServer>> HttpServer::start(const HttpAddress& address,
                                                             HttpRoutes routes, HttpAccess access) {
   auto state = std::make_unique<State>(std::move(routes), address.host, std::move(access));
-  if (const std::string error = listen(state->acceptor, address); !error.empty()) {
+  if (const std::string error = state->listen(address); !error.empty()) {
     return base::Error{
         fmt::format("cannot listen on {} port {}: {}", address.host, address.port, error)};
   }
 
-  accept_next(*state);
+  state->accept_next();
   state->thread = std::thread([io = &state->io] { io->run(); });
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(state)));
 }

@@ -24,9 +24,9 @@ struct HttpDocument {
 struct HttpReply {
   int status = 404;
   std::string type = "text/plain; charset=utf-8";
-  std::string body;
+  std::string body = {};
   /// If set, the body is this feed from the offset `from` on, until it ends.
-  std::shared_ptr<const LiveFeed> feed;
+  std::shared_ptr<const LiveFeed> feed = {};
   std::size_t from = 0;
   /// If set, the body is this document.
   std::shared_ptr<const HttpDocument> document = {};
@@ -49,7 +49,7 @@ struct HttpAccess {
   bool open = false;
   /// The path that takes the place of the token: "/" or "/cup/". Open servers only.
   std::string prefix = "/";
-  /// Names in Host headers besides those of this host.
+  /// Names in Host headers in addition to those of this host.
   std::vector<std::string> names = {};
   std::size_t max_connections = 64;
   /// A piece or page that a reader has not accepted after this time ends its connection.
@@ -88,6 +88,7 @@ class HttpServer {
   std::size_t connections() const;
 
  private:
+  class Session;
   struct State;
   explicit HttpServer(std::unique_ptr<State> state);
 

@@ -4,8 +4,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <variant>
@@ -26,8 +26,7 @@ constexpr std::chrono::milliseconds kRestAfterResult{500};
 
 // The result comes after the last frame; rcssserver writes the teams once more after it.
 bool has_result(const gamelog::MatchRecord& record) {
-  for (std::size_t i = record.notes.size(); i > 0; --i) {
-    const gamelog::Note& note = record.notes[i - 1];
+  for (const gamelog::Note& note : std::views::reverse(record.notes)) {
     if (note.frame < record.frames()) return false;
     const auto* message = std::get_if<gamelog::Message>(&note.content);
     if (message != nullptr && message->text.starts_with("(result ")) return true;

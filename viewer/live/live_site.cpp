@@ -1,11 +1,11 @@
 // The routes of a running match.
 #include "viewer/live/live_site.h"
 
-#include <charconv>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "base/text/value_text.h"
 #include "viewer/page/page_drawings.h"
 
 namespace cls::viewer {
@@ -13,57 +13,29 @@ namespace {
 
 constexpr std::size_t kMaxDrawingsReply = std::size_t{1} << 20;
 
-HttpReply not_found() {
-  HttpReply reply;
-  reply.body = "not found\n";
-  return reply;
-}
+HttpReply text_reply(int status, const char* text) { return {.status = status, .body = text}; }
+HttpReply not_found() { return text_reply(404, "not found\n"); }
+HttpReply bad_query() { return text_reply(400, "from=BYTES expected\n"); }
 
 // The offset of "from=12"; 0 without a query.
 std::optional<std::size_t> offset_of(std::string_view query) {
   constexpr std::string_view kFrom = "from=";
-  std::size_t offset = 0;
-  if (query.empty()) return offset;
-
-  const std::string_view number = query.substr(query.starts_with(kFrom) ? kFrom.size() : 0);
-  const char* end = number.data() + number.size();
-  const auto parsed = std::from_chars(number.data(), end, offset);
-  if (parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
-  return offset;
+  if (query.empty()) return 0;
+  return base::value_of<std::size_t>(query.substr(query.starts_with(kFrom) ? kFrom.size() : 0));
 }
 
-HttpReply bad_query() {
-  HttpReply reply;
-  reply.status = 400;
-  reply.body = "from=BYTES expected\n";
-  return reply;
-}
-
-HttpReply bytes_reply() {
-  HttpReply reply;
-  reply.status = 200;
-  reply.type = "application/octet-stream";
-  return reply;
-}
+constexpr const char* kBytesType = "application/octet-stream";
 
 }  // namespace
 
 HttpReply page_reply(std::string html) {
-  HttpReply reply;
-  reply.status = 200;
-  reply.type = "text/html; charset=utf-8";
-  reply.body = std::move(html);
-  return reply;
+  return {.status = 200, .type = "text/html; charset=utf-8", .body = std::move(html)};
 }
 
 HttpReply feed_reply(std::shared_ptr<const LiveFeed> feed, std::string_view query) {
   const auto from = offset_of(query);
   if (!from) return bad_query();
-
-  HttpReply reply = bytes_reply();
-  reply.from = *from;
-  reply.feed = std::move(feed);
-  return reply;
+  return {.status = 200, .type = kBytesType, .feed = std::move(feed), .from = *from};
 }
 
 HttpReply drawings_reply(const std::filesystem::path& folder, std::string_view path,
@@ -76,10 +48,10 @@ HttpReply drawings_reply(const std::filesystem::path& folder, std::string_view p
   const auto from = offset_of(query);
   if (!from) return bad_query();
 
-  HttpReply reply = bytes_reply();
   const soccer::Side side = path == "-left" ? soccer::Side::kLeft : soccer::Side::kRight;
-  reply.body = read_drawings(folder, side, *from, kMaxDrawingsReply);
-  return reply;
+  return {.status = 200,
+          .type = kBytesType,
+          .body = read_drawings(folder, side, *from, kMaxDrawingsReply)};
 }
 
 HttpRoutes live_site(const std::string& title, const PageSettings& settings,

@@ -1,4 +1,4 @@
-// What a viewer of a running match gets: the page, and its stream.
+// The site of a running match: its page, and its stream.
 #pragma once
 
 #include <filesystem>

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "base/index.h"
 #include "base/io/byte_source.h"
 
 namespace cls::viewer {
@@ -44,12 +45,12 @@ void LogGlance::read_line(std::string_view line) {
 }
 
 void LogGlance::read_lines(std::string& text) {
-  std::size_t start = 0;
-  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', start)) {
-    read_line(std::string_view(text).substr(start, end - start));
-    start = end + 1;
+  std::string_view rest = text;
+  for (std::size_t end = rest.find('\n'); end != rest.npos; end = rest.find('\n')) {
+    read_line(rest.substr(0, end));
+    rest.remove_prefix(end + 1);
   }
-  text.erase(0, start);
+  text.erase(0, text.size() - rest.size());
 }
 
 // The end of a compressed log that grows is missing: what is there inflates.
@@ -91,7 +92,7 @@ std::optional<Glance> LogGlance::now() {
   std::string block(kBlock, '\0');
   while (in) {
     in.read(block.data(), static_cast<std::streamsize>(block.size()));
-    const auto count = static_cast<std::size_t>(in.gcount());
+    const std::size_t count = base::index(in.gcount());
     read_ += count;
     rest.append(block, 0, count);
     read_lines(rest);

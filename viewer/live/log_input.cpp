@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <utility>
 
+#include "base/index.h"
 #include "base/system/unique_fd.h"
 #include "viewer/live/live_input.h"
 
@@ -27,7 +28,7 @@ class LogInput : public LiveInput {
     } while (count < 0 && errno == EINTR);
     if (count <= 0) return 0;
     offset_ += count;
-    return static_cast<std::size_t>(count);
+    return base::index(count);
   }
 
   bool knows_its_end() const override { return complete_ != nullptr; }

@@ -3,15 +3,14 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <array>
-#include <chrono>
-#include <cstdio>
-#include <cstring>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "base/system/tcp_connect.h"
 #include "base/system/udp_socket.h"
 #include "soccer/play_mode.h"
+#include "soccer/protocol/scanner.h"
 #include "viewer/live/live_input.h"
 
 namespace cls::viewer {
@@ -32,18 +31,17 @@ struct ShowHead {
   std::string_view rest;  ///< ball and players
 };
 
-bool parse_head(const std::string& show, ShowHead& head) {
-  int teams = 0;
-  if (std::sscanf(show.c_str(), "(show %d (pm %d) (tm %n", &head.time, &head.mode, &teams) != 2) {
-    return false;
-  }
-  const std::size_t end = show.find(')', static_cast<std::size_t>(teams));
-  if (teams == 0 || end == std::string::npos) return false;
+std::optional<ShowHead> parse_head(std::string_view show) {
+  ShowHead head;
+  soccer::Scanner in(show);
+  if (!in.sequence("(show ", head.time, " (pm ", head.mode, ") (tm ")) return std::nullopt;
+  if (head.mode <= 0 || head.mode >= soccer::kPlayModeCount) return std::nullopt;
 
-  head.teams = std::string_view(show).substr(static_cast<std::size_t>(teams),
-                                             end - static_cast<std::size_t>(teams));
-  head.rest = std::string_view(show).substr(end);
-  return head.mode > 0 && head.mode < soccer::kPlayModeCount;
+  const std::size_t end = in.rest().find(')');
+  if (end == std::string_view::npos) return std::nullopt;
+  head.teams = in.rest().substr(0, end);
+  head.rest = in.rest().substr(end);
+  return head;
 }
 
 class MonitorInput : public LiveInput {
@@ -93,7 +91,7 @@ class MonitorInput : public LiveInput {
 
   void add(std::string message) {
     while (!message.empty() && message.back() == '\0') message.pop_back();
-    std::replace(message.begin(), message.end(), '\n', ' ');
+    std::ranges::replace(message, '\n', ' ');
     if (message.starts_with("(show ")) return add_show(message);
     lines_ += message + "\n";
   }
@@ -101,20 +99,20 @@ class MonitorInput : public LiveInput {
   // Logs have play mode and teams as records of their own. Before kick-off and after the match
   // servers send the same show again and again.
   void add_show(const std::string& message) {
-    ShowHead head;
-    if (!parse_head(message, head)) return;
+    const auto head = parse_head(message);
+    if (!head) return;
 
-    const bool changed = head.mode != mode_ || head.teams != teams_;
-    if (head.mode != mode_) {
-      const auto mode = static_cast<soccer::PlayMode>(head.mode);
-      lines_ += fmt::format("(playmode {} {})\n", head.time, soccer::name(mode));
+    const bool changed = head->mode != mode_ || head->teams != teams_;
+    if (head->mode != mode_) {
+      const auto mode = static_cast<soccer::PlayMode>(head->mode);
+      lines_ += fmt::format("(playmode {} {})\n", head->time, soccer::name(mode));
     }
-    if (head.teams != teams_) lines_ += fmt::format("(team {} {})\n", head.time, head.teams);
+    if (head->teams != teams_) lines_ += fmt::format("(team {} {})\n", head->time, head->teams);
 
-    mode_ = head.mode;
-    teams_ = head.teams;
-    if (!changed && head.rest == rest_) return;
-    rest_ = head.rest;
+    mode_ = head->mode;
+    teams_ = head->teams;
+    if (!changed && head->rest == rest_) return;
+    rest_ = head->rest;
     lines_ += message + "\n";
   }
 

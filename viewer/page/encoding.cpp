@@ -8,8 +8,10 @@
 #include <cassert>
 #include <iterator>
 #include <memory>
+#include <tuple>
 #include <utility>
 
+#include "base/index.h"
 #include "base/io/byte_source.h"
 #include "base/io/gzip_sink.h"
 
@@ -31,7 +33,6 @@ std::string sha256(std::string_view bytes) {
   const int done =
       EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
   assert(done == 1);
-  static_cast<void>(done);
   return {reinterpret_cast<const char*>(digest.data()), size};
 }
 
@@ -44,7 +45,7 @@ std::string base64(std::string_view bytes) {
   const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
                                      reinterpret_cast<const unsigned char*>(bytes.data()),
                                      static_cast<int>(bytes.size()));
-  text.resize(static_cast<std::size_t>(length));
+  text.resize(base::index(length));
   return text;
 }
 
@@ -85,7 +86,7 @@ std::string gzip(std::string_view bytes) {
   const std::string& result = packed->bytes();
   base::GzipSink sink(std::move(packed));
   sink.write(bytes);
-  static_cast<void>(sink.close());  // in memory
+  std::ignore = sink.close();  // in memory
   return result;
 }
 
@@ -100,8 +101,9 @@ base::Result<std::string> gunzip(std::string_view bytes, std::size_t max_size) {
     if (unpacked.size() > max_size) return base::Error{"the match is too large"};
   }
 
-  if (!source->error().empty())
+  if (!source->error().empty()) {
     return base::Error{"the match does not inflate: " + source->error()};
+  }
   return unpacked;
 }
 

@@ -1,4 +1,4 @@
-// Computes what a page contains besides the log.
+// Computes the statistics and decisions of a page.
 #include "viewer/page/match_page.h"
 
 #include "analysis/results/match_summary.h"
@@ -27,13 +27,11 @@ std::string statistics_of(const analysis::MatchSummary& summary, const gamelog::
 }  // namespace
 
 std::string match_page(const gamelog::MatchRecord& record, const gamelog::RclRecord* text,
-                       const std::string& file, bool compact, const PageSettings& settings,
-                       const std::vector<PageDecisions>& decisions) {
+                       const std::string& file, const MatchPageOptions& options) {
   const analysis::MatchSummary summary = summary_of(record, text, file);
-  StreamForm form;
-  form.compact = compact;
-  return write_page(summary, write_stream(record, form, statistics_of(summary, record, text)),
-                    settings, decisions);
+  const std::string stream =
+      write_stream(record, {.compact = options.compact}, statistics_of(summary, record, text));
+  return write_page(summary, stream, options.settings, options.decisions);
 }
 
 std::string match_statistics(const gamelog::MatchRecord& record, const gamelog::RclRecord* text,
@@ -49,7 +47,7 @@ std::string page_of_logs(const std::string& game_log, const std::string& text_lo
 
   base::MemorySource commands(text_log);
   const gamelog::RclRecord text = gamelog::read_rcl(commands);
-  return match_page(record, &text, file, false, {});
+  return match_page(record, &text, file);
 }
 
 }  // namespace cls::viewer

@@ -10,11 +10,16 @@
 
 namespace cls::viewer {
 
+struct MatchPageOptions {
+  PageSettings settings{};
+  std::vector<PageDecisions> decisions{};
+  bool compact = false;  ///< half as large; rounds
+};
+
 /// The page of a match with its statistics. `text` is the text log of the same match, or null;
-/// `file` the name of the log that the page shows. A compact page is half as large and rounds.
+/// `file` the name of the log that the page shows.
 std::string match_page(const gamelog::MatchRecord& record, const gamelog::RclRecord* text,
-                       const std::string& file, bool compact, const PageSettings& settings,
-                       const std::vector<PageDecisions>& decisions = {});
+                       const std::string& file, const MatchPageOptions& options = {});
 
 /// The page of a match whose logs are texts in memory; empty if the game log has no frame.
 std::string page_of_logs(const std::string& game_log, const std::string& text_log,

@@ -4,13 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/index.h"
 #include "base/io/byte_source.h"
 #include "base/system/version.h"
+#include "base/text/find_ignoring_case.h"
+#include "base/text/json.h"
 #include "base/text/number_text.h"
+#include "base/text/replace_all.h"
 #include "base/text/xml.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "soccer/side.h"
@@ -22,7 +24,7 @@ namespace cls::viewer {
 namespace {
 
 using analysis::MatchSummary;
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 constexpr std::string_view kDoctype = "<!doctype html>";
 constexpr std::string_view kDataTag =
@@ -45,7 +47,7 @@ std::string goal_line(const analysis::GoalSummary& goal) {
                      soccer::side_name(goal.side), scorer, goal.own_goal ? " (own goal)" : "");
 }
 
-// What readers without scripts see.
+// The text for readers without scripts.
 std::string plain_text(const MatchSummary& summary) {
   std::string text = fmt::format("<noscript>\n<h1>{}</h1>\n", title(summary));
   if (summary.penalties) {
@@ -76,7 +78,7 @@ std::string settings_json(const PageSettings& settings, const LivePaths* live) {
   for (const MissedDecision& each : settings.missed) {
     json["missed"].push_back({each.cycle, each.stopped, each.player, each.reason});
   }
-  return inert_json(json.dump(-1, ' ', true, Json::error_handler_t::replace));
+  return inert_json(json.dump(-1, true));
 }
 
 std::string policy(std::string_view script, bool live) {
@@ -119,11 +121,10 @@ std::string data_element(std::string_view kind, std::string_view prefix, soccer:
       kind, prefix, soccer::side_name(side), data.size(), data);
 }
 
-std::string decision_elements(const std::vector<PageDecisions>& decisions) {
+// `parts`: decisions or drawings of sides.
+std::string elements_of(std::string_view kind, std::string_view prefix, const auto& parts) {
   std::string elements;
-  for (const PageDecisions& each : decisions) {
-    elements += data_element("decisions", "", each.side, each.packed);
-  }
+  for (const auto& [side, packed] : parts) elements += data_element(kind, prefix, side, packed);
   return elements;
 }
 
@@ -147,7 +148,7 @@ std::string write_page(const MatchSummary& summary, std::string_view stream,
   return page_start(title(summary), plain_text(summary), script_of(settings, decisions), settings,
                     nullptr) +
          fmt::format("{}{}\">{}</script>\n{}{}</body>\n</html>\n", kDataTag, data.size(), data,
-                     decision_elements(decisions), data_elements("", settings.drawings));
+                     elements_of("decisions", "", decisions), data_elements("", settings.drawings));
 }
 
 std::string live_page(const std::string& title, const LivePaths& paths,
@@ -161,29 +162,20 @@ std::string live_page(const std::string& title, const LivePaths& paths,
 }
 
 std::string data_elements(std::string_view prefix, const std::vector<PageDrawings>& drawings) {
-  std::string elements;
-  for (const PageDrawings& each : drawings) {
-    elements += data_element("drawings", prefix, each.side, each.packed);
-  }
-  return elements;
+  return elements_of("drawings", prefix, drawings);
 }
 
 std::string inert_json(std::string json) {
-  for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', at)) {
-    json.replace(at, 1, "\\u003c");
-  }
+  base::replace_all(json, "<", "\\u003c");
   return json;
 }
 
 bool looks_like_page(std::string_view start) {
-  if (start.size() < kDoctype.size()) return false;
-  return std::equal(kDoctype.begin(), kDoctype.end(), start.begin(), [](char a, char b) {
-    return a == std::tolower(static_cast<unsigned char>(b));
-  });
+  return base::find_ignoring_case(start.substr(0, kDoctype.size()), kDoctype) == 0;
 }
 
 bool looks_like_page_or_stream(std::string_view start) {
-  const bool stream = start.starts_with(static_cast<char>(kHeaderChunk)) &&
+  const bool stream = start.starts_with(static_cast<char>(ChunkKind::kHeader)) &&
                       start.find("{\"schema\":\"cls.view/") < kMatchStart;
   return stream || looks_like_page(start);
 }
@@ -204,7 +196,7 @@ base::Result<StreamMatch> read_page(std::string_view page) {
 
   rest.remove_prefix(quote + 2);
   const std::string_view text = rest.substr(0, std::min(rest.find(kEndTag), rest.size()));
-  const auto size = static_cast<std::size_t>(*length);
+  const std::size_t size = base::index(*length);
   if (text.size() < size) {
     return base::Error{fmt::format("truncated: {} % of the match is there",
                                    100 * std::uint64_t{text.size()} / size)};

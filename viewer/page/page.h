@@ -30,7 +30,7 @@ struct PageDrawings {
   std::string packed;
 };
 
-/// What a page shows first, and what it knows besides the log.
+/// The first view of a page, and its data that are not in the log.
 struct PageSettings {
   std::optional<int> at{};               ///< cycle; none: the first frame
   std::vector<std::string> players{};    ///< selected: "l7", "r1"

@@ -2,15 +2,15 @@
 #include "viewer/page/page_decisions.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "base/io/whole_file.h"
+#include "base/text/json.h"
+#include "base/text/lines.h"
 #include "base/text/number_text.h"
 #include "viewer/decisions/decision_files.h"
-#include "viewer/decisions/decision_reader.h"
 #include "viewer/page/encoding.h"
 
 namespace cls::viewer {
@@ -31,16 +31,16 @@ std::vector<int> numbers_of(const std::vector<std::string>& players, soccer::Sid
 }
 
 std::optional<MissedDecision> missed_of(std::string_view line) {
-  const auto json = nlohmann::json::parse(line, nullptr, false);
+  const auto json = base::Json::parse_or_discarded(line);
   if (!json.is_object()) return std::nullopt;
 
   const auto integer = [&](const char* key) {
     const auto found = json.find(key);
-    return found != json.end() && found->is_number_integer() ? found->get<int>() : -1;
+    return found != nullptr && found->is_number_integer() ? found->get<int>() : -1;
   };
   const auto text = [&](const char* key) {
     const auto found = json.find(key);
-    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+    return found != nullptr && found->is_string() ? found->get<std::string>() : std::string();
   };
 
   const auto side = soccer::parse_side(text("side"));
@@ -50,17 +50,24 @@ std::optional<MissedDecision> missed_of(std::string_view line) {
                         soccer::letter(*side) + std::to_string(unum), text("reason")};
 }
 
+// Recorded decisions of a side, compressed, as far as they are chosen.
+base::Result<std::string> chosen_part(std::string packed, const std::vector<int>& numbers,
+                                      const std::vector<CycleRange>& cycles) {
+  TRY_INIT(const auto stream, gunzip(packed, kMaxDecisions));
+  TRY_INIT(const auto players, select_players(stream, numbers));
+  TRY_INIT(const auto selected, select_cycles(players, cycles));
+
+  const bool all = numbers.empty() && cycles.empty();
+  return all ? std::move(packed) : gzip(selected);
+}
+
 }  // namespace
 
 std::vector<MissedDecision> read_missed_decisions(const std::filesystem::path& folder) {
   const std::string text = base::read_file(folder / kMissedFile).value_or("");
   std::vector<MissedDecision> missed;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    if (auto one = missed_of(std::string_view(text).substr(at, end - at))) {
-      missed.push_back(*std::move(one));
-    }
-    at = end + 1;
+  for (const std::string_view line : base::lines_of(text)) {
+    if (auto one = missed_of(line)) missed.push_back(*std::move(one));
   }
   return missed;
 }
@@ -80,19 +87,12 @@ base::Result<std::vector<PageDecisions>> read_page_decisions(const std::filesyst
       const auto why = base::why_no_file(folder / name);
       return base::Error{(folder / name).string() + ": " + why.value_or("cannot be read")};
     }
-    const auto in_file = [&, file = (folder / name).string()](const base::Error& error) {
-      return base::Error{file + ": " + error.message};
-    };
 
-    const auto stream = gunzip(*packed, kMaxDecisions);
-    if (!stream) return in_file(stream.error());
-    const auto players = select_players(*stream, numbers);
-    if (!players) return in_file(players.error());
-    const auto selected = select_cycles(*players, choice.cycles);
-    if (!selected) return in_file(selected.error());
-
-    const bool all = numbers.empty() && choice.cycles.empty();
-    decisions.push_back({side, all ? *std::move(packed) : gzip(*selected)});
+    auto chosen = chosen_part(*std::move(packed), numbers, choice.cycles);
+    if (!chosen) {
+      return base::Error{(folder / name).string() + ": " + chosen.error().message};
+    }
+    decisions.push_back({side, *std::move(chosen)});
   }
   return decisions;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "viewer/decisions/decision_cycles.h"
+#include "viewer/decisions/decision_reader.h"
 #include "viewer/page/page.h"
 
 namespace cls::viewer {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "base/index.h"
 #include "base/io/whole_file.h"
 #include "viewer/decisions/decision_files.h"
 #include "viewer/page/encoding.h"
@@ -32,8 +33,8 @@ std::string read_drawings(const std::filesystem::path& folder, soccer::Side side
 
   std::string bytes(std::min<std::size_t>(max, size - from), '\0');
   file.seekg(static_cast<std::streamoff>(from));
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
+  file.read(bytes.data(), std::ssize(bytes));
+  bytes.resize(base::index(std::max<std::streamsize>(0, file.gcount())));
   return bytes;
 }
 

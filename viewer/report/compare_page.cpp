@@ -3,15 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "viewer/page/encoding.h"
 #include "viewer/stream/chunk_writer.h"
 
 namespace cls::viewer {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 std::string stream_of(const gamelog::MatchRecord& record) {
   return write_stream(record, StreamForm{}, "");
@@ -35,7 +34,7 @@ std::string document_of(const gamelog::MatchRecord& first, const ComparedMatch& 
   const std::vector<std::vector<std::string>> rows = difference_rows(a, b);
   json["columns"] = rows.front();
   json["rows"] = std::vector(rows.begin() + 1, rows.end());
-  return inert_json(json.dump(-1, ' ', true, Json::error_handler_t::replace));
+  return inert_json(json.dump(-1, true));
 }
 
 }  // namespace

@@ -15,17 +15,18 @@ namespace cls::viewer {
 namespace {
 
 using analysis::Goal;
+using analysis::kTeamSize;
 using analysis::MatchStatistics;
 using analysis::MatchSummary;
 using analysis::Pass;
 using analysis::Shot;
+using analysis::team_of;
 using soccer::Vec2;
 
 constexpr const char* kAttacksRight = "attacks to the right";
 
 std::string player_label(const MatchSummary& summary, std::size_t slot) {
-  return fmt::format("{} {}", team_label(summary, analysis::team_of(slot)),
-                     soccer::unum_of_slot(static_cast<int>(slot)));
+  return fmt::format("{} {}", team_label(summary, team_of(slot)), analysis::unum_of(slot));
 }
 
 std::string short_label(const MatchSummary& summary, std::size_t team) {
@@ -33,8 +34,8 @@ std::string short_label(const MatchSummary& summary, std::size_t team) {
 }
 
 std::string goal_text(const MatchSummary& summary, const Goal& goal) {
-  std::string text = fmt::format("cycle {}: goal for {}", goal.cycle,
-                                 team_label(summary, goal.side == soccer::Side::kLeft ? 0 : 1));
+  std::string text =
+      fmt::format("cycle {}: goal for {}", goal.cycle, team_label(summary, team_of(goal.side)));
   if (goal.scorer != analysis::kNoPlayer) {
     text += fmt::format(" by {}", player_label(summary, analysis::slot_index(goal.scorer)));
   }
@@ -50,14 +51,12 @@ struct TeamShots {
 TeamShots shots_of(const MatchStatistics& all, std::size_t team) {
   TeamShots sum;
   for (std::size_t i = 0; i < all.shots.size(); ++i) {
-    if (analysis::team_of(analysis::slot_index(all.shots[i].slot)) != team) continue;
+    if (team_of(all.shots[i].slot) != team) continue;
     ++sum.count;
     sum.expected += all.expected[i];
   }
 
-  for (const Goal& goal : all.goals) {
-    sum.goals += goal.side == (team == 0 ? soccer::Side::kLeft : soccer::Side::kRight) ? 1 : 0;
-  }
+  for (const Goal& goal : all.goals) sum.goals += team_of(goal.side) == team;
   return sum;
 }
 
@@ -88,22 +87,16 @@ std::string race_svg(const MatchSummary& summary, const MatchStatistics& all) {
   data.teams = shot_legend(summary, all);
 
   for (std::size_t i = 0; i < all.shots.size(); ++i) {
-    const std::size_t team = analysis::team_of(analysis::slot_index(all.shots[i].slot));
     const double frame = all.flow.touches[all.shots[i].touch].frame;
-    data.steps[team].push_back({frame, all.expected[i], false, {}});
+    data.steps[team_of(all.shots[i].slot)].push_back({frame, all.expected[i], false, {}});
   }
 
   for (const Goal& goal : all.goals) {
-    const std::size_t team = goal.side == soccer::Side::kLeft ? 0 : 1;
-    data.steps[team].push_back(
+    data.steps[team_of(goal.side)].push_back(
         {static_cast<double>(goal.frame), 0.0, true, goal_text(summary, goal)});
   }
 
-  for (auto& steps : data.steps) {
-    std::stable_sort(steps.begin(), steps.end(),
-                     [](const RaceData::Step& a, const RaceData::Step& b) { return a.at < b.at; });
-  }
-
+  for (auto& steps : data.steps) std::ranges::stable_sort(steps, {}, &RaceData::Step::at);
   return race_chart(data);
 }
 
@@ -114,8 +107,7 @@ std::string shots_svg(const MatchSummary& summary, const MatchStatistics& all) {
 
   for (std::size_t i = 0; i < all.shots.size(); ++i) {
     const Shot& shot = all.shots[i];
-    data.shots.push_back({analysis::team_of(analysis::slot_index(shot.slot)),
-                          all.flow.touches[shot.touch].contact, all.expected[i],
+    data.shots.push_back({team_of(shot.slot), all.flow.touches[shot.touch].contact, all.expected[i],
                           shot.outcome == analysis::ShotOutcome::kGoal,
                           shot_text(summary, all, i)});
   }
@@ -137,34 +129,32 @@ std::string possession_svg(const MatchSummary& summary, const MatchStatistics& a
 
 // Positions are the mean of given and received passes, as the team sees the pitch.
 std::string network_svg(const MatchSummary& summary, const MatchStatistics& all, std::size_t team) {
-  std::array<Vec2, analysis::kTeamSize> sums;
-  std::array<int, analysis::kTeamSize> counts = {};
+  std::array<Vec2, kTeamSize> sums;
+  std::array<int, kTeamSize> counts = {};
+  const auto add = [&](std::int8_t slot, Vec2 point) {
+    sums[analysis::slot_index(slot) % kTeamSize] += point;
+    ++counts[analysis::slot_index(slot) % kTeamSize];
+  };
   for (const Pass& pass : all.passes) {
-    if (!pass.completed()) continue;
-    const auto from = analysis::slot_index(pass.passer);
-    const auto to = analysis::slot_index(pass.receiver);
-    if (analysis::team_of(from) != team) continue;
-
-    sums[from % analysis::kTeamSize] += pass.from;
-    sums[to % analysis::kTeamSize] += pass.to;
-    ++counts[from % analysis::kTeamSize];
-    ++counts[to % analysis::kTeamSize];
+    if (!pass.completed() || team_of(pass.passer) != team) continue;
+    add(pass.passer, pass.from);
+    add(pass.receiver, pass.to);
   }
 
   PassNetworkData data;
   data.title = {fmt::format("Passes of {}", team_label(summary, team)), kAttacksRight};
   data.tone = tone_of(team);
 
-  std::array<std::size_t, analysis::kTeamSize> nodes = {};
-  for (std::size_t i = 0; i < analysis::kTeamSize; ++i) {
+  std::array<std::size_t, kTeamSize> nodes = {};
+  for (std::size_t i = 0; i < kTeamSize; ++i) {
     nodes[i] = data.nodes.size();
     if (counts[i] == 0) continue;
     data.nodes.push_back({static_cast<int>(i) + 1, sums[i] / counts[i], counts[i]});
   }
 
   const auto& edges = all.networks[team].edges;
-  for (std::size_t a = 0; a < analysis::kTeamSize; ++a) {
-    for (std::size_t b = a + 1; b < analysis::kTeamSize; ++b) {
+  for (std::size_t a = 0; a < kTeamSize; ++a) {
+    for (std::size_t b = a + 1; b < kTeamSize; ++b) {
       const int passes = edges[a][b].passes + edges[b][a].passes;
       if (passes > 0) data.edges.push_back({nodes[a], nodes[b], passes});
     }
@@ -185,7 +175,7 @@ HeatMapData heat_data(ChartTitle title, Tone tone) {
 std::string ball_heat_svg(const MatchStatistics& all) {
   HeatMapData data =
       heat_data({"Where the ball was", "the left team attacks to the right"}, Tone::kBoth);
-  std::copy(all.positions.ball.begin(), all.positions.ball.end(), data.cells.begin());
+  std::ranges::copy(all.positions.ball, data.cells.begin());
   return heat_map(data);
 }
 
@@ -197,12 +187,11 @@ std::string team_heat_svg(const MatchSummary& summary, const MatchStatistics& al
 
   for (const std::size_t slot : analysis::kTeamSlots[team]) {
     if (plays_in_goal(*all.flow.record, slot)) continue;
-    const analysis::HeatMap& heat = all.positions.players[slot].heat;
-    std::transform(heat.begin(), heat.end(), data.cells.begin(), data.cells.begin(),
-                   [](int frames, double sum) { return sum + frames; });
+    std::ranges::transform(all.positions.players[slot].heat, data.cells, data.cells.begin(),
+                           [](int frames, double sum) { return sum + frames; });
   }
 
-  if (team == 1) std::reverse(data.cells.begin(), data.cells.end());
+  if (team == 1) std::ranges::reverse(data.cells);
   return heat_map(data);
 }
 
@@ -212,7 +201,7 @@ std::string goal_svg(const MatchSummary& summary, const MatchStatistics& all, co
   const gamelog::MatchRecord& record = *all.flow.record;
   std::uint32_t frame = goal.frame - std::min<std::uint32_t>(goal.frame, 10);
   if (goal.shot >= 0) {
-    frame = all.flow.touches[all.shots[static_cast<std::size_t>(goal.shot)].touch].frame;
+    frame = all.flow.touches[all.shots[base::index(goal.shot)].touch].frame;
     frame -= std::min(frame, 1U);
   }
 
@@ -223,9 +212,8 @@ std::string goal_svg(const MatchSummary& summary, const MatchStatistics& all, co
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
     const std::size_t entry = analysis::entry_of(frame, slot);
     if (!gamelog::is_enabled(record, entry)) continue;
-    data.players.push_back({analysis::team_of(slot), soccer::unum_of_slot(static_cast<int>(slot)),
-                            record.players.position[entry], record.players.body[entry],
-                            static_cast<std::int8_t>(slot) == goal.scorer});
+    data.players.push_back({team_of(slot), analysis::unum_of(slot), record.players.position[entry],
+                            record.players.body[entry], static_cast<int>(slot) == goal.scorer});
   }
 
   data.ball = record.ball_position[frame];
@@ -252,13 +240,14 @@ std::vector<Chart> match_charts(const MatchSummary& summary, const MatchStatisti
   charts.push_back({"shots", "Shots", shots_svg(summary, all)});
   charts.push_back({"ball", "Where the ball was", ball_heat_svg(all)});
 
+  const std::array<std::string, 2> sides = {"left", "right"};
   for (std::size_t team = 0; team < 2; ++team) {
-    charts.push_back({team == 0 ? "passes-left" : "passes-right",
+    charts.push_back({"passes-" + sides[team],
                       fmt::format("Passes of {}", team_label(summary, team)),
                       network_svg(summary, all, team)});
   }
   for (std::size_t team = 0; team < 2; ++team) {
-    charts.push_back({team == 0 ? "positions-left" : "positions-right",
+    charts.push_back({"positions-" + sides[team],
                       fmt::format("Field players of {}", team_label(summary, team)),
                       team_heat_svg(summary, all, team)});
   }

@@ -4,20 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <iterator>
 #include <tuple>
 
 #include "analysis/statistics/event_list.h"
 #include "analysis/statistics/field_table.h"
-#include "analysis/statistics/fields.h"
-#include "analysis/statistics/team_totals.h"
 #include "soccer/side.h"
 
 namespace cls::viewer {
 namespace {
 
+using analysis::EventKind;
 using analysis::MatchStatistics;
 using gamelog::Column;
 using gamelog::MatchRecord;
@@ -29,17 +27,18 @@ bool differs(const Column<T>& a, const Column<T>& b, std::size_t at) {
   return std::memcmp(&a[at], &b[at], sizeof(T)) != 0;
 }
 
+std::string player_text(std::size_t slot) {
+  return fmt::format("{} {}", analysis::side_text(static_cast<int>(slot)), analysis::unum_of(slot));
+}
+
 void add_players(const MatchRecord& a, const MatchRecord& b, std::size_t frame,
                  std::vector<std::string>& what) {
   const PlayerColumns& p = a.players;
   const PlayerColumns& q = b.players;
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
-    const std::size_t at = frame * gamelog::kSlots + slot;
-    const int index = static_cast<int>(slot);
+    const std::size_t at = analysis::entry_of(frame, slot);
     const auto add = [&](bool different, const char* name) {
-      if (!different) return;
-      what.push_back(fmt::format("{} {} {}", soccer::side_name(soccer::side_of_slot(index)),
-                                 soccer::unum_of_slot(index), name));
+      if (different) what.push_back(fmt::format("{} {}", player_text(slot), name));
     };
 
     add(differs(p.position, q.position, at), "position");
@@ -86,30 +85,30 @@ using EventKey = std::tuple<int, std::string, int, std::string>;
 std::vector<EventKey> keys_of(const MatchStatistics& statistics) {
   std::vector<EventKey> keys;
   for (const analysis::Event& event : analysis::list_events(statistics)) {
-    if (event.kind != "goal" && event.kind != "shot" && event.kind != "foul") continue;
-    keys.emplace_back(event.cycle, std::string(event.kind), event.slot, std::string(event.result));
+    if (event.kind != EventKind::kGoal && event.kind != EventKind::kShot &&
+        event.kind != EventKind::kFoul) {
+      continue;
+    }
+    keys.emplace_back(event.cycle, name(event.kind), event.slot, event.result);
   }
-  std::sort(keys.begin(), keys.end());
+  std::ranges::sort(keys);
   return keys;
 }
 
 // "foul_charge_l", a play mode, is "foul charge": the player says which side.
 std::string words_of(std::string name) {
   if (name.ends_with("_l") || name.ends_with("_r")) name.resize(name.size() - 2);
-  std::replace(name.begin(), name.end(), '_', ' ');
+  std::ranges::replace(name, '_', ' ');
   return name;
 }
 
 void add_missing(const std::vector<EventKey>& from, const std::vector<EventKey>& in,
                  std::size_t match, std::vector<LoneEvent>& events) {
   std::vector<EventKey> lone;
-  std::set_difference(from.begin(), from.end(), in.begin(), in.end(), std::back_inserter(lone));
+  std::ranges::set_difference(from, in, std::back_inserter(lone));
   for (const auto& [cycle, kind, slot, result] : lone) {
     std::string text = kind;
-    if (slot >= 0) {
-      text += fmt::format(", {} {}", soccer::side_name(soccer::side_of_slot(slot)),
-                          soccer::unum_of_slot(slot));
-    }
+    if (slot >= 0) text += ", " + player_text(base::index(slot));
     if (!result.empty() && result != kind) text += ": " + words_of(result);
     events.push_back({match, cycle, std::move(text)});
   }
@@ -118,26 +117,26 @@ void add_missing(const std::vector<EventKey>& from, const std::vector<EventKey>&
 /// A statistic of a team.
 struct Figure {
   const char* name;
-  analysis::TeamPath path;
+  analysis::TeamStatistic statistic;
   int decimals;
-  double scale;
+  double scale = 1.0;
 };
 
 constexpr Figure kFigures[] = {
-    {"goals", "/score", 0, 1.0},
-    {"shots", "/shots/total", 0, 1.0},
-    {"shots on target", "/shots/on_target", 0, 1.0},
-    {"expected goals", "/shots/expected_goals", 2, 1.0},
+    {"goals", "/score", 0},
+    {"shots", "/shots/total", 0},
+    {"shots on target", "/shots/on_target", 0},
+    {"expected goals", "/shots/expected_goals", 2},
     {"possession %", "/possession/last_touch", 1, 100.0},
-    {"touches", "/touches", 0, 1.0},
-    {"passes completed", "/passes/completed", 0, 1.0},
-    {"passes attempted", "/passes/attempted", 0, 1.0},
-    {"dribbles", "/dribbles", 0, 1.0},
-    {"box entries", "/territory/box_entries", 0, 1.0},
+    {"touches", "/touches", 0},
+    {"passes completed", "/passes/completed", 0},
+    {"passes attempted", "/passes/attempted", 0},
+    {"dribbles", "/dribbles", 0},
+    {"box entries", "/territory/box_entries", 0},
     {"pitch control %", "/territory/pitch_control", 1, 100.0},
-    {"successful tackles", "/tackles/succeeded", 0, 1.0},
-    {"interceptions", "/interceptions", 0, 1.0},
-    {"fouls", "/stoppages/fouls", 0, 1.0},
+    {"successful tackles", "/tackles/succeeded", 0},
+    {"interceptions", "/interceptions", 0},
+    {"fouls", "/stoppages/fouls", 0},
     {"distance km", "/distance", 1, 0.001},
 };
 
@@ -183,8 +182,7 @@ std::vector<LoneEvent> lone_events(const MatchStatistics& a, const MatchStatisti
   std::vector<LoneEvent> events;
   add_missing(first, second, 0, events);
   add_missing(second, first, 1, events);
-  std::stable_sort(events.begin(), events.end(),
-                   [](const LoneEvent& x, const LoneEvent& y) { return x.cycle < y.cycle; });
+  std::ranges::stable_sort(events, {}, &LoneEvent::cycle);
   return events;
 }
 
@@ -192,32 +190,23 @@ std::vector<std::vector<std::string>> difference_rows(const ComparedMatch& a,
                                                       const ComparedMatch& b) {
   std::vector<std::vector<std::string>> rows = {
       {"", "left A", "left B", "B - A", "right A", "right B", "B - A"}};
+  for (const Figure& figure : kFigures) rows.push_back({figure.name});
 
-  std::array<std::array<analysis::Json, 2>, 2> fields;  // by match and team
-  const std::array<const ComparedMatch*, 2> matches = {&a, &b};
-  for (std::size_t match = 0; match < 2; ++match) {
-    for (std::size_t team = 0; team < 2; ++team) {
-      const MatchStatistics& all = *matches[match]->statistics;
-      fields[match][team] =
-          analysis::team_fields(*matches[match]->summary, all, analysis::sum_team(all, team), team);
-    }
-  }
-
-  for (const Figure& figure : kFigures) {
-    const analysis::Json::json_pointer path(figure.path.text);
-    std::vector<std::string> row = {figure.name};
-    for (std::size_t team = 0; team < 2; ++team) {
-      const auto value = [&](std::size_t match) {
-        const analysis::Json& all = fields[match][team];
-        return all.contains(path) && all.at(path).is_number()
-                   ? all.at(path).get<double>() * figure.scale
-                   : 0.0;
+  for (std::size_t team = 0; team < 2; ++team) {
+    const analysis::TeamView first = {*a.summary, *a.statistics, team};
+    const analysis::TeamView second = {*b.summary, *b.statistics, team};
+    for (std::size_t i = 0; i < std::size(kFigures); ++i) {
+      const Figure& figure = kFigures[i];
+      const auto value_in = [&](const analysis::TeamView& view) {
+        return figure.statistic.row->value(view)->get<double>() * figure.scale;
       };
-      row.push_back(number_text(value(0), figure.decimals, false));
-      row.push_back(number_text(value(1), figure.decimals, false));
-      row.push_back(number_text(value(1) - value(0), figure.decimals, true));
+      const auto add = [&](double value, bool sign) {
+        rows[i + 1].push_back(number_text(value, figure.decimals, sign));
+      };
+      add(value_in(first), false);
+      add(value_in(second), false);
+      add(value_in(second) - value_in(first), true);
     }
-    rows.push_back(std::move(row));
   }
   return rows;
 }

@@ -1,4 +1,4 @@
-// What distinguishes two matches, such as two runs with one seed.
+// Differences of two matches, such as two runs with one seed.
 #pragma once
 
 #include <cstddef>

@@ -4,18 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "analysis/play/pitch_areas.h"
 #include "analysis/results/match_summary.h"
-#include "soccer/pitch.h"
 
 namespace cls::viewer {
 namespace {
 
 constexpr std::size_t kSamples = 121;
 constexpr std::size_t kWindowShare = 10;
-constexpr double kFinalThird = soccer::kPitchLength / 6;
 
 /// Counts of both teams up to each frame, from 0: entry f has the frames before f.
 using Sums = analysis::PerTeam<std::vector<int>>;
@@ -37,10 +36,15 @@ std::vector<double> left_shares(const Sums& sums) {
   return shares;
 }
 
-void add_up(Sums& sums) {
+// The shares of counts of single frames, which `count_into` increases at frame + 1.
+std::vector<double> shares_of(const analysis::MatchStatistics& all, auto count_into) {
+  Sums sums;
+  for (std::vector<int>& counts : sums) counts.assign(all.flow.record->frames() + 1, 0);
+  count_into(sums);
   for (std::vector<int>& counts : sums) {
-    for (std::size_t i = 1; i < counts.size(); ++i) counts[i] += counts[i - 1];
+    std::partial_sum(counts.begin(), counts.end(), counts.begin());
   }
+  return left_shares(sums);
 }
 
 // 1, 2 or 5 times a power of ten: at most eight parts.
@@ -57,7 +61,7 @@ TimeAxis time_axis(const gamelog::MatchRecord& record) {
   if (record.frames() == 0) return axis;
 
   axis.last = static_cast<double>(record.frames() - 1);
-  const std::int64_t last = *std::max_element(record.time.begin(), record.time.end());
+  const std::int64_t last = std::ranges::max(record.time);
   const std::int64_t step = tick_step(std::max<std::int64_t>(1, last));
 
   const double half = analysis::half_time_cycles(record.server);
@@ -81,36 +85,26 @@ TimeAxis time_axis(const gamelog::MatchRecord& record) {
 }
 
 std::vector<double> possession_over_time(const analysis::MatchStatistics& all) {
-  const std::size_t frames = all.flow.record->frames();
-  Sums sums;
-  for (std::vector<int>& counts : sums) counts.assign(frames + 1, 0);
-
-  for (std::size_t frame = 0; frame < frames; ++frame) {
-    const std::int8_t owner = all.flow.owner[frame];
-    if (!all.flow.is_live(frame) || owner == analysis::kNoPlayer) continue;
-    ++sums[analysis::team_of(analysis::slot_index(owner))][frame + 1];
-  }
-
-  add_up(sums);
-  return left_shares(sums);
+  return shares_of(all, [&](Sums& sums) {
+    for (std::size_t frame = 0; frame < all.flow.record->frames(); ++frame) {
+      const std::int8_t owner = all.flow.owner[frame];
+      if (!all.flow.is_live(frame) || owner == analysis::kNoPlayer) continue;
+      ++sums[analysis::team_of(owner)][frame + 1];
+    }
+  });
 }
 
 std::vector<double> field_tilt_over_time(const analysis::MatchStatistics& all) {
-  Sums sums;
-  for (std::vector<int>& counts : sums) counts.assign(all.flow.record->frames() + 1, 0);
-
-  for (const analysis::Touch& touch : all.flow.touches) {
-    if (touch.live_phase < 0) continue;
-    for (const std::int8_t player : touch.nearest) {
-      if (player == analysis::kNoPlayer) continue;
-      const auto slot = analysis::slot_index(player);
-      if (touch.contact.x * analysis::attack_sign(slot) <= kFinalThird) continue;
-      ++sums[analysis::team_of(slot)][touch.frame + 1];
+  return shares_of(all, [&](Sums& sums) {
+    for (const analysis::Touch& touch : all.flow.touches) {
+      if (touch.live_phase < 0) continue;
+      for (const std::int8_t player : touch.nearest) {
+        if (player == analysis::kNoPlayer) continue;
+        const double x = touch.contact.x * analysis::attack_sign(player);
+        if (x > analysis::kThirdBorder) ++sums[analysis::team_of(player)][touch.frame + 1];
+      }
     }
-  }
-
-  add_up(sums);
-  return left_shares(sums);
+  });
 }
 
 bool plays_in_goal(const gamelog::MatchRecord& record, std::size_t slot) {

@@ -14,18 +14,21 @@ namespace cls::viewer {
 
 constexpr std::string_view kViewSchema = "cls.view/1";
 
-/// Kinds of chunks, the letters of the format.
-enum ChunkKind : char {
-  kHeaderChunk = 'H',
-  kParametersChunk = 'P',
-  kNotesChunk = 'N',
-  kFramesChunk = 'F',
-  kStatisticsChunk = 'S',
-  kEndChunk = 'E',
+/// Kinds of chunks of matches and of decisions, the letters of the formats.
+enum class ChunkKind : char {
+  kHeader = 'H',
+  kParameters = 'P',
+  kNotes = 'N',
+  kFrames = 'F',
+  kStatistics = 'S',
+  kEnd = 'E',
+  kDecisions = 'B',  ///< numbers of the decisions of a player
+  kTexts = 'W',      ///< their texts of one kind
+  kLatency = 'T',    ///< their latencies, which are not the same in each run
 };
 
-/// Kinds of notes in a kNotesChunk.
-enum NoteKind : unsigned char { kModeNote, kTeamsNote, kMessageNote, kUnknownLineNote };
+/// Kinds of notes in a chunk of them: the alternatives of gamelog::Note::content.
+enum class NoteKind : std::uint8_t { kMode, kTeams, kMessage, kUnknownLine };
 
 inline void append_chunk(ChunkKind kind, std::string_view contents, std::string& out) {
   out += static_cast<char>(kind);

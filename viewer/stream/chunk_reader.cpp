@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "base/text/json.h"
 #include "gamelog/record/record_builder.h"
 #include "soccer/messages/parameter_message.h"
 #include "viewer/stream/chunk.h"
@@ -14,8 +15,8 @@
 namespace cls::viewer {
 namespace {
 
+using base::Json;
 using gamelog::MatchRecord;
-using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t kMaxChunk = std::uint64_t{512} << 20;
 // Every frame has differences of time, ball and 22 players.
@@ -54,20 +55,24 @@ gamelog::Note read_note(ByteReader& in) {
   note.time = read_int32(in);
   note.stopped = read_int32(in);
 
-  const int kind = in.byte();
-  if (kind == kModeNote) {
-    note.content = read_mode(in);
-  } else if (kind == kTeamsNote) {
-    note.content = read_teams(in);
-  } else if (kind == kMessageNote) {
-    const int board = read_int32(in);
-    note.content = gamelog::Message{board, std::string(in.string())};
-  } else if (kind == kUnknownLineNote) {
-    note.content = gamelog::UnknownLine{std::string(in.string())};
-  } else {
-    in.fail();
+  switch (static_cast<NoteKind>(in.byte())) {
+    case NoteKind::kMode:
+      note.content = read_mode(in);
+      return note;
+    case NoteKind::kTeams:
+      note.content = read_teams(in);
+      return note;
+    case NoteKind::kMessage: {
+      const int board = read_int32(in);
+      note.content = gamelog::Message{board, std::string(in.string())};
+      return note;
+    }
+    case NoteKind::kUnknownLine:
+      note.content = gamelog::UnknownLine{std::string(in.string())};
+      return note;
   }
 
+  in.fail();
   return note;
 }
 
@@ -115,8 +120,8 @@ void read_exceptions(std::vector<float>& values, ByteReader& in) {
 }
 
 bool in_range(const Integers& integers, std::int64_t min, std::int64_t max) {
-  return std::all_of(integers.begin(), integers.end(),
-                     [=](std::int64_t value) { return value >= min && value <= max; });
+  return std::ranges::all_of(integers,
+                             [=](std::int64_t value) { return value >= min && value <= max; });
 }
 
 gamelog::ParseErrors errors_of(const Json& json) {
@@ -146,7 +151,7 @@ base::Result<void> ChunkReader::add(std::string_view bytes) {
 bool ChunkReader::read_chunk(std::string_view& rest) {
   constexpr std::size_t kMaxHead = 6;
   ByteReader in(rest);
-  const char kind = static_cast<char>(in.byte());
+  const auto kind = static_cast<ChunkKind>(in.byte());
   const std::uint64_t length = in.varint();
   if (!in.good()) {
     if (rest.size() >= kMaxHead) fail("corrupt length of a chunk");
@@ -167,23 +172,23 @@ bool ChunkReader::read_chunk(std::string_view& rest) {
   return error_.empty();
 }
 
-void ChunkReader::read(char kind, std::string_view contents) {
+void ChunkReader::read(ChunkKind kind, std::string_view contents) {
   if (match_.ended) return fail("a chunk after the end");
-  if (kind != kHeaderChunk && !has_header_) return fail("no header: not a match of cls");
+  if (kind != ChunkKind::kHeader && !has_header_) return fail("no header: not a match of cls");
 
   switch (kind) {
-    case kHeaderChunk:
+    case ChunkKind::kHeader:
       return read_header(contents);
-    case kParametersChunk:
+    case ChunkKind::kParameters:
       return read_parameters(contents);
-    case kNotesChunk:
+    case ChunkKind::kNotes:
       return read_notes(contents);
-    case kFramesChunk:
+    case ChunkKind::kFrames:
       return read_frames(contents);
-    case kStatisticsChunk:
+    case ChunkKind::kStatistics:
       match_.statistics = contents;
       return;
-    case kEndChunk:
+    case ChunkKind::kEnd:
       return read_end(contents);
     default:
       return;
@@ -215,12 +220,12 @@ void ChunkReader::read_parameters(std::string_view contents) {
   for (std::uint64_t left = in.varint(); left > 0 && in.good(); --left) {
     const std::string_view line = in.string();
     // Only lines without errors were stored; of a corrupt stream, the readable values count.
-    if (line.starts_with("(server_param ")) static_cast<void>(soccer::parse(line, record.server));
-    if (line.starts_with("(player_param ")) static_cast<void>(soccer::parse(line, record.player));
+    if (line.starts_with("(server_param ")) std::ignore = soccer::parse(line, record.server);
+    if (line.starts_with("(player_param ")) std::ignore = soccer::parse(line, record.player);
     if (line.starts_with("(player_type ")) {
       soccer::PlayerType type;
       type.id = -1;
-      static_cast<void>(soccer::parse(line, type));
+      std::ignore = soccer::parse(line, type);
       builder.set_player_type(type);
     }
     builder.add_parameter_line(std::string(line));
@@ -235,8 +240,9 @@ void ChunkReader::read_notes(std::string_view contents) {
   for (std::uint64_t left = in.varint(); left > 0 && in.good(); --left) {
     gamelog::Note note = read_note(in);
     if (!in.good()) break;
-    if (!record.notes.empty() && note.frame < record.notes.back().frame)
+    if (!record.notes.empty() && note.frame < record.notes.back().frame) {
       return fail("corrupt note");
+    }
 
     if (const auto* teams = std::get_if<gamelog::TeamFrames>(&note.content)) {
       record.teams.push_back(*teams);
@@ -299,10 +305,11 @@ void ChunkReader::read_column(std::size_t index, std::size_t first, std::size_t 
 }
 
 void ChunkReader::read_end(std::string_view contents) {
-  const Json json = Json::parse(contents, nullptr, false);
+  const Json json = Json::parse_or_discarded(contents);
   try {
-    if (json.value("crc32", "") != checksum_text(checksum_))
+    if (json.value("crc32", "") != checksum_text(checksum_)) {
       return fail("wrong checksum: the match is corrupt");
+    }
     if (json.value("frames", std::size_t{0}) != match_.record.frames() ||
         json.value("notes", std::size_t{0}) != match_.record.notes.size()) {
       return fail("frames or notes are missing");

@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "gamelog/record/match_record.h"
+#include "viewer/stream/chunk.h"
 #include "viewer/stream/stream_state.h"
 
 namespace cls::viewer {
@@ -34,7 +35,7 @@ class ChunkReader {
 
  private:
   bool read_chunk(std::string_view& rest);
-  void read(char kind, std::string_view contents);
+  void read(ChunkKind kind, std::string_view contents);
   void read_header(std::string_view contents);
   void read_parameters(std::string_view contents);
   void read_notes(std::string_view contents);

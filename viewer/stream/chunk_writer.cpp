@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "base/overloaded.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 
 namespace cls::viewer {
@@ -63,29 +63,23 @@ void append_note(const gamelog::Note& note, std::string& out) {
   append_zigzag(note.time, out);
   append_zigzag(note.stopped, out);
 
-  std::visit(base::Overloaded{[&](soccer::PlayMode mode) {
-                                out += static_cast<char>(kModeNote);
-                                out += static_cast<char>(mode);
-                              },
-                              [&](const gamelog::TeamFrames& teams) {
-                                out += static_cast<char>(kTeamsNote);
-                                for (const gamelog::TeamFrame& team : teams) {
-                                  append_string(team.name, out);
-                                  append_zigzag(team.score, out);
-                                  append_zigzag(team.penalty_scored, out);
-                                  append_zigzag(team.penalty_missed, out);
-                                }
-                              },
-                              [&](const gamelog::Message& message) {
-                                out += static_cast<char>(kMessageNote);
-                                append_zigzag(message.board, out);
-                                append_string(message.text, out);
-                              },
-                              [&](const gamelog::UnknownLine& line) {
-                                out += static_cast<char>(kUnknownLineNote);
-                                append_string(line.text, out);
-                              }},
-             note.content);
+  out += static_cast<char>(note.content.index());  // a NoteKind
+  std::visit(
+      base::Overloaded{[&](soccer::PlayMode mode) { out += static_cast<char>(mode); },
+                       [&](const gamelog::TeamFrames& teams) {
+                         for (const gamelog::TeamFrame& team : teams) {
+                           append_string(team.name, out);
+                           append_zigzag(team.score, out);
+                           append_zigzag(team.penalty_scored, out);
+                           append_zigzag(team.penalty_missed, out);
+                         }
+                       },
+                       [&](const gamelog::Message& message) {
+                         append_zigzag(message.board, out);
+                         append_string(message.text, out);
+                       },
+                       [&](const gamelog::UnknownLine& line) { append_string(line.text, out); }},
+      note.content);
 }
 
 std::string parameters_of(const MatchRecord& record) {
@@ -97,8 +91,8 @@ std::string parameters_of(const MatchRecord& record) {
   return contents;
 }
 
-nlohmann::ordered_json errors_json(const gamelog::ParseErrors& errors) {
-  nlohmann::ordered_json first = nlohmann::ordered_json::array();
+base::Json errors_json(const gamelog::ParseErrors& errors) {
+  base::Json first = base::Json::array();
   for (const gamelog::ParseError& error : errors.first) {
     first.push_back({{"line", error.line},
                      {"byte", error.byte},
@@ -118,8 +112,8 @@ void ChunkWriter::append(ChunkKind kind, std::string_view contents, std::string&
 
 void ChunkWriter::append_header(const MatchRecord& record, std::string& out) {
   state_.set_header(header_of(record, form_));
-  append(kHeaderChunk, header_json(record, state_.header()), out);
-  append(kParametersChunk, parameters_of(record), out);
+  append(ChunkKind::kHeader, header_json(record, state_.header()), out);
+  append(ChunkKind::kParameters, parameters_of(record), out);
 }
 
 void ChunkWriter::append_notes(const MatchRecord& record, std::size_t before, std::string& out) {
@@ -132,7 +126,7 @@ void ChunkWriter::append_notes(const MatchRecord& record, std::size_t before, st
 
   std::string contents;
   append_varint(notes_ - first, contents);
-  append(kNotesChunk, contents + notes, out);
+  append(ChunkKind::kNotes, contents + notes, out);
 }
 
 void ChunkWriter::append_column(const MatchRecord& record, std::size_t index, std::size_t end,
@@ -173,21 +167,21 @@ void ChunkWriter::append_frames(const MatchRecord& record, std::size_t end, std:
     append_column(record, i, end, contents);
   }
 
-  append(kFramesChunk, contents, out);
+  append(ChunkKind::kFrames, contents, out);
   frames_ = end;
 }
 
 void ChunkWriter::append_statistics(std::string_view json, std::string& out) {
-  append(kStatisticsChunk, json, out);
+  append(ChunkKind::kStatistics, json, out);
 }
 
 void ChunkWriter::append_end(const MatchRecord& record, std::string& out) {
   append_notes(record, std::numeric_limits<std::size_t>::max(), out);
-  const nlohmann::ordered_json json = {{"frames", frames_},
-                                       {"notes", notes_},
-                                       {"crc32", checksum_text(checksum_)},
-                                       {"errors", errors_json(record.errors)}};
-  append(kEndChunk, base::json_line(json), out);
+  const base::Json json = {{"frames", frames_},
+                           {"notes", notes_},
+                           {"crc32", checksum_text(checksum_)},
+                           {"errors", errors_json(record.errors)}};
+  append(ChunkKind::kEnd, base::json_line(json), out);
 }
 
 std::string write_stream(const MatchRecord& record, StreamForm form, std::string_view statistics) {

@@ -7,8 +7,6 @@
 namespace cls::viewer {
 namespace {
 
-constexpr std::int64_t kDecayUnit = 10000;
-
 std::int64_t floor_divided(std::int64_t value, std::int64_t by) {
   const std::int64_t quotient = value / by;
   return value % by < 0 ? quotient - 1 : quotient;

@@ -40,7 +40,7 @@ struct ColumnState {
   std::vector<std::int64_t> difference;
 };
 
-/// What a column is coded with besides its own integers.
+/// Inputs of the coding of a column in addition to its own integers.
 struct CodingInput {
   Coding coding = Coding::kChanges;
   std::int64_t half_turn = 0;             ///< kAngle: the integer of 180 degrees
@@ -50,9 +50,12 @@ struct CodingInput {
 /// Brings an angle into (-half_turn, half_turn].
 std::int64_t wrapped(std::int64_t angle, std::int64_t half_turn);
 
+/// Decays are integers of this unit: 1.
+constexpr std::int64_t kDecayUnit = 10000;
+
 /// What velocities would be if the displacement of each frame decayed. `positions` are the integers
-/// of these frames, `before` those of the frame before them, by series; `decays` in 1/10000, one
-/// per integer.
+/// of these frames, `before` those of the frame before them, by series; `decays` one per
+/// integer.
 Integers predicted_velocities(const Integers& positions, const std::vector<std::int64_t>& before,
                               const Integers& decays);
 

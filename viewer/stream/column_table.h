@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -21,8 +22,8 @@ enum class Coding : std::uint8_t {
 
 /// "c", "d1", ...
 std::string_view name(Coding coding);
-/// The coding of a name; false for another text.
-bool parse_coding(std::string_view text, Coding& coding);
+/// The coding of a name; nothing for another text.
+std::optional<Coding> parse_coding(std::string_view text);
 
 /// Integer that stands for a point that does not exist.
 constexpr std::int64_t kNone = -(std::int64_t{1} << 31);

@@ -3,24 +3,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
+#include "base/index.h"
 #include "base/system/version.h"
+#include "base/text/json.h"
 #include "base/text/schema.h"
 #include "soccer/play_mode.h"
 #include "viewer/stream/chunk.h"
+#include "viewer/stream/column_codec.h"
 
 namespace cls::viewer {
 namespace {
 
+using base::Json;
 using gamelog::MatchRecord;
 using gamelog::RcgVersion;
-using Json = nlohmann::ordered_json;
 
-constexpr std::int64_t kDecayUnit = 10000;
 constexpr std::int64_t kDefaultDecay = 4000;  // of types that the log lacks
 constexpr std::size_t kMaxColumns = 256;
 constexpr std::int64_t kMaxScale = 1'000'000;
@@ -121,29 +123,27 @@ bool link_columns(const std::vector<std::string>& names, const std::vector<std::
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (columns[i].coding != Coding::kVelocity) continue;
 
-    const auto end = names.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto position = std::find(names.begin(), end, of[i]);
-    if (position == end) return false;
-    columns[i].of = static_cast<std::size_t>(position - names.begin());
+    // The position of an earlier column with as many series; its integers are kept.
+    const auto link = [&](const std::string& name, std::size_t& position) {
+      const auto earlier = std::span(names).first(i);
+      position = base::index(std::ranges::find(earlier, name) - earlier.begin());
+      if (position == i) return false;
+      columns[position].keeps_integers = true;
+      return columns[position].series == columns[i].series;
+    };
 
-    StreamColumn& positions = columns[columns[i].of];
-    positions.keeps_integers = true;
-    if (positions.series != columns[i].series) return false;
-
-    if (columns[i].series == 1) continue;
-    const auto type = std::find(names.begin(), end, "type");
-    if (type == end) return false;
-    header.type = static_cast<std::size_t>(type - names.begin());
-    StreamColumn& types = columns[header.type];
-    types.keeps_integers = true;
-    if (types.series != columns[i].series) return false;
+    if (!link(of[i], columns[i].of)) return false;
+    if (columns[i].series > 1 && !link("type", header.type)) return false;
   }
   return true;
 }
 
 bool parse_column(const Json& json, StreamColumn& column) {
-  if (!json.is_object() || !parse_coding(json.value("coding", ""), column.coding)) return false;
+  if (!json.is_object()) return false;
+  const auto coding = parse_coding(json.value("coding", ""));
+  if (!coding) return false;
 
+  column.coding = *coding;
   column.series = json.value("series", std::size_t{0});
   column.scale = json.value("scale", std::int64_t{0});
   if (column.series != 1 && column.series != gamelog::kSlots) return false;
@@ -166,8 +166,7 @@ bool parse_columns(const Json& list, StreamHeader& header) {
     if (!parse_column(json, header.columns.emplace_back())) return false;
     names.push_back(json.value("name", ""));
     of.push_back(json.value("of", ""));
-    const bool repeated = std::find(names.begin(), names.end() - 1, names.back()) < names.end() - 1;
-    if (repeated) return false;
+    if (std::ranges::count(names, names.back()) > 1) return false;
   }
 
   return link_columns(names, of, header);
@@ -180,7 +179,7 @@ bool parse_decays(const Json& json, Decays& decays) {
   if (!in_range(decays.ball) || !types.is_array()) return false;
 
   for (const Json& decay : types) decays.by_type.push_back(decay.get<std::int64_t>());
-  return std::all_of(decays.by_type.begin(), decays.by_type.end(), in_range);
+  return std::ranges::all_of(decays.by_type, in_range);
 }
 
 bool parse_version(const std::string& text, RcgVersion& version) {
@@ -194,8 +193,8 @@ bool parse_version(const std::string& text, RcgVersion& version) {
 }  // namespace
 
 std::int64_t Decays::of_type(std::int64_t type) const {
-  const bool known = type >= 0 && type < static_cast<std::int64_t>(by_type.size());
-  return known ? by_type[static_cast<std::size_t>(type)] : kDefaultDecay;
+  const bool known = type >= 0 && type < std::ssize(by_type);
+  return known ? by_type[base::index(type)] : kDefaultDecay;
 }
 
 StreamHeader header_of(const MatchRecord& record, StreamForm form) {
@@ -246,7 +245,7 @@ std::string header_json(const MatchRecord& record, const StreamHeader& header) {
                      {"ball_decay", header.decays.ball},
                      {"type_decay", header.decays.by_type},
                      {"columns", columns_json(header)}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json.dump();
 }
 
 base::Result<StreamHeader> parse_header(std::string_view text) {

@@ -2,18 +2,17 @@
 #include "viewer/stream/stream_state.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace cls::viewer {
 namespace {
 
 bool same_columns(const std::vector<StreamColumn>& a, const std::vector<StreamColumn>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const StreamColumn& left, const StreamColumn& right) {
-                      return left.spec == right.spec && left.coding == right.coding &&
-                             left.series == right.series && left.scale == right.scale &&
-                             left.of == right.of;
-                    });
+  const auto form = [](const StreamColumn& column) {
+    return std::tuple(column.spec, column.coding, column.series, column.scale, column.of);
+  };
+  return std::ranges::equal(a, b, {}, form, form);
 }
 
 }  // namespace
@@ -42,9 +41,8 @@ CodingInput StreamState::input(std::size_t index, std::size_t frames) {
 
   Integers decays(frames * column.series, header_.decays.ball);
   if (column.series > 1) {
-    const Integers& types = integers_[header_.type];
-    std::transform(types.begin(), types.end(), decays.begin(),
-                   [&](std::int64_t id) { return header_.decays.of_type(id); });
+    std::ranges::transform(integers_[header_.type], decays.begin(),
+                           [&](std::int64_t id) { return header_.decays.of_type(id); });
   }
 
   predictions_ = predicted_velocities(integers_[column.of], before_[column.of], decays);

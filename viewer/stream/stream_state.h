@@ -1,4 +1,4 @@
-// What writers and readers of a stream remember from one chunk of frames to the next.
+// The memory of writers and readers of a stream from one chunk of frames to the next.
 #pragma once
 
 #include <cstddef>

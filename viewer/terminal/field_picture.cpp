@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/index.h"
 #include "soccer/pitch.h"
 #include "soccer/side.h"
 
@@ -32,9 +33,7 @@ std::string braille(unsigned bits) {
 class Dots {
  public:
   Dots(int columns, int rows)
-      : columns_(columns),
-        rows_(rows),
-        bits_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0) {
+      : columns_(columns), rows_(rows), bits_(base::index(columns) * base::index(rows), 0) {
     const double across = kDotColumns * columns_ / (2 * kShownHalfLength);
     const double down = kDotRows * rows_ / (2 * kShownHalfWidth);
     scale_ = std::min(across, down);
@@ -80,8 +79,7 @@ class Dots {
 
  private:
   std::size_t index(int row, int column) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(column);
+    return base::index(row) * base::index(columns_) + base::index(column);
   }
 
   void dot(Vec2 at) {
@@ -90,9 +88,8 @@ class Dots {
 
     constexpr std::array<std::array<unsigned, kDotColumns>, kDotRows> kBits = {
         {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}}};
-    const auto bit =
-        kBits[static_cast<std::size_t>(y % kDotRows)][static_cast<std::size_t>(x % kDotColumns)];
-    bits_[index(y / kDotRows, x / kDotColumns)] |= bit;
+    bits_[index(y / kDotRows, x / kDotColumns)] |=
+        kBits[base::index(y % kDotRows)][base::index(x % kDotColumns)];
   }
 
   int columns_;

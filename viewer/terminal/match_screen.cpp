@@ -87,10 +87,9 @@ std::vector<Key> take_keys(std::string& bytes) {
     const std::size_t length = sequence_length(bytes);
     if (length == 0) break;
 
-    const std::string_view sequence = std::string_view(bytes).substr(0, length);
-    for (const auto& [text, key] : kKeys) {
-      if (text == sequence) keys.push_back(key);
-    }
+    const auto known = std::ranges::find(kKeys, std::string_view(bytes).substr(0, length),
+                                         &std::pair<std::string_view, Key>::first);
+    if (known != kKeys.end()) keys.push_back(known->second);
     bytes.erase(0, length);
   }
   return keys;
@@ -128,6 +127,7 @@ void MatchScreen::press(Key key) {
       playing_ = following_ ? false : !playing_;
       following_ = false;
       break;
+
     case Key::kBack:
       return step(-1);
     case Key::kForward:
@@ -140,16 +140,19 @@ void MatchScreen::press(Key key) {
       return step(-at_);
     case Key::kEnd:
       return step(static_cast<double>(last()));
+
     case Key::kSlower:
       if (speed_ > 0) --speed_;
       break;
     case Key::kFaster:
       speed_ = std::min(speed_ + 1, kSpeeds.size() - 1);
       break;
+
     case Key::kNextGoal:
       return find_goal(1);
     case Key::kPreviousGoal:
       return find_goal(-1);
+
     case Key::kLive:
       following_ = live_;
       playing_ = playing_ || live_;
@@ -208,8 +211,6 @@ Screen MatchScreen::draw(int columns, int rows, bool color) const {
 void MatchScreen::draw_head(Screen& screen) const {
   const gamelog::Frame frame = frame_at(record_, this->frame());
   const auto& [left, right] = frame.teams;
-  const std::string left_name = team_name(left, "left");
-  const std::string score = fmt::format("{} : {}", left.score, right.score);
 
   int column = 1;
   const auto append = [&](std::string_view text, Ink ink) {
@@ -217,8 +218,8 @@ void MatchScreen::draw_head(Screen& screen) const {
     column += static_cast<int>(text.size()) + 1;
   };
 
-  append(left_name, Ink::kLeft);
-  append(score, Ink::kBold);
+  append(team_name(left, "left"), Ink::kLeft);
+  append(fmt::format("{} : {}", left.score, right.score), Ink::kBold);
   append(team_name(right, "right"), Ink::kRight);
   if (left.penalties_taken() + right.penalties_taken() > 0) {
     append(fmt::format(" penalties {} : {}", left.penalty_scored, right.penalty_scored),

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/index.h"
+#include "base/text/enum_names.h"
+
 namespace cls::viewer {
 namespace {
 
@@ -13,41 +16,22 @@ namespace {
 constexpr std::string_view kBeginUpdate = "\x1b[?2026h";
 constexpr std::string_view kEndUpdate = "\x1b[?2026l";
 
-std::string_view ink_code(Ink ink, bool color) {
-  switch (ink) {
-    case Ink::kDim:
-      return "2";
-    case Ink::kBold:
-      return "1";
-    case Ink::kLeft:
-      return color ? "1;38;5;75" : "1";
-    case Ink::kRight:
-      return color ? "1;38;5;215" : "1";
-    case Ink::kPlain:
-      break;
-  }
-  return "";
-}
+constexpr auto kColorCodes = base::enum_names<Ink>("", ";2", ";1", ";1;38;5;75", ";1;38;5;215");
+constexpr auto kPlainCodes = base::enum_names<Ink>("", ";2", ";1", ";1", ";1");
 
 std::string style(const Cell& cell, bool color) {
-  std::string codes = "\x1b[0";
-  if (const std::string_view ink = ink_code(cell.ink, color); !ink.empty()) {
-    codes += ";";
-    codes += ink;
-  }
-  if (cell.reverse) codes += ";7";
-  return codes + "m";
+  return fmt::format("\x1b[0{}{}m", (color ? kColorCodes : kPlainCodes).name(cell.ink),
+                     cell.reverse ? ";7" : "");
 }
 
 }  // namespace
 
 Screen::Screen(int columns, int rows) : columns_(std::max(1, columns)), rows_(std::max(1, rows)) {
-  cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  cells_.resize(base::index(columns_) * base::index(rows_));
 }
 
 std::size_t Screen::index(int row, int column) const {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-         static_cast<std::size_t>(column);
+  return base::index(row) * base::index(columns_) + base::index(column);
 }
 
 const Cell& Screen::at(int row, int column) const { return cells_[index(row, column)]; }

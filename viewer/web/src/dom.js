@@ -1,6 +1,7 @@
 // Elements. Text from the log only ever becomes text: there is no other way to fill an element here.
 
-/** @param {string} tag @param {Record<string, any>} [properties] attributes; functions become listeners, `on...`
+/** @param {string} tag
+ * @param {Record<string, any>} [properties] attributes; functions become listeners, `on...`
  * @param {...(Node | string | number)} children @returns {any} */
 export function element(tag, properties = {}, ...children) {
   const made = document.createElement(tag);
@@ -9,7 +10,8 @@ export function element(tag, properties = {}, ...children) {
     else if (value === true) made.setAttribute(name, '');
     else if (value !== false && value !== null && value !== undefined) made.setAttribute(name, String(value));
   }
-  made.append(...children.map((child) => (child instanceof Node ? child : document.createTextNode(String(child)))));
+  const nodes = children.map((child) => (child instanceof Node ? child : document.createTextNode(String(child))));
+  made.append(...nodes);
   return made;
 }
 

@@ -24,8 +24,7 @@ int shown_passes(const std::vector<Edge>& edges) {
 void draw_edges(Drawing& drawing, const PitchPlace& place, const PassNetworkData& data) {
   constexpr double kWidest = 9.0;
   std::vector<Edge> edges = data.edges;
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](const Edge& a, const Edge& b) { return a.passes < b.passes; });
+  std::ranges::stable_sort(edges, {}, &Edge::passes);
 
   const int shown = shown_passes(edges);
   for (const Edge& edge : edges) {
@@ -63,8 +62,7 @@ std::string pass_network_chart(const PassNetworkData& data) {
   constexpr double kTop = 34.0;
   constexpr double kBelow = 28.0;
 
-  Drawing drawing(kChartWidth, height_with_pitch(kTop, kBelow), data.title.text);
-  draw_title(drawing, data.title);
+  Drawing drawing = titled_drawing(data.title, height_with_pitch(kTop, kBelow));
   const PitchPlace place = draw_pitch(drawing, kTop);
   draw_edges(drawing, place, data);
   draw_nodes(drawing, place, data);

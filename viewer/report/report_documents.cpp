@@ -1,5 +1,5 @@
 // Puts head, events, charts, tables and replay together.
-#include "viewer/report/match_report.h"
+#include "viewer/report/report_documents.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 
 #include "analysis/results/results_text.h"
 #include "analysis/statistics/statistics_text.h"
+#include "base/index.h"
 #include "base/system/version.h"
 #include "base/text/counted.h"
 #include "base/text/xml.h"
@@ -75,7 +76,7 @@ std::vector<std::string> warning_lines(const MatchReport& report) {
 }
 
 std::string player_text(const MatchSummary& summary, soccer::Side side, int unum) {
-  const std::string team = team_label(summary, side == soccer::Side::kLeft ? 0 : 1);
+  const std::string team = team_label(summary, analysis::team_of(side));
   return unum > 0 ? fmt::format("{} {}", team, unum) : team;
 }
 
@@ -89,14 +90,14 @@ struct Happening {
 Happening goal_row(const MatchSummary& summary, const analysis::MatchStatistics& all,
                    const analysis::Goal& goal) {
   const bool known = goal.scorer != analysis::kNoPlayer;
-  const soccer::Side side = known ? soccer::side_of_slot(goal.scorer) : goal.side;
-  const int unum = known ? soccer::unum_of_slot(goal.scorer) : 0;
+  const soccer::Side side = known ? analysis::side_of(goal.scorer) : goal.side;
+  const int unum = known ? analysis::unum_of(goal.scorer) : 0;
 
   Happening row{
       goal.cycle, goal.own_goal ? "own goal" : "goal", player_text(summary, side, unum), {}};
   if (goal.shot < 0) return row;
 
-  const auto shot = static_cast<std::size_t>(goal.shot);
+  const std::size_t shot = base::index(goal.shot);
   row.more = fmt::format("from {:.1f} m, {:.2f} xG", all.shots[shot].distance, all.expected[shot]);
   return row;
 }
@@ -108,10 +109,8 @@ base::Table events_table(const MatchReport& report) {
     rows.push_back(goal_row(summary, *report.statistics, goal));
   }
   for (const analysis::CardSummary& card : summary.cards) {
-    rows.push_back({card.cycle,
-                    card.red ? "red card" : "yellow card",
-                    player_text(summary, card.side, card.unum),
-                    {}});
+    const char* what = card.red ? "red card" : "yellow card";
+    rows.push_back({card.cycle, what, player_text(summary, card.side, card.unum), {}});
   }
   for (const analysis::PlayerEvent& one : summary.disconnections) {
     rows.push_back({one.cycle, "disconnected", player_text(summary, one.side, one.unum), {}});
@@ -119,9 +118,7 @@ base::Table events_table(const MatchReport& report) {
 
   base::Table table;
   if (rows.empty()) return table;
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const Happening& a, const Happening& b) { return a.cycle < b.cycle; });
-
+  std::ranges::stable_sort(rows, {}, &Happening::cycle);
   table.add_column("cycle", Align::kRight);
   table.add_columns({"event", "player", "shot"});
   for (const Happening& row : rows) {

@@ -1,9 +1,10 @@
 // Computes mean positions, covariances, heat maps and team shapes.
-#include "analysis/measures/positions.h"
+#include "analysis/measures/position_stats.h"
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 
-#include "analysis/play/flow.h"
 #include "soccer/pitch.h"
 
 namespace cls::analysis {
@@ -59,8 +60,7 @@ struct PlayerSums {
 double hull_area(std::vector<Vec2> points) {
   if (points.size() < 3) return 0.0;
 
-  std::sort(points.begin(), points.end(),
-            [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::ranges::sort(points, {}, [](Vec2 p) { return std::tuple(p.x, p.y); });
 
   std::vector<Vec2> hull;
   const auto extend = [&hull](Vec2 p, std::size_t start) {
@@ -83,13 +83,11 @@ double hull_area(std::vector<Vec2> points) {
 void ShapeAccumulator::add(const gamelog::MatchRecord& record, std::size_t frame,
                            std::size_t team) {
   std::vector<Vec2> players;
-  std::vector<double> xs;
   Vec2 center;
   for (const std::size_t slot : kTeamSlots[team]) {
     const std::size_t entry = entry_of(frame, slot);
     if (!gamelog::is_enabled(record, entry) || is_goalie(record, entry)) continue;
     players.push_back(Vec2(record.players.position[entry]) * attack_sign(slot));
-    xs.push_back(players.back().x);
     center += players.back();
   }
 
@@ -98,47 +96,39 @@ void ShapeAccumulator::add(const gamelog::MatchRecord& record, std::size_t frame
   center = center / count;
 
   double distance_sum = 0.0;
-  double top = players[0].y;
-  double bottom = players[0].y;
-  for (const Vec2 p : players) {
-    distance_sum += soccer::distance(p, center);
-    top = std::min(top, p.y);
-    bottom = std::max(bottom, p.y);
-  }
+  for (const Vec2 p : players) distance_sum += soccer::distance(p, center);
+  const auto [top, bottom] = std::ranges::minmax(players, {}, &Vec2::y);
+  std::ranges::sort(players, {}, &Vec2::x);
 
-  std::sort(xs.begin(), xs.end());
   ++count_;
-  sum_.length += xs.back() - xs.front();
-  sum_.width += bottom - top;
+  sum_.length += players.back().x - players.front().x;
+  sum_.width += bottom.y - top.y;
   sum_.compactness += distance_sum / count;
-  sum_.defense_x += (xs[0] + xs[1] + xs[2]) / kDefenders;
+  sum_.defense_x += (players[0].x + players[1].x + players[2].x) / kDefenders;
   sum_.hull_area += hull_area(std::move(players));
 }
 
 TeamShape ShapeAccumulator::shape() const {
-  TeamShape mean;
-  if (count_ == 0) return mean;
-  mean.length = sum_.length / count_;
-  mean.width = sum_.width / count_;
-  mean.compactness = sum_.compactness / count_;
-  mean.defense_x = sum_.defense_x / count_;
-  mean.hull_area = sum_.hull_area / count_;
-  return mean;
+  if (count_ == 0) return {};
+  return {.length = sum_.length / count_,
+          .width = sum_.width / count_,
+          .hull_area = sum_.hull_area / count_,
+          .compactness = sum_.compactness / count_,
+          .defense_x = sum_.defense_x / count_};
 }
 
 void set_formation(std::vector<double> mean_x, TeamShape& shape) {
   if (mean_x.size() < 2 * kMinPlayers) return;
 
-  std::sort(mean_x.begin(), mean_x.end());
+  std::ranges::sort(mean_x);
   std::vector<std::size_t> gaps(mean_x.size() - 1);
-  for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = i;
+  std::iota(gaps.begin(), gaps.end(), std::size_t{0});
   const auto width = [&](std::size_t i) { return mean_x[i + 1] - mean_x[i]; };
-  std::sort(gaps.begin(), gaps.end(),
-            [&](std::size_t a, std::size_t b) { return width(a) > width(b); });
+  std::ranges::sort(gaps, std::greater(), width);
 
   const bool four_lines = width(gaps[2]) >= kWideGap;
   gaps.resize(four_lines ? 3 : 2);
-  std::sort(gaps.begin(), gaps.end());
+  std::ranges::sort(gaps);
 
   std::vector<double> lines;
   std::size_t first = 0;
@@ -173,9 +163,9 @@ PositionStats measure_positions(const Flow& flow) {
       const Vec2 seen = Vec2(at) * attack_sign(slot);
       sums[slot].all.add(seen);
       ++result.players[slot].heat[heat_cell(at)];
+
       if (owner == kNoPlayer) continue;
-      const bool own = same_team(slot_index(owner), slot);
-      (own ? sums[slot].own_ball : sums[slot].opponent_ball).add(seen);
+      (same_team(owner, slot) ? sums[slot].own_ball : sums[slot].opponent_ball).add(seen);
     }
 
     if (live++ % kShapeStep == 0) {
@@ -192,8 +182,8 @@ PositionStats measure_positions(const Flow& flow) {
   for (std::size_t team = 0; team < 2; ++team) {
     std::vector<double> mean_x;
     for (const std::size_t slot : kTeamSlots[team]) {
-      const bool goalie = was_goalie(record, slot);
-      if (sums[slot].all.count > 0 && !goalie) mean_x.push_back(sums[slot].all.mean().x);
+      if (sums[slot].all.count == 0 || was_goalie(record, slot)) continue;
+      mean_x.push_back(sums[slot].all.mean().x);
     }
     result.teams[team] = shapes[team].shape();
     set_formation(mean_x, result.teams[team]);

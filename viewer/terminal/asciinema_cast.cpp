@@ -1,14 +1,14 @@
 // JSON, one value per line.
-#include "viewer/terminal/cast.h"
+#include "viewer/terminal/asciinema_cast.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 
 namespace cls::viewer {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 std::string cast_header(int columns, int rows, const std::string& title) {
   const Json header = {{"version", 2},

@@ -43,7 +43,7 @@ struct TeamShape {
   double compactness = 0.0;    ///< mean distance from the team's center
   double defense_x = 0.0;      ///< mean x of the three rearmost players, as the team sees the pitch
   double line_distance = 0.0;  ///< between the lines of the formation
-  std::string formation;       ///< "4-3-3": lines from the rear by mean positions; may be empty
+  std::string formation{};     ///< "4-3-3": lines from the rear by mean positions; may be empty
 };
 
 struct PositionStats {
