@@ -13,6 +13,7 @@
 #include "analysis/situations/situation_value.h"
 #include "base/io/byte_sink.h"
 #include "gamelog/record/record_builder.h"
+#include "tests/support/error_of.h"
 
 namespace cls::analysis {
 namespace {
@@ -75,8 +76,7 @@ TEST(BookFile, ReadsWhatItWrites) {
 TEST(BookFile, NamesLineAndKeyOfAnError) {
   const std::string text = written(small_book(1));
   const auto error = [&](const std::string& what, const std::string& by) {
-    const auto read = parse_book(replaced(text, what, by));
-    return read ? std::string("no error") : read.error().message;
+    return tests::error_of(parse_book(replaced(text, what, by)));
   };
   EXPECT_EQ(error("cls.book/1", "cls.book/9"),
             "line 1: format 'cls.book/9' is unknown; this version reads cls.book/1");
@@ -99,9 +99,8 @@ TEST(BookFile, NamesLineAndKeyOfAnError) {
 }
 
 TEST(BookFile, NamesTheFileOfAnError) {
-  const auto read = read_book("/nowhere/moments.book");
-  ASSERT_FALSE(read.ok());
-  EXPECT_THAT(read.error().message, HasSubstr("/nowhere/moments.book"));
+  EXPECT_THAT(tests::error_of(read_book("/nowhere/moments.book")),
+              HasSubstr("/nowhere/moments.book"));
 }
 
 TEST(SituationsOfBook, AreThoseOfOneLogAndOfAllClasses) {
@@ -152,14 +151,11 @@ gamelog::MatchRecord ping_pong(int cycles) {
     const bool left = time / 100 % 2 == 0;
     const std::size_t kicker = left ? 8 : 19;
     frame.ball_position = {left ? 35.0 : -35.0, 0.5 * (time % 2)};
-    for (const std::size_t slot : {std::size_t{8}, std::size_t{19}}) {
-      gamelog::PlayerFrame& player = frame.players[slot];
-      player.state &= ~gamelog::kStateKick;
-      if (slot != kicker) continue;
-      player.state |= gamelog::kStateKick;
-      player.position = frame.ball_position;
-      ++player.counts.kick;
-    }
+    for (const std::size_t slot : {8U, 19U}) frame.players[slot].state &= ~gamelog::kStateKick;
+    gamelog::PlayerFrame& player = frame.players[kicker];
+    player.state |= gamelog::kStateKick;
+    player.position = frame.ball_position;
+    ++player.counts.kick;
     frame.mode = time % 200 >= 150 && time % 200 < 180 ? soccer::PlayMode::kKickInRight
                                                        : soccer::PlayMode::kPlayOn;
     builder.append_frame(frame);
@@ -169,10 +165,7 @@ gamelog::MatchRecord ping_pong(int cycles) {
 
 TEST(BookMaker, FindsMomentsOfEachClassAndBalancesThem) {
   const gamelog::MatchRecord record = ping_pong(2000);
-  BookOptions options;
-  options.warm_up = 5;
-  options.count = 12;
-  BookMaker maker(options);
+  BookMaker maker({.count = 12, .warm_up = 5});
 
   ASSERT_EQ(maker.add(record, "a.rcg"), "");
   EXPECT_GT(maker.moments(SituationClass::kAttack), 3);
@@ -197,10 +190,7 @@ TEST(BookMaker, FindsMomentsOfEachClassAndBalancesThem) {
 
 TEST(BookMaker, GivesTheSameBytesForTheSameSeed) {
   const auto bytes = [](std::uint64_t seed) {
-    BookOptions options;
-    options.seed = seed;
-    options.count = 12;
-    BookMaker maker(options);
+    BookMaker maker({.count = 12, .seed = seed});
     EXPECT_EQ(maker.add(ping_pong(3000), "a.rcg"), "");
     return written(maker.make());
   };

@@ -2,25 +2,24 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "analysis/tables/cdf_documents.h"
-#include "analysis/tables/cdf_lines.h"
 #include "analysis/tables/cdf_match.h"
 #include "base/io/byte_sink.h"
-#include "gamelog/rcg/rcg_reader.h"
-#include "tests/gamelog/scripted_match.h"
+#include "base/text/json.h"
+#include "base/text/lines.h"
+#include "tests/analysis/plays.h"
+#include "tests/gamelog/recorded_match.h"
 #include "tests/support/files.h"
 #include "tests/support/json_schema.h"
 
 namespace cls::analysis {
 namespace {
 
-using nlohmann::json;
+using json = base::Json;
 using soccer::PlayMode;
+using testing::ElementsAre;
 using testing::IsEmpty;
 using tests::left;
 using tests::right;
@@ -33,8 +32,7 @@ std::vector<std::string> errors_of(const std::string& kind, const json& document
 
 std::vector<json> lines_of(const std::string& text) {
   std::vector<json> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(json::parse(line));
+  for (const std::string_view line : base::lines_of(text)) lines.push_back(json::parse(line));
   return lines;
 }
 
@@ -49,21 +47,19 @@ void expect_schemas(const gamelog::MatchRecord& record) {
   EXPECT_THAT(errors_of("match", json::parse(cdf_match_document(match))), IsEmpty());
   EXPECT_THAT(errors_of("meta", json::parse(cdf_meta_document(match))), IsEmpty());
   for (const json& event : lines_of(cdf_events(match))) {
-    ASSERT_THAT(errors_of("event", event), IsEmpty()) << event;
+    ASSERT_THAT(errors_of("event", event), IsEmpty()) << event.dump();
   }
   const std::vector<json> frames = tracking_of(match);
   EXPECT_EQ(frames.size(), record.frames());
-  for (const json& frame : frames) ASSERT_THAT(errors_of("tracking", frame), IsEmpty()) << frame;
+  for (const json& frame : frames)
+    ASSERT_THAT(errors_of("tracking", frame), IsEmpty()) << frame.dump();
 }
 
 TEST(Cdf, RecordedMatchesFitTheSchemas) {
   for (const char* name :
        {"rcg-v1-excerpt", "rcg-v3-excerpt", "rcg-v6-excerpt", "rcg-json-excerpt", "match-start"}) {
     SCOPED_TRACE(name);
-    const auto path = tests::fixture(std::string("gamelog/") + name + ".rcg.gz").string();
-    const auto record = gamelog::read_rcg_file(path);
-    ASSERT_TRUE(record);
-    expect_schemas(*record);
+    expect_schemas(tests::record_of(name));
   }
 }
 
@@ -93,17 +89,17 @@ TEST(Cdf, EmptyAndNamelessMatchesFitTheSchemas) {
 TEST(Cdf, SchemasFindErrors) {
   EXPECT_THAT(errors_of("tracking", json::object()), testing::Not(IsEmpty()));
   ScriptedMatch match;
-  json frame = tracking_of(CdfMatch(match.record(), "m"))[0];
-  frame["ball"]["x"] = "0";
-  EXPECT_THAT(errors_of("tracking", frame),
-              testing::ElementsAre("/ball/x: must be [\"number\",\"null\"]"));
-  frame = tracking_of(CdfMatch(match.record(), "m"))[0];
-  frame["period"] = "third_half";
-  EXPECT_THAT(errors_of("tracking", frame), testing::ElementsAre("/period: not in the enum"));
-  frame = tracking_of(CdfMatch(match.record(), "m"))[0];
-  frame["teams"]["home"]["players"][3].erase("y");
-  EXPECT_THAT(errors_of("tracking", frame),
-              testing::ElementsAre("/teams/home/players/3: lacks \"y\""));
+  const auto errors_with = [&](auto change) {
+    json frame = tracking_of(CdfMatch(match.record(), "m"))[0];
+    change(frame);
+    return errors_of("tracking", frame);
+  };
+  EXPECT_THAT(errors_with([](json& frame) { frame["ball"]["x"] = "0"; }),
+              ElementsAre("/ball/x: must be [\"number\",\"null\"]"));
+  EXPECT_THAT(errors_with([](json& frame) { frame["period"] = "third_half"; }),
+              ElementsAre("/period: not in the enum"));
+  EXPECT_THAT(errors_with([](json& frame) { frame["teams"]["home"]["players"].back().erase("y"); }),
+              ElementsAre("/teams/home/players/10: lacks \"y\""));
 }
 
 TEST(Cdf, FramesHaveThePitchAroundTheOriginAndUpwards) {
@@ -151,21 +147,18 @@ TEST(Cdf, DocumentsHavePeriodsGoalsAndResult) {
   match.record().notes.push_back(
       {0, 0, 0, gamelog::Message{1, "(result 202607301415 A_1-vs-B_0)"}});
   match.steps(12);
-  match.place_ball({45, 0});
-  match.step();
-  match.kick(left(9), {2.7, 0});
+  kick_from(match, {45, 0}, left(9), {2.7, 0});
   match.steps(3);
-  match.score(1, 0);
-  match.mode(PlayMode::kGoalLeft);
-  match.step();
+  score_goal(match, soccer::Side::kLeft);
   match.mode(PlayMode::kTimeOver);
   match.step();
   const CdfMatch cdf(match.record(), "m");
   const json sheet = json::parse(cdf_match_document(cdf));
-  EXPECT_EQ(sheet["match"]["result"]["final"], (json{{"home", 1}, {"away", 0}}));
-  EXPECT_EQ(sheet["match"]["result"]["first_half"], (json{{"home", 0}, {"away", 0}}));
-  EXPECT_EQ(sheet["match"]["result"]["second_half"], (json{{"home", 1}, {"away", 0}}));
-  EXPECT_EQ(sheet["match"]["result"]["final_winning_team_id"], "A");
+  const json& result = sheet["match"]["result"];
+  EXPECT_EQ(result["final"], (json{{"home", 1}, {"away", 0}}));
+  EXPECT_EQ(result["first_half"], (json{{"home", 0}, {"away", 0}}));
+  EXPECT_EQ(result["second_half"], (json{{"home", 1}, {"away", 0}}));
+  EXPECT_EQ(result["final_winning_team_id"], "A");
   ASSERT_EQ(sheet["events"]["goals"].size(), 1u);
   EXPECT_EQ(sheet["events"]["goals"][0]["player_id"], "A_9");
   EXPECT_EQ(sheet["events"]["goals"][0]["period"], "second_half");

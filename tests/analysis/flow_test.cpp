@@ -7,13 +7,10 @@
 #include <set>
 #include <tuple>
 
-#include "analysis/play/passes.h"
-#include "analysis/play/shots.h"
-#include "gamelog/rcg/rcg_reader.h"
 #include "gamelog/rcl/logged_commands.h"
 #include "gamelog/rcl/rcl_reader.h"
-#include "tests/gamelog/scripted_match.h"
-#include "tests/support/files.h"
+#include "tests/analysis/plays.h"
+#include "tests/gamelog/recorded_match.h"
 
 namespace cls::analysis {
 namespace {
@@ -44,14 +41,12 @@ TEST(Flow, FindsTouchesWithContactAndLaunch) {
 
 TEST(Flow, CountsOnlyTacklesAndCatchesThatHitTheBall) {
   ScriptedMatch match;
-  ++match.player(left(2)).counts.tackle;
-  match.player(left(2)).state |= gamelog::kStateTackle | gamelog::kStateTackleFailed;
+  miss_ball(match, left(2));
   match.step();
-  ++match.player(right(1)).counts.catches;
-  match.player(right(1)).state |= gamelog::kStateCatch | gamelog::kStateCatchFailed;
+  catch_ball(match, right(1));
+  match.player(right(1)).state |= gamelog::kStateCatchFailed;
   match.step();
-  ++match.player(right(1)).counts.catches;
-  match.player(right(1)).state |= gamelog::kStateCatch;
+  catch_ball(match, right(1));
   match.step();
   const Flow flow = build_flow(match.record());
   ASSERT_EQ(flow.touches.size(), 2u);
@@ -102,13 +97,12 @@ TEST(Flow, AssignsGoalKickToFollowingLivePhase) {
   match.mode(PlayMode::kPlayOn);
   match.step();
   match.kick(left(5), {1, 0});
-  const Flow flow = build_flow(match.record());
+  const auto [flow, shots, passes, carries, goals] = Play(match);
   ASSERT_EQ(flow.touches.size(), 3u);
   EXPECT_EQ(flow.touches[0].live_phase, -1);
   EXPECT_EQ(flow.touches[1].live_phase, 1);
   EXPECT_EQ(flow.touches[2].live_phase, 1);
   EXPECT_EQ(flow.owner[7], left(2));
-  const auto passes = find_passes(flow, {});
   ASSERT_EQ(passes.size(), 2u);
   EXPECT_TRUE(passes[0].completed());
   EXPECT_EQ(passes[0].passer, left(2));
@@ -116,14 +110,12 @@ TEST(Flow, AssignsGoalKickToFollowingLivePhase) {
 
 TEST(Flow, DropBallStartsNewLivePhase) {
   ScriptedMatch match;
-  match.place_ball({-51.9, 11.2});
-  match.step();
-  match.kick(right(9), {-0.05, 0.01});
+  kick_from(match, {-51.9, 11.2}, right(9), {-0.05, 0.01});
   ++match.player(right(9)).counts.kick;  // and the referee drops the ball at the corner of the area
   match.place_ball({-36.0, 20.16});
   match.steps(3);
   match.kick(right(7), {1.0, 0.0});
-  const Flow flow = build_flow(match.record());
+  const auto [flow, shots, passes, carries, goals] = Play(match);
   ASSERT_EQ(flow.touches.size(), 3u);
   EXPECT_EQ(flow.placed, (std::vector<std::uint32_t>{1, 3}));
   EXPECT_EQ(flow.touches[1].live_phase, 1);
@@ -131,7 +123,6 @@ TEST(Flow, DropBallStartsNewLivePhase) {
   EXPECT_EQ(flow.owner[2], right(9));
   EXPECT_EQ(flow.owner[3], kNoPlayer);
   EXPECT_EQ(flow.end_of_play(flow.touches[1]), 3u);
-  const auto passes = find_passes(flow, {});
   ASSERT_EQ(passes.size(), 1u);  // the ball did not move from the first player to the second
   EXPECT_EQ(passes[0].passer, right(7));
 }
@@ -170,9 +161,7 @@ TEST(Flow, UsesVelocityWhenRefereeMovedBall) {
 // A shot from (40, 0) that crosses the line at y = 3 after six cycles.
 void shoot(ScriptedMatch& match, int slot) {
   const double side = soccer::sign(soccer::side_of_slot(slot));
-  match.place_ball({40.0 * side, 0.0});
-  match.step();
-  match.kick(slot, {2.5 * side, 0.6 * side});
+  kick_from(match, {40.0 * side, 0.0}, slot, {2.5 * side, 0.6 * side});
 }
 
 TEST(Shots, CreditsGoalToShooter) {
@@ -180,12 +169,9 @@ TEST(Shots, CreditsGoalToShooter) {
     ScriptedMatch match;
     shoot(match, shooter);
     match.steps(5);
-    const bool left_side = shooter == left(9);
-    match.mode(left_side ? PlayMode::kGoalLeft : PlayMode::kGoalRight);
-    match.score(left_side ? 1 : 0, left_side ? 0 : 1);
-    match.step();
-    const Flow flow = build_flow(match.record());
-    const auto shots = find_shots(flow);
+    const Side side = shooter == left(9) ? Side::kLeft : Side::kRight;
+    score_goal(match, side);
+    const auto [flow, shots, passes, carries, goals] = Play(match);
     ASSERT_EQ(shots.size(), 1u);
     EXPECT_EQ(shots[0].slot, shooter);
     EXPECT_TRUE(shots[0].on_target);
@@ -193,10 +179,9 @@ TEST(Shots, CreditsGoalToShooter) {
     EXPECT_NEAR(shots[0].distance, 12.5, 1e-9);
     EXPECT_NEAR(shots[0].goal_y, 3.0, 1e-6);
     EXPECT_NEAR(shots[0].cycles, 5.77, 0.01);  // ln(1 - 12.5 * 0.06 / 2.5) / ln(0.94)
-    const auto goals = find_goals(flow, shots);
     ASSERT_EQ(goals.size(), 1u);
     EXPECT_EQ(goals[0].scorer, shooter);
-    EXPECT_EQ(goals[0].side, left_side ? Side::kLeft : Side::kRight);
+    EXPECT_EQ(goals[0].side, side);
     EXPECT_FALSE(goals[0].own_goal);
     EXPECT_EQ(goals[0].shot, 0);
     EXPECT_EQ(goals[0].cycle, match.record().time[goals[0].frame]);
@@ -207,25 +192,22 @@ TEST(Shots, ClassifiesSavedBlockedAndWide) {
   ScriptedMatch saved;
   shoot(saved, left(9));
   saved.step();
-  ++saved.player(right(1)).counts.catches;
-  saved.player(right(1)).state |= gamelog::kStateCatch;
+  catch_ball(saved, right(1));
   saved.step();
-  EXPECT_EQ(find_shots(build_flow(saved.record())).at(0).outcome, ShotOutcome::kSaved);
+  EXPECT_EQ(Play(saved).shots.at(0).outcome, ShotOutcome::kSaved);
 
   ScriptedMatch blocked;
   shoot(blocked, left(9));
   blocked.step();
   blocked.kick(right(3), {-1, 0});
-  EXPECT_EQ(find_shots(build_flow(blocked.record())).at(0).outcome, ShotOutcome::kBlocked);
+  EXPECT_EQ(Play(blocked).shots.at(0).outcome, ShotOutcome::kBlocked);
 
   ScriptedMatch wide;
-  wide.place_ball({40, 0});
-  wide.step();
-  wide.kick(left(9), {2.5, 1.6});
+  kick_from(wide, {40, 0}, left(9), {2.5, 1.6});
   wide.steps(4);
   wide.mode(PlayMode::kGoalKickRight);
   wide.step();
-  const auto shots = find_shots(build_flow(wide.record()));
+  const auto shots = Play(wide).shots;
   EXPECT_EQ(shots.at(0).outcome, ShotOutcome::kWide);
   EXPECT_FALSE(shots[0].on_target);
 }
@@ -235,28 +217,23 @@ TEST(Shots, IsNoShotWhenTeammateOrShooterTouchesNext) {
   shoot(dribble, left(9));
   dribble.kick(left(9), {0.5, 0});
   dribble.steps(3);
-  EXPECT_TRUE(find_shots(build_flow(dribble.record())).empty());
+  EXPECT_TRUE(Play(dribble).shots.empty());
 
   ScriptedMatch pass;
   shoot(pass, left(9));
   pass.steps(3);
   pass.kick(left(10), {-1, 0});
-  EXPECT_TRUE(find_shots(build_flow(pass.record())).empty());
+  EXPECT_TRUE(Play(pass).shots.empty());
 }
 
 TEST(Shots, IsNoShotWhenTooFarTooSlowOrWide) {
-  struct Case {
-    Vec2 from;
-    Vec2 launch;
-  };
+  using Case = std::pair<Vec2, Vec2>;
   for (const auto& [from, launch] : {Case{{10, 0}, {3, 0}}, Case{{40, 0}, {0.7, 0}},
                                      Case{{40, 0}, {2.5, 2.4}}, Case{{40, 0}, {-2.5, 0}}}) {
     ScriptedMatch match;
-    match.place_ball(from);
-    match.step();
-    match.kick(left(9), launch);
+    kick_from(match, from, left(9), launch);
     match.steps(4);
-    EXPECT_TRUE(find_shots(build_flow(match.record())).empty()) << from.x << " " << launch.x;
+    EXPECT_TRUE(Play(match).shots.empty()) << from.x << " " << launch.x;
   }
 }
 
@@ -266,28 +243,20 @@ TEST(Goals, CreditsDeflectedShotToShooter) {
   match.step();
   match.tackle(right(1), {1.5, 0.4});
   match.steps(4);
-  match.mode(PlayMode::kGoalLeft);
-  match.score(1, 0);
-  match.step();
-  const Flow flow = build_flow(match.record());
-  const auto shots = find_shots(flow);
-  ASSERT_EQ(shots.size(), 1u);
-  EXPECT_EQ(shots[0].outcome, ShotOutcome::kGoal);
-  EXPECT_EQ(find_goals(flow, shots).at(0).scorer, left(9));
+  score_goal(match, Side::kLeft);
+  const Play play(match);
+  ASSERT_EQ(play.shots.size(), 1u);
+  EXPECT_EQ(play.shots[0].outcome, ShotOutcome::kGoal);
+  EXPECT_EQ(play.goals.at(0).scorer, left(9));
 }
 
 TEST(Goals, CountsOwnGoalOfLastToucher) {
   ScriptedMatch match;
   match.kick(left(9), {1, 0});
-  match.place_ball({45, 0});
-  match.step();
-  match.kick(right(4), {2.5, 0});
+  kick_from(match, {45, 0}, right(4), {2.5, 0});
   match.steps(2);
-  match.mode(PlayMode::kGoalLeft);
-  match.score(1, 0);
-  match.step();
-  const Flow flow = build_flow(match.record());
-  const auto goals = find_goals(flow, find_shots(flow));
+  score_goal(match, Side::kLeft);
+  const auto goals = Play(match).goals;
   ASSERT_EQ(goals.size(), 1u);
   EXPECT_EQ(goals[0].side, Side::kLeft);
   EXPECT_EQ(goals[0].scorer, right(4));
@@ -299,19 +268,14 @@ TEST(Goals, HasNoScorerWhenTrainerSetsScore) {
   ScriptedMatch match;
   match.score(0, 2);
   match.step();
-  const Flow flow = build_flow(match.record());
-  const auto goals = find_goals(flow, find_shots(flow));
+  const auto goals = Play(match).goals;
   ASSERT_EQ(goals.size(), 2u);
   EXPECT_EQ(goals[0].scorer, kNoPlayer);
 }
 
 TEST(Goals, MatchShotsInRcssserverLogs) {
-  struct Match {
-    const char* name;
-    int goals;
-  };
   for (const auto& [name, expected] :
-       {Match{"helios-vs-helios-full", 4}, Match{"cyrus-vs-helios-full", 6}}) {
+       {std::pair("helios-vs-helios-full", 4), std::pair("cyrus-vs-helios-full", 6)}) {
     const auto path = tests::data("logs/" + std::string(name) + ".rcg.gz");
     if (!path) GTEST_SKIP() << "no data: set CLS_DATA";
     const auto record = gamelog::read_rcg_file(path->string());
@@ -319,16 +283,13 @@ TEST(Goals, MatchShotsInRcssserverLogs) {
     const Flow flow = build_flow(*record);
     const auto shots = find_shots(flow);
     const auto goals = find_goals(flow, shots);
-    ASSERT_EQ(goals.size(), static_cast<std::size_t>(expected)) << name;
+    ASSERT_EQ(std::ssize(goals), expected) << name;
     std::set<int> used;
     for (const Goal& goal : goals) {
       EXPECT_GE(goal.shot, 0) << goal.cycle;
       EXPECT_TRUE(used.insert(goal.shot).second);
     }
-    const auto scored = std::count_if(shots.begin(), shots.end(), [](const Shot& shot) {
-      return shot.outcome == ShotOutcome::kGoal;
-    });
-    EXPECT_EQ(scored, expected) << name;
+    EXPECT_EQ(std::ranges::count(shots, ShotOutcome::kGoal, &Shot::outcome), expected) << name;
   }
 }
 
@@ -357,10 +318,9 @@ void expect_kicks_in_text_log(const gamelog::MatchRecord& record, const gamelog:
 }
 
 TEST(Flow, MatchesKicksInTextLog) {
-  const auto record = gamelog::read_rcg_file(tests::fixture("gamelog/match-start.rcg.gz").string());
   const auto text = gamelog::read_rcl_file(tests::fixture("gamelog/match-start.rcl.gz").string());
-  ASSERT_TRUE(record && text);
-  expect_kicks_in_text_log(*record, *text);
+  ASSERT_TRUE(text);
+  expect_kicks_in_text_log(tests::record_of("match-start"), *text);
 }
 
 }  // namespace

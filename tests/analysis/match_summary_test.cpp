@@ -9,7 +9,7 @@
 #include "analysis/results/team_table.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "gamelog/rcl/rcl_reader.h"
-#include "tests/gamelog/scripted_match.h"
+#include "tests/analysis/plays.h"
 #include "tests/support/files.h"
 
 namespace cls::analysis {
@@ -20,11 +20,6 @@ using soccer::Side;
 using tests::left;
 using tests::right;
 using tests::ScriptedMatch;
-
-gamelog::RclRecord text_log(std::string_view log) {
-  base::MemorySource source(log);
-  return gamelog::read_rcl(source);
-}
 
 void end(ScriptedMatch& match) {
   match.mode(PlayMode::kTimeOver);
@@ -203,10 +198,7 @@ TEST(MatchSummary, MatchesRcssserverResultFileAndTextLog) {
 MatchSummary result(const char* left_name, int left_score, const char* right_name, int right_score,
                     Winner winner) {
   MatchSummary match;
-  match.teams[0].name = left_name;
-  match.teams[0].score = left_score;
-  match.teams[1].name = right_name;
-  match.teams[1].score = right_score;
+  match.teams = {TeamSummary{left_name, left_score}, TeamSummary{right_name, right_score}};
   match.winner = winner;
   return match;
 }

@@ -4,27 +4,25 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "analysis/measures/expected_goals.h"
 #include "analysis/measures/pass_network.h"
 #include "analysis/measures/threat.h"
-#include "analysis/play/carries.h"
 #include "analysis/play/chains.h"
-#include "tests/gamelog/scripted_match.h"
+#include "tests/analysis/plays.h"
 
 namespace cls::analysis {
 namespace {
 
 using soccer::PlayMode;
+using soccer::Side;
 using soccer::Vec2;
 using tests::left;
 using tests::right;
 using tests::ScriptedMatch;
 
-std::vector<Pass> passes_in(const ScriptedMatch& match) {
-  const Flow flow = build_flow(match.record());
-  return find_passes(flow, find_shots(flow));
-}
+std::vector<Pass> passes_in(const ScriptedMatch& match) { return Play(match).passes; }
 
 TEST(Passes, MeasuresCompletedPassBetweenContacts) {
   for (const bool from_left : {true, false}) {
@@ -51,10 +49,7 @@ TEST(Passes, MeasuresCompletedPassBetweenContacts) {
 }
 
 TEST(Passes, ClassifiesDirectionsFromTeamView) {
-  struct Case {
-    Vec2 launch;
-    PassDirection direction;
-  };
+  using Case = std::pair<Vec2, PassDirection>;
   for (const auto& [launch, direction] :
        {Case{{1, 0.9}, PassDirection::kForward}, Case{{-1, 0.9}, PassDirection::kBack},
         Case{{0.1, -1}, PassDirection::kLeft}, Case{{0.1, 1}, PassDirection::kRight}}) {
@@ -149,10 +144,8 @@ TEST(OffsideLine, UsesSecondLastOpponentBallOrHalfLine) {
 TEST(Passes, DetectsThroughPassBeyondOffsideLine) {
   const auto through = [](double receiver_x) {
     ScriptedMatch match;
-    match.place_ball({30, 0});
     match.player(left(9)).position = {receiver_x, 0};
-    match.step();
-    match.kick(left(8), {2.3, 2.2});
+    kick_from(match, {30, 0}, left(8), {2.3, 2.2});
     match.steps(6);
     match.kick(left(9), {0, 0});
     return passes_in(match).at(0).through;
@@ -163,9 +156,7 @@ TEST(Passes, DetectsThroughPassBeyondOffsideLine) {
 
 TEST(Passes, DetectsCrossesSwitchesAndCutbacks) {
   ScriptedMatch cross;
-  cross.place_ball({45, 30});
-  cross.step();
-  cross.kick(left(7), {-0.2, -2.8});
+  kick_from(cross, {45, 30}, left(7), {-0.2, -2.8});
   cross.steps(7);
   cross.kick(left(9), {0, 0});
   const Pass pass = passes_in(cross).at(0);
@@ -173,9 +164,7 @@ TEST(Passes, DetectsCrossesSwitchesAndCutbacks) {
   EXPECT_TRUE(pass.cutback);
   EXPECT_FALSE(pass.switched);
   ScriptedMatch switched;
-  switched.place_ball({0, 25});
-  switched.step();
-  switched.kick(left(7), {0.5, -2.8});
+  kick_from(switched, {0, 25}, left(7), {0.5, -2.8});
   switched.steps(14);
   switched.kick(left(9), {0, 0});
   EXPECT_TRUE(passes_in(switched).at(0).switched);
@@ -202,10 +191,8 @@ TEST(Passes, FindsOneTwos) {
   match.kick(left(6), {1.5, 0});
   match.steps(2);
   match.kick(left(5), {0, 0});
-  const Flow flow = build_flow(match.record());
-  const auto passes = find_passes(flow, {});
-  EXPECT_EQ(one_twos(flow, passes)[0], 1);
-  EXPECT_EQ(one_twos(flow, passes)[1], 0);
+  const Play play(match);
+  EXPECT_EQ(one_twos(play.flow, play.passes), (PerTeam<int>{1, 0}));
 }
 
 TEST(Carries, RequiresDashAndOneMeterForDribble) {
@@ -215,7 +202,7 @@ TEST(Carries, RequiresDashAndOneMeterForDribble) {
     if (dash) ++match.player(left(5)).counts.dash;
     match.step();
     match.kick(left(5), {0, 0});
-    return find_carries(build_flow(match.record())).at(0);
+    return Play(match).carries.at(0);
   };
   EXPECT_TRUE(carry(true, 0.6).dribble);
   EXPECT_NEAR(carry(true, 0.6).distance(), 0.6 * 1.94, 1e-6);
@@ -234,7 +221,7 @@ TEST(Carries, CountsTakeOns) {
   match.player(right(7)).position = {8, 0};  // still ahead
   match.step();
   match.kick(left(5), {0, 0});
-  EXPECT_EQ(find_carries(build_flow(match.record())).at(0).passed, 1);
+  EXPECT_EQ(Play(match).carries.at(0).passed, 1);
 }
 
 TEST(Chains, EndAtLastTouchWithBestOutcome) {
@@ -248,12 +235,9 @@ TEST(Chains, EndAtLastTouchWithBestOutcome) {
   match.mode(PlayMode::kPlayOn);
   match.kick(left(9), {2.5, 0.6});
   match.steps(4);
-  match.mode(PlayMode::kGoalLeft);
-  match.score(1, 0);
-  match.step();
-  const Flow flow = build_flow(match.record());
-  const auto shots = find_shots(flow);
-  const auto chains = find_chains(flow, find_passes(flow, shots), shots);
+  score_goal(match, Side::kLeft);
+  const Play play(match);
+  const auto chains = find_chains(play.flow, play.passes, play.shots);
   ASSERT_EQ(chains.size(), 3u);
   EXPECT_EQ(chains[0].passes, 1);
   EXPECT_EQ(chains[0].result, ChainResult::kLost);
@@ -266,48 +250,36 @@ TEST(Chains, EndAtLastTouchWithBestOutcome) {
 
 TEST(Assists, CreditLastTwoPassersOfChain) {
   ScriptedMatch match;
-  match.place_ball({30, 0});
-  match.step();
-  match.kick(left(6), {1.5, 0});
+  kick_from(match, {30, 0}, left(6), {1.5, 0});
   match.kick(left(7), {1.5, 0});
   match.steps(2);
   match.kick(left(9), {0.3, 0});
   match.steps(4);
   match.kick(left(9), {2.6, 0.3});
   match.steps(4);
-  match.mode(PlayMode::kGoalLeft);
-  match.score(1, 0);
-  match.step();
-  const Flow flow = build_flow(match.record());
-  const auto shots = find_shots(flow);
-  ASSERT_EQ(shots.size(), 1u);
-  const Assist assist = find_assist(flow, find_passes(flow, shots), shots[0]);
+  score_goal(match, Side::kLeft);
+  const Play play(match);
+  ASSERT_EQ(play.shots.size(), 1u);
+  const Assist assist = find_assist(play.flow, play.passes, play.shots[0]);
   EXPECT_EQ(assist.passer, left(7));
   EXPECT_EQ(assist.second, left(6));
 }
 
 TEST(Assists, EndAtOpponentTouch) {
   ScriptedMatch match;
-  match.place_ball({35, 0});
-  match.step();
-  match.kick(left(7), {0.7, 0});
+  kick_from(match, {35, 0}, left(7), {0.7, 0});
   match.kick(left(9), {0.2, 0});
   match.kick(right(4), {-0.1, 0});
   match.steps(4);
   match.kick(left(9), {2.6, 0.3});
   match.steps(6);
-  const Flow flow = build_flow(match.record());
-  const auto shots = find_shots(flow);
-  ASSERT_EQ(shots.size(), 1u);
-  EXPECT_EQ(find_assist(flow, find_passes(flow, shots), shots[0]).passer, kNoPlayer);
+  const Play play(match);
+  ASSERT_EQ(play.shots.size(), 1u);
+  EXPECT_EQ(find_assist(play.flow, play.passes, play.shots[0]).passer, kNoPlayer);
 }
 
 TEST(ExpectedGoals, FollowDocumentedFunction) {
-  ShotSituation situation;
-  situation.distance = 10;
-  situation.opening = 1.0;
-  situation.cycles = 4;
-  situation.goalie_margin = -1;
+  ShotSituation situation{.distance = 10, .opening = 1.0, .cycles = 4, .goalie_margin = -1};
   EXPECT_NEAR(goal_probability(situation), 1 / (1 + std::exp(-(1.2 - 1.2 + 1.0 - 1.4))), 1e-12);
   situation.goalie_margin = 1;
   EXPECT_NEAR(goal_probability(situation), 1 / (1 + std::exp(-0.2)), 1e-12);
@@ -315,16 +287,13 @@ TEST(ExpectedGoals, FollowDocumentedFunction) {
 
 TEST(ExpectedGoals, MeasureOpeningOpponentsAndGoalie) {
   ScriptedMatch match;
-  match.place_ball({42.5, 0});
   match.player(right(5)).position = {47, 0.2};
   match.player(right(6)).position = {47, 9};
-  match.step();
-  match.kick(left(9), {2.5, 0.6});
+  kick_from(match, {42.5, 0}, left(9), {2.5, 0.6});
   match.steps(3);
-  const Flow flow = build_flow(match.record());
-  const auto shots = find_shots(flow);
-  ASSERT_EQ(shots.size(), 1u);
-  const ShotSituation situation = situation_of(flow, shots[0]);
+  const Play play(match);
+  ASSERT_EQ(play.shots.size(), 1u);
+  const ShotSituation situation = situation_of(play.flow, play.shots[0]);
   EXPECT_NEAR(situation.distance, 10, 1e-9);
   EXPECT_NEAR(situation.opening, 2 * std::atan(0.701), 1e-9);
   EXPECT_EQ(situation.opponents_between, 1);
@@ -334,26 +303,20 @@ TEST(ExpectedGoals, MeasureOpeningOpponentsAndGoalie) {
 
 TEST(Threat, RewardsMovesTowardShots) {
   ScriptedMatch match;
-  match.place_ball({10, 0});
-  match.step();
-  match.kick(left(7), {2.7, 0});
+  kick_from(match, {10, 0}, left(7), {2.7, 0});
   match.steps(12);
   match.kick(left(9), {1.2, 0});
   match.steps(8);
   match.kick(left(9), {2.5, 0.6});
   match.steps(6);
-  const Flow flow = build_flow(match.record());
-  const auto shots = find_shots(flow);
-  const auto passes = find_passes(flow, shots);
-  const auto carries = find_carries(flow);
-  ASSERT_EQ(shots.size(), 1u);
-  const ThreatGrid grid = threat_grid(flow, passes, carries, shots, {0.5});
+  const Play play(match);
+  ASSERT_EQ(play.shots.size(), 1u);
+  const ThreatGrid grid = threat_grid(play.flow, play.passes, play.carries, play.shots, {0.5});
   EXPECT_EQ(grid[threat_cell({-40, 0})], 0.0);
   EXPECT_DOUBLE_EQ(grid[threat_cell({45, 0})], 0.5);
-  const auto added = threat_added(grid, passes, carries);
-  double sum = 0.0;
-  for (const double value : added) sum += value;
-  EXPECT_NEAR(sum, 0.0, 1e-9);  // every move led to the position of the shot: equal value
+  const auto added = threat_added(grid, play.passes, play.carries);
+  EXPECT_NEAR(std::accumulate(added.begin(), added.end(), 0.0), 0.0,
+              1e-9);  // every move led to the position of the shot: equal value
   EXPECT_DOUBLE_EQ(grid[threat_cell({10, 0})], 0.5);
 }
 
@@ -364,12 +327,10 @@ TEST(Threat, MapsEveryPointToACell) {
 }
 
 Pass completed(int passer, int receiver) {
-  Pass pass;
-  pass.passer = static_cast<std::int8_t>(passer);
-  pass.receiver = static_cast<std::int8_t>(receiver);
-  pass.outcome = PassOutcome::kCompleted;
-  pass.to = {3, 4};
-  return pass;
+  return {.passer = static_cast<std::int8_t>(passer),
+          .receiver = static_cast<std::int8_t>(receiver),
+          .outcome = PassOutcome::kCompleted,
+          .to = {3, 4}};
 }
 
 TEST(PassNetwork, MeasuresChainOfThree) {

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "analysis/results/read_results.h"
+#include "base/text/json.h"
+#include "base/text/lines.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -51,12 +51,10 @@ TEST(ResultsText, FitsEachMatchIntoOneLine) {
   tossed.winner = Winner::kLeft;
   tossed.coin_toss = true;
   const std::string text = format_results({example(), tossed}, ResultsFormat::kTable);
-  EXPECT_THAT(text,
-              HasSubstr("\nA|b                1:2  \xc3\x9c        6000  169 l 11;...  1 yellow, "))
-      << text;
+  EXPECT_THAT(
+      text, HasSubstr("\nA|b                1:2  \xc3\x9c        6000  169 l 11;...  1 yellow, "));
   EXPECT_THAT(text, HasSubstr("coin toss: FIFT..."));
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 82U) << line;
+  for (const std::string_view line : base::lines_of(text)) EXPECT_LE(line.size(), 82U) << line;
   MatchSummary plain = example();
   plain.cards.clear();
   plain.substitutions.clear();
@@ -70,15 +68,14 @@ TEST(ResultsText, AppendsTeamTableForSeveralMatches) {
   EXPECT_THAT(text, HasSubstr("\n\nteam  played  won  drawn  lost  goals  difference  points\n"
                               "\xc3\x9c          2    2      0     0    4:2          +2       6\n"
                               "A|b        2    0      0     2    2:4          -2       0\n"
-                              "\n1 incomplete not counted\n"))
-      << text;
+                              "\n1 incomplete not counted\n"));
 }
 
 TEST(ResultsText, EscapesMarkdown) {
   const std::string text = format_results({example()}, ResultsFormat::kMarkdown);
-  EXPECT_THAT(text, HasSubstr("| left | score | right |")) << text;
+  EXPECT_THAT(text, HasSubstr("| left | score | right |"));
   EXPECT_THAT(text, HasSubstr("|---|--:|---|"));
-  EXPECT_THAT(text, HasSubstr("| A\\|b | 1:2 |")) << text;
+  EXPECT_THAT(text, HasSubstr("| A\\|b | 1:2 |"));
 }
 
 TEST(ResultsText, QuotesCsv) {
@@ -93,17 +90,17 @@ TEST(ResultsText, QuotesCsv) {
 TEST(ResultsText, FormatsJsonDocument) {
   MatchSummary match = example();
   match.teams[0].name = "bad\xff";
-  const auto json = nlohmann::json::parse(format_results({match}, ResultsFormat::kJson));
+  const auto json = base::Json::parse(format_results({match}, ResultsFormat::kJson));
   EXPECT_EQ(json["schema"], "cls.results/1");
   const auto& row = json["matches"][0];
   EXPECT_EQ(row["file"], "logs/a,b.rcg");
+  EXPECT_EQ(row["winner"], "right");
+  EXPECT_EQ(row["cycles"], 6000);
+  EXPECT_EQ(row["complete"], true);
   EXPECT_EQ(row["left"]["name"], "bad\xef\xbf\xbd");
   EXPECT_EQ(row["left"]["score"], 1);
   EXPECT_TRUE(row["left"]["penalty_score"].is_null());
   EXPECT_EQ(row["right"]["score"], 2);
-  EXPECT_EQ(row["winner"], "right");
-  EXPECT_EQ(row["cycles"], 6000);
-  EXPECT_EQ(row["complete"], true);
   EXPECT_EQ(row["goals"][0]["cycle"], 169);
   EXPECT_EQ(row["goals"][0]["side"], "left");
   EXPECT_EQ(row["goals"][0]["unum"], 11);
@@ -120,13 +117,13 @@ TEST(ResultsText, ShowsPathsWhenFileNamesAreEqual) {
   MatchSummary b = example();
   b.file = "runs/5/bb/match.rcg";
   const std::string table = format_results({a, b}, ResultsFormat::kTable);
-  EXPECT_THAT(table, HasSubstr("  a\n")) << table;
-  EXPECT_THAT(table, HasSubstr("  bb\n")) << table;
+  EXPECT_THAT(table, HasSubstr("  a\n"));
+  EXPECT_THAT(table, HasSubstr("  bb\n"));
   MatchSummary c = example();
   c.file = "runs/5/c/other.rcg";
   const std::string mixed = format_results({a, b, c}, ResultsFormat::kTable);
-  EXPECT_THAT(mixed, HasSubstr("  a/match.rcg\n")) << mixed;
-  EXPECT_THAT(mixed, HasSubstr("  c/other.rcg\n")) << mixed;
+  EXPECT_THAT(mixed, HasSubstr("  a/match.rcg\n"));
+  EXPECT_THAT(mixed, HasSubstr("  c/other.rcg\n"));
 }
 
 TEST(ReadResults, DetectsTextLogByFirstBytes) {

@@ -1,4 +1,5 @@
 // SPADL actions of scripted matches, and what socceraction demands of their table.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,10 +8,8 @@
 
 #include "analysis/results/periods.h"
 #include "analysis/statistics/spadl_actions.h"
-#include "analysis/statistics/spadl_table.h"
-#include "gamelog/rcg/rcg_reader.h"
-#include "tests/gamelog/scripted_match.h"
-#include "tests/support/files.h"
+#include "tests/analysis/plays.h"
+#include "tests/gamelog/recorded_match.h"
 
 namespace cls::analysis {
 namespace {
@@ -24,9 +23,8 @@ using tests::right;
 using tests::ScriptedMatch;
 
 std::string text_of(const SpadlAction& action) {
-  const std::string side = action.slot < 11 ? "l" : "r";
-  return side + std::to_string(soccer::unum_of_slot(action.slot)) + " " +
-         std::string(name(action.type)) + " " + std::string(name(action.result));
+  return fmt::format("{}{} {} {}", action.slot < 11 ? "l" : "r", soccer::unum_of_slot(action.slot),
+                     name(action.type), name(action.result));
 }
 
 std::vector<SpadlAction> actions_of(const ScriptedMatch& match) {
@@ -51,21 +49,20 @@ ScriptedMatch restart(PlayMode mode) {
 }
 
 TEST(Spadl, NamesPassesByTheirRestart) {
-  EXPECT_THAT(texts_of(restart(PlayMode::kPlayOn)), ElementsAre("l5 pass success"));
-  EXPECT_THAT(texts_of(restart(PlayMode::kKickInLeft)), ElementsAre("l5 throw_in success"));
-  EXPECT_THAT(texts_of(restart(PlayMode::kCornerKickLeft)), ElementsAre("l5 corner_short success"));
-  EXPECT_THAT(texts_of(restart(PlayMode::kFreeKickLeft)), ElementsAre("l5 freekick_short success"));
-  EXPECT_THAT(texts_of(restart(PlayMode::kIndirectFreeKickLeft)),
-              ElementsAre("l5 freekick_short success"));
-  EXPECT_THAT(texts_of(restart(PlayMode::kGoalKickLeft)), ElementsAre("l5 goalkick success"));
-  EXPECT_THAT(texts_of(restart(PlayMode::kKickOffLeft)), ElementsAre("l5 pass success"));
+  for (const auto& [mode, type] : {std::pair(PlayMode::kPlayOn, "pass"),
+                                   {PlayMode::kKickInLeft, "throw_in"},
+                                   {PlayMode::kCornerKickLeft, "corner_short"},
+                                   {PlayMode::kFreeKickLeft, "freekick_short"},
+                                   {PlayMode::kIndirectFreeKickLeft, "freekick_short"},
+                                   {PlayMode::kGoalKickLeft, "goalkick"},
+                                   {PlayMode::kKickOffLeft, "pass"}}) {
+    EXPECT_THAT(texts_of(restart(mode)), ElementsAre(fmt::format("l5 {} success", type)));
+  }
 }
 
 TEST(Spadl, PlacesActionsOnThePitchOfTheLeftTeam) {
   ScriptedMatch match;
-  match.place_ball({-10, 20});
-  match.step();
-  match.kick(right(5), {-2, 0});
+  kick_from(match, {-10, 20}, right(5), {-2, 0});
   match.kick(right(6), {0.1, 0});
   const std::vector<SpadlAction> actions = actions_of(match);
   ASSERT_EQ(actions.size(), 1u);
@@ -89,20 +86,16 @@ TEST(Spadl, AddsTheInterceptionOfALostPass) {
 
 TEST(Spadl, GoaliesPickUpPassesAndSaveShots) {
   ScriptedMatch match;
-  match.place_ball({40, 0});
-  match.step();
-  match.kick(left(9), {2.7, 0});
+  kick_from(match, {40, 0}, left(9), {2.7, 0});
   match.steps(2);
-  ++match.player(right(1)).counts.catches;
-  match.player(right(1)).state |= gamelog::kStateCatch;
+  catch_ball(match, right(1));
   match.step();
   EXPECT_THAT(texts_of(match), ElementsAre("l9 shot fail", "r1 keeper_save success"));
   EXPECT_EQ(actions_of(match)[1].body_part, SpadlBodyPart::kOther);
 
   ScriptedMatch pass;
   pass.kick(left(5), {0, 1});
-  ++pass.player(right(1)).counts.catches;
-  pass.player(right(1)).state |= gamelog::kStateCatch;
+  catch_ball(pass, right(1));
   pass.step();
   EXPECT_THAT(texts_of(pass), ElementsAre("l5 pass fail", "r1 keeper_pick_up success"));
 }
@@ -122,8 +115,7 @@ TEST(Spadl, TacklesSucceedIfTheTeamKeepsTheBall) {
 TEST(Spadl, FoulsHaveTheirCards) {
   const auto foul = [](std::uint32_t card) {
     ScriptedMatch match;
-    ++match.player(left(4)).counts.tackle;
-    match.player(left(4)).state |= gamelog::kStateTackle | gamelog::kStateTackleFailed;
+    miss_ball(match, left(4));
     match.step();
     match.mode(PlayMode::kFoulChargeLeft);
     match.player(left(4)).state |= card;
@@ -137,13 +129,9 @@ TEST(Spadl, FoulsHaveTheirCards) {
 
 TEST(Spadl, OwnGoalsAreBadTouches) {
   ScriptedMatch match;
-  match.place_ball({-50, 0});
+  kick_from(match, {-50, 0}, left(2), {-2.5, 0});
   match.step();
-  match.kick(left(2), {-2.5, 0});
-  match.step();
-  match.score(0, 1);
-  match.mode(PlayMode::kGoalRight);
-  match.step();
+  score_goal(match, soccer::Side::kRight);
   EXPECT_THAT(texts_of(match), testing::Contains("l2 bad_touch owngoal"));
 }
 
@@ -212,11 +200,10 @@ TEST(Periods, OneWithoutALimitOfTime) {
 
 // The schema of socceraction: identifiers within their lists, places within the pitch.
 TEST(Spadl, RecordedMatchesFitTheSchema) {
-  for (const char* fixture : {"gamelog/match-start.rcg.gz", "simulator/noise-free.rcg.gz"}) {
-    SCOPED_TRACE(fixture);
-    const auto record = gamelog::read_rcg_file(tests::fixture(fixture).string());
-    ASSERT_TRUE(record);
-    const std::vector<SpadlAction> actions = spadl_actions(compute_statistics(*record, nullptr));
+  for (const char* name : {"match-start", "../simulator/noise-free"}) {
+    SCOPED_TRACE(name);
+    const gamelog::MatchRecord record = tests::record_of(name);
+    const std::vector<SpadlAction> actions = spadl_actions(compute_statistics(record, nullptr));
     EXPECT_GT(actions.size(), 5u);
     std::uint32_t frame = 0;
     for (const SpadlAction& action : actions) {

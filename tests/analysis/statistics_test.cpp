@@ -6,13 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <sstream>
+#include <numeric>
 
-#include "analysis/measures/positions.h"
+#include "analysis/measures/position_stats.h"
 #include "analysis/play/interception_time.h"
 #include "analysis/statistics/statistics_text.h"
-#include "gamelog/rcl/rcl_reader.h"
-#include "tests/gamelog/scripted_match.h"
+#include "base/index.h"
+#include "base/text/lines.h"
+#include "tests/analysis/plays.h"
 
 namespace cls::analysis {
 namespace {
@@ -63,21 +64,21 @@ TEST(Interception, FindsFirstPlayerAtBall) {
   match.step();
   const auto first = first_to_ball(match.record(), 1);
   ASSERT_TRUE(first);
-  EXPECT_EQ(first->slot, static_cast<std::size_t>(left(5)));
+  EXPECT_EQ(first->slot, base::index(left(5)));
   // after one cycle of standing
   EXPECT_EQ(first->cycles, 3);
-  EXPECT_EQ(cycles_to_ball(match.record(), 1, static_cast<std::size_t>(right(5))), 4);
+  EXPECT_EQ(cycles_to_ball(match.record(), 1, base::index(right(5))), 4);
   // Turned away, the player needs one more cycle.
   match.player(left(5)).body = 90;
   match.step();
-  EXPECT_EQ(cycles_to_ball(match.record(), 2, static_cast<std::size_t>(left(5))), 4);
+  EXPECT_EQ(cycles_to_ball(match.record(), 2, base::index(left(5))), 4);
   EXPECT_FALSE(first_to_ball(match.record(), 2));  // both in the same cycle
   // A ball that rolls toward the player takes less.
   match.player(left(5)).body = 0;
   match.next().ball_velocity = {-1, 0};
   match.next().ball_position = {1, 0};
   match.step();
-  EXPECT_EQ(cycles_to_ball(match.record(), 3, static_cast<std::size_t>(left(5))), 2);
+  EXPECT_EQ(cycles_to_ball(match.record(), 3, base::index(left(5))), 2);
 }
 
 TEST(Tackles, CountsHitsMissesAndEffectiveTackles) {
@@ -88,8 +89,7 @@ TEST(Tackles, CountsHitsMissesAndEffectiveTackles) {
   match.tackle(left(7), {0.5, 0});   // of the own team's ball: a kick
   match.tackle(right(8), {0.5, 0});  // from the opponent, but left touches next
   match.kick(left(9), {0.5, 0});
-  ++match.player(right(3)).counts.tackle;
-  match.player(right(3)).state |= gamelog::kStateTackle | gamelog::kStateTackleFailed;
+  miss_ball(match, right(3));
   match.step();
   ++match.player(right(3)).counts.tackle;
   match.player(right(3)).state |= gamelog::kStateTackleFailed;
@@ -122,11 +122,9 @@ TEST(Territory, CountsThirdsQuartersAndBoxEntries) {
 
 TEST(Territory, MirrorsRightTeamAndComputesPitchControl) {
   ScriptedMatch match;
-  match.place_ball({-35, 0});
+  kick_from(match, {-35, 0}, right(9), {-2.0, 0});
   match.step();
-  match.kick(right(9), {-2.0, 0});
-  match.step();
-  Territory t = measure_territory(build_flow(match.record()));
+  const Territory t = measure_territory(build_flow(match.record()));
   EXPECT_EQ(t.teams[1].box_entries, 1);
   EXPECT_EQ(t.teams[1].final_third_touches, 1);
   EXPECT_DOUBLE_EQ(t.field_tilt(), 0.0);
@@ -146,20 +144,17 @@ TEST(Stoppages, CountsRestartsAndOffensesBySide) {
     match.steps(2);
   }
   const Stoppages s = count_stoppages(build_flow(match.record()));
-  const TeamStoppages& l = s.teams[0];
-  const TeamStoppages& r = s.teams[1];
-  EXPECT_EQ(l.kick_ins, 1);
-  EXPECT_EQ(l.goal_kicks, 1);
-  EXPECT_EQ(l.free_kicks, 2);
-  EXPECT_EQ(l.back_passes, 1);
-  EXPECT_EQ(l.restart_frames, 8);
-  EXPECT_EQ(l.set_plays(), 4);
-  EXPECT_EQ(r.corners, 1);
-  EXPECT_EQ(r.offsides, 1);
-  EXPECT_EQ(r.indirect_free_kicks, 1);
-  EXPECT_EQ(r.fouls, 1);
-  EXPECT_EQ(r.kick_offs, 1);
-  EXPECT_EQ(l.fouls + l.offsides + r.kick_ins + r.free_kicks, 0);
+  EXPECT_EQ(
+      s.teams[0],
+      (TeamStoppages{
+          .kick_ins = 1, .goal_kicks = 1, .free_kicks = 2, .back_passes = 1, .restart_frames = 8}));
+  EXPECT_EQ(s.teams[0].set_plays(), 4);
+  EXPECT_EQ(s.teams[1], (TeamStoppages{.kick_offs = 1,
+                                       .corners = 1,
+                                       .indirect_free_kicks = 1,
+                                       .offsides = 1,
+                                       .fouls = 1,
+                                       .restart_frames = 6}));
 }
 
 TEST(Stoppages, IdentifiesFoulerAndVictim) {
@@ -184,11 +179,9 @@ TEST(Stoppages, IdentifiesFoulerAndVictim) {
 
 TEST(Stoppages, ExcludesFreeKicksAfterCatch) {
   ScriptedMatch match;
-  ++match.player(left(1)).counts.catches;
-  match.player(left(1)).state |= gamelog::kStateCatch;
+  catch_ball(match, left(1));
   match.mode(PlayMode::kFreeKickLeft);
-  match.step();
-  match.step();
+  match.steps(2);
   const Stoppages s = count_stoppages(build_flow(match.record()));
   EXPECT_EQ(s.teams[0].goalie_catches, 1);
   EXPECT_EQ(s.teams[0].free_kicks, 0);
@@ -196,12 +189,9 @@ TEST(Stoppages, ExcludesFreeKicksAfterCatch) {
 
 TEST(Goalkeeping, CountsCatchesSavesAndMoves) {
   ScriptedMatch match;
-  match.place_ball({40, 0});
+  kick_from(match, {40, 0}, left(9), {2.5, 0.6});
   match.step();
-  match.kick(left(9), {2.5, 0.6});
-  match.step();
-  ++match.player(right(1)).counts.catches;
-  match.player(right(1)).state |= gamelog::kStateCatch;
+  catch_ball(match, right(1));
   match.mode(PlayMode::kFreeKickRight);
   match.step();
   match.player(right(1)).counts.move += 2;
@@ -213,8 +203,8 @@ TEST(Goalkeeping, CountsCatchesSavesAndMoves) {
   match.player(right(1)).state |=
       gamelog::kStateCatch | gamelog::kStateCatchFailed;  // out of reach: not counted
   match.step();
-  const Flow flow = build_flow(match.record());
-  const auto keepers = measure_goalkeeping(flow, find_shots(flow));
+  const Play play(match);
+  const auto keepers = measure_goalkeeping(play.flow, play.shots);
   EXPECT_EQ(keepers[1].catches, 1);
   EXPECT_EQ(keepers[1].saves, 1);
   EXPECT_EQ(keepers[1].moves_after_catch, 2);
@@ -234,8 +224,8 @@ TEST(Pressing, CountsLossesRecoveriesAndPressure) {
   match.kick(right(5), {0.5, 0});  // left loses, right recovers
   match.steps(9);
   match.kick(left(6), {0.5, 0});  // regained after ten frames
-  const Flow flow = build_flow(match.record());
-  const PressingStats p = measure_pressing(flow, find_passes(flow, {}), count_stoppages(flow));
+  const Play play(match);
+  const PressingStats p = measure_pressing(play.flow, play.passes, count_stoppages(play.flow));
   EXPECT_EQ(p.teams[0].losses, 1);
   EXPECT_EQ(p.teams[1].losses, 1);
   EXPECT_EQ(p.recoveries[right(5)], 1);
@@ -313,9 +303,8 @@ TEST(Positions, AverageFromTeamView) {
   EXPECT_NEAR(cloud.mean.x, -(40 + 30 + 32) / 3.0, 1e-5);
   EXPECT_NEAR(cloud.mean.y, -(-3 + 10 + 14) / 3.0, 1e-5);
   EXPECT_NEAR(cloud.var_x, (1600 + 900 + 1024) / 3.0 - 34 * 34, 1e-3);
-  int cells = 0;
-  for (const int count : p.players[right(5)].heat) cells += count;
-  EXPECT_EQ(cells, 3);
+  const HeatMap& heat = p.players[right(5)].heat;
+  EXPECT_EQ(std::accumulate(heat.begin(), heat.end(), 0), 3);
   EXPECT_EQ(p.ball[7 * kHeatColumns + 10], 3);  // the center
 }
 
@@ -342,17 +331,12 @@ TEST(Positions, KnowGoalieWhoConnectsLateAndLeavesEarly) {
   const std::string formation = measure_positions(build_flow(match.record())).teams[0].formation;
   std::size_t last = (match.record().frames() - 1) * gamelog::kSlots;
   for (const std::size_t first : {std::size_t{0}, last}) {
-    match.record().players.state[first + static_cast<std::size_t>(left(1))] = 0;
+    match.record().players.state[first + base::index(left(1))] = 0;
   }
   const MatchStatistics statistics = compute_statistics(match.record(), nullptr);
   EXPECT_EQ(statistics.positions.teams[0].formation, formation);
-  EXPECT_TRUE(was_goalie(match.record(), static_cast<std::size_t>(left(1))));
-  EXPECT_FALSE(was_goalie(match.record(), static_cast<std::size_t>(left(2))));
-}
-
-gamelog::RclRecord text_log(std::string_view log) {
-  base::MemorySource source(log);
-  return gamelog::read_rcl(source);
+  EXPECT_TRUE(was_goalie(match.record(), base::index(left(1))));
+  EXPECT_FALSE(was_goalie(match.record(), base::index(left(2))));
 }
 
 TEST(Responsiveness, ComparesSentWithExecutedCommands) {
@@ -381,7 +365,7 @@ TEST(Responsiveness, ComparesSentWithExecutedCommands) {
   EXPECT_EQ(r.rejected_tackles, 1);
   EXPECT_EQ(r.intentional_fouls, 1);
   EXPECT_EQ(r.say_characters, 3);
-  EXPECT_EQ(r.commands[static_cast<std::size_t>(gamelog::CommandKind::kKick)], 2);
+  EXPECT_EQ(r.commands[base::index(gamelog::CommandKind::kKick)], 2);
   EXPECT_EQ(all[right(5)].answered, 1);
   EXPECT_EQ(all[right(5)].silent, 3);
   EXPECT_EQ(all[left(6)].silent, 4);
@@ -401,14 +385,17 @@ TEST(Responsiveness, AssignsTeamsByOrderWhenNamesAreEqual) {
 
 TEST(Attention, CountsFramesByViewAndTarget) {
   ScriptedMatch match;
-  match.player(left(5)).view_width = 60;
-  match.player(left(5)).attention_side = soccer::Side::kRight;
-  match.player(left(5)).attention_unum = 9;
+  gamelog::PlayerFrame& player = match.player(left(5));
+  player.view_width = 60;
+  player.attention_side = soccer::Side::kRight;
+  player.attention_unum = 9;
   match.step();
-  match.player(left(5)).view_width = 180;
-  match.player(left(5)).high_quality = false;
-  match.player(left(5)).pointing_at = Vec2{1, 2};
+
+  player.view_width = 180;
+  player.high_quality = false;
+  player.pointing_at = Vec2{1, 2};
   match.step();
+
   const Attention a = measure_attention(match.record())[left(5)];
   EXPECT_EQ(a.frames, 3);
   EXPECT_EQ(a.narrow, 1);
@@ -465,8 +452,8 @@ TEST(StatisticsText, WritesNoNegativeZero) {
   all.ratings[left(5)].passing = -0.04;
   all.ratings[right(5)].passing = -0.06;
   const std::string text = statistics_text(summarize(match.record(), nullptr), all);
-  EXPECT_THAT(text, Not(HasSubstr("-0.0"))) << text;
-  EXPECT_THAT(text, HasSubstr("-0.1")) << text;
+  EXPECT_THAT(text, Not(HasSubstr("-0.0")));
+  EXPECT_THAT(text, HasSubstr("-0.1"));
 }
 
 TEST(StatisticsText, FitsLinesIntoWidth) {
@@ -477,9 +464,9 @@ TEST(StatisticsText, FitsLinesIntoWidth) {
   MatchSummary summary = summarize(match.record(), nullptr);
   for (TeamSummary& team : summary.teams) team.name = "FIFTEEN_CHARS_A";
   for (const std::size_t width : {60U, 80U, 200U}) {
-    std::istringstream lines(statistics_text(summary, all, width));
+    const std::string text = statistics_text(summary, all, width);
     int with_player = 0;
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string_view line : base::lines_of(text)) {
       EXPECT_LE(line.size(), width) << line;
       with_player += line.starts_with("FIFTEEN_CHARS_A 1 ");
     }

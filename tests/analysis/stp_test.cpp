@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "analysis/tables/stp_challenge.h"
 #include "base/io/byte_sink.h"
 #include "base/io/byte_source.h"
+#include "tests/support/error_of.h"
 #include "tests/support/files.h"
 
 namespace cls::analysis {
@@ -25,8 +27,8 @@ std::string recorded() {
 std::string cut(const std::string& text, StpFile file, int last_cycle) {
   MemorySource source(text);
   base::StringSink sink;
-  const auto done = cut_stp_file(source, file, last_cycle, sink);
-  return done ? sink.bytes() : "error: " + done.error().message;
+  const std::string error = tests::error_of(cut_stp_file(source, file, last_cycle, sink));
+  return error.empty() ? sink.bytes() : "error: " + error;
 }
 
 std::string cycle_of(const std::string& table) {
@@ -38,15 +40,11 @@ std::string cycle_of(const std::string& table) {
 
 // Rows of one mode each: 'p' play_on, 'l' and 'r' goals, 'k' a kick-off; cycles from 100.
 std::string match(const std::string& modes) {
+  const std::map<char, const char*> names = {
+      {'p', "play_on"}, {'l', "goal_l"}, {'r', "goal_r"}, {'k', "kick_off_l"}};
   std::string table = "#,cycle,playmode\n";
-  int number = 0;
-  for (const char mode : modes) {
-    table += fmt::format("{},{},\"{}\"\n", number, 100 + number,
-                         mode == 'p'   ? "play_on"
-                         : mode == 'l' ? "goal_l"
-                         : mode == 'r' ? "goal_r"
-                                       : "kick_off_l");
-    ++number;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    table += fmt::format("{},{},\"{}\"\n", i, 100 + i, names.at(modes[i]));
   }
   return table;
 }
@@ -87,7 +85,7 @@ TEST(Stp, RecordedGoalHasTheTestOfTheScript) {
   const std::string table = recorded();
   EXPECT_EQ(cycle_of(table), "139");
   const std::string test = cut(table, StpFile::kTracking, 139);
-  EXPECT_EQ(std::count(test.begin(), test.end(), '\n'), 35);
+  EXPECT_EQ(std::ranges::count(test, '\n'), 35);
   EXPECT_EQ(test, table.substr(0, test.size()));
   EXPECT_EQ(last_row(test).number, 139);
 }
@@ -150,8 +148,7 @@ TEST(Stp, UnknownPlacesHaveNoScore) {
 std::string score_error(const StpPrediction& prediction, std::int64_t last) {
   const std::string truth = recorded();
   MemorySource source(truth);
-  const auto score = score_stp_prediction(prediction, source, last);
-  return score ? "" : score.error().message;
+  return tests::error_of(score_stp_prediction(prediction, source, last));
 }
 
 TEST(Stp, WrongRowsHaveNoScore) {
@@ -171,9 +168,7 @@ TEST(Stp, ErrorsNameLineAndColumn) {
   EXPECT_EQ(cycle_of("#,cycle,playmode\n1,x,p\n"), "error: line 2: cycle: 'x' must be a number");
   EXPECT_EQ(cycle_of("#,cycle,playmode\n1.5,1,p\n"), "error: line 2: #: '1.5' must be an integer");
   EXPECT_EQ(cycle_of("#,cycle,playmode\n,1,p\n"), "error: line 2: #: '' must be an integer");
-  const auto missing = read_prediction("#,l1_x\n1,2\n");
-  ASSERT_FALSE(missing);
-  EXPECT_EQ(missing.error().message, "line 1: has no column l1_y");
+  EXPECT_EQ(tests::error_of(read_prediction("#,l1_x\n1,2\n")), "line 1: has no column l1_y");
   std::string many = "#\n";
   for (int i = 0; i < 10'001; ++i) many += "1\n";
   MemorySource source(many);

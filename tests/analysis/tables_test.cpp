@@ -6,14 +6,12 @@
 #include <string>
 
 #include "analysis/play/flow.h"
-#include "analysis/tables/event_table.h"
-#include "analysis/tables/player_type_table.h"
+#include "analysis/tables/log_tables.h"
 #include "analysis/tables/tracking_table.h"
 #include "base/io/byte_sink.h"
 #include "base/text/fnv1a.h"
-#include "gamelog/rcg/rcg_reader.h"
+#include "tests/gamelog/recorded_match.h"
 #include "tests/gamelog/scripted_match.h"
-#include "tests/support/files.h"
 
 namespace cls::analysis {
 namespace {
@@ -23,14 +21,9 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 using tests::left;
+using tests::record_of;
 using tests::right;
 using tests::ScriptedMatch;
-
-gamelog::MatchRecord record_of(const std::string& name) {
-  const auto record = gamelog::read_rcg_file(tests::fixture("gamelog/" + name).string());
-  EXPECT_TRUE(record.ok()) << name;
-  return *record;
-}
 
 std::string tracking(const gamelog::MatchRecord& record,
                      TrackingColumns columns = TrackingColumns::kAll) {
@@ -46,9 +39,7 @@ std::string row(const std::string& table, std::size_t number) {
   return table.substr(start, table.find('\n', start) - start);
 }
 
-std::ptrdiff_t cells(const std::string& line) {
-  return std::count(line.begin(), line.end(), ',') + 1;
-}
+std::ptrdiff_t cells(const std::string& line) { return std::ranges::count(line, ',') + 1; }
 
 struct Published {
   const char* log;
@@ -59,14 +50,14 @@ struct Published {
 
 // Sizes and hashes of what rcg2csv of librcsc (13 March 2025) writes for the fixtures.
 constexpr Published kOfRcg2csv[] = {
-    {"rcg-v4-excerpt.rcg.gz", 41364, 0x2c59024a6ea4121b, 0x9d1bae87c3c8368e},
-    {"rcg-v5-excerpt.rcg.gz", 40807, 0x4e258636f7835734, 0x9d1bae87c3c8368e},
-    {"rcg-v6-excerpt.rcg.gz", 30881, 0x403d779e43dc54f9, 0x9d1bae87c3c8368e},
-    {"rcg-json-excerpt.rcg.gz", 66269, 0xc78e782c2b69aa48, 0x9d1bae87c3c8368e},
-    {"team-graphic-v6-excerpt.rcg.gz", 7567, 0x66dcdf6dafa62708, 0xa6dac9aedb0f838a},
-    {"team-graphic-json-excerpt.rcg.gz", 7502, 0x8791b4a7e08441fd, 0xdb45e57394e47fbb},
-    {"recorded-messages-excerpt.rcg.gz", 33766, 0x5a2527ab2e5ebc24, 0x570e249891ef383a},
-    {"match-start.rcg.gz", 344541, 0xbeedbca000167fb4, 0x7d93cd401526f61c},
+    {"rcg-v4-excerpt", 41364, 0x2c59024a6ea4121b, 0x9d1bae87c3c8368e},
+    {"rcg-v5-excerpt", 40807, 0x4e258636f7835734, 0x9d1bae87c3c8368e},
+    {"rcg-v6-excerpt", 30881, 0x403d779e43dc54f9, 0x9d1bae87c3c8368e},
+    {"rcg-json-excerpt", 66269, 0xc78e782c2b69aa48, 0x9d1bae87c3c8368e},
+    {"team-graphic-v6-excerpt", 7567, 0x66dcdf6dafa62708, 0xa6dac9aedb0f838a},
+    {"team-graphic-json-excerpt", 7502, 0x8791b4a7e08441fd, 0xdb45e57394e47fbb},
+    {"recorded-messages-excerpt", 33766, 0x5a2527ab2e5ebc24, 0x570e249891ef383a},
+    {"match-start", 344541, 0xbeedbca000167fb4, 0x7d93cd401526f61c},
 };
 
 TEST(TrackingTable, HasTheBytesOfRcg2csv) {
@@ -81,7 +72,7 @@ TEST(TrackingTable, HasTheBytesOfRcg2csv) {
 }
 
 TEST(TrackingTable, PublishedColumnsLackViewWidthAndStamina) {
-  const gamelog::MatchRecord record = record_of("rcg-v6-excerpt.rcg.gz");
+  const gamelog::MatchRecord record = record_of("rcg-v6-excerpt");
   const std::string all = tracking(record);
   const std::string published = tracking(record, TrackingColumns::kPublished);
   EXPECT_EQ(cells(row(all, 0)), 212);

@@ -203,7 +203,7 @@ TEST(ShotMap, DrawsAreasByExpectedGoals) {
                                        {1, {-40.0, 0.0}, 0.1, true, ""}}});
   std::vector<double> radii = attributes_of(chart, "circle", "r", "\"left\"");
   ASSERT_EQ(radii.size(), 3U) << "with the legend";
-  std::sort(radii.begin(), radii.end());
+  std::ranges::sort(radii);
   EXPECT_NEAR(radii[2], 2 * radii[1], 0.01);
   EXPECT_EQ(attributes_of(chart, "circle", "opacity", "\"left\" opacity").size(), 2U);
   EXPECT_EQ(attributes_of(chart, "circle", "opacity", "\"right\" opacity").size(), 0U)
@@ -216,7 +216,7 @@ TEST(Race, RisesToTheSum) {
   const std::string chart = race_chart(race());
   const std::vector<double> heights = heights_of(chart, "left-line");
   ASSERT_EQ(heights.size(), 8U);
-  EXPECT_TRUE(std::is_sorted(heights.rbegin(), heights.rend()));
+  EXPECT_TRUE(std::ranges::is_sorted(heights, std::greater()));
   EXPECT_GT(heights.front(), heights.back());
   EXPECT_THAT(chart, HasSubstr(">0.75<"));
   EXPECT_THAT(chart, HasSubstr(">0.1<"));

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -61,26 +62,26 @@ std::size_t frames_in(const std::string& stream) {
   return reader.match().record.frames();
 }
 
-/// Appends to a file as a server does.
-class GrowingFile {
+/// A log that grows as a server writes it.
+class GrowingLog {
  public:
-  explicit GrowingFile(const std::filesystem::path& path) : out_(path, std::ios::binary) {}
+  explicit GrowingLog(std::string_view bytes = "") { add(bytes); }
+  std::filesystem::path path() const { return folder_.path() / "match.rcg"; }
   void add(std::string_view bytes) {
-    out_ << bytes;
-    out_.flush();
+    std::ofstream(path(), std::ios::app | std::ios::binary) << bytes;
   }
 
  private:
-  std::ofstream out_;
+  tests::TemporaryFolder folder_;
 };
 
-// Frames may arrive after any look; waits until there are as many.
-void wait_for_frames(const LiveFeed& feed, std::size_t frames) {
+// Looks again and again; false if `condition` does not come about.
+bool eventually(const std::function<bool()>& condition) {
   const auto end = std::chrono::steady_clock::now() + kLimit;
-  while (frames_in(feed.read(0, std::string::npos).bytes) < frames) {
-    ASSERT_LT(std::chrono::steady_clock::now(), end) << frames << " frames";
+  while (!condition() && std::chrono::steady_clock::now() < end) {
     std::this_thread::sleep_for(milliseconds(5));
   }
+  return condition();
 }
 
 TEST(LiveFeed, GivesEachReaderAllBytes) {
@@ -101,23 +102,20 @@ TEST(LiveMatch, EqualsTheLogHoweverItArrives) {
   for (const char* name : {"gamelog/rcg-v1-excerpt.rcg.gz", "gamelog/rcg-v3-excerpt.rcg.gz",
                            "gamelog/match-start.rcg.gz", "gamelog/rcg-json-excerpt.rcg.gz"}) {
     // Packed bytes, too: the log of a match may be gzip.
-    for (const auto& [bytes, block] : {std::pair(unpacked(name), 7'777),
+    for (const auto& [bytes, block] : {std::pair(unpacked(name), 7'777U),
                                        {unpacked(name), 100'000},
                                        {tests::read_file(tests::fixture(name)), 7'777}}) {
       SCOPED_TRACE(fmt::format("{}, {} bytes in blocks of {}", name, bytes.size(), block));
-      const tests::TemporaryFolder folder;
-      const auto file = folder.path() / "match.rcg";
+      GrowingLog out;
       std::atomic<bool> complete{false};
-      LiveMatch live(follow_log(file, [&] { return complete.load(); }));
-      GrowingFile out(file);
-      for (std::size_t at = 0; at < bytes.size(); at += static_cast<std::size_t>(block)) {
-        out.add(std::string_view(bytes).substr(at, static_cast<std::size_t>(block)));
+      LiveMatch live(follow_log(out.path(), [&] { return complete.load(); }));
+      for (std::size_t at = 0; at < bytes.size(); at += block) {
+        out.add(std::string_view(bytes).substr(at, block));
       }
       complete.store(true);
       const auto match = read_stream(whole(*live.feed()));
-      ASSERT_TRUE(match) << match.error().message;
       const auto record = gamelog::read_rcg_file(tests::fixture(name).string()).value();
-      EXPECT_EQ(tests::record_difference(record, match->record), "");
+      ASSERT_EQ(tests::record_difference(record, match), "");
       EXPECT_TRUE(match->form.live);
       EXPECT_THAT(match->statistics, HasSubstr("\"possession\""));
     }
@@ -125,16 +123,18 @@ TEST(LiveMatch, EqualsTheLogHoweverItArrives) {
 }
 
 TEST(LiveMatch, ShowsWholeLinesWhileTheyArrive) {
-  const tests::TemporaryFolder folder;
-  const auto file = folder.path() / "match.rcg";
   const std::string text = unpacked("gamelog/rcg-v6-excerpt.rcg.gz");
-  LiveMatch live(follow_log(file, nullptr));
-  GrowingFile out(file);
+  GrowingLog out;
+  LiveMatch live(follow_log(out.path(), nullptr));
   std::size_t shows = 0;
   for (std::size_t at = 0; shows < 3;) {
     const std::size_t end = text.find('\n', at) + 1;
     out.add(text.substr(at, end - at));
-    if (text.compare(at, 6, "(show ") == 0) wait_for_frames(*live.feed(), ++shows);
+    if (text.compare(at, 6, "(show ") == 0) {
+      ++shows;
+      ASSERT_TRUE(eventually(
+          [&] { return frames_in(live.feed()->read(0, std::string::npos).bytes) >= shows; }));
+    }
     at = end;
   }
   EXPECT_FALSE(live.over());
@@ -143,20 +143,16 @@ TEST(LiveMatch, ShowsWholeLinesWhileTheyArrive) {
 
 // rcssserver writes the teams after the result.
 TEST(LiveMatch, EndsWithTheResultInTheLog) {
-  const tests::TemporaryFolder folder;
-  const auto file = folder.path() / "match.rcg";
-  GrowingFile(file).add(unpacked("gamelog/rcg-v6-excerpt.rcg.gz"));
-  const LiveMatch live(follow_log(file, nullptr));
+  const GrowingLog log(unpacked("gamelog/rcg-v6-excerpt.rcg.gz"));
+  const LiveMatch live(follow_log(log.path(), nullptr));
   const auto match = read_stream(whole(*live.feed()));
   ASSERT_TRUE(match) << match.error().message;
   EXPECT_EQ(match->record.errors.count, 0U);
 }
 
 TEST(LiveMatch, HasStatisticsWhileItIsPlayed) {
-  const tests::TemporaryFolder folder;
-  const auto file = folder.path() / "match.rcg";
-  GrowingFile(file).add(unpacked("gamelog/match-start.rcg.gz"));
-  LiveMatch live(follow_log(file, nullptr), {}, milliseconds(0));
+  const GrowingLog log(unpacked("gamelog/match-start.rcg.gz"));
+  LiveMatch live(follow_log(log.path(), nullptr), {}, milliseconds(0));
   ASSERT_TRUE(live.feed()->wait(0, kLimit));
   ChunkReader reader;
   ASSERT_TRUE(reader.add(live.feed()->read(0, std::string::npos).bytes));
@@ -166,10 +162,8 @@ TEST(LiveMatch, HasStatisticsWhileItIsPlayed) {
 }
 
 TEST(LiveMatch, EndsWithAnErrorWhenTheLogIsCut) {
-  const tests::TemporaryFolder folder;
-  const auto file = folder.path() / "match.rcg";
-  GrowingFile(file).add("ULG6\n(show 1 ");
-  LiveMatch live(follow_log(file, [] { return true; }));
+  const GrowingLog log("ULG6\n(show 1 ");
+  LiveMatch live(follow_log(log.path(), [] { return true; }));
   const auto match = read_stream(whole(*live.feed()));
   ASSERT_TRUE(match) << match.error().message;
   EXPECT_EQ(match->record.frames(), 0U);
@@ -195,11 +189,7 @@ class CountingInput : public LiveInput {
 TEST(LiveMatch, ReadsNothingBeforeTheFirstReader) {
   std::atomic<int> reads{0};
   const LiveMatch live(std::make_unique<CountingInput>(reads));
-  const auto end = std::chrono::steady_clock::now() + kLimit;
-  while (!live.over() && std::chrono::steady_clock::now() < end) {
-    std::this_thread::sleep_for(milliseconds(5));
-  }
-  EXPECT_TRUE(live.over());
+  EXPECT_TRUE(eventually([&] { return live.over(); }));
   EXPECT_EQ(reads.load(), 0);
   EXPECT_NE(whole(*live.feed()), "");
   EXPECT_GT(reads.load(), 0);
@@ -346,11 +336,7 @@ TEST_F(LiveSite, ForgetsReadersThatAreGone) {
     connection.send(request("GET " + token_ + "live HTTP/1.1"));
     EXPECT_NE(connection.receive(), "");
   }
-  const auto end = std::chrono::steady_clock::now() + kLimit;
-  while (server_->streams() > 0 && std::chrono::steady_clock::now() < end) {
-    std::this_thread::sleep_for(milliseconds(5));
-  }
-  EXPECT_EQ(server_->streams(), 0U);
+  EXPECT_TRUE(eventually([&] { return server_->streams() == 0; }));
 }
 
 TEST_F(LiveSite, LimitsTheNumberOfConnections) {
@@ -363,10 +349,7 @@ TEST_F(LiveSite, LimitsTheNumberOfConnections) {
   const auto refused = get(server_->url());
   EXPECT_TRUE(refused.status == 503 || refused.status == 0) << refused.status;
   readers.clear();
-  const auto end = std::chrono::steady_clock::now() + kLimit;
-  int code = 0;
-  while (code != 200 && std::chrono::steady_clock::now() < end) code = get(server_->url()).status;
-  EXPECT_EQ(code, 200);
+  EXPECT_TRUE(eventually([&] { return get(server_->url()).status == 200; }));
 }
 
 // Any process on this host can connect, but only viewers know the token.
@@ -420,41 +403,35 @@ TEST(MatchList, LinksMatchesAndShowsNamesAsText) {
 }
 
 TEST(LogGlance, SeesWholeLinesOfAGrowingLog) {
-  const cls::tests::TemporaryFolder folder;
-  const auto file = folder.path() / "match.rcg";
-  LogGlance glance(file);
+  GrowingLog log;
+  LogGlance glance(log.path());
   EXPECT_FALSE(glance.now());
-  const auto append = [&](const char* text) {
-    std::ofstream(file, std::ios::app | std::ios::binary) << text;
-  };
-  append("ULG6\n(team 1 A B 0 0)\n(show 1 ((b) 0 0 0 0) ((l 1) 0");
+  log.add("ULG6\n(team 1 A B 0 0)\n(show 1 ((b) 0 0 0 0) ((l 1) 0");
   EXPECT_FALSE(glance.now());
-  append(")\n(team 2 A (x 2 1)\n(show 23 ((b) -1.5 2.25 0 0) ((l 1) 0)\n(show 24 ((b) 9");
+  log.add(")\n(team 2 A (x 2 1)\n(show 23 ((b) -1.5 2.25 0 0) ((l 1) 0)\n(show 24 ((b) 9");
   const auto seen = glance.now();
   ASSERT_TRUE(seen);
   EXPECT_EQ(seen->cycle, 23);
   EXPECT_EQ(seen->left, 2);
   EXPECT_EQ(seen->right, 1);
   EXPECT_EQ(seen->ball.x, -1.5);
-  std::ofstream(file, std::ios::binary) << "ULG6\n";
+  std::ofstream(log.path(), std::ios::binary) << "ULG6\n";
   EXPECT_FALSE(glance.now());
 }
 
 TEST(LogGlance, InflatesWhatIsThere) {
-  const cls::tests::TemporaryFolder folder;
-  const auto file = folder.path() / "match.rcg.gz";
   std::string text = "ULG6\n(team 1 A B 3 0)\n";
   for (int cycle = 1; cycle < 5000; ++cycle) {
     text += fmt::format("(show {} ((b) {} {} 0 0))\n", cycle, cycle * 7 % 52, cycle * 11 % 34);
   }
   const std::string packed = gzip(text);
-  std::ofstream(file, std::ios::binary) << packed.substr(0, packed.size() / 2);
-  LogGlance glance(file);
+  GrowingLog log(packed.substr(0, packed.size() / 2));
+  LogGlance glance(log.path());
   const auto half = glance.now();
   ASSERT_TRUE(half);
   EXPECT_GT(half->cycle, 500);
   EXPECT_LT(half->cycle, 4999);
-  std::ofstream(file, std::ios::app | std::ios::binary) << packed.substr(packed.size() / 2);
+  log.add(packed.substr(packed.size() / 2));
   EXPECT_EQ(glance.now()->cycle, 4999);
   EXPECT_EQ(glance.now()->left, 3);
 }
@@ -463,8 +440,7 @@ TEST(HttpServer, SaysWhyItCannotListen) {
   const auto first = serve([](auto, auto) { return HttpReply{}; });
   const auto second = HttpServer::start({"127.0.0.1", first->port()}, nullptr);
   ASSERT_FALSE(second);
-  EXPECT_THAT(second.error().message, HasSubstr("Address already in use"))
-      << second.error().message;
+  EXPECT_THAT(second.error().message, HasSubstr("Address already in use"));
   EXPECT_EQ(HttpServer::start({"example.org", 0}, nullptr).error().message,
             "cannot listen on example.org port 0: not an IP address of this host");
   EXPECT_NE(serve(nullptr)->url(), serve(nullptr)->url());

@@ -5,15 +5,6 @@
 
 namespace cls::tests {
 
-std::size_t count(std::string_view text, std::string_view part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string_view::npos;
-       at = text.find(part, at + 1)) {
-    ++found;
-  }
-  return found;
-}
-
 namespace {
 
 // What is wrong with the attributes of a tag.
@@ -30,6 +21,12 @@ std::string tag_error(const std::string& tag) {
 }
 
 }  // namespace
+
+std::size_t count(std::string_view text, std::string_view part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
 
 std::string svg_error(std::string_view svg) {
   const std::string text(svg);

@@ -37,11 +37,9 @@ class OpenServer : public testing::Test {
   }
 
   HttpReply reply(std::string_view path) const {
-    HttpReply reply;
-    reply.status = path.empty() || path == "live" ? 200 : 404;
-    if (path.empty()) reply.document = document_;
-    if (path == "live") reply.feed = feed_;
-    return reply;
+    if (path.empty()) return {.status = 200, .document = document_};
+    if (path == "live") return {.status = 200, .feed = feed_};
+    return {};
   }
 
   std::string request(const std::string& target, const std::string& more = "",
@@ -79,9 +77,7 @@ TEST_F(OpenServer, NeedsNoToken) {
 }
 
 TEST_F(OpenServer, StaysBelowItsPrefix) {
-  HttpAccess access;
-  access.prefix = "/cup/";
-  serve(access);
+  serve({.prefix = "/cup/"});
   EXPECT_EQ(ask("/cup/").body, "<p>cup</p>");
   EXPECT_EQ(ask("/").status, 404);
   const auto moved = ask("/cup");
@@ -90,9 +86,7 @@ TEST_F(OpenServer, StaysBelowItsPrefix) {
 }
 
 TEST_F(OpenServer, AnswersToItsOwnAndGivenNamesOnly) {
-  HttpAccess access;
-  access.names = {"cup.example.org"};
-  serve(access);
+  serve({.names = {"cup.example.org"}});
   EXPECT_EQ(ask("/", "", "cup.example.org").status, 200);
   EXPECT_EQ(ask("/", "", "cup.example.org:443").status, 200);
   EXPECT_EQ(ask("/", "", "evil.example.org").status, 403);
@@ -132,9 +126,7 @@ TEST_F(OpenServer, RefusesToChangeAnything) {
 }
 
 TEST_F(OpenServer, ConnectionsThatAskNothingMakeRoom) {
-  HttpAccess access;
-  access.max_connections = 4;
-  serve(access);
+  serve({.max_connections = 4});
   std::vector<std::unique_ptr<tests::HttpConnection>> idle;
   for (int i = 0; i < 12; ++i) {
     idle.push_back(std::make_unique<tests::HttpConnection>(server_->port()));
@@ -145,15 +137,14 @@ TEST_F(OpenServer, ConnectionsThatAskNothingMakeRoom) {
   const tests::HttpConnection served(server_->port());
   served.send("GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
   EXPECT_NE(served.receive(), "");
-  for (int i = 0; i < 8; ++i)
+  for (int i = 0; i < 8; ++i) {
     idle.push_back(std::make_unique<tests::HttpConnection>(server_->port()));
+  }
   EXPECT_EQ(ask("/").status, 200);
 }
 
 TEST_F(OpenServer, RefusesMoreStreamsThanConnections) {
-  HttpAccess access;
-  access.max_connections = 4;
-  serve(access);
+  serve({.max_connections = 4});
   feed_->append("x");
   std::vector<std::unique_ptr<tests::HttpConnection>> readers;
   for (int i = 0; i < 4; ++i) {
@@ -169,11 +160,9 @@ TEST_F(OpenServer, RefusesMoreStreamsThanConnections) {
 }
 
 TEST_F(OpenServer, EndsReadersThatDoNotRead) {
-  HttpAccess access;
-  access.write_timeout = milliseconds(300);
-  access.piece = std::size_t{32} << 10;
-  access.send_buffer = 32 << 10;
-  serve(access);
+  serve({.write_timeout = milliseconds(300),
+         .piece = std::size_t{32} << 10,
+         .send_buffer = 32 << 10});
   feed_->append(std::string(std::size_t{16} << 20, 'x'));
   const tests::HttpConnection stalled(server_->port());
   stalled.send(request("/live"));

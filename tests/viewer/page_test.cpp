@@ -9,8 +9,11 @@
 #include <string>
 
 #include "gamelog/rcg/rcg_reader.h"
+#include "tests/gamelog/recorded_match.h"
+#include "tests/support/error_of.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/viewer/markup.h"
 #include "tests/viewer/record_difference.h"
 #include "viewer/decisions/decision_files.h"
 #include "viewer/page/encoding.h"
@@ -24,28 +27,15 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-gamelog::MatchRecord record_of(const std::string& fixture) {
-  return gamelog::read_rcg_file(tests::fixture(fixture).string()).value();
-}
+using tests::count;
+using tests::record_of;
 
 std::string page_of(const gamelog::MatchRecord& record, bool compact = false) {
-  return match_page(record, nullptr, "game.rcg", compact, {1234, {"l7", "r1"}});
+  return match_page(record, nullptr, "game.rcg",
+                    {.settings = {1234, {"l7", "r1"}}, .compact = compact});
 }
 
-std::size_t count(std::string_view text, std::string_view part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string_view::npos;
-       at = text.find(part, at + 1)) {
-    ++found;
-  }
-  return found;
-}
-
-std::string error_of(std::string_view page) {
-  const auto match = read_page(page);
-  return match ? "" : match.error().message;
-}
+std::string error_of(std::string_view page) { return tests::error_of(read_page(page)); }
 
 TEST(Encoding, MatchesKnownValues) {
   EXPECT_EQ(base64(""), "");
@@ -60,13 +50,11 @@ TEST(Encoding, MatchesKnownValues) {
 }
 
 TEST(Page, GivesTheRecordBack) {
-  for (const char* name : {"gamelog/rcg-v1-excerpt.rcg.gz", "gamelog/rcg-v3-excerpt.rcg.gz",
-                           "gamelog/match-start.rcg.gz", "gamelog/rcg-json-excerpt.rcg.gz"}) {
+  for (const char* name : {"rcg-v1-excerpt", "rcg-v3-excerpt", "match-start", "rcg-json-excerpt"}) {
     SCOPED_TRACE(name);
     const gamelog::MatchRecord record = record_of(name);
     const auto match = read_page(page_of(record));
-    ASSERT_TRUE(match) << match.error().message;
-    EXPECT_EQ(tests::record_difference(record, match->record), "");
+    ASSERT_EQ(tests::record_difference(record, match), "");
     EXPECT_THAT(match->statistics, HasSubstr("\"possession\""));
     EXPECT_THAT(match->statistics, HasSubstr("\"events\""));
   }
@@ -74,7 +62,7 @@ TEST(Page, GivesTheRecordBack) {
 
 TEST(Page, ReadsFilesOfBothKinds) {
   const tests::TemporaryFolder folder;
-  const gamelog::MatchRecord record = record_of("gamelog/rcg-v6-excerpt.rcg.gz");
+  const gamelog::MatchRecord record = record_of("rcg-v6-excerpt");
   const std::string path = folder.path() / "page.html";
   std::ofstream(path) << page_of(record);
   const auto page = read_log_or_page(path);
@@ -88,7 +76,7 @@ TEST(Page, ReadsFilesOfBothKinds) {
 }
 
 TEST(Page, AllowsItsOwnProgramOnly) {
-  const std::string page = page_of(record_of("gamelog/rcg-v6-excerpt.rcg.gz"));
+  const std::string page = page_of(record_of("rcg-v6-excerpt"));
   const std::string script = "<script>" + std::string(viewer_script()) + "</script>";
   const std::string style = "<style>" + std::string(viewer_style()) + "</style>";
   EXPECT_THAT(page, HasSubstr(script));
@@ -130,13 +118,13 @@ TEST(Page, ShowsNamesAsText) {
   for (const std::string name : {"</script><script>alert(1)</script>", "</noscript><img src=x>",
                                  "\"'><b>", "</title><h1>", "<!--", "\xff\xfe\x01", "&lt;b&gt;"}) {
     SCOPED_TRACE(name);
-    gamelog::MatchRecord record = record_of("gamelog/rcg-v6-excerpt.rcg.gz");
-    for (gamelog::TeamFrames& teams : record.teams) teams[0].name = name;
+    gamelog::MatchRecord record = record_of("rcg-v6-excerpt");
+    for (auto& [left, right] : record.teams) left.name = name;
     for (gamelog::Note& note : record.notes) {
       if (auto* teams = std::get_if<gamelog::TeamFrames>(&note.content)) (*teams)[0].name = name;
       if (auto* message = std::get_if<gamelog::Message>(&note.content)) message->text = name;
     }
-    const std::string page = match_page(record, nullptr, name, false, {0, {name}});
+    const std::string page = match_page(record, nullptr, name, {.settings = {0, {name}}});
     EXPECT_EQ(count(page, "<script"), 3U);
     EXPECT_EQ(count(page, "</script"), 3U);
     EXPECT_EQ(count(page, "</noscript"), 1U);
@@ -155,8 +143,8 @@ TEST(Page, HasTheTextsAndDrawingsOfItsMatchFolder) {
   settings.drawings = read_page_drawings(folder.path());
   ASSERT_EQ(settings.drawings.size(), 1U);
   EXPECT_EQ(gunzip(settings.drawings[0].packed, 1000).value(), lines);
-  const gamelog::MatchRecord record = record_of("gamelog/rcg-v6-excerpt.rcg.gz");
-  const std::string page = match_page(record, nullptr, "game.rcg", false, settings);
+  const gamelog::MatchRecord record = record_of("rcg-v6-excerpt");
+  const std::string page = match_page(record, nullptr, "game.rcg", {.settings = settings});
   EXPECT_EQ(count(page, "id=\"drawings-right\""), 1U);
   EXPECT_EQ(count(page, "id=\"drawings-left\""), 0U);
   EXPECT_EQ(count(page, "class DrawingStore"), 1U);
@@ -165,7 +153,7 @@ TEST(Page, HasTheTextsAndDrawingsOfItsMatchFolder) {
 }
 
 TEST(Page, SaysHowMuchIsThere) {
-  const std::string page = page_of(record_of("gamelog/rcg-v6-excerpt.rcg.gz"));
+  const std::string page = page_of(record_of("rcg-v6-excerpt"));
   const std::size_t data = page.find("data-length=");
   const std::size_t start = page.find("\">", data) + 2;
   const std::size_t length = page.find("</script>", start) - start;

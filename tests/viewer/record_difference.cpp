@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
+#include <tuple>
 
-#include "base/io/byte_sink.h"
-#include "gamelog/rcg/rcg_writer.h"
 #include "soccer/messages/parameter_message.h"
 
 namespace cls::tests {
@@ -53,36 +53,23 @@ std::string columns(const MatchRecord& a, const MatchRecord& b) {
       column("attention", p.attention, q.attention, kSlots),
       column("counters", p.counters, q.counters, kSlots),
   };
-  const auto found = std::find_if(std::begin(differences), std::end(differences),
-                                  [](const std::string& text) { return !text.empty(); });
+  const auto found = std::ranges::find_if_not(differences, &std::string::empty);
   return found == std::end(differences) ? "" : *found;
 }
 
-bool same_content(const Note& a, const Note& b) {
-  if (a.content.index() != b.content.index()) return false;
-  if (const auto* line = std::get_if<UnknownLine>(&a.content)) {
-    return line->text == std::get<UnknownLine>(b.content).text;
-  }
-  if (const auto* message = std::get_if<Message>(&a.content)) {
-    return *message == std::get<Message>(b.content);
-  }
-  if (const auto* teams = std::get_if<TeamFrames>(&a.content)) {
-    return *teams == std::get<TeamFrames>(b.content);
-  }
-  return std::get<soccer::PlayMode>(a.content) == std::get<soccer::PlayMode>(b.content);
+// Equal notes give equal keys.
+auto key_of(const Note& note) {
+  const auto* line = std::get_if<UnknownLine>(&note.content);
+  const auto* message = std::get_if<Message>(&note.content);
+  const auto* teams = std::get_if<TeamFrames>(&note.content);
+  const auto* mode = std::get_if<soccer::PlayMode>(&note.content);
+  return std::tuple(note.frame, note.time, note.stopped, line ? line->text : "",
+                    message ? *message : Message(), teams ? *teams : TeamFrames(),
+                    mode ? std::optional(*mode) : std::nullopt, note.content.index());
 }
 
-bool same_note(const Note& a, const Note& b) {
-  return a.frame == b.frame && a.time == b.time && a.stopped == b.stopped && same_content(a, b);
-}
-
-bool same_errors(const ParseErrors& a, const ParseErrors& b) {
-  const auto same = [](const ParseError& left, const ParseError& right) {
-    return left.line == right.line && left.byte == right.byte && left.cycle == right.cycle &&
-           left.message == right.message;
-  };
-  return a.count == b.count &&
-         std::equal(a.first.begin(), a.first.end(), b.first.begin(), b.first.end(), same);
+auto key_of_error(const ParseError& error) {
+  return std::tuple(error.line, error.byte, error.cycle, error.message);
 }
 
 template <typename Params>
@@ -110,11 +97,16 @@ std::string record_difference(const MatchRecord& a, const MatchRecord& b) {
   if (text_of(a.player) != text_of(b.player)) return "player";
   if (types_of(a) != types_of(b)) return "types";
   if (a.teams != b.teams) return "teams";
-  if (!std::equal(a.notes.begin(), a.notes.end(), b.notes.begin(), b.notes.end(), same_note)) {
-    return "notes";
+  if (!std::ranges::equal(a.notes, b.notes, {}, key_of, key_of)) return "notes";
+  if (a.errors.count != b.errors.count) return "number of errors";
+  if (!std::ranges::equal(a.errors.first, b.errors.first, {}, key_of_error, key_of_error)) {
+    return "errors";
   }
-  if (!same_errors(a.errors, b.errors)) return "errors";
   return columns(a, b);
+}
+
+std::string record_difference(const MatchRecord& a, const base::Result<viewer::StreamMatch>& b) {
+  return b ? record_difference(a, b->record) : b.error().message;
 }
 
 }  // namespace cls::tests

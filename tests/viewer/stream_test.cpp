@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "gamelog/rcg/rcg_reader.h"
+#include "tests/gamelog/recorded_match.h"
+#include "tests/support/error_of.h"
 #include "tests/support/files.h"
 #include "tests/viewer/record_difference.h"
 #include "viewer/stream/chunk.h"
@@ -20,43 +21,35 @@ using gamelog::MatchRecord;
 using testing::HasSubstr;
 using testing::Not;
 using tests::record_difference;
+using tests::record_of;
 
-const char* const kLogs[] = {"gamelog/rcg-v1-excerpt",
-                             "gamelog/rcg-v2-excerpt",
-                             "gamelog/rcg-v3-excerpt",
-                             "gamelog/rcg-v4-excerpt",
-                             "gamelog/rcg-v5-excerpt",
-                             "gamelog/rcg-v6-excerpt",
-                             "gamelog/rcg-json-excerpt",
-                             "gamelog/team-graphic-json-excerpt",
-                             "gamelog/team-graphic-v6-excerpt",
-                             "gamelog/recorded-messages-excerpt",
-                             "gamelog/match-start",
-
-                             "simulator/noise-free"};
-
-MatchRecord read(const std::string& name) {
-  return gamelog::read_rcg_file(tests::fixture(name + ".rcg.gz").string()).value();
-}
+const char* const kLogs[] = {"rcg-v1-excerpt",
+                             "rcg-v2-excerpt",
+                             "rcg-v3-excerpt",
+                             "rcg-v4-excerpt",
+                             "rcg-v5-excerpt",
+                             "rcg-v6-excerpt",
+                             "rcg-json-excerpt",
+                             "team-graphic-json-excerpt",
+                             "team-graphic-v6-excerpt",
+                             "match-start",
+                             "recorded-messages-excerpt",
+                             "../simulator/noise-free"};
 
 MatchRecord parsed(std::string_view log) {
   base::MemorySource source(log);
   return gamelog::read_rcg(source);
 }
 
-std::string error_of(std::string_view stream) {
-  const auto match = read_stream(stream);
-  return match ? "" : match.error().message;
-}
+std::string error_of(std::string_view stream) { return tests::error_of(read_stream(stream)); }
 
 TEST(Stream, GivesRecordsOfAllVersionsBack) {
   for (const char* name : kLogs) {
     SCOPED_TRACE(name);
-    const MatchRecord record = read(name);
+    const MatchRecord record = record_of(name);
     ASSERT_GT(record.frames(), 0U);
     const auto match = read_stream(write_stream(record, {}, "{}"));
-    ASSERT_TRUE(match) << match.error().message;
-    EXPECT_EQ(record_difference(record, match->record), "");
+    ASSERT_EQ(record_difference(record, match), "");
     EXPECT_EQ(match->statistics, "{}");
     EXPECT_FALSE(match->form.compact);
   }
@@ -69,8 +62,7 @@ TEST(Stream, HasTheHeightOfTheBallOnlyWhereTheLogHasIt) {
   const std::string stream = write_stream(parsed(high), {}, "");
   EXPECT_THAT(stream, HasSubstr("ball_z"));
   const auto match = read_stream(stream);
-  ASSERT_TRUE(match) << match.error().message;
-  EXPECT_EQ(record_difference(parsed(high), match->record), "");
+  ASSERT_EQ(record_difference(parsed(high), match), "");
   EXPECT_EQ(match->record.ball_height[1], 1.75F);
 }
 
@@ -79,13 +71,11 @@ TEST(Stream, GivesCorruptLogsBackWithTheirErrors) {
   const MatchRecord record =
       parsed(log.substr(0, log.size() / 2) + "\n(show x)\n\xff\n(odd \xfe)\n");
   ASSERT_GT(record.errors.count, 1U);
-  const auto match = read_stream(write_stream(record, {}, ""));
-  ASSERT_TRUE(match) << match.error().message;
-  EXPECT_EQ(record_difference(record, match->record), "");
+  EXPECT_EQ(record_difference(record, read_stream(write_stream(record, {}, ""))), "");
 }
 
 TEST(Stream, StoresEveryValueOfSinglePrecision) {
-  MatchRecord record = read("gamelog/rcg-v6-excerpt");
+  MatchRecord record = record_of("rcg-v6-excerpt");
   const float values[] = {-0.0F,  1e-30F,  3.4e38F,   -1e20F, 0.33333334F,
                           180.0F, -180.0F, 179.9996F, 540.0F};
   std::size_t next = 0;
@@ -97,13 +87,11 @@ TEST(Stream, StoresEveryValueOfSinglePrecision) {
     record.players.stamina[i] = value;
     record.players.pointing_at[i].x = value;
   }
-  const auto match = read_stream(write_stream(record, {}, ""));
-  ASSERT_TRUE(match) << match.error().message;
-  EXPECT_EQ(record_difference(record, match->record), "");
+  EXPECT_EQ(record_difference(record, read_stream(write_stream(record, {}, ""))), "");
 }
 
 TEST(Stream, IsTheSameMatchInPiecesOfAnySize) {
-  const MatchRecord record = read("gamelog/match-start");
+  const MatchRecord record = record_of("match-start");
   for (const std::size_t piece : {1U, 7U, 50U}) {
     SCOPED_TRACE(piece);
     ChunkWriter writer({.live = true});
@@ -125,11 +113,9 @@ TEST(Stream, IsTheSameMatchInPiecesOfAnySize) {
 }
 
 TEST(Stream, ArrivesByteByByte) {
-  MatchRecord record = read("gamelog/rcg-v5-excerpt");
+  MatchRecord record = record_of("rcg-v5-excerpt");
   gamelog::resize_frames(record, std::min<std::size_t>(record.frames(), 20));
-  while (!record.notes.empty() && record.notes.back().frame > record.frames()) {
-    record.notes.pop_back();
-  }
+  std::erase_if(record.notes, [&](const auto& note) { return note.frame > record.frames(); });
   const std::string stream = write_stream(record, {}, "");
   ChunkReader reader;
   for (const char byte : stream) ASSERT_TRUE(reader.add({&byte, 1}));
@@ -143,7 +129,7 @@ std::string column_of(const std::string& stream, const std::string& name) {
 }
 
 TEST(Stream, FitsColumnsToTheirValues) {
-  MatchRecord record = read("gamelog/match-start");
+  MatchRecord record = record_of("match-start");
   std::string stream = write_stream(record, {}, "");
   EXPECT_THAT(column_of(stream, "neck"), HasSubstr("\"scale\":1"));
   EXPECT_THAT(column_of(stream, "neck"), Not(HasSubstr("\"scale\":10")));
@@ -159,16 +145,14 @@ TEST(Stream, FitsColumnsToTheirValues) {
               HasSubstr("\"d1\",\"series\":22,\"scale\":1000"));
   EXPECT_THAT(column_of(stream, "neck"), HasSubstr("\"scale\":10"));
   EXPECT_THAT(column_of(stream, "neck"), Not(HasSubstr("\"scale\":100")));
-  const auto match = read_stream(stream);
-  ASSERT_TRUE(match) << match.error().message;
-  EXPECT_EQ(record_difference(match->record, record), "");
+  EXPECT_EQ(record_difference(record, read_stream(stream)), "");
   // What will come in a live match is not known.
   EXPECT_THAT(column_of(write_stream(record, {.live = true}, ""), "neck"),
               HasSubstr("\"scale\":1000"));
 }
 
 TEST(Stream, RoundsInCompactForm) {
-  const MatchRecord record = read("gamelog/match-start");
+  const MatchRecord record = record_of("match-start");
   const std::string compact = write_stream(record, {.compact = true}, "");
   EXPECT_LT(compact.size(), 130'000U);  // the exact form: 167'000
   const auto match = read_stream(compact);
@@ -183,7 +167,7 @@ TEST(Stream, RoundsInCompactForm) {
 }
 
 TEST(Stream, SkipsUnknownChunks) {
-  const MatchRecord record = read("gamelog/rcg-v6-excerpt");
+  const MatchRecord record = record_of("rcg-v6-excerpt");
   ChunkWriter writer({});
   std::string out;
   writer.append_header(record, out);
@@ -199,7 +183,7 @@ TEST(Stream, SkipsUnknownChunks) {
 }
 
 TEST(Stream, SaysWhatIsWrong) {
-  const MatchRecord record = read("gamelog/rcg-v6-excerpt");
+  const MatchRecord record = record_of("rcg-v6-excerpt");
   const std::string stream = write_stream(record, {}, "");
   EXPECT_EQ(error_of(""), "truncated: the match has no end");
   EXPECT_EQ(error_of(stream.substr(0, stream.size() / 2)), "truncated: the match has no end");
@@ -215,7 +199,7 @@ TEST(Stream, SaysWhatIsWrong) {
 }
 
 TEST(Stream, SurvivesAnyChangedByte) {
-  MatchRecord record = read("gamelog/rcg-v6-excerpt");
+  MatchRecord record = record_of("rcg-v6-excerpt");
   gamelog::resize_frames(record, 3);
   record.notes.clear();
   record.parameter_lines.clear();

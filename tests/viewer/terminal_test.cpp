@@ -2,14 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "gamelog/rcg/rcg_reader.h"
+#include "base/text/json.h"
 #include "gamelog/record/record_builder.h"
-#include "tests/support/files.h"
-#include "viewer/terminal/cast.h"
+#include "tests/gamelog/recorded_match.h"
+#include "viewer/terminal/asciinema_cast.h"
 #include "viewer/terminal/field_picture.h"
 #include "viewer/terminal/match_screen.h"
 
@@ -57,9 +56,7 @@ TEST(FieldPicture, HasEveryThingWhereItIs) {
   draw_field(frame, {0, 20, false}, colored);
   Screen letters(80, 20);
   draw_field(frame, {0, 20, true}, letters);
-  const auto cell = [](const Screen& screen, int row, int column) {
-    return screen.at(row, column).text;
-  };
+  const auto cell = [](auto& screen, int row, int column) { return screen.at(row, column).text; };
   EXPECT_EQ(cell(colored, 10, 40), "●");
   // 160 by 80 dots for 110 by 70 meters: 80 / 70 dots a meter.
   EXPECT_EQ(cell(colored, 10, 11), "1");
@@ -169,15 +166,13 @@ TEST(MatchScreen, FollowsALiveMatch) {
 }
 
 TEST(MatchScreen, ShowsScoreClockAndMode) {
-  const auto record =
-      gamelog::read_rcg_file(tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz").string()).value();
+  const auto record = tests::record_of("rcg-v6-excerpt");
   MatchScreen match(record);
   for (const auto& [columns, rows] : {std::pair(80, 24), {200, 60}, {30, 8}, {1, 1}}) {
     const std::string text = match.draw(columns, rows, false).text();
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), rows);
+    EXPECT_EQ(std::ranges::count(text, '\n'), rows);
     if (columns < 80) continue;
-    const std::string head = text.substr(0, text.find('\n'));
-    EXPECT_THAT(head, HasSubstr(" : ")) << head;
+    EXPECT_THAT(text.substr(0, text.find('\n')), HasSubstr(" : "));
     EXPECT_THAT(text, HasSubstr("q quit"));
   }
 }
@@ -212,7 +207,7 @@ TEST(Keys, AreReadWholeInAnyPieces) {
 }
 
 TEST(Cast, IsJsonByLines) {
-  const auto header = nlohmann::json::parse(cast_header(80, 24, "a\"b"));
+  const auto header = base::Json::parse(cast_header(80, 24, "a\"b"));
   EXPECT_EQ(header["version"], 2);
   EXPECT_EQ(header["width"], 80);
   EXPECT_EQ(header["title"], "a\"b");
