@@ -230,7 +230,7 @@ const std::vector<Mistake>& mistakes() {
       {{"match", "mock", "mock", "--json", "--json"},
        "--json takes no value (see cls match --help)"},
       {{"match", "mock", "mock", "--no-such", "--cycles"},
-       "unknown option '--no-such' (see cls match --help)"},
+       "unknown option '--no-such'; did you mean '--no-coach'?"},
       {{"match", "mock", "mock", "--cycles="}, "--cycles requires a value: a whole number"},
       {{"match", "mock", "mock", "--set"}, "--set requires a value: NAME=VALUE"},
       {{"match", "mock", "mock", "--set", "a=1", "--set"}, "--set requires a value: NAME=VALUE"},
