@@ -154,7 +154,8 @@ class Worlds:
             raise ActionError(f"{name}: type {value.dtype}, must be {must}")
         into[...] = value
         # A number that does not fit would otherwise be played as another one.
-        if into.dtype.kind == "i" and value.dtype != into.dtype and not (into == value).all():
+        if into.dtype.kind == "i" and value.dtype != into.dtype \
+                and np.count_nonzero(into == value) != into.size:
             wrong = value[into != value].flat[0]
             raise ActionError(f"{name}: there is no action {wrong}")
 

@@ -1,7 +1,7 @@
 """What an environment has: agents, features, actions, rewards, with names, units and bounds."""
 from __future__ import annotations
 
-from typing import Any, Dict, List, NamedTuple, Tuple
+from typing import Any, Dict, NamedTuple, Tuple
 
 import numpy as np
 

@@ -1,7 +1,7 @@
 """N worlds as a gymnasium.vector.VectorEnv: one call of the engine per step."""
 from __future__ import annotations
 
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -95,8 +95,7 @@ class VectorEnv(BaseVectorEnv):
         for index in range(self.num_envs) if which is None else np.flatnonzero(which):
             if seeds[index] is not None:
                 self._seeds.start(int(index), seeds[index])
-        self._turn(keep=which is not None)
-        worlds.reset(which, self._seeds.next, options)
+        self._in_turn(lambda: worlds.reset(which, self._seeds.next, options))
         self._seeds.take(which)
         self._opponents = worlds.pool.opponent.copy()
         self._ended[slice(None) if which is None else which] = False
@@ -113,7 +112,7 @@ class VectorEnv(BaseVectorEnv):
                               f"{np.flatnonzero(self._ended).tolist()}; reset(options="
                               "{'reset_mask': bool[N]}) first")
         worlds.set_actions(actions)
-        began = self._play()
+        began = self._in_turn(worlds.step, keep=False)
         terminations, truncations = pool.terminated.copy(), pool.truncated.copy()
         self._ended = ended = terminations | truncations
         without = None
@@ -130,27 +129,26 @@ class VectorEnv(BaseVectorEnv):
             self._opponents = pool.opponent.copy()
         return self._observations(without), worlds.rewards(), terminations, truncations, infos
 
-    def _play(self) -> bool:
-        """The step of the engine. Returns whether an episode began."""
+    def _in_turn(self, call: Callable[[], Any], keep: bool = True) -> Any:
+        """The result of a call for which the engine, with copy=False, writes into the other array.
+        keep: rows that it does not write stay as they are."""
         if self._other is None:
-            return self._worlds.step()
+            return call()
+        if keep:
+            self._other[...] = self._worlds.pool.observations
         self._turn()
         try:
-            return self._worlds.step()
-        except OSError:  # a recording could not be written: the step is complete otherwise
+            return call()
+        except OSError:  # a recording could not be written: the call is complete otherwise
             raise
-        except Exception:  # no world has moved
+        except Exception:  # no world has changed
             self._turn()
             raise
 
-    def _turn(self, keep: bool = False) -> None:
-        """With copy=False: the engine writes into the other array, which has the same if `keep`."""
-        if self._other is not None:
-            now = self._worlds.pool.observations
-            if keep:
-                self._other[...] = now
-            self._worlds.show_in(self._other)
-            self._other = now
+    def _turn(self) -> None:
+        now = self._worlds.pool.observations
+        self._worlds.show_in(self._other)
+        self._other = now
 
     def bind(self, **arrays: Any) -> None:
         """The engine reads and writes arrays of the caller from now on: contiguous and writable
@@ -211,18 +209,19 @@ class VectorEnv(BaseVectorEnv):
     def restore(self, index: int, snapshot: Snapshot) -> Any:
         """World `index` continues where the snapshot was taken, here or elsewhere (as Env.restore);
         returns its observation."""
-        self._turn(keep=True)
-        self._worlds.restore(index, snapshot)
+        self._in_turn(lambda: self._worlds.restore(index, snapshot))
         self._settle(index)
         return self._worlds.observe(index, ... if self._ended[index] else None)
 
     @alone
     def fork(self, index: int, into: Sequence[int]) -> None:
         """Puts other worlds into the situation of world `index`."""
-        self._turn(keep=True)
-        for other in into:
-            self._worlds.fork(index, other)
-            self._settle(other)
+        def copy_all() -> None:
+            for other in into:
+                self._worlds.fork(index, other)
+                self._settle(other)
+
+        self._in_turn(copy_all)
 
     def record(self, index: int, path: Optional[str]) -> None:
         """Writes the next episode of a world as a game log (rcg) and its commands as a text log
@@ -261,9 +260,9 @@ class VectorEnv(BaseVectorEnv):
         """final_obs and final_info of the worlds whose episodes have ended. `infos` has what they
         ended with, and becomes what the next episodes begin with."""
         ended = self._ended
-        rows = ended.nonzero()[0]
+        rows = _rows(ended)
         final = np.empty(self.num_envs, dtype=object)
-        for index in rows:
+        for index in ended.nonzero()[0]:
             final[index] = self._worlds.observe(index, ..., final=True)
         last = _only(infos, ended, self._worlds.mask_name)
         last["seed"][rows] = self._seeds.current[rows]
@@ -289,10 +288,16 @@ class VectorEnv(BaseVectorEnv):
         return mask.copy()
 
 
+def _rows(which: np.ndarray) -> Any:
+    """Where bool[N] is true: an index for arrays; a single integer takes a third of the time."""
+    rows = which.nonzero()[0]
+    return int(rows[0]) if len(rows) == 1 else rows
+
+
 def _only(infos: Info, which: np.ndarray, without: str = "") -> Info:
     """The infos of some worlds (bool[N]); zeros for the others and for the key `without`."""
     chosen: Info = {}
-    rows = which.nonzero()[0]
+    rows = _rows(which)
     for key, value in infos.items():
         if not key.startswith("_"):
             chosen[key] = some = np.zeros(value.shape, value.dtype)

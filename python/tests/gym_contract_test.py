@@ -539,6 +539,7 @@ class Buffers(unittest.TestCase):
                     last = now
                 self.assertEqual(len(places), 2)
                 self.assertRaises(cls_gym.ActionError, envs.step, None)
+                self.assertRaises(ValueError, envs.reset, options={"difficulty": 7})
                 kept, some = last.copy(), np.array([True, False, False])
                 seen, _ = envs.reset(options={"reset_mask": some})
                 np.testing.assert_array_equal(last, kept)
