@@ -215,8 +215,8 @@ Result<PlaymakerConnection> connect(const ReplayOptions& options, const ReplayRe
   return connect_playmaker(options.endpoint, setup);
 }
 
-// Asks the calls that the options select, up to a signal. False: no decision was among them.
-Result<bool> ask_all(const ReplayOptions& options, proto::RecordingReader& reader,
+// Asks the calls that the options select, up to a signal or an error of the file.
+Result<void> ask_all(const ReplayOptions& options, proto::RecordingReader& reader,
                      proxy::Playmaker& playmaker, const std::atomic<int>& stop_signal,
                      ReplayResult& result) {
   Replay replay(options, playmaker, result);
@@ -230,11 +230,17 @@ Result<bool> ask_all(const ReplayOptions& options, proto::RecordingReader& reade
     const auto rpc = proto::rpc_from_name(call.rpc());
     any_decision = any_decision || (rpc && is_decision(*rpc));
     TRY(replay.take(call));
+    if (!result.file_error.empty()) return {};
   }
 
   replay.finish_step();
-  if (!reader.parse_error().empty()) return Error{reader.parse_error()};
-  return any_decision;
+  result.file_error = reader.parse_error();
+  const bool selects = options.cycle || options.agent;
+  if (result.file_error.empty() && selects && !any_decision && !result.interrupted) {
+    result.file_error = fmt::format("{}: no decision of {} of the {} side", options.file,
+                                    selection(options), side_name(result.side));
+  }
+  return {};
 }
 
 Json json_of(const std::vector<ReplyDifference>& calls) {
@@ -253,22 +259,15 @@ Json json_of(const std::vector<ReplyDifference>& calls) {
 
 Result<ReplayResult> replay_recording(const ReplayOptions& options,
                                       const std::atomic<int>& stop_signal) {
-  std::string error;
-  const auto reader = proto::RecordingReader::open(options.file, error);
-  if (reader == nullptr) return Error{error};
-
   ReplayResult result;
+  const auto reader = proto::RecordingReader::open(options.file, result.file_error);
+  if (reader == nullptr) return result;
+
   result.header = reader->header();
   result.side = side_to_ask(options, result.header);
   std::optional<process::ProcessHost> host;
   TRY_INIT(const auto connection, connect(options, result, host));
-  TRY_INIT(const bool any_decision,
-           ask_all(options, *reader, *connection.playmaker, stop_signal, result));
-
-  if (!any_decision && !result.interrupted && (options.cycle || options.agent)) {
-    return Error{fmt::format("{}: no decision of {} of the {} side", options.file,
-                             selection(options), side_name(result.side))};
-  }
+  TRY(ask_all(options, *reader, *connection.playmaker, stop_signal, result));
   return result;
 }
 
