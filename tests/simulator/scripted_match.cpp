@@ -58,6 +58,7 @@ soccer::PlayerCommand decide(const World& world, const Player& player) {
     if (to_ball < 12.0) return go_to(player, ball_soon);
     return go_to(player, {-50.0 * sign(player.side), world.ball.position.y * 0.15});
   }
+
   if (player.slot() == nearest_to_ball(world, player.side)) {
     if (to_ball < 1.8 && world.clock.time % 3 == 0) {
       return soccer::Tackle{0.0, world.clock.time % 2 == 0};

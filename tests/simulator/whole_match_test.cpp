@@ -100,6 +100,7 @@ TEST(WholeMatch, PlaysWholeMatchWithAllEvents) {
 
   EXPECT_EQ(calls["half_time"], 10);
   EXPECT_EQ(calls["time_up"], 10);
+
   for (const char* call : {"goal", "kick_in", "corner_kick", "goal_kick", "free_kick", "offside",
                            "goalie_catch_ball", "foul_charge"}) {
     EXPECT_GT(calls[call], 0) << call;

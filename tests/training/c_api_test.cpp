@@ -89,6 +89,7 @@ TEST(TrainingCApi, ChecksBuffers) {
   buffers = pool.buffers;
   buffers.rewards.data = nullptr;
   expect_error(cls_training_bind(pool.handle, &buffers), CLS_TRAINING_BAD_POINTER, "rewards");
+
   buffers = pool.buffers;
   buffers.next_seeds.data = nullptr;
   expect_error(cls_training_bind(pool.handle, &buffers), CLS_TRAINING_BAD_POINTER, "next_seeds");
@@ -178,6 +179,7 @@ TEST(TrainingCApi, RefusesASecondThreadInsteadOfHanging) {
                    R"( "autoreset": "next_step", "threads": )" +
                        std::string(threads) + "}",
                    1);
+
     std::atomic<int> refused{0};
     std::atomic<int> others{0};
     std::vector<std::thread> callers;
@@ -192,6 +194,7 @@ TEST(TrainingCApi, RefusesASecondThreadInsteadOfHanging) {
         }
       });
     }
+
     for (std::thread& caller : callers) caller.join();
     EXPECT_GT(refused, 0) << threads;
     EXPECT_EQ(others, 0) << threads;

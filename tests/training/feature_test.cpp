@@ -58,6 +58,7 @@ TEST(TrainingFeatures, TeamsSeeMirroredWorldsAlike) {
 
   std::array<training::Scene, 2> scenes;
   std::array<std::vector<float>, 2> seen;
+
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     const soccer::Side side = i == 0 ? soccer::Side::kLeft : soccer::Side::kRight;
     training::fill_scene(world, side, setup->cast, scenes[i]);

@@ -126,6 +126,7 @@ Samples drawn_by_hfo(int draws, int attackers) {
   std::vector<Vec2> squares = {{-1, -1}, {-1, 1},  {1, 1},  {1, -1}, {0, 2},
                                {0, -2},  {-2, -2}, {-2, 2}, {2, 2},  {2, -2}};
   Samples samples;
+
   for (int i = 0; i < draws; ++i) {
     const Vec2 ball = {uniform(0.0, 0.2) * 52.5, uniform(-0.8, 0.8) * 34.0};
     add_point(samples, "ball", ball);
@@ -230,6 +231,7 @@ TEST(HalfFieldStart, AttackerAtTheBallIsTheOneAskedFor) {
 
   std::set<int> chosen;
   for (std::uint64_t seed = 0; seed < 40; ++seed) chosen.insert(at_ball(4, seed));
+
   EXPECT_EQ(chosen, (std::set<int>{7, 8, 11})) << "a random one where there are fewer";
 }
 

@@ -166,6 +166,7 @@ TEST_P(TrainingMatchServer, CommandsOfAnEpisodeGiveItsGameLog) {
   recorder.step(episode.world());
   ServerMatch match(episode);
   RandomActions actions(*setup);
+
   for (int cycle = 0; cycle < 120 && !episode.ended(); ++cycle) {
     episode.step(actions.draw(), &recorder);
     match.play_cycle(episode);
@@ -261,6 +262,7 @@ TEST_P(TrainingWorldModel, IsThatOfAClientOfAMatchServer) {
   episode.reset(5, setup->options);
   ServerMatch match(episode);
   std::vector<player::WorldModel> clients;
+
   for (std::size_t agent = 0; agent < setup->agent_count(); ++agent) {
     match.received(setup->cast.agents[agent]);  // of the handshake
     clients.push_back(*episode.world_model(agent));

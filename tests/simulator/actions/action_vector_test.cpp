@@ -197,6 +197,7 @@ TEST_F(CatchVector, GoalieCatchesBallAndMovesTwice) {
   stage.command(*goalie, "(move -41 3)");
   ASSERT_TRUE(stage.reply.has_value());
   EXPECT_EQ(std::get<soccer::ErrorReply>(*stage.reply).text, "too_many_moves");
+
   stage.step();
   expect_near(goalie->position, {-40, 3});
   EXPECT_EQ(goalie->counters.move, 3);

@@ -111,6 +111,7 @@ void expect_kick_noise(Vec2 ball, Vec2 ball_velocity, double power, double rate)
   const double limit = 0.1 * power / 100.0 * rate;
   Vec2 mean;
   std::vector<Vec2> pushes;
+
   for (int i = 0; i < kSamples; ++i) {
     player.command_done = false;
     stage.place_ball(player.position + ball, ball_velocity);

@@ -87,6 +87,7 @@ TEST_F(MatchTime, RestoresStaminaOnlyInNormalHalves) {
     player.stamina.recovery = 0.7;
     player.stamina.capacity = 100;
   };
+
   tire();
   play_half();
   tire();

@@ -86,11 +86,13 @@ TEST(IndirectFreeKick, ScoresOnlyAfterTouchOfSecondPlayer) {
     stage.set_mode(PlayMode::kIndirectFreeKickLeft);
     stage.command(kicker, "(kick 10 0)");
     stage.step();
+
     if (touched) {
       stage.place_ball(mate.position + Vec2{0.5, 0});
       stage.command(mate, "(kick 10 0)");
       stage.step();
     }
+
     stage.place_ball({52, 0}, {1, 0});
     stage.world.referee.touch.previous_ball = {52, 0};
     stage.step();

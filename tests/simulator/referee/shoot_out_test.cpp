@@ -101,6 +101,7 @@ TEST_F(ShootOut, AdvancesByTimeoutsWithoutKicks) {
              "93 penalty_setup", "164 penalty_ready", "175 penalty_miss", "186 penalty_setup"}));
   EXPECT_EQ(Calls(sideless.end() - 3, sideless.end()),
             (Calls{"1942 penalty_miss", "1942 penalty_draw", "1943 time_over"}));
+
   // Sides take turns.
   EXPECT_NE(calls[1].back(), calls[4].back());
   EXPECT_EQ(calls[1].back(), calls[7].back());

@@ -107,6 +107,7 @@ TEST(Replay, ReportsExactlyTheStepsOfShiftedRecords) {
   ASSERT_EQ(shifted, 100);
   const LogAgreement agreement = replay(logs);
   std::set<Place> reported;
+
   for (const Miss& miss : agreement.misses) {
     reported.insert({miss.clock.time, miss.clock.stoppage, miss.slot});
   }

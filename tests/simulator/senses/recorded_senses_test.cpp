@@ -195,6 +195,7 @@ class Comparison {
       compare_rounded("speed direction", recorded, exact, slot,
                       &soccer::SenseBody::speed_direction);
     }
+
     compare_rounded("head angle", recorded, exact, slot, &soccer::SenseBody::head_angle);
     computed.speed = recorded.speed;
     computed.speed_direction = recorded.speed_direction;

@@ -38,17 +38,20 @@ void set_player(Player& player, const gamelog::PlayerFrame& frame, const Timers&
   player.state = frame.state;
   player.enabled = player.has(state::kStand);
   player.goalie = player.has(state::kGoalie);
+
   player.type = frame.type;
   player.position = frame.position;
   player.velocity = frame.velocity;
   player.body = math::to_radians(frame.body);
   player.neck = math::to_radians(frame.neck);
+
   player.stamina = {frame.stamina, frame.effort, frame.recovery, frame.capacity};
   player.counters = frame.counts;
   player.kick_cycles = player.has(state::kKick | state::kKickFault) ? 0 : -1;
   player.tackle_cycles = timers.tackle;
   player.foul_cycles = timers.foul;
   player.arm.age = timers.arm;
+
   player.contacts = {player.has(state::kBallCollide), player.has(state::kPlayerCollide),
                      player.has(state::kPostCollide)};
   player.attention = frame.attention_side == Side::kNeutral

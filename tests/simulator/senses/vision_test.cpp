@@ -64,6 +64,7 @@ TEST_F(Vision, MatchesRcssserverForFocusedPlayer) {
 
   me.view.focus_distance = 10;
   me.view.focus_direction = math::to_radians(20);
+
   EXPECT_TRUE(can_be_seen(
       world, me,
       "(see 0 ((f c t) 4.2 15 0 0) ((f r t) 55.7 -27) ((f r b) 89.9 22) ((f g r b) 70.8 9) ((g r) "
@@ -74,10 +75,11 @@ TEST_F(Vision, MatchesRcssserverForFocusedPlayer) {
 }
 
 TEST_F(Vision, MatchesRcssserverForOldClient) {
-  place(world, Side::kRight, 1, {3, -37}, 0, 14);
-  me.view.focus_distance = 10;  // not used by this version
+  me.enabled = false;
+  Player& old = place(world, Side::kRight, 1, {3, -37}, 0, 14);
+  old.view.focus_distance = 10;  // not used by this version
   EXPECT_TRUE(can_be_seen(
-      world, me,
+      world, old,
       "(see 0 ((f r t) 49.4 3) ((f g r b) 66 42) ((g r) 61.6 37) ((f g r t) 58 31) ((f p r t) 37 "
       "27) ((f t r 10) 7.3 -16 0 0) ((f t r 20) 17.1 -7 0 0) ((f t r 30) 27.1 -4 0 0) ((f t r 40) "
       "37 -3) ((f t r 50) 47 -2) ((f r 0) 66 34) ((f r t 10) 60.9 26) ((f r t 20) 56.8 17) ((f r t "
@@ -171,6 +173,7 @@ TEST_F(Vision, IdentifiesPlayersByDistance) {
   EXPECT_NEAR(shares(-20, "(p \"RightTeam\" 7"), 0.5, 0.045);
   EXPECT_EQ(shares(-20, "(p \"RightTeam\""), 1.0);
   EXPECT_EQ(shares(-8, "(p \"RightTeam\" 7"), 0.0);
+
   me.client_version = 17;
   me.view.synchronous = true;
   EXPECT_NEAR(shares(0, "((p)"), 0.495, 0.045);  // 50 m is quantized to 49.9
@@ -224,6 +227,7 @@ TEST_F(Vision, PointingNoiseGrowsWithDistance) {
 
   // (10 / 125.1)^4 * 178.75 + 1.25 degrees, plus rounding to whole degrees.
   const double deviation = std::sqrt(1.2573 * 1.2573 + 1.0 / 12.0);
+
   EXPECT_NEAR(sum / count, 0.0, 4 * deviation / std::sqrt(count));
   EXPECT_NEAR(std::sqrt(square / count), deviation, 4 * deviation / std::sqrt(2.0 * count));
 }

@@ -146,6 +146,7 @@ TEST(UdpServer, IgnoresGarbage) {
   client.send_bytes(bytes);
   client.send_bytes(std::string("(turn 1)\0(turn 2)", 17));
   client.send("(say \"abc\")(done)");
+
   EXPECT_EQ(wait_for(client, "(hear 0 self"), "(hear 0 self \"abc\")");
 }
 
@@ -377,6 +378,7 @@ TEST(UdpServer, AnswersOnReceiptInSynchronousMode) {
     ASSERT_FALSE((message = coach.wait()).empty());
   }
   coach.send("(team_names)");
+
   EXPECT_THAT(coach.wait(), HasSubstr("ok "));
 }
 
@@ -406,6 +408,7 @@ TEST(UdpServer, SendsThinkToCoachesLateInSomeCycles) {
 
   EXPECT_EQ(running.stop(), UdpServerExit::kStopped);
   const int late = orders["(see_ (hear (thin "];
+
   EXPECT_EQ(orders["(see_ (thin (hear "] + late, 140);
   EXPECT_GT(late, 0);
   EXPECT_LT(late, 30);

@@ -171,6 +171,7 @@ TEST_F(CoachTest, SendsTeamGraphicsAndGoalieChangesToMonitors) {
   for (int x = 0; x < 32; ++x) {
     answers(left, "(team_graphic (" + std::to_string(x) + " 0 " + graphic + "))");
   }
+
   answers(left, "(team_graphic (0 1 " + graphic + "))");
   answers(left, "(team_graphic (0 0 " + graphic + "))");
   const ClientId monitor = connect("(dispinit version 4)");
@@ -253,6 +254,7 @@ TEST_F(CoachTest, DelaysMessagesOnlyDuringPlayOn) {
     EXPECT_EQ(heard(), "");
   }
   step();
+
   EXPECT_EQ(heard(), "(hear 3 online_coach_left (meta (ver 7)))");
 }
 
@@ -271,6 +273,7 @@ TEST(LockstepCoaches, AlternateWithPlayers) {
   coach->send("(eye on)");
   trainer->send("(start)");
   server->run_cycle();
+
   EXPECT_TRUE(server->awaits(kLeftCoach));
   EXPECT_FALSE(server->awaits(kTrainer));
   EXPECT_EQ(server->world().mode, PlayMode::kKickOffLeft);

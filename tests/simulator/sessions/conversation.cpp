@@ -234,6 +234,7 @@ void replay_conversation(const Conversation& conversation, Host& host) {
     } else {
       host.send(turn.client, turn.sent);
     }
+
     // The clock of a process runs freely: messages before and in the next cycle are one set.
     bool in_order = true;
     while (i + 1 < conversation.turns.size() && conversation.turns[i + 1].client.empty()) {
@@ -246,6 +247,7 @@ void replay_conversation(const Conversation& conversation, Host& host) {
         received.insert(received.end(), messages.begin(), messages.end());
       }
     }
+
     for (const std::string& client : host.clients()) {
       const auto found = turn.received.find(client);
       const std::size_t expected = found == turn.received.end() ? 0 : found->second.size();
@@ -254,11 +256,13 @@ void replay_conversation(const Conversation& conversation, Host& host) {
       if (std::find(ignored.begin(), ignored.end(), client) != ignored.end()) continue;
       expect_received(turn, client, received, in_order);
     }
+
     for (const auto& [client, message] : turn.latest) {
       const std::string latest = host.latest(client, message.substr(0, message.find(' ')));
       EXPECT_TRUE(matches(message, latest)) << "line " << turn.line << ", " << client
                                             << " received " << latest << " instead of " << message;
     }
+
     included.insert(included.end(), turn.included.begin(), turn.included.end());
   }
 }

@@ -183,6 +183,7 @@ TEST_F(MatchServerTest, SendsTypesAtFirstKickOffAndToLateClients) {
 
   connect("(init A (version 18))");
   const Texts greeting = messages(slot_);
+
   EXPECT_EQ(greeting.front(), "(init l 3 kick_off_l)");
   EXPECT_EQ(greeting[greeting.size() - 2], "(change_player_type 2 1)");
   EXPECT_EQ(greeting.back(), "(ok synch_see)");

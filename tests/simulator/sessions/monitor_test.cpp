@@ -135,6 +135,7 @@ TEST_F(MonitorTest, MovesDiscardsAndBooksPlayers) {
   server_->receive(monitor, "(dispdiscard 1 2)");
   EXPECT_FALSE(world().player(Side::kLeft, 2).enabled);
   EXPECT_TRUE(world().player(Side::kLeft, 2).has(state::kDiscard));
+
   server_->receive(monitor, "(dispcard 1 1 red)");
   EXPECT_FALSE(world().player(Side::kLeft, 1).enabled);
   // Players that are not connected are moved too, unknown players are not; any angle is accepted.

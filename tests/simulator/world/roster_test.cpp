@@ -133,6 +133,7 @@ TEST_F(Substitution, ChecksEveryRuleDuringMatch) {
 
   world.mode = PlayMode::kPlayOn;
   EXPECT_EQ(change(4, 14), "cannot_sub_while_playon");
+
   world.mode = PlayMode::kKickInLeft;
   world.clock.time = 8000;
   EXPECT_EQ(change(4, 14), "cannot_sub_while_penalty_shootouts");
