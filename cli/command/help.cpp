@@ -125,8 +125,8 @@ std::vector<std::string> option_groups(const Command& command) {
     if (option.group != kHidden) add_once(groups, option.group);
   }
 
-  std::ranges::stable_partition(groups,
-                                [](const std::string& group) { return group != kOutputGroup; });
+  std::stable_partition(groups.begin(), groups.end(),
+                        [](const std::string& group) { return group != kOutputGroup; });
   return groups;
 }
 

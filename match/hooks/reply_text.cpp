@@ -10,7 +10,6 @@
 #include <functional>
 #include <iterator>
 #include <map>
-#include <ranges>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -31,7 +30,7 @@ namespace {
 namespace pb = google::protobuf;
 
 constexpr std::size_t kMaxText = 120;
-constexpr int kMaxCandidates = 8;
+constexpr std::size_t kMaxCandidates = 8;
 
 // Three digits: 123, 12.3, 1.23, 0.123.
 std::string number_text(double value) {
@@ -188,7 +187,8 @@ std::string plan_text(const player::PlanChoice& choice) {
   const int chosen = replied ? proxy::first_action_of(plan, choice.node) : plan.first_of(plan.best);
 
   std::string text;
-  for (const auto& [node, value] : candidates | std::views::take(kMaxCandidates)) {
+  if (candidates.size() > kMaxCandidates) candidates.resize(kMaxCandidates);
+  for (const auto& [node, value] : candidates) {
     const player::PlanAction& action = plan.nodes[base::index(node)].action;
     text +=
         fmt::format("{} {} {} {} {}\n", node == chosen ? '*' : '-',

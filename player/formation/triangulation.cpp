@@ -49,12 +49,13 @@ std::vector<Triangle> triangulate(const std::vector<Vec2>& points) {
   std::vector<Triangle> triangles{{count, count + 1, count + 2}};
 
   for (std::size_t p = 0; p < count; ++p) {
-    const auto affected = std::ranges::partition(triangles, [&](const Triangle& t) {
-      return in_circle(all[t[0]], all[t[1]], all[t[2]], all[p]) <= 0.0;
-    });
+    const auto affected =
+        std::partition(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+          return in_circle(all[t[0]], all[t[1]], all[t[2]], all[p]) <= 0.0;
+        });
 
-    const std::vector<Triangle> broken(affected.begin(), affected.end());
-    triangles.erase(affected.begin(), affected.end());
+    const std::vector<Triangle> broken(affected, triangles.end());
+    triangles.erase(affected, triangles.end());
     for (const Edge& edge : boundary(broken)) triangles.push_back({edge.first, edge.second, p});
   }
 

@@ -34,7 +34,7 @@ std::map<int, std::string> table_in(const std::string& text, const std::regex& r
 
 TEST(ExitCode, ManualHasTheTableOfTheHeader) {
   const auto source = source_folder();
-  const auto header = cls::base::read_file(source / "cli" / "support" / "exit_code.h");
+  const auto header = cls::base::read_file(source / "cli" / "terminal" / "exit_code.h");
   const auto manual = cls::base::read_file(source / "docs" / "cli.md");
   ASSERT_TRUE(header && manual);
   const auto codes = table_in(*header, std::regex("k\\w+ = (\\d+), +///< ([^;\n]+)"));

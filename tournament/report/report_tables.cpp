@@ -7,7 +7,7 @@
 #include <cctype>
 #include <functional>
 #include <iterator>
-#include <ranges>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -408,7 +408,8 @@ ReportTable pauses_table(const Report& report) {
 ReportTable schedule_table(const Report& report) {
   constexpr std::size_t kListed = 40;
   ReportTable result;
-  for (const PlannedStart& start : report.timetable.starts | std::views::take(kListed)) {
+  const std::span<const PlannedStart> starts = report.timetable.starts;
+  for (const PlannedStart& start : starts.first(std::min(starts.size(), kListed))) {
     begin(result, "next matches",
           {{"match", Align::kRight}, {"start"}, {"server"}, {"stage"}, {"left"}, {"right"}});
     const Fixture& fixture = report.matches[base::index(start.match) - 1].fixture;

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <optional>
-#include <ranges>
 #include <string>
 #include <utility>
 #include <variant>
@@ -26,9 +25,9 @@ constexpr std::chrono::milliseconds kRestAfterResult{500};
 
 // The result comes after the last frame; rcssserver writes the teams once more after it.
 bool has_result(const gamelog::MatchRecord& record) {
-  for (const gamelog::Note& note : std::views::reverse(record.notes)) {
-    if (note.frame < record.frames()) return false;
-    const auto* message = std::get_if<gamelog::Message>(&note.content);
+  for (auto note = record.notes.rbegin(); note != record.notes.rend(); ++note) {
+    if (note->frame < record.frames()) return false;
+    const auto* message = std::get_if<gamelog::Message>(&note->content);
     if (message != nullptr && message->text.starts_with("(result ")) return true;
   }
   return false;
