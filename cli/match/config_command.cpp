@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/match/match_arguments.h"
+#include "cli/support/print_error.h"
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/json_stdout.h"
 
