@@ -55,6 +55,17 @@ struct PlayerSums {
   Sums opponent_ball;
 };
 
+// Of the field players that were there.
+std::vector<double> mean_x_of(const gamelog::MatchRecord& record, const PerPlayer<PlayerSums>& sums,
+                              std::size_t team) {
+  std::vector<double> mean_x;
+  for (const std::size_t slot : kTeamSlots[team]) {
+    if (sums[slot].all.count == 0 || was_goalie(record, slot)) continue;
+    mean_x.push_back(sums[slot].all.mean().x);
+  }
+  return mean_x;
+}
+
 }  // namespace
 
 double hull_area(std::vector<Vec2> points) {
@@ -180,13 +191,8 @@ PositionStats measure_positions(const Flow& flow) {
   }
 
   for (std::size_t team = 0; team < 2; ++team) {
-    std::vector<double> mean_x;
-    for (const std::size_t slot : kTeamSlots[team]) {
-      if (sums[slot].all.count == 0 || was_goalie(record, slot)) continue;
-      mean_x.push_back(sums[slot].all.mean().x);
-    }
     result.teams[team] = shapes[team].shape();
-    set_formation(mean_x, result.teams[team]);
+    set_formation(mean_x_of(record, sums, team), result.teams[team]);
   }
   return result;
 }

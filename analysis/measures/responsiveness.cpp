@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace cls::analysis {
 namespace {
+
+using gamelog::CommandKind;
 
 constexpr std::uint32_t kImmobile =
     gamelog::kStateTackle | gamelog::kStateTackleFailed | gamelog::kStateCharged;
@@ -15,10 +16,9 @@ constexpr std::uint32_t kImmobile =
 struct SentCommands {
   int datagrams = 0;
   int body = 0;
-  int kicks = 0;
-  int tackles = 0;
-  int turn_necks = 0;
-  bool done = false;
+  std::array<int, gamelog::kCommandKindCount> commands = {};  ///< by CommandKind
+
+  int count(CommandKind kind) const { return commands[base::index(kind)]; }
 };
 
 bool requests_foul(std::string_view arguments) {
@@ -32,29 +32,16 @@ void add_datagram(std::string_view datagram, SentCommands& sent, Responsiveness&
   gamelog::CommandCursor cursor(datagram);
   gamelog::LoggedCommand command;
   while (cursor.next(command)) {
+    ++sent.commands[base::index(command.kind)];
     ++player.commands[base::index(command.kind)];
     sent.body += gamelog::is_body_command(command.kind);
 
-    switch (command.kind) {
-      case gamelog::CommandKind::kKick:
-        ++sent.kicks;
-        break;
-      case gamelog::CommandKind::kTackle:
-        ++sent.tackles;
-        player.intentional_fouls += requests_foul(command.arguments);
-        break;
-      case gamelog::CommandKind::kTurnNeck:
-        ++sent.turn_necks;
-        break;
-      case gamelog::CommandKind::kDone:
-        sent.done = true;
-        break;
-      case gamelog::CommandKind::kSay:
-        player.say_characters += static_cast<int>(command.arguments.size()) -
-                                 (command.arguments.starts_with('"') ? 2 : 0);
-        break;
-      default:
-        break;
+    if (command.kind == CommandKind::kTackle) {
+      player.intentional_fouls += requests_foul(command.arguments);
+    }
+    if (command.kind == CommandKind::kSay) {
+      player.say_characters +=
+          static_cast<int>(command.arguments.size()) - (command.arguments.starts_with('"') ? 2 : 0);
     }
   }
 }
@@ -117,7 +104,7 @@ class LogWalker {
     Responsiveness& player = players_[slot];
     ++player.steps;
     player.answered += sent.datagrams > 0;
-    player.silent += synchronous_ ? !sent.done : sent.datagrams == 0;
+    player.silent += synchronous_ ? sent.count(CommandKind::kDone) == 0 : sent.datagrams == 0;
 
     // While the clock is stopped, only turns have an effect, and players do not need them.
     const bool could_act =
@@ -129,13 +116,13 @@ class LogWalker {
     was_double_[slot] = sent.body > 1;
     was_idle_[slot] = idle && could_act;
 
-    const auto rejected = [&](int asked, gamelog::Counter counter) {
-      return std::max(0, asked - increase(entry, counter));
+    const auto rejected = [&](CommandKind kind, gamelog::Counter counter) {
+      return std::max(0, sent.count(kind) - increase(entry, counter));
     };
-    player.rejected_kicks += rejected(sent.kicks, gamelog::Counter::kKick);
-    player.rejected_turn_necks += rejected(sent.turn_necks, gamelog::Counter::kTurnNeck);
+    player.rejected_kicks += rejected(CommandKind::kKick, gamelog::Counter::kKick);
+    player.rejected_turn_necks += rejected(CommandKind::kTurnNeck, gamelog::Counter::kTurnNeck);
     if (record_.version >= gamelog::RcgVersion::kV4) {
-      player.rejected_tackles += rejected(sent.tackles, gamelog::Counter::kTackle);
+      player.rejected_tackles += rejected(CommandKind::kTackle, gamelog::Counter::kTackle);
     }
   }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 
 #include "analysis/play/flow.h"
 #include "gamelog/rcl/logged_commands.h"

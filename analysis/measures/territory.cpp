@@ -2,7 +2,6 @@
 #include "analysis/measures/territory.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "analysis/play/pitch_areas.h"

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <string_view>
 
 #include "analysis/play/flow.h"
 #include "analysis/play/shots.h"

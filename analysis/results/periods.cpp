@@ -2,7 +2,6 @@
 #include "analysis/results/periods.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "analysis/results/match_summary.h"
 #include "soccer/play_mode.h"

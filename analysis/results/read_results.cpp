@@ -1,7 +1,6 @@
 // Reads and summarizes logs on several threads.
 #include "analysis/results/read_results.h"
 
-#include <optional>
 #include <utility>
 
 #include "base/system/parallel.h"

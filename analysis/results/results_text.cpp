@@ -160,41 +160,47 @@ base::Table text_table(const std::vector<MatchSummary>& matches) {
   return table;
 }
 
+std::string penalties_text(const MatchSummary& match, std::size_t team) {
+  return match.penalties ? std::to_string(match.teams[team].penalty_score) : "";
+}
+
+struct CsvColumn {
+  std::string_view heading;
+  std::string (*text)(const MatchSummary& m);
+};
+
+// clang-format off
+constexpr CsvColumn kCsvColumns[] = {
+    {"file", [](auto& m) { return m.file; }},
+    {"date", [](auto& m) { return m.date; }},
+    {"version", [](auto& m) { return m.version; }},
+    {"left", [](auto& m) { return m.teams[0].name; }},
+    {"right", [](auto& m) { return m.teams[1].name; }},
+    {"left_score", [](auto& m) { return std::to_string(m.teams[0].score); }},
+    {"right_score", [](auto& m) { return std::to_string(m.teams[1].score); }},
+    {"left_penalties", [](auto& m) { return penalties_text(m, 0); }},
+    {"right_penalties", [](auto& m) { return penalties_text(m, 1); }},
+    {"winner", [](auto& m) { return std::string(winner_name(m.winner)); }},
+    {"complete", [](auto& m) { return std::string(m.complete ? "true" : "false"); }},
+    {"cycles", [](auto& m) { return std::to_string(m.cycles); }},
+    {"goals", goals_text},
+    {"cards", cards_text},
+    {"substitutions", substitutions_text},
+    {"disconnections", [](auto& m) { return players_text(m.disconnections); }},
+    {"late_starts", [](auto& m) { return players_text(m.late_starts); }},
+    {"never_connected", [](auto& m) { return players_text(m.never_connected); }},
+    {"damage", [](auto& m) { return std::to_string(m.parse_errors); }},
+    {"end_reason", [](auto& m) { return m.end_reason; }},
+};
+// clang-format on
+
 base::Table csv_table(const std::vector<MatchSummary>& matches) {
   base::Table table;
-  table.add_columns({"file",           "date",           "version",
-                     "left",           "right",          "left_score",
-                     "right_score",    "left_penalties", "right_penalties",
-                     "winner",         "complete",       "cycles",
-                     "goals",          "cards",          "substitutions",
-                     "disconnections", "late_starts",    "never_connected",
-                     "damage",         "end_reason"});
-
+  for (const CsvColumn& column : kCsvColumns) table.add_column(std::string(column.heading));
   for (const MatchSummary& match : matches) {
-    const auto& [left, right] = match.teams;
-    const auto penalties = [&match](const TeamSummary& team) {
-      return match.penalties ? std::to_string(team.penalty_score) : std::string();
-    };
-    table.add_row({match.file,
-                   match.date,
-                   match.version,
-                   left.name,
-                   right.name,
-                   std::to_string(left.score),
-                   std::to_string(right.score),
-                   penalties(left),
-                   penalties(right),
-                   std::string(winner_name(match.winner)),
-                   match.complete ? "true" : "false",
-                   std::to_string(match.cycles),
-                   goals_text(match),
-                   cards_text(match),
-                   substitutions_text(match),
-                   players_text(match.disconnections),
-                   players_text(match.late_starts),
-                   players_text(match.never_connected),
-                   std::to_string(match.parse_errors),
-                   match.end_reason});
+    std::vector<std::string> cells;
+    for (const CsvColumn& column : kCsvColumns) cells.push_back(column.text(match));
+    table.add_row(std::move(cells));
   }
   return table;
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
 
@@ -39,8 +38,8 @@ constexpr std::size_t kNumbersOfPlayer = 5;
 [[noreturn]] void fail(const std::string& what) { throw std::runtime_error(what); }
 
 const Json& member(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  if (found == object.end()) fail(fmt::format("'{}' is missing", key));
+  const Json* found = object.find(key);
+  if (found == nullptr) fail(fmt::format("'{}' is missing", key));
   return *found;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "analysis/results/match_summary.h"
 #include "analysis/statistics/match_statistics.h"

@@ -4,7 +4,6 @@
 #include <fmt/args.h>
 #include <fmt/format.h>
 
-#include <string>
 #include <vector>
 
 #include "analysis/results/results_text.h"

@@ -1,50 +1,41 @@
 // Reads the lines of the log again, because the record has types by number and not in order.
 #include "analysis/tables/log_tables.h"
 
-#include <array>
+#include <fmt/format.h>
+
+#include <string_view>
+#include <variant>
+#include <vector>
 
 #include "base/text/number_text.h"
+#include "base/text/split.h"
 #include "soccer/messages/parameter_message.h"
 #include "soccer/parameters/player_type.h"
 
 namespace cls::analysis {
 namespace {
 
-using soccer::PlayerType;
-
-constexpr const char* kHeading =
-    "id,player_speed_max,stamina_inc_max,player_decay,inertia_moment,dash_power_rate,player_size,"
+// Behind the column "id".
+constexpr std::string_view kTypeColumns =
+    "player_speed_max,stamina_inc_max,player_decay,inertia_moment,dash_power_rate,player_size,"
     "kickable_margin,kick_rand,extra_stamina,effort_max,effort_min,kick_power_rate,"
-    "foul_detect_probability,catchable_area_l_stretch\n";
-
-constexpr std::array kValues = {&PlayerType::player_speed_max,
-                                &PlayerType::stamina_inc_max,
-                                &PlayerType::player_decay,
-                                &PlayerType::inertia_moment,
-                                &PlayerType::dash_power_rate,
-                                &PlayerType::player_size,
-                                &PlayerType::kickable_margin,
-                                &PlayerType::kick_rand,
-                                &PlayerType::extra_stamina,
-                                &PlayerType::effort_max,
-                                &PlayerType::effort_min,
-                                &PlayerType::kick_power_rate,
-                                &PlayerType::foul_detect_probability,
-                                &PlayerType::catchable_area_l_stretch};
+    "foul_detect_probability,catchable_area_l_stretch";
 
 }  // namespace
 
 std::string player_type_table(const gamelog::MatchRecord& record) {
+  const std::vector<std::string_view> columns = base::split(kTypeColumns, ',');
   std::string table;
   for (const std::string& line : record.parameter_lines) {
-    if (!line.starts_with("(player_type ")) continue;
-    PlayerType type;
-    if (!soccer::parse(line, type)) continue;
-    if (table.empty()) table = kHeading;
+    soccer::PlayerType type;
+    if (!line.starts_with("(player_type ") || !soccer::parse(line, type)) continue;
+
+    if (table.empty()) table = fmt::format("id,{}\n", kTypeColumns);
     base::append_int(type.id, table);
-    for (const auto value : kValues) {
+    for (const std::string_view column : columns) {
+      const auto* row = soccer::find_parameter(soccer::player_type_table(), column);
       table += ',';
-      base::append_g(type.*value, table);
+      base::append_g(type.*std::get<double soccer::PlayerType::*>(row->member), table);
     }
     table += '\n';
   }

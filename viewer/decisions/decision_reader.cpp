@@ -85,7 +85,7 @@ class Reader {
  private:
   struct Player {
     std::vector<DecisionSample>* samples = nullptr;
-    DecisionStates states;
+    std::vector<ColumnState> states = decision_states();
     std::array<TextShapes, kDecisionTexts.size()> shapes;
     std::array<std::size_t, kDecisionTexts.size()> texts{};  ///< how many decisions have them
     std::size_t latencies = 0;                               ///< how many decisions have one
@@ -125,7 +125,7 @@ class Reader {
     std::size_t index = 0;
     for (const DecisionColumnSpec& column : decision_columns()) {
       const CodingInput input{column.coding, std::int64_t{180} * column.scale, nullptr};
-      const Integers values = decode_column(input, count, player->states.of(index++), in);
+      const Integers values = decode_column(input, count, player->states[index++], in);
       if (!in.good()) return corrupt(fmt::format("column {}", column.name));
       for (std::size_t i = 0; i < values.size(); ++i) {
         const double value = static_cast<double>(values[i]) / column.scale;

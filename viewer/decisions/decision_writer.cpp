@@ -81,8 +81,10 @@ Json columns_json() {
 
 }  // namespace
 
-DecisionStates::DecisionStates() {
-  for (const DecisionColumnSpec& column : decision_columns()) states_.emplace_back(column.series);
+std::vector<ColumnState> decision_states() {
+  std::vector<ColumnState> states;
+  for (const DecisionColumnSpec& column : decision_columns()) states.emplace_back(column.series);
+  return states;
 }
 
 DecisionWriter::Player& DecisionWriter::player_of(int unum) {
@@ -122,7 +124,7 @@ std::string DecisionWriter::numbers_of(int unum) {
   std::size_t index = 0;
   for (const DecisionColumnSpec& column : decision_columns()) {
     const CodingInput input{column.coding, std::int64_t{180} * column.scale, nullptr};
-    encode_column(input, integers_of(player.samples, column), player.states.of(index++), contents);
+    encode_column(input, integers_of(player.samples, column), player.states[index++], contents);
   }
   return contents;
 }

@@ -25,14 +25,7 @@ constexpr std::array<std::string DecisionSample::*, 4> kDecisionTexts = {
 constexpr std::size_t kDecisionBlock = 512;
 
 /// The states of a player's columns. Writers and readers go through the same states.
-class DecisionStates {
- public:
-  DecisionStates();
-  ColumnState& of(std::size_t column) { return states_[column]; }
-
- private:
-  std::vector<ColumnState> states_;
-};
+std::vector<ColumnState> decision_states();
 
 /// Each function appends complete chunks to `out`.
 class DecisionWriter {
@@ -47,7 +40,7 @@ class DecisionWriter {
 
  private:
   struct Player {
-    DecisionStates states;
+    std::vector<ColumnState> states = decision_states();
     std::array<TextShapes, kDecisionTexts.size()> shapes;
     std::array<UnnumberedPlayer, kUnnumberedSlots> unnumbered;  ///< as in the last sample
     std::vector<SlottedSample> samples;                         ///< not written yet

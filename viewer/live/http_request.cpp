@@ -2,7 +2,6 @@
 #include "viewer/live/http_request.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <optional>
 
 #include "base/text/split.h"

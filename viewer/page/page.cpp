@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "base/index.h"
 #include "base/io/byte_source.h"
@@ -15,7 +14,6 @@
 #include "base/text/replace_all.h"
 #include "base/text/xml.h"
 #include "gamelog/rcg/rcg_reader.h"
-#include "soccer/side.h"
 #include "viewer/page/encoding.h"
 #include "viewer/page/viewer_program.h"
 #include "viewer/stream/chunk.h"
@@ -112,19 +110,16 @@ std::string page_start(const std::string& title, const std::string& without_scri
   return page;
 }
 
-std::string data_element(std::string_view kind, std::string_view prefix, soccer::Side side,
-                         const std::string& packed) {
-  const std::string data = base64(packed);
-  return fmt::format(
-      "<script type=\"application/cls-{0};base64\" id=\"{1}{0}-{2}\" "
-      "data-length=\"{3}\">{4}</script>\n",
-      kind, prefix, soccer::side_name(side), data.size(), data);
-}
-
 // `parts`: decisions or drawings of sides.
 std::string elements_of(std::string_view kind, std::string_view prefix, const auto& parts) {
   std::string elements;
-  for (const auto& [side, packed] : parts) elements += data_element(kind, prefix, side, packed);
+  for (const auto& [side, packed] : parts) {
+    const std::string data = base64(packed);
+    elements += fmt::format(
+        "<script type=\"application/cls-{0};base64\" id=\"{1}{0}-{2}\" "
+        "data-length=\"{3}\">{4}</script>\n",
+        kind, prefix, soccer::side_name(side), data.size(), data);
+  }
   return elements;
 }
 
@@ -134,10 +129,6 @@ std::string_view script_of(const PageSettings& settings,
   if (settings.compared) return comparison_script();
   if (!decisions.empty()) return debugger_script();
   return settings.drawings.empty() ? viewer_script() : drawings_script();
-}
-
-base::Error in_file(const std::string& path, const base::Error& error) {
-  return base::Error{path + ": " + error.message};
 }
 
 }  // namespace
@@ -233,7 +224,7 @@ base::Result<StreamMatch> read_log_or_page(const std::string& path) {
   }
 
   auto match = read_page_or_stream(input);
-  if (!match) return in_file(path, match.error());
+  if (!match) return base::Error{path + ": " + match.error().message};
   return match;
 }
 

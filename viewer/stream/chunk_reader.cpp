@@ -10,7 +10,6 @@
 #include "base/text/json.h"
 #include "gamelog/record/record_builder.h"
 #include "soccer/messages/parameter_message.h"
-#include "viewer/stream/chunk.h"
 
 namespace cls::viewer {
 namespace {

@@ -1,7 +1,6 @@
 // Differences, predictions and lists of changes.
 #include "viewer/stream/column_codec.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace cls::viewer {

@@ -18,35 +18,28 @@ constexpr std::array<double, 9> kSpeeds = {0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50};
 constexpr int kHeadRows = 1;
 constexpr int kFootRows = 2;
 
-constexpr std::array<std::pair<std::string_view, Key>, 27> kKeys = {{
-    {" ", Key::kPlay},
-    {"\x1b[D", Key::kBack},
-    {"\x1b[C", Key::kForward},
-    {"\x1bOD", Key::kBack},
-    {"\x1bOC", Key::kForward},
-    {"\x1b[B", Key::kBackTen},
-    {"\x1b[A", Key::kForwardTen},
-    {"\x1bOB", Key::kBackTen},
-    {"\x1bOA", Key::kForwardTen},
-    {"\x1b[H", Key::kStart},
-    {"\x1b[F", Key::kEnd},
-    {"\x1bOH", Key::kStart},
-    {"\x1bOF", Key::kEnd},
-    {"\x1b[1~", Key::kStart},
-    {"\x1b[4~", Key::kEnd},
-    {"\x1b[7~", Key::kStart},
-    {"\x1b[8~", Key::kEnd},
-    {"\x1b[1;2D", Key::kBackTen},
-    {"\x1b[1;2C", Key::kForwardTen},
-    {",", Key::kSlower},
-    {".", Key::kFaster},
-    {"g", Key::kNextGoal},
-    {"G", Key::kPreviousGoal},
-    {"N", Key::kLive},
-    {"q", Key::kQuit},
-    {"Q", Key::kQuit},
-    {"\x03", Key::kQuit},
-}};
+/// The bytes that terminals send for a key, and the frames that it moves by.
+struct KeyRow {
+  Key key;
+  std::array<std::string_view, 4> bytes;
+  double step = 0.0;
+};
+
+constexpr KeyRow kKeys[] = {
+    {Key::kPlay, {" "}},
+    {Key::kBack, {"\x1b[D", "\x1bOD"}, -1},
+    {Key::kForward, {"\x1b[C", "\x1bOC"}, 1},
+    {Key::kBackTen, {"\x1b[B", "\x1bOB", "\x1b[1;2D"}, -10},
+    {Key::kForwardTen, {"\x1b[A", "\x1bOA", "\x1b[1;2C"}, 10},
+    {Key::kStart, {"\x1b[H", "\x1bOH", "\x1b[1~", "\x1b[7~"}},
+    {Key::kEnd, {"\x1b[F", "\x1bOF", "\x1b[4~", "\x1b[8~"}},
+    {Key::kSlower, {","}},
+    {Key::kFaster, {"."}},
+    {Key::kNextGoal, {"g"}},
+    {Key::kPreviousGoal, {"G"}},
+    {Key::kLive, {"N"}},
+    {Key::kQuit, {"q", "Q", "\x03"}},
+};
 
 std::string team_name(const gamelog::TeamFrame& team, const char* otherwise) {
   return team.name.empty() ? otherwise : team.name;
@@ -87,9 +80,10 @@ std::vector<Key> take_keys(std::string& bytes) {
     const std::size_t length = sequence_length(bytes);
     if (length == 0) break;
 
-    const auto known = std::ranges::find(kKeys, std::string_view(bytes).substr(0, length),
-                                         &std::pair<std::string_view, Key>::first);
-    if (known != kKeys.end()) keys.push_back(known->second);
+    const auto known = std::ranges::find_if(kKeys, [&](const KeyRow& row) {
+      return std::ranges::find(row.bytes, bytes.substr(0, length)) != row.bytes.end();
+    });
+    if (known != std::end(kKeys)) keys.push_back(known->key);
     bytes.erase(0, length);
   }
   return keys;
@@ -129,13 +123,10 @@ void MatchScreen::press(Key key) {
       break;
 
     case Key::kBack:
-      return step(-1);
     case Key::kForward:
-      return step(1);
     case Key::kBackTen:
-      return step(-10);
     case Key::kForwardTen:
-      return step(10);
+      return step(std::ranges::find(kKeys, key, &KeyRow::key)->step);
     case Key::kStart:
       return step(-at_);
     case Key::kEnd:

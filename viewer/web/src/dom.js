@@ -10,8 +10,9 @@ export function element(tag, properties = {}, ...children) {
     else if (value === true) made.setAttribute(name, '');
     else if (value !== false && value !== null && value !== undefined) made.setAttribute(name, String(value));
   }
-  const nodes = children.map((child) => (child instanceof Node ? child : document.createTextNode(String(child))));
-  made.append(...nodes);
+  made.append(
+    ...children.map((child) => (child instanceof Node ? child : document.createTextNode(String(child)))),
+  );
   return made;
 }
 
