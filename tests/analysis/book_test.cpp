@@ -36,7 +36,9 @@ Book small_book(int each) {
       if (situation.kind == SituationClass::kSetPlay) {
         situation.mode = soccer::PlayMode::kCornerKickLeft;
       }
+
       situation.players[3] = {1, 4000.25, 1.0, 0.9, 130600.0};
+
       BookFrame frame;
       frame.ball = {12.3456, -7.0};
       frame.players[21] = {{-3.5, 2.25}, {0.125, -0.25}, -179.5};
@@ -78,8 +80,10 @@ TEST(BookFile, NamesLineAndKeyOfAnError) {
   const auto error = [&](const std::string& what, const std::string& by) {
     return tests::error_of(parse_book(replaced(text, what, by)));
   };
+
   EXPECT_EQ(error("cls.book/1", "cls.book/9"),
             "line 1: format 'cls.book/9' is unknown; this version reads cls.book/1");
+  EXPECT_EQ(error("\"seed\":7", "\"sed\":7"), "line 1: 'seed' is missing");
   EXPECT_EQ(error("\"warm_up\":1", "\"warm_up\":2"),
             "line 2: 'frames' has 2 elements instead of 3");
   EXPECT_EQ(error("\"class\":\"attack\"", "\"class\":\"rest\""),
@@ -109,15 +113,19 @@ TEST(SituationsOfBook, AreThoseOfOneLogAndOfAllClasses) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const auto drawn = situations_of(book, seed, 4);
     ASSERT_EQ(drawn.size(), 4);
+
     std::set<SituationClass> kinds;
     for (const Situation* one : drawn) {
       kinds.insert(one->kind);
       EXPECT_EQ(one->log, drawn.front()->log);
     }
+
     EXPECT_EQ(kinds.size(), kSituationClasses);
+
     logs.insert(drawn.front()->log);
     EXPECT_EQ(situations_of(book, seed, 4), drawn);
   }
+
   EXPECT_EQ(logs.size(), 2);
 }
 
@@ -138,6 +146,7 @@ gamelog::MatchRecord ping_pong(int cycles) {
   frame.mode = soccer::PlayMode::kPlayOn;
   frame.teams[0].name = "a";
   frame.teams[1].name = "b";
+
   for (std::size_t slot = 0; slot < frame.players.size(); ++slot) {
     gamelog::PlayerFrame& player = frame.players[slot];
     player.state = gamelog::kStateEnabled;
@@ -146,6 +155,7 @@ gamelog::MatchRecord ping_pong(int cycles) {
   }
   frame.players[1].state |= gamelog::kStateGoalie;
   frame.players[11].state |= gamelog::kStateGoalie;
+
   for (int time = 1; time <= cycles; ++time) {
     frame.time = time;
     const bool left = time / 100 % 2 == 0;
@@ -156,6 +166,7 @@ gamelog::MatchRecord ping_pong(int cycles) {
     player.state |= gamelog::kStateKick;
     player.position = frame.ball_position;
     ++player.counts.kick;
+
     frame.mode = time % 200 >= 150 && time % 200 < 180 ? soccer::PlayMode::kKickInRight
                                                        : soccer::PlayMode::kPlayOn;
     builder.append_frame(frame);
@@ -175,6 +186,7 @@ TEST(BookMaker, FindsMomentsOfEachClassAndBalancesThem) {
   for (const Situation& one : book.situations) {
     ++counts[one.kind];
     ASSERT_EQ(one.frames.size(), 6);
+
     const double x = one.frames.back().ball.x;
     EXPECT_TRUE(one.kind != SituationClass::kAttack || x > 30.0) << x;
     EXPECT_TRUE(one.kind != SituationClass::kDefense || x < -30.0) << x;
@@ -183,6 +195,7 @@ TEST(BookMaker, FindsMomentsOfEachClassAndBalancesThem) {
     EXPECT_DOUBLE_EQ(one.frames.back().players[0].position.y, -20.0);
     EXPECT_DOUBLE_EQ(one.frames.back().players[1].position.y, -25.0);
   }
+
   EXPECT_GE(counts.size(), 3);
 
   for (const auto& [kind, count] : counts) EXPECT_EQ(count, counts.begin()->second) << name(kind);
@@ -218,6 +231,7 @@ TEST(SituationFigures, ShowBallPossessionAndGoals) {
   gamelog::MatchRecord record = ping_pong(99);
   const Flow flow = build_flow(record);
   const SituationFigures figures = figures_of(flow, 0, record.frames());
+
   EXPECT_NEAR(figures.mean_ball_x, 35.0 / 52.5, 1e-6);
   EXPECT_DOUBLE_EQ(figures.end_possession, 1.0);
   EXPECT_GT(figures.mean_possession, 0.9);
@@ -234,6 +248,7 @@ TEST(SituationFigures, ShowBallPossessionAndGoals) {
   gamelog::RecordBuilder(scored).append_frame(frame);
   const Flow with_goal = build_flow(scored);
   const SituationFigures after = figures_of(with_goal, 0, scored.frames());
+
   EXPECT_DOUBLE_EQ(after.goals, -1.0);
   EXPECT_DOUBLE_EQ(after.end_possession, 0.0);
   EXPECT_DOUBLE_EQ(after.end_danger, 0.0);

@@ -42,6 +42,10 @@ std::vector<json> tracking_of(const CdfMatch& match) {
   return lines_of(sink.bytes());
 }
 
+void expect_members(const json& object, const json& expected) {
+  for (const auto& [key, value] : expected.items()) EXPECT_EQ(object[key], value) << key;
+}
+
 void expect_schemas(const gamelog::MatchRecord& record) {
   const CdfMatch match(record, "a/b");
   EXPECT_THAT(errors_of("match", json::parse(cdf_match_document(match))), IsEmpty());
@@ -85,15 +89,17 @@ TEST(Cdf, EmptyAndNamelessMatchesFitTheSchemas) {
   expect_schemas(nameless.record());
 }
 
-// What the schemas demand is really checked.
+// The schemas do not accept everything.
 TEST(Cdf, SchemasFindErrors) {
   EXPECT_THAT(errors_of("tracking", json::object()), testing::Not(IsEmpty()));
+
   ScriptedMatch match;
   const auto errors_with = [&](auto change) {
     json frame = tracking_of(CdfMatch(match.record(), "m"))[0];
     change(frame);
     return errors_of("tracking", frame);
   };
+
   EXPECT_THAT(errors_with([](json& frame) { frame["ball"]["x"] = "0"; }),
               ElementsAre("/ball/x: must be [\"number\",\"null\"]"));
   EXPECT_THAT(errors_with([](json& frame) { frame["period"] = "third_half"; }),
@@ -110,13 +116,14 @@ TEST(Cdf, FramesHaveThePitchAroundTheOriginAndUpwards) {
   match.kick(left(5), {1, 0.5});
   const CdfMatch cdf(match.record(), "m");
   const json frame = tracking_of(cdf)[1];
-  EXPECT_EQ(frame["frame_id"], 1);
-  EXPECT_EQ(frame["timestamp"], "1970-01-01T00:00:00.100Z");
-  EXPECT_EQ(frame["period"], "first_half");
-  EXPECT_EQ(frame["match"]["id"], "m");
-  EXPECT_EQ(frame["ball_status"], true);
-  EXPECT_EQ(frame["ball_poss_team_id"], "A");
-  EXPECT_EQ(frame["ball"], (json{{"x", 1}, {"y", -0.5}, {"z", 0}}));
+
+  expect_members(frame, {{"frame_id", 1},
+                         {"timestamp", "1970-01-01T00:00:00.100Z"},
+                         {"period", "first_half"},
+                         {"match", {{"id", "m"}}},
+                         {"ball_status", true},
+                         {"ball_poss_team_id", "A"},
+                         {"ball", {{"x", 1}, {"y", -0.5}, {"z", 0}}}});
   EXPECT_EQ(frame["teams"]["home"]["players"].size(), 10u) << "left 2 is not connected";
   EXPECT_EQ(frame["teams"]["away"]["players"][10],
             (json{{"id", "B_11"}, {"x", 3}, {"y", -4}, {"vel", 5}}));
@@ -129,15 +136,16 @@ TEST(Cdf, EventsHaveReceiversAndFrames) {
   match.kick(left(6), {0.1, 0});
   const CdfMatch cdf(match.record(), "m");
   const std::vector<json> events = lines_of(cdf_events(cdf));
+
   ASSERT_EQ(events.size(), 1u);
-  const json& event = events[0]["event"];
-  EXPECT_EQ(event["id"], "m_0");
-  EXPECT_EQ(event["type"], "pass");
-  EXPECT_EQ(event["is_successful"], true);
-  EXPECT_EQ(event["player_id"], "A_5");
-  EXPECT_EQ(event["receiver_id"], "A_6");
-  EXPECT_EQ(event["receiver_time"], "1970-01-01T00:00:00.300Z");
-  EXPECT_EQ(event["match_clock"], "00:00.20");
+
+  expect_members(events[0]["event"], {{"id", "m_0"},
+                                      {"type", "pass"},
+                                      {"is_successful", true},
+                                      {"player_id", "A_5"},
+                                      {"receiver_id", "A_6"},
+                                      {"receiver_time", "1970-01-01T00:00:00.300Z"},
+                                      {"match_clock", "00:00.20"}});
   EXPECT_EQ(events[0]["tracking"], (json{{"frame_id", 1}, {"frame_id_end", 3}}));
 }
 
@@ -155,13 +163,15 @@ TEST(Cdf, DocumentsHavePeriodsGoalsAndResult) {
   const CdfMatch cdf(match.record(), "m");
   const json sheet = json::parse(cdf_match_document(cdf));
   const json& result = sheet["match"]["result"];
-  EXPECT_EQ(result["final"], (json{{"home", 1}, {"away", 0}}));
-  EXPECT_EQ(result["first_half"], (json{{"home", 0}, {"away", 0}}));
-  EXPECT_EQ(result["second_half"], (json{{"home", 1}, {"away", 0}}));
-  EXPECT_EQ(result["final_winning_team_id"], "A");
+
+  expect_members(result, {{"final", {{"home", 1}, {"away", 0}}},
+                          {"first_half", {{"home", 0}, {"away", 0}}},
+                          {"second_half", {{"home", 1}, {"away", 0}}},
+                          {"final_winning_team_id", "A"}});
   ASSERT_EQ(sheet["events"]["goals"].size(), 1u);
   EXPECT_EQ(sheet["events"]["goals"][0]["player_id"], "A_9");
   EXPECT_EQ(sheet["events"]["goals"][0]["period"], "second_half");
+
   const json meta = json::parse(cdf_meta_document(cdf));
   EXPECT_EQ(meta["match"]["kickoff_time"], "2026-07-30T14:15:00.000Z");
   ASSERT_EQ(meta["match"]["periods"].size(), 2u);

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <vector>
 
 #include "tests/fuzz/log_checks.h"
 #include "tests/fuzz/table_checks.h"

@@ -28,6 +28,7 @@ TEST(Flow, FindsTouchesWithContactAndLaunch) {
   match.steps(2);
   match.tackle(right(7), {-2.0, 0.0});
   const Flow flow = build_flow(match.record());
+
   ASSERT_EQ(flow.touches.size(), 2u);
   EXPECT_EQ(flow.touches[0].frame, 1u);
   EXPECT_EQ(flow.touches[0].slot, left(5));
@@ -64,6 +65,7 @@ TEST(Flow, AssignsTouchToNearestPlayerUnlessContested) {
   ++match.player(left(4)).counts.kick;
   match.kick(right(9), {1, 0});
   const Flow flow = build_flow(match.record());
+
   ASSERT_EQ(flow.touches.size(), 2u);
   EXPECT_EQ(flow.touches[0].slot, left(4));
   EXPECT_TRUE(flow.touches[1].contested());
@@ -98,6 +100,7 @@ TEST(Flow, AssignsGoalKickToFollowingLivePhase) {
   match.step();
   match.kick(left(5), {1, 0});
   const auto [flow, shots, passes, carries, goals] = Play(match);
+
   ASSERT_EQ(flow.touches.size(), 3u);
   EXPECT_EQ(flow.touches[0].live_phase, -1);
   EXPECT_EQ(flow.touches[1].live_phase, 1);
@@ -116,6 +119,7 @@ TEST(Flow, DropBallStartsNewLivePhase) {
   match.steps(3);
   match.kick(right(7), {1.0, 0.0});
   const auto [flow, shots, passes, carries, goals] = Play(match);
+
   ASSERT_EQ(flow.touches.size(), 3u);
   EXPECT_EQ(flow.placed, (std::vector<std::uint32_t>{1, 3}));
   EXPECT_EQ(flow.touches[1].live_phase, 1);
@@ -172,6 +176,7 @@ TEST(Shots, CreditsGoalToShooter) {
     const Side side = shooter == left(9) ? Side::kLeft : Side::kRight;
     score_goal(match, side);
     const auto [flow, shots, passes, carries, goals] = Play(match);
+
     ASSERT_EQ(shots.size(), 1u);
     EXPECT_EQ(shots[0].slot, shooter);
     EXPECT_TRUE(shots[0].on_target);
@@ -194,12 +199,14 @@ TEST(Shots, ClassifiesSavedBlockedAndWide) {
   saved.step();
   catch_ball(saved, right(1));
   saved.step();
+
   EXPECT_EQ(Play(saved).shots.at(0).outcome, ShotOutcome::kSaved);
 
   ScriptedMatch blocked;
   shoot(blocked, left(9));
   blocked.step();
   blocked.kick(right(3), {-1, 0});
+
   EXPECT_EQ(Play(blocked).shots.at(0).outcome, ShotOutcome::kBlocked);
 
   ScriptedMatch wide;
@@ -208,6 +215,7 @@ TEST(Shots, ClassifiesSavedBlockedAndWide) {
   wide.mode(PlayMode::kGoalKickRight);
   wide.step();
   const auto shots = Play(wide).shots;
+
   EXPECT_EQ(shots.at(0).outcome, ShotOutcome::kWide);
   EXPECT_FALSE(shots[0].on_target);
 }
@@ -279,16 +287,21 @@ TEST(Goals, MatchShotsInRcssserverLogs) {
     const auto path = tests::data("logs/" + std::string(name) + ".rcg.gz");
     if (!path) GTEST_SKIP() << "no data: set CLS_DATA";
     const auto record = gamelog::read_rcg_file(path->string());
+
     ASSERT_TRUE(record);
+
     const Flow flow = build_flow(*record);
     const auto shots = find_shots(flow);
     const auto goals = find_goals(flow, shots);
+
     ASSERT_EQ(std::ssize(goals), expected) << name;
+
     std::set<int> used;
     for (const Goal& goal : goals) {
       EXPECT_GE(goal.shot, 0) << goal.cycle;
       EXPECT_TRUE(used.insert(goal.shot).second);
     }
+
     EXPECT_EQ(std::ranges::count(shots, ShotOutcome::kGoal, &Shot::outcome), expected) << name;
   }
 }
@@ -311,9 +324,11 @@ void expect_kicks_in_text_log(const gamelog::MatchRecord& record, const gamelog:
     if (touch.kind != TouchKind::kKick || touch.contested()) continue;
     ++kicks;
     const std::size_t before = touch.frame - 1;
+
     ASSERT_EQ(asked.count({record.time[before], record.stopped[before], touch.slot}), 1u)
         << record.time[before];
   }
+
   EXPECT_GT(kicks, 10);
 }
 

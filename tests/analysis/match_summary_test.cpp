@@ -1,6 +1,7 @@
 // Results of scripted matches, and of rcssserver matches compared with other sources.
 #include "analysis/results/match_summary.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -17,6 +18,9 @@ namespace {
 
 using soccer::PlayMode;
 using soccer::Side;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::Field;
 using tests::left;
 using tests::right;
 using tests::ScriptedMatch;
@@ -32,6 +36,7 @@ TEST(MatchSummary, ReportsScoreWinnerAndCompleteness) {
   match.steps(3);
   EXPECT_FALSE(summarize(match.record(), nullptr).complete);
   EXPECT_EQ(summarize(match.record(), nullptr).winner, Winner::kNone);
+
   end(match);
   const MatchSummary summary = summarize(match.record(), nullptr);
   EXPECT_TRUE(summary.complete);
@@ -52,8 +57,10 @@ TEST(MatchSummary, TakesHalfTimeScoreFromLastFrameOfHalf) {
   match.steps(10);
   end(match);
   const MatchSummary summary = summarize(match.record(), nullptr);
+
   EXPECT_EQ(summary.teams[0].first_half, 1);
   EXPECT_EQ(summary.teams[1].first_half, 3);
+
   match.score(9, 9);
   end(match);
   EXPECT_EQ(summarize(match.record(), nullptr).teams[0].first_half, 1);
@@ -66,14 +73,18 @@ TEST(MatchSummary, DecidesLevelMatchByShootOutThenCoin) {
   match.next().teams[1].penalty_scored = 4;
   end(match);
   const MatchSummary decided = summarize(match.record(), nullptr);
+
   EXPECT_TRUE(decided.penalties);
   EXPECT_EQ(decided.winner, Winner::kRight);
+
   match.next().teams[1].penalty_scored = 2;
   end(match);
   EXPECT_EQ(summarize(match.record(), nullptr).winner, Winner::kDraw);
+
   const gamelog::RclRecord text =
       text_log("6000,0\t(referee penalty_winner_l)\n6000,0\t(referee time_over)\n");
   const MatchSummary tossed = summarize(match.record(), &text);
+
   EXPECT_TRUE(tossed.coin_toss);
   EXPECT_EQ(tossed.winner, Winner::kLeft);
 }
@@ -91,21 +102,19 @@ TEST(MatchSummary, ReportsCardsSubstitutionsAndDisconnections) {
   match.step();
   end(match);
   const MatchSummary summary = summarize(match.record(), nullptr);
-  ASSERT_EQ(summary.cards.size(), 2u);
-  EXPECT_EQ(summary.cards[0].cycle, 4);
-  EXPECT_EQ(summary.cards[0].unum, 2);
-  EXPECT_FALSE(summary.cards[0].red);
-  EXPECT_TRUE(summary.cards[1].red);
+
+  EXPECT_THAT(summary.cards,
+              ElementsAre(AllOf(Field(&CardSummary::cycle, 4), Field(&CardSummary::unum, 2),
+                                Field(&CardSummary::red, false)),
+                          Field(&CardSummary::red, true)));
   ASSERT_EQ(summary.substitutions.size(), 1u);
   EXPECT_EQ(summary.substitutions[0].side, Side::kRight);
   EXPECT_EQ(summary.substitutions[0].unum, 3);
   EXPECT_EQ(summary.substitutions[0].to_type, 7);
   // A red card is not a disconnection.
-  ASSERT_EQ(summary.disconnections.size(), 2u);
-  EXPECT_EQ(summary.disconnections[0].unum, 11);
-  EXPECT_EQ(summary.disconnections[1].unum, 4);
-  ASSERT_EQ(summary.reconnections.size(), 1u);
-  EXPECT_EQ(summary.reconnections[0].cycle, 4);
+  EXPECT_THAT(summary.disconnections,
+              ElementsAre(Field(&PlayerEvent::unum, 11), Field(&PlayerEvent::unum, 4)));
+  EXPECT_THAT(summary.reconnections, ElementsAre(Field(&PlayerEvent::cycle, 4)));
   EXPECT_TRUE(summary.late_starts.empty());
 }
 
@@ -120,11 +129,10 @@ TEST(MatchSummary, ReportsLateAndMissingPlayers) {
   frame.players[6].state = 0;
   builder.append_frame(frame);
   const MatchSummary summary = summarize(record, nullptr);
-  ASSERT_EQ(summary.late_starts.size(), 1u);
-  EXPECT_EQ(summary.late_starts[0].unum, 6);
-  EXPECT_EQ(summary.late_starts[0].cycle, 2);
-  ASSERT_EQ(summary.never_connected.size(), 1u);
-  EXPECT_EQ(summary.never_connected[0].unum, 7);
+
+  EXPECT_THAT(summary.late_starts,
+              ElementsAre(AllOf(Field(&PlayerEvent::unum, 6), Field(&PlayerEvent::cycle, 2))));
+  EXPECT_THAT(summary.never_connected, ElementsAre(Field(&PlayerEvent::unum, 7)));
 }
 
 TEST(MatchSummary, SummarizesTextLogAlone) {
@@ -133,6 +141,7 @@ TEST(MatchSummary, SummarizesTextLogAlone) {
       "169,0\t(referee goal_l_1)\n300,0\t(referee half_time)\n400,3\t(referee yellow_card_r_5)\n"
       "400,3\t(referee red_card_r_5)\n450,0\t(referee goal_r_1)\n500,0\t(referee goal_r_2)\n"
       "600,0\t(referee time_over)\n"));
+
   EXPECT_EQ(summary.version, "rcl");
   EXPECT_EQ(summary.teams[0].name, "A_b");
   EXPECT_EQ(summary.teams[0].score, 1);
@@ -177,20 +186,27 @@ TEST(MatchSummary, MatchesRcssserverResultFileAndTextLog) {
     const auto record = gamelog::read_rcg_file(game->string());
     const auto text =
         gamelog::read_rcl_file(tests::data("logs/" + std::string(name) + ".rcl.gz")->string());
+
     ASSERT_TRUE(record && text);
+
     const MatchSummary summary = summarize(*record, &*text);
     EXPECT_EQ(as_csv_result(summary), csv_result(name));
+
     const MatchSummary from_text = summarize(*text);
     EXPECT_EQ(from_text.winner, summary.winner);
     ASSERT_EQ(from_text.goals.size(), summary.goals.size());
+
     for (std::size_t i = 0; i < summary.goals.size(); ++i) {
       EXPECT_EQ(from_text.goals[i].cycle, summary.goals[i].cycle);
       EXPECT_EQ(from_text.goals[i].side, summary.goals[i].side);
     }
+
     ASSERT_EQ(from_text.cards.size(), summary.cards.size());
+
     for (std::size_t i = 0; i < summary.cards.size(); ++i) {
       EXPECT_EQ(from_text.cards[i].unum, summary.cards[i].unum);
     }
+
     EXPECT_TRUE(summary.disconnections.empty());
   }
 }
@@ -211,6 +227,7 @@ TEST(TeamTable, SumsAndSortsResults) {
       result("A", 5, "B", 0, Winner::kNone),
       result("A", 5, "", 0, Winner::kLeft),
   });
+
   EXPECT_EQ(standings.not_counted, 2);
   ASSERT_EQ(standings.rows.size(), 3u);
   EXPECT_EQ(standings.rows[0].team, "C");

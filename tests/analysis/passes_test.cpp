@@ -33,12 +33,15 @@ TEST(Passes, MeasuresCompletedPassBetweenContacts) {
     match.steps(3);
     match.kick(own(7), {0, 0});
     const auto passes = passes_in(match);
+
     ASSERT_GE(passes.size(), 1u);
+
     const Pass& pass = passes[0];
     EXPECT_TRUE(pass.completed());
     EXPECT_EQ(pass.passer, own(5));
     EXPECT_EQ(pass.receiver, own(7));
     EXPECT_EQ(pass.frames, 4u);
+
     const double way = 1.0 + 0.94 + 0.94 * 0.94 + 0.94 * 0.94 * 0.94;
     EXPECT_NEAR(pass.to.x, way, 1e-5);
     EXPECT_NEAR(pass.length(), way * std::sqrt(1.25), 1e-5);
@@ -72,9 +75,12 @@ TEST(Passes, ClassifiesIncompletePasses) {
     follow(match);
     match.step();
     const auto passes = passes_in(match);
+
     EXPECT_EQ(passes.size(), 1u);
+
     return passes.empty() ? PassOutcome::kCompleted : passes[0].outcome;
   };
+
   EXPECT_EQ(outcome([](ScriptedMatch& m) {
               m.tackle(right(5), {0, 0});
             }),
@@ -126,18 +132,23 @@ TEST(Passes, EndsAtStoppage) {
 TEST(OffsideLine, UsesSecondLastOpponentBallOrHalfLine) {
   ScriptedMatch match;
   EXPECT_EQ(offside_line(match.record(), 0, 0), 40.0);
+
   match.place_ball({45, 0});
   match.step();
   EXPECT_EQ(offside_line(match.record(), 1, 0), 45.0);
   EXPECT_EQ(offside_line(match.record(), 1, 1), 40.0);
+
   for (int unum = 2; unum <= 11; ++unum) match.player(right(unum)).position.x = -5;
   match.place_ball({-30, 0});
   match.step();
+
   EXPECT_EQ(offside_line(match.record(), 2, 0), 0.0);
+
   // Disconnected players do not count.
   match.player(left(3)).state = 0;
   match.player(left(3)).position.x = -52;
   match.step();
+
   EXPECT_EQ(offside_line(match.record(), 3, 1), 40.0);
 }
 
@@ -160,13 +171,16 @@ TEST(Passes, DetectsCrossesSwitchesAndCutbacks) {
   cross.steps(7);
   cross.kick(left(9), {0, 0});
   const Pass pass = passes_in(cross).at(0);
+
   EXPECT_TRUE(pass.cross);
   EXPECT_TRUE(pass.cutback);
   EXPECT_FALSE(pass.switched);
+
   ScriptedMatch switched;
   kick_from(switched, {0, 25}, left(7), {0.5, -2.8});
   switched.steps(14);
   switched.kick(left(9), {0, 0});
+
   EXPECT_TRUE(passes_in(switched).at(0).switched);
 }
 
@@ -238,6 +252,7 @@ TEST(Chains, EndAtLastTouchWithBestOutcome) {
   score_goal(match, Side::kLeft);
   const Play play(match);
   const auto chains = find_chains(play.flow, play.passes, play.shots);
+
   ASSERT_EQ(chains.size(), 3u);
   EXPECT_EQ(chains[0].passes, 1);
   EXPECT_EQ(chains[0].result, ChainResult::kLost);
@@ -259,7 +274,9 @@ TEST(Assists, CreditLastTwoPassersOfChain) {
   match.steps(4);
   score_goal(match, Side::kLeft);
   const Play play(match);
+
   ASSERT_EQ(play.shots.size(), 1u);
+
   const Assist assist = find_assist(play.flow, play.passes, play.shots[0]);
   EXPECT_EQ(assist.passer, left(7));
   EXPECT_EQ(assist.second, left(6));
@@ -292,7 +309,9 @@ TEST(ExpectedGoals, MeasureOpeningOpponentsAndGoalie) {
   kick_from(match, {42.5, 0}, left(9), {2.5, 0.6});
   match.steps(3);
   const Play play(match);
+
   ASSERT_EQ(play.shots.size(), 1u);
+
   const ShotSituation situation = situation_of(play.flow, play.shots[0]);
   EXPECT_NEAR(situation.distance, 10, 1e-9);
   EXPECT_NEAR(situation.opening, 2 * std::atan(0.701), 1e-9);
@@ -310,10 +329,13 @@ TEST(Threat, RewardsMovesTowardShots) {
   match.kick(left(9), {2.5, 0.6});
   match.steps(6);
   const Play play(match);
+
   ASSERT_EQ(play.shots.size(), 1u);
+
   const ThreatGrid grid = threat_grid(play.flow, play.passes, play.carries, play.shots, {0.5});
   EXPECT_EQ(grid[threat_cell({-40, 0})], 0.0);
   EXPECT_DOUBLE_EQ(grid[threat_cell({45, 0})], 0.5);
+
   const auto added = threat_added(grid, play.passes, play.carries);
   EXPECT_NEAR(std::accumulate(added.begin(), added.end(), 0.0), 0.0,
               1e-9);  // every move led to the position of the shot: equal value
@@ -339,6 +361,7 @@ TEST(PassNetwork, MeasuresChainOfThree) {
                                     completed(left(2), left(3)), completed(left(2), left(3)),
                                     completed(left(2), left(1)), completed(right(1), right(2))};
   const PassNetwork network = pass_network(passes, ThreatGrid{}, 0);
+
   EXPECT_EQ(network.passes, 5);
   EXPECT_EQ(network.edges[0][1].passes, 2);
   EXPECT_EQ(network.edges[0][1].length, 5.0);
@@ -352,6 +375,7 @@ TEST(PassNetwork, MeasuresChainOfThree) {
   EXPECT_NEAR(network.nodes[1].betweenness, 1.0 / 90, 1e-12);  // only 1 -> 3 passes through 2
   EXPECT_EQ(network.nodes[0].betweenness, 0.0);
   EXPECT_EQ(network.nodes[1].clustering, 0.0);
+
   double ranks = 0.0;
   for (const PassNode& node : network.nodes) ranks += node.page_rank;
   EXPECT_NEAR(ranks, 1.0, 1e-9);

@@ -1,4 +1,4 @@
-// What players do in scripted matches, and what the analysis finds there.
+// Plays in scripted matches, and what the analysis finds there.
 #pragma once
 
 #include <string_view>

@@ -170,6 +170,7 @@ TEST(RealStatistics, MatchTextLogOfWholeMatches) {
     EXPECT_TRUE(exclusion_reasons(summarize(match.record, &match.text), all).empty());
 
     EXPECT_NEAR(left_share(all.possession.last_touch), possession, 1e-4);
+
     for (std::size_t team = 0; team < 2; ++team) {
       EXPECT_EQ(pass_totals(all, team).completed, completed[team]);
       EXPECT_EQ(shot_totals(all, team).total, shots[team]);

@@ -51,13 +51,16 @@ TEST(ResultsText, FitsEachMatchIntoOneLine) {
   tossed.winner = Winner::kLeft;
   tossed.coin_toss = true;
   const std::string text = format_results({example(), tossed}, ResultsFormat::kTable);
+
   EXPECT_THAT(
       text, HasSubstr("\nA|b                1:2  \xc3\x9c        6000  169 l 11;...  1 yellow, "));
   EXPECT_THAT(text, HasSubstr("coin toss: FIFT..."));
+
   for (const std::string_view line : base::lines_of(text)) EXPECT_LE(line.size(), 82U) << line;
   MatchSummary plain = example();
   plain.cards.clear();
   plain.substitutions.clear();
+
   EXPECT_THAT(format_results({plain}, ResultsFormat::kTable), Not(HasSubstr("remarks")));
 }
 
@@ -91,7 +94,9 @@ TEST(ResultsText, FormatsJsonDocument) {
   MatchSummary match = example();
   match.teams[0].name = "bad\xff";
   const auto json = base::Json::parse(format_results({match}, ResultsFormat::kJson));
+
   EXPECT_EQ(json["schema"], "cls.results/1");
+
   const auto& row = json["matches"][0];
   EXPECT_EQ(row["file"], "logs/a,b.rcg");
   EXPECT_EQ(row["winner"], "right");
@@ -156,6 +161,7 @@ TEST(ReadResults, GivesSameResultsOnOneAndFourThreads) {
     }
     const std::string text = format_results(summaries, ResultsFormat::kJson);
     if (expected.empty()) expected = text;
+
     EXPECT_EQ(text, expected);
   }
 }

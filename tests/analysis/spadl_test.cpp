@@ -90,6 +90,7 @@ TEST(Spadl, GoaliesPickUpPassesAndSaveShots) {
   match.steps(2);
   catch_ball(match, right(1));
   match.step();
+
   EXPECT_THAT(texts_of(match), ElementsAre("l9 shot fail", "r1 keeper_save success"));
   EXPECT_EQ(actions_of(match)[1].body_part, SpadlBodyPart::kOther);
 
@@ -97,6 +98,7 @@ TEST(Spadl, GoaliesPickUpPassesAndSaveShots) {
   pass.kick(left(5), {0, 1});
   catch_ball(pass, right(1));
   pass.step();
+
   EXPECT_THAT(texts_of(pass), ElementsAre("l5 pass fail", "r1 keeper_pick_up success"));
 }
 
@@ -177,6 +179,7 @@ TEST(Periods, AreHalvesExtraHalvesAndTheShootOut) {
   match.mode(PlayMode::kPenaltySetupLeft);
   match.steps(2);
   const std::vector<Period> periods = find_periods(match.record());
+
   ASSERT_EQ(periods.size(), 5u);
   EXPECT_EQ(periods[0].end_frame, 10u);
   EXPECT_EQ(periods[1].kind, PeriodKind::kSecondHalf);
@@ -204,7 +207,9 @@ TEST(Spadl, RecordedMatchesFitTheSchema) {
     SCOPED_TRACE(name);
     const gamelog::MatchRecord record = tests::record_of(name);
     const std::vector<SpadlAction> actions = spadl_actions(compute_statistics(record, nullptr));
+
     EXPECT_GT(actions.size(), 5u);
+
     std::uint32_t frame = 0;
     for (const SpadlAction& action : actions) {
       EXPECT_LT(static_cast<int>(action.type), 23);

@@ -35,6 +35,7 @@ TEST(Possession, CountsByLastAndNextToucher) {
   match.mode(PlayMode::kKickInLeft);  // 6
   match.step();
   const Possession p = measure_possession(build_flow(match.record()));
+
   EXPECT_EQ(p.live_frames, 6);
   EXPECT_EQ(p.last_touch, (PerTeam<int>{3, 1}));
   EXPECT_EQ(p.next_kicker, (PerTeam<int>{2, 3}));
@@ -63,21 +64,26 @@ TEST(Interception, FindsFirstPlayerAtBall) {
   match.player(right(5)).body = 180;
   match.step();
   const auto first = first_to_ball(match.record(), 1);
+
   ASSERT_TRUE(first);
   EXPECT_EQ(first->slot, base::index(left(5)));
   // after one cycle of standing
   EXPECT_EQ(first->cycles, 3);
   EXPECT_EQ(cycles_to_ball(match.record(), 1, base::index(right(5))), 4);
+
   // Turned away, the player needs one more cycle.
   match.player(left(5)).body = 90;
   match.step();
+
   EXPECT_EQ(cycles_to_ball(match.record(), 2, base::index(left(5))), 4);
   EXPECT_FALSE(first_to_ball(match.record(), 2));  // both in the same cycle
+
   // A ball that rolls toward the player takes less.
   match.player(left(5)).body = 0;
   match.next().ball_velocity = {-1, 0};
   match.next().ball_position = {1, 0};
   match.step();
+
   EXPECT_EQ(cycles_to_ball(match.record(), 3, base::index(left(5))), 2);
 }
 
@@ -95,6 +101,7 @@ TEST(Tackles, CountsHitsMissesAndEffectiveTackles) {
   match.player(right(3)).state |= gamelog::kStateTackleFailed;
   match.step();
   const auto tackles = count_tackles(build_flow(match.record()));
+
   EXPECT_EQ(tackles[left(5)], (Tackles{1, 1, 0, 0, 1, 0}));
   EXPECT_EQ(tackles[left(7)], (Tackles{1, 1, 0, 0, 0, 1}));
   EXPECT_EQ(tackles[right(8)], (Tackles{1, 1, 0, 0, 0, 0}));
@@ -112,6 +119,7 @@ TEST(Territory, CountsThirdsQuartersAndBoxEntries) {
   };
   for (const double x : {-20.0, 37.0, 34.0, 37.0}) roll_to(x);
   const Territory t = measure_territory(build_flow(match.record()));
+
   EXPECT_EQ(t.live_frames, 30);
   EXPECT_EQ(t.thirds, (std::array<int, 3>{1, 20, 9}));
   EXPECT_EQ(t.quarters, (std::array<int, 4>{0, 13, 11, 6}));
@@ -144,6 +152,7 @@ TEST(Stoppages, CountsRestartsAndOffensesBySide) {
     match.steps(2);
   }
   const Stoppages s = count_stoppages(build_flow(match.record()));
+
   EXPECT_EQ(
       s.teams[0],
       (TeamStoppages{
@@ -168,6 +177,7 @@ TEST(Stoppages, IdentifiesFoulerAndVictim) {
   match.mode(PlayMode::kFoulChargeLeft);
   match.step();
   const Stoppages s = count_stoppages(build_flow(match.record()));
+
   ASSERT_EQ(s.fouls.size(), 1u);
   EXPECT_EQ(s.fouls[0].fouler, left(5));
   EXPECT_EQ(s.fouls[0].victim, right(6));
@@ -205,6 +215,7 @@ TEST(Goalkeeping, CountsCatchesSavesAndMoves) {
   match.step();
   const Play play(match);
   const auto keepers = measure_goalkeeping(play.flow, play.shots);
+
   EXPECT_EQ(keepers[1].catches, 1);
   EXPECT_EQ(keepers[1].saves, 1);
   EXPECT_EQ(keepers[1].moves_after_catch, 2);
@@ -226,6 +237,7 @@ TEST(Pressing, CountsLossesRecoveriesAndPressure) {
   match.kick(left(6), {0.5, 0});  // regained after ten frames
   const Play play(match);
   const PressingStats p = measure_pressing(play.flow, play.passes, count_stoppages(play.flow));
+
   EXPECT_EQ(p.teams[0].losses, 1);
   EXPECT_EQ(p.teams[1].losses, 1);
   EXPECT_EQ(p.recoveries[right(5)], 1);
@@ -252,6 +264,7 @@ TEST(Movement, SumsStepsWithoutPlacements) {
   match.player(left(5)).position.y += 0.5;
   match.step();
   const Movement m = measure_movement(build_flow(match.record()))[left(5)];
+
   EXPECT_NEAR(m.live_distance, 1.1, 1e-5);
   EXPECT_NEAR(m.other_distance, 0.5, 1e-5);
   EXPECT_NEAR(m.top_speed, 1.0, 1e-5);
@@ -271,10 +284,12 @@ TEST(Stamina, SumsConsumptionOfStaminaAndCapacity) {
   set(8000, 130600);  // second half
   set(2000, 130000);
   const Stamina s = measure_stamina(match.record())[left(5)];
+
   EXPECT_NEAR(s.used, (8000 - 3000 + 600) + (8000 - 2000 + 600), 1e-6);
   EXPECT_EQ(s.refills, 1);
   EXPECT_EQ(s.lowest, 2000);
   EXPECT_EQ(s.exhausted_frames, 1);  // below 0.3 * 8000
+
   // An extra half refills only the capacity.
   set(1950, 130600);
   EXPECT_NEAR(measure_stamina(match.record())[left(5)].used, s.used + 50, 1e-6);
@@ -299,10 +314,12 @@ TEST(Positions, AverageFromTeamView) {
   match.record().time[0] = 0;
   const PositionStats p = measure_positions(build_flow(match.record()));
   const Cloud& cloud = p.players[right(5)].all;
+
   EXPECT_EQ(cloud.count, 3);
   EXPECT_NEAR(cloud.mean.x, -(40 + 30 + 32) / 3.0, 1e-5);
   EXPECT_NEAR(cloud.mean.y, -(-3 + 10 + 14) / 3.0, 1e-5);
   EXPECT_NEAR(cloud.var_x, (1600 + 900 + 1024) / 3.0 - 34 * 34, 1e-3);
+
   const HeatMap& heat = p.players[right(5)].heat;
   EXPECT_EQ(std::accumulate(heat.begin(), heat.end(), 0), 3);
   EXPECT_EQ(p.ball[7 * kHeatColumns + 10], 3);  // the center
@@ -311,13 +328,16 @@ TEST(Positions, AverageFromTeamView) {
 TEST(Positions, MeasureTeamShape) {
   EXPECT_DOUBLE_EQ(hull_area({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}, {1, 0}}), 4.0);
   EXPECT_EQ(hull_area({{0, 0}, {1, 1}}), 0.0);
+
   TeamShape shape;
   set_formation({-30, -31, -29, -30.5, -10, -11, -9, 10, 11, 12}, shape);
   EXPECT_EQ(shape.formation, "4-3-3");
   EXPECT_NEAR(shape.line_distance, (11 + 30.125) / 2, 1e-9);
+
   TeamShape four;
   set_formation({-30, -31, -29, -30.5, -18, 0, 1, 2, 20, 21}, four);
   EXPECT_EQ(four.formation, "4-1-3-2");
+
   ScriptedMatch match;
   const TeamShape line = measure_positions(build_flow(match.record())).teams[0];
   EXPECT_NEAR(line.width, 27, 1e-5);  // players 2 to 11 in one line
@@ -354,6 +374,7 @@ TEST(Responsiveness, ComparesSentWithExecutedCommands) {
       "4,0\tRecv X_5: (tackle 10 true)\n");
   const auto all = measure_responsiveness(build_flow(match.record()), text);
   const Responsiveness& r = all[left(5)];
+
   EXPECT_EQ(r.steps, 4);
   EXPECT_EQ(r.answered, 4);
   EXPECT_EQ(r.silent, 1);  // no (done) at 4
@@ -421,16 +442,20 @@ TEST(ExclusionReasons, ListDisconnectionsSilenceAndMissingEnd) {
   match.step();
   match.player(left(4)).state = 0;
   match.step();
+
   EXPECT_EQ(reasons(match.record(), nullptr),
             (std::vector<std::string>{"no time_over", "l 4 disconnected"}));
+
   match.player(left(4)).state = gamelog::kStateEnabled;
   match.step();
   EXPECT_EQ(reasons(match.record(), nullptr, "stalled"),
             std::vector<std::string>{"end reason: stalled"});
   EXPECT_TRUE(reasons(match.record(), nullptr, "finished").empty());
+
   match.mode(PlayMode::kTimeOver);
   match.step();
   EXPECT_TRUE(reasons(match.record(), nullptr).empty());
+
   const gamelog::RclRecord silence = text_log("1,0\t(referee play_on)\n");
   EXPECT_EQ(reasons(match.record(), &silence).size(), 22u);
 }

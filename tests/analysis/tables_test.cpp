@@ -90,9 +90,11 @@ TEST(TrackingTable, CellsOfAbsentValuesAreEmpty) {
   match.step();
   match.record().version = gamelog::RcgVersion::kV6;
   const std::string table = tracking(match.record());
+
   EXPECT_EQ(cells(row(table, 2)), 212);
   EXPECT_THAT(row(table, 2), HasSubstr(",120,8000,,,,,,,,,,0,-40,"))
       << "left 2 is not connected: " << row(table, 2);
+
   // Versions 1 and 2 have places and body angles only.
   match.record().version = gamelog::RcgVersion::kV2;
   const std::string old = row(tracking(match.record()), 1);
@@ -144,6 +146,7 @@ TEST(EventTable, PairsTouchesOfALivePhase) {
   match.tackle(left(6), {1, 0});
   match.tackle(left(7), {1, 0});
   match.kick(right(8), {0, 0});
+
   EXPECT_EQ(events(match), std::string(kEventHeading) +
                                "Pass,left,5,1,play_on,0,0,left,6,2,1,0,true\n"
                                "Dribble,left,6,2,play_on,1,0,left,6,3,2,0,true\n"
@@ -181,6 +184,7 @@ TEST(EventTable, EndsAtLinesAndGoals) {
   match.mode(PlayMode::kGoalLeft);
   match.step();
   const std::string table = events(match);
+
   EXPECT_THAT(table, HasSubstr("OutOfBounds,right,4,1,play_on,0,0,neutral,-1,3,0,-1.94,false\n"));
   EXPECT_THAT(table, HasSubstr("Shoot,left,2,3,kick_in_l,0,-1.94,neutral,-1,4,"));
   EXPECT_THAT(table, HasSubstr("OwnGoal,right,3,"));

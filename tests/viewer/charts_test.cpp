@@ -88,6 +88,7 @@ TEST(Charts, ShowNamesAsText) {
   steps.teams = {kMarkup, kMarkup};
   steps.steps[0][2].tip = kMarkup;
   steps.axis.ticks[0].text = kMarkup;
+
   const std::array<std::string, 2> teams = {kMarkup, kMarkup};
   const std::vector<std::string> charts = {
       heat_map({title, Tone::kBoth, 5.0, 1, 1, {1.0}}),
@@ -99,6 +100,7 @@ TEST(Charts, ShowNamesAsText) {
       search_chart({title, kMarkup, 0.0, {{1, 0, 2}}, {{kMarkup, teams, {{0.5, 0.4, 0.6}}}}}),
       ratings_chart({title, {{kMarkup, 20.0, 10.0}}}),
       differences_chart({title, {1, -2}})};
+
   for (const std::string& chart : charts) {
     EXPECT_EQ(svg_error(chart), "") << chart;
     EXPECT_THAT(chart, HasSubstr("&lt;script&gt;")) << chart;
@@ -202,12 +204,15 @@ TEST(ShotMap, DrawsAreasByExpectedGoals) {
                                        {0, {40.0, 9.0}, 0.1, false, ""},
                                        {1, {-40.0, 0.0}, 0.1, true, ""}}});
   std::vector<double> radii = attributes_of(chart, "circle", "r", "\"left\"");
+
   ASSERT_EQ(radii.size(), 3U) << "with the legend";
+
   std::ranges::sort(radii);
   EXPECT_NEAR(radii[2], 2 * radii[1], 0.01);
   EXPECT_EQ(attributes_of(chart, "circle", "opacity", "\"left\" opacity").size(), 2U);
   EXPECT_EQ(attributes_of(chart, "circle", "opacity", "\"right\" opacity").size(), 0U)
       << "goals are filled";
+
   const std::vector<double> x = attributes_of(chart, "circle", "cx", "\"right\"");
   EXPECT_LT(x.back(), 320.0) << "the right team shoots to the left";
 }

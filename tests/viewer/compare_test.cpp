@@ -1,11 +1,8 @@
-// What distinguishes two matches, and the page that shows both.
+// Differences of two matches, and the page that shows both.
 #include "viewer/report/compare_page.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <algorithm>
-#include <memory>
 
 #include "tests/gamelog/recorded_match.h"
 #include "tests/viewer/markup.h"
@@ -46,10 +43,12 @@ TEST(MatchDifference, IsTheFirstFrameWithAnotherValue) {
   changed.ball_position[121].x += 0.5F;
   changed.mode[121] = soccer::PlayMode::kTimeOver;
   const auto found = first_difference(record, changed);
+
   ASSERT_TRUE(found);
   EXPECT_EQ(found->frame, 120U);
   EXPECT_EQ(found->cycle, record.time[120]);
   EXPECT_EQ(found->what, std::vector<std::string>{"left 7 stamina"});
+
   changed.players.stamina[120 * gamelog::kSlots + 6] -= 1.0F;
   EXPECT_EQ(first_difference(record, changed)->what,
             (std::vector<std::string>{"play mode", "ball position"}));
@@ -83,10 +82,12 @@ TEST(MatchDifference, ListsEventsOfOneMatchOnly) {
   const Match match(record_of("match-start"));
   ASSERT_FALSE(match.statistics.goals.empty());
   EXPECT_TRUE(lone_events(match.statistics, match.statistics).empty());
+
   analysis::MatchStatistics without = match.statistics;
   without.goals.clear();
   const auto first = lone_events(match.statistics, without);
   const auto second = lone_events(without, match.statistics);
+
   ASSERT_EQ(first.size(), match.statistics.goals.size());
   ASSERT_EQ(second.size(), first.size());
   EXPECT_EQ(first[0].match, 0U);

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstdint>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -28,6 +26,7 @@ DecisionSample sample_at(int cycle) {
   sample.self_body = cycle % 2 == 0 ? 179.0 : -179.0;
   sample.self_neck = -30.0;
   sample.self_age = 0;
+
   sample.ball = {12.25, -33.75};
   sample.ball_velocity = {2.5, -0.75};
   sample.ball_age = cycle % 3;
@@ -35,6 +34,7 @@ DecisionSample sample_at(int cycle) {
   sample.players[13] = {cycle % 4, {20.5, -1.2}};
   sample.players[21] = {kUnknownAge, {}};
   sample.unnumbered.push_back({40 + cycle / 10, Side::kRight, {2, {1.5, 2.5}}});
+
   sample.own_reach = 12;
   sample.maker = DecisionMaker::kSureShot;
   sample.call = cycle % 7 == 0 ? 1 : 0;
@@ -70,6 +70,7 @@ void expect_equal(const DecisionSample& a, const DecisionSample& b) {
 
   for (std::size_t i = 0; i < a.players.size(); ++i) expect_equal(a.players[i], b.players[i]);
   ASSERT_EQ(a.unnumbered.size(), b.unnumbered.size());
+
   for (std::size_t i = 0; i < a.unnumbered.size(); ++i) {
     EXPECT_EQ(a.unnumbered[i].id, b.unnumbered[i].id);
     EXPECT_EQ(a.unnumbered[i].side, b.unnumbered[i].side);
@@ -164,6 +165,7 @@ TEST(Decisions, KeepTextsAsTheyAre) {
   const auto decisions = read_decisions(replies_of(texts));
   ASSERT_TRUE(decisions) << decisions.error().message;
   ASSERT_EQ(decisions->players[2].size(), texts.size());
+
   for (std::size_t i = 0; i < texts.size(); ++i) {
     EXPECT_EQ(decisions->players[2][i].reply, texts[i]) << i;
   }
@@ -198,6 +200,7 @@ TEST(Decisions, OfTheFirstVersionAreRead) {
   ASSERT_TRUE(decisions) << decisions.error().message;
   EXPECT_EQ(decisions->side, Side::kRight);
   EXPECT_EQ(decisions->team, "hold");
+
   for (const auto& samples : decisions->players) ASSERT_EQ(samples.size(), 104U);
   const DecisionSample& last = decisions->players[6].back();
   EXPECT_EQ(last.cycle, 4);
@@ -213,15 +216,19 @@ TEST(Decisions, SayWhyTheyCannotBeRead) {
   EXPECT_EQ(error_of(""), "incomplete decisions: the match did not end");
   EXPECT_EQ(error_of(stream.substr(0, stream.size() / 2)),
             "incomplete decisions: the match did not end");
+
   ByteReader header(stream);
   header.byte();
   header.string();
+
   EXPECT_EQ(error_of(stream.substr(stream.size() - header.left())), "corrupt decisions: no header");
+
   std::string other = stream;
   other.replace(other.find("cls.decisions/1"), 15, "cls.decisions/9");
   EXPECT_EQ(error_of(other),
             "schema cls.decisions/9 is newer than this cls reads (cls.decisions/1); update cls");
   EXPECT_EQ(tests::error_of(select_players(other, {})), error_of(other));
+
   other.replace(other.find("cls.decisions/9"), 15, "cls.excisions/1");
   EXPECT_EQ(error_of(other), "schema 'cls.excisions/1' is not cls.decisions/1");
 }

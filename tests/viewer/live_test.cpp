@@ -106,6 +106,7 @@ TEST(LiveMatch, EqualsTheLogHoweverItArrives) {
                                        {unpacked(name), 100'000},
                                        {tests::read_file(tests::fixture(name)), 7'777}}) {
       SCOPED_TRACE(fmt::format("{}, {} bytes in blocks of {}", name, bytes.size(), block));
+
       GrowingLog out;
       std::atomic<bool> complete{false};
       LiveMatch live(follow_log(out.path(), [&] { return complete.load(); }));
@@ -113,6 +114,7 @@ TEST(LiveMatch, EqualsTheLogHoweverItArrives) {
         out.add(std::string_view(bytes).substr(at, block));
       }
       complete.store(true);
+
       const auto match = read_stream(whole(*live.feed()));
       const auto record = gamelog::read_rcg_file(tests::fixture(name).string()).value();
       ASSERT_EQ(tests::record_difference(record, match), "");
@@ -137,6 +139,7 @@ TEST(LiveMatch, ShowsWholeLinesWhileTheyArrive) {
     }
     at = end;
   }
+
   EXPECT_FALSE(live.over());
   EXPECT_FALSE(live.feed()->read(0, 1).ended);
 }
@@ -230,6 +233,7 @@ TEST_F(LiveSite, ServesThePage) {
   EXPECT_THAT(response.body, HasSubstr(R"("at":12,"players":["l7"],"live":"live")"));
   EXPECT_THAT(response.body, HasSubstr("connect-src 'self'"));
   EXPECT_THAT(response.body, Not(HasSubstr("id=\"match\"")));
+
   for (const char* line : {"Content-Type: text/html; charset=utf-8", "Cache-Control: no-store",
                            "X-Content-Type-Options: nosniff", "Referrer-Policy: no-referrer",
                            "Content-Security-Policy: frame-ancestors 'none'",
@@ -237,6 +241,7 @@ TEST_F(LiveSite, ServesThePage) {
     EXPECT_THAT(response.header, HasSubstr(line)) << line;
   }
   const auto head = exchange(server_->port(), request("HEAD " + token_ + " HTTP/1.1"));
+
   EXPECT_EQ(head.status, 200);
   EXPECT_EQ(head.body, "");
 }
@@ -268,6 +273,7 @@ TEST_F(LiveSite, RefusesWhatItDoesNotKnow) {
   }
   std::string wrong = token_;
   wrong[5] = wrong[5] == '0' ? '1' : '0';
+
   EXPECT_EQ(status(request("GET " + wrong + " HTTP/1.1")), 404);
   EXPECT_EQ(status(request("GET " + token_.substr(0, token_.size() - 1) + " HTTP/1.1")), 404);
 }
@@ -276,20 +282,25 @@ TEST_F(LiveSite, SendsDrawingsOfTheMatchFolderWhileTheyGrow) {
   const tests::TemporaryFolder folder;
   const auto server = serve(live_site("a", {}, feed_, folder.path()));
   EXPECT_THAT(get(server->url()).body, HasSubstr(R"("drawings":"drawings")"));
+
   const auto drawings = [&](const char* rest) { return get(server->url() + "drawings" + rest); };
   EXPECT_EQ(drawings("-left?from=0").status, 200);
   EXPECT_EQ(drawings("-left?from=0").body, "");
+
   std::ofstream file(folder.path() / kLeftDebugFile);
   file << "one\n" << std::flush;
   EXPECT_EQ(drawings("-left?from=0").body, "one\n");
+
   file << "two\n" << std::flush;
   EXPECT_EQ(drawings("-left?from=4").body, "two\n");
   EXPECT_EQ(drawings("-left?from=9").body, "");
   EXPECT_EQ(drawings("-right").body, "");
   EXPECT_EQ(drawings("-left?from=x").status, 400);
+
   for (const char* rest : {"", "-", "-up", "-left/", "-left/../match.rcg"}) {
     EXPECT_EQ(drawings(rest).status, 404) << rest;
   }
+
   // A page of a server that writes no match folder does not ask.
   EXPECT_THAT(get(server_->url()).body, Not(HasSubstr(R"("drawings":)")));
   EXPECT_EQ(get(server_->url() + "drawings-left").status, 404);
@@ -368,10 +379,12 @@ TEST_F(LiveSite, RedirectsOnceFromAnAddressThatOthersMaySee) {
   EXPECT_EQ(exchange(server_->port(), request("HEAD " + tests::path_of(url) + " HTTP/1.1")).status,
             404)
       << "not a visit";
+
   const auto first = get(url);
   EXPECT_EQ(first.status, 302);
   EXPECT_THAT(first.header, HasSubstr("Location: " + token_ + "\r\n"));
   EXPECT_EQ(get(url).status, 404);
+
   const std::string old = server_->single_use_url();
   const std::string next = server_->single_use_url();
   EXPECT_EQ(get(old).status, 404);
@@ -386,6 +399,7 @@ TEST(MatchList, LinksMatchesAndShowsNamesAsText) {
   const MatchList list = {"c\"up", "1 of 3 <matches>",     {"<table>\n</table>\n"}, matches,
                           true,    {{"played now", "<1>"}}};
   const std::string page = match_list_page(list);
+
   EXPECT_THAT(page, HasSubstr("&lt;b&gt;"));
   EXPECT_THAT(page, Not(HasSubstr("<b>")));
   EXPECT_THAT(page, HasSubstr("<a href=\"match/1/\" aria-label=\"replay of match 1\">replay</a>"));
@@ -396,6 +410,7 @@ TEST(MatchList, LinksMatchesAndShowsNamesAsText) {
   EXPECT_THAT(page, HasSubstr("<noscript><meta http-equiv=\"refresh\""));
   EXPECT_THAT(page, HasSubstr("script-src " + csp_hash(list_script())));
   EXPECT_THAT(page, HasSubstr("<circle cx=\"-12.5\" cy=\"3.0\""));
+
   const std::string over = match_list_page({"cup", "", {}, matches, false});
   for (const char* part : {"refresh", "<script", "script-src", "data-running"}) {
     EXPECT_THAT(over, Not(HasSubstr(part))) << part;
@@ -406,8 +421,10 @@ TEST(LogGlance, SeesWholeLinesOfAGrowingLog) {
   GrowingLog log;
   LogGlance glance(log.path());
   EXPECT_FALSE(glance.now());
+
   log.add("ULG6\n(team 1 A B 0 0)\n(show 1 ((b) 0 0 0 0) ((l 1) 0");
   EXPECT_FALSE(glance.now());
+
   log.add(")\n(team 2 A (x 2 1)\n(show 23 ((b) -1.5 2.25 0 0) ((l 1) 0)\n(show 24 ((b) 9");
   const auto seen = glance.now();
   ASSERT_TRUE(seen);
@@ -415,6 +432,7 @@ TEST(LogGlance, SeesWholeLinesOfAGrowingLog) {
   EXPECT_EQ(seen->left, 2);
   EXPECT_EQ(seen->right, 1);
   EXPECT_EQ(seen->ball.x, -1.5);
+
   std::ofstream(log.path(), std::ios::binary) << "ULG6\n";
   EXPECT_FALSE(glance.now());
 }
@@ -428,9 +446,11 @@ TEST(LogGlance, InflatesWhatIsThere) {
   GrowingLog log(packed.substr(0, packed.size() / 2));
   LogGlance glance(log.path());
   const auto half = glance.now();
+
   ASSERT_TRUE(half);
   EXPECT_GT(half->cycle, 500);
   EXPECT_LT(half->cycle, 4999);
+
   log.add(packed.substr(packed.size() / 2));
   EXPECT_EQ(glance.now()->cycle, 4999);
   EXPECT_EQ(glance.now()->left, 3);

@@ -7,7 +7,7 @@ namespace cls::tests {
 
 namespace {
 
-// What is wrong with the attributes of a tag.
+// The error in the attributes of a tag.
 std::string tag_error(const std::string& tag) {
   static const std::regex label(" aria-label=\"[^\"]*\"");
   static const std::regex value("\"[^\"]*\"");

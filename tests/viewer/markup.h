@@ -11,7 +11,7 @@ namespace cls::tests {
 /// How often `part` is in `text`.
 std::size_t count(std::string_view text, std::string_view part);
 
-/// What is wrong with an SVG image; empty if its elements are balanced, and it has neither scripts,
+/// The error in an SVG image; empty if its elements are balanced, and it has neither scripts,
 /// inline styles, event handlers nor numbers that are not finite.
 std::string svg_error(std::string_view svg);
 

@@ -132,14 +132,19 @@ TEST_F(OpenServer, ConnectionsThatAskNothingMakeRoom) {
     idle.push_back(std::make_unique<tests::HttpConnection>(server_->port()));
     idle.back()->send(i % 2 == 0 ? "GET / HT" : "");
   }
+
   EXPECT_EQ(ask("/").status, 200);
+
   // One that has been served and waits for its next request, too.
   const tests::HttpConnection served(server_->port());
   served.send("GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
+
   EXPECT_NE(served.receive(), "");
+
   for (int i = 0; i < 8; ++i) {
     idle.push_back(std::make_unique<tests::HttpConnection>(server_->port()));
   }
+
   EXPECT_EQ(ask("/").status, 200);
 }
 
@@ -153,7 +158,9 @@ TEST_F(OpenServer, RefusesMoreStreamsThanConnections) {
     EXPECT_NE(readers.back()->receive(), "");
   }
   const int refused = ask("/").status;
+
   EXPECT_TRUE(refused == 503 || refused == 0) << refused;
+
   readers.clear();
   EXPECT_TRUE(eventually(&HttpServer::streams, 0));
   EXPECT_EQ(ask("/").status, 200);

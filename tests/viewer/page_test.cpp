@@ -20,7 +20,6 @@
 #include "viewer/page/match_page.h"
 #include "viewer/page/page_drawings.h"
 #include "viewer/page/viewer_program.h"
-#include "viewer/stream/chunk_writer.h"
 
 namespace cls::viewer {
 namespace {
@@ -125,6 +124,7 @@ TEST(Page, ShowsNamesAsText) {
       if (auto* message = std::get_if<gamelog::Message>(&note.content)) message->text = name;
     }
     const std::string page = match_page(record, nullptr, name, {.settings = {0, {name}}});
+
     EXPECT_EQ(count(page, "<script"), 3U);
     EXPECT_EQ(count(page, "</script"), 3U);
     EXPECT_EQ(count(page, "</noscript"), 1U);
@@ -141,8 +141,10 @@ TEST(Page, HasTheTextsAndDrawingsOfItsMatchFolder) {
   std::ofstream(folder.path() / kLeftDebugFile) << "";
   PageSettings settings;
   settings.drawings = read_page_drawings(folder.path());
+
   ASSERT_EQ(settings.drawings.size(), 1U);
   EXPECT_EQ(gunzip(settings.drawings[0].packed, 1000).value(), lines);
+
   const gamelog::MatchRecord record = record_of("rcg-v6-excerpt");
   const std::string page = match_page(record, nullptr, "game.rcg", {.settings = settings});
   EXPECT_EQ(count(page, "id=\"drawings-right\""), 1U);

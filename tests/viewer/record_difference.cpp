@@ -36,6 +36,7 @@ std::string columns(const MatchRecord& a, const MatchRecord& b) {
       column("ball_position", a.ball_position, b.ball_position, 1),
       column("ball_velocity", a.ball_velocity, b.ball_velocity, 1),
       column("ball_height", a.ball_height, b.ball_height, 1),
+
       column("state", p.state, q.state, kSlots),
       column("type", p.type, q.type, kSlots),
       column("position", p.position, q.position, kSlots),
@@ -46,6 +47,7 @@ std::string columns(const MatchRecord& a, const MatchRecord& b) {
       column("view_width", p.view_width, q.view_width, kSlots),
       column("high_quality", p.high_quality, q.high_quality, kSlots),
       column("focus", p.focus, q.focus, kSlots),
+
       column("stamina", p.stamina, q.stamina, kSlots),
       column("effort", p.effort, q.effort, kSlots),
       column("recovery", p.recovery, q.recovery, kSlots),

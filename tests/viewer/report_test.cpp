@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <optional>
 
 #include "gamelog/rcg/rcg_reader.h"
 #include "tests/gamelog/recorded_match.h"
@@ -176,6 +175,7 @@ TEST(MatchReport, ShowsNamesAsText) {
     match.report.command = name;
     const std::string page = match_page(match.record, nullptr, "game.rcg");
     const std::string html = report_html(match.report, charts_of(match), page);
+
     EXPECT_EQ(count(html, "<script"), 3U) << "those of the replay";
     EXPECT_EQ(count(html, "<img"), 0U);
     EXPECT_EQ(count(html, "</style"), 3U);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include "tests/gamelog/recorded_match.h"
 #include "tests/support/error_of.h"
@@ -87,6 +86,7 @@ TEST(Stream, StoresEveryValueOfSinglePrecision) {
     record.players.stamina[i] = value;
     record.players.pointing_at[i].x = value;
   }
+
   EXPECT_EQ(record_difference(record, read_stream(write_stream(record, {}, ""))), "");
 }
 
@@ -104,7 +104,9 @@ TEST(Stream, IsTheSameMatchInPiecesOfAnySize) {
       ASSERT_EQ(reader.match().record.frames(), writer.frames());
       out.clear();
     }
+
     EXPECT_FALSE(reader.match().ended);
+
     writer.append_end(record, out);
     ASSERT_TRUE(reader.add(out));
     EXPECT_TRUE(reader.match().ended);
@@ -134,6 +136,7 @@ TEST(Stream, FitsColumnsToTheirValues) {
   EXPECT_THAT(column_of(stream, "neck"), HasSubstr("\"scale\":1"));
   EXPECT_THAT(column_of(stream, "neck"), Not(HasSubstr("\"scale\":10")));
   EXPECT_THAT(column_of(stream, "focus_distance"), HasSubstr("\"c\""));
+
   for (std::size_t i = 0; i < record.players.focus.size(); ++i) {
     record.players.focus[i].x = 0.001F * static_cast<float>(i % 1000);
   }
@@ -141,12 +144,13 @@ TEST(Stream, FitsColumnsToTheirValues) {
   record.players.neck[6] = -0.0F;
   record.players.neck[7] = 1.0F / 3.0F;  // in no scale
   stream = write_stream(record, {}, "");
+
   EXPECT_THAT(column_of(stream, "focus_distance"),
               HasSubstr("\"d1\",\"series\":22,\"scale\":1000"));
   EXPECT_THAT(column_of(stream, "neck"), HasSubstr("\"scale\":10"));
   EXPECT_THAT(column_of(stream, "neck"), Not(HasSubstr("\"scale\":100")));
   EXPECT_EQ(record_difference(record, read_stream(stream)), "");
-  // What will come in a live match is not known.
+  // A live match may have any values later.
   EXPECT_THAT(column_of(write_stream(record, {.live = true}, ""), "neck"),
               HasSubstr("\"scale\":1000"));
 }
@@ -172,10 +176,13 @@ TEST(Stream, SkipsUnknownChunks) {
   std::string out;
   writer.append_header(record, out);
   ChunkReader reader;
+
   ASSERT_TRUE(reader.add(out));
+
   std::string unknown;
   append_chunk(static_cast<ChunkKind>('Z'), "of a later version", unknown);
   EXPECT_TRUE(reader.add(unknown));
+
   out.clear();
   writer.append_frames(record, record.frames(), out);
   EXPECT_TRUE(reader.add(out));
@@ -189,10 +196,12 @@ TEST(Stream, SaysWhatIsWrong) {
   EXPECT_EQ(error_of(stream.substr(0, stream.size() / 2)), "truncated: the match has no end");
   EXPECT_EQ(error_of("F\x01x"), "no header: not a match of cls");
   EXPECT_EQ(error_of(stream + stream), "a chunk after the end");
+
   std::string later = stream;
   later.replace(later.find("cls.view/1"), 10, "cls.view/2");
   EXPECT_EQ(error_of(later),
             "schema cls.view/2 is newer than this cls reads (cls.view/1); update cls");
+
   std::string changed = stream;
   changed[changed.find("offside_active_area_size") + 3] ^= 1;
   EXPECT_EQ(error_of(changed), "wrong checksum: the match is corrupt");

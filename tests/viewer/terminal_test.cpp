@@ -57,6 +57,7 @@ TEST(FieldPicture, HasEveryThingWhereItIs) {
   Screen letters(80, 20);
   draw_field(frame, {0, 20, true}, letters);
   const auto cell = [](auto& screen, int row, int column) { return screen.at(row, column).text; };
+
   EXPECT_EQ(cell(colored, 10, 40), "●");
   // 160 by 80 dots for 110 by 70 meters: 80 / 70 dots a meter.
   EXPECT_EQ(cell(colored, 10, 11), "1");
@@ -86,6 +87,7 @@ TEST(FieldPicture, ReversesThePlayerOnTheBallAndHidesAbsentOnes) {
       EXPECT_TRUE(cell.reverse);
     }
   }
+
   EXPECT_EQ(players, 1);
 }
 
@@ -105,19 +107,24 @@ TEST(MatchScreen, PlaysInRealTime) {
   const auto record = short_match();
   MatchScreen match(record);
   EXPECT_EQ(match.line(), "cycle 1, play_on, left 0 : 0 right");
+
   match.advance(0.35);
   EXPECT_EQ(match.frame(), 3U);
+
   match.press(Key::kFaster);
   match.advance(0.1);
   EXPECT_EQ(match.frame(), 5U);
   EXPECT_EQ(match.line(), "cycle 6, play_on, left 1 : 0 right");
+
   match.press(Key::kPlay);
   match.advance(1);
   EXPECT_EQ(match.frame(), 5U);
+
   match.press(Key::kPlay);
   match.advance(9);
   EXPECT_EQ(match.frame(), 9U);
   EXPECT_TRUE(match.at_end());
+
   match.press(Key::kPlay);
   EXPECT_EQ(match.frame(), 0U);
 }
@@ -129,6 +136,7 @@ TEST(MatchScreen, ObeysKeys) {
     match.press(key);
     return match.frame();
   };
+
   EXPECT_EQ(after(Key::kForward), 1U);
   EXPECT_FALSE(match.playing());
   EXPECT_EQ(after(Key::kBack), 0U);
@@ -141,6 +149,7 @@ TEST(MatchScreen, ObeysKeys) {
   EXPECT_EQ(after(Key::kPreviousGoal), 4U);
   EXPECT_EQ(after(Key::kLive), 4U);
   EXPECT_FALSE(match.has_quit());
+
   match.press(Key::kQuit);
   EXPECT_TRUE(match.has_quit());
 }
@@ -149,18 +158,23 @@ TEST(MatchScreen, FollowsALiveMatch) {
   gamelog::MatchRecord record;
   MatchScreen match(record);
   match.set_live(true);
+
   EXPECT_EQ(match.line(), "waiting for the kick-off");
   EXPECT_THAT(match.draw(80, 24, true).text(), HasSubstr("waiting for the kick-off"));
+
   record = short_match();
   match.advance(0);
   EXPECT_EQ(match.frame(), 9U);
+
   match.press(Key::kBackTen);
   match.advance(1);
   EXPECT_EQ(match.frame(), 0U);
+
   match.press(Key::kLive);
   match.advance(0);
   EXPECT_EQ(match.frame(), 9U);
   EXPECT_FALSE(match.at_end());
+
   match.set_live(false);
   EXPECT_TRUE(match.at_end());
 }
