@@ -4,11 +4,11 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <string>
 #include <vector>
 
+#include "base/text/json.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/python.h"
@@ -55,7 +55,7 @@ TEST_F(Installation, PlaysAndTestsWithItsOwnData) {
   const CommandResult match = run_there(
       {cls, "match", "mock", "mock", "--seed", "1", "--cycles", "20", "--dir", "match", "--json"});
   EXPECT_EQ(match.exit_code, 0) << match.err;
-  EXPECT_EQ(nlohmann::json::parse(match.out)["end_reason"], "finished");
+  EXPECT_EQ(base::Json::parse(match.out)["end_reason"], "finished");
   EXPECT_EQ(run_there({cls, "watch", "match", "--out", "page.html"}).exit_code, 0);
   EXPECT_EQ(run_there({cls, "test", "physics_dash"}).exit_code, 0);
   EXPECT_EQ(run_there({cls, "new", "python", "ada"}).exit_code, 0);
