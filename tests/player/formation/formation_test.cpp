@@ -76,8 +76,9 @@ TEST(Triangulation, IsEmptyForFewerThanThreeNonCollinearPoints) {
 Formation linear_formation(const std::vector<Vec2>& balls) {
   std::vector<FormationSample> samples;
   for (const Vec2 ball : balls) {
-    samples.push_back({.ball = ball});
-    samples.back().players.fill({2.0 * ball.x + ball.y, ball.x - 3.0 * ball.y});
+    FormationSample& sample = samples.emplace_back();
+    sample.ball = ball;
+    sample.players.fill({2.0 * ball.x + ball.y, ball.x - 3.0 * ball.y});
   }
   return *Formation::make(samples);
 }
