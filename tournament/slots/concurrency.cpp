@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "match/terms/endpoint.h"
+#include "match/terms/match_options.h"
 
 namespace cls::tournament {
 namespace {

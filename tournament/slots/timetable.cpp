@@ -7,6 +7,7 @@
 
 #include "base/system/host.h"
 #include "league/matches/stage_name.h"
+#include "match/terms/match_options.h"
 #include "tournament/config/start_times.h"
 #include "tournament/slots/concurrency.h"
 
