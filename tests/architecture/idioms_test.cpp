@@ -26,7 +26,7 @@ TEST(Idioms, AreAllowedInCommentsAndInTheirOwnPlace) {
 
 TEST(UnusedDeclarations, AreReported) {
   const std::vector<SourceFile> files = {
-      {"cli/a.h", "inline constexpr int kLimit = 3;\nint count(int x);\nstruct Lonely;\n"},
+      {"cli/a.h", "inline constexpr int kLimit = 3;\nint count(int x);\nstruct Lonely {\n};\n"},
       {"cli/a.cpp", "// kLimit count\nint count(int x) {\n  return x;\n}\n"}};
 
   EXPECT_EQ(to_text(check_unused_declarations(files)),
