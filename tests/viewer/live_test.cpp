@@ -65,14 +65,18 @@ std::size_t frames_in(const std::string& stream) {
 /// A log that grows as a server writes it.
 class GrowingLog {
  public:
-  explicit GrowingLog(std::string_view bytes = "") { add(bytes); }
-  std::filesystem::path path() const { return folder_.path() / "match.rcg"; }
+  explicit GrowingLog(std::string_view bytes = "", std::string name = "match.rcg")
+      : name_(std::move(name)) {
+    add(bytes);
+  }
+  std::filesystem::path path() const { return folder_.path() / name_; }
   void add(std::string_view bytes) {
     std::ofstream(path(), std::ios::app | std::ios::binary) << bytes;
   }
 
  private:
   tests::TemporaryFolder folder_;
+  std::string name_;
 };
 
 // Looks again and again; false if `condition` does not come about.
@@ -443,7 +447,7 @@ TEST(LogGlance, InflatesWhatIsThere) {
     text += fmt::format("(show {} ((b) {} {} 0 0))\n", cycle, cycle * 7 % 52, cycle * 11 % 34);
   }
   const std::string packed = gzip(text);
-  GrowingLog log(packed.substr(0, packed.size() / 2));
+  GrowingLog log(packed.substr(0, packed.size() / 2), "match.rcg.gz");
   LogGlance glance(log.path());
   const auto half = glance.now();
 
