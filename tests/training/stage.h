@@ -19,7 +19,7 @@ class BoundPool {
  public:
   /// Throws std::runtime_error, which fails the test, if the configuration is refused.
   explicit BoundPool(const std::string& config);
-  /// Resets it with the seeds from `first` on.
+  /// Resets it with the seeds from `first` on; throws as above.
   BoundPool(const std::string& config, std::uint64_t first);
   ~BoundPool();
   BoundPool(const BoundPool&) = delete;
