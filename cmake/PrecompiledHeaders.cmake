@@ -31,4 +31,7 @@ if(BUILD_TESTING)
     HEADERS ${standard_headers} <gtest/gtest.h> <nlohmann/json.hpp>)
   cls_pch(wire_tests LINK fmt::fmt GTest::gtest cls_proto_generated
     HEADERS ${standard_headers} <gtest/gtest.h> <proto/playmaker.pb.h>)
+  foreach(name tests json_tests wire_tests)
+    cls_unoptimized(cls_pch_${name})
+  endforeach()
 endif()

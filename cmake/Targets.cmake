@@ -5,11 +5,9 @@ option(CLS_UNITY "compile several sources as one where a library allows it" OFF)
 # cls_library(<target> SOURCES <files...> LINK <targets...> [PCH <name>] [COLD [HOT <files...>]]
 #   [UNITY [ALONE <files...>]])
 # The static library of a folder. LINK states what the folder may include (and libraries that its
-# headers or sources use). PCH names precompiled headers (cmake/PrecompiledHeaders.cmake). UNITY
-# compiles sources in batches, which pays where most files include the same large headers; files
-# that are ALONE repeat names of others in their anonymous namespaces. COLD code, in which no match
-# spends its time, is optimized less, but for its files that are HOT: there the optimizer takes a third
-# of the time of a build.
+# headers or sources use). PCH names precompiled headers (cmake/PrecompiledHeaders.cmake). COLD code,
+# in which no match spends its time, is optimized less, but for its files that are HOT: there the
+# optimizer takes a third of the time of a build. UNITY and ALONE: see cls_unity().
 function(cls_library target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "COLD;UNITY" "PCH"
     "SOURCES;LINK;ALONE;HOT")
@@ -24,9 +22,18 @@ function(cls_library target)
     set_source_files_properties(${arg_HOT} PROPERTIES
       COMPILE_OPTIONS "$<$<CONFIG:RelWithDebInfo,Release>:-O2>")
   endif()
-  if(arg_UNITY AND CLS_UNITY)
+  if(arg_UNITY)
+    cls_unity(${target} ${arg_ALONE})
+  endif()
+endfunction()
+
+# Compiles the sources in batches, because most time goes into headers and templates that they share:
+# half of it for libraries and tests alike. Files that are ALONE repeat names of others in their
+# anonymous namespaces. After a change in one file -DCLS_UNITY=OFF is faster.
+function(cls_unity target)
+  if(CLS_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-    set_source_files_properties(${arg_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
 endfunction()
 
@@ -34,8 +41,13 @@ function(cls_cold target)
   target_compile_options(${target} PRIVATE "$<$<CONFIG:RelWithDebInfo,Release>:-O1>")
 endfunction()
 
+# Tests are compiled more often than they run, and what they call is optimized.
+function(cls_unoptimized target)
+  target_compile_options(${target} PRIVATE "$<$<CONFIG:RelWithDebInfo,Release>:-O0>")
+endfunction()
+
 # cls_test(<folder> SOURCES <files...> [LINK <targets...>] [NEEDS <targets...>] [TIMEOUT <seconds>]
-#   [PCH <name>] [SHARDS <number> | SLOW])
+#   [PCH <name>] [SHARDS <number> | SLOW] [ALONE <files...>])
 # One GoogleTest binary for tests/<folder>, `cls_<folder>_tests`, linked with the folder's library.
 # NEEDS lists what must be built although it is not linked (the binary `cls`). In CTest each test is
 # an entry <folder>.<Suite>.<Case> with the label <folder>; where no process is tested, SHARDS entries
@@ -43,7 +55,7 @@ endfunction()
 # names and times. SLOW tests have the label <folder>.slow: `make test` leaves them to `make
 # slow-test`. Paths: see tests/support/files.h.
 function(cls_test folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SLOW" "TIMEOUT;PCH;SHARDS" "SOURCES;LINK;NEEDS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SLOW" "TIMEOUT;PCH;SHARDS" "SOURCES;LINK;NEEDS;ALONE")
   if(NOT arg_SOURCES)
     return()
   endif()
@@ -61,7 +73,8 @@ function(cls_test folder)
   endif()
   target_link_libraries(${target} PRIVATE
     ${arg_LINK} cls_test_support GTest::gmock GTest::gtest_main cls_warnings)
-  cls_cold(${target})
+  cls_unoptimized(${target})
+  cls_unity(${target} ${arg_ALONE})
   target_compile_definitions(${target} PRIVATE CLS_BUILD_DIR="${CMAKE_BINARY_DIR}")
   set(label ${folder})
   if(arg_SLOW)

@@ -93,11 +93,11 @@ TEST(ResultsText, QuotesCsv) {
 TEST(ResultsText, FormatsJsonDocument) {
   MatchSummary match = example();
   match.teams[0].name = "bad\xff";
-  const auto json = base::Json::parse(format_results({match}, ResultsFormat::kJson));
+  const auto printed = base::Json::parse(format_results({match}, ResultsFormat::kJson));
 
-  EXPECT_EQ(json["schema"], "cls.results/1");
+  EXPECT_EQ(printed["schema"], "cls.results/1");
 
-  const auto& row = json["matches"][0];
+  const auto& row = printed["matches"][0];
   EXPECT_EQ(row["file"], "logs/a,b.rcg");
   EXPECT_EQ(row["winner"], "right");
   EXPECT_EQ(row["cycles"], 6000);
@@ -113,7 +113,7 @@ TEST(ResultsText, FormatsJsonDocument) {
   EXPECT_TRUE(row["goals"][2]["unum"].is_null());
   EXPECT_EQ(row["cards"][0]["card"], "yellow");
   EXPECT_EQ(row["substitutions"][0]["to_type"], 6);
-  EXPECT_EQ(json["standings"][0]["points"], 3);
+  EXPECT_EQ(printed["standings"][0]["points"], 3);
 }
 
 TEST(ResultsText, ShowsPathsWhenFileNamesAreEqual) {
@@ -151,6 +151,7 @@ TEST(ReadResults, GivesSameResultsOnOneAndFourThreads) {
           {{tests::fixture("gamelog/" + std::string(name) + ".rcg.gz").string(), ""}, {}});
     }
   }
+
   std::string expected;
   for (const std::size_t jobs : {1, 4}) {
     std::vector<MatchSummary> summaries;

@@ -160,23 +160,23 @@ TEST(Application, VersionOptionIsTheVersionCommand) {
 }
 
 TEST(Application, VersionNamesReleaseWireCompilerAndLibraries) {
-  const base::Json json = base::Json::parse(run({"version", "--json"}).out);
-  EXPECT_EQ(json["schema"], "cls.version/1");
+  const base::Json printed = base::Json::parse(run({"version", "--json"}).out);
+  EXPECT_EQ(printed["schema"], "cls.version/1");
   const std::string text = run({"version"}).out;
   for (const char* key : {"cls", "wire", "compiler"}) {
-    EXPECT_THAT(text, HasSubstr(json[key].get<std::string>())) << key;
+    EXPECT_THAT(text, HasSubstr(printed[key].get<std::string>())) << key;
   }
 
-  EXPECT_EQ(json["protocol"]["newest"], 19);
-  for (const auto& [name, version] : json["formats"].items()) {
+  EXPECT_EQ(printed["protocol"]["newest"], 19);
+  for (const auto& [name, version] : printed["formats"].items()) {
     EXPECT_THAT(text, HasSubstr(name)) << name;
     EXPECT_THAT(text, HasSubstr(version.get<std::string>())) << name;
   }
 
   for (const char* library : {"grpc", "protobuf", "boost", "sqlite", "zlib", "nlohmann-json",
                               "openssl", "sleef", "tomlplusplus"}) {
-    ASSERT_TRUE(json["libraries"].contains(library)) << json;
-    EXPECT_THAT(text, HasSubstr(json["libraries"][library].get<std::string>()));
+    ASSERT_TRUE(printed["libraries"].contains(library)) << printed;
+    EXPECT_THAT(text, HasSubstr(printed["libraries"][library].get<std::string>()));
   }
 }
 
@@ -258,6 +258,7 @@ const std::vector<Mistake>& mistakes() {
        "--max-missed '-1': must be a whole number from 0"},
       {{"mock", "--host", ""}, "--host '': must be a host"},
   };
+
   return table;
 }
 

@@ -34,9 +34,9 @@ TEST(HelpCommand, PrintsPagesWithoutLinkTargets) {
 TEST(HelpCommand, ListsTopics) {
   const CommandResult topics = run({cls_binary(), "help", "topics"});
   EXPECT_THAT(topics.out, HasSubstr("formats/rcg "));
-  const auto json = base::Json::parse(run({cls_binary(), "help", "topics", "--json"}).out);
-  ASSERT_GE(json["topics"].size(), 20u);
-  for (const auto& topic : json["topics"]) {
+  const auto printed = base::Json::parse(run({cls_binary(), "help", "topics", "--json"}).out);
+  ASSERT_GE(printed["topics"].size(), 20u);
+  for (const auto& topic : printed["topics"]) {
     const auto name = topic["name"].get<std::string>();
     EXPECT_EQ(run({cls_binary(), "help", name}).exit_code, 0) << name;
     EXPECT_TRUE(fs::exists(source_folder() / "docs" / (name + ".md"))) << name;

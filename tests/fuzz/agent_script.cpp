@@ -19,14 +19,11 @@
 #include "soccer/commands/coach_command.h"
 #include "soccer/commands/player_command.h"
 #include "soccer/memory_channel.h"
+#include "tests/fuzz/require.h"
 #include "tests/proxy/playmaker/random_message.h"
 
 namespace cls::tests {
 namespace {
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 /// Later than every deadline of an agent.
 constexpr proxy::Instant kMuchLater = proxy::Instant(std::chrono::hours(1));
@@ -135,6 +132,7 @@ int play(std::string_view script, soccer::Channel& server, Agent& agent) {
   Answer answer;
   std::string said;
   server.receive(said);  // the init
+
   while (!script.empty()) {
     const std::string_view line = script.substr(0, script.find('\n'));
     script.remove_prefix(std::min(line.size() + 1, script.size()));
@@ -155,6 +153,7 @@ int play(std::string_view script, soccer::Channel& server, Agent& agent) {
     }
     while (server.receive(said)) require(agent.can_say(said));
   }
+
   return decisions;
 }
 

@@ -17,6 +17,7 @@
 #include "gamelog/rcg/record_writer.h"
 #include "gamelog/rcl/logged_commands.h"
 #include "gamelog/rcl/rcl_reader.h"
+#include "tests/fuzz/require.h"
 
 namespace cls::tests {
 namespace {
@@ -27,12 +28,6 @@ using namespace cls::analysis;
 
 // More frames make statistics slower without finding more.
 constexpr std::size_t kEnoughFrames = 300;
-
-void require(bool condition, const char* promise) {
-  if (condition) return;
-  std::fprintf(stderr, "broken promise: %s\n", promise);
-  std::abort();
-}
 
 MatchRecord read(std::string_view bytes) {
   MemorySource source(bytes);
@@ -121,6 +116,7 @@ void check_text_log(std::string_view bytes) {
     while (cursor.next(command)) ++commands;
     require(commands <= line.length, "no command out of nothing");
   }
+
   base::StringSink table;
   analysis::write_commands_arrow(text, table);
   require(table.bytes().ends_with("ARROW1"), "commands as a table");

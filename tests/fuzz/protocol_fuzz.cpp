@@ -17,14 +17,12 @@
 #include "soccer/messages/sense_body.h"
 #include "soccer/messages/server_reply.h"
 #include "soccer/parameters/configuration.h"
+#include "tests/fuzz/require.h"
 
 namespace {
 
 using namespace cls::soccer;
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
+using cls::tests::require;
 
 // An accepted message must format, and the text must parse to the same message.
 template <typename Message, typename Write>

@@ -10,6 +10,7 @@
 #include "base/io/byte_sink.h"
 #include "simulator/sessions/match_server.h"
 #include "soccer/memory_channel.h"
+#include "tests/fuzz/require.h"
 
 namespace cls::tests {
 namespace {
@@ -17,10 +18,6 @@ namespace {
 using namespace cls::simulator;
 
 constexpr std::size_t kMaxMessageLength = 8192;
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 class ScriptedSessions {
  public:
@@ -128,6 +125,7 @@ void play_session_script(std::string_view script) {
       sessions.cycle();
     }
   }
+
   sessions.cycle();
   sessions.cycle();
 }

@@ -10,6 +10,7 @@
 #include "base/io/byte_sink.h"
 #include "base/io/byte_source.h"
 #include "base/text/replace_all.h"
+#include "tests/fuzz/require.h"
 
 namespace cls::tests {
 namespace {
@@ -18,12 +19,6 @@ using analysis::StpColumns;
 using analysis::StpFile;
 using analysis::StpModel;
 using base::MemorySource;
-
-void require(bool condition, const char* promise) {
-  if (condition) return;
-  std::fprintf(stderr, "broken promise: %s\n", promise);
-  std::abort();
-}
 
 void check_cut(std::string_view bytes, StpFile file, int last_cycle) {
   MemorySource source(bytes);

@@ -14,18 +14,13 @@
 
 #include "base/text/json.h"
 #include "base/text/number_text.h"
+#include "tests/fuzz/require.h"
 #include "tests/training/stage.h"
 
 namespace cls::tests {
 namespace {
 
 constexpr int kMaxSteps = 60;
-
-void require(bool condition, const char* promise) {
-  if (condition) return;
-  std::fprintf(stderr, "broken promise: %s: %s\n", promise, cls_training_error());
-  std::abort();
-}
 
 // A failure has one line of text that names its cause.
 bool succeeds(int code) {

@@ -32,6 +32,7 @@
 #include "proto/recording_file.h"
 #include "proto/saved_match.pb.h"
 #include "scenario/scenario_file.h"
+#include "tests/fuzz/require.h"
 #include "tournament/config/config.h"
 #include "tournament/config/config_file.h"
 #include "tournament/store/match_document.h"
@@ -39,10 +40,6 @@
 
 namespace cls::tests {
 namespace {
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 void check_scenario(const std::string& text) {
   const auto document = base::JsonDocument::parse("scenario.json", text);
@@ -235,6 +232,7 @@ void check_user_file(std::string_view input) {
   google::protobuf::LogSilencer no_complaints;
   if (input.empty()) return;
   const std::string text(input.substr(1));
+
   switch (input.front()) {
     case 's':
       return check_scenario(text);

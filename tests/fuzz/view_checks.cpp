@@ -9,6 +9,7 @@
 #include "analysis/results/match_summary.h"
 #include "base/io/byte_sink.h"
 #include "gamelog/record/match_record.h"
+#include "tests/fuzz/require.h"
 #include "tests/viewer/record_difference.h"
 #include "viewer/decisions/decision_reader.h"
 #include "viewer/decisions/decision_table.h"
@@ -18,12 +19,6 @@
 
 namespace cls::tests {
 namespace {
-
-void require(bool condition, const char* promise, const std::string& found = "") {
-  if (condition) return;
-  std::fprintf(stderr, "broken promise: %s: %s\n", promise, found.c_str());
-  std::abort();
-}
 
 void check_record(const gamelog::MatchRecord& record) {
   for (std::size_t i = 0; i < record.frames(); ++i) {
@@ -67,6 +62,7 @@ void check_decisions(std::string_view bytes) {
   require(table.bytes().ends_with("ARROW1"), "decisions are a table");
   const auto read = viewer::read_decisions(*again);
   require(read.ok(), "written decisions can be read", read ? "" : read.error().message);
+
   for (std::size_t i = 0; i < decisions->players.size(); ++i) {
     for (const viewer::DecisionSample& sample : read->players[i])
       require(sample.cycle >= 0, "only chosen cycles are kept");

@@ -136,14 +136,14 @@ struct ErrorRate {
 };
 
 ErrorRate simulate(double elo, const Hypotheses& hypotheses, int runs) {
-  constexpr int kMaxPairs = 100'000;
+  constexpr int kLimit = 100'000;
   ErrorRate rate;
   for (int run = 0; run < runs; ++run) {
     Opponents opponents(elo, static_cast<std::uint64_t>(run) + 1);
     Frequencies seen(5);
     SprtState state;
     int pairs = 0;
-    for (; state.decision == Decision::kOpen && pairs < kMaxPairs; ++pairs) {
+    for (; state.decision == Decision::kOpen && pairs < kLimit; ++pairs) {
       seen[opponents.pair()] += 1;
       state = sprt_state(seen, hypotheses);
     }
@@ -151,6 +151,7 @@ ErrorRate simulate(double elo, const Hypotheses& hypotheses, int runs) {
     rate.h1 += state.decision == Decision::kH1;
     rate.length += pairs;
   }
+
   rate.h1 /= runs;
   rate.length /= runs;
   return rate;
