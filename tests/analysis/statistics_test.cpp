@@ -151,6 +151,7 @@ TEST(Stoppages, CountsRestartsAndOffensesBySide) {
     match.mode(mode);
     match.steps(2);
   }
+
   const Stoppages s = count_stoppages(build_flow(match.record()));
 
   EXPECT_EQ(

@@ -102,6 +102,7 @@ int check_citations(const SourceFile& file, const Pages& pages, std::vector<Viol
   static const std::regex in_text(R"(docs/spec/([\w-]+\.md)(?:[\s#]+()" + kNumbers + "))?");
   static const std::regex by_link(R"(\]\((?:(?:\.\./)?spec/)?([\w-]+\.md)\)\s+()" + kNumbers + ")");
   int citations = 0;
+
   const auto check = [&](const std::smatch& match, int line) {
     const auto page = pages.find(match[1].str());
     if (page == pages.end()) {
@@ -114,6 +115,7 @@ int check_citations(const SourceFile& file, const Pages& pages, std::vector<Viol
       out.push_back({file.path, line, "docs/spec/" + page->first + " has no section " + number});
     }
   };
+
   for (const Passage& passage : passages_of(file)) {
     if (passage.text.find("docs/spec/") != std::string::npos) {
       for_each_match(passage, in_text, check);
@@ -140,11 +142,13 @@ std::vector<Violation> bare_citations(const SourceFile& file, const Pages& pages
   static const std::regex page_alone(R"((?:^|[^/\w-]))" + kPageNames + R"(\.md\s+\d)");
   static const std::regex section(R"(\bsections?\s+\d)", std::regex::icase);
   std::vector<Violation> violations;
+
   const auto report = [&](const std::smatch& match, int line) {
     violations.push_back({file.path, line,
                           match.str() + ": cite as docs/spec/<page>.md <section>, or give a "
                                         "number its unit"});
   };
+
   for (const Passage& comment : comments_of(file.text)) {
     const bool has_digit = std::any_of(comment.text.begin(), comment.text.end(),
                                        [](unsigned char c) { return std::isdigit(c) != 0; });

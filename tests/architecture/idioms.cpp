@@ -73,6 +73,7 @@ const std::vector<Idiom>& idioms() {
        "std::ranges::sort()",
        {"tests/"}},
   };
+
   return table;
 }
 

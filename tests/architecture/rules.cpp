@@ -84,6 +84,7 @@ const std::map<std::string, Library>& libraries() {
       {"packaging", {}},
       {"tests", {below_cli_and("cli"), {}}},
   };
+
   return table;
 }
 
@@ -150,6 +151,7 @@ const std::vector<ForbiddenHeader>& forbidden_headers() {
        {"math.h"},
        "include <cmath> for exact functions, soccer/math.h for the others"},
   };
+
   return table;
 }
 
@@ -166,6 +168,7 @@ const std::vector<ForbiddenCode>& forbidden_code() {
   static const std::string functions =
       "(sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|asinh|acosh|atanh|exp|exp2|expm1|log|log2|"
       "log10|log1p|pow|hypot|cbrt|erf|erfc|tgamma|lgamma)[fl]?";
+
   static const std::vector<ForbiddenCode> table = {
       {{"base", "soccer", "simulator", "training", "player", "proxy", "mock-server"},
        "soccer/math.",
@@ -188,6 +191,7 @@ const std::vector<ForbiddenCode>& forbidden_code() {
        std::regex(R"(\b(TempDir|temp_directory_path|tmpnam)\s*\()"),
        "shared between concurrent runs; use tests/support/temporary_folder.h"},
   };
+
   return table;
 }
 
@@ -251,6 +255,7 @@ std::vector<Violation> check_includes(const SourceFile& file) {
     return {
         {file.path, 0, "unknown folder; add it to libraries() in tests/architecture/rules.cpp"}};
   }
+
   const std::set<std::string> allowed = allowed_libraries(library);
   for (const Include& include : includes_of(file.text)) {
     const std::string target = library_of(include.path);
@@ -268,6 +273,7 @@ std::vector<Violation> check_includes(const SourceFile& file) {
       violations.push_back({file.path, include.line, include.path + ": " + error});
     }
   }
+
   return violations;
 }
 
@@ -308,6 +314,7 @@ std::vector<Violation> check_shape(const SourceFile& file) {
   if (lines.empty() || !starts_with(lines.front(), "// ")) {
     violations.push_back({file.path, 1, "first line must state the purpose: // ..."});
   }
+
   const bool is_main = file.path == "cli/main.cpp";
   const int limit = is_main ? kMaxMainLines - 1 : kMaxFileLines;
   if (static_cast<int>(lines.size()) > limit) {
@@ -315,6 +322,7 @@ std::vector<Violation> check_shape(const SourceFile& file) {
         {file.path, 0,
          std::to_string(lines.size()) + " lines; the maximum is " + std::to_string(limit)});
   }
+
   for (const Function& function : functions_of(file.text)) {
     if (function.length <= kMaxFunctionLines) continue;
     violations.push_back({file.path, function.line,

@@ -145,6 +145,7 @@ std::vector<Function> functions_of(std::string_view text) {
   const std::vector<std::string> lines = lines_of(without_comments(text, Literals::kBlank));
   int start = 0;      // first line of the current statement at the margin
   bool open = false;  // inside a body
+
   for (int number = 1; number <= static_cast<int>(lines.size()); ++number) {
     const std::string& line = lines[static_cast<std::size_t>(number - 1)];
     if (open && line == "}") {

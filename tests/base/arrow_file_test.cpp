@@ -198,6 +198,7 @@ class Reader {
     std::int64_t nulls = next_node(rows_);
     const std::string_view validity = next_buffer();
     const auto valid = [&](std::size_t row) { return validity.empty() || bit(validity, row); };
+
     for (std::size_t row = 0; row < rows_; ++row) nulls -= valid(row) ? 0 : 1;
     EXPECT_EQ(nulls, 0) << column.name;
 

@@ -184,6 +184,7 @@ TEST(ExplainCommand, NamesThePlaceInThePages) {
     EXPECT_EQ(anchors[place.substr(0, mark)].count(place.substr(mark + 1)), 1U)
         << entry["name"] << ": " << place;
   }
+
   EXPECT_THAT(explain({"Self.stamina"}).out, HasSubstr("docs/reference/messages.md#self"));
 }
 

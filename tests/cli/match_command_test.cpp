@@ -118,6 +118,7 @@ TEST(MatchCommand, ReportsUsageErrorsInOneLine) {
       {{"mock", "mock", "--on-late", "hodl"},
        "cls: --on-late 'hodl': must be hold, last or default; did you mean 'hold'?\n"},
   };
+
   for (const UsageError& error : errors) {
     TemporaryFolder folder;
     const fs::path target = folder.path() / "match";

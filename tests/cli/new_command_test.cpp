@@ -136,6 +136,7 @@ TEST_F(NewCommand, DebuggerStartsTheProgramOfTheProject) {
       {"java", {"mainClass", ""}},
       {"rust", {"cargo", ""}},
       {"csharp", {"projectPath", "Team.csproj"}}};
+
   for (const std::string language : kLanguages) {
     run_new({language, "ada", "--dir", language});
     const fs::path project = folder_.path() / language;

@@ -81,6 +81,7 @@ const std::vector<Use>& uses() {
       {{"version"}},
       {{"help", "topics"}},
   };
+
   return all;
 }
 

@@ -53,11 +53,13 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "cannot load the formation\n");
     return flags.number("exit-at-start");
   }
+
   if (flags.has("never-listen")) cls::fakes::hang();
   if (flags.has("silent")) {
     cls::fakes::open_silently(SOCK_STREAM, flags.number("port"));
     cls::fakes::hang();
   }
+
   std::this_thread::sleep_for(std::chrono::milliseconds(flags.number("late-start-ms")));
   auto team = cls::mock_server::make_behavior("simple");
   if (!team) return 1;

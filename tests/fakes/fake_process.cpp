@@ -220,6 +220,7 @@ const std::map<std::string, Action>& actions() {
       {"spoil-signals", [](Script&) { spoil_signals(); }},
       {"exec", [](Script& script) { become(script.rest()); }},
   };
+
   return table;
 }
 

@@ -64,10 +64,12 @@ int main(int argc, char** argv) {
   fakes::misbehave_at_start(flags);
   std::printf("rcssserver-19.0.0\n\nSimulator Random Seed: 1234\n");
   std::fflush(stdout);
+
   if (flags.has("exit-at-start")) {
     std::fprintf(stderr, "Error: the stadium is closed\n");
     return flags.number("exit-at-start");
   }
+
   if (flags.has("never-open")) fakes::hang();
   if (flags.has("silent")) {
     fakes::open_silently(SOCK_DGRAM, options_of(flags).server.port);

@@ -19,15 +19,18 @@ int main(int argc, char** argv) {
   using namespace cls::process;
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   auto guard = Guard::start(argc, argv);
+
   if (!guard) {
     std::fprintf(stderr, "%s\n", guard.error().message.c_str());
     return 1;
   }
+
   auto host = ProcessHost::create();
   if (!host) return 1;
   std::vector<std::shared_ptr<Child>> children;
   std::optional<ScratchFolder> scratch;
   bool stay = true;
+
   for (const std::string& argument : arguments) {
     if (argument == "return") {
       stay = false;

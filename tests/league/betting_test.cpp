@@ -71,6 +71,7 @@ TEST(Betting, IsFairUnderEachHypothesis) {
   const std::vector<Distribution> shapes = {
       {1, 1, 1, 1, 1},    {8, 0, 1, 0, 6}, {0.01, 1, 20, 1, 0.01},
       {30, 1, 0, 0, 0.1}, {1, 0, 1},       {0, 3, 1, 1, 9}};
+
   for (const auto& [elo0, elo1] : {std::pair{0.0, 40.0}, {-50.0, 0.0}, {100.0, 300.0}}) {
     const Hypotheses hypotheses = {score_from_elo(elo0), score_from_elo(elo1), 0.05, 0.05};
     for (const Distribution& shape : shapes) {
@@ -227,6 +228,7 @@ TEST(Betting, ErrorRatesAndLengthsOnPlayedTables) {
   const int runs = full ? 100'000 : 1'000;
   const int sprt_runs = full ? 10'000 : 500;
   const double max_rate = 0.05 + 3 * std::sqrt(0.05 * 0.95 / runs);
+
   for (const Table& table : tables()) {
     const Hypotheses& h = table.hypotheses;
     for (const double mean : {h.mean0, h.mean1}) {

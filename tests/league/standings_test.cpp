@@ -32,6 +32,7 @@ TEST(Standings, CountPointsAndGoals) {
   Outcome shoot_out = score(1, 1);
   shoot_out.left_penalties = 2;
   shoot_out.right_penalties = 3;
+
   const std::vector<ScheduledMatch> matches = {
       match(0, 1, score(3, 1)), match(1, 0, score(2, 2)), match(0, 1, shoot_out),
       match(0, 1, fault(EndReason::kCrashed)), planned({})};

@@ -99,12 +99,14 @@ TEST(Endpoint, RefusesHostsThatCannotBeOne) {
       {"[localhost]:50661", "only an IPv6 address stands in brackets"},
       {"[1.2.3.4]:50661", "only an IPv6 address stands in brackets"},
   };
+
   for (const auto& [text, problem] : mistakes) {
     const auto endpoint = parse_endpoint(text);
     ASSERT_FALSE(endpoint) << text;
     EXPECT_THAT(endpoint.error().message, testing::HasSubstr(problem));
     EXPECT_THAT(endpoint.error().message, testing::HasSubstr(text));
   }
+
   for (const char* text : {"[::1]:50661", "[fe80::1%eth0]:50661", "my_host-2.example.org:50661"}) {
     EXPECT_TRUE(parse_endpoint(text)) << text;
   }

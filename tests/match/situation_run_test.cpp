@@ -30,6 +30,7 @@ analysis::Book rolling_ball() {
   book.warm_up = kWarmUp;
   book.logs.push_back({"match.rcg", {"a", "b"}, std::vector<soccer::PlayerType>(2)});
   book.logs[0].types[1].player_speed_max = 0.9;
+
   for (std::size_t kind = 0; kind < analysis::kSituationClasses; ++kind) {
     analysis::Situation situation;
     situation.kind = static_cast<analysis::SituationClass>(kind);

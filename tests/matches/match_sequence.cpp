@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
   if (!guard || argc != 6) return 2;
   const std::atomic<int> no_signal{0};
   const int count = std::atoi(argv[5]);
+
   for (int i = 0; i < count; ++i) {
     MatchObserver no_observer;
     const MatchOptions options = options_of(i, argv + 1);
@@ -78,5 +79,6 @@ int main(int argc, char** argv) {
                 entries_of("/proc/self/task"));
     std::fflush(stdout);
   }
+
   return 0;
 }

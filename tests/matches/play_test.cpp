@@ -92,6 +92,7 @@ TEST(Play, LooksLikeSoccer) {
   const int matches = full_tests_requested() ? 20 : 3;
   const int cycles = full_tests_requested() ? 6000 : 1500;
   Play play;
+
   for (int seed = 1; seed <= matches; ++seed) {
     ASSERT_NO_FATAL_FAILURE(play_one(seed, cycles, play)) << "seed " << seed;
   }

@@ -30,6 +30,7 @@ const std::vector<std::pair<std::string, std::regex>>& forms() {
     const auto add = [&made](const std::string& name, const std::string& rest) {
       made.emplace_back(name, std::regex(R"( \()" + name + rest + R"(\))"));
     };
+
     add("s", " [lr] " + kInt + " " + kInt + numbers(6) + comment);
     add("b", numbers(2) + "(" + numbers(2) + ")?" + comment);
     for (const char* team : {"t", "o"}) add(team, known);

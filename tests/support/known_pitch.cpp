@@ -35,6 +35,7 @@ simulator::World make_truth(Noise noise, std::uint64_t seed) {
   if (!rules) throw std::runtime_error(rules.error().message);
   simulator::World truth = simulator::make_world(*rules, seed);
   constexpr int kVersion = 18;
+
   for (const Side side : {Side::kLeft, Side::kRight}) {
     for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
       simulator::join(truth, side, false, kVersion);

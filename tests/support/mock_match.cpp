@@ -71,6 +71,7 @@ MockMatch::MockMatch(std::uint64_t seed, int threads, MockCalls calls) {
   config.server.penalty_shoot_outs = false;
   server_ = taken(simulator::LockstepServer::create(config));
   server_->record(&game_log_, &text_log_);
+
   for (std::size_t side = 0; side < teams_.size(); ++side) {
     mocks_[side] = taken(mock_server::Server::start(taken(mock_server::make_behavior("simple"))));
     playmakers_[side] = playmaker_of(*mocks_[side], calls);
@@ -86,6 +87,7 @@ MockMatch::MockMatch(std::uint64_t seed, int threads, MockCalls calls) {
     const proxy::RpcStatus introduced = teams_[side]->register_agents();
     if (!introduced.ok()) throw std::runtime_error(introduced.message);
   }
+
   if (threads == 2) worker_ = std::make_unique<Worker>(*teams_[1]);
 }
 

@@ -73,10 +73,12 @@ void read_player(Scanner& in, gamelog::PlayerFrame& player) {
   player.body = in.next_number();
   player.neck = in.next_number();
   player.pointing_at.reset();
+
   if (!in.skip(" (v ")) {
     player.pointing_at = in.next_point();
     in.expect(" (v ");
   }
+
   player.high_quality = in.word() == "h";
   player.view_width = in.next_number();
   in.expect(") (fp");
@@ -90,6 +92,7 @@ void read_player(Scanner& in, gamelog::PlayerFrame& player) {
   in.expect(")");
   player.attention_side = Side::kNeutral;
   player.attention_unum = 0;
+
   if (in.skip(" (f ")) {
     player.attention_side = in.side();
     player.attention_unum = static_cast<int>(in.number());

@@ -97,6 +97,7 @@ void ScriptedPlayer::chase() {
   const int goal = *soccer::landmark_index(is_left_ ? "g r" : "g l");
   const soccer::Observation* ball = nullptr;
   double goal_direction = 0.0;
+
   if (seen_) {
     for (const soccer::Observation& object : see_.objects) {
       if (object.kind == soccer::ObservedKind::kBall ||
@@ -108,6 +109,7 @@ void ScriptedPlayer::chase() {
       }
     }
   }
+
   if (ball == nullptr) {
     append_command(seen_ ? "turn" : "dash", seen_ ? 70 : 40, out_);
   } else if (ball->distance < kKickable) {

@@ -52,6 +52,7 @@ std::string TextMutator::mutate(std::string bytes, int max) {
         break;
     }
   }
+
   return bytes;
 }
 

@@ -102,6 +102,7 @@ PrivateSlurm::PrivateSlurm(int max_array_size) : max_array_size_(max_array_size)
       process::Readiness::kReady) {
     throw std::runtime_error("munged does not start: " + logs());
   }
+
   controller_ = start("controller", {find_program("slurmctld"), "-D", "-f",
                                      (folder_.path() / "slurm.conf").string()});
   start_node(0);

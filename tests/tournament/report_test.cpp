@@ -299,6 +299,7 @@ TEST(Report, MarksHostsThatMissFarMoreDecisions) {
     match.outcome->left.missed = missed;
     return match;
   };
+
   const auto outliers = [](const std::vector<ScheduledMatch>& matches) {
     std::string names;
     for (const HostFigures& host : host_figures(matches)) names += host.outlier ? host.host : "-";

@@ -86,6 +86,7 @@ TEST(SpectatorView, ShowsNoEndpointsMessagesOrHosts) {
     outcome.version = outcome.server = "SECRET-version";
     return outcome;
   });
+
   for (TeamEntry& team : state.config.competition.teams) team.endpoint = "team:/SECRET/endpoint";
   Outcome crash = fault(soccer::EndReason::kCrashed);
   crash.message = "SECRET-crash";
@@ -189,6 +190,7 @@ TEST_F(TournamentSiteTest, ReadsNoFolderOutside) {
     ASSERT_TRUE(site) << site.error().message;
     EXPECT_EQ((*site)->reply("match/1/", "").status, 404) << named;
   }
+
   fs::remove_all(folder_.path());
   fs::create_directories(folder_.path() / "matches");
   play("matches/link");

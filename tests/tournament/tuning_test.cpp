@@ -147,6 +147,7 @@ TEST(SymmetricMatrix, DecomposesIntoOrthogonalAxes) {
   soccer::RandomStream random(1, "matrix");
   constexpr std::size_t kSize = 6;
   std::array<std::array<double, kSize>, kSize> root{};
+
   for (auto& row : root) {
     for (double& one : row) one = random.normal(0, 1);
   }
@@ -275,6 +276,7 @@ TEST(TuneConfig, NamesLineAndRemedyOfErrors) {
     text.replace(text.find(from), from.size(), to);
     return parse_tune_config(text, "tune.toml").errors;
   };
+
   using Lines = std::vector<std::string>;
 
   EXPECT_EQ(errors(kFile, "pairs = 4", "pais = 4"),

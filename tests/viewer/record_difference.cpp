@@ -55,6 +55,7 @@ std::string columns(const MatchRecord& a, const MatchRecord& b) {
       column("attention", p.attention, q.attention, kSlots),
       column("counters", p.counters, q.counters, kSlots),
   };
+
   const auto found = std::ranges::find_if_not(differences, &std::string::empty);
   return found == std::end(differences) ? "" : *found;
 }

@@ -119,6 +119,7 @@ TEST(Stamina, RecoveryIsComputedFromSenseBody) {
     EXPECT_NEAR(world.self.recovery, truth.recovery, 1e-9) << cycle;
     least = std::min(least, truth.recovery);
   }
+
   EXPECT_NEAR(least, 0.5, 1e-9);
 
   sense.time = 400;  // new half

@@ -60,6 +60,7 @@ TEST(SelfIntercept, PlansEndAtBall) {
   soccer::RandomStream random(4, "plans");
   int plans = 0;
   int hopeless = 0;
+
   for (int i = 0; i < 200; ++i) {
     WorldModel world = known_world();
     world.self.position = {random.uniform(-30.0, 30.0), random.uniform(-20.0, 20.0)};
@@ -135,6 +136,7 @@ TEST(SelfIntercept, FindsFirstReachOfEveryDirection) {
       if (first != 0) ++found;
     }
   }
+
   EXPECT_GT(found, 50);
 }
 

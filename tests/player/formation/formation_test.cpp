@@ -251,6 +251,7 @@ TEST(FormationSet, BuiltInFormationsKeepAllPlayersOnPitch) {
       }
     }
   }
+
   for (const Vec2 point : set->of(FormationKind::kBeforeKickOff).positions({})) {
     EXPECT_LE(point.x, 0.0);
   }

@@ -169,6 +169,7 @@ TEST(PerceptionReplay, IsAtLeastAsAccurateAsHelios) {
   if (!log) GTEST_SKIP() << "no data: set CLS_DATA";
   const GroundTruths truth = read_truth(tests::read_file(*log));
   fmt::print("mean / 95th percentile (samples)\n");
+
   for (const HeliosAccuracy& helios : kHelios) {
     const auto transcript =
         tests::data(std::string("aligned/udp/") + helios.transcript + ".txt.gz");

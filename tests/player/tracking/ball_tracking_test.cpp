@@ -77,6 +77,7 @@ TEST(BallTracking, ImprovesOverSeveralSees) {
   double single = 0.0;
   double followed = 0.0;
   constexpr int kRolls = 40;
+
   for (int i = 0; i < kRolls; ++i) {
     Scene scene({});
     scene.truth.ball = {random.uniform(-10.0, 0.0), random.uniform(-8.0, 8.0)};
@@ -190,6 +191,7 @@ TEST(BallTracking, MeasuresDistancePreciselyWithFocusPointOnBall) {
   double plain = 0.0;
   double focused = 0.0;
   constexpr int kLooks = 100;
+
   for (int i = 0; i < kLooks; ++i) {
     Scene scene({});
     scene.truth.ball =

@@ -119,6 +119,7 @@ BallAccuracy follow_ball(bool gaussian, bool focus_on_ball, int cycles) {
     accuracy.position.add(world.ball.position, truth.ball, state.at(0, 0), state.at(1, 1));
     accuracy.velocity.add(world.ball.velocity, truth.ball_velocity, state.at(2, 2), state.at(3, 3));
   }
+
   return accuracy;
 }
 

@@ -118,6 +118,7 @@ struct Runner {
     std::vector<soccer::PlayerCommand> sent;
     tests::TruePlayer& self = truth.self;
     Vec2 acceleration;
+
     const auto turn_by = [&](double degrees) {
       const double noise = random.uniform(-server.player_rand, server.player_rand);
       self.body = math::normalize_degrees(self.body + degrees * (1.0 + noise));
@@ -323,6 +324,7 @@ TEST(SelfLocalization, ToleratesLostMessages) {
   WorldModel world = model_of(Side::kLeft);
   double worst = 0.0;
   double mean = 0.0;
+
   for (int i = 0; i < 120; ++i) {
     record_sent_commands(world, runner.step());
     if (i % 10 == 5 || i % 10 == 6) continue;  // neither sense_body nor see

@@ -118,6 +118,7 @@ void add_player(const Eye& eye, const TruePlayer& player, soccer::See& see) {
       seen.head = static_cast<std::int16_t>(rounded(player.body + player.neck - eye.face));
     }
   }
+
   see.objects.push_back(seen);
 }
 

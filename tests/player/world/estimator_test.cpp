@@ -329,6 +329,7 @@ TEST(ObservedObject, UpdatesInItsFrameAsInTheFrameOfThePitch) {
     plain_condition(plain, pitch_slabs(view, observed, seen), 3);
     most = std::max(most, difference(fast, plain));
   }
+
   EXPECT_LT(most, 0.01);
 }
 
@@ -356,6 +357,7 @@ TEST(VisibleArea, IsTheViewConeLessTheMargin) {
   soccer::RandomStream random(14, "cone");
   int visible = 0;
   WorldModel world;
+
   for (int i = 0; i < 20000; ++i) {
     world.self.position = {random.uniform(-50.0, 50.0), random.uniform(-30.0, 30.0)};
     world.self.body = AngleDeg(random.uniform(-180.0, 180.0));

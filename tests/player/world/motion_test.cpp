@@ -85,6 +85,7 @@ TEST(Motion, FullRunsFollowModelAndAnnouncedTypes) {
     EXPECT_NEAR(run.top_speed, 0.5, 1e-12);
     EXPECT_NEAR(run.drift[3], 1.56, 1e-12);  // 1 + 0.4 + 0.16
   }
+
   EXPECT_NEAR(world.parameters->full_run(2).distance[2], 0.3 + 0.45, 1e-12);
 }
 

@@ -431,6 +431,7 @@ TEST(Team, PlaysOverGrpcAndContinuesAfterPlaymakerStops) {
     actions.add_actions()->mutable_dash()->set_power(60.0F);
     return grpc::Status::OK;
   };
+
   tests::PlaymakerServer server_of_playmaker(service);
   GrpcTarget target;
   target.host = "127.0.0.1";
@@ -441,6 +442,7 @@ TEST(Team, PlaysOverGrpcAndContinuesAfterPlaymakerStops) {
   ASSERT_TRUE(connect(team, server));
   const RpcStatus introduced = team.register_agents();
   ASSERT_TRUE(introduced.ok()) << name(introduced.outcome) << introduced.message;
+
   for (int cycle = 1; cycle <= 5; ++cycle) {
     server.send_cycle(cycle);
     EXPECT_EQ(team.run_cycle(), 11);

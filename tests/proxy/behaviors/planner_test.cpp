@@ -365,6 +365,7 @@ TEST(ServerSideDecision, RequestsChoiceAndExecutesIt) {
   EXPECT_EQ(request.pairs().at(0).action().category(), protos::AC_Hold);
   EXPECT_EQ(request.pairs().at(0).action().parent_index(), -1);
   int deep = 0;
+
   for (const auto& [index, pair] : request.pairs()) {
     EXPECT_EQ(pair.action().index(), index);
     EXPECT_TRUE(pair.predict_state().has_ball_position());

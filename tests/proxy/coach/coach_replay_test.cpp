@@ -121,6 +121,7 @@ TEST(CoachReplay, MatchesUpstreamStatesAndSubstitutions) {
   Difference difference;
   std::size_t decisions = 0;
   std::multiset<std::string> theirs;
+
   for (const Spoken& spoken : read_transcript(text)) {
     if (!spoken.by_server) {
       theirs.emplace(spoken.message);
@@ -135,6 +136,7 @@ TEST(CoachReplay, MatchesUpstreamStatesAndSubstitutions) {
     compare(coach.state(), recorded, difference);
     coach.act(wish);
   }
+
   std::multiset<std::string> ours;
   for (std::string said; server->receive(said);) ours.insert(said);
   // It sends (bye) once more at the end of the match.

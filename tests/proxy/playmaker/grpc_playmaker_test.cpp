@@ -96,6 +96,7 @@ TEST(GrpcPlaymaker, CallsInProcessAndOverTcpAndUnixSocket) {
   playmakers.push_back(make_grpc_playmaker(server.in_process_channel(), "mock"));
   playmakers.push_back(make_grpc_playmaker(loopback(server.port())));
   playmakers.push_back(make_grpc_playmaker(local));
+
   for (const auto& playmaker : playmakers) {
     const Reply registered = playmaker->call(4, Rpc::kRegister, request_of(4), kPatience);
     ASSERT_TRUE(registered.status.ok()) << registered.status.message;
@@ -256,6 +257,7 @@ TEST(GrpcPlaymaker, ReportsStoppedPlaymakerImmediatelyAndReconnects) {
   PlaymakerServer again(service, port);
   Reply reply = decision(*playmaker, 3, kPatience);
   const auto limit = steady_clock::now() + 10s;
+
   while (!reply.status.ok() && steady_clock::now() < limit) {
     std::this_thread::sleep_for(20ms);
     reply = decision(*playmaker, 3, kPatience);
@@ -447,6 +449,7 @@ TEST(GrpcPlaymaker, CancelsCallsFromOtherThread) {
     while (!leave) std::this_thread::sleep_for(5ms);
     return grpc::Status::OK;
   };
+
   PlaymakerServer server(service);
   const auto playmaker = make_grpc_playmaker(loopback(server.port()));
   playmaker->begin(5, Rpc::kGetPlayerActions, state_of(5), kNoTimeout);

@@ -99,6 +99,7 @@ TEST_F(CoachTest, SendsFewerFieldsToOldVersions) {
   answers(offline, "(change_mode play_on)");
   answers(kicker, "(pointto 10 0)(kick 10 0)");
   const std::string pose = "((p \"A\" 1) 0 0 0 0 0 0";
+
   const std::pair<const char*, std::string> cases[] = {
       {"8", pose + " 0)"}, {"12", pose + " 0)"}, {"13", pose + " 0 k)"}, {"19", pose + " 0 k)"}};
 
