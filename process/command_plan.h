@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,13 +30,26 @@ struct ResourceLimits {
   bool operator==(const ResourceLimits&) const = default;
 };
 
+/// A symbolic link.
+struct FileLink {
+  std::filesystem::path path;
+  std::filesystem::path target;
+
+  bool operator==(const FileLink&) const = default;
+};
+
 /// The files that a program and its descendants can use; folders stand for all that is in them.
 struct FileAccess {
   std::vector<std::filesystem::path> readable;  ///< to read and to execute
   std::vector<std::filesystem::path> writable;  ///< to change, too
+  /// With namespaces: folders of its own in memory, and links, where there is nothing else.
+  std::vector<std::filesystem::path> own = {};
+  std::vector<FileLink> links = {};
 
   bool operator==(const FileAccess&) const = default;
 };
+
+class Namespaces;
 
 /// One process to start.
 struct CommandPlan {
@@ -49,9 +63,16 @@ struct CommandPlan {
   ResourceLimits limits;
   std::optional<FileAccess> files;  ///< by Landlock, which must be there; none: as the user may
   bool confined = false;            ///< by confinement.h, which must be possible
+  /// The namespaces in which it runs, with `files` and nothing else to see; null: those of cls.
+  std::shared_ptr<const Namespaces> namespaces = nullptr;
+  /// Descriptors of cls that it inherits, as kFirstPassedFd and the following.
+  std::vector<int> passed = {};
 
   bool operator==(const CommandPlan&) const = default;
 };
+
+/// The number of the first inherited descriptor; no program has as many of its own at its start.
+inline constexpr int kFirstPassedFd = 100;
 
 /// `text` run by /bin/sh -c.
 CommandPlan shell_command(std::string name, const std::string& text);
@@ -60,7 +81,7 @@ CommandPlan shell_command(std::string name, const std::string& text);
 std::string shell_quoted(std::string_view word);
 
 /// The plan as an equivalent line of sh, with `ulimit`, `cd` and `env` where needed; without
-/// `files` and `confined`.
+/// `files`, `confined` and `namespaces`.
 std::string to_shell(const CommandPlan& plan);
 
 /// The file of `program`: the path itself if it has a slash, otherwise the first match on PATH. The

@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <set>
@@ -20,6 +21,7 @@
 #include <thread>
 
 #include "process/keeper.h"
+#include "process/namespace_maker.h"
 #include "process/packet.h"
 #include "process/process_tree.h"
 #include "process/socket_owner.h"
@@ -105,19 +107,70 @@ class GuardLoop {
       const std::string folder = packet.bytes.substr(1);
       if (packet.bytes[0] == kDeleteAtExit) folders_.insert(folder);
       if (packet.bytes[0] == kForget) folders_.erase(folder);
+    } else if (packet.fds.size() == 1) {
+      make_namespaces(std::move(packet));
+    } else {
+      start(std::move(packet));
+    }
+  }
+
+  // After a failed fork cls sees the connection closed without a reply.
+  void make_namespaces(Packet packet) {
+    NamespaceRequest request;
+    if (packet.bytes.size() != sizeof request) return;
+    std::memcpy(&request, packet.bytes.data(), sizeof request);
+
+    const pid_t pid = ::fork();
+    if (pid > 0) keepers_.insert(pid);
+    if (pid != 0) return;
+    become("match-network", "match-network");
+    run_namespace_maker(std::move(packet.fds[0]), request);
+  }
+
+  void start(Packet packet) {
+    const auto plan = decode_plan(packet.bytes);
+    if (!plan || packet.fds.size() < 2 + plan->passed.size()) return;
+    KeeperFds fds = keeper_fds(std::move(packet.fds), plan->passed.size());
+    if (fds.user) return start_in_namespaces(std::move(fds), *plan);
+
+    const pid_t pid = ::fork();
+    if (pid > 0) keepers_.insert(pid);
+    if (pid != 0) return;
+    become_keeper(*plan);
+    run_keeper(std::move(fds), *plan);
+  }
+
+  // A process cannot become the first one of a namespace, but its child can: the guard inherits
+  // that, and learns its number from the process that exits.
+  void start_in_namespaces(KeeperFds fds, const CommandPlan& plan) {
+    auto number = make_socket_pair();
+    if (!number) return;
+    const pid_t between = ::fork();
+    if (between < 0) return;
+    if (between > 0) {
+      number->second.reset();
+      const Packet packet = receive_packet(number->first.get());
+      ::waitpid(between, nullptr, 0);
+      if (!packet.bytes.empty()) keepers_.insert(std::atoi(packet.bytes.c_str()));
       return;
     }
 
-    const auto plan = decode_plan(packet.bytes);
-    if (!plan || packet.fds.size() != 2) return;
-    const pid_t pid = ::fork();
-    if (pid > 0) keepers_.insert(pid);
-    if (pid != 0) return;  // after a failed fork cls sees the connection closed without a report
+    become_keeper(plan);
+    enter_for_keeper(fds);
+    const pid_t first = ::fork();
+    if (first > 0) send_packet(number->second.get(), std::to_string(first));
+    if (first != 0) ::_exit(0);
+    number.reset();
+    run_keeper(std::move(fds), plan);
+  }
 
+  void become(const std::string& title, const std::string& short_name) {
     socket_.reset();
     child_signals_.reset();
-    title_.set("match-keeper of " + plan->name, std::string(kKeeperMark) + plan->name);
-    run_keeper(std::move(packet.fds[0]), std::move(packet.fds[1]), *plan);
+    title_.set(title, short_name);
+  }
+  void become_keeper(const CommandPlan& plan) {
+    become("match-keeper of " + plan.name, std::string(kKeeperMark) + plan.name);
   }
 
   // False when no child is left.

@@ -1,10 +1,12 @@
 // Loop of a keeper: children, requests, escalation from SIGTERM to SIGKILL.
 #include "process/keeper.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/signalfd.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,7 +19,9 @@
 #include <vector>
 
 #include "process/launch.h"
+#include "process/namespace_maker.h"
 #include "process/packet.h"
+#include "process/private_root.h"
 #include "process/process_tree.h"
 
 namespace cls::process {
@@ -25,6 +29,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr double kOrphanGraceSeconds = 1.0;
+constexpr pid_t kFirstProcess = 1;  // of a process namespace
 constexpr auto kKillInterval = std::chrono::milliseconds(10);
 
 double seconds_of(const timeval& time) {
@@ -46,6 +51,18 @@ bool died_of_cpu_limit(int status, const rusage& usage, int limit_s) {
   if (WIFEXITED(status)) return WEXITSTATUS(status) == kShellSignals + SIGXCPU;
   const double seconds = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
   return WTERMSIG(status) == SIGXCPU || (WTERMSIG(status) == SIGKILL && seconds >= limit_s);
+}
+
+[[noreturn]] void fail(const base::UniqueFd& control, LaunchStep step, int error) {
+  send_report(control.get(), {.kind = KeeperReport::Kind::kFailed, .step = step, .number = error});
+  ::_exit(0);
+}
+
+bool place_passed(const std::vector<base::UniqueFd>& passed) {
+  for (std::size_t i = 0; i < passed.size(); ++i) {
+    if (::dup3(passed[i].get(), kFirstPassedFd + static_cast<int>(i), O_CLOEXEC) < 0) return false;
+  }
+  return true;
 }
 
 class Keeper {
@@ -84,7 +101,13 @@ class Keeper {
 
     report.cpu_seconds = reaped_cpu_seconds();
     if (kind != KeeperReport::Kind::kGone) report.cpu_seconds += living_cpu_seconds(self);
-    if (control_) send_report(control_.get(), report);
+    if (!control_) return;
+    // Only a descriptor tells cls which process that is outside of its namespace.
+    base::UniqueFd program;
+    if (kind == KeeperReport::Kind::kStarted && self == kFirstProcess) {
+      program = base::UniqueFd(static_cast<int>(::syscall(SYS_pidfd_open, program_, 0)));
+    }
+    send_report(control_.get(), report, program.get());
   }
 
   void reap_children() {
@@ -185,7 +208,23 @@ class Keeper {
 
 }  // namespace
 
-void run_keeper(base::UniqueFd control, base::UniqueFd output, const CommandPlan& plan) {
+KeeperFds keeper_fds(std::vector<base::UniqueFd> all, std::size_t passed) {
+  KeeperFds fds;
+  fds.control = std::move(all[0]);
+  fds.output = std::move(all[1]);
+  const std::size_t end = 2 + passed;
+  for (std::size_t i = 2; i < end; ++i) fds.passed.push_back(std::move(all[i]));
+  if (all.size() > end) fds.user = std::move(all[end]);
+  if (all.size() > end + 1) fds.network = std::move(all[end + 1]);
+  return fds;
+}
+
+void enter_for_keeper(const KeeperFds& fds) {
+  if (enter_namespaces(fds.user.get(), fds.network.get())) return;
+  fail(fds.control, LaunchStep::kNamespaces, errno);
+}
+
+void run_keeper(KeeperFds fds, const CommandPlan& plan) {
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
 
   // Only SIGKILL stops a keeper: it must outlive the program.
@@ -197,17 +236,19 @@ void run_keeper(base::UniqueFd control, base::UniqueFd output, const CommandPlan
   ::sigemptyset(&children);
   ::sigaddset(&children, SIGCHLD);
   const base::UniqueFd child_signals(::signalfd(-1, &children, SFD_CLOEXEC | SFD_NONBLOCK));
-  const Launch launched = child_signals ? launch(plan, output.get()) : Launch{0, errno, {}};
-
-  output.reset();
-  if (launched.pid == 0) {
-    send_report(
-        control.get(),
-        {.kind = KeeperReport::Kind::kFailed, .step = launched.step, .number = launched.error});
-    ::_exit(0);
+  if (!child_signals || !place_passed(fds.passed)) {
+    fail(fds.control, LaunchStep::kProgram, errno);
+  }
+  if (fds.user && (!plan.files || !enter_private_root(*plan.files))) {
+    fail(fds.control, LaunchStep::kMounts, errno);
   }
 
-  Keeper(std::move(control), launched.pid, plan.limits.cpu_seconds).run(child_signals.get());
+  fds.passed.clear();
+  const Launch launched = launch(plan, fds.output.get());
+  fds.output.reset();
+  if (launched.pid == 0) fail(fds.control, launched.step, launched.error);
+
+  Keeper(std::move(fds.control), launched.pid, plan.limits.cpu_seconds).run(child_signals.get());
 }
 
 }  // namespace cls::process

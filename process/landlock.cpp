@@ -79,8 +79,10 @@ base::UniqueFd make_ruleset(const FileAccess& files) {
   for (const auto& path : files.readable) {
     if (!allow(ruleset.get(), path, kReading)) return {};
   }
-  for (const auto& path : files.writable) {
-    if (!allow(ruleset.get(), path, everything)) return {};
+  for (const auto* paths : {&files.writable, &files.own}) {
+    for (const auto& path : *paths) {
+      if (!allow(ruleset.get(), path, everything)) return {};
+    }
   }
   return ruleset;
 }

@@ -1,6 +1,7 @@
 // Boost.Process, plus process group, signals, affinity, limits, files and descriptors.
 #include "process/launch.h"
 
+#include <fcntl.h>
 #include <linux/close_range.h>
 #include <sched.h>
 #include <sys/prctl.h>
@@ -78,6 +79,9 @@ std::optional<LaunchStep> prepare(const CommandPlan& plan, int ruleset, pid_t pa
 
   // The descriptor with which Boost reports a failed exec must stay open until exec.
   ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
+  for (std::size_t i = 0; i < plan.passed.size(); ++i) {
+    ::fcntl(kFirstPassedFd + static_cast<int>(i), F_SETFD, 0);
+  }
   reset_signals();
   if (plan.files && !enforce_ruleset(ruleset)) return LaunchStep::kFiles;
   if (plan.confined && !confine()) return LaunchStep::kConfinement;

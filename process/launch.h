@@ -15,6 +15,8 @@ enum class LaunchStep : std::uint8_t {
   kFolder,   ///< changing to the working directory
   kFiles,    ///< restricting it to its files
   kConfinement,
+  kNamespaces,  ///< entering them
+  kMounts,      ///< a root folder of its own
 };
 
 /// Result of a start. `pid` 0: not started; `error` is the errno of `step`.

@@ -3,6 +3,7 @@
 
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -13,12 +14,13 @@ namespace cls::process {
 namespace {
 
 constexpr std::size_t kMaxPacket = 256 * 1024;
-constexpr std::size_t kMaxFds = 4;
+constexpr std::size_t kMaxFds = 8;
 
 template <typename T>
-bool send_plain(int socket, const T& value) {
+bool send_plain(int socket, const T& value, int fd = -1) {
   static_assert(std::is_trivially_copyable_v<T>);
-  return send_packet(socket, {reinterpret_cast<const char*>(&value), sizeof value});
+  return send_packet(socket, {reinterpret_cast<const char*>(&value), sizeof value},
+                     fd < 0 ? std::vector<int>() : std::vector<int>{fd});
 }
 
 template <typename T>
@@ -44,6 +46,16 @@ class Fields {
     std::string field(rest_.substr(0, end));
     rest_.remove_prefix(end + 1);
     return field;
+  }
+
+  std::vector<FileLink> links() {
+    std::vector<FileLink> all;
+    for (int left = number(); left > 0 && good_; --left) {
+      FileLink link{text(), {}};
+      link.target = text();
+      all.push_back(std::move(link));
+    }
+    return all;
   }
 
   std::vector<std::filesystem::path> paths() {
@@ -135,7 +147,9 @@ Packet receive_packet(int socket) {
   return packet;
 }
 
-bool send_report(int socket, const KeeperReport& report) { return send_plain(socket, report); }
+bool send_report(int socket, const KeeperReport& report, int program) {
+  return send_plain(socket, report, program);
+}
 bool send_request(int socket, const KeeperRequest& request) { return send_plain(socket, request); }
 
 std::optional<KeeperReport> read_report(const Packet& packet) {
@@ -164,11 +178,18 @@ std::string encode(const CommandPlan& plan) {
   add(bytes, std::to_string(plan.limits.cpu_seconds));
   add(bytes, plan.empty_environment ? "1" : "0");
   add(bytes, plan.confined ? "1" : "0");
+  add(bytes, std::to_string(plan.passed.size()));
   add(bytes, plan.files ? "1" : "0");
 
   if (!plan.files) return bytes;
   add_paths(bytes, plan.files->readable);
   add_paths(bytes, plan.files->writable);
+  add_paths(bytes, plan.files->own);
+  add(bytes, std::to_string(plan.files->links.size()));
+  for (const FileLink& link : plan.files->links) {
+    add(bytes, link.path.string());
+    add(bytes, link.target.string());
+  }
   return bytes;
 }
 
@@ -195,10 +216,13 @@ std::optional<CommandPlan> decode_plan(std::string_view bytes) {
   plan.limits.cpu_seconds = fields.number();
   plan.empty_environment = fields.number() != 0;
   plan.confined = fields.number() != 0;
+  plan.passed.resize(static_cast<std::size_t>(std::max(0, fields.number())), -1);
   if (fields.number() != 0) {
     FileAccess& files = plan.files.emplace();
     files.readable = fields.paths();
     files.writable = fields.paths();
+    files.own = fields.paths();
+    files.links = fields.links();
   }
 
   if (!fields.good() || plan.argv.empty()) return std::nullopt;

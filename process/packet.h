@@ -62,15 +62,18 @@ bool send_packet(int socket, std::string_view bytes, const std::vector<int>& fds
 /// Waits for one message.
 Packet receive_packet(int socket);
 
-bool send_report(int socket, const KeeperReport& report);
+/// `program`: a descriptor of its process (pidfd), where `pid` is not its number for the receiver;
+/// -1: none.
+bool send_report(int socket, const KeeperReport& report, int program = -1);
 bool send_request(int socket, const KeeperRequest& request);
 /// Nothing if the bytes are not such a message.
 std::optional<KeeperReport> read_report(const Packet& packet);
 std::optional<KeeperRequest> read_request(const Packet& packet);
 
-/// Converts a plan to bytes and back, without its log file, which cls writes. Hand-written: the
-/// guard and the keepers are forks of cls that must not load protobuf or allocate JSON trees, and
-/// both ends are always of the same build.
+/// Converts a plan to bytes and back, without its log file, which cls writes, and its namespaces
+/// and passed descriptors, which go with the packet: of `passed` only the number is kept.
+/// Hand-written: the guard and the keepers are forks of cls that must not load protobuf or allocate
+/// JSON trees, and both ends are always of the same build.
 std::string encode(const CommandPlan& plan);
 std::optional<CommandPlan> decode_plan(std::string_view bytes);
 

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "process/guard.h"
+#include "process/namespaces.h"
 #include "process/process_host_core.h"
 
 namespace cls::process {
@@ -61,7 +62,21 @@ Result<base::UniqueFd> open_log(const CommandPlan& plan) {
 std::string place_of(LaunchStep step, const CommandPlan& plan) {
   if (step == LaunchStep::kFolder) return plan.folder.string();
   if (step == LaunchStep::kConfinement) return "seccomp";
+  if (step == LaunchStep::kNamespaces) return "namespaces";
+  if (step == LaunchStep::kMounts) return "mounts in a namespace";
   return step == LaunchStep::kFiles ? "Landlock" : plan.argv.front();
+}
+
+// The order of keeper_fds().
+std::vector<int> descriptors(const CommandPlan& plan, int control, int output) {
+  std::vector<int> fds = {control, output};
+  fds.insert(fds.end(), plan.passed.begin(), plan.passed.end());
+  if (plan.namespaces == nullptr) return fds;
+  fds.push_back(plan.namespaces->user_fd());
+  if (plan.namespaces->network() == Namespaces::Network::kOwn) {
+    fds.push_back(plan.namespaces->network_fd());
+  }
+  return fds;
 }
 
 struct Pipe {
@@ -170,7 +185,7 @@ Result<std::shared_ptr<Child>> ProcessHost::start(const CommandPlan& plan, OnLin
   if (!control || !output) return cannot_start(plan, std::strerror(errno));
 
   if (!send_packet(guard->socket(), encode(complete),
-                   {control->second.get(), output->write.get()})) {
+                   descriptors(plan, control->second.get(), output->write.get()))) {
     return cannot_start(
         plan, errno == EMSGSIZE ? "the command line is too long" : "the guard process was killed");
   }

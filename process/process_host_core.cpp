@@ -9,6 +9,8 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <fstream>
+#include <string>
 #include <utility>
 
 namespace cls::process {
@@ -27,6 +29,16 @@ bool read_output(ChildRecord& record) {
     record.log.add({bytes.data(), static_cast<std::size_t>(got)});
   }
   return true;
+}
+
+// The number here of the process that a descriptor stands for; 0: it has exited.
+int process_of(const base::UniqueFd& descriptor) {
+  std::ifstream information("/proc/self/fdinfo/" + std::to_string(descriptor.get()));
+  for (std::string word; information >> word;) {
+    int number = 0;
+    if (word == "Pid:" && information >> number) return std::max(number, 0);
+  }
+  return 0;
 }
 
 void drain_output(ChildRecord& record) {
@@ -92,7 +104,7 @@ void ProcessHostCore::handle_report(ChildRecord& record) {
     case KeeperReport::Kind::kStarted:
     case KeeperReport::Kind::kFailed:
       record.first_report = *report;
-      record.status.pid = report->pid;
+      record.status.pid = packet.fds.empty() ? report->pid : process_of(packet.fds.front());
       break;
     case KeeperReport::Kind::kExited:
       drain_output(record);  // complete the output before reporting the exit

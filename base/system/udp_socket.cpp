@@ -1,6 +1,7 @@
 // Socket calls for UDP.
 #include "base/system/udp_socket.h"
 
+#include <fcntl.h>
 #include <sys/uio.h>
 
 #include <algorithm>
@@ -20,6 +21,13 @@ Result<UdpSocket> UdpSocket::bind(const SocketAddress& local) {
   if (socket && ::bind(socket->fd(), local.get(), local.size) != 0) {
     return Error{std::strerror(errno)};
   }
+  return socket;
+}
+
+UdpSocket UdpSocket::adopt(UniqueFd fd, int family) {
+  UdpSocket socket(-1, family);
+  socket.fd_ = std::move(fd);
+  ::fcntl(socket.fd(), F_SETFL, O_NONBLOCK);
   return socket;
 }
 

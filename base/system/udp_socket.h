@@ -24,6 +24,8 @@ class UdpSocket {
   static Result<UdpSocket> open(int family);
   /// Port 0 selects a free port.
   static Result<UdpSocket> bind(const SocketAddress& local);
+  /// One that another process has opened; it becomes non-blocking.
+  static UdpSocket adopt(UniqueFd fd, int family);
 
   int fd() const { return fd_.get(); }
   int local_port() const;

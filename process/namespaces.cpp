@@ -1,0 +1,131 @@
+// Requests to the guard for namespaces, and to a maker for sockets.
+#include "process/namespaces.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+#include "process/confinement.h"
+#include "process/guard.h"
+#include "process/landlock.h"
+#include "process/namespace_maker.h"
+#include "process/packet.h"
+
+namespace cls::process {
+namespace {
+
+using base::Error;
+using base::Result;
+
+std::string_view what_failed(NamespaceStep step) {
+  switch (step) {
+    case NamespaceStep::kUser:
+      return "a user namespace";
+    case NamespaceStep::kNetwork:
+      return "a network namespace";
+    case NamespaceStep::kMounts:
+      return "mounts and a /proc of its own";
+  }
+  return "";
+}
+
+// Settings with which systems forbid namespaces to users, and the value that allows them.
+struct Setting {
+  const char* name;
+  const char* file;
+  bool zero_forbids;
+};
+constexpr Setting kSettings[] = {
+    {"kernel.unprivileged_userns_clone=1", "/proc/sys/kernel/unprivileged_userns_clone", true},
+    {"kernel.apparmor_restrict_unprivileged_userns=0",
+     "/proc/sys/kernel/apparmor_restrict_unprivileged_userns", false},
+    {"user.max_user_namespaces=10000", "/proc/sys/user/max_user_namespaces", true},
+    {"user.max_net_namespaces=10000", "/proc/sys/user/max_net_namespaces", true}};
+
+// "; sysctl NAME=VALUE allows it"; empty: no setting is the reason.
+std::string remedy() {
+  for (const Setting& setting : kSettings) {
+    std::ifstream file(setting.file);
+    long value = 0;
+    if (!(file >> value) || (value == 0) != setting.zero_forbids) continue;
+    return fmt::format("; sysctl {} allows it", setting.name);
+  }
+  return {};
+}
+
+template <typename T>
+bool read_plain(const Packet& packet, T& value) {
+  if (packet.bytes.size() != sizeof value) return false;
+  std::memcpy(&value, packet.bytes.data(), sizeof value);
+  return true;
+}
+
+struct Made {
+  base::UniqueFd user;
+  base::UniqueFd network;
+  base::UniqueFd door;
+};
+
+Result<Made> make(const NamespaceRequest& request) {
+  const Guard* guard = Guard::active();
+  if (guard == nullptr) return Error{"no guard process"};
+
+  auto control = make_socket_pair();
+  const std::string_view bytes(reinterpret_cast<const char*>(&request), sizeof request);
+  if (!control || !send_packet(guard->socket(), bytes, {control->second.get()})) {
+    return Error{std::strerror(errno)};
+  }
+  control->second.reset();
+
+  Packet packet = receive_packet(control->first.get());
+  NamespaceReply reply;
+  if (!read_plain(packet, reply)) return Error{"no process could be made for it"};
+  if (reply.error != 0) {
+    return Error{
+        fmt::format("{}: {}{}", what_failed(reply.step), std::strerror(reply.error), remedy())};
+  }
+
+  const std::size_t expected = request.own_network ? 2 : 1;
+  if (packet.fds.size() != expected) return Error{std::strerror(EMFILE)};
+  Made made{std::move(packet.fds[0]), {}, std::move(control->first)};
+  if (request.own_network) made.network = std::move(packet.fds[1]);
+  return made;
+}
+
+std::string try_namespaces() {
+  if (landlock_version() == 0) return "this kernel has no Landlock";
+  if (!can_confine()) return "this kernel has no seccomp";
+  const auto made = make({.own_network = true, .tried = true});
+  return made ? std::string() : made.error().message;
+}
+
+}  // namespace
+
+Result<base::UdpSocket> NetworkDoor::bind_udp(const base::SocketAddress& local) const {
+  const std::string_view bytes(reinterpret_cast<const char*>(&local), sizeof local);
+  if (!send_packet(socket_.get(), bytes)) return Error{std::strerror(errno)};
+
+  Packet packet = receive_packet(socket_.get());
+  SocketReply error = 0;
+  if (!read_plain(packet, error)) return Error{"the process in that network is gone"};
+  if (error != 0) return Error{std::strerror(error)};
+  if (packet.fds.size() != 1) return Error{std::strerror(EMFILE)};
+  return base::UdpSocket::adopt(std::move(packet.fds[0]), local.family());
+}
+
+Result<std::shared_ptr<const Namespaces>> Namespaces::create(Network network) {
+  TRY_INIT(auto made, make({.own_network = network == Network::kOwn, .tried = false}));
+  return std::shared_ptr<const Namespaces>(
+      new Namespaces(std::move(made.user), std::move(made.network), std::move(made.door)));
+}
+
+const std::string& missing_namespaces() {
+  static const std::string why = try_namespaces();
+  return why;
+}
+
+}  // namespace cls::process

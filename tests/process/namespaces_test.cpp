@@ -1,0 +1,256 @@
+// What programs in namespaces of their own can reach: their files, and their network.
+#include "process/namespaces.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/ipc.h>
+#include <sys/shm.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "base/system/udp_socket.h"
+#include "process/process_tree.h"
+#include "tests/process/test_guard.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::process {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+class InNamespaces : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!missing_namespaces().empty()) GTEST_SKIP() << missing_namespaces();
+    for (const char* name : {"own", "others", "shown"}) {
+      fs::create_directory(path(name));
+      std::ofstream(path(name) / "file") << name << '\n';
+    }
+    namespaces_ = created(Namespaces::Network::kOwn);
+  }
+
+  static std::shared_ptr<const Namespaces> created(Namespaces::Network network) {
+    auto made = Namespaces::create(network);
+    if (!made) throw std::runtime_error(made.error().message);
+    return *std::move(made);
+  }
+
+  fs::path path(const std::string& name) const { return fs::canonical(folder_.path()) / name; }
+
+  CommandPlan plan_of(const std::string& command) const {
+    CommandPlan plan = shell_command("the shell", command);
+    plan.folder = path("own");
+    plan.log = folder_.path() / "log";
+    plan.confined = true;
+    plan.namespaces = namespaces_;
+    plan.files = {{"/usr", "/etc", "/proc", "/sys", path("shown")},
+                  {path("own"), "/dev/null", "/dev/urandom", "/none"},
+                  {"/tmp", "/dev/shm"},
+                  {{"/bin", "/usr/bin"}, {"/lib", "/usr/lib"}, {"/lib64", "/usr/lib64"}}};
+    return plan;
+  }
+
+  int exit_code_of(const std::string& command) {
+    const auto child = processes_.start(plan_of(command));
+    EXPECT_TRUE(child->wait_gone(20s));
+    const auto exit = child->status().exit;
+    return !exit || exit->by_signal ? -1 : exit->number;
+  }
+  std::string output() const { return tests::read_file(folder_.path() / "log"); }
+
+  tests::TemporaryFolder folder_;
+  MarkedHost processes_;
+  std::shared_ptr<const Namespaces> namespaces_;
+};
+
+TEST_F(InNamespaces, HaveTheirFolderAndWhatTheyMayRead) {
+  EXPECT_EQ(exit_code_of("cat file && echo more >> file && cat " + path("shown/file").string() +
+                         " && echo x > /dev/null && head -c 1 /dev/urandom > random && "
+                         "cat < /dev/stdin && id -u"),
+            0)
+      << output();
+  EXPECT_EQ(tests::read_file(path("own/file")), "own\nmore\n");
+}
+
+TEST_F(InNamespaces, SeeNoOtherFiles) {
+  const std::string other = path("others").string();
+  EXPECT_NE(exit_code_of("ls " + other), 0);
+  EXPECT_NE(exit_code_of("ls /home || ls /root || ls /var || ls /old || ls /new"), 0) << output();
+}
+
+// By the same user, who owns all of them.
+TEST_F(InNamespaces, ChangeNoPermissionsTimesOrAttributesOfOthers) {
+  for (const char* change : {"chmod 0", "touch -d 2001-01-01", "chmod +x", "chown $(id -u)"}) {
+    EXPECT_NE(exit_code_of(change + (" " + path("others/file").string())), 0) << change;
+    EXPECT_NE(exit_code_of(change + (" " + path("shown/file").string())), 0) << change;
+    EXPECT_EQ(exit_code_of(change + (" " + path("own/file").string())), 0) << change << output();
+  }
+  EXPECT_NE(exit_code_of("touch " + path("shown/new").string() + " /new /usr/new"), 0);
+}
+
+TEST_F(InNamespaces, HaveTemporaryFoldersOfTheirOwn) {
+  const fs::path shared = "/dev/shm/" + path("x").parent_path().filename().string();
+  std::ofstream(shared) << "mine\n";
+  EXPECT_NE(exit_code_of("cat " + shared.string()), 0);
+  EXPECT_EQ(exit_code_of("echo theirs > " + shared.string() + " && echo x > /tmp/x && cat /tmp/x"),
+            0)
+      << output();
+  EXPECT_EQ(output(), "x\n");
+  EXPECT_EQ(tests::read_file(shared), "mine\n");
+  fs::remove(shared);
+}
+
+TEST_F(InNamespaces, SeeNoSharedMemoryOrQueuesOfOthers) {
+  const int memory = ::shmget(IPC_PRIVATE, 64, IPC_CREAT | 0666);
+  ASSERT_GE(memory, 0);
+  EXPECT_EQ(exit_code_of("ipcs -m | grep -c 0x"), 1) << output();
+  EXPECT_NE(exit_code_of("ipcrm -m " + std::to_string(memory)), 0);
+  shmid_ds description{};
+  EXPECT_EQ(::shmctl(memory, IPC_STAT, &description), 0);
+  ::shmctl(memory, IPC_RMID, nullptr);
+}
+
+TEST_F(InNamespaces, SeeTheirOwnProcessesOnly) {
+  EXPECT_EQ(exit_code_of("set -- /proc/[0-9]*; echo $#; cat /proc/1/comm; echo $$"), 0);
+  EXPECT_EQ(output(), "2\nof the shell\n2\n");
+  EXPECT_NE(exit_code_of("kill -KILL " + std::to_string(::getpid())), 0);
+  EXPECT_EQ(exit_code_of("kill -KILL 1; kill -STOP 1; kill -0 $$"), 0) << "the keeper goes on";
+}
+
+TEST_F(InNamespaces, HaveNoPrivileges) {
+  EXPECT_EQ(exit_code_of("grep -q 'CapEff:.0000000000000000' /proc/self/status"), 0);
+  EXPECT_NE(exit_code_of("mount -t tmpfs none /tmp || umount " + path("own").string()), 0);
+  EXPECT_NE(exit_code_of("ip link set lo down || ip addr add 127.0.0.9/8 dev lo"), 0);
+}
+
+TEST_F(InNamespaces, AreKnownByTheirNumberOnThisHost) {
+  const auto child = processes_.start(plan_of("exec sleep 60"));
+  const auto process = read_process(child->status().pid);
+  ASSERT_TRUE(process);
+  EXPECT_EQ(short_name(process->parent), "of the shell");
+  child->end(1s);
+  EXPECT_TRUE(child->wait_gone(5s));
+}
+
+// The opposite of a process that leaves its parent, and its session.
+TEST_F(InNamespaces, EndTogether) {
+  const auto child = processes_.start(
+      plan_of("trap '' TERM; setsid sh -c 'trap \"\" TERM; while :; do sleep 1; done' & echo on; "
+              "wait"));
+  ASSERT_TRUE(saw_line(*child, "on"));
+  child->end(100ms);
+  EXPECT_TRUE(child->wait_gone(5s));
+  EXPECT_TRUE(processes_.nothing_left(2s));
+}
+
+TEST_F(InNamespaces, EndWithTheirKeeper) {
+  const auto child = processes_.start(plan_of("setsid sleep 600 & echo on; wait"));
+  ASSERT_TRUE(saw_line(*child, "on"));
+  const auto process = read_process(child->status().pid);
+  ASSERT_TRUE(process);
+  ::kill(process->parent, SIGKILL);
+  EXPECT_TRUE(child->wait_gone(5s));
+  EXPECT_TRUE(processes_.nothing_left(2s));
+}
+
+TEST_F(InNamespaces, CountTheirTime) {
+  const auto child =
+      processes_.start(plan_of("sh -c 'ulimit -t 1; while :; do :; done'; echo on; sleep 9"));
+  ASSERT_TRUE(saw_line(*child, "on"));
+  EXPECT_GT(child->cpu_seconds(), 0.9);
+}
+
+constexpr const char* kReceive =
+    "python3 -c \"import socket; s = socket.socket(socket.AF_INET, socket.SOCK_DGRAM); "
+    "s.settimeout(5); s.sendto(b'hello', ('127.0.0.1', 7000)); print(s.recv(9).decode())\"";
+
+TEST_F(InNamespaces, ReachOnlySocketsOpenedInTheirNetwork) {
+  const auto address = *base::parse_ip_address("127.0.0.1", 7000);
+  auto socket = namespaces_->door().bind_udp(address);
+  ASSERT_TRUE(socket) << socket.error().message;
+  EXPECT_EQ(socket->local_port(), 7000);
+  EXPECT_FALSE(namespaces_->door().bind_udp(address)) << "the port is taken";
+
+  const auto child = processes_.start(plan_of(kReceive));
+  std::array<char, 16> buffer{};
+  std::size_t size = 0;
+  base::SocketAddress sender;
+  const auto until = std::chrono::steady_clock::now() + 10s;
+  while (socket->receive(buffer, size, sender) != 0 && std::chrono::steady_clock::now() < until) {
+    std::this_thread::sleep_for(5ms);
+  }
+  ASSERT_EQ(std::string(buffer.data(), size), "hello") << output();
+  socket->send("answer", false, &sender);
+  EXPECT_TRUE(child->wait_gone(10s));
+  EXPECT_EQ(output(), "answer\n");
+}
+
+TEST_F(InNamespaces, ReachNoSocketOfThisHostOrOfOthers) {
+  const auto socket = base::UdpSocket::bind(*base::parse_ip_address("127.0.0.1", 0));
+  ASSERT_TRUE(socket);
+  const std::string port = std::to_string(socket->local_port());
+  const std::string send =
+      "python3 -c \"import socket; s = socket.socket(socket.AF_INET, socket.SOCK_DGRAM); "
+      "s.connect(('127.0.0.1', " +
+      port + ")); s.send(b'x'); s.send(b'x')\"";
+  EXPECT_NE(exit_code_of(send), 0);
+  EXPECT_NE(output().find("refused"), std::string::npos) << output();
+
+  const auto others = created(Namespaces::Network::kOwn);
+  EXPECT_TRUE(others->door().bind_udp(*base::parse_ip_address("127.0.0.1", 7001)));
+  EXPECT_TRUE(namespaces_->door().bind_udp(*base::parse_ip_address("127.0.0.1", 7001)));
+
+  namespaces_ = created(Namespaces::Network::kOfHost);
+  EXPECT_EQ(exit_code_of(send), 0) << output();
+}
+
+TEST_F(InNamespaces, ShareTheNetworkOnly) {
+  const auto first = processes_.start(
+      plan_of("echo x > /tmp/x; exec python3 -c \"import socket; s = socket.socket(socket.AF_INET, "
+              "socket.SOCK_DGRAM); s.bind(('127.0.0.1', 7000)); print('on', flush=True); m, a = "
+              "s.recvfrom(9); s.sendto(b'yes', a)\""));
+  ASSERT_TRUE(saw_line(*first, "on"));
+  CommandPlan second = plan_of(std::string("ls /tmp/x; ") + kReceive);
+  second.log = folder_.path() / "second";
+  const auto child = processes_.start(second);
+  EXPECT_TRUE(child->wait_gone(10s));
+  EXPECT_EQ(tests::read_file(folder_.path() / "second"),
+            "ls: cannot access '/tmp/x': No such file or directory\nyes\n");
+}
+
+TEST_F(InNamespaces, PassSocketsToPrograms) {
+  auto socket = namespaces_->door().bind_udp(*base::parse_ip_address("127.0.0.1", 7000));
+  ASSERT_TRUE(socket);
+  CommandPlan plan = plan_of("ls -l /proc/self/fd/100 | grep -c socket");
+  plan.passed = {socket->fd()};
+  const auto child = processes_.start(plan);
+  EXPECT_TRUE(child->wait_gone(10s));
+  EXPECT_EQ(output(), "1\n");
+
+  plan.namespaces = nullptr;
+  const auto outside = processes_.start(plan);
+  EXPECT_TRUE(outside->wait_gone(10s));
+  EXPECT_EQ(output(), "1\n") << "the sandbox alone";
+}
+
+TEST_F(InNamespaces, ReportAStartThatFails) {
+  CommandPlan plan = plan_of("true");
+  plan.files->writable.push_back("/proc/1/x");
+  plan.argv.front() = "/bin/ls";
+  plan.folder = path("others");
+  const auto child = processes_.host.start(plan);
+  ASSERT_FALSE(child);
+  EXPECT_EQ(child.error().message,
+            "cannot start the shell: " + path("others").string() + ": No such file or directory");
+}
+
+}  // namespace
+}  // namespace cls::process
