@@ -14,7 +14,7 @@ INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tes
 INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server|process)$$
 FUZZERS = protocol rcg rcl session view agent compression user_file training table
 
-.PHONY: help build test slow-test full languages web-test site pictures bench asan tsan asan-input fuzz chaos same-bytes install package dist format format-check lint clean
+.PHONY: help build test slow-test full languages web-test site pictures bench asan tsan asan-input fuzz chaos same-bytes install package wheel dist format format-check lint clean
 
 help:
 	@echo 'make build         release build in build/'
@@ -33,7 +33,8 @@ help:
 	@echo 'make same-bytes    play matches with the builds of GCC and Clang, compare the logs'
 	@echo 'make install       everything below PREFIX, default /usr/local (DESTDIR too)'
 	@echo 'make package       the one-file program and the Debian package, in build/dist/'
-	@echo 'make dist          all that users without a compiler need: the package, the file, the wheel, SHA256SUMS'
+	@echo 'make wheel         the Python packages cls_gym and cls_playmaker for pip, in build/wheels/'
+	@echo 'make dist          all that users without a compiler need: the package, the file, the wheels, SHA256SUMS'
 	@echo 'make format        clang-format all sources; format-check only compares'
 	@echo 'make lint          clang-tidy on sources that differ from LINT_BASE, default main'
 	@echo 'make clean         remove all build folders'
@@ -113,6 +114,10 @@ package: build/build.ninja
 	@cmake --build --preset release -j $(JOBS) \
 	  --target cls cls_manual cls_python_package cls_training_shared
 	@packaging/build.py
+
+wheel: build/build.ninja
+	@cmake --build --preset release -j $(JOBS) --target cls_python_package cls_training_shared
+	@packaging/build.py --wheels
 
 dist: build/build.ninja
 	@cmake --build --preset release -j $(JOBS) \

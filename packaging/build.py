@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Builds what users install from a release build: `cls` as one file, a Debian package, their bill of
-materials, licenses and checksums, in build/dist; with --all also the wheel of the Python packages. The
-same source gives the same bytes."""
+materials, licenses and checksums, in build/dist; with --all also the wheels of the Python packages, with
+--wheels these alone, in build/wheels. The same source gives the same bytes."""
 import argparse
 import email.utils
 import gzip
@@ -12,10 +12,11 @@ import re
 import shlex
 import shutil
 import subprocess
-import sys
+import tempfile
 import zlib
 
 import libraries
+import wheels
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
 ARCHIVES = pathlib.Path("/usr/lib/x86_64-linux-gnu")
@@ -31,6 +32,8 @@ HARDENED = ["-Wl,-z,relro,-z,now", "-Wl,--exclude-libs,ALL", "-static-libstdc++"
 SMALL = ["-Wl,--gc-sections", "-Wl,--strip-all"]
 # The oldest C library that starts the program: that of Ubuntu 20.04, where competitions run.
 GLIBC = (2, 31)
+# The same for the wheel of cls_gym, and its tag: what current installers accept on most systems.
+WHEEL_GLIBC = (2, 28)
 # Libraries that libc.so.6 absorbed in glibc 2.34, and what names of their functions begin with.
 ABSORBED = {"libpthread.so.0": ("pthread_", "__pthread_"), "libdl.so.2": ("dl",)}
 
@@ -50,13 +53,13 @@ def sleef_functions(build: pathlib.Path) -> str:
         re.findall(r"U (Sleef_\w+)", names))))
 
 
-def compile_replacements(build: pathlib.Path, work: pathlib.Path) -> list[pathlib.Path]:
+def compile_replacements(build: pathlib.Path, work: pathlib.Path, *flags: str) -> list[pathlib.Path]:
     compressed = work / "sleef.z"
     compressed.write_bytes(zlib.compress(SLEEF.read_bytes(), 9))
     objects = []
     for name in REPLACED.values():
         objects.append(work / f"{name}.o")
-        run("c++", "-std=c++20", "-O2", "-fPIC", "-ffunction-sections",
+        run("c++", "-std=c++20", "-O2", "-fPIC", "-ffunction-sections", *flags,
             f"-DCLS_SLEEF_FILE=\"{compressed}\"",
             f"-DCLS_SLEEF_SIZE={SLEEF.stat().st_size}",
             f"-DCLS_SLEEF_FUNCTIONS={sleef_functions(build)}", "-c", SOURCE / "packaging" / f"{name}.cpp",
@@ -161,26 +164,35 @@ def complete_for_debian(usr: pathlib.Path, licenses: pathlib.Path, version: str)
         page.unlink()
 
 
-def wheel(build: pathlib.Path, library: pathlib.Path, work: pathlib.Path, dist: pathlib.Path) -> None:
-    """The wheel of cls_playmaker and cls_gym with the engine that runs on old systems, too; what is
-    missing where no Python here can build one."""
-    source = work / "python"
-    shutil.copytree(SOURCE / "python", source, ignore=shutil.ignore_patterns("__pycache__", "build", "*.egg-info"))
-    shutil.copytree(SOURCE / "proto", work / "proto", ignore=shutil.ignore_patterns("*.cpp", "*.h"))
-    os.environ["CLS_TRAINING_LIBRARY"] = str(library)
-    os.environ["CLS_WHEEL_PLATFORM"] = f"manylinux_{GLIBC[0]}_{GLIBC[1]}_x86_64"
-    errors = []
-    for python in (build / "python-environment/bin/python", sys.executable, "/usr/bin/python3"):
-        if not shutil.which(str(python)):
-            continue
-        done = subprocess.run([str(python), "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation",
-                               "--disable-pip-version-check", "--wheel-dir", str(dist), str(source)],
-                              capture_output=True, text=True, check=False)
-        if done.returncode == 0:
-            return
-        errors.append(f"{python}: {(done.stderr or done.stdout).strip().splitlines()[-1]}")
-    print("no wheel: it needs pip, setuptools, wheel and grpcio-tools, or protoc and its plugin for Python:",
-          *errors, sep="\n  ", file=sys.stderr)
+def newest_symbol(file: pathlib.Path) -> tuple[int, ...]:
+    """The newest version of glibc that a program or library needs."""
+    return max(map(numbers, re.findall(r"GLIBC_(\d[\d.]*)", run("readelf", "-W", "-V", file))))
+
+
+def link_engine(build: pathlib.Path, work: pathlib.Path) -> pathlib.Path:
+    """The engine of cls_gym for old systems, too."""
+    own = work / "engine"
+    own.mkdir(exist_ok=True)
+    library = own / "libcls_training.so.1"
+    link(build, "lib/libcls_training.so.1", library,
+         compile_replacements(build, own, "-DCLS_SLEEF_IN_LIBRARY"))
+    needed = newest_symbol(library)
+    if needed > WHEEL_GLIBC:
+        raise SystemExit(f"{library}: needs glibc {'.'.join(map(str, needed))}, wheels are tagged "
+                         f"{wheel_platform()}")
+    return library
+
+
+def wheel_platform() -> str:
+    return "manylinux_{}_{}_x86_64".format(*WHEEL_GLIBC)
+
+
+def write_wheels(build: pathlib.Path, version: str, epoch: int, engine: pathlib.Path,
+                 platform: str, dist: pathlib.Path) -> None:
+    for path in dist.glob("*.whl"):  # of other versions
+        path.unlink()
+    for path in wheels.write_all(build, version, engine, platform, epoch, dist):
+        print(f"{path.stat().st_size:>10}  {path}")
 
 
 def tree_of_same_age(root: pathlib.Path, epoch: int) -> None:
@@ -193,28 +205,50 @@ def tree_of_same_age(root: pathlib.Path, epoch: int) -> None:
         os.utime(path, (epoch, epoch))
 
 
-def main() -> None:
+def source_date() -> int:
+    """SOURCE_DATE_EPOCH, which is set: by the caller, or to the date of the commit, or of the file of
+    changes where there is no repository."""
+    if "SOURCE_DATE_EPOCH" not in os.environ:
+        done = subprocess.run(["git", "-C", str(SOURCE), "log", "-1", "--format=%ct"],
+                              capture_output=True, text=True, check=False)
+        changed = int((SOURCE / "CHANGELOG.md").stat().st_mtime)
+        os.environ["SOURCE_DATE_EPOCH"] = done.stdout.strip() or str(changed)
+    return int(os.environ["SOURCE_DATE_EPOCH"])
+
+
+def parse() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("build", nargs="?", type=pathlib.Path, default=SOURCE / "build")
-    parser.add_argument("--out", type=pathlib.Path, help="folder of the files (default: BUILD/dist)")
-    parser.add_argument("--all", action="store_true", help="the wheel, too")
-    arguments = parser.parse_args()
-    build = arguments.build.resolve()
-    dist = (arguments.out or build / "dist").resolve()
+    parser.add_argument("--out", type=pathlib.Path,
+                        help="folder of the files (default: BUILD/dist, or BUILD/wheels)")
+    parser.add_argument("--all", action="store_true", help="the wheels, too")
+    parser.add_argument("--wheels", action="store_true", help="the wheels alone")
+    parser.add_argument("--as-built", action="store_true",
+                        help="with --wheels: the engine as it is in BUILD, for this system alone")
+    return parser.parse_args()
+
+
+def make_wheels(build: pathlib.Path, version: str, epoch: int, as_built: bool,
+                dist: pathlib.Path) -> None:
+    dist.mkdir(parents=True, exist_ok=True)
+    if as_built:
+        write_wheels(build, version, epoch, build / "lib/libcls_training.so.1", "linux_x86_64", dist)
+        return
+    with tempfile.TemporaryDirectory(dir=build) as work:
+        engine = link_engine(build, pathlib.Path(work))
+        write_wheels(build, version, epoch, engine, wheel_platform(), dist)
+
+
+def make_files(build: pathlib.Path, version: str, epoch: int, with_wheels: bool,
+               dist: pathlib.Path) -> None:
     work = dist.with_name("package")
-    epoch = int(os.environ.setdefault("SOURCE_DATE_EPOCH", run(
-        "git", "-C", SOURCE, "log", "-1", "--format=%ct").strip()))
     for folder in (work, dist):
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
-    cache = (build / "CMakeCache.txt").read_text()
-    version = re.search(r"^CMAKE_PROJECT_VERSION:STATIC=(.*)$", cache, re.M)[1]
     name = f"cls-{version}-linux-x86_64"
 
-    replacements = compile_replacements(build, work)
-    program, library = dist / name, work / "libcls_training.so.1"
-    link(build, "bin/cls", program, replacements)
-    link(build, "lib/libcls_training.so.1", library, replacements)
+    program, library = dist / name, link_engine(build, work)
+    link(build, "bin/cls", program, compile_replacements(build, work))
     libraries.write(program, version, epoch, STATIC, dist)
 
     stage(build, work / "root", program, library, dist / f"{name}.licenses.txt",
@@ -226,14 +260,27 @@ def main() -> None:
     [package] = work.glob("*.deb")
     package.rename(dist / package.name)
 
-    if arguments.all:
-        wheel(build, library, work, dist)
+    if with_wheels:
+        write_wheels(build, version, epoch, library, wheel_platform(), dist)
 
     lines = [f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n"
              for path in sorted(dist.iterdir())]
     (dist / "SHA256SUMS").write_text("".join(lines))
     for path in sorted(dist.iterdir()):
         print(f"{path.stat().st_size:>10}  {path}")
+
+
+def main() -> None:
+    arguments = parse()
+    build = arguments.build.resolve()
+    dist = (arguments.out or build / ("wheels" if arguments.wheels else "dist")).resolve()
+    epoch = source_date()
+    cache = (build / "CMakeCache.txt").read_text()
+    version = re.search(r"^CMAKE_PROJECT_VERSION:STATIC=(.*)$", cache, re.M)[1]
+    if arguments.wheels:
+        make_wheels(build, version, epoch, arguments.as_built, dist)
+    else:
+        make_files(build, version, epoch, arguments.all, dist)
 
 
 if __name__ == "__main__":

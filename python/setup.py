@@ -1,33 +1,20 @@
-"""Generates the modules of the wire and adds the training engine; pyproject.toml has the rest.
-
-The engine of cls_gym, libcls_training.so, comes from $CLS_TRAINING_LIBRARY or from build/lib of the
-checkout. Without it the package works, except that `import cls_gym` says what is missing. A wheel is for
-the platform of this Python, or for $CLS_WHEEL_PLATFORM, as `make dist` sets it for an engine that needs less.
+"""Generates the modules of the wire for cls_playmaker; pyproject.toml has the rest. cls_gym, which
+has an engine, is a wheel of its own: `make wheel`.
 
 Uses grpcio-tools if it is installed (a build by pip installs it), else protoc and
 grpc_python_plugin on PATH (Debian: protobuf-compiler, protobuf-compiler-grpc).
 """
 import importlib.metadata
-import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
-import sysconfig
 import tempfile
 
 from setuptools import setup
 from setuptools.command.build_py import build_py
 from setuptools.command.sdist import sdist
-
-try:
-    from setuptools.command.bdist_wheel import bdist_wheel
-except ImportError:  # before setuptools 70.1
-    try:
-        from wheel.bdist_wheel import bdist_wheel
-    except ImportError:  # no wheel can be built, but the rest can
-        bdist_wheel = None
 
 HERE = pathlib.Path(__file__).resolve().parent
 PACKAGE = "cls_playmaker"
@@ -40,15 +27,6 @@ def interface(name):
         if path.is_file():
             return path
     sys.exit(f"no proto/{name} beside {HERE}: install from a checkout of the repository")
-
-
-def engine():
-    """The built engine of cls_gym, or None."""
-    named = os.environ.get("CLS_TRAINING_LIBRARY")
-    path = pathlib.Path(named) if named else HERE.parent / "build/lib/libcls_training.so"
-    if named and not path.is_file():
-        sys.exit(f"CLS_TRAINING_LIBRARY: no file {path}")
-    return path if path.is_file() else None
 
 
 def has_grpc_tools():
@@ -71,7 +49,7 @@ def generator():
              "protobuf-compiler and protobuf-compiler-grpc (Debian)")
 
 
-OLDEST = {"grpcio": "1.51", "numpy": "1.22", "protobuf": "4.21"}
+OLDEST = {"grpcio": "1.51", "protobuf": "4.21"}
 
 
 def at_least(name, needed):
@@ -82,7 +60,7 @@ def at_least(name, needed):
 
 
 def runtime():
-    """The oldest packages that the generated modules and cls_gym run with."""
+    """The oldest packages that the generated modules run with."""
     tools = importlib.metadata.requires("grpcio-tools") if has_grpc_tools() else None
     return [at_least(name, "\n".join(tools or [])) for name in OLDEST]
 
@@ -107,20 +85,6 @@ class BuildWithInterface(build_py):
         folder = HERE if getattr(self, "editable_mode", False) else pathlib.Path(self.build_lib)
         folder.mkdir(parents=True, exist_ok=True)
         generate(folder)
-        if engine() and folder != HERE:  # an editable installation finds it in build/lib
-            shutil.copy(engine(), folder / "cls_gym/libcls_training.so")
-
-
-def wheel_with_engine():
-    """The command bdist_wheel: with the engine a wheel is for one platform and any Python 3."""
-
-    class WheelWithEngine(bdist_wheel):
-        def get_tag(self):
-            platform = os.environ.get("CLS_WHEEL_PLATFORM") or re.sub(
-                r"[^A-Za-z0-9]", "_", sysconfig.get_platform())
-            return super().get_tag() if engine() is None else ("py3", "none", platform)
-
-    return WheelWithEngine
 
 
 class SourceWithInterface(sdist):
@@ -130,7 +94,5 @@ class SourceWithInterface(sdist):
             shutil.copy(interface(name), base_dir)
 
 
-commands = {"build_py": BuildWithInterface, "sdist": SourceWithInterface}
-if bdist_wheel is not None:
-    commands["bdist_wheel"] = wheel_with_engine()
-setup(install_requires=runtime(), cmdclass=commands)
+setup(install_requires=runtime(),
+      cmdclass={"build_py": BuildWithInterface, "sdist": SourceWithInterface})

@@ -8,7 +8,7 @@ import json
 import os
 import pathlib
 import weakref
-from typing import Any, Callable, Dict, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 
@@ -112,10 +112,14 @@ def library() -> Any:
         version = loaded.cls_training_abi()
     except (OSError, AttributeError) as error:
         raise ImportError(f"cls_gym: cannot load {path}: {error}") from error
+    loaded.cls_training_error.restype = ctypes.c_char_p
+    if version == 0:
+        raise ImportError(f"cls_gym: cannot use {path}: "
+                          f"{loaded.cls_training_error().decode('utf-8', 'replace')}; install the "
+                          "wheel again, or let TMPDIR name a folder for programs")
     if version != ABI:
         raise ImportError(f"cls_gym: {path} has interface {version}, this package needs {ABI}; "
                           "build both from the same commit")
-    loaded.cls_training_error.restype = ctypes.c_char_p
     loaded.cls_training_version.restype = ctypes.c_char_p
     for name, arguments in _FUNCTIONS.items():
         getattr(loaded, "cls_training_" + name).argtypes = arguments
@@ -167,6 +171,9 @@ def fingerprint() -> str:
 
 class Pool:
     """N worlds and their arrays, attributes with the names of _ARRAYS."""
+
+    if TYPE_CHECKING:
+        def __getattr__(self, name: str) -> np.ndarray: ...
 
     def __init__(self, config: Dict[str, Any]) -> None:
         self.config = {key: plain(value, key) for key, value in config.items()}

@@ -273,7 +273,22 @@ using engine::Outcome;
 using engine::Pool;
 using engine::with_pool;
 
-int32_t cls_training_abi(void) { return CLS_TRAINING_ABI; }
+// Defined where the mathematical library is part of the file (packaging/embedded_sleef.cpp): why it
+// cannot be used, or nullptr.
+extern "C" __attribute__((weak)) const char* cls_math_library_fault();
+
+namespace {
+
+Outcome check_math_library() {
+  const char* const fault = cls_math_library_fault == nullptr ? nullptr : cls_math_library_fault();
+  return fault == nullptr ? Outcome{} : Outcome{Code::kInternal, fault};
+}
+
+}  // namespace
+
+int32_t cls_training_abi(void) {
+  return guarded(check_math_library) == CLS_TRAINING_OK ? CLS_TRAINING_ABI : 0;
+}
 
 const char* cls_training_version(void) { return cls::base::kVersion.data(); }
 
@@ -288,6 +303,7 @@ int cls_training_create(const char* config_json, uint64_t* pool) {
   return guarded([&]() -> Outcome {
     if (config_json == nullptr) return null_pointer("config_json");
     if (pool == nullptr) return null_pointer("pool");
+    if (Outcome usable = check_math_library(); !usable.ok()) return usable;
     auto config = engine::parse_pool_config(config_json);
     if (!config) return {Code::kBadConfig, config.error().message};
     *pool = engine::register_pool(std::move(*config));
