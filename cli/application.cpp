@@ -28,7 +28,7 @@ constexpr const char* kRootDescription =
     "  cls match mock localhost:50051         against your Playmaker\n"
     "  cls help match                         options of matches";
 
-// What completion scripts call. No command of the tree, because it takes any words.
+// The entry of completion scripts. It takes any words, so it is not a command of the tree.
 constexpr std::string_view kCompleteCommand = "complete";
 
 using Words = std::vector<std::string>;

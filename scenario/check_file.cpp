@@ -39,7 +39,7 @@ Result<int> parse_player(const JsonValue& json) {
   const auto side = soccer::parse_side(text.substr(0, space));
   const std::size_t number = space == std::string::npos ? text.size() : space + 1;
   const int unum = base::parse_int(text.substr(number)).value_or(0);
-  if (!side || unum < 1 || unum > soccer::kPlayersPerTeam) {
+  if (!side || !soccer::is_unum(unum)) {
     return json.error(fmt::format("'{}' is not a player; use the form \"left 9\"", text));
   }
   return soccer::slot_of(*side, unum);
@@ -171,7 +171,7 @@ Result<void> only(const JsonValue& json, Words keys) {
 
 using Parsed = Result<decltype(Check::what)>;
 
-/// What a check may depend on.
+/// The values that a check may depend on.
 struct Context {
   int steps = 0;  ///< of the run
   const base::Json& golden;

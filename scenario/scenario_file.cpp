@@ -168,7 +168,7 @@ Result<void> parse_team(const JsonValue& json, const ResolveSide& resolve, Scena
 
   for (const std::string& key : players.keys()) {
     const int unum = base::parse_int(key).value_or(0);
-    if (unum < 1 || unum > soccer::kPlayersPerTeam) {
+    if (!soccer::is_unum(unum)) {
       return players[key].error(fmt::format("'{}' is not a uniform number", key));
     }
     TRY_INIT(side.players[unum], parse_place(players[key]));

@@ -14,6 +14,9 @@ enum class Side : std::int8_t { kLeft = 1, kNeutral = 0, kRight = -1 };
 constexpr int kPlayersPerTeam = 11;
 constexpr int kPlayersOnPitch = 22;
 
+/// Whether a number is that of a player: 1 to 11.
+constexpr bool is_unum(int unum) { return unum >= 1 && unum <= kPlayersPerTeam; }
+
 constexpr int sign(Side side) { return static_cast<int>(side); }
 constexpr Side opponent(Side side) { return static_cast<Side>(-static_cast<int>(side)); }
 

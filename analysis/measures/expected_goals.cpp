@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/play/interception_time.h"
 #include "soccer/math.h"
 #include "soccer/pitch.h"
 
@@ -13,7 +14,6 @@ namespace {
 
 using soccer::Vec2;
 
-constexpr double kShareOfTopSpeed = 0.95;
 constexpr double kReactionCycles = 1.0;
 
 bool in_triangle(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {

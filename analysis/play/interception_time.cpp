@@ -12,7 +12,6 @@ namespace {
 
 using soccer::Vec2;
 
-constexpr double kShareOfTopSpeed = 0.95;
 constexpr double kSmallTurn = 15.0;
 constexpr double kWideTurn = 90.0;
 constexpr double kRunning = 0.4;  // share of top speed

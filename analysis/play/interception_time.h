@@ -11,6 +11,9 @@ namespace cls::analysis {
 /// Maximum prediction in cycles.
 constexpr int kMaxInterceptionCycles = 50;
 
+/// Share of its top speed at which a player is assumed to run.
+constexpr double kShareOfTopSpeed = 0.95;
+
 /// The first player to reach the ball if it is not touched before.
 struct Interception {
   std::size_t slot = 0;

@@ -130,13 +130,11 @@ std::optional<RefereeMessage> parse_referee_message(std::string_view text) {
                         *number};
 }
 
-bool is_unum(int number) { return number >= 1 && number <= soccer::kPlayersPerTeam; }
-
 void read_cards(const gamelog::RclRecord& text, MatchSummary& summary) {
   for (const gamelog::RclLine& line : text.lines) {
     if (line.source != gamelog::RclSource::kReferee) continue;
     const auto message = parse_referee_message(text.text_of(line));
-    if (!message || !is_unum(message->number)) continue;
+    if (!message || !soccer::is_unum(message->number)) continue;
     const bool red = message->what == "red_card";
     if (!red && message->what != "yellow_card") continue;
     summary.cards.push_back({{line.time, message->side, message->number}, red});

@@ -16,7 +16,7 @@
 
 namespace cls::analysis {
 
-/// What happens at the moment, as the left team sees it.
+/// The event of the moment, as the left team sees it.
 enum class SituationClass : std::uint8_t {
   kAttack,    ///< it has the ball in the opponents' third
   kDefense,   ///< the opponents have the ball in its third

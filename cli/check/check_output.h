@@ -2,9 +2,9 @@
 #pragma once
 
 #include <functional>
-#include "cli/command/command.h"
 
 #include "checks/check_report.h"
+#include "cli/command/command.h"
 #include "cli/support/ci_reports.h"
 
 namespace cls::cli {

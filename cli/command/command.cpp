@@ -41,7 +41,7 @@ inline constexpr bool kIsVector = false;
 template <class T>
 inline constexpr bool kIsVector<std::vector<T>> = true;
 
-// What the type of the target says about the option.
+// Takes the form of the option from the type of its target.
 void describe(Option& option) {
   std::visit(
       [&option]<class Pointer>(Pointer) {

@@ -1,4 +1,4 @@
-// What `cls explain` knows: messages, fields, actions, play modes, end reasons, parameters.
+// The entries of `cls explain`: messages, fields, actions, play modes, end reasons, parameters.
 #pragma once
 
 #include <string>
@@ -35,7 +35,7 @@ const std::vector<ReferenceEntry>& reference();
 /// The value of a fact; empty if the entry lacks it.
 std::string_view fact(const ReferenceEntry& entry, std::string_view label);
 
-/// What an action does, or what another entry means; may be empty.
+/// The effect of an action, or the meaning of another entry; may be empty.
 std::string_view meaning(const ReferenceEntry& entry);
 
 /// The entries that `word` names: a full name, the last part of it ("stamina"), or a name as a

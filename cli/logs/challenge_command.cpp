@@ -159,7 +159,7 @@ Result<analysis::StpPrediction> read_prediction(const std::string& path, StpColu
   });
 }
 
-// What is wrong with the predictions; empty: nothing.
+// The fault of the predictions; empty: none.
 std::vector<std::string> problems_of(const ChallengeArguments& arguments,
                                      const std::vector<std::string>& tests,
                                      const std::vector<std::string>& predictions) {

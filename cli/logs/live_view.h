@@ -7,9 +7,9 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include "cli/command/command.h"
 
 #include "base/result.h"
+#include "cli/command/command.h"
 #include "viewer/live/http_server.h"
 #include "viewer/live/live_match.h"
 #include "viewer/page/page.h"

@@ -36,7 +36,7 @@ struct TableRequest {
   std::size_t jobs = 1;
 };
 
-/// What was read.
+/// The tables of a match that was read.
 struct TableCounts {
   std::size_t matches = 0;
   std::size_t frames = 0;

@@ -1,4 +1,4 @@
-// Writes beside the place of the file and renames.
+// Writes next to the place of the file and renames.
 #include "cli/logs/output_file.h"
 
 #include <fmt/format.h>

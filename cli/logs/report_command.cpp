@@ -57,7 +57,7 @@ void add_replies(const TeamResult& team, std::vector<viewer::PlaymakerReplies>& 
                   sums.rpc_us.p95, sums.rpc_us.p99, sums.rpc_us.max});
 }
 
-// What `cls match` wrote beside the log, if it is the log of that match.
+// Files that `cls match` wrote next to the log, if it is the log of that match.
 void add_result(const fs::path& log, viewer::MatchReport& report) {
   namespace match = match;
   if (!match::recorded_end(log.string())) return;

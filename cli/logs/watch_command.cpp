@@ -76,7 +76,7 @@ struct WatchArguments {
 bool is_player(const std::string& name) {
   if (name.size() < 2 || (name[0] != 'l' && name[0] != 'r')) return false;
   const auto unum = base::parse_int(std::string_view(name).substr(1));
-  return unum && *unum >= 1 && *unum <= soccer::kPlayersPerTeam;
+  return unum && soccer::is_unum(*unum);
 }
 
 // Nothing if all names are players.

@@ -6,14 +6,14 @@
 #include <optional>
 #include <string>
 #include <vector>
-#include "cli/command/command.h"
 
+#include "cli/command/command.h"
 #include "match/terms/option_table.h"
 #include "process/hook_runner.h"
 
 namespace cls::cli {
 
-/// What only the command line has; resolve_match() completes `options`.
+/// Arguments of the command line alone; resolve_match() completes `options`.
 struct MatchArguments {
   std::string left;
   std::string right;

@@ -1,4 +1,4 @@
-// What a Playmaker needs to run besides its own files: which interpreter, and from where.
+// Interpreters that a Playmaker needs besides its own files, and where they come from.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,7 @@ bool is_for_dotnet(const std::filesystem::path& folder);
 /// or of PATH for Python, node for package.json. Empty: it is a program itself.
 std::vector<std::filesystem::path> interpreters_of(const InterpretedProject& project);
 
-/// What came along with one of them.
+/// The files that come along with one of them.
 struct BroughtInterpreter {
   std::string name;                   ///< "python3", "node"
   std::filesystem::path program;      ///< of this host

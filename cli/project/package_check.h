@@ -53,7 +53,7 @@ inline constexpr double kMaxMissedShare = 0.01;
 base::Result<PackageCheck> check_package(const PackageCheckOptions& options,
                                          const std::atomic<int>& stop);
 
-/// What was found, as text and as the document `cls.package-check/1`.
+/// The findings, as text and as the document `cls.package-check/1`.
 std::string to_text(const PackageCheckOptions& options, const PackageCheck& check);
 std::string to_json(const PackageCheckOptions& options, const PackageCheck& check);
 

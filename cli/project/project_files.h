@@ -1,4 +1,4 @@
-// What `cls new` writes: the examples as projects of their own.
+// The files that `cls new` writes: the examples as projects of their own.
 #pragma once
 
 #include <string>

@@ -91,7 +91,7 @@ bool is_log(const fs::path& file) {
   return ending == ".rcg" || ending == ".rcl" || ending == ".rpc";
 }
 
-// What Rust compiles on the way to a program, often gigabytes.
+// Intermediate files of Rust, often gigabytes.
 bool is_cache_of_cargo(const fs::path& folder) {
   static constexpr std::array<std::string_view, 4> kNames = {"deps", "build", "incremental",
                                                              ".fingerprint"};
@@ -100,8 +100,8 @@ bool is_cache_of_cargo(const fs::path& folder) {
          std::ranges::find(kNames, folder.filename().string()) != kNames.end();
 }
 
-// What the .NET SDK makes on the way to a program: obj/, and bin/ where the Playmaker is the
-// published program beside it. More than ten times its size, with libraries that no host has.
+// Intermediate files of the .NET SDK: obj/, and bin/ where the Playmaker is the
+// published program next to it. More than ten times its size, with libraries that no host has.
 bool is_cache_of_dotnet(const fs::path& folder, const std::string& command) {
   const fs::path objects = folder.parent_path() / "obj";
   const bool published = fs::is_directory(folder.parent_path() / "publish") &&

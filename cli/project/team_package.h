@@ -13,7 +13,7 @@
 
 namespace cls::cli {
 
-/// What a package holds.
+/// The contents of a package.
 struct TeamPackage {
   std::string name;
   std::string command;                  ///< of a `run:` side, with {port}
@@ -23,7 +23,7 @@ struct TeamPackage {
   std::vector<std::string> with{};      ///< more programs for env/bin, by path or name on PATH
 };
 
-/// What write_package() has written.
+/// The result of write_package().
 struct WrittenPackage {
   std::uintmax_t program_bytes = 0;      ///< of cls and lib/
   std::uintmax_t project_bytes = 0;      ///< of team/

@@ -3,13 +3,13 @@
 
 #include <string>
 #include <vector>
-#include "cli/command/command.h"
 
+#include "cli/command/command.h"
 #include "cli/shell/completion.h"
 
 namespace cls::cli {
 
-/// What a value may depend on.
+/// The words that a value may depend on.
 struct ValueContext {
   std::vector<std::string> options;  ///< given before the cursor
   std::string word;                  ///< the value so far

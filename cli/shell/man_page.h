@@ -3,6 +3,7 @@
 
 #include <string>
 #include <vector>
+
 #include "cli/command/command.h"
 
 namespace cls::cli {

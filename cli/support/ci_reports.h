@@ -2,8 +2,8 @@
 #pragma once
 
 #include <string>
-#include "cli/command/command.h"
 
+#include "cli/command/command.h"
 #include "cli/terminal/exit_code.h"
 
 namespace cls::cli {

@@ -1,4 +1,4 @@
-// What --json prints: a document, or one line of a command that runs until it is stopped.
+// The output of --json: a document, or one line of a command that runs until it is stopped.
 #pragma once
 
 #include <string_view>

@@ -56,7 +56,7 @@ struct CheckInArguments {
   bool json = false;
 };
 
-// What a team did.
+// The progress of a team's check-in.
 struct CheckIn {
   std::string team;      // in cls.toml
   std::string own_name;  // on the server

@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 #include <vector>
-#include "cli/command/command.h"
 
+#include "cli/command/command.h"
 #include "tournament/config/config.h"
 
 namespace cls::cli {

@@ -349,7 +349,7 @@ int run_stop(const FolderArguments& arguments) {
   return kOk;
 }
 
-// What `pause` and `resume` print; `changed`: the tournament was not so before.
+// The output of `pause` and `resume`; `changed`: the tournament was not so before.
 int print_pause(const FolderArguments& arguments, bool paused, const base::Result<bool>& changed) {
   if (!changed) return print_error(kWriteFailed, changed.error().message);
   if (arguments.json) {

@@ -1,4 +1,4 @@
-// What `cls tournament run` and `cls compare` share: opening the folder, and the end of a run.
+// Common steps of `cls tournament run` and `cls compare`: opening the folder, and the end of a run.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
-#include "cli/command/command.h"
 
+#include "cli/command/command.h"
 #include "tournament/config/config.h"
 #include "tournament/run/tournament_run.h"
 #include "tournament/store/folder.h"
@@ -20,7 +20,7 @@ namespace cls::cli {
 /// code.
 int check_tournament(const std::filesystem::path& folder, std::string_view remedy = "");
 
-/// What a command says where a tournament could be begun.
+/// The hint of a command where a tournament could be begun.
 inline constexpr std::string_view kRunCreatesOne = "; `cls tournament run` creates one";
 
 struct SessionOptions {
@@ -46,7 +46,7 @@ struct OpenedFolder {
 /// Makes executors of a tournament in `folder`, which start this program.
 tournament::MakeExecutor executors_in(const std::filesystem::path& folder);
 
-/// What is left to play.
+/// The matches that are left to play.
 struct Outlook {
   double to_play = 0.0;  ///< expected number of matches
   std::string text;

@@ -50,7 +50,7 @@ constexpr double kMaxDelaySeconds = 86'400.0;
 constexpr int kOwnDescriptors = 100;
 constexpr milliseconds kPollInterval{100};
 constexpr int kNice = 10;
-/// What one reader may use: a piece, and twice the buffer in the kernel.
+/// Memory of one reader: a piece, and twice the buffer in the kernel.
 constexpr std::size_t kPiece = std::size_t{32} << 10;
 constexpr int kSendBuffer = 64 << 10;
 constexpr milliseconds kWriteTimeout{20'000};

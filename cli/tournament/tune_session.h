@@ -1,4 +1,5 @@
-// What the commands of `cls tune` share: the configuration, the plan, and the final comparison.
+// Common parts of the commands of `cls tune`: the configuration, the plan, and the final
+// comparison.
 #pragma once
 
 #include <filesystem>

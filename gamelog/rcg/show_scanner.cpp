@@ -127,7 +127,7 @@ class ShowScanner {
     ++at_;
     std::int32_t unum = 0;
     if (!integer(unum)) return false;
-    if (unum < 1 || unum > soccer::kPlayersPerTeam) return fail("expected a number from 1 to 11");
+    if (!soccer::is_unum(unum)) return fail("expected a number from 1 to 11");
 
     slot = soccer::slot_of(side == 'l' ? soccer::Side::kLeft : soccer::Side::kRight, unum);
     return literal(")");

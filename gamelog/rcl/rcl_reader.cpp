@@ -115,7 +115,7 @@ class RclReader {
 
     const std::string_view role = sender.substr(cut + 1);
     const std::optional<int> unum = base::parse_int(role);
-    const bool player = unum && *unum >= 1 && *unum <= soccer::kPlayersPerTeam;
+    const bool player = unum && soccer::is_unum(*unum);
     if (!player && role != kCoach) return false;
 
     const std::optional<std::uint8_t> team = team_index(sender.substr(0, cut));

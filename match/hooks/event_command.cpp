@@ -14,7 +14,6 @@
 namespace cls::match {
 namespace {
 
-constexpr const char* kHookName = "on_event";
 constexpr std::chrono::milliseconds kPollInterval{100};
 
 // `what`: ", goal by RED"; empty for the score alone.
@@ -136,7 +135,8 @@ void EventCommand::finish(const MatchResult& result, const std::atomic<int>& sto
 void EventCommand::run(EventDocument event) {
   if (!runner_) return;
   event["folder"] = folder_.string();
-  runner_->start({kHookName, command_, base::json_line(event) + "\n", event_environment(event)});
+  runner_->start(
+      {kEventHookName, command_, base::json_line(event) + "\n", event_environment(event)});
 }
 
 void EventCommand::warn(const std::vector<std::string>& lines) {

@@ -18,6 +18,9 @@ namespace cls::match {
 /// of event_environment().
 using EventDocument = base::Json;
 
+/// The name of commands for events in messages.
+constexpr const char* kEventHookName = "on_event";
+
 /// Finds the events in the progress of a match.
 class EventFinder {
  public:

@@ -49,7 +49,7 @@ std::size_t selector_length(std::string_view text) {
 
 std::optional<int> parse_unum(std::string_view text) {
   const std::optional<int> unum = base::parse_int(text);
-  return unum && *unum >= 1 && *unum <= soccer::kPlayersPerTeam ? unum : std::nullopt;
+  return unum && soccer::is_unum(*unum) ? unum : std::nullopt;
 }
 
 Error unknown_agents(std::string_view word) {

@@ -2,8 +2,8 @@
 #include "mock-server/script/faults.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
+
 #include "base/text/suggestion.h"
 #include "mock-server/script/json_parts.h"
 #include "proto/playmaker.pb.h"

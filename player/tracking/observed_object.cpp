@@ -13,12 +13,6 @@ using soccer::ObservedDetail;
 constexpr double kHalfDegree = math::to_radians(0.5);
 constexpr double kUniformVariance = 1.0 / 3.0;  // of a uniform distribution of half width 1
 
-// Quantization steps (docs/spec/simulation-model.md 7.5): of distance change over distance, and of
-// direction change in degrees.
-constexpr double kDistanceChangeStep = 0.02;
-constexpr double kDirectionChangeStep = 0.1;
-constexpr double kGaussianDistanceChangeStep = 0.01;  // of the distance change itself
-
 Vec2 perpendicular(Vec2 v) { return {-v.y, v.x}; }
 
 bool has_motion(const Observation& seen) { return seen.detail >= ObservedDetail::kMotion; }
@@ -93,9 +87,9 @@ void add_gaussian_motion(const Viewpoint& view, const ObservedPosition& observed
     slab.direction[component] = 1.0;
     slabs.push_back(slab);
   };
-  add(kVelocityAlong, e, radial, turning, 0.5 * kGaussianDistanceChangeStep);
+  add(kVelocityAlong, e, radial, turning, 0.5 * soccer::kGaussianDistanceChangeStep);
   add(kVelocityAcross, perpendicular(e), turning, radial,
-      math::to_radians(0.5 * kDirectionChangeStep) * d);
+      math::to_radians(0.5 * soccer::kDirectionChangeStep) * d);
 }
 
 void add_motion(const Viewpoint& view, const ObservedPosition& observed, const Observation& seen,
@@ -106,16 +100,16 @@ void add_motion(const Viewpoint& view, const ObservedPosition& observed, const O
   const Vec2 n = perpendicular(e);
 
   const double printed = std::max(seen.distance, 0.1);
-  const double ratio = math::quantize(seen.distance_change / printed, kDistanceChangeStep);
+  const double ratio = math::quantize(seen.distance_change / printed, soccer::kDistanceChangeStep);
 
   const double own_radial = soccer::dot(e, view.velocity);
-  const double radial_half = 0.5 * kDistanceChangeStep * d;
+  const double radial_half = 0.5 * soccer::kDistanceChangeStep * d;
   slabs.push_back({kVelocityAlong, own_radial + ratio * d - radial_half,
                    own_radial + ratio * d + radial_half, d_variance * square(ratio)});
 
   const double turning = math::to_radians(seen.direction_change);
   const double own_across = soccer::dot(n, view.velocity);
-  const double across_half = math::to_radians(0.5 * kDirectionChangeStep) * d;
+  const double across_half = math::to_radians(0.5 * soccer::kDirectionChangeStep) * d;
   slabs.push_back({kVelocityAcross, own_across + turning * d - across_half,
                    own_across + turning * d + across_half, d_variance * square(turning)});
 }

@@ -20,8 +20,6 @@ using soccer::PlayMode;
 using soccer::Vec2;
 using Commands = std::vector<CoachCommand>;
 
-bool is_unum(int unum) { return unum >= 1 && unum <= soccer::kPlayersPerTeam; }
-
 bool is_type(const player::WorldModel& world, int type) {
   return type >= 0 && type < world.parameters->player.player_types;
 }
@@ -47,7 +45,7 @@ Outcome send(CoachCommand command, Commands& out) {
 
 Outcome change_type(const protos::ChangePlayerType& action, const player::WorldModel& world,
                     Commands& out) {
-  if (!is_unum(action.uniform_number()) || !is_type(world, action.type())) {
+  if (!soccer::is_unum(action.uniform_number()) || !is_type(world, action.type())) {
     return Outcome::kInvalid;
   }
   return send(soccer::ChangePlayerType{action.uniform_number(), action.type()}, out);
@@ -94,7 +92,7 @@ Outcome move_player(const protos::DoMovePlayer& action, const player::WorldModel
   const Vec2 position = vec(action.position());
   const std::string team = team_name(world, action.our_side());
   if (!is_finite(position) || !std::isfinite(action.body_direction()) || team.empty() ||
-      !is_unum(action.uniform_number())) {
+      !soccer::is_unum(action.uniform_number())) {
     return Outcome::kInvalid;
   }
   // Without a velocity the player would retain the old one.
@@ -112,7 +110,7 @@ Outcome change_mode(const protos::DoChangeMode& action, Commands& out) {
 Outcome change_type(const protos::DoChangePlayerType& action, const player::WorldModel& world,
                     Commands& out) {
   const std::string team = team_name(world, action.our_side());
-  if (team.empty() || !is_unum(action.uniform_number()) || !is_type(world, action.type())) {
+  if (team.empty() || !soccer::is_unum(action.uniform_number()) || !is_type(world, action.type())) {
     return Outcome::kInvalid;
   }
   return send(soccer::TrainerChangePlayerType{team, action.uniform_number(), action.type()}, out);

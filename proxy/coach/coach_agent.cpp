@@ -17,8 +17,6 @@
 namespace cls::proxy {
 namespace {
 
-bool is_unum(int unum) { return unum >= 1 && unum <= soccer::kPlayersPerTeam; }
-
 // "(move (ball) 1 2)" -> "move"
 std::string name_of(std::string_view command) {
   const std::size_t end = command.find_first_of(" )");
@@ -104,7 +102,7 @@ void CoachAgent::handle_server_reply() {
 
 // Confirms a trainer's own change; other changes are not reported to trainers.
 void CoachAgent::confirm_type(const soccer::OkChangePlayerType& change) {
-  if (!is_trainer() || !change.type || !is_unum(change.unum)) return;
+  if (!is_trainer() || !change.type || !soccer::is_unum(change.unum)) return;
   const bool own = change.team == world_.our_team_name;
   (own ? world_.our_types : world_.their_types)[base::index(change.unum - 1)] = *change.type;
 }
@@ -118,7 +116,7 @@ void CoachAgent::set_names(const soccer::OkTeamNames& names) {
 
 void CoachAgent::change_type(const soccer::PlayerTypeChange& change) {
   on_change_player_type(world_, change);
-  if (change.goalie_side != soccer::Side::kNeutral || !is_unum(change.unum)) return;
+  if (change.goalie_side != soccer::Side::kNeutral || !soccer::is_unum(change.unum)) return;
   if (change.type) {
     record_type_change(memory_, world_, change.unum, *change.type);
   } else {

@@ -46,7 +46,7 @@ void on_global_view(player::WorldModel& world, const soccer::GlobalView& view) {
   world.teammates.clear();
   world.opponents.clear();
   for (const soccer::GlobalViewPlayer& seen : view.players) {
-    if (seen.unum < 1 || seen.unum > soccer::kPlayersPerTeam) continue;
+    if (!soccer::is_unum(seen.unum)) continue;
     const bool is_own = seen.team == world.our_team_name;
     player::PlayerState player = player_of(seen, rotate);
     player.side = is_own ? world.our_side : world.their_side();

@@ -70,13 +70,11 @@ std::string_view wire_name(std::string_view name) {
   return found == std::end(kWireNames) ? name : found->second;
 }
 
-constexpr float f(double value) { return static_cast<float>(value); }
-
 template <typename Value>
 void set_field(Message& message, const FieldDescriptor& field, const Value& value) {
   const google::protobuf::Reflection& reflection = *message.GetReflection();
   if constexpr (std::is_same_v<Value, double>) {
-    reflection.SetFloat(&message, &field, f(value));
+    reflection.SetFloat(&message, &field, value);
   } else if constexpr (std::is_same_v<Value, int>) {
     reflection.SetInt32(&message, &field, value);
   } else if constexpr (std::is_same_v<Value, bool>) {
@@ -124,17 +122,17 @@ void fill_unannounced(protos::ServerParam& out) {
 
 void fill_pitch(protos::ServerParam& out) {
   constexpr double penalty_line = soccer::kHalfLength - soccer::kPenaltyAreaLength;
-  out.set_pitch_half_length(f(soccer::kHalfLength));
-  out.set_pitch_half_width(f(soccer::kHalfWidth));
-  out.set_our_penalty_area_line_x(f(-penalty_line));
-  out.set_their_penalty_area_line_x(f(penalty_line));
-  out.set_penalty_area_half_width(f(soccer::kPenaltyAreaWidth / 2));
-  out.set_penalty_area_length(f(soccer::kPenaltyAreaLength));
-  out.set_goal_area_width(f(soccer::kGoalAreaWidth));
-  out.set_goal_area_length(f(soccer::kGoalAreaLength));
-  out.set_center_circle_r(f(soccer::kCenterCircleRadius));
-  out.set_goal_post_radius(f(soccer::kGoalPostRadius));
-  out.set_pitch_margin(f(soccer::kPitchMargin));
+  out.set_pitch_half_length(soccer::kHalfLength);
+  out.set_pitch_half_width(soccer::kHalfWidth);
+  out.set_our_penalty_area_line_x(-penalty_line);
+  out.set_their_penalty_area_line_x(penalty_line);
+  out.set_penalty_area_half_width(soccer::kPenaltyAreaWidth / 2);
+  out.set_penalty_area_length(soccer::kPenaltyAreaLength);
+  out.set_goal_area_width(soccer::kGoalAreaWidth);
+  out.set_goal_area_length(soccer::kGoalAreaLength);
+  out.set_center_circle_r(soccer::kCenterCircleRadius);
+  out.set_goal_post_radius(soccer::kGoalPostRadius);
+  out.set_pitch_margin(soccer::kPitchMargin);
 }
 
 template <typename Out>
@@ -156,10 +154,10 @@ void fill(const soccer::ServerParams& params, protos::ServerParam& out) {
   clear_but_identity(out);
   fill_from_table(params, soccer::server_param_table(), out);
   const soccer::PlayerType type = soccer::default_player_type(params);
-  out.set_control_radius_width(f(params.control_radius - params.player_size));
-  out.set_kickable_area(f(type.kickable_area(params.ball_size)));
-  out.set_catchable_area(f(catch_distance(params, 1.0)));
-  out.set_real_speed_max(f(player::top_speed(params, type)));
+  out.set_control_radius_width(params.control_radius - params.player_size);
+  out.set_kickable_area(type.kickable_area(params.ball_size));
+  out.set_catchable_area(catch_distance(params, 1.0));
+  out.set_real_speed_max(player::top_speed(params, type));
   out.set_lcm_step(std::lcm(std::lcm(params.simulator_step, params.send_step),
                             std::lcm(params.recv_step, params.sense_body_step)));
   fill_unannounced(out);
@@ -176,12 +174,12 @@ void fill(const soccer::PlayerType& type, const soccer::ServerParams& server,
   clear_but_identity(out);
   fill_from_table(type, soccer::player_type_table(), out);
   const double speed = player::top_speed(server, type);
-  out.set_kickable_area(f(type.kickable_area(server.ball_size)));
-  out.set_reliable_catchable_dist(f(catch_distance(server, 2.0 - type.catchable_area_l_stretch)));
-  out.set_max_catchable_dist(f(catch_distance(server, type.catchable_area_l_stretch)));
-  out.set_real_speed_max(f(speed));
-  out.set_player_speed_max2(f(type.player_speed_max * type.player_speed_max));
-  out.set_real_speed_max2(f(speed * speed));
+  out.set_kickable_area(type.kickable_area(server.ball_size));
+  out.set_reliable_catchable_dist(catch_distance(server, 2.0 - type.catchable_area_l_stretch));
+  out.set_max_catchable_dist(catch_distance(server, type.catchable_area_l_stretch));
+  out.set_real_speed_max(speed);
+  out.set_player_speed_max2(type.player_speed_max * type.player_speed_max);
+  out.set_real_speed_max2(speed * speed);
   out.set_cycles_to_reach_max_speed(player::cycles_to_top_speed(server, type));
 }
 

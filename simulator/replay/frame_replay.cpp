@@ -164,7 +164,7 @@ void override_fouls(ReplayOverrides& overrides, const std::vector<std::string>& 
 
     const Side side = message[prefix.size()] == 'l' ? Side::kLeft : Side::kRight;
     const int unum = base::parse_int(message.substr(prefix.size() + 2)).value_or(0);
-    if (unum < 1 || unum > soccer::kPlayersPerTeam) return;
+    if (!soccer::is_unum(unum)) return;
     overrides.foul.recorded[base::index(soccer::slot_of(side, unum))] = call;
   };
 

@@ -24,9 +24,6 @@ using soccer::ObservedDetail;
 using soccer::ObservedKind;
 
 constexpr double kDistanceStep = 0.1;
-constexpr double kDistanceChangeStep = 0.02;
-constexpr double kGaussianDistanceChangeStep = 0.01;
-constexpr double kDirectionChangeStep = 0.1;
 constexpr double kPointDeviation = 1.25;  // degrees, at distance 0
 constexpr int kFirstKickMarkVersion = 13;
 constexpr int kFirstFocusVersion = 18;
@@ -201,11 +198,12 @@ void set_motion(const Observer& observer, const Sighting& seen, Vec2 velocity, O
   const double radial = dot(relative, away);
   const double turning = exact_degrees(cross(away, relative) / seen.distance);
 
-  if (turning != 0.0) out.direction_change = math::quantize(turning, kDirectionChangeStep);
+  if (turning != 0.0) out.direction_change = math::quantize(turning, soccer::kDirectionChangeStep);
   out.distance_change =
       observer.player.view.gaussian
-          ? math::quantize(radial * out.distance / seen.distance, kGaussianDistanceChangeStep)
-          : out.distance * math::quantize(radial / seen.distance, kDistanceChangeStep);
+          ? math::quantize(radial * out.distance / seen.distance,
+                           soccer::kGaussianDistanceChangeStep)
+          : out.distance * math::quantize(radial / seen.distance, soccer::kDistanceChangeStep);
 }
 
 /// Adds an observation with the fields that every object has: kind, direction and, in high quality,

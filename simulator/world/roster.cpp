@@ -129,7 +129,7 @@ soccer::TeamName visible_team_name(const World& world, Side own, Side side,
 }
 
 std::optional<Slot> find_player(const World& world, Side side, int unum) {
-  if (side == Side::kNeutral || unum < 1 || unum > soccer::kPlayersPerTeam) return std::nullopt;
+  if (side == Side::kNeutral || !soccer::is_unum(unum)) return std::nullopt;
   const Player& player = world.player(side, unum);
   if (!player.joined) return std::nullopt;
   return player.slot();

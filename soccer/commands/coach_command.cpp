@@ -205,8 +205,7 @@ Reply move(LooseScanner& in, CoachCommand& out) {
 
   if (!object.token("player")) return ErrorCode::kIllegalObjectForm;
   command.team = object.run(is_not_space, kMaxTokenSize);
-  if (command.team.empty() || !object.integer(command.unum) || command.unum < 1 ||
-      command.unum > kPlayersPerTeam) {
+  if (command.team.empty() || !object.integer(command.unum) || !is_unum(command.unum)) {
     return ErrorCode::kIllegalObjectForm;
   }
 

@@ -28,7 +28,7 @@ bool read_player(LooseScanner& in, Side& side, int& unum) {
   int sign = 0;
   if (!in.integer(sign) || !in.integer(unum)) return false;
   side = sign == 1 ? Side::kLeft : sign == -1 ? Side::kRight : Side::kNeutral;
-  if (unum < 1 || unum > kPlayersPerTeam) side = Side::kNeutral;
+  if (!is_unum(unum)) side = Side::kNeutral;
   return true;
 }
 

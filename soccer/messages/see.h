@@ -30,6 +30,13 @@ enum class ObservedDetail : std::uint8_t {
   kPose,       ///< plus body, head (players with known uniform number)
 };
 
+/// Steps to which the server rounds motion (docs/spec/simulation-model.md 7.5): the distance change
+/// over the distance, the distance change itself with Gaussian noise, the direction change in
+/// degrees.
+constexpr double kDistanceChangeStep = 0.02;
+constexpr double kGaussianDistanceChangeStep = 0.01;
+constexpr double kDirectionChangeStep = 0.1;
+
 /// The visible action of a player.
 enum class ActionMark : std::uint8_t { kNone, kTackling, kKicked, kFoulCharged };
 

@@ -22,8 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using base::Json;
 
-constexpr const char* kHookName = "on_event";
-
 // The number of a match in the name of its folder: "000017-RED-vs-BLUE", "000017.1.LABEL".
 std::optional<int> match_number(const std::string& folder) {
   const std::string name = fs::path(folder).filename().string();
@@ -110,7 +108,7 @@ void EventFeed::pass_on(Json event, const ScheduledMatch& match, process::HookRu
   event["tournament"] = tournament_name(config_, folder_);
   event["match"] = match.fixture.index;
   event["stage"] = stage_text(match.fixture);
-  hooks.start({kHookName, config_.execution.on_event, base::json_line(event) + "\n",
+  hooks.start({match::kEventHookName, config_.execution.on_event, base::json_line(event) + "\n",
                match::event_environment(event)});
 }
 

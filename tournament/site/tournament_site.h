@@ -18,7 +18,7 @@ enum class Reader {
 
 struct SiteOptions {
   Reader reader = Reader::kSpectator;
-  /// What happens on the pitch is shown this much later.
+  /// The delay with which play is shown.
   std::chrono::milliseconds delay{0};
   /// Memory for pages of replays. Readers may hold some more while they receive one.
   std::size_t max_replay_bytes = std::size_t{64} << 20;

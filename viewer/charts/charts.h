@@ -33,7 +33,7 @@ struct HeatMapData {
 };
 std::string heat_map(const HeatMapData& data);
 
-/// Who passed to whom: circles at mean positions, lines for pairs.
+/// Passes between players: circles at mean positions, lines for pairs.
 struct PassNetworkData {
   struct Node {
     int unum = 0;

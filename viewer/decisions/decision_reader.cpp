@@ -106,8 +106,7 @@ class Reader {
   Player* read_start(ByteReader& in, std::size_t& count) {
     const std::uint64_t unum = in.varint();
     count = static_cast<std::size_t>(in.varint());
-    const bool good =
-        in.good() && unum >= 1 && unum <= soccer::kPlayersPerTeam && count <= kDecisionBlock;
+    const bool good = in.good() && soccer::is_unum(unum) && count <= kDecisionBlock;
     if (!good) return nullptr;
 
     Player& player = players_[unum - 1];

@@ -118,7 +118,7 @@ struct HttpServer::State {
   HttpRoutes routes;
   std::string shown_host;
   HttpAccess access;
-  /// What the paths of all pages begin with.
+  /// The start of the paths of all pages.
   std::string prefix = access.open ? access.prefix : "/" + random_token() + "/";
 
   std::mutex ticket_mutex;
@@ -250,7 +250,7 @@ class HttpServer::Session : public std::enable_shared_from_this<Session> {
     send_text(text_reply(status, std::move(text)), {}, false, false);
   }
 
-  // What of the document goes out: nothing to readers that have this version already.
+  // The bytes of the document to send: none to readers that have this version already.
   std::string_view chosen_version(const HttpRequest& request, int& status, std::string& fields) {
     const std::string tag = fmt::format("W/\"{}\"", document_->tag);
     fields = fmt::format("ETag: {}\r\nVary: Accept-Encoding\r\n", tag);

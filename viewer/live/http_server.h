@@ -43,7 +43,7 @@ struct HttpAddress {
   int port = 0;                    ///< 0: a free port
 };
 
-/// Who may read, and how much of this process readers may use.
+/// Rights of readers, and the share of this process that they may use.
 struct HttpAccess {
   /// Without a secret path: for everyone who reaches the address.
   bool open = false;

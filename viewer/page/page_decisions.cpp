@@ -45,7 +45,7 @@ std::optional<MissedDecision> missed_of(std::string_view line) {
 
   const auto side = soccer::parse_side(text("side"));
   const int unum = integer("unum");
-  if (!side || unum < 1 || unum > soccer::kPlayersPerTeam || integer("t") < 0) return std::nullopt;
+  if (!side || !soccer::is_unum(unum) || integer("t") < 0) return std::nullopt;
   return MissedDecision{integer("t"), std::max(0, integer("stopped")),
                         soccer::letter(*side) + std::to_string(unum), text("reason")};
 }
