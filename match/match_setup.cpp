@@ -1,15 +1,20 @@
 // One constructor of sides for each kind of server.
 #include "match/match_setup.h"
 
+#include <fmt/format.h>
+
 #include <map>
 #include <utility>
 
 #include "match/live_loop.h"
 #include "match/lockstep_loop.h"
+#include "match/programs/team_sandbox.h"
 #include "match/saved/saved_match.h"
 #include "match/sides/external_side.h"
 #include "match/sides/lockstep_agents.h"
 #include "match/sides/network_agents.h"
+#include "process/namespaces.h"
+#include "soccer/side.h"
 
 namespace cls::match {
 namespace {
@@ -52,8 +57,28 @@ SideIdentity identity_of(const MatchSetup& setup, Side side) {
           endpoint_of(setup.options, side).text};
 }
 
+using SideNamespaces = soccer::PerSide<std::shared_ptr<const process::Namespaces>>;
+
+// Of the sides whose programs start in namespaces.
+Result<SideNamespaces> make_namespaces(const MatchOptions& options) {
+  using Network = process::Namespaces::Network;
+  SideNamespaces made;
+  for (const Side side : soccer::kBothSides) {
+    if (!has_namespaces(options, side)) continue;
+    const bool own = has_own_network(options, side);
+    auto namespaces = process::Namespaces::create(own ? Network::kOwn : Network::kOfHost);
+    if (!namespaces) {
+      return base::Error{fmt::format("namespaces for the {} side: {}", side_name(side),
+                                     namespaces.error().message)};
+    }
+    made[side] = *std::move(namespaces);
+  }
+  return made;
+}
+
 // Plans of the external teams, with the port that the server has opened for them.
-Result<TeamPlans> plan_external_teams(const MatchSetup& setup, EmbeddedServer& server) {
+Result<TeamPlans> plan_external_teams(const MatchSetup& setup, const SideNamespaces& namespaces,
+                                      EmbeddedServer& server) {
   constexpr const char* kHost = "127.0.0.1";
   TeamPlans plans;
   bool takes_ports = true;
@@ -73,6 +98,12 @@ Result<TeamPlans> plan_external_teams(const MatchSetup& setup, EmbeddedServer& s
     }
 
     if (opened || (!plans.left && !plans.right)) break;
+    bool here = false;
+    for (const Side side : soccer::kBothSides) {
+      if (namespaces[side] != nullptr) TRY(server.open_player_port_in(namespaces[side], side));
+      here = here || (plans[side] && namespaces[side] == nullptr);
+    }
+    if (!here) break;
     TRY_INIT(const auto chosen, server.open_player_port(takes_ports));
     ports = chosen;
   }
@@ -106,14 +137,15 @@ NetworkSettings network_settings(const MatchSetup& setup, const MatchPlan& plan,
 
 // The sides of a match: external teams on `server`, and those whose agents `agents_of` makes.
 template <class OnOtherNameOf, class AgentsOf>
-Result<Sides> make_sides(const MatchSetup& setup, TeamPlans teams, Server& server,
-                         const OnOtherNameOf& on_other_name_of, const AgentsOf& agents_of) {
+Result<Sides> make_sides(const MatchSetup& setup, TeamPlans teams, const SideNamespaces& namespaces,
+                         Server& server, const OnOtherNameOf& on_other_name_of,
+                         const AgentsOf& agents_of) {
   Sides sides;
   for (const Side side : sides_of(setup.options)) {
     if (side != Side::kNeutral && teams[side]) {
       sides.push_back(std::make_unique<ExternalSide>(
           identity_of(setup, side), *std::move(teams[side]), on_other_name_of(setup.options, side),
-          server, *setup.host));
+          server, *setup.host, namespaces[side]));
       continue;
     }
 
@@ -141,7 +173,8 @@ Result<std::unique_ptr<Match>> make_lockstep_match(const MatchSetup& setup,
     embedded.branch(options.resumed->steps(), *options.branch_seed);
   }
 
-  TRY_INIT(auto teams, plan_external_teams(setup, embedded));
+  TRY_INIT(const auto namespaces, make_namespaces(options));
+  TRY_INIT(auto teams, plan_external_teams(setup, namespaces, embedded));
   bool match_thread_taken = false;
   const auto agents_of = [&](Side side, AgentParts parts) -> Result<std::unique_ptr<MatchSide>> {
     PlaymakerConnection& connection = parts.connection;
@@ -157,7 +190,8 @@ Result<std::unique_ptr<Match>> make_lockstep_match(const MatchSetup& setup,
     return std::unique_ptr<MatchSide>(std::move(agents));
   };
   const auto accept = [](const MatchOptions&, Side) { return ExternalSide::OnOtherName::kAccept; };
-  TRY_INIT(auto sides, make_sides(setup, std::move(teams), embedded, accept, agents_of));
+  TRY_INIT(auto sides,
+           make_sides(setup, std::move(teams), namespaces, embedded, accept, agents_of));
 
   const auto loop = [&](const Sides& all, MatchGuard& guard) {
     return std::make_unique<LockstepLoop>(options, embedded, all, guard);
@@ -171,6 +205,12 @@ Result<std::unique_ptr<Match>> make_external_match(const MatchSetup& setup, Matc
   auto teams = std::exchange(plan.teams, {});
   std::map<Side, NetworkSettings> network;
   for (const Side side : sides_of(options)) network[side] = network_settings(setup, plan, side);
+  TRY_INIT(const auto namespaces, make_namespaces(options));
+  for (const Side side : soccer::kBothSides) {
+    if (plan.server && has_own_network(options, side)) {
+      plan.server->passed.push_back(namespaces[side]->door().fd());
+    }
+  }
   auto server =
       std::make_unique<ExternalServer>(options, std::move(plan), setup.host, setup.folder);
   ExternalServer& external = *server;
@@ -179,7 +219,8 @@ Result<std::unique_ptr<Match>> make_external_match(const MatchSetup& setup, Matc
     TRY_INIT(auto agents, NetworkAgents::create(std::move(parts), network[side]));
     return std::unique_ptr<MatchSide>(std::move(agents));
   };
-  TRY_INIT(auto sides, make_sides(setup, std::move(teams), external, on_other_name, agents_of));
+  TRY_INIT(auto sides,
+           make_sides(setup, std::move(teams), namespaces, external, on_other_name, agents_of));
 
   const auto loop = [&](const Sides& all, MatchGuard& guard) {
     return std::make_unique<LiveLoop>(options, external, all, guard);

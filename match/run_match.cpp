@@ -1,6 +1,7 @@
 // From options to a folder with logs and a result.
 #include "match/run_match.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <memory>
@@ -222,7 +223,11 @@ void remove_logs(const fs::path& folder, MatchResult& result) {
 
 // The one fixed port that a match in lockstep may need.
 bool stock_port_is_taken(const MatchSetup& setup) {
-  return has_external_team(setup.options) &&
+  const auto needs = [&](soccer::Side side) {
+    return !endpoint_of(setup.options, side).has_playmaker() &&
+           !has_own_network(setup.options, side);
+  };
+  return std::ranges::any_of(soccer::kBothSides, needs) &&
          !process::taken_port(process::Protocol::kUdp, {ServerPorts().player}).empty();
 }
 
@@ -266,6 +271,14 @@ Result<MatchResult> play_over_udp(const MatchSetup& setup, MatchHooks* hooks,
   const auto converted = convert_server_logs(setup.folder, setup.options.server, result);
   close_files(converted, *event_file, files, result);
   return result;
+}
+
+Result<MatchResult> play(const MatchSetup& setup, MatchHooks* hooks, MatchObserver& observer) {
+  if (std::string why = refused_without_namespaces(setup.options); !why.empty()) {
+    return refused(setup, std::move(why), false);
+  }
+  return mode_of(setup.options) == MatchMode::kLockstep ? play_lockstep(setup, hooks, observer)
+                                                        : play_over_udp(setup, hooks, observer);
 }
 
 bool starts_programs(const MatchOptions& options) {
@@ -322,8 +335,7 @@ Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observ
   for (const std::string& warning : warnings) observer.on_warning(warning);
   observer.on_folder(setup.folder, running_game_log(options));
 
-  auto result = mode_of(options) == MatchMode::kLockstep ? play_lockstep(setup, hooks, observer)
-                                                         : play_over_udp(setup, hooks, observer);
+  auto result = play(setup, hooks, observer);
   if (!result) return result;
 
   result->folder = folder.string();

@@ -111,18 +111,21 @@ bool make_own_folder(const fs::path& path) {
          ::mount("tmpfs", place.c_str(), "tmpfs", kPlain, kMemoryFolder) == 0;
 }
 
-// A link in a folder that is shown exists already.
-bool make_link(const FileLink& link) {
+// Where it can be: one in a folder that is shown is there already, and none is necessary.
+void make_link(const FileLink& link) {
   const fs::path place = inside(kNew, link.path);
-  struct stat status = {};
-  if (::lstat(place.c_str(), &status) == 0) return true;
-  return make_folders(place.parent_path()) && ::symlink(link.target.c_str(), place.c_str()) == 0;
+  std::error_code ignored;
+  fs::create_directories(place.parent_path(), ignored);
+  fs::create_symlink(link.target, place, ignored);
 }
 
-constexpr std::pair<const char*, const char*> kDeviceLinks[] = {{"/dev/fd", "/proc/self/fd"},
-                                                                {"/dev/stdin", "/proc/self/fd/0"},
-                                                                {"/dev/stdout", "/proc/self/fd/1"},
-                                                                {"/dev/stderr", "/proc/self/fd/2"}};
+const std::vector<FileLink>& device_links() {
+  static const std::vector<FileLink> links = {{"/dev/fd", "/proc/self/fd"},
+                                              {"/dev/stdin", "/proc/self/fd/0"},
+                                              {"/dev/stdout", "/proc/self/fd/1"},
+                                              {"/dev/stderr", "/proc/self/fd/2"}};
+  return links;
+}
 
 bool fill(const FileAccess& files) {
   const fs::path processes = inside(kNew, "/proc");
@@ -132,10 +135,9 @@ bool fill(const FileAccess& files) {
   }
 
   if (!std::ranges::all_of(files.own, make_own_folder) || !show_all(files)) return false;
-  if (!std::ranges::all_of(files.links, make_link)) return false;
-  return std::ranges::all_of(kDeviceLinks, [](const auto& link) {
-    return make_link({link.first, link.second});
-  });
+  std::ranges::for_each(files.links, make_link);
+  std::ranges::for_each(device_links(), make_link);
+  return true;
 }
 
 // The folder becomes the root, and the old root is mounted at `old` in it.

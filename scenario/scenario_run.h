@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/result.h"
+#include "match/terms/match_options.h"
 #include "process/process_host.h"
 #include "scenario/run_record.h"
 #include "scenario/scenario.h"
@@ -17,8 +18,8 @@ struct RunSettings {
   std::optional<match::Endpoint> against;  ///< replaces the side under test
   process::ProcessHost* host = nullptr;    ///< for `run:` sides; their logs go to `folder`
   std::filesystem::path folder;
-  std::optional<double> start_timeout_s;  ///< none: that of matches
-  bool sandbox = true;                    ///< as of matches
+  std::optional<double> start_timeout_s;         ///< none: that of matches
+  match::Sandbox sandbox = match::Sandbox::kOn;  ///< as of matches
 };
 
 /// Plays the run. A failed run has a record too (see its result's end reason); an error means that

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "match/terms/match_options.h"
 #include "scenario/scenario.h"
 
 namespace cls::scenario {
@@ -17,9 +18,9 @@ struct SuiteOptions {
   int jobs = 1;
   std::optional<std::uint64_t> seed;  ///< overrides the seeds of the scenarios
   std::optional<match::Endpoint> against;
-  std::string against_text;               ///< for the command that reruns a seed
-  bool sandbox = true;                    ///< of external teams, as in matches
-  std::optional<double> start_timeout_s;  ///< none: that of matches
+  std::string against_text;                      ///< for the command that reruns a seed
+  match::Sandbox sandbox = match::Sandbox::kOn;  ///< of external teams, as in matches
+  std::optional<double> start_timeout_s;         ///< none: that of matches
   std::filesystem::path
       folder;  ///< logs and pages of failed runs; created on demand, cleared when they pass
 };

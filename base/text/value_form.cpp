@@ -51,7 +51,8 @@ bool fits(const ValueForm& form, std::string_view text) {
     case ValueKind::kNumber:
       return is_in_range<double>(form, text);
     case ValueKind::kFlag:
-      return text == "true" || text == "false";
+      return text == "true" || text == "false" ||
+             std::ranges::find(form.words, text) != form.words.end();
   }
 
   if (!form.words.empty()) {
@@ -61,7 +62,9 @@ bool fits(const ValueForm& form, std::string_view text) {
 }
 
 std::string phrase_of(const ValueForm& form) {
-  if (!form.words.empty()) return one_of(form.words);
+  std::vector<std::string> words = form.words;
+  if (form.kind == ValueKind::kFlag) words.insert(words.begin(), {"true", "false"});
+  if (!words.empty()) return one_of(words);
 
   const std::string range = range_text(form);
   switch (form.kind) {
@@ -74,7 +77,7 @@ std::string phrase_of(const ValueForm& form) {
     case ValueKind::kNumber:
       return "a number" + range;
     case ValueKind::kFlag:
-      return "true or false";
+      break;
   }
   return form.phrase;
 }

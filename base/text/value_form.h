@@ -23,7 +23,7 @@ struct ValueForm {
   std::optional<double> min{};
   std::optional<double> max{};
   bool above_min = false;            ///< `min` itself is too small
-  std::vector<std::string> words{};  ///< the only texts that fit; empty: any
+  std::vector<std::string> words{};  ///< the only texts that fit; empty: any. Of a flag: more
   std::string phrase{};              ///< of texts that must not be empty: "a folder"
 };
 

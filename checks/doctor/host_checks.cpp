@@ -11,10 +11,14 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/system/host.h"
 #include "base/system/own_program.h"
 #include "base/system/version.h"
+#include "process/confinement.h"
+#include "process/landlock.h"
+#include "process/namespaces.h"
 #include "process/ports.h"
 
 namespace cls::checks {
@@ -70,6 +74,24 @@ DoctorCheck memory(const fs::path& meminfo) {
                                        gigabytes(total->second))
                          : fmt::format("unknown: not in {}", meminfo.string()),
           .purpose = "a match of two mocks takes about 0.1 GB"};
+}
+
+DoctorCheck sandbox() {
+  DoctorCheck check = {.name = "sandbox", .purpose = "team:DIR sides; levels in docs/security.md"};
+  const int landlock = process::landlock_version();
+  std::vector<std::string> parts;
+  if (landlock > 0) parts.push_back(fmt::format("files (Landlock {})", landlock));
+  if (process::can_confine()) parts.emplace_back("processes (seccomp)");
+  const std::string& missing = process::missing_namespaces();
+  if (missing.empty()) parts.emplace_back("namespaces");
+  check.found = parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", "));
+  if (missing.empty()) return check;
+
+  check.status = DoctorStatus::kMissing;
+  check.found += "; no namespaces: " + missing;
+  check.hint = landlock > 0 ? "without namespaces teams share the network and shared memory"
+                            : "run teams of others as another user or in a container";
+  return check;
 }
 
 DoctorCheck working_folder(const fs::path& folder) {

@@ -13,6 +13,8 @@ DoctorCheck program_file();
 DoctorCheck processors();
 /// Memory, from a file in the format of /proc/meminfo.
 DoctorCheck memory(const std::filesystem::path& meminfo = "/proc/meminfo");
+/// What separates the programs of external teams from this host, and from each other.
+DoctorCheck sandbox();
 /// Whether match folders can be written below this folder.
 DoctorCheck working_folder(const std::filesystem::path& folder);
 /// Whether the UDP port is free, otherwise its owner. `role`: its users, such as "players".

@@ -55,7 +55,7 @@ bool is_too_large(const std::string& value, const base::ValueForm& form) {
 
 std::string invalid_value(const Command& command, const Option& option, const std::string& value) {
   const std::string name = name_of(option);
-  if (is_flag(option)) return wrong_count(command, option);
+  if (is_flag(option) && option.form.words.empty()) return wrong_count(command, option);
   if (is_too_large(value, option.form)) return fmt::format("{} '{}': too large", name, value);
   const std::string form = base::phrase_of(option.form);
   if (form.empty()) return fmt::format("{} '{}': invalid{}", name, value, see_help(command));

@@ -256,6 +256,31 @@ void print_intrusion(const std::string& line) {
   std::fflush(stdout);
 }
 
+/// The sides of the match that has started this server, and the networks that they have for
+/// themselves.
+struct ServedSides {
+  std::optional<match::ClientBinding> binding;       ///< in the network of the server
+  std::optional<match::ClientBinding> side_binding;  ///< in those of sides
+  soccer::PerSide<std::optional<process::NetworkDoor>> doors;
+};
+
+/// The ports in the networks of sides. `sides` must outlive them.
+std::vector<simulator::OtherPorts> other_ports(const ServerSettings& settings, ServedSides& sides) {
+  std::vector<simulator::OtherPorts> others;
+  if (!settings.bound) return others;
+  sides.side_binding.emplace(*settings.bound, std::nullopt);
+  for (const soccer::Side side : soccer::kBothSides) {
+    const int door = settings.bound->doors[side];
+    if (door == 0) continue;
+    sides.doors[side].emplace(base::UniqueFd(door));
+    const match::ServerPorts ports;
+    others.push_back(
+        {match::network_of(side, *sides.side_binding, *sides.doors[side], print_intrusion),
+         ports.player, ports.coach});
+  }
+  return others;
+}
+
 /// Binds clients to the sides of the match that has started this server, and reports others. False
 /// if none has started it.
 bool bind_clients(UdpServer& server, const ServerSettings& settings,
@@ -285,7 +310,9 @@ bool bind_clients(UdpServer& server, const ServerSettings& settings,
 /// Opens sockets and logs, serves the match, closes the logs.
 int serve_match(const ServerArguments& arguments, const ServerSettings& settings,
                 const JsonStdout& json) {
-  const simulator::UdpConfig config = config_of(arguments, settings);
+  ServedSides sides;
+  simulator::UdpConfig config = config_of(arguments, settings);
+  config.others = other_ports(settings, sides);
   const std::atomic<int>& signal = watch_interrupts();
   watch_hang_up();
   const std::time_t start = std::time(nullptr);
@@ -297,8 +324,7 @@ int serve_match(const ServerArguments& arguments, const ServerSettings& settings
     return print_error(kTryAgain, taken.empty() ? server.error().message
                                                 : taken + "; --port 0 selects free ports");
   }
-  std::optional<match::ClientBinding> binding;
-  if (!bind_clients(**server, settings, binding)) {
+  if (!bind_clients(**server, settings, sides.binding)) {
     return print_error(kUsage, "match::sides: no match has started this server; omit it");
   }
   if (const std::string log = earlier_log(arguments.folder); !log.empty()) {

@@ -28,7 +28,7 @@ struct TestArguments {
   bool json = false;
   std::optional<double> start_timeout_s;
   bool list = false;
-  bool sandbox = true;
+  std::string sandbox = "true";
   bool accept_golden = false;
   bool quiet = false;
   bool force = false;

@@ -136,7 +136,7 @@ int choose(const TestArguments& arguments, std::vector<Scenario>& chosen) {
 int resolve(const TestArguments& arguments, SuiteOptions& options) {
   options.seed = arguments.seed;
   options.folder = arguments.folder;
-  options.sandbox = arguments.sandbox;
+  if (const auto sandbox = match::parse_sandbox(arguments.sandbox)) options.sandbox = *sandbox;
   options.start_timeout_s = start_timeout(arguments);
   options.jobs = arguments.jobs;
   if (options.jobs == 0) options.jobs = static_cast<int>(std::thread::hardware_concurrency());
@@ -209,8 +209,10 @@ void warn_without_sandbox(const std::vector<Scenario>& scenarios, const SuiteOpt
                         std::ranges::any_of(scenarios, [&](const Scenario& scenario) {
                           return std::ranges::any_of(scenario.sides, is_external);
                         });
-  const std::string missing = match::missing_sandbox();
-  if (!external || !options.sandbox || missing.empty()) return;
+  match::MatchOptions conditions;
+  conditions.sandbox = options.sandbox;
+  const std::string missing = match::missing_sandbox(conditions);
+  if (!external || missing.empty()) return;
   print_error(kOk, "warning: " + missing);
 }
 

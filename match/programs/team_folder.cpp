@@ -41,7 +41,9 @@ process::CommandPlan plan_of(const fs::path& team, const TeamValues& values,
   plan.empty_environment = true;
   plan.environment = team_environment();
   plan.confined = process::can_confine();
-  if (process::landlock_version() > 0) plan.files = team_files(team, hidden_folders(values));
+  if (process::landlock_version() > 0) {
+    plan.files = team_files(team, hidden_folders(values), values.namespaces);
+  }
   return plan;
 }
 

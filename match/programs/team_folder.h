@@ -24,6 +24,7 @@ struct TeamValues {
   std::vector<int> cpus;
   process::ResourceLimits limits;
   bool sandbox = false;                       ///< see team_files() and team_environment()
+  bool namespaces = false;                    ///< its programs will start in namespaces
   std::vector<std::filesystem::path> hidden;  ///< folders of other external teams
 };
 
@@ -45,6 +46,7 @@ struct TeamPlan {
   bool takes_ports = false;                 ///< otherwise the server must use 6000, 6001 and 6002
   int coach_port = 0;                       ///< where its coach should join; 0: without a coach
   bool takes_name = false;                  ///< otherwise the team chooses its name
+  bool own_network = false;                 ///< where the server has its usual ports
 };
 
 /// Reads folder DIR: `start` (called as `start HOST DIR NUM PORT COACHPORT`, NUM 1 for the goalie

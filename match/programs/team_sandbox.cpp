@@ -13,6 +13,7 @@
 #include "match/programs/team_folder.h"
 #include "process/confinement.h"
 #include "process/landlock.h"
+#include "process/namespaces.h"
 
 namespace cls::match {
 namespace {
@@ -22,9 +23,11 @@ namespace fs = std::filesystem;
 constexpr std::array kSystemFolders = {
     "/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32",
     "/etc", "/opt", "/proc", "/sys", "/nix",   "/gnu",   "/run/current-system"};
-// Semaphores and shared memory of the C library, and of Python's multiprocessing, are in /dev/shm.
-constexpr std::array kDevices = {"/dev/null",   "/dev/zero",    "/dev/full", "/dev/tty",
-                                 "/dev/random", "/dev/urandom", "/dev/shm"};
+constexpr std::array kDevices = {"/dev/null", "/dev/zero",   "/dev/full",
+                                 "/dev/tty",  "/dev/random", "/dev/urandom"};
+// Of semaphores and shared memory of the C library, and of Python's multiprocessing.
+constexpr const char* kSharedMemory = "/dev/shm";
+constexpr const char* kTemporary = "/tmp";
 constexpr std::array kFolderLists = {"PATH", "LD_LIBRARY_PATH"};
 
 // None of them holds a secret. Names that end with '_' stand for all that begin so.
@@ -67,9 +70,9 @@ void add_folder(const fs::path& folder, const std::vector<fs::path>& hidden,
   }
 }
 
-// The absolute folders of a variable like PATH, without those above the home folder, which are not
-// folders of programs.
-std::vector<fs::path> listed_folders(const char* variable) {
+// The absolute folders of a variable like PATH, as it names them, without those above the home
+// folder, which are not folders of programs.
+std::vector<fs::path> absolute_folders(const char* variable) {
   const char* value = std::getenv(variable);
   std::string_view rest = value == nullptr ? "" : value;
   const char* home_variable = std::getenv("HOME");
@@ -80,24 +83,33 @@ std::vector<fs::path> listed_folders(const char* variable) {
     const fs::path folder(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
 
-    if (folder.is_absolute() && !encloses(real(folder), home)) folders.push_back(real(folder));
+    if (folder.is_absolute() && !encloses(real(folder), home)) folders.push_back(folder);
   }
   return folders;
 }
 
 }  // namespace
 
-process::FileAccess team_files(const fs::path& folder, const std::vector<fs::path>& hidden) {
+process::FileAccess team_files(const fs::path& folder, const std::vector<fs::path>& hidden,
+                               bool namespaces) {
   std::vector<fs::path> closed;
   for (const fs::path& one : hidden) closed.push_back(real(one));
+  std::vector<fs::path> known(kSystemFolders.begin(), kSystemFolders.end());
+  for (const char* variable : kFolderLists) {
+    for (fs::path& one : absolute_folders(variable)) known.push_back(std::move(one));
+  }
 
   process::FileAccess files;
-  for (const char* one : kSystemFolders) add_folder(real(one), closed, files.readable);
-  for (const char* variable : kFolderLists) {
-    for (const fs::path& one : listed_folders(variable)) add_folder(one, closed, files.readable);
-  }
-  for (const char* one : kDevices) add_folder(real(one), closed, files.writable);
+  for (const fs::path& one : known) add_folder(real(one), closed, files.readable);
+  for (const char* one : kDevices) files.writable.push_back(real(one));
+  if (!namespaces) add_folder(real(kSharedMemory), closed, files.writable);
   files.writable.push_back(real(folder));
+  if (!namespaces) return files;
+
+  files.own = {kTemporary, kSharedMemory};
+  for (const fs::path& one : known) {
+    if (real(one) != one) files.links.push_back({one, real(one)});
+  }
   return files;
 }
 
@@ -114,21 +126,58 @@ std::vector<process::EnvironmentChange> team_environment() {
   return variables;
 }
 
-std::string missing_sandbox() {
+bool has_namespaces(const MatchOptions& options, soccer::Side side) {
+  const bool wanted = options.sandbox == Sandbox::kOn || options.sandbox == Sandbox::kNamespaces;
+  return wanted && options.bind_clients &&
+         endpoint_of(options, side).kind == Endpoint::Kind::kTeam &&
+         process::missing_namespaces().empty();
+}
+
+bool has_own_network(const MatchOptions& options, soccer::Side side) {
+  return options.server_choice.kind == ServerChoice::Kind::kEmbedded &&
+         has_namespaces(options, side);
+}
+
+std::string refused_without_namespaces(const MatchOptions& options) {
+  if (options.sandbox != Sandbox::kNamespaces || !has_external_team(options)) return {};
+  constexpr std::string_view kWanted = "--sandbox=namespaces";
+  if (!options.bind_clients) {
+    return fmt::format("{}: with --no-bind-clients programs of any place take part", kWanted);
+  }
+  if (options.server_choice.kind != ServerChoice::Kind::kEmbedded) {
+    return fmt::format("{}: on --server {} the teams share one network; use the embedded server",
+                       kWanted, options.server_choice.text);
+  }
+  const std::string& missing = process::missing_namespaces();
+  return missing.empty() ? std::string()
+                         : fmt::format("{}: this host cannot make them: {}", kWanted, missing);
+}
+
+std::string missing_sandbox(const MatchOptions& options) {
+  if (options.sandbox == Sandbox::kOff) return {};
   if (process::landlock_version() == 0) {
     return "this kernel has no Landlock: the programs of team:DIR can use all your files; run them "
            "as another user or in a container, or accept that with --no-sandbox";
   }
-  if (process::can_confine()) return {};
-  return "this kernel has no seccomp: the programs of team:DIR can slow down or end all your "
-         "processes; run them as another user or in a container, or accept that with --no-sandbox";
+  if (!process::can_confine()) {
+    return "this kernel has no seccomp: the programs of team:DIR can slow down or end all your "
+           "processes; run them as another user or in a container, or accept that with "
+           "--no-sandbox";
+  }
+
+  const std::string& missing = process::missing_namespaces();
+  if (options.sandbox != Sandbox::kOn || !options.bind_clients || missing.empty()) return {};
+  return fmt::format(
+      "this host cannot make namespaces ({}): the programs of team:DIR share its network, shared "
+      "memory and sockets with each other (docs/security.md); accept that with --sandbox=files",
+      missing);
 }
 
 std::vector<std::string> sandbox_warnings(const MatchOptions& options,
                                           const fs::path& match_folder) {
   std::vector<std::string> lines;
-  if (!options.sandbox || !has_external_team(options)) return lines;
-  if (std::string missing = missing_sandbox(); !missing.empty()) return {std::move(missing)};
+  if (options.sandbox == Sandbox::kOff || !has_external_team(options)) return lines;
+  if (std::string missing = missing_sandbox(options); !missing.empty()) return {std::move(missing)};
 
   for (const soccer::Side side : soccer::kBothSides) {
     const Endpoint& own = endpoint_of(options, side);

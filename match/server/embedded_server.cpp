@@ -59,8 +59,7 @@ void EmbeddedServer::bind_clients() {
     return;
   }
 
-  binding_.emplace(BoundSides{external_, options_.trainer.has_value(), names_},
-                   process::SocketOwners::of_own_programs());
+  binding_.emplace(bound_sides(), process::SocketOwners::of_own_programs());
   server_->bind_clients(
       [this](const base::SocketAddress& sender) { return binding_->rights_of(sender); },
       [this](const base::SocketAddress& sender, std::string_view request) {
@@ -78,6 +77,19 @@ Result<ServerPorts> EmbeddedServer::open_player_port(bool free_port) {
 
   return Error{fmt::format("{}: a team whose start script takes no ports needs it",
                            process::port_taken_text(process::Protocol::kUdp, kStockPort))};
+}
+
+// Whose clients come there needs no other evidence.
+Result<ServerPorts> EmbeddedServer::open_player_port_in(
+    std::shared_ptr<const process::Namespaces> namespaces, Side side) {
+  namespaces_[side] = std::move(namespaces);
+  if (!side_binding_) side_binding_.emplace(bound_sides(), std::nullopt);
+  const simulator::OtherNetwork network =
+      network_of(side, *side_binding_, namespaces_[side]->door(),
+                 [this](std::string line) { warnings_.push_back(std::move(line)); });
+  const ServerPorts ports;
+  TRY(server_->open_player_port_in(network, kHost, ports.player));
+  return ports;
 }
 
 std::optional<MatchEnd> EmbeddedServer::start(const std::function<bool()>& /*keep_waiting*/) {

@@ -14,6 +14,7 @@
 #include "match/programs/server_plan.h"
 #include "match/server/client_binding.h"
 #include "match/server/match_server.h"
+#include "process/namespaces.h"
 #include "simulator/server/lockstep_server.h"
 #include "simulator/world/event.h"
 #include "simulator/world/world.h"
@@ -38,6 +39,10 @@ class EmbeddedServer : public Server {
   /// Accepts players over UDP, for an external team on `side`. With `free_port` at a free port,
   /// otherwise at 6000. The error names the owner of the port.
   base::Result<ServerPorts> open_player_port(bool free_port);
+  /// The same for the external team on `side`, in its own network, where the ports are the usual
+  /// ones.
+  base::Result<ServerPorts> open_player_port_in(
+      std::shared_ptr<const process::Namespaces> namespaces, soccer::Side side);
   /// `name`: of a team whose programs have names of their own; see BoundSides.
   void expect_external_team(soccer::Side side, const std::string& name) {
     external_[side] = true;
@@ -78,11 +83,13 @@ class EmbeddedServer : public Server {
   explicit EmbeddedServer(const MatchOptions& options) : options_(options) {}
 
   void bind_clients();
+  BoundSides bound_sides() const { return {external_, options_.trainer.has_value(), names_}; }
   bool has_external_team() const { return external_.left || external_.right; }
   void set_kick_off_wait(int cycles);
   void drain_late_commands();
 
   const MatchOptions& options_;
+  soccer::PerSide<std::shared_ptr<const process::Namespaces>> namespaces_;  ///< with open ports
   std::unique_ptr<simulator::LockstepServer> server_;
   EventRecorder* events_ = nullptr;
   std::string monitor_address_;
@@ -90,6 +97,7 @@ class EmbeddedServer : public Server {
   soccer::PerSide<std::string> names_ = {};
   std::array<bool, soccer::kPlayersOnPitch> must_stay_{};  ///< external players on the pitch
   std::optional<ClientBinding> binding_;                   ///< of a server with an open port
+  std::optional<ClientBinding> side_binding_;  ///< of one with ports in networks of sides
   std::vector<std::string> warnings_;
   bool playing_ = false;
   std::int64_t steps_ = 0;

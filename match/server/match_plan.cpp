@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/system/own_program.h"
+#include "match/programs/team_sandbox.h"
 #include "match/terms/server_settings.h"
 
 namespace cls::match {
@@ -37,11 +38,13 @@ Result<std::vector<std::string>> server_program(const MatchOptions& options, con
 
   if (options.bind_clients) {
     BoundSides bound;
+    int door = process::kFirstPassedFd;
     bound.trainer = options.trainer.has_value();
     for (const Side side : soccer::kBothSides) {
       const Endpoint& endpoint = endpoint_of(options, side);
       bound.external[side] = endpoint.kind == Endpoint::Kind::kTeam;
       if (bound.external[side] && !endpoint.parts.empty()) bound.names[side] = names[side];
+      if (has_own_network(options, side)) bound.doors[side] = door++;
     }
     argv.push_back(bound_sides_argument(bound));
   }
@@ -56,13 +59,16 @@ Result<void> plan_teams(MatchPlan& plan, const MatchOptions& options, const Team
     if (endpoint.kind != Endpoint::Kind::kTeam) continue;
     TRY_INIT(auto team, team_plan(endpoint, team_values(options, names, side, plan.server_host,
                                                         plan.ports, folder)));
+    team.own_network = has_own_network(options, side);
     plan.teams[side] = std::move(team);
   }
   return {};
 }
 
 bool needs_stock_ports(const MatchPlan& plan) {
-  const auto needs = [](const std::optional<TeamPlan>& team) { return team && !team->takes_ports; };
+  const auto needs = [](const std::optional<TeamPlan>& team) {
+    return team && !team->own_network && !team->takes_ports;
+  };
   return needs(plan.teams.left) || needs(plan.teams.right);
 }
 
@@ -73,7 +79,10 @@ Result<void> choose_ports(MatchPlan& plan, int monitor_port) {
     plan.ports = {monitor_port, monitor_port + 1, monitor_port + 2};
     return {};
   }
-  const bool external = plan.teams.left || plan.teams.right;
+  const auto is_here = [](const std::optional<TeamPlan>& team) {
+    return team && !team->own_network;
+  };
+  const bool external = is_here(plan.teams.left) || is_here(plan.teams.right);
   const int wish = external ? ServerPorts().player : 0;
   TRY_INIT(auto ports, process::ReservedPort::choose_row(kPortsOfServer, wish));
   plan.reserved = std::move(ports);
@@ -102,14 +111,15 @@ TeamValues team_values(const MatchOptions& options, const TeamNames& names, Side
                        const std::string& host, const ServerPorts& ports, const fs::path& folder) {
   TeamValues values;
   values.host = host;
-  values.ports = ports;
+  values.ports = has_own_network(options, side) ? ServerPorts() : ports;
   values.side = side;
   values.team_name = names[side];
   values.coach = options.coach;
   values.folder = folder;
   values.cpus = options.cpus[side];
   values.limits = options.limits;
-  values.sandbox = options.sandbox;
+  values.sandbox = options.sandbox != Sandbox::kOff;
+  values.namespaces = has_namespaces(options, side);
   values.hidden = team_folders(endpoint_of(options, soccer::opponent(side)));
   return values;
 }

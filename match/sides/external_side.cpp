@@ -48,8 +48,12 @@ Result<std::shared_ptr<process::Child>> ExternalSide::start(process::CommandPlan
     TRY_INIT(auto folder, process::ScratchFolder::create());
     temporary_.emplace(std::move(folder));
   }
-  if (plan.files) plan.files->writable.push_back(temporary_->path());
-  plan.environment.push_back({"TMPDIR", temporary_->path().string()});
+  // In namespaces there are no links to it.
+  std::error_code code;
+  const std::filesystem::path folder = std::filesystem::canonical(temporary_->path(), code);
+  if (plan.files) plan.files->writable.push_back(folder);
+  plan.environment.push_back({"TMPDIR", folder.string()});
+  plan.namespaces = namespaces_;
   return host_.start(plan);
 }
 
@@ -197,7 +201,7 @@ std::string ExternalSide::options_hint(const process::Child& child) const {
 // A hint if a program prints that a file is missing, which the sandbox may withhold.
 std::string ExternalSide::sandbox_hint(const process::Child& child) const {
   constexpr std::string_view kMissing[] = {"ermission denied", "cannot open shared object",
-                                           "not found", "No module named"};
+                                           "not found", "No module named", "No such file"};
   if (!child.plan().empty_environment || !prints_any(child, kMissing)) return {};
   return fmt::format(
       "; it runs in a sandbox: if it needs files outside of {} or variables of your environment, "

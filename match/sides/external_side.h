@@ -23,14 +23,17 @@ class ExternalSide : public MatchSide {
   /// The policy for a team that plays under another name than it was given.
   enum class OnOtherName { kAccept, kWarn, kRefuse };
 
-  /// `server` and `host` must outlive the side. Nothing is started yet.
+  /// `server` and `host` must outlive the side. Nothing is started yet. The programs start in
+  /// `namespaces`; null: in those of cls.
   ExternalSide(SideIdentity identity, TeamPlan plan, OnOtherName on_other_name, Server& server,
-               process::ProcessHost& host)
+               process::ProcessHost& host,
+               std::shared_ptr<const process::Namespaces> namespaces = nullptr)
       : MatchSide(std::move(identity)),
         plan_(std::move(plan)),
         on_other_name_(on_other_name),
         server_(server),
-        host_(host) {}
+        host_(host),
+        namespaces_(std::move(namespaces)) {}
 
   bool is_external() const override { return true; }
   std::string team_name() const override { return name_.empty() ? identity().name : name_; }
@@ -82,6 +85,7 @@ class ExternalSide : public MatchSide {
   OnOtherName on_other_name_;
   Server& server_;
   process::ProcessHost& host_;
+  std::shared_ptr<const process::Namespaces> namespaces_;
   std::optional<process::ScratchFolder> temporary_;  ///< of a team in a sandbox
   std::string name_;              ///< that the team plays under; empty before its first player
   std::string shared_name_hint_;  ///< while the team has not been seen, but another one has

@@ -14,6 +14,9 @@ struct BoundSides {
   /// The name of a side whose programs are of several teams, each with a name of its own; empty:
   /// its first client names it.
   soccer::PerSide<std::string> names = {};
+  /// Descriptors of the doors to networks that sides have for themselves (process::NetworkDoor); 0:
+  /// the side plays in the network of the server.
+  soccer::PerSide<int> doors = {};
 };
 
 }  // namespace cls::match

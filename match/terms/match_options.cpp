@@ -10,6 +10,7 @@
 #include "analysis/situations/book_file.h"
 #include "base/index.h"
 #include "base/system/host.h"
+#include "base/text/enum_names.h"
 #include "match/terms/match_settings.h"
 #include "mock-server/mock.h"
 #include "mock-server/script/named_behaviors.h"
@@ -20,6 +21,20 @@ namespace cls::match {
 
 using base::Error;
 using base::Result;
+
+namespace {
+
+constexpr auto kSandboxes = base::enum_names<Sandbox>("false", "files", "true", "namespaces");
+
+}  // namespace
+
+std::string_view name(Sandbox sandbox) { return kSandboxes.name(sandbox); }
+
+Result<Sandbox> parse_sandbox(std::string_view text) {
+  if (const auto sandbox = kSandboxes.parse(text)) return *sandbox;
+  return Error{
+      fmt::format("--sandbox '{}': must be {}", text, fmt::join(kSandboxes.texts, " or "))};
+}
 
 soccer::ServerParams match_server_params() {
   soccer::ServerParams params;

@@ -48,6 +48,17 @@ struct TlsFileNames {
   std::string server_name;  ///< expected in the Playmaker's certificate
 };
 
+/// What separates the programs of `team:` sides from the rest of this host (docs/security.md).
+enum class Sandbox {
+  kOff,
+  kFiles,       ///< they use their own files only
+  kOn,          ///< and have namespaces of their own, where this host can make them
+  kNamespaces,  ///< the match needs them
+};
+
+std::string_view name(Sandbox sandbox);
+base::Result<Sandbox> parse_sandbox(std::string_view text);
+
 /// Defaults are those of `cls match`. option_table.h has a row for each member that users set.
 struct MatchOptions {
   Endpoint left;
@@ -71,7 +82,7 @@ struct MatchOptions {
   std::optional<Endpoint> trainer;  ///< whose Playmaker handles GetTrainerActions
   /// Processor cores of the programs and agents of a side, see pin_sides(); empty: all.
   soccer::PerSide<std::vector<int>> cpus;
-  bool sandbox = true;             ///< `team:` sides use their own files only, see TeamValues
+  Sandbox sandbox = Sandbox::kOn;  ///< of `team:` sides
   bool bind_clients = true;        ///< players and coaches of a side come from its own programs
   process::ResourceLimits limits;  ///< of each process that a `run:` or `team:` side starts
 

@@ -32,6 +32,9 @@ ValueForm number(double min, std::optional<double> max = {}) {
 }
 ValueForm above(double min) { return {.kind = ValueKind::kNumber, .min = min, .above_min = true}; }
 ValueForm text(std::string phrase) { return {.phrase = std::move(phrase)}; }
+ValueForm flag_or(std::vector<std::string> words) {
+  return {.kind = ValueKind::kFlag, .words = std::move(words)};
+}
 ValueForm one_of(std::vector<std::string> words) { return {.words = std::move(words)}; }
 
 Error wrong(std::string_view key, std::string_view text, std::string_view what) {
@@ -281,9 +284,10 @@ std::vector<Row> team_rows() {
       formations("right_formation", in(&Options::side_formations, &Names::right), {Side::kRight},
                  "--formation of the right side"),
 
-      flag("sandbox", &Options::sandbox,
-           "let team: sides read the system and change their own folder only "
-           "(default: on; docs/security.md)")
+      parsed("sandbox", &Options::sandbox, "", flag_or({"files", "namespaces"}), parse_sandbox,
+             "let team: sides read the system and change their own folder only, in namespaces of "
+             "their own where the host has them; =namespaces: nowhere else, =files: without them "
+             "(default: on; docs/security.md)")
           .with_opposite()
           .in_toml_of_runs("true"),
       flag("bind_clients", &Options::bind_clients,
@@ -461,6 +465,8 @@ std::vector<std::string> option_words(const OptionTexts& texts) {
       words.insert(words.end(), {option_name(option.key), text->second});
     } else if (text->second == "true") {
       words.push_back(option_name(option.key));
+    } else if (text->second != "false") {
+      words.push_back(fmt::format("{}={}", option_name(option.key), text->second));
     } else if (option.has_opposite) {
       words.push_back(option_name("no_" + std::string(option.key)));
     }

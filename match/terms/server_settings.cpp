@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "base/io/home_path.h"
 #include "base/io/whole_file.h"
+#include "base/text/number_text.h"
 #include "base/text/split.h"
 #include "match/terms/endpoint.h"
 #include "soccer/parameters/configuration.h"
@@ -54,31 +56,60 @@ Result<void> set_other(ServerSettings& settings, const OtherTable& table,
 }
 
 constexpr std::string_view kTeam = "team";
-constexpr std::string_view kNamedTeam = "team:";
+constexpr char kName = ':';
+constexpr char kDoor = '@';
 constexpr std::string_view kAgents = "cls";
 constexpr std::string_view kTrainer = "trainer";
+
+struct BoundSide {
+  bool external = false;
+  std::string name;
+  int door = 0;
+};
+
+// "cls", "team", "team:A+B", "team@100:A+B".
+std::optional<BoundSide> parse_side(std::string_view word) {
+  if (word == kAgents) return BoundSide{};
+  if (!word.starts_with(kTeam)) return std::nullopt;
+  word.remove_prefix(kTeam.size());
+  BoundSide side{true, {}, 0};
+  if (word.starts_with(kDoor)) {
+    const std::size_t end = std::min(word.find(kName), word.size());
+    const auto door = base::parse_int(word.substr(1, end - 1));
+    if (!door || *door <= 0) return std::nullopt;
+    side.door = *door;
+    word.remove_prefix(end);
+  }
+
+  if (word.empty()) return side;
+  if (!word.starts_with(kName) || !check_team_name(word.substr(1))) return std::nullopt;
+  side.name = word.substr(1);
+  return side;
+}
+
+std::string side_text(const BoundSides& sides, soccer::Side side) {
+  if (!sides.external[side]) return std::string(kAgents);
+  std::string text(kTeam);
+  if (sides.doors[side] != 0) text += fmt::format("{}{}", kDoor, sides.doors[side]);
+  if (!sides.names[side].empty()) text += fmt::format("{}{}", kName, sides.names[side]);
+  return text;
+}
 
 // "team,cls" or "team:A+B,cls,trainer": left side, right side.
 Result<void> set_match(ServerSettings& settings, const ConfigurationItem& item) {
   const std::vector<std::string_view> words = base::split(item.value, ',');
-  const auto is_team = [](std::string_view word) {
-    return word == kTeam ||
-           (word.starts_with(kNamedTeam) && check_team_name(word.substr(kNamedTeam.size())));
-  };
-  const auto is_side = [&](std::string_view word) { return is_team(word) || word == kAgents; };
-  const auto name_in = [](std::string_view word) {
-    return word.starts_with(kNamedTeam) ? std::string(word.substr(kNamedTeam.size())) : "";
-  };
-
   const bool trainer = words.size() == 3 && words[2] == kTrainer;
-  const bool good = item.name == "sides" && (words.size() == 2 || trainer) && is_side(words[0]) &&
-                    is_side(words[1]);
-  if (!good) {
+  const bool complete = item.name == "sides" && (words.size() == 2 || trainer);
+  const auto left = complete ? parse_side(words[0]) : std::nullopt;
+  const auto right = complete ? parse_side(words[1]) : std::nullopt;
+  if (!left || !right) {
     return Error{
         fmt::format("match::{}: only a match sets this, as match::sides=team,cls", item.name)};
   }
-  settings.bound = BoundSides{
-      {is_team(words[0]), is_team(words[1])}, trainer, {name_in(words[0]), name_in(words[1])}};
+  settings.bound = BoundSides{{left->external, right->external},
+                              trainer,
+                              {left->name, right->name},
+                              {left->door, right->door}};
   return {};
 }
 
@@ -151,13 +182,8 @@ Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& f
 }  // namespace
 
 std::string bound_sides_argument(const BoundSides& sides) {
-  const auto side = [](bool external, const std::string& name) {
-    if (!external) return std::string(kAgents);
-    return name.empty() ? std::string(kTeam) : std::string(kNamedTeam) + name;
-  };
-  return fmt::format("match::sides='{},{}{}'", side(sides.external.left, sides.names.left),
-                     side(sides.external.right, sides.names.right),
-                     sides.trainer ? ",trainer" : "");
+  return fmt::format("match::sides='{},{}{}'", side_text(sides, soccer::Side::kLeft),
+                     side_text(sides, soccer::Side::kRight), sides.trainer ? ",trainer" : "");
 }
 
 Result<void> apply_arguments(ServerSettings& settings, const std::vector<std::string>& arguments) {

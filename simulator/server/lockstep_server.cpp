@@ -51,6 +51,12 @@ base::Result<int> LockstepServer::open_player_port(const std::string& address, i
   return open(ListeningPort::kPlayers, address, port);
 }
 
+base::Result<void> LockstepServer::open_player_port_in(const OtherNetwork& network,
+                                                       const std::string& address, int port) {
+  if (network_ == nullptr) network_ = make_udp_network(*match_);
+  return network_->open_in(network, ListeningPort::kPlayers, address, port);
+}
+
 base::Result<int> LockstepServer::open(ListeningPort role, const std::string& address, int port) {
   if (network_ == nullptr) network_ = make_udp_network(*match_);
   TRY(network_->open(role, address, port));

@@ -62,6 +62,10 @@ class LockstepServer {
   /// arrival. See wait_for_clients().
   base::Result<int> open_player_port(const std::string& address, int port);
 
+  /// The same for players in another network. Once per network.
+  base::Result<void> open_player_port_in(const OtherNetwork& network, const std::string& address,
+                                         int port);
+
   /// See UdpNetwork::bind_clients. After a port was opened.
   void bind_clients(UdpNetwork::RightsOf rights_of, UdpNetwork::OnIntrusion on_intrusion) {
     network_->bind_clients(std::move(rights_of), std::move(on_intrusion));

@@ -114,25 +114,18 @@ class SocketNetwork : public UdpNetwork {
   }
 
   base::Result<void> open(ListeningPort role, const std::string& address, int port) override {
-    const auto error = [&](const std::string& cause) {
-      return base::Error{"cannot listen on " + address + " port " + std::to_string(port) + ": " +
-                         cause};
-    };
+    return listen(role, address, port, nullptr);
+  }
 
-    const auto local = base::parse_ip_address(address, port);
-    if (!local) return error(local.error().message);
-
-    auto socket = UdpSocket::bind(*local);
-    if (!socket) return error(socket.error().message);
-    if (!watch(*socket, listening_mark(listening_.size()))) return error(std::strerror(errno));
-
-    listening_.push_back({role, *local, std::move(*socket)});
-    return {};
+  base::Result<void> open_in(const OtherNetwork& network, ListeningPort role,
+                             const std::string& address, int port) override {
+    return listen(role, address, port, std::make_shared<OtherNetwork>(network));
   }
 
   int port(ListeningPort role) const override {
     for (const ListeningSocket& listening : listening_) {
-      if (listening.role == role) return listening.socket.local_port();
+      if (listening.role == role && listening.network == nullptr)
+        return listening.socket.local_port();
     }
     return 0;
   }
@@ -161,6 +154,7 @@ class SocketNetwork : public UdpNetwork {
     ListeningPort role;
     SocketAddress address;
     UdpSocket socket;
+    std::shared_ptr<const OtherNetwork> network;  ///< null: that of this process
   };
 
   struct Client {
@@ -169,6 +163,33 @@ class SocketNetwork : public UdpNetwork {
     UdpChannel* channel = nullptr;  ///< valid while is_connected()
     std::uint32_t generation = 0;
   };
+
+  base::Result<void> listen(ListeningPort role, const std::string& address, int port,
+                            std::shared_ptr<const OtherNetwork> network) {
+    const auto error = [&](const std::string& cause) {
+      return base::Error{"cannot listen on " + address + " port " + std::to_string(port) + ": " +
+                         cause};
+    };
+
+    const auto local = base::parse_ip_address(address, port);
+    if (!local) return error(local.error().message);
+
+    auto socket = bind(network.get(), *local);
+    if (!socket) return error(socket.error().message);
+    if (!watch(*socket, listening_mark(listening_.size()))) return error(std::strerror(errno));
+
+    listening_.push_back({role, *local, std::move(*socket), std::move(network)});
+    return {};
+  }
+
+  static base::Result<UdpSocket> bind(const OtherNetwork* network, const SocketAddress& local) {
+    return network == nullptr ? UdpSocket::bind(local) : network->bind(local);
+  }
+
+  ClientRights rights_of(const ListeningSocket& listening, const SocketAddress& sender) const {
+    if (listening.network != nullptr) return listening.network->rights;
+    return rights_of_ ? rights_of_(sender) : ClientRights{};
+  }
 
   // User data of epoll events: a listening socket, or a client and its generation.
   static constexpr std::uint64_t kListeningMark = std::uint64_t{1} << 63;
@@ -246,13 +267,22 @@ class SocketNetwork : public UdpNetwork {
     }
 
     if (text.ends_with('\n')) text.remove_suffix(1);
-    const ClientRights rights = rights_of_ ? rights_of_(sender) : ClientRights{};
-    const AdmissionResult admission = match_.admit(listening.role, text, rights);
+    const AdmissionResult admission =
+        match_.admit(listening.role, text, rights_of(listening, sender));
     if (const auto* admitted = std::get_if<Admission>(&admission)) {
       return accept(listening, *admitted, text, sender);
     }
-    if (std::holds_alternative<Intrusion>(admission)) on_intrusion_(sender, text);
+    if (std::holds_alternative<Intrusion>(admission)) report_intrusion(listening, sender, text);
     refuse(listening, refusal(admission), sender);
+  }
+
+  void report_intrusion(const ListeningSocket& listening, const SocketAddress& sender,
+                        std::string_view text) {
+    if (listening.network != nullptr && listening.network->on_intrusion) {
+      listening.network->on_intrusion(sender, text);
+    } else if (on_intrusion_) {
+      on_intrusion_(sender, text);
+    }
   }
 
   void accept(ListeningSocket& listening, const Admission& admission, std::string_view request,
@@ -261,7 +291,7 @@ class SocketNetwork : public UdpNetwork {
     SocketAddress local = listening.address;
     local.set_port(0);
 
-    auto socket = UdpSocket::bind(local);
+    auto socket = bind(listening.network.get(), local);
     if (!socket || !socket->connect(sender) ||
         !watch(*socket, client_mark(admission.client, client.generation + 1))) {
       match_.cancel(admission);

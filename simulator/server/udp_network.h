@@ -9,9 +9,19 @@
 
 #include "base/result.h"
 #include "base/system/socket_address.h"
+#include "base/system/udp_socket.h"
 #include "simulator/sessions/match_server.h"
 
 namespace cls::simulator {
+
+/// A network other than that of this process, with clients of one side.
+struct OtherNetwork {
+  /// A socket there, bound to a local address. Errors are those of the system.
+  std::function<base::Result<base::UdpSocket>(const base::SocketAddress&)> bind;
+  ClientRights rights;
+  /// Called with each request beyond these rights.
+  std::function<void(const base::SocketAddress&, std::string_view request)> on_intrusion = {};
+};
 
 /// Passes datagrams between the network and a match: connection requests to MatchServer::admit,
 /// datagrams of clients to MatchServer::receive. Each client has a socket of its own
@@ -27,14 +37,19 @@ class UdpNetwork {
   using RightsOf = std::function<ClientRights(const base::SocketAddress&)>;
   /// Called with each request beyond the rights of its sender.
   using OnIntrusion = std::function<void(const base::SocketAddress&, std::string_view request)>;
-  /// From now on admits clients by the rights of their processes. `rights_of` is called for each
-  /// connection request.
+  /// From now on admits clients by the rights of their processes, but for those of other networks.
+  /// `rights_of` is called for each connection request.
   virtual void bind_clients(RightsOf rights_of, OnIntrusion on_intrusion) = 0;
 
   /// Listens for requests. `address` is numeric; port 0 selects a free port. The error names both.
   virtual base::Result<void> open(ListeningPort role, const std::string& address, int port) = 0;
 
-  /// Number of an open port.
+  /// Listens in another network for the clients with these rights only; no other request arrives
+  /// there. Their processes are not asked for.
+  virtual base::Result<void> open_in(const OtherNetwork& network, ListeningPort role,
+                                     const std::string& address, int port) = 0;
+
+  /// Number of an open port in the network of this process.
   virtual int port(ListeningPort role) const = 0;
 
   /// Receives pending datagrams, until `deadline`: a flood must not delay the match.

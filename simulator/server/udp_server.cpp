@@ -23,12 +23,18 @@ base::Result<std::unique_ptr<UdpServer>> UdpServer::open(UdpConfig config) {
   std::unique_ptr<UdpServer> server(new UdpServer(std::move(config), std::move(match)));
 
   const UdpConfig& options = server->config_;
+  UdpNetwork& sockets = *server->network_;
+  for (const auto& [network, player, coach] : options.others) {
+    TRY(sockets.open_in(network, ListeningPort::kPlayers, options.address, player));
+    TRY(sockets.open_in(network, ListeningPort::kOnlineCoaches, options.address, coach));
+  }
+
   const std::pair<ListeningPort, int> ports[] = {
       {ListeningPort::kPlayers, options.port},
       {ListeningPort::kTrainers, options.trainer_port},
       {ListeningPort::kOnlineCoaches, options.coach_port}};
   for (const auto& [role, port] : ports) {
-    TRY(server->network_->open(role, options.address, port));
+    TRY(sockets.open(role, options.address, port));
   }
   return server;
 }

@@ -10,13 +10,22 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/result.h"
 #include "base/system/socket_address.h"
 #include "simulator/server/step_timer.h"
+#include "simulator/server/udp_network.h"
 #include "simulator/sessions/match_server.h"
 
 namespace cls::simulator {
+
+/// Ports for the players and the coach of one side in a network of its own.
+struct OtherPorts {
+  OtherNetwork network;
+  int player = 6000;
+  int coach = 6002;
+};
 
 struct UdpConfig {
   MatchConfig match;  ///< server.synch_mode selects the mode
@@ -25,6 +34,8 @@ struct UdpConfig {
   int port = 6000;                    ///< of players and monitors; 0 selects a free port
   int trainer_port = 0;
   int coach_port = 0;  ///< of online coaches
+  /// Opened before those of this network.
+  std::vector<OtherPorts> others = {};
 
   // Synchronous mode only:
 

@@ -16,6 +16,7 @@
 #include "process/ports.h"
 #include "tests/support/built.h"
 #include "tests/support/command.h"
+#include "tests/support/host_namespaces.h"
 #include "tests/support/json.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/port_lock.h"
@@ -120,6 +121,8 @@ TEST_F(Doctor, ReportsHost) {
   EXPECT_EQ(own["version"], document["version"]);
   expect(item(document, "processors"), "ok", " usable of ");
   expect(item(document, "memory"), "ok", " GB free");
+  const bool namespaces = host_has_namespaces();
+  expect(item(document, "sandbox"), namespaces ? "ok" : "missing", "namespaces");
   expect(item(document, "folder"), "ok", " GB free");
   expect(item(document, "processes"), "ok", "can be started and stopped");
   for (const char* port : {"UDP port 6000", "UDP port 6001", "UDP port 6002"}) {

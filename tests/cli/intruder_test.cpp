@@ -3,11 +3,13 @@
 
 #include "tests/cli/network_match.h"
 #include "tests/support/command_matchers.h"
+#include "tests/support/host_namespaces.h"
 #include "tests/support/udp_client.h"
 
 namespace cls::tests {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -64,8 +66,71 @@ TEST_F(Intruder, DoesNotPlayForAnotherSideByItsName) {
   EXPECT_EQ(result_["left"]["name"], "Lions");
   EXPECT_EQ(result_["right"]["name"], "Bears");
   EXPECT_THAT(file("left-team.log"), HasSubstr("reply (error no_more_team)"));
-  EXPECT_THAT(played_.err, HasSubstr("a program of the left side ("));
+  EXPECT_THAT(played_.err, HasSubstr("a program of the left side at UDP port "));
   EXPECT_THAT(played_.err, HasSubstr("sent (init Bears (version 18)): refused"));
+
+  play_embedded(named_team("second", "Bears"), {"--sandbox=files"});
+  expect_finished();
+  EXPECT_THAT(played_.err, HasSubstr("a program of the left side (cls_fake_intrud, process "));
+}
+
+/// Sends a message in the name of the server to all clients of others: from each port of the
+/// server, which the program has on another address of loopback (IP_PKTINFO).
+constexpr const char* kForger = R"(
+import glob, os, re, socket, struct, sys, time
+def own_inodes():
+    found = set()
+    for link in glob.glob('/proc/[0-9]*/fd/*'):
+        try: found.update(re.findall(r'socket:\[(\d+)\]', os.readlink(link)))
+        except OSError: pass
+    return found
+def sockets():
+    for line in open('/proc/net/udp').readlines()[1:]:
+        words = line.split()
+        local, peer = (word.split(':') for word in words[1:3])
+        yield local[0], int(local[1], 16), int(peer[1], 16), words[9]
+def victims():
+    entries, own = list(sockets()), own_inodes()
+    ports = {port for _, port, _, inode in entries if inode in own}
+    return [(port, peer) for host, port, peer, _ in entries
+            if peer and host == '0100007F' and peer not in ports]
+source = struct.pack('=i4s4s', 0, socket.inet_aton('127.0.0.1'), bytes(4))
+seen, until = set(), time.time() + 4
+while time.time() < until:
+    for port, peer in victims():
+        seen.add(peer)
+        forger = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        forger.bind(('127.0.0.2', port))
+        forger.sendmsg([sys.argv[1].encode()], [(socket.IPPROTO_IP, 8, source)], 0,
+                       ('127.0.0.1', peer))
+        forger.close()
+    print('victims', len(seen), flush=True)
+    time.sleep(0.01)
+)";
+
+TEST_F(Intruder, ForgesNoMessagesOfTheServer) {
+  if (!host_has_namespaces()) GTEST_SKIP() << "this host makes no namespaces";
+  fs::create_directories(folder_.path() / "team");
+  std::ofstream(folder_.path() / "team/forger.py") << kForger;
+  for (const char* message :
+       {"(hear 100 referee goal_l_9)", "(hear 101 referee time_over)", "(error no_such_team)"}) {
+    const std::string forger = "/usr/bin/python3 forger.py '" + std::string(message) + "' &\n";
+    play_embedded(named_team("team", "Forgers", forger, "wait\n"));
+    expect_finished();
+    EXPECT_THAT(output(), AllOf(HasSubstr("victims 0\n"), Not(ContainsRegex("victims [1-9]"))));
+    EXPECT_EQ(result_["left"]["score"], 0);
+    EXPECT_EQ(result_["right"]["score"], 0);
+    EXPECT_TRUE(result_["valid"].get<bool>());
+  }
+}
+
+// What the namespaces are for: agents of cls believe the forger.
+TEST_F(Intruder, ForgesThemWhereTheSidesShareANetwork) {
+  fs::create_directories(folder_.path() / "team");
+  std::ofstream(folder_.path() / "team/forger.py") << kForger;
+  const std::string forger = "/usr/bin/python3 forger.py '(hear 101 referee time_over)' &\n";
+  play_embedded(named_team("team", "Forgers", forger, "wait\n"), {"--sandbox=files"});
+  EXPECT_THAT(output(), HasSubstr("victims 1"));
 }
 
 TEST_F(Intruder, PlaysAloneUnderTheNameOfItsOpponent) {

@@ -1,6 +1,8 @@
 // External teams in their sandbox: what they can use, and what happens where there is none.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/ipc.h>
+#include <sys/shm.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -9,12 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "base/system/udp_socket.h"
 #include "process/confinement.h"
 #include "process/landlock.h"
 #include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/command_matchers.h"
 #include "tests/support/files.h"
+#include "tests/support/host_namespaces.h"
 #include "tests/support/json.h"
 #include "tests/support/port_lock.h"
 #include "tests/support/temporary_folder.h"
@@ -87,9 +91,10 @@ TEST_F(Sandbox, ClosesResultsAndTheOtherTeam) {
            "echo $TMPDIR > folder");
   EXPECT_THAT(play(), Exits(0, ""));
 
-  for (const char* name : {"rivals", "change", "results", "manifest", "beside"}) {
+  for (const char* name : {"rivals", "change", "results", "manifest"}) {
     EXPECT_THAT(probe(name), HasSubstr("closed\n")) << name << ": ";
   }
+  EXPECT_FALSE(fs::exists(path("file"))) << probe("beside");
 
   EXPECT_EQ(read_file(path("rivals/secret")), "our tactics\n");
   EXPECT_FALSE(base::Json::parse(read_file(path("match/manifest.json"))).empty());
@@ -186,6 +191,142 @@ TEST_F(Sandbox, WarnsOfResultsInTheFolderOfATeam) {
               Exits(0, "cls: warning: the folder of team:" + path("guests").string() +
                            " contains the match folder: the team can change the results; choose "
                            "another --dir\n"));
+}
+
+/// As Sandbox, on a host that lets its users make namespaces.
+class Namespaces : public Sandbox {
+ protected:
+  void SetUp() override {
+    if (!host_has_namespaces()) GTEST_SKIP() << "this host makes no namespaces";
+  }
+
+  /// Adds guests that run `probes`, and plays twice: in namespaces, and as before without them.
+  /// `closed`: the output file of each probe.
+  void expect_closed_by_namespaces(const std::string& probes, const Words& closed,
+                                   const Words& more = {}) {
+    for (const char* level : {"files", "namespaces"}) {
+      add_team("guests", "rm -f " + joined(closed) + "\n" + probes);
+      Words options = {std::string("--sandbox=") + level};
+      options.insert(options.end(), more.begin(), more.end());
+      EXPECT_EQ(play(options).exit_code, 0);
+      for (const std::string& name : closed) {
+        const bool is_closed = probe(name).find("closed\n") != std::string::npos;
+        EXPECT_EQ(is_closed, std::string(level) == "namespaces") << level << ": " << probe(name);
+      }
+    }
+  }
+
+  static std::string joined(const Words& words) {
+    std::string text;
+    for (const std::string& word : words) text += word + " ";
+    return text;
+  }
+};
+
+// The opponent could not be started any more, and lost two matches by forfeit.
+TEST_F(Namespaces, ForbidPermissionsAndTimesOfFilesOfOthers) {
+  std::ofstream(path("rivals/old")) << "x\n";
+  expect_closed_by_namespaces(
+      "(chmod 0755 ../rivals/start.sh || echo closed) > mode\n"
+      "(chmod 0755 ../match || echo closed) > results\n"
+      "(touch -d 2001-01-01 ../rivals/old || echo closed) > times\n"
+      "(stat ../rivals/secret || echo closed) > size",
+      {"mode", "results", "times", "size"});
+}
+
+TEST_F(Namespaces, ForbidSharedMemoryAndSocketsOfOthers) {
+  const std::string name = path("").parent_path().filename();
+  std::ofstream("/dev/shm/" + name) << "ours\n";
+  const int memory = ::shmget(IPC_PRIVATE, 64, IPC_CREAT | 0666);
+  expect_closed_by_namespaces("(grep ours /dev/shm/" + name +
+                                  " || echo closed) > shm\n"
+                                  "(ipcs -m -i " +
+                                  std::to_string(memory) + " | grep bytes || echo closed) > sysv",
+                              {"shm", "sysv"});
+  ::shmctl(memory, IPC_RMID, nullptr);
+  fs::remove("/dev/shm/" + name);
+}
+
+// A listener of the test stands for the page of --watch, a Playmaker, a drawing tool, a unix socket
+// of the opponent.
+TEST_F(Namespaces, ForbidPortsAndSocketsOfThisHost) {
+  Command listener({"python3", "-u", "-c",
+                    "import socket, sys\n"
+                    "page = socket.create_server(('127.0.0.1', 0))\n"
+                    "local = socket.socket(socket.AF_UNIX)\n"
+                    "local.bind(sys.argv[1])\nlocal.listen()\n"
+                    "print(page.getsockname()[1])\n"
+                    "import time; time.sleep(600)",
+                    path("rivals/socket")});
+  ASSERT_TRUE(listener.wait_for_output("\n"));
+  const std::string port = listener.out().substr(0, listener.out().find('\n'));
+  const std::string connect =
+      "import socket; socket.create_connection((\"127.0.0.1\", " + port + "), 2)";
+  const std::string connect_locally =
+      "import socket; socket.socket(socket.AF_UNIX).connect(\"../rivals/socket\")";
+  expect_closed_by_namespaces("(/usr/bin/python3 -c '" + connect +
+                                  "' && echo reached || echo closed) > page 2>&1\n"
+                                  "(/usr/bin/python3 -c '" +
+                                  connect_locally +
+                                  "' && echo reached || echo closed) > local 2>&1",
+                              {"page", "local"});
+}
+
+TEST_F(Namespaces, HideTheProcessesOfThisHost) {
+  expect_closed_by_namespaces(
+      "(cat /proc/[0-9]*/cmdline | tr '\\0' ' ' | grep -q rivals && echo seen || echo closed) > "
+      "lines\n"
+      "([ $(ls -d /proc/[0-9]* | wc -l) -gt 9 ] && echo seen || echo closed) > number",
+      {"lines", "number"});
+}
+
+TEST_F(Namespaces, AreMadeWithoutAWarning) {
+  add_team("guests", "");
+  EXPECT_THAT(play({"--sandbox"}), Exits(0, ""));
+  EXPECT_THAT(play({"--sandbox=namespaces"}), Exits(0, ""));
+  EXPECT_THAT(play({"--sandbox=files"}), Exits(0, ""));
+}
+
+// Two teams that know the usual ports only, next to each other and to a server there.
+TEST_F(Namespaces, LeaveTheUsualPortsToAll) {
+  const auto taken = base::UdpSocket::bind(*base::parse_ip_address("127.0.0.1", 6000));
+  add_team("guests", "");
+  std::ofstream(path("guests/start"))
+      << "#!/bin/sh\ngoalie=; [ $3 = 1 ] && goalie='--goalie 1'\n[ $3 = 12 ] && exec sleep 100\n"
+      << "exec " << copy_built("cls_fake_player", path("guests")) << " --name guests $goalie\n";
+  ::chmod(path("guests/start").c_str(), 0755);
+  EXPECT_THAT(play(), Exits(0, ""));
+}
+
+// A container whose users may not make them is a kernel that refuses.
+TEST_F(Namespaces, AreMissedWithOneWarning) {
+  add_team("guests", "");
+  const Words container = {
+      "unshare", "--user", "--map-root-user",
+      "sh",      "-c",     "echo 0 > /proc/sys/user/max_net_namespaces; exec \"$@\"",
+      "sh"};
+  const CommandResult played = play({}, container);
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(played.err,
+            "cls: warning: this host cannot make namespaces (a network namespace: No space left on "
+            "device; sysctl user.max_net_namespaces=10000 allows it): the programs of team:DIR "
+            "share its network, shared memory and sockets with each other (docs/security.md); "
+            "accept that with --sandbox=files\n");
+
+  const CommandResult refused = play({"--sandbox=namespaces"}, container);
+  EXPECT_EQ(refused.exit_code, 69) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("--sandbox=namespaces: this host cannot make them: a network "
+                                     "namespace: No space left on device"));
+}
+
+TEST_F(Namespaces, NeedTheEmbeddedServerAndBoundClients) {
+  add_team("guests", "");
+  EXPECT_THAT(play({"--sandbox=namespaces", "--no-bind-clients"}),
+              Exits(69, HasSubstr("with --no-bind-clients programs of any place take part")));
+  EXPECT_THAT(play({"--sandbox=namespaces", "--server", "/bin/true"}),
+              Exits(69, HasSubstr("on --server /bin/true the teams share one network")));
+  EXPECT_THAT(play({"--sandbox=network"}),
+              Exits(2, HasSubstr("must be true, false, files or namespaces")));
 }
 
 TEST_F(Sandbox, IsNamedWhenATeamMissesAFile) {

@@ -80,6 +80,16 @@ TEST_F(InNamespaces, HaveTheirFolderAndWhatTheyMayRead) {
   EXPECT_EQ(tests::read_file(path("own/file")), "own\nmore\n");
 }
 
+// PATH may name folders by links, and links in folders that are links.
+TEST_F(InNamespaces, KnowFoldersByTheirLinks) {
+  CommandPlan plan = plan_of("/by/link/cat file && echo out > /dev/stdout");
+  plan.files->links.push_back({"/by/link", "/usr/bin"});
+  plan.files->links.push_back({"/bin/deep/link", "/usr/bin"});
+  const auto child = processes_.start(plan);
+  EXPECT_TRUE(child->wait_gone(10s));
+  EXPECT_EQ(child->status().exit->number, 0) << output();
+}
+
 TEST_F(InNamespaces, SeeNoOtherFiles) {
   const std::string other = path("others").string();
   EXPECT_NE(exit_code_of("ls " + other), 0);

@@ -200,7 +200,8 @@ std::optional<std::string> text_of(base::ValueKind kind, const ConfigValue& valu
   if (const auto* flag = std::get_if<bool>(&value); flag && read == read_flag) {
     return *flag ? "true" : "false";
   }
-  if (const auto* text = std::get_if<std::string>(&value); text && read == read_text) return *text;
+  const bool takes_text = read == read_text || read == read_flag;  // a flag may have words
+  if (const auto* text = std::get_if<std::string>(&value); text && takes_text) return *text;
   return std::nullopt;
 }
 

@@ -120,11 +120,12 @@ std::vector<std::string> host_warnings(const TournamentConfig& config,
         static_cast<double>(space.available) / kMegabyte));
   }
 
-  const std::string missing = match::missing_sandbox();
   const bool local = config.execution.executor == ExecutorKind::kLocal;
-  if (local && match_options(config.conditions).sandbox && has_external_team(config) &&
-      !missing.empty()) {
-    lines.push_back(missing);
+  const match::MatchOptions options = match_options(config.conditions);
+  if (local && has_external_team(config)) {
+    if (std::string missing = missing_sandbox(options); !missing.empty()) {
+      lines.push_back(std::move(missing));
+    }
   }
 
   for (const ScheduledMatch& match : matches) {

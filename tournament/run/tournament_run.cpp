@@ -238,7 +238,7 @@ class TournamentRun {
     const Execution& execution = config_.execution;
     // This warning concerns the host; the preflight checks have reported it already.
     if (execution.executor == ExecutorKind::kLocal) {
-      std::erase(outcome.warnings, match::missing_sandbox());
+      std::erase(outcome.warnings, missing_sandbox(match_options(config_.conditions)));
     }
 
     const bool failed = !outcome.counts();
