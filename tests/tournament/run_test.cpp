@@ -228,6 +228,27 @@ TEST_F(TournamentRunTest, ScoresForfeitThreeNilAgainstSideAtFault) {
   EXPECT_EQ(summary.progress.invalid, 1);
 }
 
+// Who is six goals behind does not gain by leaving.
+TEST_F(TournamentRunTest, KeepsAScoreThatIsWorseThanAForfeit) {
+  const std::vector<std::pair<int, int>> played = {{0, 6}, {1, 3}, {2, 0}, {1, 4}};
+  const std::vector<std::pair<int, int>> counted = {{0, 6}, {0, 3}, {0, 3}, {1, 4}};
+  for (std::size_t i = 0; i < played.size(); ++i) {
+    TournamentConfig config = config_of(Format::kRoundRobin, 2);
+    config.execution.on_crash = OnCrash::kForfeit;
+    fs::remove_all(folder_.path());
+    run(config, [&](const Assignment&) -> std::optional<Outcome> {
+      Outcome outcome = fault(EndReason::kCrashed);
+      outcome.left_score = played[i].first;
+      outcome.right_score = played[i].second;
+      return outcome;
+    });
+
+    const Outcome outcome = *read_tournament(folder_.path())->matches[0].outcome;
+    EXPECT_TRUE(outcome.forfeit);
+    EXPECT_EQ(std::pair(outcome.left_score, outcome.right_score), counted[i]);
+  }
+}
+
 TEST_F(TournamentRunTest, LimitsReruns) {
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
   config.execution.on_crash = OnCrash::kRerun;

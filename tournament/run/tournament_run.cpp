@@ -283,11 +283,15 @@ class TournamentRun {
     return std::min(matches_.size(), base::index(options_.last_match.value_or(INT_MAX)));
   }
 
+  // A team that leaves when it is far behind does not get a better result by that.
   static void make_forfeit(Outcome& outcome) {
-    const bool left_lost = outcome.fault == soccer::Side::kLeft;
+    int& lost = outcome.fault == soccer::Side::kLeft ? outcome.left_score : outcome.right_score;
+    int& won = outcome.fault == soccer::Side::kLeft ? outcome.right_score : outcome.left_score;
+    if (won - lost < kForfeitGoals) {
+      lost = 0;
+      won = kForfeitGoals;
+    }
     outcome.forfeit = true;
-    outcome.left_score = left_lost ? 0 : kForfeitGoals;
-    outcome.right_score = left_lost ? kForfeitGoals : 0;
     outcome.left_penalties.reset();
     outcome.right_penalties.reset();
   }
