@@ -34,8 +34,11 @@ class LiveLoop : public MatchLoop {
   void finish(const MatchEnd& end) override;
   LoopTimes times() const override;
   std::optional<SpeedResult> speed(const MatchResult& result) override;
-  /// A side that has not called its Playmaker yet may wait for the server.
-  bool blames(const MatchSide& side) const override { return side.awaited_reply().has_value(); }
+  /// A side that has not called its Playmaker yet may wait for the server. An external team has its
+  /// places for itself where clients are bound to their side.
+  bool blames(const MatchSide& side) const override {
+    return side.awaited_reply().has_value() || (side.is_external() && server_.binds_clients());
+  }
   bool needs_sides() const override { return !is_over(); }
 
  private:

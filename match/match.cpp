@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "match/match_fault.h"
+#include "soccer/side.h"
 
 namespace cls::match {
 namespace {
@@ -175,6 +176,14 @@ void Match::blame_for_time() {
     result_.fault = *slow;
     result_.message += fmt::format("; {} took {:.0f} % of the time", side->who(),
                                    share_of(*result_.speed, *slow) * 100.0);
+    const ProcessorTime own = processor_time(result_.processes, *slow);
+    const ProcessorTime others = processor_time(result_.processes, soccer::opponent(*slow));
+    if (!was_starved(own, others)) continue;
+    result_.fault = soccer::opponent(*slow);
+    result_.message += fmt::format(
+        ", but waited {:.1f} s for a processor: its programs had {:.1f} s of CPU time, those of "
+        "the other side {:.1f} s",
+        own.delayed_s, own.used_s, others.used_s);
   }
 }
 

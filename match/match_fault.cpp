@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "match/terms/server_settings.h"
+#include "soccer/side.h"
 
 namespace cls::match {
 
@@ -63,6 +64,22 @@ std::optional<soccer::Side> side_of_most_time(const std::optional<SpeedResult>& 
     if (speed && share_of(*speed, side) > kHalf) return side;
   }
   return std::nullopt;
+}
+
+ProcessorTime processor_time(const std::vector<ProcessResult>& processes, soccer::Side side) {
+  const std::string prefix = fmt::format("{} ", side_name(side));
+  ProcessorTime sum;
+  for (const ProcessResult& process : processes) {
+    if (!process.name.starts_with(prefix)) continue;
+    sum.used_s += process.cpu_seconds;
+    sum.delayed_s += process.delayed_seconds;
+  }
+  return sum;
+}
+
+bool was_starved(const ProcessorTime& own, const ProcessorTime& opponent) {
+  constexpr double kMuchMore = 2.0;
+  return own.delayed_s > own.used_s && opponent.used_s > kMuchMore * own.used_s;
 }
 
 std::string stall_message(const std::vector<const MatchSide*>& sides, int cycle,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "match/result/match_end.h"
+#include "match/result/match_result.h"
 #include "match/result/speed.h"
 #include "match/sides/match_side.h"
 #include "soccer/per_side.h"
@@ -31,6 +32,18 @@ void blame_unresponsive(const Sides& sides, const std::optional<soccer::PerSide<
 double share_of(const SpeedResult& speed, soccer::Side side);
 /// The side that took more than half of the time: without it the match would have been in time.
 std::optional<soccer::Side> side_of_most_time(const std::optional<SpeedResult>& speed);
+
+/// What the programs of a side took of the processors of this host.
+struct ProcessorTime {
+  double used_s = 0.0;
+  double delayed_s = 0.0;  ///< ready to run, without a processor
+};
+/// Of the programs that cls started for `side`.
+ProcessorTime processor_time(const std::vector<ProcessResult>& processes, soccer::Side side);
+
+/// True if a side that took most of a match's time did so because its opponent took the processors:
+/// it waited for one for longer than it had one, and the opponent used more than twice as much.
+bool was_starved(const ProcessorTime& own, const ProcessorTime& opponent);
 
 /// "brain (localhost:50051): no reply to GetPlayerActions of player 7 at cycle 12; ...: STALL".
 std::string stall_message(const std::vector<const MatchSide*>& sides, int cycle,

@@ -101,6 +101,10 @@ class Keeper {
 
     report.cpu_seconds = reaped_cpu_seconds();
     if (kind != KeeperReport::Kind::kGone) report.cpu_seconds += living_cpu_seconds(self);
+    if (kind == KeeperReport::Kind::kUsage) {
+      delayed_seconds_ = std::max(delayed_seconds_, living_delayed_seconds(self));
+    }
+    report.delayed_seconds = delayed_seconds_;
     if (!control_) return;
     // Only a descriptor tells cls which process that is outside of its namespace.
     base::UniqueFd program;
@@ -151,6 +155,9 @@ class Keeper {
   }
 
   void end(double grace_s, bool gently) {
+    if (!kill_at_) {
+      delayed_seconds_ = std::max(delayed_seconds_, living_delayed_seconds(::getpid()));
+    }
     const auto until = Clock::now() + std::chrono::microseconds(static_cast<long>(grace_s * 1e6));
     kill_at_ = kill_at_ ? std::min(*kill_at_, until) : until;
     if (gently && !exit_status_) {
@@ -201,6 +208,7 @@ class Keeper {
   pid_t program_;
   int cpu_limit_s_;
   bool at_cpu_limit_ = false;
+  double delayed_seconds_ = 0.0;
   std::optional<int> exit_status_;
   std::optional<Clock::time_point> kill_at_;
   bool all_asked_ = false;

@@ -32,6 +32,7 @@ struct KeeperReport {
   std::int32_t number = 0;                 ///< kExited: exit code or signal; kFailed: errno
   std::int32_t living = 0;                 ///< kExited: descendants still running
   double cpu_seconds = 0.0;                ///< of the program and all its descendants until now
+  double delayed_seconds = 0.0;            ///< of those that ran when it was asked to end, or run
 };
 
 /// From cls to a keeper.

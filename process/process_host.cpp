@@ -134,6 +134,11 @@ double Child::cpu_seconds() const {
   return record_->cpu_seconds;
 }
 
+double Child::delayed_seconds() const {
+  const std::lock_guard lock(core_->mutex);
+  return record_->delayed_seconds;
+}
+
 void Child::end(milliseconds grace, bool gently) const {
   const std::lock_guard lock(core_->mutex);
   record_->ask({gently ? KeeperRequest::Kind::kEndGently : KeeperRequest::Kind::kEnd,

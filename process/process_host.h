@@ -52,6 +52,9 @@ class Child {
   /// User and system time of the program and all its descendants so far. Takes about 1 ms to ask
   /// the keeper; the last known value if it does not reply within 0.5 s.
   double cpu_seconds() const;
+  /// For how long those of them that ran when cpu_seconds() or end() was called were ready to run
+  /// and had no processor.
+  double delayed_seconds() const;
 
   /// Requests termination and returns immediately: SIGTERM to the program and all its descendants,
   /// SIGKILL to what is left after `grace`. `gently`: SIGTERM to the program alone, which stops its

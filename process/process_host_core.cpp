@@ -98,6 +98,7 @@ void ProcessHostCore::handle_report(ChildRecord& record) {
   const auto report = read_report(packet);
   if (!report) return;
   record.cpu_seconds = std::max(record.cpu_seconds, report->cpu_seconds);
+  record.delayed_seconds = std::max(record.delayed_seconds, report->delayed_seconds);
   record.status.at_cpu_limit = record.status.at_cpu_limit || report->at_cpu_limit;
 
   switch (report->kind) {

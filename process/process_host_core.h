@@ -26,6 +26,7 @@ struct ChildRecord {
   Child::Status status;
   std::optional<KeeperReport> first_report;  ///< kStarted or kFailed
   double cpu_seconds = 0.0;
+  double delayed_seconds = 0.0;
   std::uint64_t usage_answers = 0;
 
   /// Sends a request to the keeper.

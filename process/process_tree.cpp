@@ -24,6 +24,21 @@ double ticks_to_seconds(unsigned long long ticks) {
   return static_cast<double>(ticks) / per_second;
 }
 
+// /proc/PID/task/TID/schedstat is "RUN READY SLICES", in nanoseconds.
+double delayed_seconds(pid_t pid) {
+  double seconds = 0.0;
+  std::error_code code;
+  const std::filesystem::path tasks = "/proc/" + std::to_string(pid) + "/task";
+  for (std::filesystem::directory_iterator task(tasks, code), end; !code && task != end;
+       task.increment(code)) {
+    std::ifstream file(task->path() / "schedstat");
+    double run = 0.0;
+    double ready = 0.0;
+    if (file >> run >> ready) seconds += ready * 1e-9;
+  }
+  return seconds;
+}
+
 std::vector<ProcessEntry> all_processes() {
   std::vector<ProcessEntry> entries;
   for (const int pid : all_pids()) {
@@ -104,6 +119,12 @@ std::vector<ProcessEntry> descendants_of(pid_t root) {
   add_children(root);
   for (std::size_t i = 0; i < tree.size(); ++i) add_children(tree[i].pid);
   return tree;
+}
+
+double living_delayed_seconds(pid_t root) {
+  double seconds = 0.0;
+  for (const ProcessEntry& entry : descendants_of(root)) seconds += delayed_seconds(entry.pid);
+  return seconds;
 }
 
 double living_cpu_seconds(pid_t root) {

@@ -33,4 +33,8 @@ std::vector<ProcessEntry> descendants_of(pid_t root);
 /// itself has reaped.
 double living_cpu_seconds(pid_t root);
 
+/// For how long the running descendants of `root`, with all their threads, were ready to run and
+/// had no processor. 0 on kernels without this count.
+double living_delayed_seconds(pid_t root);
+
 }  // namespace cls::process

@@ -83,6 +83,7 @@ ProcessResult result_of(const process::Child& child) {
   result.log = child.plan().log.filename().string();
   result.exit = format_exit(child.status());
   result.cpu_seconds = child.cpu_seconds();
+  result.delayed_seconds = child.delayed_seconds();
   result.log_error = child.log_error();
   return result;
 }

@@ -112,7 +112,8 @@ struct ProcessResult {
   std::string log;      ///< file name inside the match folder
   std::string exit;     ///< "exit code 0", "killed by SIGTERM"
   double cpu_seconds = 0.0;
-  std::string exception;  ///< first one in its output: "ValueError: no ball"; empty: none
+  double delayed_seconds = 0.0;  ///< ready to run, without a processor; not in the document
+  std::string exception;         ///< first one in its output: "ValueError: no ball"; empty: none
   std::string log_error;  ///< why its log is incomplete; empty: it is not; not in the document
 };
 

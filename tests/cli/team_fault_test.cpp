@@ -14,6 +14,8 @@ using namespace std::chrono_literals;
 using json = base::Json;
 using TeamFault = NetworkMatch;
 
+namespace fs = std::filesystem;
+
 // The script ends after a process that it has left to others.
 TEST_F(TeamFault, NamesTheLimitThatEndedAProcessOfTheTeam) {
   script("team/start.sh",
@@ -117,6 +119,35 @@ TEST_F(TeamFault, ReportsIncompleteTeam) {
   play(team("", 10), server(""), {"--start-timeout", "2"});
   expect_end("refused", 69,
              "10 of 11 players of the right team have joined within the start limit");
+}
+
+// On the embedded server nobody else can have its places.
+TEST_F(TeamFault, BlamesATeamThatDoesNotBringElevenPlayers) {
+  play(team("", 10), "embedded", {"--start-timeout", "3"});
+  expect_end("refused", 69, "10 of 11 players of the right team have joined within");
+  EXPECT_EQ(result_["fault"], "right");
+
+  play(team("--never-join 1"), "embedded", {"--start-timeout", "2"});
+  expect_end("refused", 69, "0 of 11 players of the right team have joined within");
+  EXPECT_EQ(result_["fault"], "right");
+
+  fs::remove_all(folder_.path() / "team");
+  play(team_of_single_agents("--players 2"), "embedded");
+  expect_end("refused", 69, "right player 7 brought players 1, 2, 3, 4, 5, 6, 7, 8 onto the pitch");
+  EXPECT_EQ(result_["fault"], "right");
+}
+
+TEST_F(TeamFault, BlamesATeamThatPlaysUnderAnotherName) {
+  play(team("--name Others"), "embedded", {"--right-name", "Guests"});
+  expect_end("refused", 69, "the team plays under the name Others instead of Guests");
+  EXPECT_EQ(result_["fault"], "right");
+}
+
+// On a server that takes any client its places may be those of others.
+TEST_F(TeamFault, BlamesNobodyForMissingPlayersElsewhere) {
+  play(team("", 10), server(""), {"--start-timeout", "2"});
+  expect_end("refused", 69, "10 of 11 players of the right team have joined within");
+  EXPECT_TRUE(result_["fault"].is_null());
 }
 
 TEST_F(TeamFault, AcceptsOwnNameOfTeam) {

@@ -416,5 +416,24 @@ TEST(ProcessHost, ClosesAllDescriptors) {
   EXPECT_EQ(open_fds(), before);
 }
 
+// Two busy programs on one processor: each waits for it while the other one runs.
+TEST(ProcessHost, KnowsHowLongProgramsWaitedForAProcessor) {
+  MarkedHost processes;
+  const auto busy = [&processes] {
+    CommandPlan plan = shell_command("busy", "while :; do :; done");
+    plan.cpus = {0};
+    return processes.start(plan);
+  };
+  const auto first = busy();
+  const auto second = busy();
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  for (const auto& child : {first, second}) child->end(std::chrono::milliseconds(10));
+  for (const auto& child : {first, second}) {
+    EXPECT_TRUE(child->wait_gone(std::chrono::seconds(5)));
+    EXPECT_GT(child->delayed_seconds(), 0.05);
+    EXPECT_LT(child->delayed_seconds(), 5.0);
+  }
+}
+
 }  // namespace
 }  // namespace cls::process
