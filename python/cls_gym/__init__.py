@@ -16,12 +16,13 @@ from cls_gym._config import ActionError, ConfigError, EngineError, KeywordError
 from cls_gym._engine import catalog, version
 from cls_gym._history import Snapshot
 from cls_gym.env import Env
+from cls_gym.pipeline import Pipeline
 from cls_gym.tasks import ids
 from cls_gym.vector import VectorEnv
 
 __all__ = ["ActionError", "AutoresetMode", "ClosedEnvironmentError", "ConfigError", "EngineError",
-           "Env", "KeywordError", "ParallelEnv", "ResetNeeded", "Snapshot", "VectorEnv", "catalog",
-           "ids", "make_env", "make_vector_env", "version"]
+           "Env", "KeywordError", "ParallelEnv", "Pipeline", "ResetNeeded", "Snapshot", "VectorEnv",
+           "catalog", "ids", "make_env", "make_vector_env", "version"]
 
 
 def make_env(**keywords: Any) -> Env:

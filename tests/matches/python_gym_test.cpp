@@ -86,6 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
                            {"CLS_TEST_WITHOUT_GYMNASIUM=1"}},
                     Script{"FillsArraysWithGymnasium", "numpy, gymnasium",
                            "no gymnasium: run python/tests/environment", "gym_arrays_test.py"},
+                    Script{"ServesFrameworks", "numpy, gymnasium",
+                           "no gymnasium: run python/tests/environment", "gym_adapters_test.py"},
                     Script{"RunsExamplesOfDocumentation",
                            "numpy, grpc",
                            kNoGrpc,
