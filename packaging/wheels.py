@@ -41,7 +41,7 @@ def distributions() -> list[Distribution]:
             ["numpy>=1.22"],
             {"gym": gym, "sb3": [*gym, "stable-baselines3>=2.4", "sb3-contrib>=2.4"],
              "torch": [*gym, "torch", "torchrl"], "rllib": [*gym, "ray[rllib]", "torch"],
-             "play": ["cls-playmaker"]},
+             "data": ["pyarrow>=14"], "play": ["cls-playmaker"]},
             "docs/training.md"),
         Distribution(
             "cls_playmaker", "Playmakers for RoboCup 2D soccer in Python",

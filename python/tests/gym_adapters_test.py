@@ -378,7 +378,7 @@ class Skrl(Adapter):
 
 
 #: The example with an environment that counts illegal actions, and its policy from a checkpoint.
-#: After a reset RLlib chooses the first actions for the last observations of the episode before.
+#: RLlib checks each environment with a random action in the first cycle.
 MASKED_RLLIB = """
 import runpy
 import numpy as np

@@ -1,6 +1,6 @@
-"""QMIX or MAPPO of EPyMARL on 2v1, from a clone of it: python3 epymarl_qmix.py epymarl/src [qmix|mappo]
+"""QMIX or MAPPO of EPyMARL on 2v1, from a clone of the repository uoe-agents/epymarl of GitHub.
 
-    pip install 'FILE[torch]' pyyaml; git clone the repository uoe-agents/epymarl of GitHub
+    pip install 'FILE[torch]' pyyaml; python3 epymarl_qmix.py epymarl/src [qmix|mappo]
 """
 import logging
 import pathlib
