@@ -53,11 +53,12 @@ def sleef_functions(build: pathlib.Path) -> str:
         re.findall(r"U (Sleef_\w+)", names))))
 
 
-def compile_replacements(build: pathlib.Path, work: pathlib.Path, *flags: str) -> list[pathlib.Path]:
+def compile_replacements(build: pathlib.Path, work: pathlib.Path, names: list[str],
+                         *flags: str) -> list[pathlib.Path]:
     compressed = work / "sleef.z"
     compressed.write_bytes(zlib.compress(SLEEF.read_bytes(), 9))
     objects = []
-    for name in REPLACED.values():
+    for name in names:
         objects.append(work / f"{name}.o")
         run("c++", "-std=c++20", "-O2", "-fPIC", "-ffunction-sections", *flags,
             f"-DCLS_SLEEF_FILE=\"{compressed}\"",
@@ -175,7 +176,8 @@ def link_engine(build: pathlib.Path, work: pathlib.Path) -> pathlib.Path:
     own.mkdir(exist_ok=True)
     library = own / "libcls_training.so.1"
     link(build, "lib/libcls_training.so.1", library,
-         compile_replacements(build, own, "-DCLS_SLEEF_IN_LIBRARY"))
+         compile_replacements(build, own, [REPLACED[one] for one in ("fmt", "sleef", "glibc")],
+                              "-DCLS_SLEEF_IN_LIBRARY"))
     needed = newest_symbol(library)
     if needed > WHEEL_GLIBC:
         raise SystemExit(f"{library}: needs glibc {'.'.join(map(str, needed))}, wheels are tagged "
@@ -248,7 +250,7 @@ def make_files(build: pathlib.Path, version: str, epoch: int, with_wheels: bool,
     name = f"cls-{version}-linux-x86_64"
 
     program, library = dist / name, link_engine(build, work)
-    link(build, "bin/cls", program, compile_replacements(build, work))
+    link(build, "bin/cls", program, compile_replacements(build, work, [*REPLACED.values()]))
     libraries.write(program, version, epoch, STATIC, dist)
 
     stage(build, work / "root", program, library, dist / f"{name}.licenses.txt",

@@ -73,6 +73,11 @@ class Env(BaseEnv):
         return self._worlds.pool.alive[0].copy()
 
     @property
+    def agent_terminations(self) -> np.ndarray:
+        """bool[A]: `terminated` by agent: a red card ends the episode for an agent alone."""
+        return self._worlds.pool.terminated[0] | ~self._worlds.pool.alive[0]
+
+    @property
     def agent_rewards(self) -> np.ndarray:
         """float32[A]: the rewards of the last step by agent."""
         return self._worlds.pool.rewards[0].copy()

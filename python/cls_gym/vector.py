@@ -177,6 +177,12 @@ class VectorEnv(BaseVectorEnv):
         return self._worlds.pool.alive.copy()
 
     @property
+    def agent_terminations(self) -> np.ndarray:
+        """bool[N, A]: where the last step ended an episode that has no future, or a red card has
+        ended it for the agent alone."""
+        return self._worlds.pool.terminated[:, None] | ~self._worlds.pool.alive
+
+    @property
     def agent_rewards(self) -> np.ndarray:
         """float32[N, A]: the rewards of the last step by agent."""
         return self._worlds.pool.rewards.copy()

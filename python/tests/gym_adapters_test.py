@@ -21,6 +21,7 @@ import numpy as np
 from gym_support import differences
 
 import cls_gym
+from cls_gym._api import old_gymnasium
 from cls_gym._worlds import Worlds
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples/training/frameworks"
@@ -57,8 +58,11 @@ class Adapter(unittest.TestCase):
     """`name` is the row of the table, `worlds` how many a call of `stepper` plays."""
 
     name = ""
-    example = ""
-    arguments = ()
+    with_old_gymnasium = False
+
+    def setUp(self):
+        if old_gymnasium and not self.with_old_gymnasium:
+            self.skipTest(f"Gymnasium {old_gymnasium} is too old")
 
     def note(self, step, worlds, name=None, seconds=1.0):
         """Notes world steps per second of processor time of a function that plays one step."""
@@ -538,6 +542,7 @@ class Jax(Adapter):
 @needs("pufferlib.vector")
 class PufferLib(Adapter):
     name = "PufferLib"
+    with_old_gymnasium = True
 
     def test_example_and_what_is_refused(self):
         self.assertIn("128 rows", self.run_example("puffer_rows.py"))

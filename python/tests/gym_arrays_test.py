@@ -108,10 +108,15 @@ class Attributes(unittest.TestCase):
             self.assertEqual((envs.alive.shape, envs.alive.dtype, envs.alive.all()),
                              ((3, 2), np.bool_, True))
             self.assertEqual(envs.agent_rewards.shape, (3, 2))
+            envs._worlds.pool.terminated[0] = True
+            envs._worlds.pool.alive[1, 0] = False  # a red card
+            self.assertEqual(envs.agent_terminations.tolist(),
+                             [[True, True], [True, False], [False, False]])
         with cls_gym.Env("cls/HFO-2v1-v0") as env:
             env.reset(seed=1)
             self.assertEqual((env.num_agents, env.alive.tolist(), env.agent_rewards.shape),
                              (2, [True, True], (2,)))
+            self.assertEqual(env.agent_terminations.tolist(), [False, False])
 
     def test_final_state_is_that_of_the_ended_episode(self):
         with cls_gym.VectorEnv(HFO, 2, actions="low_discrete", max_cycles=3,
