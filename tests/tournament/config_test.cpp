@@ -213,6 +213,19 @@ TEST(Config, EachRowReadsTheTextsOfItsType) {
   EXPECT_EQ(value_of("cycles", "600"), "600");
 }
 
+// The plan of a tournament is read again by each of its matches.
+TEST(Config, FlagsMayHaveWords) {
+  EXPECT_EQ(value_of("sandbox", "false"), "false");
+  EXPECT_EQ(value_of("sandbox", "namespaces"), "\"namespaces\"");
+  EXPECT_EQ(value_of("sandbox", "network"), "must be true, false, files or namespaces");
+
+  const ParsedConfig parsed = parse_config("[tournament]\nsandbox = \"files\"\n", "");
+  EXPECT_TRUE(parsed.errors.empty());
+  const ParsedConfig again = parse_config(format_config(parsed.config), "");
+  EXPECT_TRUE(again.errors.empty());
+  EXPECT_EQ(match_options(again.config.conditions).sandbox, match::Sandbox::kFiles);
+}
+
 TEST(Config, OptionsForSlurmAreWordsOfAShell) {
   EXPECT_EQ(value_of("slurm_options", "--a=b  --c "), "[\"--a=b\", \"--c\"]");
   EXPECT_EQ(value_of("slurm_options", "--comment='two  words' -x"),

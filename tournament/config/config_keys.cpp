@@ -226,6 +226,12 @@ Result<void> parse_option(const match::MatchOption& option, Config& config,
   return {};
 }
 
+// A flag may have words, which TOML knows as strings only.
+bool is_string(const base::ValueForm& form, const std::string& text) {
+  return form.kind == base::ValueKind::kText ||
+         std::ranges::find(form.words, text) != form.words.end();
+}
+
 // The options of a match that cls.toml may have.
 std::vector<ConfigKey> option_rows(match::OptionUse use, KeyGroup group) {
   std::vector<ConfigKey> rows;
@@ -241,8 +247,8 @@ std::vector<ConfigKey> option_rows(match::OptionUse use, KeyGroup group) {
                     [&option](const Config& config) {
                       const auto text = config.conditions.options.find(option.key);
                       if (text == config.conditions.options.end()) return std::string();
-                      const bool quoted = option.form.kind == base::ValueKind::kText;
-                      return quoted ? toml_quoted(text->second) : text->second;
+                      return is_string(option.form, text->second) ? toml_quoted(text->second)
+                                                                  : text->second;
                     }});
   }
   return rows;
