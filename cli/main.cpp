@@ -49,6 +49,10 @@ int run(int argc, char** argv) {
   }
 }
 
+// Runs before the initializers of libraries, of which gRPC's open descriptors.
+[[gnu::section(".preinit_array"),
+  gnu::used]] void (*const open_first)() = base::open_standard_descriptors;
+
 }  // namespace
 
 int main(int argc, char** argv) {

@@ -23,7 +23,7 @@ ARCHIVES = pathlib.Path("/usr/lib/x86_64-linux-gnu")
 SLEEF = ARCHIVES / "libsleef.so.3"
 # In place of the shared libraries; the linker takes from archives what is used.
 STATIC = ["grpc++_reflection", "grpc++", "grpc", "gpr", "address_sorting", "upb", "re2", "cares",
-          "protobuf", "SQLiteCpp", "sqlite3", "ssl", "crypto", "z"]
+          "protobuf", "SQLiteCpp", "sqlite3", "ssl", "crypto", "z", "lzma", "zstd"]
 # Without an archive in Debian; packaging/ has what takes their place.
 REPLACED = {"fmt": "static_fmt", "tomlplusplus": "static_toml", "sleef": "embedded_sleef",
             "glibc": "old_c_library"}

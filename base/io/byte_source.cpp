@@ -12,6 +12,10 @@
 #include <cstring>
 #include <utility>
 
+#include "base/io/packed_sources.h"
+#include "base/io/standard_streams.h"
+#include "base/text/byte_order_mark.h"
+
 namespace cls::base {
 namespace {
 
@@ -124,11 +128,11 @@ class InflatedSource : public ByteSource {
   bool within_member_ = true;
 };
 
-// Returns the bytes that were read for gzip detection first.
+// Returns the bytes that were read for detection first.
 class PlainSource : public ByteSource {
  public:
-  PlainSource(std::unique_ptr<ByteSource> inner, std::string_view first)
-      : inner_(std::move(inner)), first_(first) {}
+  PlainSource(std::unique_ptr<ByteSource> inner, std::string first)
+      : inner_(std::move(inner)), first_(std::move(first)) {}
 
   std::size_t read(char* to, std::size_t size) override {
     if (!first_.empty()) {
@@ -150,7 +154,90 @@ class PlainSource : public ByteSource {
   std::string first_;
 };
 
+// At least `wanted` bytes of the stream, fewer only at its end, and what arrives with them.
+std::string read_start(ByteSource& source, std::size_t wanted) {
+  constexpr std::size_t kBlock = 512;
+  std::string bytes(kBlock, '\0');
+  std::size_t count = 0;
+  while (count < wanted) {
+    const std::size_t more = source.read(bytes.data() + count, bytes.size() - count);
+    if (more == 0) break;
+    count += more;
+  }
+  bytes.resize(count);
+  return bytes;
+}
+
 constexpr std::string_view kGzipMagic = "\x1f\x8b";
+constexpr std::size_t kLongestMagic = kXzMagic.size();
+
+std::unique_ptr<ByteSource> unpacked(std::unique_ptr<ByteSource> inner, const std::string& first) {
+  if (first.starts_with(kGzipMagic)) {
+    return std::make_unique<InflatedSource>(std::move(inner), first);
+  }
+  if (first.starts_with(kXzMagic)) return unpack_xz(std::move(inner), first);
+  if (first.starts_with(kZstdMagic)) return unpack_zstd(std::move(inner), first);
+  return std::make_unique<PlainSource>(std::move(inner), first);
+}
+
+// Archives and compressions that cls does not read, with the command that unpacks them.
+struct ForeignFormat {
+  std::string_view magic;
+  std::string_view name;
+  std::string_view command;
+  std::size_t offset = 0;  ///< of the magic
+};
+
+using namespace std::string_view_literals;
+constexpr ForeignFormat kForeignFormats[] = {
+    {"PK\x03\x04"sv, "a zip archive", "unzip"},
+    {"BZh"sv, "compressed with bzip2", "bunzip2 -k"},
+    {"7z\xbc\xaf\x27\x1c"sv, "a 7z archive", "7z x"},
+    {"Rar!"sv, "a rar archive", "unrar x"},
+    {"\x04\x22\x4d\x18"sv, "compressed with lz4", "lz4 -d"},
+    {"LZIP"sv, "compressed with lzip", "lzip -dk"},
+    {"ustar"sv, "a tar archive", "tar -xf", 257},
+};
+
+// Why nothing can be read from a stream that begins like this; empty: it can.
+std::string foreign_format(std::string_view start, const std::string& path) {
+  for (const ForeignFormat& format : kForeignFormats) {
+    if (start.size() < format.offset || !start.substr(format.offset).starts_with(format.magic)) {
+      continue;
+    }
+    const std::string file = path == "-" ? "FILE" : "'" + path + "'";
+    return "'" + path + "' is " + std::string(format.name) +
+           "; unpack it first: " + std::string(format.command) + " " + file;
+  }
+  return {};
+}
+
+// The unpacked stream, and what it begins with.
+struct Opened {
+  std::unique_ptr<ByteSource> source;
+  std::string start;
+};
+
+Opened open_packed(std::unique_ptr<ByteSource> inner) {
+  const std::string first = read_start(*inner, kLongestMagic);
+  auto source = unpacked(std::move(inner), first);
+  std::string start = read_start(*source, kByteOrderMark.size());
+  return {std::move(source), std::move(start)};
+}
+
+std::unique_ptr<ByteSource> whole(Opened opened) {
+  remove_byte_order_mark(opened.start);
+  return std::make_unique<PlainSource>(std::move(opened.source), std::move(opened.start));
+}
+
+Result<std::unique_ptr<ByteSource>> open_readable(std::unique_ptr<ByteSource> inner,
+                                                  const std::string& path) {
+  Opened opened = open_packed(std::move(inner));
+  if (std::string foreign = foreign_format(opened.start, path); !foreign.empty()) {
+    return Error{std::move(foreign)};
+  }
+  return whole(std::move(opened));
+}
 
 }  // namespace
 
@@ -162,21 +249,14 @@ std::size_t MemorySource::read(char* to, std::size_t size) {
 }
 
 std::unique_ptr<ByteSource> decompress(std::unique_ptr<ByteSource> inner) {
-  std::array<char, 2> start;
-  std::size_t count = 0;
-  while (count < start.size()) {
-    const std::size_t more = inner->read(start.data() + count, start.size() - count);
-    if (more == 0) break;
-    count += more;
-  }
-
-  const std::string_view first(start.data(), count);
-  if (first == kGzipMagic) return std::make_unique<InflatedSource>(std::move(inner), first);
-  return std::make_unique<PlainSource>(std::move(inner), first);
+  return whole(open_packed(std::move(inner)));
 }
 
 Result<std::unique_ptr<ByteSource>> open_source(const std::string& path) {
-  if (path == "-") return decompress(std::make_unique<FileSource>(STDIN_FILENO));
+  if (path == "-") {
+    if (input_was_closed()) return Error{"standard input is closed"};
+    return open_readable(std::make_unique<FileSource>(STDIN_FILENO), path);
+  }
 
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return Error{"cannot open '" + path + "': " + std::strerror(errno)};
@@ -186,7 +266,7 @@ Result<std::unique_ptr<ByteSource>> open_source(const std::string& path) {
   if (::fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode)) {
     return Error{"cannot read '" + path + "': it is a folder"};
   }
-  return decompress(std::move(file));
+  return open_readable(std::move(file), path);
 }
 
 std::string read_all(ByteSource& source) {

@@ -1,4 +1,4 @@
-// Byte input: files, standard input and memory, plain or gzip.
+// Byte input: files, standard input and memory, plain or compressed.
 #pragma once
 
 #include <cstddef>
@@ -45,12 +45,13 @@ class MemorySource : public ByteSource {
   std::uint64_t size_;
 };
 
-/// Decompresses `inner` if it is gzip (detected by its first bytes; one or more members), otherwise
-/// passes its bytes through. Truncated or corrupt gzip data yields the bytes decompressed before
-/// the error.
+/// Decompresses `inner` if it is gzip, xz or zstd (detected by its first bytes; one or more
+/// members), otherwise passes its bytes through, without a byte order mark at their begin.
+/// Truncated or corrupt data yields the bytes decompressed before the error.
 std::unique_ptr<ByteSource> decompress(std::unique_ptr<ByteSource> inner);
 
-/// The decompressed bytes of a file; "-" is standard input. The error names the path and the cause.
+/// The decompressed bytes of a file (see above); "-" is standard input. The error names the path
+/// and the cause, for archives the command that unpacks them.
 Result<std::unique_ptr<ByteSource>> open_source(const std::string& path);
 
 /// Reads to the end of the stream. Check `source.error()` afterwards.

@@ -21,6 +21,7 @@ struct Target {
   std::atomic<int> error{0};
 };
 
+bool closed_input = false;
 Target output{STDOUT_FILENO};
 Target errors{STDERR_FILENO};
 
@@ -67,8 +68,11 @@ std::FILE* open_stream(Target& to, int buffering) {
   return stream;
 }
 
+}  // namespace
+
 // Opened such that use in the wrong direction fails as on a closed descriptor.
-void open_closed_descriptors() {
+void open_standard_descriptors() {
+  closed_input = ::fcntl(STDIN_FILENO, F_GETFD) < 0;
   while (true) {
     const int descriptor = ::open("/dev/null", O_RDONLY);
     if (descriptor < 0) return;
@@ -79,10 +83,7 @@ void open_closed_descriptors() {
   }
 }
 
-}  // namespace
-
 void protect_standard_streams() {
-  open_closed_descriptors();
   // A pipe without a reader, or a file at the size limit, is a failed write like any other.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
@@ -91,6 +92,8 @@ void protect_standard_streams() {
   if (std::FILE* stream = open_stream(output, buffering)) stdout = stream;
   if (std::FILE* stream = open_stream(errors, _IONBF)) stderr = stream;
 }
+
+bool input_was_closed() { return closed_input; }
 
 int write_error(StandardStream stream) { return target(stream).error; }
 

@@ -7,11 +7,17 @@ namespace cls::base {
 
 enum class StandardStream { kOutput, kError };
 
+/// Opens /dev/null for closed standard descriptors, so that no later file gets their numbers; a
+/// write to them fails as before. Call it before the initializers of libraries, which open files.
+void open_standard_descriptors();
+
 /// Replaces `stdout` and `stderr` by streams that accept everything: bytes that cannot be written
 /// (a full disk, a closed descriptor, a pipe without a reader) are dropped, and the first cause is
-/// stored for write_error(). Opens /dev/null for closed standard descriptors, so that no later file
-/// gets their numbers; a write to them fails as before. Call once, first in main.
+/// stored for write_error(). Call once, first in main.
 void protect_standard_streams();
+
+/// True if open_standard_descriptors() found standard input closed.
+bool input_was_closed();
 
 /// errno of the first failed write to the stream; 0: none failed.
 int write_error(StandardStream stream);

@@ -14,6 +14,7 @@
 
 #include "base/io/replacement.h"
 #include "base/system/unique_fd.h"
+#include "base/text/byte_order_mark.h"
 
 namespace cls::base {
 namespace {
@@ -83,6 +84,12 @@ std::optional<std::string> read_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+std::optional<std::string> read_text(const std::filesystem::path& path) {
+  auto text = read_file(path);
+  if (text) remove_byte_order_mark(*text);
+  return text;
 }
 
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {

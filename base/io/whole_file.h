@@ -13,6 +13,9 @@ namespace cls::base {
 /// All bytes of a file; nothing if it does not exist, is a folder or is not readable.
 std::optional<std::string> read_file(const std::filesystem::path& path);
 
+/// As read_file(), without a byte order mark at its begin: for texts that users write.
+std::optional<std::string> read_text(const std::filesystem::path& path);
+
 /// Writes a file atomically (Replacement); devices, pipes and links are written into. The error
 /// names the file and the cause.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "base/index.h"
+#include "base/system/control_group.h"
 #include "base/text/trimmed.h"
 
 namespace cls::base {
@@ -68,6 +69,13 @@ double load_average() {
   return getloadavg(&load, 1) == 1 ? load : 0.0;
 }
 
+std::string busy_host() {
+  const double load = load_average();
+  const std::size_t processors = allowed_processors().size();
+  if (load <= 2.0 * static_cast<double>(processors)) return {};
+  return fmt::format("this host is busy: load {:.1f} on {} processors", load, processors);
+}
+
 std::vector<int> allowed_processors() {
   std::vector<int> processors;
   cpu_set_t allowed;
@@ -114,6 +122,9 @@ std::array<std::vector<int>, 2> split_in_half(const std::vector<std::vector<int>
   return halves;
 }
 
-int usable_cores() { return std::max(1, static_cast<int>(allowed_cores().size())); }
+int usable_cores() {
+  const int cores = std::max(1, static_cast<int>(allowed_cores().size()));
+  return std::min(cores, processor_quota().value_or(cores));
+}
 
 }  // namespace cls::base

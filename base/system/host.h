@@ -29,6 +29,10 @@ Machine this_machine();
 /// Load average over the last minute; 0 if unknown.
 double load_average();
 
+/// "this host is busy: load 54.9 on 2 processors" if twice as many threads want to run as there are
+/// processors; otherwise empty.
+std::string busy_host();
+
 /// CPU numbers of the affinity mask of this process, ascending; empty if unknown.
 std::vector<int> allowed_processors();
 
@@ -40,7 +44,8 @@ std::vector<std::vector<int>> allowed_cores();
 /// A single core is split by its hardware threads. Empty halves for a single processor.
 std::array<std::vector<int>, 2> split_in_half(const std::vector<std::vector<int>>& cores);
 
-/// Number of physical cores this process may run on, at least 1.
+/// Number of physical cores this process may run on, no more than the quota of its control groups
+/// and at least 1.
 int usable_cores();
 
 }  // namespace cls::base

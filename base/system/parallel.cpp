@@ -6,9 +6,15 @@
 #include <thread>
 #include <vector>
 
+#include "base/system/control_group.h"
+
 namespace cls::base {
 
-std::size_t default_jobs() { return std::max(1U, std::thread::hardware_concurrency()); }
+std::size_t default_jobs() {
+  const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
+  const int quota = processor_quota().value_or(static_cast<int>(processors));
+  return std::min<std::size_t>(processors, static_cast<std::size_t>(quota));
+}
 
 void parallel_for(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& work,
                   const std::function<void(std::size_t)>& on_done) {

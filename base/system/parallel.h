@@ -6,7 +6,8 @@
 
 namespace cls::base {
 
-/// Default number of threads: one per processor.
+/// Default number of threads: one per processor that this process may use, by affinity and by the
+/// quota of its control groups.
 std::size_t default_jobs();
 
 /// Calls `work(i)` for each i below `count` on up to `jobs` threads, in no particular order, and

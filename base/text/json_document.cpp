@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/text/byte_order_mark.h"
 #include "base/text/suggestion.h"
 
 namespace cls::base {
@@ -183,7 +184,9 @@ Result<JsonDocument> JsonDocument::read(const std::filesystem::path& path) {
 
   std::ifstream file(path, std::ios::binary);
   if (!file) return Error{fmt::format("{}: {}", path.string(), std::strerror(errno))};
-  return parse(path.string(), {std::istreambuf_iterator<char>(file), {}});
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  remove_byte_order_mark(text);
+  return parse(path.string(), std::move(text));
 }
 
 int JsonDocument::line_of(const JsonPointer& pointer) const {

@@ -21,7 +21,7 @@ using base::Error;
 using base::Result;
 
 std::string without_log_suffix(std::string name) {
-  for (const std::string_view suffix : {".gz", ".rcg", ".json", ".html"}) {
+  for (const std::string_view suffix : {".gz", ".xz", ".zst", ".rcg", ".json", ".html"}) {
     if (name.ends_with(suffix)) name.resize(name.size() - suffix.size());
   }
   return name;
@@ -66,7 +66,7 @@ Result<FoundLog> find_log(const std::string& what) {
   if (fs::is_directory(what, code)) return find_in_folder(what);
   if (what == "-") return FoundLog{{what, ""}, "", "match"};
 
-  if (what.ends_with(".rcl") || what.ends_with(".rcl.gz")) {
+  if (gamelog::is_text_log(what)) {
     return Error{fmt::format("{}: a text log; name the game log (rcg) beside it", what)};
   }
   if (const auto why = base::why_no_file(what)) return Error{fmt::format("{}: {}", what, *why)};

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/io/standard_streams.h"
 #include "cli/support/print_error.h"
 
 namespace cls::cli {
@@ -47,7 +48,7 @@ int report_log(int exit_code, const std::string& unreadable, std::string_view pa
 
 int unreadable_code(const std::string& path) {
   std::error_code code;
-  if (path == "-") return kBadData;
+  if (path == "-") return base::input_was_closed() ? kNoInput : kBadData;
   const bool opens = std::filesystem::is_regular_file(path, code) && std::ifstream(path).good();
   return opens ? kBadData : kNoInput;
 }

@@ -8,7 +8,10 @@
 #include <map>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
+#include "base/io/byte_source.h"
+#include "base/io/input_buffer.h"
 #include "base/io/whole_file.h"
 
 namespace cls::gamelog {
@@ -16,19 +19,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool has_ending(std::string_view path, std::string_view ending) {
-  if (path.ends_with(".gz")) path.remove_suffix(3);
-  return path.ends_with(ending);
+constexpr std::string_view kPackedEndings[] = {"", ".gz", ".xz", ".zst"};
+
+std::string_view unpacked_name(std::string_view path) {
+  for (const std::string_view ending : kPackedEndings) {
+    if (!ending.empty() && path.ends_with(ending))
+      return path.substr(0, path.size() - ending.size());
+  }
+  return path;
 }
 
-bool is_text_log(std::string_view path) { return has_ending(path, ".rcl"); }
-bool is_game_log(std::string_view path) { return has_ending(path, ".rcg"); }
+bool is_game_log(std::string_view path) { return unpacked_name(path).ends_with(".rcg"); }
 
 // The path without .rcg, .rcl and .gz: equal for the two logs of a match.
-std::string stem_of(std::string path) {
-  if (path.ends_with(".gz")) path.resize(path.size() - 3);
-  if (is_text_log(path) || is_game_log(path)) path.resize(path.size() - 4);
-  return path;
+std::string stem_of(std::string_view path) {
+  std::string_view stem = unpacked_name(path);
+  if (is_text_log(path) || is_game_log(path)) stem.remove_suffix(4);
+  return std::string(stem);
 }
 
 bool exists(const std::string& path) {
@@ -91,18 +98,39 @@ std::vector<std::string> files_of(const std::string& argument) {
   return files;
 }
 
+// True for a log and its compressed copy.
+bool has_same_text(const std::string& one, const std::string& other) {
+  std::error_code ignored;
+  if (one == other || fs::equivalent(one, other, ignored)) return true;
+  const auto first = base::open_source(one);
+  const auto second = base::open_source(other);
+  if (!first || !second) return false;
+
+  constexpr std::size_t kBlock = 64 * 1024;
+  base::InputBuffer a(**first);
+  base::InputBuffer b(**second);
+  for (;;) {
+    const std::string_view block = a.take(kBlock);
+    if (block != b.take(kBlock)) return false;
+    if (block.empty()) return true;
+  }
+}
+
 void find_text_log(const std::string& stem, MatchLogs& logs) {
-  if (!logs.text.empty() || logs.game == "-") return;
-  for (const char* ending : {".rcl", ".rcl.gz"}) {
+  if (stem.empty() || !logs.text.empty() || logs.game == "-") return;
+  for (const std::string_view ending : kPackedEndings) {
     std::error_code ignored;
-    if (fs::is_regular_file(stem + ending, ignored)) {
-      logs.text = stem + ending;
+    const std::string file = stem + ".rcl" + std::string(ending);
+    if (fs::is_regular_file(file, ignored)) {
+      logs.text = file;
       return;
     }
   }
 }
 
 }  // namespace
+
+bool is_text_log(std::string_view path) { return unpacked_name(path).ends_with(".rcl"); }
 
 base::Result<void> set_apart(const fs::path& folder) {
   TRY(base::create_folders(folder));
@@ -130,7 +158,13 @@ FoundLogs find_logs(const std::vector<std::string>& arguments) {
 
       MatchLogs& logs = found.matches[known->second];
       std::string& path = is_text_log(file) ? logs.text : logs.game;
-      if (path.empty()) path = file;
+      if (path.empty()) {
+        path = file;
+      } else if (!has_same_text(path, file)) {
+        found.matches.push_back({file, ""});  // another match of the same name
+        stems.emplace_back();
+        if (is_text_log(file)) std::swap(found.matches.back().game, found.matches.back().text);
+      }
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -27,10 +28,14 @@ struct FoundLogs {
   std::vector<std::string> missing;  ///< arguments without any log
 };
 
-/// A file is a game log unless it ends in .rcl or .rcl.gz. A folder stands for all logs in and
-/// below it (.rcg, .rcg.gz, .rcl, .rcl.gz). A pattern with * ? [ stands for the paths that it
+/// True for .rcl, also with .gz, .xz or .zst.
+bool is_text_log(std::string_view path);
+
+/// A file is a game log unless it is a text log. A folder stands for all logs in and below it
+/// (.rcg, .rcl, also with .gz, .xz or .zst). A pattern with * ? [ stands for the paths that it
 /// matches, unless a file has that name. Logs that differ only in the extension belong to one
-/// match. The text log next to a game log is found automatically.
+/// match, unless two of one kind have different bytes when they are unpacked: then each is a match.
+/// The text log next to a game log is found automatically.
 FoundLogs find_logs(const std::vector<std::string>& arguments);
 
 }  // namespace cls::gamelog

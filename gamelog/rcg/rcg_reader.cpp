@@ -10,6 +10,7 @@
 #include "base/io/input_buffer.h"
 #include "base/text/number_text.h"
 #include "gamelog/rcg/format_readers.h"
+#include "gamelog/rcg/json_elements.h"
 #include "gamelog/record/record_builder.h"
 
 namespace cls::gamelog {
@@ -70,7 +71,10 @@ void read_by_kind(base::InputBuffer& input, RecordBuilder& builder) {
   if (start.starts_with('[') || (has_array && (first == "ULG6" || first == "JSON"))) {
     record.version = RcgVersion::kJson;
     if (!start.starts_with('[')) input.next_line(header);
-    read_rcg_json(input, builder);
+    if (!has_other_lines(input)) return read_rcg_json(input, builder);
+    ElementLines elements(input);
+    base::InputBuffer lines(elements);
+    read_rcg_json(lines, builder);
   } else if (end != std::string::npos &&
              (first == "ULG4" || first == "ULG5" || first == "ULG6" || first == "ULG7")) {
     record.version = static_cast<RcgVersion>(start[3] - '0');

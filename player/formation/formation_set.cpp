@@ -66,7 +66,7 @@ Result<std::shared_ptr<const FormationSet>> read_formations(const std::string& f
     for (const char* ending : {".formation", ".conf", ""}) {
       const std::string path =
           (std::filesystem::path(folder) / (std::string(name) + ending)).string();
-      if (const auto text = base::read_file(path)) return parse_formation(*text, path);
+      if (const auto text = base::read_text(path)) return parse_formation(*text, path);
     }
     return Error{folder + ": missing " + std::string(name) + ".formation or " + std::string(name) +
                  ".conf"};

@@ -136,7 +136,7 @@ soccer::TeamGraphic tile_at(const Picture& picture, std::size_t column, std::siz
 
 Result<TeamGraphic> read_team_graphic(const std::string& path) {
   if (const auto why = base::why_no_file(path)) return Error{fmt::format("{}: {}", path, *why)};
-  const auto text = base::read_file(path);
+  const auto text = base::read_text(path);
   if (!text) return Error{fmt::format("{}: cannot be read", path)};
   const auto picture = read_picture(strings_in(*text));
   if (!picture) return Error{fmt::format("{}: {}", path, picture.error().message)};

@@ -1,6 +1,7 @@
 // Byte sources: plain, gzip, truncated and corrupt; lines and blocks from an input buffer.
 #include "base/io/byte_source.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -68,6 +69,61 @@ TEST(Decompress, ReadsGzipOfOneOrMoreMembers) {
   const Contents twice = decompress_all(once + gzip("the end\n") + std::string(512, '\0'));
   EXPECT_EQ(twice.bytes, text + "the end\n");
   EXPECT_EQ(twice.error, "");
+}
+
+// "one\ntwo\n", packed by the programs xz and zstd.
+constexpr std::string_view kXz{
+    "\xfd\x37\x7a\x58\x5a\x00\x00\x04\xe6\xd6\xb4\x46\x02\x00\x21\x01\x16\x00\x00\x00"
+    "\x74\x2f\xe5\xa3\x01\x00\x07\x6f\x6e\x65\x0a\x74\x77\x6f\x0a\x00\x51\xab\x9e\xaf"
+    "\x57\x75\x70\x49\x00\x01\x20\x08\xbb\x19\xd9\xbb\x1f\xb6\xf3\x7d\x01\x00\x00\x00"
+    "\x00\x04\x59\x5a",
+    64};
+constexpr std::string_view kZstd{
+    "\x28\xb5\x2f\xfd\x04\x58\x41\x00\x00\x6f\x6e\x65\x0a\x74\x77\x6f\x0a\xe6\xa6\x0e"
+    "\x40",
+    21};
+
+TEST(Decompress, ReadsXzAndZstdOfOneOrMoreMembers) {
+  for (const std::string_view packed : {kXz, kZstd}) {
+    const std::string once(packed);
+    EXPECT_EQ(decompress_all(once).bytes, "one\ntwo\n");
+    const Contents twice = decompress_all(once + once);
+    EXPECT_EQ(twice.bytes, "one\ntwo\none\ntwo\n");
+    EXPECT_EQ(twice.error, "");
+    EXPECT_THAT(decompress_all(once.substr(0, once.size() - 3)).error,
+                testing::EndsWith(" data is truncated"));
+    EXPECT_THAT(decompress_all(once + "something else").error,
+                testing::EndsWith(" data is corrupt"));
+  }
+}
+
+TEST(Decompress, SkipsAByteOrderMark) {
+  const std::string text = "\xef\xbb\xbfULG5\n\xef\xbb\xbf";
+  for (const std::string& bytes : {text, gzip(text)}) {
+    EXPECT_EQ(decompress_all(bytes).bytes, "ULG5\n\xef\xbb\xbf");
+  }
+  EXPECT_EQ(decompress_all("\xef\xbb\xbf").bytes, "");
+  EXPECT_EQ(decompress_all("\xef\xbb").bytes, "\xef\xbb");
+}
+
+TEST(OpenSource, NamesTheProgramThatUnpacksAnArchive) {
+  const tests::TemporaryFolder folder;
+  const std::string path = folder.path() / "logs";
+  const auto error_of = [&](const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+    const auto source = open_source(path);
+    return source ? std::string() : source.error().message;
+  };
+  const std::string tar = std::string(257, 'a') + "ustar" + std::string(250, '\0');
+  const std::string end = "; unpack it first: ";
+  EXPECT_EQ(error_of("PK\x03\x04..."),
+            "'" + path + "' is a zip archive" + end + "unzip '" + path + "'");
+  EXPECT_EQ(error_of("BZh9..."),
+            "'" + path + "' is compressed with bzip2" + end + "bunzip2 -k '" + path + "'");
+  for (const std::string& bytes : {tar, gzip(tar)}) {
+    EXPECT_EQ(error_of(bytes), "'" + path + "' is a tar archive" + end + "tar -xf '" + path + "'");
+  }
+  EXPECT_EQ(error_of("ULG5\n"), "");
 }
 
 TEST(Decompress, ReturnsBytesBeforeTruncation) {

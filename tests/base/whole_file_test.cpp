@@ -185,6 +185,15 @@ TEST(RemoveAbandoned, RemovesWhatAKilledProcessLeftAndNothingElse) {
   EXPECT_THAT(names_in(folder.path()), testing::UnorderedElementsAre("result.json", "alive.json"));
 }
 
+TEST(ReadText, SkipsAByteOrderMark) {
+  tests::TemporaryFolder folder;
+  const std::string file = folder.path() / "server.conf";
+  ASSERT_TRUE(write_file(file, "\xef\xbb\xbfserver::half_time = 7\n"));
+  EXPECT_EQ(read_text(file), "server::half_time = 7\n");
+  EXPECT_EQ(read_file(file), "\xef\xbb\xbfserver::half_time = 7\n");
+  EXPECT_EQ(read_text(folder.path() / "missing"), std::nullopt);
+}
+
 TEST(WriteFile, LetsParallelWritersReplaceAFile) {
   tests::TemporaryFolder folder;
   const std::string file = folder.path() / "report.html";

@@ -45,6 +45,23 @@ TEST_F(FindLogs, PairsLogsOfAMatch) {
   EXPECT_EQ(find_logs({text, game}).matches.size(), 1u);
 }
 
+// A log and its compressed copy are one match; two matches may have the same name, too.
+TEST_F(FindLogs, TwoLogsOfOneNameAreOneMatchIfTheirBytesAreEqual) {
+  const std::string plain = make("a.rcg");
+  const std::string packed = make("a.rcg.gz");
+  make("a.rcl.xz");
+  EXPECT_EQ(find_logs({plain, packed, plain}).matches.size(), 1u);
+  ASSERT_EQ(find_logs({folder()}).matches.size(), 1u);
+  EXPECT_EQ(find_logs({folder()}).matches[0].text, folder() + "/a.rcl.xz");
+
+  std::ofstream(packed) << "another match";
+  const FoundLogs found = find_logs({plain, packed});
+  ASSERT_EQ(found.matches.size(), 2u);
+  EXPECT_EQ(found.matches[0].game, plain);
+  EXPECT_EQ(found.matches[1].game, packed);
+  EXPECT_EQ(find_logs({folder()}).matches.size(), 2u);
+}
+
 // Copies in the archive of a cup must not count twice.
 TEST_F(FindLogs, PassesByFoldersThatAreSetApart) {
   make("cup/matches/1/match.rcg");

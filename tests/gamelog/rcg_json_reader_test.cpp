@@ -35,6 +35,34 @@ std::string log_of(const std::string& element) {
   return "[\n" + element + kEnd + show(kPlayer) + "\n]\n";
 }
 
+// As `jq .` and `jq -c .` write logs: elements over many lines, or all in one.
+TEST(ReadRcgJson, ReadsLogsThatOtherProgramsHaveFormatted) {
+  const std::string log = "[\n{\"version\":\"19.0.0\"},\n{\"timestamp\":\"2026, \\\"[\"},\n" +
+                          show(kPlayer) + kEnd + show(kPlayer) + "\n]\n";
+  std::string joined = log;
+  std::erase(joined, '\n');
+  std::string broken;
+  bool in_string = false;
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    if (log[i] == '"' && log[i - 1] != '\\') in_string = !in_string;
+    const bool breaks = !in_string && (log[i] == '{' || log[i] == ',' || log[i] == '[');
+    broken += log[i];
+    if (breaks) broken += "\n  ";
+  }
+
+  const MatchRecord whole = read(log);
+  ASSERT_TRUE(whole.errors.empty());
+  for (const std::string& form : {joined, broken, "\xef\xbb\xbf" + joined}) {
+    const auto source = base::decompress(std::make_unique<base::MemorySource>(form));
+    const MatchRecord record = read_rcg(*source);
+    ASSERT_TRUE(record.errors.empty()) << format_error("", record.errors.first[0]);
+    EXPECT_EQ(record.frames(), whole.frames());
+    EXPECT_EQ(record.timestamp, "2026, \"[");
+    EXPECT_EQ(frame_at(record, 0).players[15].body, 90.5);
+    EXPECT_EQ(record.version, RcgVersion::kJson);
+  }
+}
+
 TEST(ReadRcgJson, ReadsAllPlayerMembers) {
   const MatchRecord record = read(log_of(show(kPlayer)));
 

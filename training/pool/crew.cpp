@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/system/parallel.h"
+
 #ifdef __SSE2__
 #include <emmintrin.h>
 #endif
@@ -30,9 +32,7 @@ void wait_for_change(const std::atomic<unsigned>& value, unsigned old, int spins
 }
 
 // Threads without a processor of their own must not spin: they keep others from working.
-int spins_of(std::size_t threads) {
-  return threads <= std::thread::hardware_concurrency() ? kSpins : 0;
-}
+int spins_of(std::size_t threads) { return threads <= base::default_jobs() ? kSpins : 0; }
 
 }  // namespace
 

@@ -78,7 +78,7 @@ std::optional<Glance> LogGlance::now() {
   const std::uintmax_t size = std::filesystem::file_size(file_, code);
   if (code) return std::nullopt;
 
-  const bool compressed = file_.extension() == ".gz";
+  const bool compressed = file_.extension() != ".rcg";
   if (size < read_ || (compressed && size != read_)) *this = LogGlance(file_);
   if (compressed) {
     if (size != read_) read_compressed();
