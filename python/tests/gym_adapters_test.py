@@ -64,8 +64,9 @@ class Adapter(unittest.TestCase):
         if old_gymnasium and not self.with_old_gymnasium:
             self.skipTest(f"Gymnasium {old_gymnasium} is too old")
 
-    def note(self, step, worlds, name=None, seconds=1.0):
-        """Notes world steps per second of processor time of a function that plays one step."""
+    def note(self, step, worlds, name=None, steps=1, seconds=1.0):
+        """Notes world steps per second of processor time of a function that plays `steps` of
+        `worlds`."""
         if not SPEEDS:
             return
         step()
@@ -73,7 +74,7 @@ class Adapter(unittest.TestCase):
         while time.process_time() - started < seconds:
             step()
             count += 1
-        rate = count * worlds / (time.process_time() - started)
+        rate = count * worlds * steps / (time.process_time() - started)
         with open(SPEEDS, "a", encoding="utf-8") as out:
             print(json.dumps({"name": name or self.name, "worlds": worlds, "rate": rate}),
                   file=out)
@@ -155,7 +156,7 @@ class PipelineOfGroups(Adapter):
         worlds = cls_gym.Pipeline(num_envs=WORLDS, autoreset_mode="same_step", **TASK)
         worlds.async_reset(seed=1)
         played = actions(WORLDS // 2, 2)
-        self.note(lambda: worlds.send(played, worlds.recv()[4]["env_id"]), WORLDS // 2)
+        self.note(lambda: worlds.send(played, worlds.recv()[4]["env_id"]), WORLDS, steps=0.5)
         worlds.close()
 
 
@@ -341,7 +342,7 @@ class BenchMARL(Adapter):
         env = task.get_env_fun(WORLDS, False, 1, "cpu")()
         self.assertEqual(task.group_map(env), {"agents": ["left_11", "left_7"]})
         self.assertEqual(task.max_steps(env), 1001)
-        self.note(lambda: env.rollout(8, break_when_any_done=False), 8 * WORLDS)
+        self.note(lambda: env.rollout(8, break_when_any_done=False), WORLDS, steps=8)
 
 
 @needs("skrl")
@@ -536,7 +537,7 @@ class Jax(Adapter):
         played = actions(50, WORLDS, 2)
         play = jax.jit(lambda ids: jax.lax.scan(
             lambda _, one: (None, step(one).reward.sum()), None, ids)[1])
-        self.note(lambda: play(played).block_until_ready(), 50 * WORLDS)
+        self.note(lambda: play(played).block_until_ready(), WORLDS, steps=50)
 
 
 @needs("pufferlib.vector")
