@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "soccer/math.h"
@@ -71,6 +72,90 @@ TEST(TrainingFeatures, TeamsSeeMirroredWorldsAlike) {
   for (std::size_t i = 0; i < seen[0].size(); ++i) {
     EXPECT_NEAR(seen[0][i], seen[1][i], 1e-6) << setup->feature_columns[i].name;
   }
+}
+
+TEST(TrainingFeatures, VersionsAreFoundByName) {
+  EXPECT_EQ(training::find_feature_set("ego"), &training::kEgoFeatures);
+  EXPECT_EQ(training::find_feature_set("ego/1"), &training::kEgoFeatures);
+  EXPECT_EQ(training::find_feature_set("ego/2"), &training::kEgo2Features);
+  EXPECT_EQ(training::find_feature_set("ego/3"), nullptr);
+}
+
+/// Where a column of the setup's features is.
+std::size_t column(const training::Setup& setup, const std::string& name) {
+  const auto found = std::ranges::find(setup.feature_columns, name, &training::Column::name);
+  EXPECT_NE(found, setup.feature_columns.end()) << name;
+  return static_cast<std::size_t>(found - setup.feature_columns.begin());
+}
+
+TEST(TrainingFeatures, Ego2BeginsWithEgoAndHasModeConditionAndOffsideLine) {
+  const auto setup = setup_of(
+      R"({"task": "Match", "offense": 2, "defense": 3, "agents": "both", "features": "ego/2"})");
+  simulator::World world = setup->prepared;
+  world.mode = soccer::PlayMode::kCornerKickRight;
+  world.ball.position = {-30.0, 2.0};
+  for (const int slot : setup->cast.left) world.player(slot).position = {-10.0 - slot, 3.0};
+  for (const int slot : setup->cast.right) world.player(slot).position = {10.0 + slot, 3.0};
+  world.player(setup->cast.left[0]).stamina.effort = 0.75;
+
+  training::Scene scene;
+  training::fill_scene(world, soccer::Side::kLeft, setup->cast, scene);
+  training::complete_for_observers(scene);
+  std::vector<float> one(training::kEgoFeatures.columns(1, 3).size());
+  std::vector<float> two(training::kEgo2Features.columns(1, 3).size());
+  const training::PointOfView view{scene, setup->cast, setup->cast.left[0],
+                                   setup->task->stage(soccer::Side::kLeft)};
+  training::kEgoFeatures.fill(view, one.data());
+  training::kEgo2Features.fill(view, two.data());
+
+  EXPECT_TRUE(std::equal(one.begin(), one.end(), two.begin()));
+  EXPECT_EQ(two[column(*setup, "self_effort")], 0.75F);
+  EXPECT_EQ(two[column(*setup, "mode_corner_kick")], 1.0F);
+  EXPECT_EQ(two[column(*setup, "mode_kick_in")], -1.0F);
+  EXPECT_EQ(two[column(*setup, "mode_own")], -1.0F);
+  EXPECT_EQ(two[column(*setup, "opponent1_age")], 0.0F);
+  EXPECT_GT(two[column(*setup, "opponent3_speed_max")], 0.5F);
+
+  std::vector<double> xs;
+  for (const int slot : setup->cast.right) xs.push_back(world.player(slot).position.x);
+  std::ranges::sort(xs);
+  EXPECT_FLOAT_EQ(two[column(*setup, "offside_line_x")],
+                  static_cast<float>(xs[xs.size() - 2] / soccer::kHalfLength));
+}
+
+TEST(TrainingFeatures, Ego2HasTheAgesOfAWorldModel) {
+  BoundPool pool(R"({"task": "HalfFieldOffense", "offense": 2, "defense": 2, "features": "ego/2",
+                     "obs": "world_model", "actions": "low_discrete"})",
+                 3);
+  const auto setup =
+      setup_of(R"({"task": "HalfFieldOffense", "offense": 2, "defense": 2, "features": "ego/2"})");
+  soccer::RandomStream random(1, "ages");
+  float oldest = 0.0F;
+  for (int step = 0; step < 40; ++step) {
+    pool.play(random, 1);
+    for (const char* name : {"opponent1_age", "opponent2_age", "teammate1_age"}) {
+      const float age = pool.observations[column(*setup, name)];
+      EXPECT_GE(age, 0.0F);
+      EXPECT_LE(age, 1.0F);
+      oldest = std::max(oldest, age);
+    }
+  }
+  EXPECT_GT(oldest, 0.0F) << "somebody was out of sight";
+}
+
+TEST(TrainingFeatures, StateVersion2BeginsWithVersion1) {
+  BoundPool one(R"({"task": "Match", "offense": 2, "defense": 2, "actions": "low_discrete"})", 3);
+  BoundPool two(
+      R"({"task": "Match", "offense": 2, "defense": 2, "actions": "low_discrete", "state": 2})", 3);
+  ASSERT_GT(two.states, one.states);
+  soccer::RandomStream first(1, "state");
+  soccer::RandomStream second(1, "state");
+  for (int step = 0; step < 60; ++step) {
+    one.play(first, 1);
+    two.play(second, 1);
+    ASSERT_TRUE(std::equal(one.state.begin(), one.state.end(), two.state.begin())) << step;
+  }
+  EXPECT_THROW(setup_of(R"({"task": "Match", "state": 3})"), std::runtime_error);
 }
 
 // The definition, observer by observer.

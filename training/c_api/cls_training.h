@@ -101,7 +101,9 @@ CLS_TRAINING_API int cls_training_catalog(char* out, size_t capacity, size_t* le
 //   "obs"         "full_state" (default): the exact world, without messages; "world_model": what
 //                 cls agents estimate from the messages of the server. Scripted players, rewards
 //                 and `state` use the exact world with either.
-//   "features"    feature set: "hfo_low", "hfo_high" or "ego". Default: the task's.
+//   "features"    feature set: "hfo_low", "hfo_high" or "ego" (version 1), or with its version, as
+//                 "ego/2". Default: the task's.
+//   "state"       version of the full state, 1 (default) or 2.
 //   "actions"     action set: "low", "low_all", "low_flat", "low_discrete", "hfo"
 //                 or "skills". Default: the task's.
 //   "offense"     players of the left (attacking) team, where the task lets one choose.

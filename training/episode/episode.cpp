@@ -361,6 +361,8 @@ void Episode::mask(std::size_t agent, std::uint8_t* out) const {
   }
 }
 
-void Episode::state(float* out) const { fill_state(world_, setup_->cast, time_left(), out); }
+void Episode::state(float* out) const {
+  fill_state(world_, setup_->cast, setup_->state_version, time_left(), out);
+}
 
 }  // namespace cls::training

@@ -129,7 +129,8 @@ Result<void> choose_sets(const SetupChoices& choices, Setup& setup) {
   setup.value_columns = setup.actions->values();
   setup.offsets = setup.actions->offsets();
   setup.legality = Legality(*setup.actions);
-  setup.state_columns = state_columns(setup.cast);
+  setup.state_version = choices.state;
+  setup.state_columns = state_columns(setup.cast, setup.state_version);
   return {};
 }
 

@@ -41,6 +41,7 @@ struct SetupChoices {
   DriverPool teammates = {DriverShare{}};  ///< not empty
   DriverPool opponents = {DriverShare{}};  ///< empty: there are none
   Fidelity fidelity = Fidelity::kFullState;
+  int state = 1;  ///< version of the full state
   int frame_skip = 1;
   int max_cycles = 0;
   std::array<double, kRewardTerms> weights{};
@@ -62,6 +63,7 @@ struct Setup {
   Columns value_columns;
   std::vector<int> offsets;  ///< first value of each action
   Legality legality;
+  int state_version = 1;
   Columns state_columns;
   std::array<double, kRewardTerms> weights{};
   int frame_skip = 1;
@@ -88,10 +90,13 @@ base::Result<std::shared_ptr<const Setup>> make_setup(const SetupChoices& choice
 /// "left_7"
 std::string agent_name(int slot);
 
-/// The full state of an episode as numbers, for critics that may see everything.
-Columns state_columns(const Cast& cast);
+/// The full state of an episode as numbers, for critics that may see everything: in version 1 where
+/// everything is, from version 2 on also what decides the future besides.
+Columns state_columns(const Cast& cast, int version);
+constexpr int kStateVersions = 2;
 
 /// Writes as many numbers as there are columns, from the left team's view.
-void fill_state(const simulator::World& world, const Cast& cast, double time_left, float* out);
+void fill_state(const simulator::World& world, const Cast& cast, int version, double time_left,
+                float* out);
 
 }  // namespace cls::training

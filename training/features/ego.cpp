@@ -1,10 +1,12 @@
-// Feature set "ego": the pitch as an agent sees it from its own position, for every task.
+// Feature sets "ego": the pitch as an agent sees it from its own position, for every task.
 #include "training/features/feature_set.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "soccer/pitch.h"
 #include "training/features/feature_writer.h"
+#include "training/features/mode_columns.h"
 
 namespace cls::training {
 namespace {
@@ -13,6 +15,10 @@ constexpr double kFar = 60.0;         // distances beyond it count as this far
 constexpr double kBallSpeed = 3.0;    // ball_speed_max
 constexpr double kPlayerSpeed = 1.2;  // above player_speed_max of all types
 constexpr int kPlayerColumns = 10;
+constexpr double kOld = 30.0;  // cycles; older estimates count as this old
+constexpr double kFrozen = 10.0;
+constexpr int kFixedColumns = 31;  // of version 1, without the other players
+constexpr double kMaxDashPower = 100.0;
 
 void append_player(Columns& out, const std::string& who) {
   append(out, who, {"_seen"}, "0/1");
@@ -46,6 +52,33 @@ Columns columns(int teammates, int opponents) {
 
   for (int i = 1; i <= teammates; ++i) append_player(out, "teammate" + std::to_string(i));
   for (int i = 1; i <= opponents; ++i) append_player(out, "opponent" + std::to_string(i));
+  return out;
+}
+
+void append_ages(Columns& out, const std::string& who) {
+  append(out, who, {"_age", "_velocity_age"}, "30 cycles", 0);
+}
+
+void append_body(Columns& out, const std::string& who) {
+  append_ages(out, who);
+  append(out, who, {"_body_age"}, "30 cycles", 0);
+  append(out, who, {"_kickable_area"}, "2 m", 0);
+  append(out, who, {"_speed_max"}, "1.2 m/cycle", 0);
+  append(out, who, {"_decay"}, "1", 0);
+}
+
+// Those of version 1 come first.
+Columns columns_2(int teammates, int opponents) {
+  Columns out = columns(teammates, opponents);
+  append(out, "self", {"_effort", "_recovery", "_capacity"}, "1", 0);
+  append(out, "self", {"_neck_sin", "_neck_cos"});
+  append(out, "self", {"_frozen_cycles"}, "10 cycles", 0);
+  append_body(out, "self");
+  append_mode(out);
+  append(out, "offside_line", {"_x"}, "52.5 m", -1.2F, 1.2F);
+  append_ages(out, "ball");
+  for (int i = 1; i <= teammates; ++i) append_body(out, "teammate" + std::to_string(i));
+  for (int i = 1; i <= opponents; ++i) append_body(out, "opponent" + std::to_string(i));
   return out;
 }
 
@@ -157,6 +190,60 @@ void fill(const PointOfView& view, float* numbers) {
   add_players(out, axes, view.scene, opponents_of(view));
 }
 
+void add_ages(FeatureWriter& out, int age, int velocity_age) {
+  out.value(age / kOld, 0.0);
+  out.value(velocity_age / kOld, 0.0);
+}
+
+/// How old an estimate is, and what a player's type can do. Of unseen players: as old as can be.
+void add_body(FeatureWriter& out, const ScenePlayer& player) {
+  if (!player.seen || player.type == nullptr) {
+    out.same(3, 1.0F);
+    out.same(3, 0.0F);
+    return;
+  }
+  add_ages(out, player.age, player.velocity_age);
+  out.value(player.body_age / kOld, 0.0);
+  out.value(player.kickable_area / 2.0, 0.0);
+  out.value(player.type->real_speed_max(kMaxDashPower) / kPlayerSpeed, 0.0);
+  out.value(player.type->player_decay, 0.0);
+}
+
+/// The second last opponent that is seen, or the ball, or the half-way line.
+double offside_line(const Scene& scene) {
+  double last = 0.0;
+  double second = 0.0;
+  for (Seat seat = soccer::kPlayersPerTeam; seat < kSeats; ++seat) {
+    const ScenePlayer& player = scene.player(seat);
+    if (!player.on_pitch || !player.seen) continue;
+    second = std::max(second, std::min(last, player.position.x));
+    last = std::max(last, player.position.x);
+  }
+  return scene.ball_seen ? std::max(second, scene.ball.x) : second;
+}
+
+void fill_2(const PointOfView& view, float* numbers) {
+  fill(view, numbers);
+  const Scene& scene = view.scene;
+  const int others = view.teammate_count() + view.opponent_count();
+  FeatureWriter out(numbers + kFixedColumns + kPlayerColumns * others);
+
+  const ScenePlayer& me = view.me();
+  out.value(me.effort, 0.0);
+  out.value(me.recovery, 0.0);
+  out.value(me.capacity < 0.0 ? 1.0 : me.capacity / scene.server->stamina_capacity, 0.0);
+  out.angle(me.neck);
+  out.value(me.frozen_cycles / kFrozen, 0.0);
+  add_body(out, me);
+
+  add_mode(out, scene.mode, scene.side);
+  out.value(offside_line(scene) / soccer::kHalfLength, -1.2, 1.2);
+  add_ages(out, scene.ball_age, scene.ball_velocity_age);
+
+  for (const Seat seat : teammates_of(view)) add_body(out, scene.player(seat));
+  for (const Seat seat : opponents_of(view)) add_body(out, scene.player(seat));
+}
+
 }  // namespace
 
 const FeatureSet kEgoFeatures = {
@@ -164,5 +251,12 @@ const FeatureSet kEgoFeatures = {
     .summary = "egocentric: directions relative to the body, own team attacks +x",
     .columns = columns,
     .fill = fill};
+
+const FeatureSet kEgo2Features = {
+    .name = "ego",
+    .version = 2,
+    .summary = "ego, ages of estimates, own condition, abilities, play mode, offside line",
+    .columns = columns_2,
+    .fill = fill_2};
 
 }  // namespace cls::training

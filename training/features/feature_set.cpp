@@ -1,18 +1,22 @@
 // The list of feature sets.
 #include "training/features/feature_set.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace cls::training {
 
 const std::vector<const FeatureSet*>& feature_sets() {
   static const std::vector<const FeatureSet*> sets = {&kEgoFeatures, &kHfoLowFeatures,
-                                                      &kHfoHighFeatures};
+                                                      &kHfoHighFeatures, &kEgo2Features};
   return sets;
 }
 
 const FeatureSet* find_feature_set(std::string_view name) {
-  const auto found = std::ranges::find(feature_sets(), name, &FeatureSet::name);
+  const auto found = std::ranges::find_if(feature_sets(), [name](const FeatureSet* set) {
+    return name == set->name || name == fmt::format("{}/{}", set->name, set->version);
+  });
   return found == feature_sets().end() ? nullptr : *found;
 }
 

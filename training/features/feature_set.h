@@ -23,12 +23,13 @@ struct FeatureSet {
 
 /// A change of a set's columns or values needs a new version.
 extern const FeatureSet kEgoFeatures;
+extern const FeatureSet kEgo2Features;
 extern const FeatureSet kHfoLowFeatures;
 extern const FeatureSet kHfoHighFeatures;
 
 const std::vector<const FeatureSet*>& feature_sets();
 
-/// Null for unknown names.
+/// By name ("ego": the oldest version) or by name and version ("ego/2"); null for unknown ones.
 const FeatureSet* find_feature_set(std::string_view name);
 
 }  // namespace cls::training

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "base/text/counted.h"
@@ -160,7 +161,9 @@ std::vector<SpecTable> tables_of(const ActionSet& set) {
 std::vector<std::string_view> spec_names() {
   std::vector<std::string_view> names;
   for (const Task& task : tasks()) names.push_back(task.id);
-  for (const FeatureSet* set : feature_sets()) names.push_back(set->name);
+  for (const FeatureSet* set : feature_sets()) {
+    if (std::ranges::find(names, set->name) == names.end()) names.push_back(set->name);
+  }
   for (const ActionSet* set : action_sets()) names.push_back(set->name);
   return names;
 }

@@ -97,6 +97,12 @@ Json names_of(const DriverPool& pool) {
   return names;
 }
 
+Json describe_state(const Setup& setup) {
+  return {{"version", setup.state_version},
+          {"size", setup.state_columns.size()},
+          {"items", to_json(setup.state_columns)}};
+}
+
 }  // namespace
 
 Json document_of(const Task& task) {
@@ -154,34 +160,33 @@ Json specification(const Pool& pool) {
     options[std::string(setup.task->options[i].name)] = pool.config().options[i];
   }
 
-  return {
-      {"schema", "cls.training.spec/1"},
-      {"task", setup.task->id},
-      {"version", setup.task->version},
-      {"half", setup.task->half},
-      {"obs", kFidelityNames.name(setup.fidelity)},
-      {"num_envs", pool.size()},
-      {"threads", pool.threads()},
-      {"num_agents", setup.agent_count()},
-      {"agents", agents},
-      {"offense", setup.cast.left.size()},
-      {"defense", setup.cast.right.size()},
-      {"features",
-       {{"set", setup.features->name},
-        {"version", setup.features->version},
-        {"size", setup.feature_count()},
-        {"items", to_json(setup.feature_columns)}}},
-      {"actions", describe(*setup.actions)},
-      {"state", {{"size", setup.state_columns.size()}, {"items", to_json(setup.state_columns)}}},
-      {"reward_version", kRewardVersion},
-      {"reward_terms", reward_list(&setup.weights)},
-      {"teammates", names_of(setup.teammates)},
-      {"opponents", names_of(setup.opponents)},
-      {"max_cycles", setup.max_cycles},
-      {"frame_skip", setup.frame_skip},
-      {"autoreset", kAutoresetNames.name(pool.config().autoreset)},
-      {"options", options},
-      {"statuses", status_list()}};
+  return {{"schema", "cls.training.spec/1"},
+          {"task", setup.task->id},
+          {"version", setup.task->version},
+          {"half", setup.task->half},
+          {"obs", kFidelityNames.name(setup.fidelity)},
+          {"num_envs", pool.size()},
+          {"threads", pool.threads()},
+          {"num_agents", setup.agent_count()},
+          {"agents", agents},
+          {"offense", setup.cast.left.size()},
+          {"defense", setup.cast.right.size()},
+          {"features",
+           {{"set", setup.features->name},
+            {"version", setup.features->version},
+            {"size", setup.feature_count()},
+            {"items", to_json(setup.feature_columns)}}},
+          {"actions", describe(*setup.actions)},
+          {"state", describe_state(setup)},
+          {"reward_version", kRewardVersion},
+          {"reward_terms", reward_list(&setup.weights)},
+          {"teammates", names_of(setup.teammates)},
+          {"opponents", names_of(setup.opponents)},
+          {"max_cycles", setup.max_cycles},
+          {"frame_skip", setup.frame_skip},
+          {"autoreset", kAutoresetNames.name(pool.config().autoreset)},
+          {"options", options},
+          {"statuses", status_list()}};
 }
 
 }  // namespace cls::training

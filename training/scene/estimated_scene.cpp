@@ -1,6 +1,8 @@
 // Converts estimates to the units of scenes.
 #include "training/scene/estimated_scene.h"
 
+#include <algorithm>
+
 #include "soccer/math.h"
 
 namespace cls::training {
@@ -25,6 +27,13 @@ void fill_self(const player::WorldModel& world, ScenePlayer& out) {
   out.facing = soccer::polar_radians(1.0, out.body);
   out.stamina = self.stamina;
   out.effort = self.effort;
+  out.recovery = self.recovery;
+  out.capacity = self.capacity;
+  out.neck = radians(self.neck);
+  out.frozen_cycles = std::max(self.tackle_expires_in, self.foul_charged);
+  out.age = self.pos_count;
+  out.velocity_age = self.vel_count;
+  out.body_age = self.body_count;
   out.type = &world.self_type();
 }
 
@@ -39,6 +48,9 @@ void fill_player(const player::WorldModel& world, const player::PlayerState& pla
   out.position = player.position;
   out.velocity = player.velocity;
   out.body = radians(player.body);
+  out.age = player.pos_count;
+  out.velocity_age = player.vel_count;
+  out.body_age = player.body_count;
   if (out.body_known) out.facing = soccer::polar_radians(1.0, out.body);
 
   // Stamina of others is unknown: scenes show that of a rested player.
@@ -72,12 +84,15 @@ void add_players(const player::WorldModel& world, const player::PlayerList& play
 void fill_scene(const player::WorldModel& world, const Cast& cast, Scene& out) {
   out.server = &world.server();
   out.side = world.our_side;
+  out.mode = world.game.mode;
   out.play_on = world.game.mode == soccer::PlayMode::kPlayOn;
 
   out.ball_seen = world.ball.position_valid();
   out.ball_velocity_known = world.ball.velocity_valid();
   out.ball = world.ball.position;
   out.ball_velocity = world.ball.velocity;
+  out.ball_age = world.ball.pos_count;
+  out.ball_velocity_age = world.ball.vel_count;
 
   for (ScenePlayer& player : out.players) player = {};
   for (const Side side : {Side::kLeft, Side::kRight}) {

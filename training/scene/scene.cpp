@@ -1,6 +1,7 @@
 // Copies the exact world into a scene.
 #include "training/scene/scene.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "soccer/directions.h"
@@ -34,6 +35,10 @@ void fill_player(const simulator::World& world, const simulator::Player& player,
 
   out.stamina = player.stamina.value;
   out.effort = player.stamina.effort;
+  out.recovery = player.stamina.recovery;
+  out.capacity = player.stamina.capacity;
+  out.neck = player.neck;
+  out.frozen_cycles = std::max(player.tackle_cycles, player.foul_cycles);
   out.type = &world.type_of(player);
   out.kickable_area = out.type->kickable_area(world.params().ball_size);
 }
@@ -44,6 +49,7 @@ void fill_scene(const simulator::World& world, Side side, const Cast& cast, Scen
   const int sign = soccer::sign(side);
   out.server = &world.params();
   out.side = side;
+  out.mode = world.mode;
   out.play_on = world.mode == soccer::PlayMode::kPlayOn;
 
   out.ball_seen = out.ball_velocity_known = true;

@@ -7,6 +7,7 @@
 #include "soccer/geometry.h"
 #include "soccer/parameters/player_type.h"
 #include "soccer/parameters/server_params.h"
+#include "soccer/play_mode.h"
 
 namespace cls::training {
 
@@ -34,6 +35,13 @@ struct ScenePlayer {
   double ball_distance = 0.0;  ///< meters; meaningless if the ball is not seen
   double stamina = 0.0;
   double effort = 1.0;
+  double recovery = 1.0;
+  double capacity = -1.0;  ///< of the reserve of stamina; negative: unlimited
+  double neck = 0.0;       ///< of the agent alone, relative to the body
+  int frozen_cycles = 0;   ///< of the agent alone
+  int age = 0;             ///< cycles since the position was seen or heard
+  int velocity_age = 0;
+  int body_age = 0;
   double kickable_area = 0.0;
   const soccer::PlayerType* type = nullptr;
 };
@@ -48,11 +56,14 @@ constexpr Seat kSeats = soccer::kPlayersOnPitch;
 struct Scene {
   const soccer::ServerParams* server = nullptr;
   Side side = Side::kLeft;
+  soccer::PlayMode mode = soccer::PlayMode::kPlayOn;
   bool play_on = true;  ///< the ball is in play
   bool ball_seen = false;
   bool ball_velocity_known = false;
   Vec2 ball;
   Vec2 ball_velocity;
+  int ball_age = 0;  ///< cycles since the position was seen or heard
+  int ball_velocity_age = 0;
   std::array<ScenePlayer, kSeats> players;
 
   const ScenePlayer& player(Seat seat) const { return players[static_cast<std::size_t>(seat)]; }
