@@ -58,6 +58,9 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   cls::base::protect_standard_streams();
   report_aborts();
+  if (const std::string limit = too_low_limit(); !limit.empty()) {
+    return print_error(kUnavailable, limit);
+  }
   cls::proto::silence_grpc_log();
   return finish_output(run(argc, argv));
 }

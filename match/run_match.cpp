@@ -273,7 +273,17 @@ Result<MatchResult> play_over_udp(const MatchSetup& setup, MatchHooks* hooks,
   return result;
 }
 
-Result<MatchResult> play(const MatchSetup& setup, MatchHooks* hooks, MatchObserver& observer) {
+// Why nothing of the match could connect to anything; empty: it needs no network, or has one.
+std::string network_problem(const MatchOptions& options) {
+  const bool over_udp = mode_of(options) != MatchMode::kLockstep || has_external_team(options);
+  const bool in_process = !over_udp && options.left.is_built_in() && options.right.is_built_in();
+  return in_process ? std::string() : process::loopback_problem(over_udp);
+}
+
+Result<MatchResult> play_match(const MatchSetup& setup, MatchHooks* hooks,
+                               MatchObserver& observer) {
+  const std::string problem = network_problem(setup.options);
+  if (!problem.empty()) return refused(setup, problem, false);
   if (std::string why = refused_without_namespaces(setup.options); !why.empty()) {
     return refused(setup, std::move(why), false);
   }
@@ -335,7 +345,7 @@ Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observ
   for (const std::string& warning : warnings) observer.on_warning(warning);
   observer.on_folder(setup.folder, running_game_log(options));
 
-  auto result = play(setup, hooks, observer);
+  auto result = play_match(setup, hooks, observer);
   if (!result) return result;
 
   result->folder = folder.string();

@@ -24,6 +24,7 @@
 #include "process/namespace_maker.h"
 #include "process/packet.h"
 #include "process/process_tree.h"
+#include "process/scratch_folder.h"
 #include "process/socket_owner.h"
 
 namespace cls::process {
@@ -90,8 +91,7 @@ class GuardLoop {
     }
 
     sweep();
-    std::error_code ignored;
-    for (const std::string& folder : folders_) std::filesystem::remove_all(folder, ignored);
+    for (const std::string& folder : folders_) remove_tree(folder);
     ::_exit(0);
   }
 

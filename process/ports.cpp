@@ -1,7 +1,10 @@
 // Probes ports by binding, reserves them with abstract sockets, finds owners in /proc/net.
 #include "process/ports.h"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
+#include <ifaddrs.h>
+#include <net/if.h>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <sys/random.h>
@@ -13,6 +16,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -99,6 +103,29 @@ const std::string& loopback_host() {
     return known ? "localhost" : "127.0.0.1";
   }();
   return host;
+}
+
+std::string loopback_problem(bool ipv4) {
+  ifaddrs* interfaces = nullptr;
+  if (::getifaddrs(&interfaces) != 0) return {};
+  const std::unique_ptr<ifaddrs, void (*)(ifaddrs*)> owner(interfaces, ::freeifaddrs);
+
+  bool up = false;
+  bool has_address = false;
+  for (const ifaddrs* one = interfaces; one != nullptr; one = one->ifa_next) {
+    if ((one->ifa_flags & IFF_LOOPBACK) == 0 || (one->ifa_flags & IFF_UP) == 0) continue;
+    up = true;
+    if (one->ifa_addr == nullptr || one->ifa_addr->sa_family != AF_INET) continue;
+    const auto& address = reinterpret_cast<const sockaddr_in&>(*one->ifa_addr);
+    has_address |= ntohl(address.sin_addr.s_addr) == INADDR_LOOPBACK;
+  }
+
+  if (!up) return "the loopback interface is down; bring it up: ip link set lo up";
+  if (ipv4 && !has_address) {
+    return "the loopback interface has no address 127.0.0.1; add it: ip addr add 127.0.0.1/8 dev "
+           "lo";
+  }
+  return {};
 }
 
 bool port_is_free(Protocol protocol, int port) {

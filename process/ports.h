@@ -20,6 +20,10 @@ struct PortOwner {
 /// both families, or 127.0.0.1 where the system does not know that name (no /etc/hosts).
 const std::string& loopback_host();
 
+/// Why programs of a match cannot talk to each other on this host: "the loopback interface is down;
+/// ..."; empty: they can. `ipv4`: they need 127.0.0.1.
+std::string loopback_problem(bool ipv4);
+
 /// True when no process on this host has bound `port` on any address.
 bool port_is_free(Protocol protocol, int port);
 

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <thread>
 
+#include "base/system/control_group.h"
 #include "process/guard.h"
 #include "process/namespaces.h"
 #include "process/process_host_core.h"
@@ -159,6 +160,7 @@ bool Child::wait_gone(milliseconds limit) const {
 ProcessHost::ProcessHost(std::shared_ptr<ProcessHostCore> core) : core_(std::move(core)) {}
 
 Result<ProcessHost> ProcessHost::create(std::size_t log_limit) {
+  base::note_memory_kills();
   if (Guard::active() == nullptr) {
     const std::string& why = Guard::start_error();
     return Error{why.empty()

@@ -28,6 +28,22 @@ fs::path temporary_folder() {
 
 }  // namespace
 
+void remove_tree(const fs::path& folder) {
+  std::error_code code;
+  fs::remove_all(folder, code);
+  if (!code) return;
+
+  // Each folder is made writable before the walk enters it.
+  fs::permissions(folder, fs::perms::owner_all, fs::perm_options::add, code);
+  for (fs::recursive_directory_iterator at(folder, code), end; !code && at != end;
+       at.increment(code)) {
+    std::error_code ignored;
+    if (!at->is_directory(ignored) || at->is_symlink(ignored)) continue;
+    fs::permissions(at->path(), fs::perms::owner_all, fs::perm_options::add, ignored);
+  }
+  fs::remove_all(folder, code);
+}
+
 base::Result<ScratchFolder> ScratchFolder::create() {
   const fs::path parent = temporary_folder();
   std::string pattern = (parent / "cls-XXXXXX").string();
@@ -44,8 +60,7 @@ base::Result<ScratchFolder> ScratchFolder::create() {
 
 ScratchFolder::~ScratchFolder() {
   if (path_.empty()) return;
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
+  remove_tree(path_);
   if (const Guard* guard = Guard::active()) guard->forget(path_);
 }
 

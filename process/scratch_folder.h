@@ -8,6 +8,9 @@
 
 namespace cls::process {
 
+/// Deletes a folder with all in it, also with folders that a program has made read-only.
+void remove_tree(const std::filesystem::path& folder);
+
 /// A new folder that other users cannot enter, in that of TMPDIR or /tmp; deleted with its content
 /// at the end of the scope, or by the guard if cls is killed.
 class ScratchFolder {

@@ -77,6 +77,7 @@ DoctorReport examine(const DoctorOptions& options,
   add_check(processors());
   add_check(memory());
   add_check(sandbox());
+  add_check(loopback());
   std::error_code gone;
   add_check(working_folder(std::filesystem::current_path(gone)));
   for (const StockPort& port : kStockPorts) add_check(udp_port(port.number, port.role));

@@ -13,8 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/system/control_group.h"
 #include "base/system/host.h"
 #include "base/system/own_program.h"
+#include "base/system/parallel.h"
 #include "base/system/version.h"
 #include "process/confinement.h"
 #include "process/landlock.h"
@@ -56,11 +58,29 @@ DoctorCheck program_file() {
 }
 
 DoctorCheck processors() {
-  return {.name = "processors",
-          .found = fmt::format("{} usable of {}; {} physical cores; load {:.1f}",
-                               base::allowed_processors().size(), ::sysconf(_SC_NPROCESSORS_ONLN),
-                               base::usable_cores(), base::load_average()),
-          .purpose = "parallel matches; --pin requires two"};
+  const auto quota = base::processor_quota();
+  DoctorCheck check = {
+      .name = "processors",
+      .found = fmt::format("{} usable of {}; {}{} physical cores; load {:.1f}",
+                           base::default_jobs(), ::sysconf(_SC_NPROCESSORS_ONLN),
+                           quota ? fmt::format("quota of the control group {}; ", *quota) : "",
+                           base::allowed_cores().size(), base::load_average()),
+      .purpose = "parallel matches; --pin requires two"};
+  if (const std::string busy = base::busy_host(); !busy.empty()) {
+    check.hint = busy + ": measurements of times mean nothing now";
+  }
+  return check;
+}
+
+DoctorCheck loopback() {
+  const std::string problem = process::loopback_problem(true);
+  const std::size_t remedy = problem.find("; ");
+  return {.name = "loopback",
+          .status = problem.empty() ? DoctorStatus::kOk : DoctorStatus::kWrong,
+          .found = problem.empty() ? "127.0.0.1" : problem.substr(0, remedy),
+          .purpose = "programs of a match, which connect to 127.0.0.1",
+          .hint = problem.empty() ? "" : problem.substr(remedy + 2),
+          .needed = true};
 }
 
 DoctorCheck memory(const fs::path& meminfo) {

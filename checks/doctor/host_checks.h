@@ -11,6 +11,7 @@ namespace cls::checks {
 DoctorCheck program_file();
 /// Usable processor cores.
 DoctorCheck processors();
+DoctorCheck loopback();
 /// Memory, from a file in the format of /proc/meminfo.
 DoctorCheck memory(const std::filesystem::path& meminfo = "/proc/meminfo");
 /// What separates the programs of external teams from this host, and from each other.

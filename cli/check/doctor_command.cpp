@@ -68,8 +68,9 @@ void print_row(const DoctorCheck& check, bool color) {
   fmt::print("{}  {:<13}  {}\n", shown, check.name, folded(check.found));
   if (check.status != DoctorStatus::kOk) {
     fmt::print("{:{}}{}\n", "", kFoundColumn, folded("needed for: " + check.purpose));
-    if (!check.hint.empty())
-      fmt::print("{:{}}{}\n", "", kFoundColumn, folded("hint: " + check.hint));
+  }
+  if (!check.hint.empty()) {
+    fmt::print("{:{}}{}\n", "", kFoundColumn, folded("hint: " + check.hint));
   }
 
   std::fflush(stdout);

@@ -44,7 +44,7 @@ base::Result<FormationPicture> find_formation(const std::string& name, soccer::V
     label = *built_in;
     text = player::built_in_formation(label);
   } else {
-    const auto read = base::read_file(name);
+    const auto read = base::read_text(name);
     if (!read) {
       return base::Error{
           fmt::format("no formation '{}': a file, or one of {}", name, fmt::join(names, ", "))};

@@ -162,8 +162,9 @@ std::string why_wrong(const ConvertArguments& arguments) {
   }
   if (!version && !table_of(arguments) && !arguments.has_folder() && !names_format(arguments.out)) {
     return fmt::format(
-        "OUT '{}': its ending names no format; use {}, .tracking.csv and its "
-        "siblings, or --to",
+        "OUT '{}': its ending names no format; use {}, .tracking.csv, .player_types.csv, "
+        ".event.csv "
+        "or --to",
         arguments.out, fmt::join(kEndings, ", "));
   }
   const bool arrow = arguments.format == "arrow";
@@ -247,8 +248,7 @@ void add_convert_command(Command& app) {
   command.flag("--force", arguments.force, "replace existing files");
   command
       .option("--jobs", arguments.jobs,
-              "with --tables and --cdf: logs read in parallel (default: one per\n"
-              "core)")
+              "with --tables and --cdf: logs read in parallel (default: one per core)")
       .above(0);
 
   command.flag("--json", arguments.json, "print frames and errors as one JSON document")

@@ -43,6 +43,22 @@ void add_linger_option(Command& command, std::optional<double>& linger_s) {
       .from(0);
 }
 
+void add_host_name_option(Command& command, std::vector<std::string>& names) {
+  command
+      .option("--host-name", names,
+              "names, A,B,..., under which browsers reach the page of a running match, such as\n"
+              "those of tunnels, besides addresses and the name of this host")
+      .placeholder("NAME")
+      .split_at(',')
+      .of_group(kOutputGroup);
+}
+
+viewer::HttpAccess access_for(const LiveViewOptions& options) {
+  viewer::HttpAccess access;
+  access.names = options.host_names;
+  return access;
+}
+
 std::string tunnel_hint(const std::string& url) {
   const char* connection = std::getenv("SSH_CONNECTION");
   if (connection == nullptr || *connection == '\0') return "";
@@ -59,12 +75,13 @@ base::Result<std::unique_ptr<LiveView>> LiveView::start(FollowedMatch match,
   view->match_ =
       std::make_unique<viewer::LiveMatch>(std::move(match.input), std::move(match.text_log));
   TRY_INIT(auto server,
-           viewer::HttpServer::start(options.address,
-                                     viewer::live_site(match.title, options.settings,
-                                                       view->match_->feed(), match.folder)));
+           viewer::HttpServer::start(
+               options.address,
+               viewer::live_site(match.title, options.settings, view->match_->feed(), match.folder),
+               access_for(options)));
 
   view->server_ = std::move(server);
-  if (options.open_browser) open_in_browser(view->server_->single_use_url());
+  if (options.open_browser) view->link_ = open_privately(view->server_->single_use_url());
   return view;
 }
 

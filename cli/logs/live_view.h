@@ -7,9 +7,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "cli/command/command.h"
+#include "process/scratch_folder.h"
 #include "viewer/live/http_server.h"
 #include "viewer/live/live_match.h"
 #include "viewer/page/page.h"
@@ -27,6 +29,7 @@ struct FollowedMatch {
 struct LiveViewOptions {
   viewer::HttpAddress address;
   viewer::PageSettings settings;
+  std::vector<std::string> host_names;  ///< under which browsers reach the page, of tunnels
   bool open_browser = false;
   /// Seconds that the page stays after the match; none: until a signal if a terminal is attached,
   /// so that no script waits for Ctrl-C.
@@ -52,6 +55,7 @@ class LiveView {
   std::optional<double> linger_s_;
   std::unique_ptr<viewer::LiveMatch> match_;
   std::unique_ptr<viewer::HttpServer> server_;
+  std::unique_ptr<process::ScratchFolder> link_;  ///< that the browser has opened; null: none
 };
 
 /// When a page that is over ends; never if a terminal is attached and `linger_s` does not say.
@@ -59,6 +63,12 @@ std::chrono::steady_clock::time_point end_of_linger(const std::optional<double>&
 
 /// `--linger SECONDS`
 void add_linger_option(Command& command, std::optional<double>& linger_s);
+
+/// `--host-name NAME,...`
+void add_host_name_option(Command& command, std::vector<std::string>& names);
+
+/// The access of a page that only those read who know its address.
+viewer::HttpAccess access_for(const LiveViewOptions& options);
 
 /// The line for a user on another host, "ssh -L ..."; empty without an ssh connection.
 std::string tunnel_hint(const std::string& url);

@@ -207,7 +207,7 @@ struct Job {
 };
 
 fs::path without_endings(fs::path name) {
-  for (const char* ending : {".gz", ".rcg", ".json", ".html", ".view"}) {
+  for (const char* ending : {".gz", ".xz", ".zst", ".rcg", ".json", ".html", ".view"}) {
     if (name.extension() == ending) name.replace_extension();
   }
   return name;
@@ -220,7 +220,8 @@ base::Result<gamelog::FoundLogs> logs_of(const std::string& in) {
   gamelog::FoundLogs found;
   for (const tournament::DatasetMatch& match : matches) {
     if (match.files.empty()) continue;
-    found.matches.push_back({(fs::path(in) / match.files.front().path).string(), ""});
+    TRY_INIT(const auto log, tournament::find_dataset_file(in, match.files.front()));
+    found.matches.push_back({log.string(), ""});
   }
   return found;
 }
@@ -271,6 +272,9 @@ base::Result<std::vector<viewer::TeamDecisions>> read_world_models(const Job& jo
     const bool of_match = log.filename() == kMatchStem && !fs::exists(path, code);
     if (of_match) path = log.parent_path() / file;
     if (!fs::exists(path, code)) continue;
+    if (const auto why = base::why_no_file(path)) {
+      return base::Error{fmt::format("{}: {}", path.string(), *why)};
+    }
 
     const auto packed = base::read_file(path);
     if (!packed) return base::Error{fmt::format("{}: not readable", path.string())};

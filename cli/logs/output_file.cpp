@@ -62,4 +62,22 @@ std::optional<OutputFailure> why_not_replaced(const fs::path& out, bool force) {
                        fmt::format("{}: exists; use --force to replace it", out.string())};
 }
 
+std::string_view format_of_ending(const fs::path& out) {
+  constexpr std::pair<std::string_view, std::string_view> kFormatsByEnding[] = {
+      {".html", "html"}, {".htm", "html"},  {".md", "md"},   {".txt", "text"},
+      {".csv", "csv"},   {".json", "json"}, {".svg", "svg"}, {".xml", "junit"}};
+  const std::string ending = out.extension().string();
+  for (const auto& [known, format] : kFormatsByEnding) {
+    if (ending == known) return format;
+  }
+  return {};
+}
+
+std::string wrong_ending(const fs::path& out, std::string_view format) {
+  const std::string_view named = format_of_ending(out);
+  if (named.empty() || named == format) return {};
+  return fmt::format("--out '{}': its ending says {}, the format is {}; name another file",
+                     out.string(), named, format);
+}
+
 }  // namespace cls::cli

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/io/byte_sink.h"
 
@@ -29,5 +30,12 @@ int report_failure(const std::optional<OutputFailure>& failure);
 
 /// The failure of an existing file that may not be replaced.
 std::optional<OutputFailure> why_not_replaced(const std::filesystem::path& out, bool force);
+
+/// The format that a file has by its ending: "html" (.html, .htm), "md" (.md), "text" (.txt),
+/// "csv", "json", "svg", "junit" (.xml); empty: none of these.
+std::string_view format_of_ending(const std::filesystem::path& out);
+
+/// Why `format` does not fit the ending of `out`; empty: it does.
+std::string wrong_ending(const std::filesystem::path& out, std::string_view format);
 
 }  // namespace cls::cli

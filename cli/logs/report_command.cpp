@@ -9,6 +9,7 @@
 #include "base/text/json.h"
 #include "base/text/percent_encoding.h"
 #include "cli/logs/analyzed_match.h"
+#include "cli/logs/output_file.h"
 #include "cli/support/commands.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/json_stdout.h"
@@ -44,7 +45,7 @@ constexpr const char* kReportDescription =
 
 struct ReportArguments {
   std::string what;
-  std::string format = "html";
+  std::string format;  ///< empty: by the ending of `out`, else html
   std::string out;
   bool without_replay = false;
   bool json = false;
@@ -152,10 +153,24 @@ void print_document(const std::vector<File>& files, const AnalyzedMatch& match) 
   print_json(document);
 }
 
-int run_report_command(const ReportArguments& arguments) {
+// Chooses the format. Returns an exit code.
+int choose_format(ReportArguments& arguments) {
+  const std::string_view ending = format_of_ending(arguments.out);
+  if (arguments.format.empty()) arguments.format = ending.empty() ? "html" : ending;
   if (arguments.format != "html" && arguments.format != "md" && arguments.format != "svg") {
     return print_error(kUsage, "--format '{}': must be html, md or svg", arguments.format);
   }
+  if (arguments.format == "svg" && ending == "svg") {
+    return print_error(kUsage, "--out '{}': the charts are a folder; name it without .svg",
+                       arguments.out);
+  }
+  const std::string wrong = wrong_ending(arguments.out, arguments.format);
+  return wrong.empty() ? kOk : print_error(kUsage, wrong);
+}
+
+int run_report_command(const ReportArguments& given) {
+  ReportArguments arguments = given;
+  TRY_STEP(choose_format(arguments));
 
   AnalyzedMatch match;
   TRY_STEP(read_match(arguments.what, match));
@@ -184,8 +199,9 @@ void add_report_command(Command& app) {
   command.group = kResultCommands;
   command.option("WHAT", arguments.what, "game log, page or match folder").required();
   command
-      .setting("--format FORMAT", arguments.format,
-               "html, md (Markdown and a folder of charts) or svg (the folder alone)")
+      .option("--format FORMAT", arguments.format,
+              "html, md (Markdown and a folder of charts) or svg (the folder alone)\n"
+              "(default: by the ending of --out, else html)")
       .of_group(kOutputGroup);
 
   command

@@ -40,12 +40,9 @@ std::optional<FollowedMatch> in_folder(const std::string& what) {
 }
 
 base::Result<std::optional<FollowedMatch>> on_server(const std::string& what) {
+  if (!names_server(what)) return std::optional<FollowedMatch>();
   const std::size_t colon = what.rfind(':');
-  if (colon == std::string::npos || colon == 0) return std::optional<FollowedMatch>();
-
   const auto port = base::parse_int(std::string_view(what).substr(colon + 1));
-  if (!port || what.find('/') != std::string::npos) return std::optional<FollowedMatch>();
-
   if (*port < 1 || *port > 65535) {
     return base::Error{fmt::format("{}: a port is a number from 1 to 65535", what)};
   }
@@ -56,11 +53,18 @@ base::Result<std::optional<FollowedMatch>> on_server(const std::string& what) {
 
 }  // namespace
 
+bool names_server(const std::string& what) {
+  std::error_code code;
+  const std::size_t colon = what.rfind(':');
+  if (colon == std::string::npos || colon == 0 || what.find('/') != std::string::npos) return false;
+  return base::parse_int(std::string_view(what).substr(colon + 1)) && !fs::exists(what, code);
+}
+
 base::Result<std::optional<FollowedMatch>> find_running_match(const std::string& what,
                                                               bool is_live_log) {
   std::error_code code;
   if (fs::is_directory(what, code)) return in_folder(what);
-  if (!fs::exists(what, code) && what != "-") {
+  if (what != "-") {
     auto found = on_server(what);
     if (!found || *found) return found;
   }

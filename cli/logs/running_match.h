@@ -16,4 +16,7 @@ namespace cls::cli {
 base::Result<std::optional<FollowedMatch>> find_running_match(const std::string& what,
                                                               bool is_live_log);
 
+/// True for HOST:PORT, unless there is a file of that name.
+bool names_server(const std::string& what);
+
 }  // namespace cls::cli

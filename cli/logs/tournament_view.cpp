@@ -44,13 +44,16 @@ int serve_tournament(const fs::path& folder, const LiveViewOptions& options,
                                                      {.reader = tournament::Reader::kOrganizer});
   if (!site) return print_error(kBadData, site.error().message);
   const auto server = viewer::HttpServer::start(
-      options.address, [&site](std::string_view path, std::string_view query) {
+      options.address,
+      [&site](std::string_view path, std::string_view query) {
         return (*site)->reply(path, query);
-      });
+      },
+      access_for(options));
   if (!server) return print_error(kTryAgain, server.error().message);
 
   on_start((*server)->url());
-  if (options.open_browser) open_in_browser((*server)->single_use_url());
+  std::unique_ptr<process::ScratchFolder> link;
+  if (options.open_browser) link = open_privately((*server)->single_use_url());
 
   while (signal.load() == 0 && !is_over(folder))
     std::this_thread::sleep_for(10 * kTournamentPollInterval);

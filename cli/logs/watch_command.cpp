@@ -15,6 +15,7 @@
 #include "cli/logs/compare_matches.h"
 #include "cli/logs/find_log.h"
 #include "cli/logs/live_view.h"
+#include "cli/logs/output_file.h"
 #include "cli/logs/running_match.h"
 #include "cli/logs/terminal_view.h"
 #include "cli/logs/tournament_view.h"
@@ -273,13 +274,17 @@ int run_watch_command(const WatchArguments& arguments) {
   }
 
   if (arguments.out.empty()) {
-    TRY_INIT_OR(kNoInput, auto running, find_running_match(arguments.what, arguments.live));
+    TRY_INIT_OR(names_server(arguments.what) ? kUnavailable : kNoInput, auto running,
+                find_running_match(arguments.what, arguments.live));
     if (running) return show_running(arguments, *std::move(running));
   }
 
   TRY_INIT_OR(kNoInput, const auto found, find_log(arguments.what));
   if (arguments.in_terminal()) return show_log_in_terminal(arguments, found);
 
+  if (const std::string wrong = wrong_ending(arguments.out, "html"); !wrong.empty()) {
+    return print_error(kUsage, wrong);
+  }
   const fs::path page =
       arguments.out.empty() ? found.folder / (found.name + ".html") : fs::path(arguments.out);
   if (const auto why = why_no_page(page)) return print_error(kCannotCreate, *why);
@@ -334,6 +339,7 @@ void add_watch_command(Command& app) {
                  "all hosts that know the page's address may watch)");
   command.option("--port", arguments.view.address.port, "its port (default: a free one)")
       .range(0, 65535);
+  add_host_name_option(command, arguments.view.host_names);
   add_linger_option(command, arguments.view.linger_s);
 
   command.flag("--json", arguments.json, "print page, size and frames as one JSON document")

@@ -55,6 +55,7 @@ void add_match_options(Command& command, MatchArguments& arguments) {
 
   command.flag("--open", arguments.open, "--watch, and open the page in the browser")
       .of_group(kOutputGroup);
+  add_host_name_option(command, arguments.host_names);
   add_linger_option(command, arguments.linger_s);
   command
       .option("--on-event COMMAND", arguments.on_event,

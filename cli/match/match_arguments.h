@@ -31,6 +31,7 @@ struct MatchArguments {
   bool watch = false;
   bool open = false;
   std::optional<double> linger_s;
+  std::vector<std::string> host_names;
   std::string on_event;
   double hook_limit_s = process::kHookLimit.count();
 

@@ -70,6 +70,7 @@ class WatchedMatch : public ProgressLine {
     LiveViewOptions options;
     options.open_browser = arguments_.open;
     options.linger_s = arguments_.linger_s;
+    options.host_names = arguments_.host_names;
     auto view =
         LiveView::start({viewer::follow_log(folder / game_log, [this] { return over_.load(); }),
                          folder / match::kTextLogFile, folder.filename().string(), folder},

@@ -1,4 +1,5 @@
 // `cls server`: serves one match over UDP, until time over or a signal.
+#include "base/system/socket_address.h"
 #include "base/text/json.h"
 #include "cli/support/commands.h"
 
@@ -190,6 +191,11 @@ int exit_code_of(UdpServerExit end, int signal) {
   return signal_exit_code(signal);
 }
 
+// "[::1]" and "localhost" as addresses; what else is none is an error of the server.
+std::string numeric_address(const std::string& host) {
+  return host == "localhost" ? "127.0.0.1" : base::strip_brackets(host);
+}
+
 simulator::UdpConfig config_of(const ServerArguments& arguments, const ServerSettings& settings) {
   simulator::UdpConfig config;
   config.match.server = settings.server;
@@ -205,7 +211,7 @@ simulator::UdpConfig config_of(const ServerArguments& arguments, const ServerSet
     params.olcoach_port = *arguments.port == 0 ? 0 : *arguments.port + 2;
   }
 
-  config.address = arguments.host;
+  config.address = numeric_address(arguments.host);
   config.port = params.port;
   config.trainer_port = params.coach_port;
   config.coach_port = params.olcoach_port;

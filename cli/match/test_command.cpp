@@ -9,11 +9,11 @@
 #include <chrono>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "base/index.h"
 #include "base/io/whole_file.h"
+#include "base/system/parallel.h"
 #include "base/text/number_text.h"
 #include "base/text/split.h"
 #include "base/text/suggestion.h"
@@ -139,8 +139,7 @@ int resolve(const TestArguments& arguments, SuiteOptions& options) {
   if (const auto sandbox = match::parse_sandbox(arguments.sandbox)) options.sandbox = *sandbox;
   options.start_timeout_s = start_timeout(arguments);
   options.jobs = arguments.jobs;
-  if (options.jobs == 0) options.jobs = static_cast<int>(std::thread::hardware_concurrency());
-  options.jobs = std::max(options.jobs, 1);
+  if (options.jobs == 0) options.jobs = static_cast<int>(base::default_jobs());
 
   if (arguments.against.empty()) return kOk;
   TRY_STEP(read_side("--against: ", arguments.against, arguments.tls, options.against.emplace()));

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "base/io/whole_file.h"
+#include "base/system/host.h"
 #include "base/text/byte_size.h"
 #include "base/text/json.h"
 #include "base/text/json_text.h"
@@ -216,6 +217,7 @@ Result<PackageCheck> check_package(const PackageCheckOptions& options,
                                    (options.package / "start").string(), *why)};
   }
   TRY(check_root(options.root));
+  check.busy = base::busy_host();
   check.own_files = fs::equivalent(options.root, "/");
   check.c_library = c_library_of(options.root);
   auto words = namespace_command();
@@ -287,6 +289,7 @@ std::string to_text(const PackageCheckOptions& options, const PackageCheck& chec
   if (check.own_files) text += "an older C library needs --root DIR with its files\n";
   text += table.format_text();
   if (!check.problem.empty()) text += check.problem + "\n";
+  if (!check.busy.empty()) text += check.busy + ": missed cycles are those of the host\n";
   text += check.passed() ? "passed\n" : "failed\n";
 
   return text;
@@ -319,6 +322,7 @@ std::string to_json(const PackageCheckOptions& options, const PackageCheck& chec
                          {"skipped", text_or_null(check.skipped)},
                          {"problem", text_or_null(check.problem)},
                          {"limits", text_or_null(check.limits)},
+                         {"busy", text_or_null(check.busy)},
                          {"agents", agents}};
   return base::json_document(document);
 }

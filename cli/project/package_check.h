@@ -40,6 +40,7 @@ struct PackageCheck {
   bool own_files = true;  ///< root is this host's
   std::string limits;     ///< how they were set
   std::string problem;    ///< of the match as a whole; empty: none
+  std::string busy;       ///< "this host is busy: load 54.9 on 2 processors"; empty: it was not
   std::vector<CheckedAgent> agents;
 
   bool passed() const;

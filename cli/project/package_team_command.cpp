@@ -44,7 +44,8 @@ constexpr const char* kPackageTeamDescription =
     "with their loader and libraries: any Linux with glibc 2.31 or later starts it.\n"
     "For a project in Python it has the interpreter and the packages that the project\n"
     "imports or its virtual environment has, for package.json node, and what --with\n"
-    "names. Matches, logs and pages are left out.";
+    "names. Matches, logs, pages, private files (.env, keys, ...) and files that\n"
+    ".gitignore names are left out and listed.";
 
 constexpr std::string_view kRunForm = "run:";
 
@@ -53,6 +54,7 @@ struct PackageTeamArguments {
   std::string dir;
   std::string config;
   std::vector<std::string> with;
+  std::vector<std::string> include;
   bool force = false;
   bool check = false;
   std::string root = "/";
@@ -112,6 +114,7 @@ void print_package_json(const std::string& dir, const TeamPackage& package,
               {"environment", package.environment.string()},
               {"interpreters", interpreters},
               {"missing", written.missing},
+              {"links_outside", written.links_outside},
               {"left_out", written.left_out}});
 }
 
@@ -138,6 +141,10 @@ int write(const PackageTeamArguments& arguments, const TeamPackage& package) {
 
   for (const std::string& one : written->missing) {
     print_error(0, "warning: {} is not on this host, and so not in the package", one);
+  }
+  for (const std::string& one : written->links_outside) {
+    print_error(0, "warning: {}: a link that leads out of the project; other hosts lack its target",
+                one);
   }
 
   if (arguments.json) {
@@ -204,9 +211,10 @@ int run_package_team(const PackageTeamArguments& arguments) {
     return print_error(kUsage, "{}: the cls of a package cannot make another one",
                        program.string());
   }
-  return write(arguments,
-               {arguments.name, endpoint.substr(kRunForm.size()), parsed.config.execution.folder,
-                program, environment_of(parsed.config.execution.folder), arguments.with});
+  return write(
+      arguments,
+      {arguments.name, endpoint.substr(kRunForm.size()), parsed.config.execution.folder, program,
+       environment_of(parsed.config.execution.folder), arguments.with, arguments.include});
 }
 
 }  // namespace
@@ -225,6 +233,13 @@ void add_package_team_command(Command& app) {
       .option("--with", arguments.with,
               "also bring PROGRAM of PATH and its libraries (may be repeated)")
       .placeholder("PROGRAM")
+      .repeatable();
+
+  command
+      .option("--include", arguments.include,
+              "pack PATH of the project although it looks private or .gitignore\n"
+              "names it (may be repeated)")
+      .placeholder("PATH")
       .repeatable();
 
   command.flag("--check", arguments.check,

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
 #include <memory>
 
 #include "base/io/gzip_sink.h"
@@ -15,13 +13,11 @@
 #include "base/text/replace_all.h"
 #include "cli/project/bundle.h"
 #include "cli/project/elf_file.h"
+#include "cli/project/project_copy.h"
 #include "cli/project/project_files.h"
 #include "cli/support/run_program.h"
-#include "match/result/match_folder.h"
 #include "match/terms/run_command.h"
 #include "process/command_plan.h"
-#include "tournament/store/folder.h"
-#include "viewer/page/page.h"
 
 namespace cls::cli {
 namespace {
@@ -76,108 +72,6 @@ Result<void> measure(const fs::path& folder, WrittenPackage& written) {
   packed.write(program);
   return packed.close();
 }
-
-bool is_page(const fs::path& file) {
-  std::string start(4096, '\0');
-  std::ifstream(file, std::ios::binary).read(start.data(), std::ssize(start));
-  return file.extension() == ".html" && viewer::looks_like_page(start) &&
-         start.find("\"generator\" content=\"cls ") != std::string::npos;
-}
-
-bool is_log(const fs::path& file) {
-  std::string name = file.filename().string();
-  if (name.ends_with(".gz")) name.resize(name.size() - 3);
-  const std::string ending = fs::path(name).extension().string();
-  return ending == ".rcg" || ending == ".rcl" || ending == ".rpc";
-}
-
-// Intermediate files of Rust, often gigabytes.
-bool is_cache_of_cargo(const fs::path& folder) {
-  static constexpr std::array<std::string_view, 4> kNames = {"deps", "build", "incremental",
-                                                             ".fingerprint"};
-  const fs::path profile = folder.parent_path();
-  return fs::exists(profile.parent_path() / "CACHEDIR.TAG") &&
-         std::ranges::find(kNames, folder.filename().string()) != kNames.end();
-}
-
-// Intermediate files of the .NET SDK: obj/, and bin/ where the Playmaker is the
-// published program next to it. More than ten times its size, with libraries that no host has.
-bool is_cache_of_dotnet(const fs::path& folder, const std::string& command) {
-  const fs::path objects = folder.parent_path() / "obj";
-  const bool published = fs::is_directory(folder.parent_path() / "publish") &&
-                         command.find("publish/") != std::string::npos;
-  if (folder != objects && !(folder.filename() == "bin" && published)) return false;
-  if (!fs::is_directory(objects)) return false;
-
-  const auto is_restored = [](const fs::path& path) {
-    return fs::exists(path / "project.assets.json");
-  };
-  return is_restored(objects) ||
-         std::any_of(fs::directory_iterator(objects), {},
-                     [&](const fs::directory_entry& entry) { return is_restored(entry.path()); });
-}
-
-// An earlier package, such as ada-team.old.
-bool is_package(const fs::path& folder) {
-  std::error_code code;
-  const auto has = [&](const char* name) { return fs::is_regular_file(folder / name, code); };
-  return has("start") && has("kill") && has("cls") && fs::is_directory(folder / "team", code);
-}
-
-// Copies a project, and notes what is not part of a team.
-class ProjectCopy {
- public:
-  ProjectCopy(const TeamPackage& package, const fs::path& folder, WrittenPackage& written)
-      : package_(package), folder_(folder), written_(written) {}
-
-  void copy(const fs::path& from, const fs::path& to) {
-    fs::create_directories(to);
-    for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
-      if (const char* why = why_left_out(entry)) {
-        note(entry, why);
-        continue;
-      }
-      const fs::path target = to / entry.path().filename();
-      if (entry.is_directory() && !entry.is_symlink()) {
-        copy(entry.path(), target);
-      } else {
-        fs::copy(entry.path(), target, fs::copy_options::copy_symlinks);
-        // Scripts compare the dates of programs with those of their sources.
-        if (!entry.is_symlink()) fs::last_write_time(target, entry.last_write_time());
-      }
-    }
-  }
-
- private:
-  // Null: it is part of the team.
-  const char* why_left_out(const fs::directory_entry& entry) const {
-    const fs::path& path = entry.path();
-    std::error_code code;
-    const std::string name = path.filename().string();
-    if (fs::equivalent(path, folder_, code)) return "";
-    if (name == ".git" || name == "__pycache__") return "";
-    if (is_cache_of_cargo(path) || is_cache_of_dotnet(path, package_.command)) return "";
-    if (!package_.environment.empty() && fs::equivalent(path, package_.environment, code)) {
-      return "";
-    }
-    if (!entry.is_directory()) return is_log(path) ? "log" : is_page(path) ? "page" : nullptr;
-    if (name == "runs") return "matches";
-    if (tournament::holds_plan(path)) return "tournament";
-    if (is_package(path)) return "package";
-    return match::is_match_folder(path) ? "match" : nullptr;
-  }
-
-  void note(const fs::directory_entry& entry, const char* why) {
-    if (*why == '\0') return;
-    const fs::path name = entry.path().lexically_relative(package_.project);
-    written_.left_out.push_back(
-        fmt::format("{}{} ({})", name.string(), entry.is_directory() ? "/" : "", why));
-  }
-
-  const TeamPackage& package_;
-  const fs::path& folder_;
-  WrittenPackage& written_;
-};
 
 // Symbols are for debuggers: most of the size of a build that was not installed.
 Result<void> copy_stripped(const fs::path& program, const fs::path& to) {
@@ -275,12 +169,13 @@ Result<WrittenPackage> write_unfinished(TeamPackage package, const fs::path& fol
   TRY(write_program(folder / "kill", embedded_file("cli/project/league/kill")));
   TRY_INIT(Bundle bundle, write_programs(package, folder));
   TRY(write_program(folder / "lib/machine.sh", embedded_file("cli/project/league/machine.sh")));
-  ProjectCopy(package, folder, written).copy(package.project, folder / "team");
+  CopiedProject copied = copy_project(package, folder / "team");
+  written.left_out = std::move(copied.left_out);
+  written.links_outside = std::move(copied.links_outside);
   TRY(bring_interpreters(package, folder, bundle, on_step, written));
   TRY(bundle.add_folder("team"));
 
   written.missing = bundle.missing();
-  std::ranges::sort(written.left_out);
   on_step("compressing, for its size");
   TRY(measure(folder, written));
   return written;

@@ -21,6 +21,8 @@ struct TeamPackage {
   std::filesystem::path program;        ///< the binary cls
   std::filesystem::path environment{};  ///< a virtual environment of Python; empty: none
   std::vector<std::string> with{};      ///< more programs for env/bin, by path or name on PATH
+  /// Paths in the project that are packed although they look private or .gitignore names them.
+  std::vector<std::string> include{};
 };
 
 /// The result of write_package().
@@ -30,8 +32,9 @@ struct WrittenPackage {
   std::uintmax_t environment_bytes = 0;  ///< of env/
   std::uintmax_t packed_bytes = 0;       ///< of all, as .tar.gz has them
   std::vector<BroughtInterpreter> interpreters;
-  std::vector<std::string> left_out;  ///< of the project: "runs/", "first/ (match)", ...
-  std::vector<std::string> missing;   ///< libraries that this host lacks: "env/x.so: libfoo.so.1"
+  std::vector<std::string> left_out;       ///< of the project: "runs/", "first/ (match)", ...
+  std::vector<std::string> links_outside;  ///< of the project: "data -> /home/ada/data"
+  std::vector<std::string> missing;  ///< libraries that this host lacks: "env/x.so: libfoo.so.1"
 
   std::uintmax_t bytes() const { return program_bytes + project_bytes + environment_bytes; }
 };
@@ -43,9 +46,8 @@ std::string start_script(const TeamPackage& package);
 using PackageStep = std::function<void(std::string_view)>;
 
 /// Writes start, kill, cls with loader and libraries, env/ with interpreters and their packages,
-/// and team/, a copy of the project without version control, packages, folders of matches and
-/// tournaments, logs, pages of cls, the environment and `folder` itself. The error names the file.
-/// Until it is whole, the package is FOLDER.unfinished.
+/// and team/, a copy of the project (copy_project). The error names the file. Until it is whole,
+/// the package is FOLDER.unfinished.
 base::Result<WrittenPackage> write_package(const TeamPackage& package,
                                            const std::filesystem::path& folder,
                                            const PackageStep& on_step);

@@ -11,6 +11,7 @@
 #include <exception>
 #include <string>
 
+#include "base/system/control_group.h"
 #include "cli/support/print_error.h"
 
 namespace cls::cli {
@@ -32,7 +33,10 @@ std::string limit_text(int resource, const char* option, unsigned long unit) {
 
 AbortReport make_abort_report() {
   const std::string memory = limit_text(RLIMIT_AS, "v", 1024) + limit_text(RLIMIT_DATA, "d", 1024);
-  const std::string limits = memory + limit_text(RLIMIT_NPROC, "u", 1);
+  std::string limits = memory + limit_text(RLIMIT_NPROC, "u", 1);
+  if (const auto most = base::process_limit()) {
+    limits += fmt::format(" pids.max {} of the control group", *most);
+  }
   return {
       fmt::format("cls: a library ended the process, as it does without memory or threads{}{}\n",
                   limits.empty() ? "" : "; limits of this shell:", limits),
@@ -66,6 +70,25 @@ void on_abort(int) {
 }
 
 }  // namespace
+
+std::string too_low_limit() {
+  struct Need {
+    int resource;
+    const char* option;
+    rlim_t least;
+    rlim_t unit;  ///< of `ulimit`, in bytes
+  };
+  constexpr Need kNeeds[] = {{RLIMIT_NOFILE, "n", 32, 1}, {RLIMIT_STACK, "s", 512 << 10, 1024}};
+  for (const Need& need : kNeeds) {
+    rlimit limit{};
+    const auto resource = static_cast<__rlimit_resource_t>(need.resource);
+    if (getrlimit(resource, &limit) != 0 || limit.rlim_cur >= need.least) continue;
+    return fmt::format("ulimit -{} {} is too low: cls needs {}; raise it: ulimit -{} {}",
+                       need.option, limit.rlim_cur / need.unit, need.least / need.unit, need.option,
+                       16 * need.least / need.unit);
+  }
+  return {};
+}
 
 void report_aborts() {
   abort_report();

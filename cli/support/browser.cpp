@@ -2,14 +2,18 @@
 #include "cli/support/browser.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <signal.h>
 #include <spawn.h>
 #include <unistd.h>
 
 #include <array>
 #include <cstdlib>
+#include <utility>
 
+#include "base/io/whole_file.h"
 #include "base/text/percent_encoding.h"
+#include "base/text/xml.h"
 
 namespace cls::cli {
 namespace {
@@ -57,6 +61,23 @@ bool open_in_browser(const std::string& url) {
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&quiet);
   return failed == 0;
+}
+
+std::unique_ptr<process::ScratchFolder> open_privately(const std::string& url) {
+  if (!has_display()) return nullptr;
+  auto folder = process::ScratchFolder::create();
+  if (!folder) return nullptr;
+
+  const std::filesystem::path page = folder->path() / "watch.html";
+  const std::string text = fmt::format(
+      "<!doctype html><meta charset=\"utf-8\"><meta name=\"referrer\" content=\"no-referrer\">"
+      "<meta http-equiv=\"refresh\" content=\"0; url={0}\"><a href=\"{0}\">the match</a>\n",
+      base::escape_xml(url));
+  std::error_code code;
+  const bool written = base::write_file(page, text).ok();
+  std::filesystem::permissions(page, std::filesystem::perms(0600), code);
+  if (!written || code || !open_in_browser(file_url(page))) return nullptr;
+  return std::make_unique<process::ScratchFolder>(*std::move(folder));
 }
 
 }  // namespace cls::cli

@@ -49,7 +49,9 @@ base::Result<std::string> endpoint_in(const TournamentConfig& config, const fs::
   for (const TeamEntry& team : config.competition.teams) teams.push_back(team.name);
   const std::string near(base::nearest_name(side, teams));
   const bool means_mock = near.empty() && !base::nearest_name(side, {"mock"}).empty();
-  if (teams.empty() || means_mock) return side;  // parse_endpoint() lists the valid sides
+  // parse_endpoint() knows what files mean, and lists the valid sides.
+  const bool means_file = near.empty() && side.find_first_of("./{") != side.npos;
+  if (teams.empty() || means_mock || means_file) return side;
   return base::Error{unknown(side, near, file, teams)};
 }
 
@@ -91,7 +93,7 @@ int resolve_team_name(std::string& side, std::string& team_name, const std::stri
   TRY_STEP(read_project(*file, parsed));
 
   TRY_INIT_OR(kUsage, auto endpoint, endpoint_in(parsed.config, *file, side));
-  if (endpoint != side && team_name.empty()) team_name = side;
+  if (team_name.empty() && endpoint.compare(side) != 0) team_name = side;
   side = std::move(endpoint);
   return kOk;
 }

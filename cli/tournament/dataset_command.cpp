@@ -28,6 +28,7 @@
 #include "cli/tournament/tournament_session.h"
 #include "league/schedule/schedule.h"
 #include "league/schedule/schedule_check.h"
+#include "tournament/dataset/data_card.h"
 #include "tournament/dataset/dataset.h"
 #include "tournament/dataset/dataset_check.h"
 
@@ -224,6 +225,9 @@ int make_dataset(const MakeArguments& arguments) {
     return print_error(kBadData, "{}: {}", arguments.folder, checked.error().message);
   }
 
+  const std::string twins = twin_sides(config);
+  if (!twins.empty() && !arguments.session.quiet) print_error(0, "warning: " + twins);
+
   Packer packer(options.config, arguments.folder);
   DatasetProgress progress(packer, arguments.session.quiet);
   const auto summary =
@@ -254,8 +258,30 @@ int make_dataset(const MakeArguments& arguments) {
 struct VerifyArguments {
   std::string folder;
   std::size_t sample = 1;
+  bool run_programs = false;
   bool json = false;
 };
+
+// The matches of `sample` that may be played again: without --run-programs those of built-in sides.
+// Says on stderr why the others are not.
+std::vector<DatasetMatch> playable(const VerifyArguments& arguments, const TournamentConfig& config,
+                                   std::vector<DatasetMatch> sample) {
+  if (arguments.run_programs) return sample;
+  std::string why;
+  std::erase_if(sample, [&](const DatasetMatch& match) {
+    if (!check_teams(config.competition, match.fixture)) return false;  // an error of its own
+    const std::string part = foreign_part(config, match.fixture);
+    if (!part.empty()) why = part;
+    return !part.empty();
+  });
+  if (!why.empty()) {
+    fmt::print(stderr,
+               "cls: matches are not played again: {}; --run-programs plays them with your rights, "
+               "for data sets of people whom you trust\n",
+               why);
+  }
+  return sample;
+}
 
 int report_problems(const VerifyArguments& arguments, std::size_t matches, std::size_t again,
                     const std::vector<std::string>& problems, int exit_code) {
@@ -290,7 +316,8 @@ int verify_dataset(const VerifyArguments& arguments) {
   TRY_INIT_OR(kBadData, const auto config, read_dataset_plan(folder));
   TRY_INIT_OR(kUnavailable, const auto program, base::own_program());
   const std::atomic<int>& signal = watch_interrupts();
-  const std::vector<DatasetMatch> sample = sample_of(matches, arguments.sample);
+  const std::vector<DatasetMatch> sample =
+      playable(arguments, config, sample_of(matches, arguments.sample));
   std::vector<std::string> different;
   for (const DatasetMatch& match : sample) {
     const auto found = replay_dataset_match(config, match, program, signal);
@@ -320,11 +347,16 @@ void add_dataset_verify(Command& dataset) {
       "  cls dataset verify data\n"
       "  cls dataset verify data --sample 0     hashes only\n"
       "\n"
+      "Without --run-programs only matches of built-in sides are played again: a data\n"
+      "set of a stranger starts no program and reaches no other host.\n"
+      "\n"
       "Exit code: 0 if all is as it was, 65 if files are missing or corrupt, 1 if a\n"
       "match played again has other bytes: another version of cls or of a side.",
       verify_dataset);
   command.option("DIR", arguments.folder, "folder of the data set").required();
   command.setting("--sample", arguments.sample, "matches to play again");
+  command.flag("--run-programs", arguments.run_programs,
+               "start the programs that the data set names, with your rights");
   command.flag("--json", arguments.json, "print the problems as one JSON document")
       .of_group(kOutputGroup);
 }

@@ -54,6 +54,36 @@ fs::path stage_folder(const Fixture& fixture) {
   return fs::path(text.substr(0, comma)) / text.substr(comma + 2);
 }
 
+/// A match that was played, with its logs.
+struct Playing {
+  int match = 0;          ///< number
+  fs::path stage;         ///< folder in the archive
+  std::string folder;     ///< in the tournament
+  std::string began;      ///< UTC
+  bool annulled = false;  ///< by decision: another playing counts, or none
+};
+
+constexpr const char* kAnnulledFolder = "annulled";
+
+// What was played of a match: what counts, and what was annulled or replayed by decision.
+std::vector<Playing> playings_of(const ScheduledMatch& match) {
+  std::vector<Playing> playings;
+  const fs::path stage = stage_folder(match.fixture);
+  const auto add = [&](const std::string& folder, const std::string& began, bool annulled) {
+    if (folder.empty()) return;
+    const auto same = [&folder](const Playing& one) { return one.folder == folder; };
+    if (std::ranges::any_of(playings, same)) return;
+    const fs::path place = annulled ? kAnnulledFolder / stage : stage;
+    playings.push_back({match.fixture.index, place, folder, began, annulled});
+  };
+
+  if (match.outcome && match.outcome->finished()) {
+    add(match.outcome->folder, match.outcome->started, match.outcome->annulled);
+  }
+  for (const MatchDecision& decision : match.history) add(decision.folder, decision.began, true);
+  return playings;
+}
+
 struct Archive {
   int written = 0;
   int present = 0;
@@ -72,20 +102,34 @@ bool write_log_file(const fs::path& file, const std::string& bytes, Archive& arc
   return false;
 }
 
-bool add_match(const fs::path& folder, const ScheduledMatch& match, const fs::path& out,
-               Archive& archive) {
-  const Outcome& outcome = *match.outcome;
-  const auto logs = read_league_logs(folder / outcome.folder, parse_utc_time(outcome.started));
+// The logs of a playing, unless its folder or a log in it leads out of the tournament.
+base::Result<LeagueLogs> logs_of(const fs::path& folder, const Playing& playing) {
+  const fs::path place = folder / playing.folder;
+  for (const auto& [game, text] : gamelog::find_logs({place.string()}).matches) {
+    for (const std::string& log : {game, text}) {
+      if (log.empty() || is_inside(log, folder)) continue;
+      return base::Error{fmt::format("{}: a link that leads out of the tournament", log)};
+    }
+  }
+  if (!is_inside(place, folder)) {
+    return base::Error{fmt::format("{}: no folder of this tournament", place.string())};
+  }
+  return read_league_logs(place, parse_utc_time(playing.began));
+}
+
+bool add_playing(const fs::path& folder, const Playing& playing, const fs::path& out,
+                 Archive& archive) {
+  const auto logs = logs_of(folder, playing);
   if (!logs) {
-    archive.problems.push_back(
-        fmt::format("match {}: {}", match.fixture.index, logs.error().message));
+    archive.problems.push_back(fmt::format("match {}: {}", playing.match, logs.error().message));
     return true;
   }
 
-  const fs::path stem = out / stage_folder(match.fixture) / logs->name;
+  const fs::path stem = out / playing.stage / logs->name;
   const fs::path game = stem.string() + ".rcg.gz";
   const fs::path text = stem.string() + ".rcl.gz";
-  archive.files.push_back({{"match", match.fixture.index}, {"rcg", game.string()}});
+  archive.files.push_back(
+      {{"match", playing.match}, {"rcg", game.string()}, {"annulled", playing.annulled}});
   archive.files.back()["rcl"] = logs->rcl.empty() ? Json(nullptr) : Json(text.string());
   std::error_code code;
   if (fs::exists(game, code)) {
@@ -93,7 +137,10 @@ bool add_match(const fs::path& folder, const ScheduledMatch& match, const fs::pa
     return true;
   }
 
-  if (const auto created = base::create_folders(stem.parent_path()); !created) {
+  auto created = base::create_folders(stem.parent_path());
+  // Commands that read the archive count no annulled match.
+  if (created && playing.annulled) created = gamelog::set_apart(out / kAnnulledFolder);
+  if (!created) {
     archive.problems.push_back(created.error().message);
     return false;
   }
@@ -120,19 +167,17 @@ int run_archive(const ArchiveArguments& arguments) {
   for (const ScheduledMatch& match : state.matches) {
     progress.update(++done);
     if (signal != 0) return signal_exit_code(signal);
-    if (!match.outcome || !match.outcome->finished()) continue;
-    if (match.outcome->folder.empty() && state.config.execution.keep_logs == KeepLogs::kAll) {
-      continue;  // its result comes from a file
-    }
-    if (match.outcome->folder.empty()) {
+    // A result from a file has no logs.
+    const bool from_file = state.config.execution.keep_logs == KeepLogs::kAll;
+    const bool played = match.outcome && match.outcome->finished();
+    if (played && match.outcome->folder.empty() && !from_file) {
       archive.problems.push_back(
           fmt::format("match {}: its logs were not retained (keep_logs)", match.fixture.index));
-      continue;
     }
-    if (!add_match(arguments.folder, match, out, archive)) {
-      whole = false;
-      break;
-    }
+    whole = std::ranges::all_of(playings_of(match), [&](const Playing& playing) {
+      return add_playing(arguments.folder, playing, out, archive);
+    });
+    if (!whole) break;
   }
 
   for (const std::string& problem : archive.problems) {

@@ -184,8 +184,7 @@ void add_tournament_decide_command(Command& app) {
       .placeholder("SCORE");
 
   command.flag("--annul", arguments.annul, "the match counts for nothing");
-  command.flag("--replay", arguments.replay, "the match is played again, on a new seed")
-      .of_group(kDebuggingGroup);
+  command.flag("--replay", arguments.replay, "the match is played again, on a new seed");
   command.flag("--as-played", arguments.as_played, "take back what was decided before");
   command.option("--reason", arguments.reason, "why, for the report").placeholder("WHY");
   command.flag("--redraw", arguments.redraw,

@@ -16,6 +16,7 @@
 #include "base/text/printable.h"
 #include "base/text/suggestion.h"
 #include "cli/logs/find_log.h"
+#include "cli/logs/output_file.h"
 #include "cli/support/commands.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/json_stdout.h"
@@ -158,7 +159,7 @@ int run_plan(const PlanArguments& arguments) {
 
 struct FolderArguments {
   std::string folder;
-  std::string format = "text";
+  std::string format;  ///< empty: by the ending of `file`, else text
   std::string file;
   std::string columns;
   bool all_matches = false;
@@ -300,8 +301,17 @@ int unknown_format(const std::string& format) {
                   : fmt::format("--format '{}': did you mean '{}'?", format, near));
 }
 
+std::string format_of(const FolderArguments& arguments) {
+  if (arguments.json) return "json";
+  if (!arguments.format.empty()) return arguments.format;
+  const std::string_view ending = format_of_ending(arguments.file);
+  return std::string(ending.empty() ? "text" : ending);
+}
+
 int run_report(const FolderArguments& arguments) {
-  const std::string format = arguments.json ? "json" : arguments.format;
+  const std::string format = format_of(arguments);
+  const std::string wrong = arguments.file.empty() ? "" : wrong_ending(arguments.file, format);
+  if (!wrong.empty()) return print_error(kUsage, wrong);
   const auto chosen = std::ranges::find(kFormats, format, &ReportFormat::name);
   if (chosen == kFormats.end()) return unknown_format(format);
   TournamentState state;
@@ -413,7 +423,10 @@ void add_tournament_status_command(Command& app) {
 void add_tournament_report_command(Command& app) {
   auto [command, arguments] =
       add_folder_command(app, "report", kTournamentReportDescription, run_report);
-  command.setting("--format FORMAT", arguments.format, "text, md, csv, json, junit or html")
+  command
+      .option("--format FORMAT", arguments.format,
+              "text, md, csv, json, junit or html (default: by the ending of --out, else\n"
+              "text)")
       .of_group(kOutputGroup);
   command.option("--out FILE", arguments.file, "write to FILE (default: stdout)")
       .of_group(kOutputGroup);

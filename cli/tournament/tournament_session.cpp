@@ -139,7 +139,7 @@ OpenedFolder open_folder(const fs::path& folder, const TournamentConfig& config,
     return failed(print_error(kCannotCreate, written.error().message));
   }
 
-  auto state = read_tournament(folder);
+  auto state = read_tournament(folder, true);
   if (!state) return failed(print_error(kBadData, state.error().message));
   state->matches.resize(state->stored);
   return {kOk, *std::move(lock), std::move(state->matches)};

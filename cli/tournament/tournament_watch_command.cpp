@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -19,6 +20,8 @@
 #include "cli/support/print_error.h"
 #include "cli/terminal/json_stdout.h"
 #include "cli/tournament/tournament_session.h"
+#include "match/terms/endpoint.h"
+#include "tournament/config/config.h"
 #include "tournament/site/tournament_site.h"
 #include "tournament/store/folder.h"
 #include "viewer/live/http_server.h"
@@ -46,6 +49,7 @@ constexpr const char* kTournamentWatchDescription =
 constexpr int kDefaultPort = 8080;
 constexpr int kDefaultConnections = 800;
 constexpr double kMaxDelaySeconds = 86'400.0;
+constexpr double kSafeDelaySeconds = 10.0;
 /// File descriptors of the process besides those of connections.
 constexpr int kOwnDescriptors = 100;
 constexpr milliseconds kPollInterval{100};
@@ -61,7 +65,7 @@ struct TournamentWatchArguments {
   viewer::HttpAddress address{"127.0.0.1", kDefaultPort};
   std::string path = "/";
   std::vector<std::string> host_names;
-  double delay_s = 0.0;
+  std::optional<double> delay_s;  ///< none: see delay_of()
   int max_connections = kDefaultConnections;
   bool json = false;
 };
@@ -111,6 +115,29 @@ void print_address(const std::string& url, bool json) {
   std::fflush(stdout);
 }
 
+// True if a team is more than the built-in mock: its program may read pages during its match.
+bool has_programs(const fs::path& folder) {
+  const auto config = tournament::read_plan(folder);
+  return config && std::ranges::any_of(config->competition.teams, [](const auto& team) {
+           const auto endpoint = match::parse_endpoint(team.endpoint);
+           return !endpoint || !endpoint->is_built_in();
+         });
+}
+
+// The page shows where all are, which no program on the pitch may know: without --delay it is
+// behind. Warns where it is not.
+milliseconds delay_of(const TournamentWatchArguments& arguments, const fs::path& folder) {
+  const bool programs = has_programs(folder);
+  const double delay_s = arguments.delay_s.value_or(programs ? kSafeDelaySeconds : 0.0);
+  if (programs && delay_s < kSafeDelaySeconds) {
+    print_error(0,
+                "warning: programs of teams that reach this address can read where all players "
+                "are, {} s late; --delay {} is safe",
+                delay_s, kSafeDelaySeconds);
+  }
+  return milliseconds(static_cast<int>(delay_s * 1000.0));
+}
+
 int run_tournament_watch(const TournamentWatchArguments& arguments) {
   if (!is_plain_path(arguments.path)) {
     return print_error(kUsage, "--path '{}': letters, digits and / - _ . only", arguments.path);
@@ -128,7 +155,7 @@ int run_tournament_watch(const TournamentWatchArguments& arguments) {
   fs::path folder = fs::canonical(arguments.folder, code);
   if (code) folder = arguments.folder;
   tournament::SiteOptions options;
-  options.delay = milliseconds(static_cast<int>(arguments.delay_s * 1000.0));
+  options.delay = delay_of(arguments, folder);
   TRY_INIT_OR(kBadData, const auto site, tournament::TournamentSite::open(folder, options));
 
   const std::atomic<int>& signal = watch_interrupts();
@@ -171,7 +198,7 @@ void add_tournament_watch_command(Command& app) {
   command
       .option("--delay", arguments.delay_s,
               "seconds by which the page is behind the matches: no program on the\n"
-              "pitch profits from it (default: 0)")
+              "pitch profits from it (default: 10 with teams that are programs, else 0)")
       .range(0, kMaxDelaySeconds);
 
   command

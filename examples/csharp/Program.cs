@@ -23,6 +23,8 @@ for (var i = 0; i < args.Length; i++)
     }
 }
 
+// There are no settings to watch: each watch takes one of the few inotify instances of a user.
+Environment.SetEnvironmentVariable("DOTNET_hostBuilder__reloadConfigOnChange", "false");
 var builder = WebApplication.CreateSlimBuilder();
 builder.Logging.SetMinimumLevel(LogLevel.Warning).AddFilter("Microsoft.Extensions.Hosting", LogLevel.None);
 builder.Services.AddGrpc(options => options.Interceptors.Add<Failures>());

@@ -33,6 +33,7 @@ void apply_decisions(std::span<ScheduledMatch> matches, std::span<const MatchDec
     if (at >= matches.size()) continue;  // its round is drawn again
     ScheduledMatch& match = matches[at];
 
+    match.history.push_back(decision);
     match.decision.reset();
     if (decision.kind != DecisionKind::kAsPlayed) match.decision = decision;
     // Of a match that is replayed twice only the last seed matters, which is also its stored one.

@@ -29,6 +29,8 @@ struct MatchDecision {
   std::uint64_t seed = 0;  ///< kReplay
   std::string reason;
   std::string before;  ///< the result until then, "2:1"; empty: not played
+  std::string folder;  ///< match folder of that result inside the tournament's; empty: none
+  std::string began;   ///< when that match began, UTC
   std::string time;    ///< UTC, ISO 8601
 };
 

@@ -90,6 +90,7 @@ struct ScheduledMatch {
   int attempts = 0;                          ///< started so far
   int settled = 0;                           ///< the latest attempt whose outcome was recorded
   std::optional<MatchDecision> decision;     ///< the one that counts, see apply_decisions()
+  std::vector<MatchDecision> history;        ///< all decisions on the match, in their order
   std::optional<std::uint64_t> replay_seed;  ///< of the latest replay
 };
 

@@ -96,6 +96,9 @@ Progress schedule_groups(FixtureList& list) {
   }
 
   if (!played.empty() && all_have_outcomes(played)) {
+    for (RankedTable& table : progress.tables) {
+      draw_lots(competition.seed, table.title, competition.advance, table.standings);
+    }
     progress.ranks = schedule_knockout(list, qualified(competition, progress.tables),
                                        rounds_of(competition) + 1);
   }

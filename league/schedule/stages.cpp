@@ -124,6 +124,8 @@ class Stages {
     table.title = fmt::format("average of {}", fmt::join(stage_->ranked_by, ", "));
     table.standings = standings(teams, matches_of(stage_->ranked_by), breakers_);
     table.average = true;
+    const int places = stage_->teams > 0 ? stage_->teams : competition_.team_count();
+    draw_lots(competition_.seed, table.title, places, table.standings);
 
     before_.ranks = ranks_of(table.standings);
     tables_.push_back(std::move(table));
@@ -212,16 +214,27 @@ class Stages {
     }
   }
 
+  // How many places of each group matter to the next stage.
+  int places_that_go_on(std::size_t groups) const {
+    if (stage_ == &competition_.stages.back()) return 0;
+    const int teams = (stage_ + 1)->teams;
+    const int each = static_cast<int>(groups);
+    return teams > 0 ? (teams + each - 1) / each : competition_.team_count();
+  }
+
   Played play_groups() {
     const std::vector<std::vector<int>> groups = groups_now();
     const std::vector<ScheduledMatch> own = matches_of({stage_->name});
     if (own.empty()) schedule_groups(groups);
 
     Played result;
+    result.complete = !own.empty() && all_have_outcomes(own);
+    const int places = result.complete ? places_that_go_on(groups.size()) : 0;
     Ranks in_turn;  // of one division after the other
     std::vector<std::vector<int>> sorted;
     for (std::size_t i = 0; i < groups.size(); ++i) {
       RankedTable table = table_of(groups[i], name_of_group(i, groups.size()));
+      draw_lots(competition_.seed, table.title, places, table.standings);
       const Ranks ranks = ranks_of(table.standings);
       in_turn.insert(in_turn.end(), ranks.begin(), ranks.end());
       sorted.push_back(flat(ranks));
@@ -235,7 +248,6 @@ class Stages {
     } else {
       result.ranks = std::move(in_turn);
     }
-    result.complete = !own.empty() && all_have_outcomes(own);
     return result;
   }
 

@@ -6,6 +6,9 @@
 #include <map>
 #include <utility>
 
+#include "base/text/fnv1a.h"
+#include "soccer/random.h"
+
 namespace cls::league {
 
 namespace {
@@ -241,6 +244,31 @@ std::vector<Standing> standings(std::span<const int> teams, std::span<const Sche
                                 const std::vector<TieBreaker>& breakers,
                                 std::span<const Bye> byes) {
   return Table(teams, matches, byes).ordered(breakers);
+}
+
+void draw_lots(std::uint64_t seed, std::string_view title, int places,
+               std::vector<Standing>& table) {
+  const auto lot_of = [&](const Standing& row) {
+    return soccer::RandomStream(seed, "lot of a table", base::fnv1a(title),
+                                static_cast<std::uint64_t>(row.team))
+        .integer(1 << 30);
+  };
+
+  for (auto first = table.begin(); first != table.end();) {
+    const int rank = first->rank;
+    const auto end =
+        std::find_if(first, table.end(), [rank](const Standing& row) { return row.rank != rank; });
+    if (end - first > 1 && rank <= places) {
+      std::stable_sort(first, end,
+                       [&](const Standing& a, const Standing& b) { return lot_of(a) < lot_of(b); });
+      int next = rank;
+      for (auto row = first; row != end; ++row) {
+        if (row != first) row->separated_by = kLot;
+        row->rank = next++;
+      }
+    }
+    first = end;
+  }
 }
 
 }  // namespace cls::league

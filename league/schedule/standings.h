@@ -1,8 +1,10 @@
 // Standings: points, goals, and the order of teams with the same points.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "league/competition/competition.h"
@@ -51,5 +53,14 @@ struct Bye {
 std::vector<Standing> standings(std::span<const int> teams, std::span<const ScheduledMatch> matches,
                                 const std::vector<TieBreaker>& breakers,
                                 std::span<const Bye> byes = {});
+
+/// The name of the criterion in Standing::separated_by of draw_lots().
+inline constexpr const char* kLot = "lot";
+
+/// Gives teams that share a rank of the first `places` ranks of their own, in an order drawn from
+/// `seed`: for tables whose order decides who goes on. `title`: of the table; each has its own
+/// lots.
+void draw_lots(std::uint64_t seed, std::string_view title, int places,
+               std::vector<Standing>& table);
 
 }  // namespace cls::league

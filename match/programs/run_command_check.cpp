@@ -45,6 +45,10 @@ std::vector<ShellWord> shell_words(std::string_view command) {
           quote = quote == 0 ? c : 0;
           continue;
         }
+        if (quote == 0 && c == '\\' && i + 1 < command.size()) {
+          word.text += command[++i];
+          continue;
+        }
         if (quote != '\'' && kExpanded.find(c) != std::string_view::npos) word.plain = false;
         word.text += c;
       }
@@ -98,6 +102,7 @@ std::string missing_in_command(std::string_view command, fs::path folder) {
       if (!fs::is_directory(folder, code)) return folder.string() + ": no such folder";
       i += 2;
     } else if (program.empty()) {
+      if (word.text == "cd") return {};  // to a folder that the shell expands
       if (is_assignment(word.text) || is_one_of(kCommandPrefixes, word.text)) continue;
       program = word.text;
       if (std::string missing = missing_program(program, folder); !missing.empty()) return missing;

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 
+#include "base/system/control_group.h"
 #include "base/text/byte_size.h"
 #include "match/terms/run_command.h"
 #include "proxy/playmaker/playmaker_errors.h"
@@ -25,6 +27,13 @@ std::string format_exit(const process::Child::Status& status) {
   if (!status.exit) return "running";
   return status.asked_to_end ? fmt::format("ended by cls ({})", to_text(*status.exit))
                              : to_text(*status.exit);
+}
+
+// By SIGKILL, itself or as the command of a shell.
+bool was_killed(const process::Child::Status& status) {
+  constexpr int kShellSignals = 128;
+  if (!status.exit || status.asked_to_end) return false;
+  return status.exit->number == (status.exit->by_signal ? SIGKILL : kShellSignals + SIGKILL);
 }
 
 // Texts of programs that get no memory: C, C++, Python, Java, JavaScript, Go and Rust, dd.
@@ -49,6 +58,10 @@ std::string limit_hint(const process::Child& child) {
         "limit",
         child.plan().name, limits.cpu_seconds);
   }
+
+  const process::Child::Status status = child.status();
+  const std::string killed = was_killed(status) ? base::memory_kill_text() : std::string();
+  if (!killed.empty()) return "; " + killed;
 
   if (limits.memory != 0 && prints_any(child, kOutOfMemory)) {
     return fmt::format(

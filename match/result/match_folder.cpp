@@ -169,6 +169,12 @@ Result<fs::path> make_match_folder(const MatchOptions& options, const TeamNames&
 
   const std::string stem = fmt::format("{}-{}-vs-{}", base::utc_stamp(), names.left, names.right);
   fs::create_directories("runs", code);
+  std::error_code gone;
+  if (fs::current_path(gone).empty() || gone) {
+    return Error{
+        "the working folder does not exist any more; go to another one, or select a folder for the "
+        "match with --dir DIR"};
+  }
   for (int attempt = 1; !code; ++attempt) {
     const fs::path folder =
         fs::path("runs") / (attempt == 1 ? stem : fmt::format("{}-{}", stem, attempt));

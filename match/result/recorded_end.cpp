@@ -30,13 +30,17 @@ std::string local_minute(std::time_t time) {
   return fmt::format("{:%Y%m%d%H%M}", local);
 }
 
-// The start in a manifest, "2026-11-21T01:02:03Z".
-std::optional<std::time_t> started(const std::string& manifest) {
+// The start in a manifest, "2026-11-21T01:02:03Z"; empty: none.
+std::string start_in(const std::string& manifest) {
   const auto document = base::Json::parse_or_discarded(manifest);
-  if (!document.is_object() || !document.contains("started")) return std::nullopt;
-  if (!document["started"].is_string()) return std::nullopt;
+  const bool has_start =
+      document.is_object() && document.contains("started") && document["started"].is_string();
+  return has_start ? document["started"].get<std::string>() : std::string();
+}
+
+std::optional<std::time_t> started(const std::string& manifest) {
   std::tm utc{};
-  const std::string text = document["started"].get<std::string>();
+  const std::string text = start_in(manifest);
   if (strptime(text.c_str(), "%Y-%m-%dT%H:%M:%SZ", &utc) == nullptr) return std::nullopt;
   return timegm(&utc);
 }
@@ -90,6 +94,10 @@ std::string recorded_date(const std::string& log) {
 
   struct stat file = {};
   return ::stat(log.c_str(), &file) == 0 ? local_minute(file.st_mtime) : std::string();
+}
+
+std::string recorded_start(const std::filesystem::path& folder) {
+  return start_in(base::read_file(folder / kManifestFile).value_or(""));
 }
 
 std::vector<analysis::MatchInput> with_recorded_ends(

@@ -1,6 +1,7 @@
 // The end of a match as recorded in the result.json next to its logs.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ std::optional<analysis::RecordedEnd> recorded_end(const std::string& log);
 /// When the match of `log` began, YYYYMMDDhhmm in local time: as its manifest.json says, else the
 /// name of the log (rcssserver's begin with the date), else the time of the file. Empty: unknown.
 std::string recorded_date(const std::string& log);
+
+/// When the match of `folder` began, as its manifest.json says: UTC, ISO 8601. Empty: unknown.
+std::string recorded_start(const std::filesystem::path& folder);
 
 /// The logs of each match with its recorded end and date.
 std::vector<analysis::MatchInput> with_recorded_ends(

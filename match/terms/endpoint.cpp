@@ -26,6 +26,7 @@ using base::Result;
 
 constexpr std::size_t kMaxTeamName = 15;
 constexpr int kMaxPort = 65535;
+constexpr std::size_t kMaxSocketPath = 107;
 constexpr std::string_view kPlannerForm = "planner:";
 constexpr std::string_view kEachForm = "each:";
 constexpr int kMaxPortStep = 13;
@@ -254,6 +255,10 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
     if ((endpoint.*form.member).empty()) {
       return wrong(text, fmt::format("no {} after the colon", form.what));
     }
+    if (form.kind == Kind::kUnixSocket && endpoint.path.size() > kMaxSocketPath) {
+      return wrong(text, fmt::format("the path of a socket has at most {} bytes, this one {}",
+                                     kMaxSocketPath, endpoint.path.size()));
+    }
     return endpoint;
   }
 
@@ -287,6 +292,11 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
 bool Endpoint::starts_programs() const {
   return kind == Kind::kRun || kind == Kind::kTeam ||
          std::ranges::any_of(parts, &Endpoint::starts_programs);
+}
+
+bool Endpoint::is_built_in() const {
+  const bool mixed = kind == Kind::kMixed && std::ranges::all_of(parts, &Endpoint::is_built_in);
+  return (kind == Kind::kMock || mixed) && planner_file.empty() && !has_script(*this);
 }
 
 Result<void> load_files(Endpoint& endpoint) {

@@ -58,6 +58,8 @@ struct Endpoint {
   bool has_one_playmaker() const { return has_playmaker() && kind != Kind::kMixed; }
   /// True for a side for which cls starts programs.
   bool starts_programs() const;
+  /// True for a side that needs nothing but `cls` itself: no program, no other host, no file.
+  bool is_built_in() const;
 };
 
 /// Parses a SIDE. The error quotes the text and lists what is allowed.

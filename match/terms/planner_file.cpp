@@ -73,7 +73,7 @@ Result<SharedPlannerParameters> read_planner_file(const std::filesystem::path& f
   if (const auto why = base::why_no_file(file)) {
     return Error{fmt::format("{}: {}; `cls init --planner` writes one", file.string(), *why)};
   }
-  const auto text = base::read_file(file);
+  const auto text = base::read_text(file);
   if (!text) return Error{fmt::format("{}: cannot be read", file.string())};
   return parse_planner_file(*text, file.string());
 }

@@ -166,7 +166,7 @@ Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& f
         fmt::format("cannot read {}: {}", file.string(), base::why_no_file(file).value_or(""))};
   }
 
-  const auto text = base::read_file(file);
+  const auto text = base::read_text(file);
   if (!text) return Error{fmt::format("cannot read {}", file.string())};
   const auto items = soccer::parse_configuration(*text);
   if (!items) return Error{fmt::format("{}: {}", file.string(), items.error().message)};

@@ -78,7 +78,10 @@ GrpcProbe probe_grpc(const GrpcTarget& target, int agent) {
             false};
   }
   if (answer == Answer::kHttp1) {
-    return {"an HTTP server answers at " + place + ", it does not speak gRPC", true};
+    return {"an HTTP server answers at " + place +
+                ", it does not speak gRPC, which needs HTTP/2 without TLS (in ASP.NET Core: "
+                "options.Listen(..., o => o.Protocols = HttpProtocols.Http2))",
+            true};
   }
 
   // Servers with TLS answer with an alert, or close the connection.

@@ -278,7 +278,10 @@ class Pool:
 
     def record(self, env: int, path: Optional[str]) -> None:
         """Records the next episode of a world as a game log; None: no longer."""
-        _check(self.call("record", env, None if path is None else os.fsencode(path)))
+        name = None if path is None else os.fsencode(path)
+        if name is not None and b"\0" in name:
+            raise ValueError(f"record: {path!r} holds a null character")
+        _check(self.call("record", env, name))
 
     def view(self, env: int) -> World:
         """The physical state of a world."""

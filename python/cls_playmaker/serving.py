@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import errno
 import logging
 import os
 import signal
@@ -21,6 +22,7 @@ from cls_playmaker.team_playmaker_pb2_grpc import add_TeamPlaymakerServicer_to_s
 
 _WORKERS = 32  # two teams with coaches and a trainer have 25 agents
 _WINDOW = 1 << 20  # bytes of a call under way: the States of a team exceed the usual 64 KB
+_MAX_PORT = 65535
 _GRACE = 1.0   # seconds for calls in flight after SIGTERM or SIGINT
 
 
@@ -129,6 +131,8 @@ def start(playmaker: proto.GameServicer, port: int = 0,
 
     The caller stops it: `server.stop(grace_seconds)`. Raises OSError if it cannot listen.
     """
+    if not 0 <= port <= _MAX_PORT:
+        raise OSError(errno.EINVAL, f"port {port} is not within 0 to {_MAX_PORT}")
     errors = Errors()
     # Without so_reuseport = 0 a second server on the port would take half of the calls.
     options = [("grpc.so_reuseport", 0), ("grpc.http2.lookahead_bytes", _WINDOW)]

@@ -249,6 +249,7 @@ class Copies(unittest.TestCase):
                 self.assertTrue(log.read(4).startswith(b"ULG"))
             self.assertRaises(OSError, lambda: (env.record(os.path.join(folder, "no/way.rcg")),
                                                 env.reset(), env.reset()))
+            self.assertRaises(ValueError, env.record, os.path.join(folder, "a\0b"))
 
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")

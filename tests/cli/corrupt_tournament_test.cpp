@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "tests/support/command.h"
 #include "tests/support/command_matchers.h"
+#include "tests/support/installed.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
@@ -73,6 +75,110 @@ TEST_F(CorruptTournament, RejectsMissingAndRenumberedMatches) {
   sql("UPDATE match SET number = 1 WHERE number = -5");
   sql("DELETE FROM match WHERE number = 2");
   expect_corrupt_everywhere("match 2 is missing");
+}
+
+// Without the store the results are in the folders of the matches: nothing is played again.
+TEST_F(CorruptTournament, ReadsResultsOfALostStoreFromTheFolders) {
+  const std::string table = tournament({"report", cup()}).out;
+  std::map<fs::path, fs::file_time_type> logs;
+  for (const auto& entry : fs::recursive_directory_iterator(cup() / "matches")) {
+    if (entry.is_regular_file()) logs[entry.path()] = entry.last_write_time();
+  }
+  ASSERT_GT(logs.size(), 6U);
+
+  for (const bool empty : {false, true}) {
+    for (const char* ending : {"", "-wal", "-shm"}) {
+      fs::remove(cup() / (std::string("tournament.db") + ending));
+    }
+    if (empty) std::ofstream(cup() / "tournament.db");
+    for (const char* command : {"status", "report", "decide", "archive"}) {
+      EXPECT_THAT(tournament({command, cup()}),
+                  Exits(65, HasSubstr("tournament.db is missing or empty, but matches were played: "
+                                      "`cls tournament run " +
+                                      cup().string() + "` reads their results again\n")))
+          << command;
+    }
+    EXPECT_THAT(tournament({"run", cup()}),
+                Exits(0, HasSubstr("was missing or empty: 6 results were read from matches/")));
+    for (const auto& [file, time] : logs) EXPECT_EQ(fs::last_write_time(file), time) << file;
+    EXPECT_EQ(tournament({"report", cup()}).out.substr(0, 400), table.substr(0, 400));
+  }
+}
+
+TEST_F(CorruptTournament, RefusesToPlayAgainWhatItCannotRead) {
+  fs::remove(cup() / "tournament.db");
+  for (const auto& entry : fs::directory_iterator(cup() / "matches")) {
+    if (entry.path().filename().string().starts_with("000003-")) fs::remove_all(entry.path());
+  }
+  const CommandResult refused = tournament({"run", cup()});
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_THAT(refused.err, HasSubstr("match 3 was played, but matches/ has no result of it: "
+                                     "restore tournament.db from a copy, or --force"));
+  EXPECT_THAT(tournament({"status", cup()}), Exits(65));
+}
+
+// The logs that a protest is about remain, are archived, and the report names them.
+TEST_F(CorruptTournament, KeepsTheLogsOfAMatchThatIsPlayedAgain) {
+  const auto folders = [&] {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(cup() / "matches")) {
+      if (entry.path().filename().string().starts_with("000001-")) found.push_back(entry.path());
+    }
+    std::ranges::sort(found);
+    return found;
+  };
+  const fs::path first = folders().at(0);
+  ASSERT_THAT(tournament({"decide", cup(), "--match", "1", "--annul", "--reason", "a protest"}),
+              Exits(0));
+  ASSERT_THAT(tournament({"decide", cup(), "--match", "1", "--replay", "--reason", "a power cut"}),
+              Exits(0));
+  ASSERT_THAT(tournament({"run", cup(), "--quiet"}), Exits(0));
+  ASSERT_EQ(folders().size(), 2U);
+  EXPECT_TRUE(fs::exists(first / "result.json"));
+
+  const std::string decisions = tournament({"decide", cup()}).out;
+  EXPECT_THAT(decisions, HasSubstr("a protest"));
+  EXPECT_THAT(decisions, HasSubstr("a power cut"));
+  EXPECT_THAT(tournament({"report", cup(), "--format", "markdown"}).out,
+              HasSubstr("matches/" + first.filename().string()));
+
+  ASSERT_THAT(tournament({"archive", cup()}), Exits(0));
+  int annulled = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(cup() / "archive/annulled")) {
+    annulled += entry.path().string().ends_with(".rcg.gz");
+  }
+  EXPECT_EQ(annulled, 1);
+}
+
+// A log of a stranger's tournament may be a link to any file.
+TEST_F(CorruptTournament, ArchivesNoLinksThatLeadOutOfIt) {
+  const TemporaryFolder elsewhere;
+  for (const auto& entry : fs::directory_iterator(cup() / "matches")) {
+    if (!entry.path().filename().string().starts_with("000001-")) continue;
+    for (const auto& log : fs::directory_iterator(entry.path())) {
+      if (!log.path().string().ends_with(".rcg.gz")) continue;
+      fs::rename(log.path(), elsewhere.path() / "x.rcg.gz");
+      fs::create_symlink(elsewhere.path() / "x.rcg.gz", log.path());
+      break;
+    }
+  }
+  EXPECT_THAT(tournament({"archive", cup()}),
+              Exits(1, HasSubstr("a link that leads out of the tournament")));
+}
+
+// NFS without locks and file systems of some virtual machines refuse them.
+TEST_F(CorruptTournament, SaysThatTheFileSystemHasNoLocks) {
+  if (!is_installed("cc")) GTEST_SKIP() << "no cc on PATH";
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "locks.c")
+      << "#include <errno.h>\nint flock(int f, int o) { errno = ENOLCK; return -1; }\n";
+  const std::string library = (folder.path() / "locks.so").string();
+  ASSERT_THAT(run({"cc", "-shared", "-fPIC", "-o", library, folder.path() / "locks.c"}), Exits(0));
+  const CommandResult refused =
+      run({cls_binary(), "tournament", "run", cup()}, {"LD_PRELOAD=" + library});
+  EXPECT_NE(refused.exit_code, 75);
+  EXPECT_THAT(refused.err, HasSubstr("/lock: No locks available; use a folder on a file system "
+                                     "with locks"));
 }
 
 TEST_F(CorruptTournament, CountsLastMatchesThatAreMissing) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <chrono>
@@ -143,6 +144,60 @@ TEST_F(Dataset, IsVerifiedByHashesAndByPlayingAgain) {
               Exits(65,
                     "cls: shards/000/000002.view.gz: other bytes\n"
                     "cls: shards/000/000003.left.world-models: missing\n"));
+}
+
+TEST_F(Dataset, RunsProgramsOfOthersOnlyWhenAsked) {
+  ASSERT_EQ(make("data").exit_code, 0);
+  fs::remove_all(folder_.path() / "data/work");
+  const fs::path plan = folder_.path() / "data/dataset.toml";
+  const std::string text = read_file(plan);
+
+  for (const char* side : {"run:touch ran; sleep 9 --port {port}", "team:.", "localhost:9",
+                           "mock:script.json", "planner:file=mock", "mix:1-coach=run:touch ran"}) {
+    std::string changed = text;
+    changed.replace(changed.find("\"mock:hold\""), 11, "\"" + std::string(side) + "\"");
+    std::ofstream(plan) << changed;
+    EXPECT_THAT(cls({"dataset", "verify", "data"}),
+                Exits(0, HasSubstr("BLUE is '" + std::string(side) + "'; --run-programs")))
+        << side;
+    EXPECT_FALSE(fs::exists(folder_.path() / "data/ran")) << side;
+    EXPECT_FALSE(fs::exists(folder_.path() / "ran")) << side;
+  }
+
+  for (const char* option : {"server = \"./rcssserver\"", "book = \"/dev/zero\""}) {
+    std::string changed = text;
+    changed.insert(changed.find("[tournament]\n") + 13, option + std::string("\n"));
+    std::ofstream(plan) << changed;
+    EXPECT_THAT(cls({"dataset", "verify", "data"}), Exits(0, HasSubstr("; --run-programs")))
+        << option;
+  }
+}
+
+TEST_F(Dataset, ReadsRegularFilesInsideOfItOnly) {
+  ASSERT_EQ(make("data").exit_code, 0);
+  const fs::path list = folder_.path() / "data/matches.jsonl";
+  const std::string text = read_file(list);
+  const std::string first = "shards/000/000001.view.gz";
+  std::ofstream(folder_.path() / "outside") << "secret";
+  fs::create_symlink("/dev/zero", folder_.path() / "data/zero");
+  fs::create_symlink("../outside", folder_.path() / "data/link");
+  ASSERT_EQ(::mkfifo((folder_.path() / "data/pipe").c_str(), 0600), 0);
+
+  const std::pair<std::string, std::string> cases[] = {
+      {"zero", "not a regular file"},
+      {"pipe", "not a regular file"},
+      {"link", "a link that leads out of the data set"},
+      {"../outside", "not a path inside of the data set"},
+      {"/dev/zero", "not a path inside of the data set"},
+      {"shards", "a folder, not a file"}};
+  for (const auto& [path, why] : cases) {
+    std::string changed = text;
+    changed.replace(changed.find(first), first.size(), path);
+    std::ofstream(list) << changed;
+    const std::string line = path + ": " + why;
+    EXPECT_THAT(cls({"dataset", "verify", "data", "--sample", "0"}), Exits(65, HasSubstr(line)));
+    EXPECT_THAT(cls({"convert", "data", "--tables", "out"}), Exits(65, HasSubstr(line)));
+  }
 }
 
 TEST_F(Dataset, AnotherSpecificationIsRefused) {

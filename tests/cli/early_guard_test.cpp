@@ -30,7 +30,7 @@ TEST(EarlyGuard, StartsForCommandsThatStartPrograms) {
   EXPECT_FALSE(guarded({}));
 }
 
-// The program loader needs the fourth descriptor, the guard two more.
+// The program loader needs the fourth descriptor, cls more.
 TEST(EarlyGuard, ReportsWhyItCannotStart) {
   const tests::TemporaryFolder folder;
   const tests::CommandResult result = tests::run(
@@ -38,7 +38,8 @@ TEST(EarlyGuard, ReportsWhyItCannotStart) {
        "exec 3>&-; ulimit -n 4; exec '" + tests::cls_binary().string() +
            "' match 'run:true --port {port}' mock --dir '" + (folder.path() / "m").string() + "'"});
   EXPECT_NE(result.exit_code, 0);
-  EXPECT_THAT(result.err, HasSubstr("cls: no guard process: Too many open files\n"));
+  EXPECT_THAT(result.err,
+              HasSubstr("cls: ulimit -n 4 is too low: cls needs 32; raise it: ulimit -n 512\n"));
 }
 
 }  // namespace

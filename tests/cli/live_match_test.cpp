@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <regex>
 #include <string>
@@ -58,6 +60,32 @@ std::unique_ptr<HttpConnection> stalled_viewer(const std::string& url) {
   auto viewer = std::make_unique<HttpConnection>(port_of(url));
   viewer->send("GET " + path_of(url) + "live HTTP/1.1\r\nHost: localhost\r\n\r\n");
   return viewer;
+}
+
+// Every program of the host sees the arguments of the browser: the address is in a file that only
+// the user can read.
+TEST(LiveMatch, GivesTheBrowserAFileInPlaceOfTheAddress) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "xdg-open")
+      << "#!/bin/sh\nfile=${1#file://}\necho \"$1\" >" << (folder.path() / "argument.new").string()
+      << "\nstat -c %a \"$file\" \"${file%/*}\" >" << (folder.path() / "rights").string()
+      << "\ncp \"$file\" " << (folder.path() / "page").string() << "\nmv "
+      << (folder.path() / "argument.new").string() << " " << (folder.path() / "argument").string()
+      << "\n";
+  fs::permissions(folder.path() / "xdg-open", fs::perms(0755));
+  const char* path = std::getenv("PATH");
+  Command watched(with(match_command(folder.path() / "m"),
+                       {"--watch", "--open", "--linger", "0", "--speed", "20"}),
+                  {"DISPLAY=:9", "PATH=" + folder.path().string() + ":" + path});
+  wait_for_file(folder.path() / "argument");
+  watched.send_signal(SIGINT);
+  (void)watched.finish();
+
+  const std::string argument = read_file(folder.path() / "argument");
+  EXPECT_THAT(argument, testing::StartsWith("file:///"));
+  EXPECT_EQ(read_file(folder.path() / "rights"), "600\n700\n");
+  EXPECT_THAT(read_file(folder.path() / "page"), HasSubstr("url=http://127.0.0.1:"));
+  EXPECT_FALSE(fs::exists(argument.substr(7, argument.size() - 8))) << "it went with the match";
 }
 
 TEST(LiveMatch, HasTheSameBytesWithViewers) {

@@ -42,6 +42,11 @@ TEST(ResultsCommand, PrintsDocumentWithRowPerMatch) {
   EXPECT_EQ(document["matches"][1]["cycles"], 400);
 }
 
+TEST(ResultsCommand, SaysThatStandardInputIsClosed) {
+  EXPECT_THAT(run({"sh", "-c", "exec " + cls_binary().string() + " results - <&-"}),
+              Exits(66, HasSubstr("standard input is closed\n")));
+}
+
 TEST(ResultsCommand, ReadsFoldersAndPrintsTables) {
   for (const char* format : {"table", "csv", "markdown"}) {
     const CommandResult result =

@@ -35,6 +35,16 @@ TEST(MockCommand, ServesMatchOnFreePortUntilSignal) {
   EXPECT_EQ(mock.finish().exit_code, 143);
 }
 
+TEST(MockCommand, ListensOnAddressesOfVersionSix) {
+  if (std::ifstream("/proc/net/if_inet6").peek() == EOF) GTEST_SKIP() << "no IPv6 here";
+  for (const char* host : {"::1", "[::1]"}) {
+    Command mock({cls_binary(), "mock", "--host", host, "--port", "0"});
+    EXPECT_TRUE(mock.wait_for_output("listening on ")) << mock.finish().err;
+    mock.send_signal(SIGINT);
+    mock.finish();
+  }
+}
+
 TEST(MockCommand, RejectsFaultsOfUnknownPlayers) {
   const auto mock = [](const std::vector<std::string>& flags) {
     return run(joined({cls_binary(), "mock"}, flags));

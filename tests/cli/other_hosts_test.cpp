@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -210,6 +211,38 @@ TEST_F(OtherHosts, ResultThatDidNotArriveIsFetchedLater) {
   const json& match = document["matches"][0];
   EXPECT_EQ(match["ended"], there["ended"]) << "not played again";
   EXPECT_EQ(document["counts"]["finished"], 3);
+}
+
+// A power cut can leave empty files; someone else could put another program there.
+TEST_F(OtherHosts, ObjectsOfOtherContentAreCopiedAgain) {
+  config("rounds = 1\nhosts = [\"one\"]\n");
+  ASSERT_THAT(run({"tournament", "run", "cup"}, {marked()}), Exits(0));
+  const fs::path objects = path("farm/one/.cache/cls/objects");
+  for (const char* content : {"", "#!/bin/sh\nexit 0\n"}) {
+    for (const auto& entry : fs::directory_iterator(objects)) {
+      std::ofstream(entry.path()) << content;
+    }
+    ASSERT_THAT(run({"tournament", "run", "cup", "--force"}, {marked()}), Exits(0));
+    EXPECT_EQ(report()["counts"]["finished"], 3);
+  }
+}
+
+// A host sends files. A link or a device among them could reach anything of this host.
+TEST_F(OtherHosts, ResultsWithLinksAreRefused) {
+  script("evil", "case $2 in *run.sh*)\n  " + path("ssh").string() +
+                     " \"$@\" >/dev/null; mkdir -p " + path("pack").string() + "/results; cd " +
+                     path("pack").string() +
+                     "; ln -sf /etc/passwd results/link; exec tar -czf - results;;\nesac\nexec " +
+                     path("ssh").string() + " \"$@\"");
+  config("rounds = 1\nhosts = [\"one\"]\n");
+  Command playing({cls_binary(), "tournament", "run", path("cup"), "--remote-shell",
+                   path("evil").string() + " {host}"},
+                  {marked()}, path("."));
+  EXPECT_TRUE(
+      playing.wait_for_errors("the result holds what is neither a file nor a folder: l", 60s));
+  playing.send_signal(SIGINT);
+  playing.finish();
+  EXPECT_FALSE(fs::is_symlink(path("cup/results/link")));
 }
 
 TEST_F(OtherHosts, WrongConfigurationsAreRefused) {

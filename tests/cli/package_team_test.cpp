@@ -1,6 +1,11 @@
 // `cls package-team`: the folder plays with the start script of competitions.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <sys/un.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -99,6 +104,68 @@ TEST_F(PackageTeam, LeavesOutMatchesAndPagesAndSaysItsSize) {
   }
   EXPECT_TRUE(fs::exists(path("ada-team/team/web/page.html")));
   EXPECT_TRUE(fs::exists(path("ada-team/team/web/manifest.json")));
+}
+
+// Nobody else gets keys and tokens, and what .gitignore names; built programs come along.
+TEST_F(PackageTeam, LeavesOutPrivateAndIgnoredFilesAndListsThem) {
+  const std::vector<std::string> private_files = {
+      ".aws/config",          ".env",        ".netrc", ".npmrc", ".ssh/config", ".ssh/id_rsa",
+      "src/credentials.json", "src/tls.key", "tls.pem"};
+  for (const std::string& file : private_files) write(file, "token");
+  write(".env.example", "TOKEN=");
+  write("roots.pem", "-----BEGIN CERTIFICATE-----\n");
+  write(".gitignore", "# mine\n*.tmp\n!kept.tmp\n/notes\n.build/\nsecret/**\ndeep/**/x\n");
+  for (const char* file : {"a.tmp", "kept.tmp", "src/b.tmp", "notes/mine", "src/notes/ours",
+                           ".build/team", "secret/list", "deep/1/2/x", "deep/1/y"}) {
+    write(file, "");
+  }
+  fs::create_symlink("/etc/hostname", path("host"));
+  fs::create_symlink("src/team.txt", path("inside"));
+
+  const CommandResult written = run({"package-team", "ada"});
+  ASSERT_EQ(written.exit_code, 0) << written.err;
+  EXPECT_THAT(written.out,
+              HasSubstr("left out: .aws/ (private), .env (private), .netrc (private), .npmrc "
+                        "(private), .ssh/ (private), a.tmp (.gitignore), deep/1/2/x (.gitignore), "
+                        "notes/ (.gitignore), runs/ (matches), secret/list (.gitignore), "
+                        "src/b.tmp (.gitignore), src/credentials.json (private), src/tls.key "
+                        "(private), tls.pem (private)\n"));
+  EXPECT_EQ(written.err,
+            "cls: warning: host -> /etc/hostname: a link that leads out of the project; other "
+            "hosts lack its target\n");
+  for (const char* file : {".env.example", "roots.pem", "kept.tmp", "src/notes/ours", ".build/team",
+                           "deep/1/y", "inside"}) {
+    EXPECT_TRUE(fs::exists(path("ada-team/team") / file)) << file;
+  }
+  for (const std::string& file : private_files) {
+    EXPECT_FALSE(fs::exists(path("ada-team/team") / file)) << file;
+  }
+
+  ASSERT_THAT(
+      run({"package-team", "ada", "--force", "--include", ".ssh/id_rsa", "--include", "notes/"}),
+      Exits(0));
+  EXPECT_TRUE(fs::exists(path("ada-team/team/.ssh/id_rsa")));
+  EXPECT_TRUE(fs::exists(path("ada-team/team/notes/mine")));
+  EXPECT_FALSE(fs::exists(path("ada-team/team/.ssh/config")));
+  EXPECT_FALSE(fs::exists(path("ada-team/team/.netrc")));
+}
+
+TEST_F(PackageTeam, LeavesOutWhatIsNoFile) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo(path("page.html").c_str(), 0600), 0);
+  const int server = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  sockaddr_un address = {.sun_family = AF_UNIX, .sun_path = {}};
+  path("socket").string().copy(static_cast<char*>(address.sun_path), sizeof address.sun_path - 1);
+  ASSERT_EQ(::bind(server, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  ::close(server);
+  const bool has_device = ::mknod(path("zero").c_str(), S_IFCHR | 0600, makedev(1, 5)) == 0;
+
+  const CommandResult written = run({"package-team", "ada"});
+  ASSERT_EQ(written.exit_code, 0) << written.err;
+  EXPECT_THAT(written.out, HasSubstr("page.html (pipe), pipe (pipe), runs/ (matches), socket "
+                                     "(socket)"));
+  EXPECT_THAT(written.out, HasSubstr(has_device ? "zero (device)" : "socket"));
+  EXPECT_FALSE(fs::exists(path("ada-team/team/pipe")));
 }
 
 // The program is found only by the PATH of the environment, which is outside of the package.

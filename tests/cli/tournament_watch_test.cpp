@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -70,6 +71,24 @@ endpoint = "mock"
 
   TemporaryFolder folder_;
 };
+
+// Programs of teams can reach the page, which knows more than they may.
+TEST_F(TournamentWatch, IsBehindWhereTeamsAreProgramsAndWarns) {
+  std::filesystem::create_directory(folder_.path() / "cup");
+  std::ofstream(folder_.path() / "cup/plan.toml")
+      << "[teams.RED]\nendpoint = \"mock\"\n"
+         "[teams.OWN]\nendpoint = \"run:sleep 60 --port {port}\"\n";
+  Command safe = command({"watch", "cup", "--port", "0", "--json"});
+  EXPECT_THAT(url_of(safe), HasSubstr("http://"));
+  safe.send_signal(SIGINT);
+  EXPECT_EQ(safe.finish().err, "");
+
+  Command open = command({"watch", "cup", "--port", "0", "--json", "--delay", "0"});
+  EXPECT_THAT(url_of(open), HasSubstr("http://"));
+  open.send_signal(SIGINT);
+  EXPECT_THAT(open.finish().err,
+              HasSubstr("can read where all players are, 0 s late; --delay 10 "));
+}
 
 TEST_F(TournamentWatch, IsAtItsPathForItsHostsAndBehindByItsDelay) {
   Command cup = command({"run", "cup", "--quiet"});

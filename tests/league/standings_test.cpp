@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "league/schedule/formats.h"
 #include "tests/league/made_up_results.h"
 
@@ -140,6 +142,35 @@ TEST(Standings, UseConfiguredTieBreakers) {
                                                match(0, 2, score(0, 0)), match(1, 2, score(3, 3))};
   const std::vector<int> teams = {0, 1, 2};
   EXPECT_EQ(order(standings(teams, matches, {TieBreaker::kGoals})), (std::vector<int>{1, 0, 2}));
+}
+
+// Who goes on does not depend on the order of teams in a file.
+TEST(DrawLots, OrdersEqualTeamsOfThePlacesThatGoOn) {
+  const std::vector<ScheduledMatch> matches = {match(0, 1, score(1, 0)), match(1, 2, score(1, 0)),
+                                               match(2, 0, score(1, 0))};
+  const auto table = standings(std::vector<int>{0, 1, 2}, matches, kLeague);
+  ASSERT_EQ(table[2].rank, 1);
+  const auto drawn = [&](std::uint64_t seed, std::string_view title, int places) {
+    auto result = table;
+    draw_lots(seed, title, places, result);
+    return result;
+  };
+
+  const auto once = drawn(1, "group A", 2);
+  EXPECT_EQ(order(once), order(drawn(1, "group A", 2)));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(once[i].rank, static_cast<int>(i) + 1);
+  EXPECT_EQ(once[0].separated_by, "");
+  EXPECT_EQ(once[1].separated_by, kLot);
+
+  std::set<int> first;
+  std::set<std::vector<int>> of_titles;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    first.insert(drawn(seed, "group A", 1)[0].team);
+    of_titles.insert(order(drawn(1, "group " + std::to_string(seed), 1)));
+  }
+  EXPECT_EQ(first.size(), 3U);
+  EXPECT_EQ(of_titles.size(), 6U);
+  EXPECT_EQ(drawn(1, "group A", 0)[2].rank, 1) << "nobody goes on";
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "match/programs/run_command_check.h"
 #include "mock-server/mock.h"
 #include "mock-server/server.h"
+#include "process/command_plan.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::match {
@@ -52,6 +53,18 @@ TEST_F(EndpointCheck, FindsProgramsAndScriptsOfRunCommands) {
   EXPECT_EQ(missing("sh -x nope.sh {port}"), "nope.sh: no such file");
   EXPECT_EQ(missing("cls_no_such_program {port}"), "cls_no_such_program: no such program on PATH");
   EXPECT_THAT(missing("cd nowhere && sh x.py {port}"), HasSubstr("nowhere: no such folder"));
+}
+
+// As endpoint_from() writes a folder with a quote.
+TEST_F(EndpointCheck, ReadsQuotesInNamesOfFolders) {
+  const std::filesystem::path folder = path() / "q'uote";
+  std::filesystem::create_directory(folder);
+  std::ofstream(folder / "x.py") << "";
+  const std::string cd = "cd " + process::shell_quoted(folder.string()) + " && ";
+  EXPECT_EQ(missing(cd + "sh x.py {port}"), "");
+  EXPECT_EQ(missing(cd + "sh y.py {port}"), "y.py: no such file");
+  EXPECT_EQ(missing("cd q\\'uote && sh y.py {port}"), "y.py: no such file");
+  EXPECT_EQ(missing("cd \"$HOME\" && sh y.py {port}"), "");
 }
 
 TEST_F(EndpointCheck, AcceptsRunCommandsThatOnlyTheShellUnderstands) {

@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -52,6 +55,30 @@ TEST_F(ScratchFolderTest, IsPrivateAndDeletedWithItsContent) {
     EXPECT_EQ(fs::status(folder.path()).permissions(), fs::perms::owner_all);
   }
   EXPECT_TRUE(fs::is_empty(parent_.path()));
+}
+
+// Root may delete everything, so another user does.
+TEST_F(ScratchFolderTest, GoesWithFoldersThatAProgramMadeReadOnly) {
+  const fs::path folder = parent_.path() / "scratch";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;
+    fs::create_directories(folder);
+    if (::geteuid() == 0 &&
+        (::chown(folder.c_str(), kNobody, kNobody) != 0 ||
+         ::chmod(parent_.path().c_str(), 0777) != 0 || ::setuid(kNobody) != 0)) {
+      ::_exit(77);
+    }
+    fs::create_directories(folder / "a/b/c");
+    fs::permissions(folder / "a/b", fs::perms(0500));
+    fs::permissions(folder / "a", fs::perms(0500));
+    remove_tree(folder);
+    ::_exit(fs::exists(folder) ? 1 : 0);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "no other user here";
+  EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
 TEST_F(ScratchFolderTest, IsNeverInTheWorkingFolder) {

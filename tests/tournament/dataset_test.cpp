@@ -1,12 +1,14 @@
 // Data sets: what is written and read again.
 #include "tournament/dataset/dataset.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "tests/support/temporary_folder.h"
 #include "tests/tournament/fake_executor.h"
+#include "tournament/dataset/data_card.h"
 
 namespace cls::tournament {
 namespace {
@@ -32,6 +34,18 @@ TEST(Dataset, ReadsTheLinesThatItWrites) {
   ASSERT_EQ(matches->size(), 1u);
   EXPECT_EQ(format_dataset_match(matches->front()), format_dataset_match(match_17()));
   EXPECT_EQ(matches->front().score, std::pair(2, 1));
+}
+
+TEST(Dataset, TellsWhatEqualSidesHaveTwice) {
+  TournamentConfig config = config_of(Format::kRoundRobin, 2);
+  config.competition.teams[0].endpoint = "mock";
+  config.competition.teams[1].endpoint = "mock:hold";
+  EXPECT_EQ(twin_sides(config), "");
+  config.competition.teams[1].endpoint = "mock";
+  EXPECT_THAT(twin_sides(config), testing::HasSubstr(" are the same side: "));
+  EXPECT_THAT(data_card(config, {match_17()}), testing::HasSubstr("| mirror images | "));
+  config.competition.swap_sides = false;
+  EXPECT_EQ(twin_sides(config), "");
 }
 
 TEST(Dataset, RemovesFilesOfNoMatchAndOutlivesLinksToNothing) {

@@ -65,6 +65,27 @@ TEST(SpectatorView, ShowsScheduleResultsAndTables) {
   EXPECT_EQ(page.statistics.size(), 2U);
 }
 
+// Ranks over all groups of a stage that is being played say nothing yet.
+TEST(SpectatorView, ShowsTheTablesOfTheStageThatIsPlayed) {
+  TournamentState state;
+  state.config = config_of(Format::kStages, 4);
+  Stage first;
+  first.name = "first round";
+  first.groups = 2;
+  Stage last;
+  last.name = "finals";
+  state.config.competition.stages = {first, last};
+  for (const Fixture& fixture : next_fixtures(state.config.competition, {})) {
+    state.matches.push_back(planned(fixture));
+  }
+  state.matches[0].outcome = better_wins(state.matches[0].fixture);
+
+  const SpectatorPage page = spectator_view(state, "cup");
+  ASSERT_EQ(page.tables.size(), 2U);
+  EXPECT_THAT(page.tables[0], HasSubstr("group A"));
+  for (const std::string& table : page.tables) EXPECT_THAT(table, Not(HasSubstr("so far")));
+}
+
 TEST(SpectatorView, NamesAWinnerWhereOneTeamIsFirst) {
   EXPECT_NE(spectator_view(played(Format::kRoundRobin, 3), "cup").winner, "");
   const auto drawn = [](const Fixture&) { return score(0, 0); };

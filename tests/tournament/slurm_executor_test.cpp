@@ -273,6 +273,47 @@ TEST_F(SlurmExecutorTest, PollsSqueueAfterUnclearReply) {
   EXPECT_FALSE(noted("produced no result")) << "a failed submission is not a loss";
 }
 
+// Jobs on another cluster: squeue and scancel ask that one.
+TEST_F(SlurmExecutorTest, AsksTheClustersOfItsOptions) {
+  EXPECT_EQ(clusters_of({"--partition=a"}), "");
+  for (const Lines& options : {Lines{"--clusters=far"}, Lines{"-M", "far"},
+                               Lines{"-Mfar", "--partition=a"}, Lines{"--clusters", "far"}}) {
+    EXPECT_EQ(clusters_of(options), "far");
+  }
+  ASSERT_EQ(setenv("SBATCH_CLUSTERS", "a,b", 1), 0);
+  EXPECT_EQ(clusters_of({}), "a,b");
+  EXPECT_EQ(clusters_of({"-Mfar"}), "far");
+  unsetenv("SBATCH_CLUSTERS");
+
+  config_.execution.slurm_options = {"--clusters=far"};
+  start(1);
+  (void)executor_->wait(100ms);
+  executor_->interrupt();
+  for (const char* program : {"sbatch", "squeue", "scancel"}) {
+    ASSERT_FALSE(slurm_.calls(program).empty()) << program;
+    EXPECT_THAT(slurm_.calls(program).back(), HasSubstr("--clusters=far")) << program;
+  }
+}
+
+// A job that Slurm accepted is not submitted again because squeue looks elsewhere.
+TEST_F(SlurmExecutorTest, AwaitsTasksThatSqueueNeverShowed) {
+  start(2);
+  const auto [job, task] = task_of(1);
+  slurm_.set_state(job, 0, "");
+  slurm_.set_state(job, 1, "");
+  const auto none = executor_->wait(500ms);
+  ASSERT_TRUE(none) << none.error().message;
+  EXPECT_TRUE(none->empty());
+  EXPECT_GT(slurm_.calls("squeue").size(), 3U);
+  EXPECT_EQ(slurm_.calls("sbatch").size(), 1U);
+  EXPECT_THAT(executor_->take_notes(),
+              testing::Contains(HasSubstr("was accepted, but squeue does not show it")));
+
+  write_result(1);
+  write_result(2);
+  EXPECT_EQ(ended(2), (std::map<int, bool>{{1, true}, {2, true}}));
+}
+
 TEST_F(SlurmExecutorTest, ReturnsMatchOfLostTask) {
   start(3);
   write_result(1);

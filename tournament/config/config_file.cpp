@@ -321,7 +321,7 @@ ParsedConfig parse_config(std::string_view text, const std::string& file) {
 }
 
 ParsedConfig read_config(const fs::path& file) {
-  const auto text = base::read_file(file);
+  const auto text = base::read_text(file);
   if (!text) return {{}, {fmt::format("cannot read {}", file.string())}, {}};
   ParsedConfig parsed = parse_config(*text, file.string());
   fs::path& folder = parsed.config.execution.folder;

@@ -20,6 +20,13 @@ bool is_host_name(std::string_view name) {
   return !name.empty() && name.front() != '-' && name.find_first_not_of(kCharacters) == name.npos;
 }
 
+// "ada@node:2222", but not an IPv6 address.
+bool has_port(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  return colon != text.npos && text.find(':', colon + 1) == text.npos &&
+         base::parse_int(text.substr(colon + 1));
+}
+
 }  // namespace
 
 base::Result<std::vector<HostSlots>> parse_hosts(const std::vector<std::string>& texts) {
@@ -29,6 +36,12 @@ base::Result<std::vector<HostSlots>> parse_hosts(const std::vector<std::string>&
     const auto slots =
         slash == std::string::npos ? std::optional(1) : base::parse_int(text.substr(0, slash));
 
+    if (has_port(text)) {
+      return base::Error{fmt::format(
+          "hosts: '{}': ssh takes no port here; write it into remote_shell (\"ssh -p PORT "
+          "{{host}}\") or into ~/.ssh/config",
+          text)};
+    }
     HostSlots host{slash == std::string::npos ? text : text.substr(slash + 1), slots.value_or(0)};
     if (host.slots < 1 || host.slots > kMaxSlots || !is_host_name(host.name)) {
       return base::Error{

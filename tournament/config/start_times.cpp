@@ -41,6 +41,10 @@ Result<StartTime> parse_start_time(const std::string& text) {
   start.time = std::mktime(&parts);
   // mktime turns February 30 into March 2.
   if (start.time == -1 || parts.tm_mday != read.tm_mday) return wrong;
+  if (parts.tm_hour != read.tm_hour || parts.tm_min != read.tm_min) {
+    return Error{fmt::format("start_times: '{}': clocks skip this time; it would be {}", text,
+                             formatted(parts, kLocalForm))};
+  }
   return start;
 }
 

@@ -55,6 +55,21 @@ constexpr const char* kLicense =
 
 }  // namespace
 
+std::string twin_sides(const TournamentConfig& config) {
+  if (!config.competition.swap_sides) return {};
+  const std::vector<TeamEntry>& teams = config.competition.teams;
+  for (std::size_t i = 0; i < teams.size(); ++i) {
+    for (std::size_t k = i + 1; k < teams.size(); ++k) {
+      if (teams[i].endpoint != teams[k].endpoint) continue;
+      return fmt::format(
+          "{} and {} are the same side: the two matches of a pair on one seed are the same frames "
+          "with other names; use one of them, or swap_sides = false",
+          teams[i].name, teams[k].name);
+    }
+  }
+  return {};
+}
+
 std::string data_card(const TournamentConfig& config, const std::vector<DatasetMatch>& matches) {
   const Totals totals = totals_of(matches);
   const DatasetSize size = size_of(matches);
@@ -70,6 +85,9 @@ std::string data_card(const TournamentConfig& config, const std::vector<DatasetM
                  size.megabytes_each());
   fmt::format_to(out, "| seed | {}; {} different seeds of matches, in `matches.jsonl` |\n",
                  config.competition.seed, totals.seeds.size());
+  if (const std::string twins = twin_sides(config); !twins.empty()) {
+    fmt::format_to(out, "| mirror images | {} |\n", twins);
+  }
   fmt::format_to(out, "| cls | {} |\n", fmt::join(totals.versions, ", "));
   fmt::format_to(out, "| same bytes in each run | {} |\n\n",
                  totals.deterministic ? "yes" : "no: a side or the server is not deterministic");

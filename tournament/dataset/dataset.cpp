@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <set>
 
+#include "base/index.h"
 #include "base/io/whole_file.h"
 #include "match/result/match_folder.h"
+#include "match/terms/endpoint.h"
+#include "match/terms/match_options.h"
 #include "tournament/config/config_file.h"
 #include "tournament/dataset/data_card.h"
 #include "tournament/store/folder.h"
@@ -165,6 +168,49 @@ Result<std::vector<DatasetMatch>> read_dataset_matches(const fs::path& folder) {
   std::error_code code;
   if (!fs::exists(file, code)) return Error{fmt::format("{}: no such file", file.string())};
   return read_json_lines<DatasetMatch>(file);
+}
+
+Result<fs::path> find_dataset_file(const fs::path& folder, const DatasetFile& file) {
+  const fs::path path = file.path;
+  const auto problem = [&](std::string_view what) {
+    return Error{fmt::format("{}: {}", file.path, what)};
+  };
+  const bool leaves = std::ranges::find(path, fs::path("..")) != path.end();
+  if (path.empty() || path.is_absolute() || leaves) {
+    return problem("not a path inside of the data set");
+  }
+
+  const fs::path whole = folder / path;
+  if (base::absence(whole)) return problem("missing");
+  if (const auto why = base::why_no_file(whole)) return problem(*why);
+
+  std::error_code code;
+  const fs::path real = fs::canonical(whole, code);
+  const fs::path below = code ? fs::path() : fs::canonical(folder, code);
+  if (code) return problem(code.message());
+  if (real.lexically_relative(below).string().starts_with("..")) {
+    return problem("a link that leads out of the data set");
+  }
+
+  const std::uint64_t bytes = fs::file_size(real, code);
+  if (code) return problem(code.message());
+  if (bytes != file.bytes) return problem(fmt::format("{} bytes, not {}", bytes, file.bytes));
+  return whole;
+}
+
+std::string foreign_part(const TournamentConfig& config, const Fixture& fixture) {
+  const match::MatchOptions options = match_options(config.conditions);
+  if (options.server_choice.kind != match::ServerChoice::Kind::kEmbedded) {
+    return fmt::format("the server is '{}'", options.server_choice.text);
+  }
+  if (!options.book.empty()) return fmt::format("the book is '{}'", options.book);
+  for (const int team : {fixture.left, fixture.right}) {
+    const TeamEntry& entry = config.competition.teams[base::index(team)];
+    const auto endpoint = match::parse_endpoint(entry.endpoint);
+    if (endpoint && endpoint->is_built_in()) continue;
+    return fmt::format("{} is '{}'", entry.name, entry.endpoint);
+  }
+  return {};
 }
 
 Result<TournamentConfig> read_dataset_plan(const fs::path& folder) {

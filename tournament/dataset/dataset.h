@@ -77,6 +77,15 @@ base::Result<DatasetMatch> parse_dataset_match(std::string_view line);
 /// All lines of matches.jsonl. The error names file and line.
 base::Result<std::vector<DatasetMatch>> read_dataset_matches(const std::filesystem::path& folder);
 
+/// Where `file` is in the data set `folder`. An error unless it is a regular file of its size below
+/// `folder`, at a relative path without "..": a list of a stranger names what it likes.
+base::Result<std::filesystem::path> find_dataset_file(const std::filesystem::path& folder,
+                                                      const DatasetFile& file);
+
+/// What it takes to play `fixture` again beyond `cls` itself, for a user to judge: "A is
+/// 'run:./team --port {port}'". Empty: both sides are built in, on the embedded server.
+std::string foreign_part(const TournamentConfig& config, const Fixture& fixture);
+
 /// The specification. Relative paths of sides start in the folder of the original one, as long as
 /// work/ is there.
 base::Result<TournamentConfig> read_dataset_plan(const std::filesystem::path& folder);

@@ -25,11 +25,10 @@ using base::Result;
 
 // Why `file` is not what it was; empty: it is.
 std::string why_different(const fs::path& folder, const DatasetFile& file) {
-  const auto bytes = base::read_file(folder / file.path);
-  if (!bytes) return fmt::format("{}: missing", file.path);
-  if (bytes->size() != file.bytes) {
-    return fmt::format("{}: {} bytes, not {}", file.path, bytes->size(), file.bytes);
-  }
+  const auto path = find_dataset_file(folder, file);
+  if (!path) return path.error().message;
+  const auto bytes = base::read_file(*path);
+  if (!bytes) return fmt::format("{}: not readable", file.path);
   return viewer::sha256_hex(*bytes) == file.sha256 ? "" : fmt::format("{}: other bytes", file.path);
 }
 

@@ -119,19 +119,35 @@ std::string score_text(const TournamentConfig& config, const ScheduledMatch& mat
   return swapped ? fmt::format("{} - {}", right, left) : fmt::format("{} - {}", left, right);
 }
 
-std::string decision_text(const ScheduledMatch& match) {
-  if (!match.decision) return {};
-  switch (match.decision->kind) {
+std::string decision_text(const ScheduledMatch& match, std::size_t number) {
+  const MatchDecision& decision = match.history[number];
+  const bool played = match.outcome || number + 1 < match.history.size();
+  switch (decision.kind) {
     case DecisionKind::kAnnul:
       return "annulled";
     case DecisionKind::kReplay:
-      return match.outcome ? "played again" : "to be played again";
+      return played ? "played again" : "to be played again";
     case DecisionKind::kAward:
-      return fmt::format("awarded {}:{}", match.decision->left_score, match.decision->right_score);
+      return fmt::format("awarded {}:{}", decision.left_score, decision.right_score);
     case DecisionKind::kAsPlayed:
-      break;
+      return "counts as played";
   }
   return {};
+}
+
+std::string decision_text(const ScheduledMatch& match) {
+  return match.decision ? decision_text(match, match.history.size() - 1) : std::string();
+}
+
+std::string history_text(const ScheduledMatch& match) {
+  std::string text;
+  for (std::size_t i = 0; i < match.history.size(); ++i) {
+    if (!text.empty()) text += "; ";
+    text += decision_text(match, i);
+    const std::string& before = match.history[i].before;
+    if (!before.empty() && before != "annulled") text += ", was " + before;
+  }
+  return text;
 }
 
 std::string score_text(const ScheduledMatch& match, bool swapped) {

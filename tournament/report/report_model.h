@@ -91,6 +91,12 @@ std::string score_text(const TournamentConfig& config, const ScheduledMatch& mat
 /// "annulled", "to be played again", "played again", "awarded 3:0"; empty without a decision.
 std::string decision_text(const ScheduledMatch& match);
 
+/// The same of decision `number` of its history: an earlier replay was played.
+std::string decision_text(const ScheduledMatch& match, std::size_t number);
+
+/// All decisions on a match: "annulled, was 2:1; played again"; empty without one.
+std::string history_text(const ScheduledMatch& match);
+
 /// "semi-final 2", or "round 3" for matches without a stage.
 std::string stage_text(const Fixture& fixture);
 

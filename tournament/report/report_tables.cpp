@@ -375,22 +375,26 @@ ReportTable hosts_table(const Report& report) {
 ReportTable decisions_table(const Report& report) {
   ReportTable result;
   for (const ScheduledMatch& match : report.matches) {
-    if (!match.decision) continue;
-    begin(result, "decisions",
-          {{"match", Align::kRight},
-           {"stage"},
-           {"left"},
-           {"right"},
-           {"was"},
-           {"decision"},
-           {"reason"},
-           {"UTC"}});
+    for (std::size_t i = 0; i < match.history.size(); ++i) {
+      begin(result, "decisions",
+            {{"match", Align::kRight},
+             {"stage"},
+             {"left"},
+             {"right"},
+             {"was"},
+             {"decision"},
+             {"reason"},
+             {"UTC"},
+             {"logs of what was"}});
 
-    const MatchDecision& decision = *match.decision;
-    result.table.add_row({fmt::to_string(match.fixture.index), stage_text(match.fixture),
-                          report.team(match.fixture.left), report.team(match.fixture.right),
-                          decision.before.empty() ? "-" : decision.before, decision_text(match),
-                          base::printable(decision.reason), time_text(decision.time)});
+      const MatchDecision& decision = match.history[i];
+      result.table.add_row({fmt::to_string(match.fixture.index), stage_text(match.fixture),
+                            report.team(match.fixture.left), report.team(match.fixture.right),
+                            decision.before.empty() ? "-" : decision.before,
+                            decision_text(match, i), base::printable(decision.reason),
+                            time_text(decision.time),
+                            decision.folder.empty() ? "-" : decision.folder});
+    }
   }
   return result;
 }

@@ -26,6 +26,7 @@ for what; do
   fi
   hash=$(sha256sum <"$new")
   hash=${hash%% *}
+  sync "$new" 2>/dev/null || sync
   mv "$new" "hosts/objects/$hash"
   echo "object $hash"
 done
@@ -47,15 +48,18 @@ unreachable() { echo "cls: $1" >&2; rm -rf "$tmp"; exit $unreachable; }
 
 mkdir -p "$tmp" results matches
 
-present=$(on_host "mkdir -p $root/objects $there && ls $root/objects" </dev/null) ||
-  unreachable "cannot be reached"
+# An object of another content (a power cut, a foreign hand) is copied again.
+present=$(on_host "mkdir -p $root/objects $there && cd $root/objects && for hash in $*; do
+  [ -f \$hash ] || continue
+  echo \"\$hash  \$hash\" | sha256sum -c --status && echo \$hash || rm -f \$hash
+done" </dev/null) || unreachable "cannot be reached"
 for hash; do
   case "
 $present
 " in *"
 $hash
 "*) continue ;; esac
-  on_host "cd $root/objects && cat >.$hash.$job && echo '$hash  .$hash.$job' | sha256sum -c --status && chmod +x .$hash.$job && mv .$hash.$job $hash" <"hosts/objects/$hash" ||
+  on_host "cd $root/objects && cat >.$hash.$job && echo '$hash  .$hash.$job' | sha256sum -c --status && chmod +x .$hash.$job && { sync .$hash.$job 2>/dev/null || sync; } && mv .$hash.$job $hash" <"hosts/objects/$hash" ||
     unreachable "the copy of a team or of cls failed"
 done
 tar -C "hosts/$job" -cf - . | on_host "tar -C $there -xf -" || unreachable "the copy of the job failed"
@@ -68,7 +72,12 @@ code=$?
 exec 3>&-
 [ $code -eq 0 ] || { rm -rf "$tmp"; [ $code -eq $no_result ] && exit $no_result; echo "cls: the connection ended with exit code $code" >&2; exit $unreachable; }
 
+# Links, devices and pipes are no results, and no program of this host gets rights by one.
+list=$(tar -tvzf "$tmp/result.tgz") || unreachable "the result did not arrive as a whole"
+strange=$(printf '%s\n' "$list" | grep -v '^[-d]' | head -n 1)
+[ -z "$strange" ] || unreachable "the result holds what is neither a file nor a folder: $strange"
 tar -C "$tmp" -xzf "$tmp/result.tgz" || unreachable "the result did not arrive as a whole"
+chmod -R u=rwX,g-sw,o-w "$tmp/results" "$tmp/matches" 2>/dev/null || :
 [ -s "$tmp/results/$job.json" ] || unreachable "the result did not arrive"
 if [ ! -e "results/$job.json" ]; then
   for folder in "$tmp/matches/$index"-*; do

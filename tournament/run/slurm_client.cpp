@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <mutex>
 #include <optional>
 
@@ -74,9 +75,33 @@ bool may_still_run(const TaskState& state) {
   return std::ranges::find(kFinalStates, state.state) == kFinalStates.end();
 }
 
-Result<SlurmClient> SlurmClient::create() {
+std::string clusters_of(const std::vector<std::string>& options) {
+  constexpr std::string_view kLong = "--clusters";
+  constexpr std::string_view kShort = "-M";
+  for (std::size_t i = options.size(); i-- > 0;) {
+    const std::string_view option = options[i];
+    if ((option == kLong || option == kShort) && i + 1 < options.size()) return options[i + 1];
+    if (option.starts_with("--clusters=")) return std::string(option.substr(kLong.size() + 1));
+    if (option.starts_with(kShort) && option.size() > kShort.size()) {
+      return std::string(option.substr(kShort.size()));
+    }
+  }
+
+  for (const char* name : {"SBATCH_CLUSTERS", "SLURM_CLUSTERS"}) {
+    const char* value = std::getenv(name);
+    if (value != nullptr && *value != '\0') return value;
+  }
+  return {};
+}
+
+Result<SlurmClient> SlurmClient::create(std::string clusters) {
   TRY_INIT(auto host, process::ProcessHost::create());
-  return SlurmClient(std::move(host));
+  return SlurmClient(std::move(host), std::move(clusters));
+}
+
+Result<SlurmClient::Output> SlurmClient::run_there(std::vector<std::string> argv) {
+  if (!clusters_.empty()) argv.push_back("--clusters=" + clusters_);
+  return run(std::move(argv));
 }
 
 Result<SlurmClient::Output> SlurmClient::run(std::vector<std::string> argv) {
@@ -132,8 +157,8 @@ Submission SlurmClient::submit(const std::vector<std::string>& arguments) {
 
 Result<std::map<TaskName, TaskState>> SlurmClient::tasks(const std::vector<std::string>& names) {
   TRY_INIT(const auto output,
-           run({"squeue", "--noheader", "--array", "--states=all",
-                fmt::format("--name={}", fmt::join(names, ",")), "--format=%j|%K|%T|%r"}));
+           run_there({"squeue", "--noheader", "--array", "--states=all",
+                      fmt::format("--name={}", fmt::join(names, ",")), "--format=%j|%K|%T|%r"}));
   if (output.exit_code != 0) return Error{joined(output.lines)};
   std::map<TaskName, TaskState> tasks;
   for (const std::string& line : output.lines) {
@@ -145,7 +170,7 @@ Result<std::map<TaskName, TaskState>> SlurmClient::tasks(const std::vector<std::
 Result<void> SlurmClient::cancel(const std::string& name, bool pending_only) {
   std::vector<std::string> argv = {"scancel", "--name=" + name};
   if (pending_only) argv.emplace_back("--state=PENDING");
-  TRY_INIT(const auto output, run(std::move(argv)));
+  TRY_INIT(const auto output, run_there(std::move(argv)));
   if (output.exit_code != 0) return Error{joined(output.lines)};
   return {};
 }

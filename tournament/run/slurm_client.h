@@ -36,6 +36,10 @@ struct TaskState {
   std::string reason;  ///< why it is pending: "Resources", "JobHeldUser", ...
 };
 
+/// The clusters to which sbatch submits with these options: those of `--clusters` and `-M`, else of
+/// SBATCH_CLUSTERS or SLURM_CLUSTERS; empty: that of this host.
+std::string clusters_of(const std::vector<std::string>& options);
+
 /// False when the state is final: Slurm will not run the task (again).
 bool may_still_run(const TaskState& state);
 
@@ -44,7 +48,8 @@ bool may_still_run(const TaskState& state);
 /// even if the run that submitted it was killed before it read the job number.
 class SlurmClient {
  public:
-  static base::Result<SlurmClient> create();
+  /// `clusters`: where the jobs are, see clusters_of(); empty: the cluster of this host.
+  static base::Result<SlurmClient> create(std::string clusters = "");
 
   /// MaxArraySize of the site: array indices are below it. Slurm's default, 1001, if not reported.
   base::Result<int> max_array_size();
@@ -59,15 +64,19 @@ class SlurmClient {
   base::Result<void> cancel(const std::string& name, bool pending_only);
 
  private:
-  explicit SlurmClient(process::ProcessHost host) : host_(std::move(host)) {}
+  SlurmClient(process::ProcessHost host, std::string clusters)
+      : host_(std::move(host)), clusters_(std::move(clusters)) {}
 
   struct Output {
     int exit_code = -1;  ///< -1: killed by a signal or at the timeout
     std::vector<std::string> lines;
   };
   base::Result<Output> run(std::vector<std::string> argv);
+  /// Runs a program that asks one cluster unless it is told which ones.
+  base::Result<Output> run_there(std::vector<std::string> argv);
 
   process::ProcessHost host_;
+  std::string clusters_;
 };
 
 }  // namespace cls::tournament

@@ -175,6 +175,8 @@ class SlurmExecutor : public MatchExecutor {
     SlurmBatch batch;
     std::size_t live = 0;   // tasks that have not ended
     bool submitted = true;  // known for certain
+    bool accepted = false;  // by sbatch, in this run
+    bool seen = false;      // in squeue
   };
 
   // Submits as much as the site accepts, in arrays as long as it accepts them.
@@ -225,7 +227,8 @@ class SlurmExecutor : public MatchExecutor {
                      Task{assignments[i], batch.number, static_cast<int>(i)});
     }
     batches_.emplace(batch.number,
-                     Batch{batch, assignments.size(), submission.status == Status::kAccepted});
+                     Batch{batch, assignments.size(), submission.status == Status::kAccepted,
+                           submission.status == Status::kAccepted, false});
     return submission;
   }
 
@@ -241,10 +244,14 @@ class SlurmExecutor : public MatchExecutor {
       return false;
     }
 
+    for (const auto& [name, state] : *states) {
+      for (auto& [number, batch] : batches_) batch.seen |= batch.batch.name == name.first;
+    }
     for (auto& [index, task] : tasks_) {
       Batch& batch = batches_.at(task.batch);
       const auto found = states->find({batch.batch.name, task.position});
       if (found == states->end()) {
+        if (is_unseen(batch)) continue;
         ++task.polls_ended;
         continue;
       }
@@ -253,6 +260,17 @@ class SlurmExecutor : public MatchExecutor {
       task.polls_ended = may_still_run(found->second) ? 0 : task.polls_ended + 1;
       note_held(batch.batch, found->second);
     }
+    return true;
+  }
+
+  // Slurm has accepted these tasks and does not show them: they may run all the same, on another
+  // cluster. Their results are awaited.
+  bool is_unseen(const Batch& batch) {
+    if (!batch.accepted || batch.seen) return false;
+    note_once(fmt::format(
+        "{} was accepted, but squeue does not show it; its results are awaited. If it is on "
+        "another cluster, name that in slurm_options: --clusters=NAME",
+        batch.batch.name));
     return true;
   }
 
@@ -366,7 +384,7 @@ class SlurmExecutor : public MatchExecutor {
 Result<std::unique_ptr<MatchExecutor>> slurm_executor(const TournamentConfig& config,
                                                       const fs::path& folder,
                                                       const fs::path& program) {
-  TRY_INIT(auto client, SlurmClient::create());
+  TRY_INIT(auto client, SlurmClient::create(clusters_of(config.execution.slurm_options)));
   const auto size = client.max_array_size();
   if (!size) return Error{"executor slurm: " + size.error().message};
   return std::unique_ptr<MatchExecutor>(

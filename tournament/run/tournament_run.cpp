@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/text/counted.h"
 #include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "league/schedule/schedule.h"
@@ -23,6 +24,7 @@
 #include "tournament/store/decide.h"
 #include "tournament/store/event_file.h"
 #include "tournament/store/folder.h"
+#include "tournament/store/lost_store.h"
 #include "tournament/store/match_attempt.h"
 #include "tournament/store/match_document.h"
 #include "tournament/store/pauses_file.h"
@@ -89,6 +91,8 @@ class TournamentRun {
     TRY(store_.requeue(true));
     TRY_INIT(auto decided, decided_matches(options_.folder, store_));
     matches_ = std::move(decided);
+    rebuilds_ = matches_.empty() && was_begun(options_.folder);
+    if (rebuilds_) TRY(check_lost_results(options_.folder));
 
     log_event("tournament_started", {{"folder", options_.folder.string()},
                                      {"scheduled", matches_.size()},
@@ -118,7 +122,8 @@ class TournamentRun {
     for (ScheduledMatch& match : matches_) {
       if (match.outcome || match.attempts <= match.settled) continue;
       if (running.contains(match.fixture.index)) continue;
-      auto outcome = recover_result(config_, match.fixture, match.attempts, options_.folder);
+      const auto recover = rebuilds_ ? read_again : recover_result;
+      auto outcome = recover(config_, match.fixture, match.attempts, options_.folder);
       if (!outcome) continue;
       TRY(record_outcome(match.fixture.index, *std::move(outcome)));
     }
@@ -138,6 +143,14 @@ class TournamentRun {
       before = matches_.size();
       TRY(schedule_next());
     }
+
+    if (std::exchange(rebuilds_, false)) {
+      const std::string note =
+          fmt::format("{} was missing or empty: {} read from {}/", kStoreFile,
+                      base::counted(done_, "result was", "results were"), kMatchesFolder);
+      observer_.on_note(note);
+      log_event("note", {{"text", note}});
+    }
     return {};
   }
 
@@ -153,8 +166,25 @@ class TournamentRun {
                                     {"last", next.back().index},
                                     {"scheduled", matches_.size()}});
 
+    if (rebuilds_) TRY(find_attempts(next));
     TRY(record_work_results());
     return recover_results();
+  }
+
+  // The matches of a store that was lost get the attempts that their folders tell, and the seeds
+  // that were decided.
+  Result<void> find_attempts(const std::vector<Fixture>& fixtures) {
+    TRY_INIT(auto decided, decided_matches(options_.folder, store_));
+    matches_ = std::move(decided);
+    for (const Fixture& fixture : fixtures) {
+      ScheduledMatch& match = match_at(fixture.index);
+      const int attempts = latest_attempt(config_, match.fixture, options_.folder);
+      for (int attempt = 1; attempt <= attempts; ++attempt) {
+        TRY(store_.begin_attempts(std::vector{fixture.index}));
+      }
+      match.attempts = attempts;
+    }
+    return {};
   }
 
   Result<void> start_matches() {
@@ -227,7 +257,7 @@ class TournamentRun {
 
     ScheduledMatch recorded = match;  // a match that is played again has no outcome
     recorded.outcome = std::move(outcome);
-    notify(recorded, then);
+    if (!rebuilds_) notify(recorded, then);  // hooks had those of a lost store before
     if (then == Then::kStop) end(RunEnd::kFault, fault_text(recorded));
     if (!ending_ && is_decided()) end(RunEnd::kDecided);
     return {};
@@ -412,6 +442,7 @@ class TournamentRun {
   std::deque<int> waiting_;
   std::optional<RunEnd> ending_;
   RunSummary summary_;
+  bool rebuilds_ = false;  ///< the store was lost: results are read from folders
   bool paused_ = false;
   int done_ = 0;
   int invalid_ = 0;

@@ -39,6 +39,10 @@ section.part { background: var(--card); border: 1px solid var(--faint); border-r
 section.part:empty { display: none; }
 .cards { display: grid; gap: 0.8rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 15rem), 1fr)); }
 .card { display: block; color: inherit; text-decoration: none; border: 1px solid var(--line); border-radius: 0.5rem; overflow: hidden; max-width: 46rem; }
+.card:only-child { max-width: none; }
+.card:only-child .pitch { max-height: 75vh; }
+.card:only-child .name { font-size: 1.5rem; }
+.card:only-child .score { font-size: 2.6rem; }
 a.card:hover, a.card:focus-visible { border-color: var(--accent); box-shadow: 0 0 0 1px var(--accent); }
 .card .line { display: grid; grid-template-columns: minmax(0, 1fr) auto minmax(0, 1fr); gap: 0.7rem; align-items: center; padding: 0.5rem 0.7rem; }
 .card .name { font-size: 1.15rem; font-weight: 650; line-height: 1.2; overflow-wrap: anywhere; }
@@ -64,7 +68,7 @@ caption { text-align: left; font-weight: 600; padding: 0 0 0.2rem; font-size: 0.
 th, td { padding: 0.22rem 0.4rem; text-align: right; font-weight: 400; border-bottom: 1px solid var(--faint); }
 th:first-child, td:first-child { padding-left: 0.1rem; }
 thead th { color: var(--muted); font-size: 0.82rem; border-bottom-color: var(--line); white-space: nowrap; }
-td.w, th.w { text-align: left; overflow-wrap: anywhere; }
+td.w, th.w { text-align: left; overflow-wrap: break-word; }
 .standings td.w { width: 100%; min-width: 5.5rem; font-weight: 600; }
 #ladder .bracket:not(:has(.joins)) { flex-wrap: wrap; gap: 0.6rem 0; }
 .matches { list-style: none; margin: 0; padding: 0; }
@@ -90,6 +94,7 @@ footer { padding: 0 1rem 1rem; text-align: center; color: var(--muted); font-siz
 }
 @media (min-width: 1700px) {
   main { grid-template-columns: minmax(0, 1.15fr) minmax(0, 1fr) minmax(0, 0.8fr); }
+  main:has(.card:only-child) { grid-template-columns: minmax(0, 2fr) minmax(0, 1fr) minmax(0, 0.7fr); }
   main:not(:has(.cards)) { grid-template-columns: minmax(0, 0.5fr) minmax(0, 1fr) minmax(0, 1fr); }
 }
 )";
@@ -118,8 +123,11 @@ std::string clock_text(int cycle) {
 }
 
 std::string card(const SpectatorMatch& match) {
-  const auto name = [](const std::string& team) {
-    return fmt::format("<span class=\"name\">{}</span>", base::escape_xml(team));
+  // With the color of the team on the pitch.
+  const auto name = [&match](const std::string& team, std::string_view key) {
+    const std::string color =
+        match.glance ? fmt::format("<span class=\"{}\"></span>", key) : std::string();
+    return fmt::format("<span class=\"name\">{}{}</span>", color, base::escape_xml(team));
   };
   const char* element = match.has_page ? "a" : "div";
   const std::string link =
@@ -127,8 +135,8 @@ std::string card(const SpectatorMatch& match) {
 
   std::string text = fmt::format(
       "<{} class=\"card\"{}>\n<span class=\"line\">{}<span class=\"score\">{}</span>{}</span>\n",
-      element, link, name(match.left),
-      match.score.empty() ? "– : –" : base::escape_xml(match.score), name(match.right));
+      element, link, name(match.left, "key"),
+      match.score.empty() ? "– : –" : base::escape_xml(match.score), name(match.right, "key r"));
   if (match.glance) text += pitch(*match.glance);
 
   const std::string clock =

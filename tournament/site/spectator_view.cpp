@@ -85,10 +85,22 @@ class Viewer {
       SpectatorMatch shown = spectator_match(state_.config, *match);
       const std::string title = stage_of(state_.config, shown.occasion);
       shown.occasion.erase(0, std::min(shown.occasion.size(), title.size() + 2));
+      if (const std::string history = history_text(*match); !history.empty()) {
+        shown.occasion += shown.occasion.empty() ? history : " · " + history;
+      }
       if (groups.empty() || groups.back().title != title) groups.push_back({title, {}});
       groups.back().content.push_back(std::move(shown));
     }
   }
+
+  // The ranks of all teams while a stage is played: those of equal places in its groups are shared,
+  // which nobody can follow beside the tables of the groups.
+  bool is_provisional(const RankedTable& ranked) const {
+    const bool last = &ranked == &report_.tables.back();
+    return last && !report_.complete && has_stages() && report_.tables.size() > 1;
+  }
+
+  bool has_stages() const { return !state_.config.competition.stages.empty(); }
 
   std::string table_of(const RankedTable& ranked) const {
     const TournamentConfig config = with_columns(state_.config, ranked.average);
@@ -102,12 +114,13 @@ class Viewer {
   void add_tables() {
     std::vector<SpectatorGroup<std::string>> groups;
     for (const RankedTable& ranked : report_.tables) {
-      if (ranked.standings.empty()) continue;
+      if (ranked.standings.empty() || is_provisional(ranked)) continue;
       const std::string title = stage_of(state_.config, ranked.title);
       if (groups.empty() || groups.back().title != title) groups.push_back({title, {}});
       groups.back().content.push_back(table_of(ranked));
     }
-    const std::size_t open = report_.complete || groups.size() < 2 ? 1 : 2;
+    const bool one = report_.complete || groups.size() < 2 || has_stages();
+    const std::size_t open = one ? 1 : 2;
     for (std::size_t i = groups.size(); i > 0; --i) {
       SpectatorGroup<std::string>& group = groups[i - 1];
       if (groups.size() - i < open) {
@@ -202,7 +215,8 @@ void Viewer::add_statistics() {
 
   base::Table table;
   table.add_column("team");
-  for (const char* heading : {"matches", "goals", "a match", "against", "a match", "without one"}) {
+  for (const char* heading :
+       {"matches", "goals", "per match", "against", "against per match", "clean sheets"}) {
     table.add_column(heading, base::Table::Align::kRight);
   }
   for (const std::size_t team : order) {

@@ -75,15 +75,6 @@ HttpReply document_reply(std::shared_ptr<const viewer::HttpDocument> document) {
   return reply;
 }
 
-// A folder of a stranger may name any other one in its results, and hold links to any other one.
-bool is_inside(const fs::path& file, const fs::path& tournament) {
-  std::error_code code;
-  const fs::path whole = fs::canonical(file, code);
-  const fs::path root = code ? fs::path() : fs::canonical(tournament, code);
-  if (code) return false;
-  return std::ranges::mismatch(root, whole).in1 == root.end();
-}
-
 // Differs after every change of the tournament, and once a minute: planned times move on.
 std::string fingerprint(const fs::path& tournament) {
   const auto minutes = std::chrono::floor<std::chrono::minutes>(std::chrono::system_clock::now());

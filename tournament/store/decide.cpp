@@ -92,7 +92,11 @@ Result<DecisionEffect> decide(const fs::path& folder, const TournamentConfig& co
 
   const std::size_t at = base::index(decision.match) - 1;
   const ScheduledMatch before = matches[at];
-  if (before.outcome) decision.before = result_text(*before.outcome);
+  if (before.outcome) {
+    decision.before = result_text(*before.outcome);
+    decision.folder = before.outcome->folder;
+    decision.began = before.outcome->started;
+  }
   if (decision.kind == DecisionKind::kReplay) decision.seed = seed_of_replay(before.fixture.seed);
   decisions.push_back(decision);
 

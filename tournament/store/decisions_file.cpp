@@ -17,6 +17,8 @@ static void members(Codec& codec, typename Codec::template Object<MatchDecision>
   codec.member("seed", decision.seed);
   codec.member("reason", decision.reason);
   codec.text_or_null("before", decision.before);
+  codec.text_or_null("folder", decision.folder);
+  codec.text_or_null("began", decision.began);
   codec.member("time", decision.time);
 }
 

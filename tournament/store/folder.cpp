@@ -23,6 +23,7 @@
 #include "tournament/config/config_file.h"
 #include "tournament/store/collector.h"
 #include "tournament/store/decisions_file.h"
+#include "tournament/store/lost_store.h"
 #include "tournament/store/match_document.h"
 #include "tournament/store/pauses_file.h"
 #include "tournament/store/store.h"
@@ -71,6 +72,14 @@ std::optional<AttemptName> parse_attempt_name(std::string_view name) {
   return AttemptName{*index, *attempt, name.substr(second + 1)};
 }
 
+bool is_inside(const fs::path& file, const fs::path& tournament) {
+  std::error_code code;
+  const fs::path whole = fs::canonical(file, code);
+  const fs::path root = code ? fs::path() : fs::canonical(tournament, code);
+  if (code) return false;
+  return std::ranges::mismatch(root, whole).in1 == root.end();
+}
+
 Result<std::optional<FolderLock>> FolderLock::try_lock(const fs::path& folder) {
   const fs::path path = folder / kLockFile;
   base::UniqueFd file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
@@ -80,6 +89,12 @@ Result<std::optional<FolderLock>> FolderLock::try_lock(const fs::path& folder) {
   constexpr int kTries = 5;
   constexpr std::chrono::milliseconds kPause{20};
   for (int tries = 1; ::flock(file.get(), LOCK_EX | LOCK_NB) != 0; ++tries) {
+    if (errno == EINTR) continue;
+    if (errno != EWOULDBLOCK) {
+      return Error{fmt::format(
+          "cannot lock {}: {}; use a folder on a file system with locks, such as a local disk",
+          path.string(), std::strerror(errno))};
+    }
     if (tries == kTries) return std::optional<FolderLock>();
     std::this_thread::sleep_for(kPause);
   }
@@ -95,12 +110,12 @@ Result<std::string> read_if_there(const fs::path& file) {
 
 bool FolderLock::is_held(const fs::path& folder) {
   const base::UniqueFd file(::open((folder / kLockFile).c_str(), O_RDONLY | O_CLOEXEC));
-  return file && ::flock(file.get(), LOCK_SH | LOCK_NB) != 0;
+  return file && ::flock(file.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
 }
 
 bool holds_plan(const fs::path& folder) {
   std::error_code code;
-  return fs::exists(folder / kPlanFile, code);
+  return fs::is_regular_file(folder / kPlanFile, code);
 }
 
 Result<TournamentConfig> read_plan(const fs::path& folder) {
@@ -250,7 +265,7 @@ Result<void> read_store(const fs::path& folder, std::span<const MatchDecision> d
 
 }  // namespace
 
-Result<TournamentState> read_tournament(const fs::path& folder) {
+Result<TournamentState> read_tournament(const fs::path& folder, bool may_be_lost) {
   TournamentState state;
   TRY_INIT(state.config, read_plan(folder));
   TRY_INIT(const auto decisions, read_decisions(folder));
@@ -264,6 +279,10 @@ Result<TournamentState> read_tournament(const fs::path& folder) {
     TRY_INIT(state.matches, schedule_in(folder));
   }
   TRY(check_file(folder / kScheduleFile, state));
+  if (state.stored == 0 && was_begun(folder)) {
+    if (!may_be_lost) return lost_store(folder);
+    state.matches.clear();
+  }
 
   for (WorkResult& result : collect_work_results(folder, state.matches)) {
     state.matches[base::index(result.index) - 1].outcome = std::move(result.outcome);

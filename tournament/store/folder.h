@@ -39,6 +39,10 @@ std::filesystem::path result_file(int index, int attempt);
 /// process that created it, which may be playing in it.
 bool claim_folder(const std::filesystem::path& folder);
 
+/// True if `file` exists in the folder of the tournament, also when links are followed: a folder of
+/// a stranger may name any other one in its results, and hold links to any other one.
+bool is_inside(const std::filesystem::path& file, const std::filesystem::path& tournament);
+
 /// The host in unfinished_label(): the name of this one as part of a file name.
 std::string unfinished_host();
 
@@ -109,7 +113,9 @@ struct TournamentState {
 };
 
 /// Reads plan, store and result files of `work`, without writing. An error if they contradict each
-/// other.
-base::Result<TournamentState> read_tournament(const std::filesystem::path& folder);
+/// other, or if the store was lost (lost_store.h), which a `run` mends: no matches
+/// then, with `may_be_lost`.
+base::Result<TournamentState> read_tournament(const std::filesystem::path& folder,
+                                              bool may_be_lost = false);
 
 }  // namespace cls::tournament

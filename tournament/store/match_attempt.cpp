@@ -15,6 +15,7 @@
 #include "base/system/host.h"
 #include "base/text/number_text.h"
 #include "match/result/match_folder.h"
+#include "match/result/recorded_end.h"
 #include "match/terms/endpoint.h"
 #include "match/terms/option_table.h"
 #include "match/terms/server_choice.h"
@@ -92,6 +93,17 @@ std::string reason_in(const std::vector<std::string>& output,
     if (last_line.empty() && line->find_first_not_of(' ') != std::string::npos) last_line = *line;
   }
   return last_line.empty() ? to_text(status.exit.value_or(process::ProcessExit{})) : last_line;
+}
+
+// `outcome` as that of an attempt whose process is not known.
+Outcome at_attempt(Outcome outcome, int attempt, const fs::path& folder, std::string time) {
+  outcome.attempts = attempt;
+  outcome.folder = folder.string();
+  outcome.started = time;
+  outcome.ended = std::move(time);
+  outcome.host = base::host_name();
+  outcome.run_seconds = outcome.wall_seconds;
+  return outcome;
 }
 
 bool interrupted(const Outcome& outcome) {
@@ -216,6 +228,12 @@ Result<std::optional<Outcome>> MatchAttempt::outcome() const {
   return std::optional<Outcome>(std::move(outcome));
 }
 
+bool holds_result(const fs::path& folder) {
+  const auto text = base::read_file(folder / match::kResultFile);
+  const auto result = text ? match::parse_match_result(*text) : base::Error{""};
+  return result && result->end_reason != soccer::EndReason::kInterrupted;
+}
+
 bool was_played(const fs::path& folder, const Fixture& fixture) {
   const auto outcome = read_outcome(folder, fixture);
   return outcome && !interrupted(*outcome);
@@ -231,13 +249,16 @@ std::optional<Outcome> recover_result(const TournamentConfig& config, const Fixt
   const fs::path folder = match_folder(config, fixture, attempt);
   auto outcome = read_outcome(tournament / folder, fixture);
   if (!outcome || !outcome->finished()) return std::nullopt;
-  outcome->attempts = attempt;
-  outcome->folder = folder.string();
-  outcome->ended = base::utc_now();
-  outcome->started = outcome->ended;
-  outcome->host = base::host_name();
-  outcome->run_seconds = outcome->wall_seconds;
-  return *std::move(outcome);
+  return at_attempt(*std::move(outcome), attempt, folder, base::utc_now());
+}
+
+std::optional<Outcome> read_again(const TournamentConfig& config, const Fixture& fixture,
+                                  int attempt, const fs::path& tournament) {
+  const fs::path folder = match_folder(config, fixture, attempt);
+  auto outcome = read_outcome(tournament / folder, fixture);
+  if (!outcome || interrupted(*outcome)) return std::nullopt;
+  return at_attempt(*std::move(outcome), attempt, folder,
+                    match::recorded_start(tournament / folder));
 }
 
 bool keeps_folder(const TournamentConfig& config, const Outcome& outcome) {
@@ -252,7 +273,7 @@ void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outc
     const fs::path folder = match_folder(config, fixture, attempt);
     bool keep = folder == outcome.folder;
     if (attempt < outcome.attempts && config.execution.keep_logs != KeepLogs::kNone) {
-      keep = was_played(tournament / folder, fixture);
+      keep = holds_result(tournament / folder);
     }
     if (!keep) fs::remove_all(tournament / folder, code);
   }

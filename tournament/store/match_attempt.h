@@ -69,7 +69,10 @@ class MatchAttempt {
   bool ended_rest_ = false;
 };
 
-/// True when `folder` holds the result of this match, valid or not, but not an interrupted one.
+/// True when `folder` holds the result of a match, valid or not, but not an interrupted one.
+bool holds_result(const std::filesystem::path& folder);
+
+/// True when it is that of this match: a replay has another seed than what it replaces.
 bool was_played(const std::filesystem::path& folder, const Fixture& fixture);
 
 /// True when `folder` holds what an interrupted match has written at its end.
@@ -79,6 +82,10 @@ bool was_interrupted(const std::filesystem::path& folder, const Fixture& fixture
 /// Nothing when that is missing or the match is invalid.
 std::optional<Outcome> recover_result(const TournamentConfig& config, const Fixture& fixture,
                                       int attempt, const std::filesystem::path& tournament);
+
+/// The same, valid or not, with the times of the files.
+std::optional<Outcome> read_again(const TournamentConfig& config, const Fixture& fixture,
+                                  int attempt, const std::filesystem::path& tournament);
 
 /// Removes the folders of all attempts at a match that `keep_logs` does not keep, and of attempts
 /// without a result, below matches/, and that of the last attempt if another one counts. Call it

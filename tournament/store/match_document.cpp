@@ -123,6 +123,10 @@ Json json_of(const TournamentConfig& config, const ScheduledMatch& match) {
     json["score"] = nullptr;
   }
   if (match.decision) json["decision"] = json_of(*match.decision);
+  if (!match.history.empty()) {
+    json["decisions"] = Json::array();
+    for (const MatchDecision& one : match.history) json["decisions"].push_back(json_of(one));
+  }
   return json;
 }
 

@@ -108,7 +108,7 @@ Result<ResultsFile> ResultsFile::parse(std::string_view text, const std::string&
 
 Result<ResultsFile> ResultsFile::read(const std::filesystem::path& file,
                                       const TournamentConfig& config) {
-  const auto text = base::read_file(file);
+  const auto text = base::read_text(file);
   if (!text) return Error{fmt::format("cannot read {}", file.string())};
   return parse(*text, file.string(), config);
 }

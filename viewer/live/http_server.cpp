@@ -216,7 +216,8 @@ class HttpServer::Session : public std::enable_shared_from_this<Session> {
     const bool head = request.method == "HEAD";
     if (!head && request.method != "GET") return refuse(405, "GET and HEAD only\n");
     if (!is_own_host(request.field("Host"), state_.access.names)) {
-      return refuse(403, "unknown host\n");
+      return refuse(
+          403, "unknown host; --host-name NAME of the command that serves this page allows it\n");
     }
     if (!head && state_.redeem(request.target)) {
       return send_text(redirection(state_.prefix), {}, false, false);

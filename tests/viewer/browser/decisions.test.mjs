@@ -99,7 +99,7 @@ test('lists the worst moments, marks missed decisions, and links restore the mod
   await page.mouse.click(strip.x + strip.width / 2, strip.y + 10);
   assert.ok(Math.abs((await page.evaluate(() => window.clsViewer.viewer.frame)) - 150) < 3);
   await page.getByRole('button', {name: 'Call the Playmaker again'}).click();
-  assert.match(await page.locator('.copied').innerText(), /^cls test --replay match.rpc --side left --at \d+ --player 7 localhost:50051$/);
+  assert.match(await page.locator('.copied').innerText(), /^# match.rpc: .*\ncls test --replay match.rpc --side left --at \d+ --player 7 (localhost:50051|mock|'.+')$/);
   await page.keyboard.press('Shift+Digit7');
   await page.locator('.decision .hint', {hasText: '--record-world-models'}).first().waitFor();
   assert.deepEqual(problems, []);

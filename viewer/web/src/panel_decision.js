@@ -10,6 +10,11 @@ import {sideOfSlot, unumOfSlot} from './sides.js';
 
 const kEstimateColumns = ['', 'Estimated', 'Full state', 'Error', 'Age'];
 
+/** One word of a shell. @param {string} text */
+function shellQuoted(text) {
+  return /^[\w.:/@%+=,-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
+}
+
 export class DecisionPanel {
   /** @param {import('./viewer.js').Viewer} viewer */
   constructor(viewer) {
@@ -52,11 +57,14 @@ export class DecisionPanel {
       button('This moment as a scenario', () => scenarioOfMoment(viewer.record, viewer.frame, viewer.selected[0])), this.copied);
   }
 
-  /** The command that sends this State again. */
+  /** The command that sends this State again, to the Playmaker of this match where the page knows it. */
   #replayCommand() {
     const {viewer} = this;
     const slot = viewer.selected[0];
-    return `cls test --replay match.rpc --side ${sideOfSlot(slot)} --at ${viewer.record.time(viewer.frame)} --player ${unumOfSlot(slot)} localhost:50051`;
+    const side = sideOfSlot(slot);
+    const [left, right] = viewer.record.sides ?? ['localhost:50051', 'localhost:50051'];
+    return '# match.rpc: played again with --record-rpc match.rpc, unless it was recorded\n' +
+      `cls test --replay match.rpc --side ${side} --at ${viewer.record.time(viewer.frame)} --player ${unumOfSlot(slot)} ${shellQuoted(side === 'left' ? left : right)}`;
   }
 
   /** Shows the text, too: not every page may write to the clipboard. */
