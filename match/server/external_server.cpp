@@ -234,6 +234,7 @@ void ExternalServer::report_missing_log(MatchResult& result, bool has_agents,
   }
   result.end_reason = EndReason::kServerFailed;
   result.message = fmt::format("the result is unknown: {}", why);
+  result.left.score = result.right.score = 0;
 }
 
 // An exit code of `cls server`; rcssserver does not report it.
@@ -248,10 +249,20 @@ void ExternalServer::report_write_error(MatchResult& result) const {
   result.write_error = "the soccer server could not write its logs: " + why;
 }
 
+// Such a log knows the result, whatever agents have heard: programs of a side may be able to send
+// to them in the name of the server. Only `cls server` says whether it could write.
+bool ExternalServer::has_written_whole_log() const {
+  if (child_ == nullptr || !binds_clients()) return false;
+  const process::Child::Status status = child_->status();
+  if (!status.exit) return false;
+  return !status.exit->by_signal && status.exit->number != kServerWriteError;
+}
+
 // True if the log ends before the match: the disk was full, or the file too large. The players are
 // a cycle ahead of the log when a match ends at its cycle limit.
 bool ExternalServer::is_cut(int cycles, bool over, const std::vector<AgentProgress>& agents) const {
   const bool at_limit = options_.cycles && cycles >= *options_.cycles;
+  if (has_written_whole_log()) return false;
   if (agents.empty()) return output_.status().game_over && !over && !at_limit;
   return std::ranges::any_of(agents, [cycles](const AgentProgress& seen) {
     return seen.progress.match.cycle > cycles + 1;
@@ -280,7 +291,8 @@ void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgre
   const auto record = gamelog::read_rcg_file((folder_ / kGameLogFile).string());
   if (!record) return report_missing_log(result, !agents.empty(), record.error().message);
   if (record->frames() == 0) {
-    return report_missing_log(result, !agents.empty(), "the game log contains no cycle");
+    const bool agents_know = !agents.empty() && !has_written_whole_log();
+    return report_missing_log(result, agents_know, "the game log contains no cycle");
   }
 
   const analysis::MatchSummary summary = analysis::summarize(*record, nullptr);

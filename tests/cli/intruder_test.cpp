@@ -101,8 +101,9 @@ while time.time() < until:
         seen.add(peer)
         forger = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         forger.bind(('127.0.0.2', port))
-        forger.sendmsg([sys.argv[1].encode()], [(socket.IPPROTO_IP, 8, source)], 0,
-                       ('127.0.0.1', peer))
+        for message in sys.argv[1:]:
+            forger.sendmsg([message.encode()], [(socket.IPPROTO_IP, 8, source)], 0,
+                           ('127.0.0.1', peer))
         forger.close()
     print('victims', len(seen), flush=True)
     time.sleep(0.01)
@@ -124,13 +125,17 @@ TEST_F(Intruder, ForgesNoMessagesOfTheServer) {
   }
 }
 
-// What the namespaces are for: agents of cls believe the forger.
-TEST_F(Intruder, ForgesThemWhereTheSidesShareANetwork) {
+// What the namespaces are for: agents of cls believe the forger, before the match begins. The score
+// that they have heard counts no more than the log.
+TEST_F(Intruder, WinsNothingByForgeryWhereTheSidesShareANetwork) {
   fs::create_directories(folder_.path() / "team");
   std::ofstream(folder_.path() / "team/forger.py") << kForger;
-  const std::string forger = "/usr/bin/python3 forger.py '(hear 101 referee time_over)' &\n";
+  const std::string forger =
+      "/usr/bin/python3 forger.py '(hear 100 referee goal_l_9)' '(hear 101 referee time_over)' &\n";
   play_embedded(named_team("team", "Forgers", forger, "wait\n"), {"--sandbox=files"});
-  EXPECT_THAT(output(), HasSubstr("victims 1"));
+  EXPECT_THAT(output(), ContainsRegex("victims [1-9]"));
+  EXPECT_EQ(result_["left"]["score"], 0) << played_.err;
+  EXPECT_FALSE(result_["valid"].get<bool>() && result_["right"]["score"] != 0) << played_.err;
 }
 
 TEST_F(Intruder, PlaysAloneUnderTheNameOfItsOpponent) {
