@@ -130,7 +130,7 @@ MatchResult full_result() {
   result.goals = {{17, soccer::Side::kLeft, 9}, {18, soccer::Side::kRight, 0}};
   result.warnings = {"a warning"};
   result.processes = {
-      {"soccer server", "rcssserver", "server.log", "exit code 3", 0.25, "KeyError: 7", ""}};
+      {"soccer server", "rcssserver", "server.log", "exit code 3", 0.25, 0.0, "KeyError: 7", ""}};
   result.rcg = "match.rcg";
   result.rcl = "match.rcl";
   result.folder = "runs/1";

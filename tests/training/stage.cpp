@@ -13,7 +13,7 @@ cls_training_buffer sized(std::vector<T>& vector, std::size_t count) {
 }
 
 // Fuzzers link this file, too, so it does without GoogleTest, which reports what is thrown.
-void require(int status) {
+void expect_ok(int status) {
   if (status != CLS_TRAINING_OK) throw std::runtime_error(cls_training_error());
 }
 
@@ -41,7 +41,7 @@ BoundPool::BoundPool(const std::string& config) {
   states = setup.state_columns.size();
   value_columns = setup.value_columns;
 
-  require(cls_training_create(config.c_str(), &handle));
+  expect_ok(cls_training_create(config.c_str(), &handle));
 
   const std::size_t rows = worlds * agents;
   const std::size_t values = value_columns.size();
@@ -50,11 +50,11 @@ BoundPool::BoundPool(const std::string& config) {
 #define CLS_TRAINING_ARRAY(type, name, count, needed) buffers.name = sized(name, count);
 #include "training/pool/arrays.inc"
 
-  require(cls_training_bind(handle, &buffers));
+  expect_ok(cls_training_bind(handle, &buffers));
 }
 
 BoundPool::BoundPool(const std::string& config, std::uint64_t first) : BoundPool(config) {
-  require(reset(first));
+  expect_ok(reset(first));
 }
 
 BoundPool::~BoundPool() { cls_training_close(handle); }
@@ -79,7 +79,7 @@ std::string BoundPool::play(soccer::RandomStream& random, int steps) {
   std::string bytes;
   for (int i = 0; i < steps; ++i) {
     draw_actions(random);
-    require(step());
+    expect_ok(step());
     bytes += outputs();
   }
   return bytes;
@@ -88,7 +88,7 @@ std::string BoundPool::play(soccer::RandomStream& random, int steps) {
 cls_training_world BoundPool::view(std::size_t world) const {
   cls_training_world out = {};
   out.struct_size = sizeof out;
-  require(cls_training_view(handle, world, &out));
+  expect_ok(cls_training_view(handle, world, &out));
   return out;
 }
 
