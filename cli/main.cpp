@@ -1,7 +1,4 @@
 // The binary `cls`: runs the command line; reports uncaught exceptions as internal errors.
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <exception>
 #include <optional>
 #include <string>
@@ -9,6 +6,7 @@
 #include "base/io/standard_streams.h"
 #include "cli/application.h"
 #include "cli/support/abort_report.h"
+#include "cli/support/finish_output.h"
 #include "cli/support/print_error.h"
 #include "process/guard.h"
 #include "proto/grpc_settings.h"
@@ -17,18 +15,6 @@ namespace {
 
 using namespace cls;
 using namespace cls::cli;
-// A command whose output is lost has failed, although its work is done. A reader that has left,
-// such as head(1), knows that.
-int finish_output(int exit_code) {
-  std::fflush(stdout);
-  const int output = cls::base::write_error(cls::base::StandardStream::kOutput);
-  const int errors = cls::base::write_error(cls::base::StandardStream::kError);
-  if (output == 0 && errors == 0) return exit_code;
-
-  const int failed = exit_code == kOk ? static_cast<int>(kWriteFailed) : exit_code;
-  if (output == 0 || output == EPIPE) return failed;
-  return print_error(failed, std::string("cannot write standard output: ") + std::strerror(output));
-}
 
 // The guard of the programs that a command starts, before any thread exists. Nothing if fork()
 // fails, which the command reports when it needs the guard.
