@@ -41,13 +41,14 @@ function(cls_cold target)
   target_compile_options(${target} PRIVATE "$<$<CONFIG:RelWithDebInfo,Release>:-O1>")
 endfunction()
 
-# Tests are compiled more often than they run, and what they call is optimized.
+# Tests are compiled more often than they run, and what they call is optimized. Files that are HOT work
+# in their own code for long.
 function(cls_unoptimized target)
   target_compile_options(${target} PRIVATE "$<$<CONFIG:RelWithDebInfo,Release>:-O0>")
 endfunction()
 
 # cls_test(<folder> SOURCES <files...> [LINK <targets...>] [NEEDS <targets...>] [TIMEOUT <seconds>]
-#   [PCH <name>] [SHARDS <number> | SLOW] [ALONE <files...>])
+#   [PCH <name>] [SHARDS <number> | SLOW] [ALONE <files...>] [HOT <files...>])
 # One GoogleTest binary for tests/<folder>, `cls_<folder>_tests`, linked with the folder's library.
 # NEEDS lists what must be built although it is not linked (the binary `cls`). In CTest each test is
 # an entry <folder>.<Suite>.<Case> with the label <folder>; where no process is tested, SHARDS entries
@@ -55,7 +56,7 @@ endfunction()
 # names and times. SLOW tests have the label <folder>.slow: `make test` leaves them to `make
 # slow-test`. Paths: see tests/support/files.h.
 function(cls_test folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SLOW" "TIMEOUT;PCH;SHARDS" "SOURCES;LINK;NEEDS;ALONE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SLOW" "TIMEOUT;PCH;SHARDS" "SOURCES;LINK;NEEDS;ALONE;HOT")
   if(NOT arg_SOURCES)
     return()
   endif()
@@ -75,6 +76,10 @@ function(cls_test folder)
     ${arg_LINK} cls_test_support GTest::gmock GTest::gtest_main cls_warnings)
   cls_unoptimized(${target})
   cls_unity(${target} ${arg_ALONE})
+  # Precompiled headers belong to one level of optimization.
+  set_source_files_properties(${arg_HOT} PROPERTIES
+    COMPILE_OPTIONS "$<$<CONFIG:RelWithDebInfo,Release>:-O2>"
+    SKIP_PRECOMPILE_HEADERS ON)
   target_compile_definitions(${target} PRIVATE CLS_BUILD_DIR="${CMAKE_BINARY_DIR}")
   set(label ${folder})
   if(arg_SLOW)

@@ -183,8 +183,8 @@ TEST(LiveMatch, IsWatchedOnItsServerAsAMonitor) {
 
 TEST(LiveMatch, SaysThatNoServerAnswers) {
   EXPECT_THAT(run({cls_binary(), "watch", "127.0.0.1:9"}),
-              Exits(66, HasSubstr("127.0.0.1:9: no soccer server answers")));
-  EXPECT_THAT(run({cls_binary(), "watch", "127.0.0.1:70000"}), Exits(66, HasSubstr("1 to 65535")));
+              Exits(69, HasSubstr("127.0.0.1:9: no soccer server answers")));
+  EXPECT_THAT(run({cls_binary(), "watch", "127.0.0.1:70000"}), Exits(69, HasSubstr("1 to 65535")));
 }
 
 TEST(TournamentView, ListsTheMatchesAndHasAPageOfEach) {
