@@ -139,7 +139,7 @@ TEST_F(CorruptTournament, KeepsTheLogsOfAMatchThatIsPlayedAgain) {
   const std::string decisions = tournament({"decide", cup()}).out;
   EXPECT_THAT(decisions, HasSubstr("a protest"));
   EXPECT_THAT(decisions, HasSubstr("a power cut"));
-  EXPECT_THAT(tournament({"report", cup(), "--format", "markdown"}).out,
+  EXPECT_THAT(tournament({"report", cup(), "--format", "md"}).out,
               HasSubstr("matches/" + first.filename().string()));
 
   ASSERT_THAT(tournament({"archive", cup()}), Exits(0));

@@ -152,8 +152,9 @@ TEST_F(Dataset, RunsProgramsOfOthersOnlyWhenAsked) {
   const fs::path plan = folder_.path() / "data/dataset.toml";
   const std::string text = read_file(plan);
 
-  for (const char* side : {"run:touch ran; sleep 9 --port {port}", "team:.", "localhost:9",
-                           "mock:script.json", "planner:file=mock", "mix:1-coach=run:touch ran"}) {
+  for (const char* side :
+       {"run:touch ran; sleep 9 --port {port}", "team:.", "localhost:9", "mock:script.json",
+        "planner:file=mock", "mix:coach=run:touch ran {port};others=mock"}) {
     std::string changed = text;
     changed.replace(changed.find("\"mock:hold\""), 11, "\"" + std::string(side) + "\"");
     std::ofstream(plan) << changed;
@@ -164,7 +165,7 @@ TEST_F(Dataset, RunsProgramsOfOthersOnlyWhenAsked) {
     EXPECT_FALSE(fs::exists(folder_.path() / "ran")) << side;
   }
 
-  for (const char* option : {"server = \"./rcssserver\"", "book = \"/dev/zero\""}) {
+  for (const char* option : {"server = \"localhost:6000\"", "book = \"/dev/zero\""}) {
     std::string changed = text;
     changed.insert(changed.find("[tournament]\n") + 13, option + std::string("\n"));
     std::ofstream(plan) << changed;

@@ -287,8 +287,8 @@ TEST(ConvertCommand, RefusesAnEndingThatNamesNoFormat) {
   for (const char* name : {"game.tracking.txt", "game.rcl", "game", "game.gz"}) {
     const std::string out = folder.path() / name;
     EXPECT_THAT(cls_run({"convert", log, out}),
-                Exits(2, HasSubstr(".rcg, .rcg.gz, .json, .json.gz, .tracking.csv and its "
-                                   "siblings, or --to\n")));
+                Exits(2, HasSubstr(".rcg, .rcg.gz, .json, .json.gz, .tracking.csv, "
+                                   ".player_types.csv, .event.csv or --to\n")));
     EXPECT_FALSE(std::filesystem::exists(out)) << name;
     EXPECT_EQ(cls_run({"convert", log, out, "--to", "5"}).exit_code, 0) << name;
   }

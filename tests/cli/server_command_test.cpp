@@ -138,11 +138,11 @@ CommandResult end_server_by(int signal) {
 }
 
 TEST(ServerCommand, ListensOnNamesAndBracketsOfThisHost) {
-  const TemporaryFolder folder;
   for (const char* host : {"localhost", "[::1]", "::1"}) {
+    const TemporaryFolder folder;
     if (std::ifstream("/proc/net/if_inet6").peek() == EOF && host[0] != 'l') continue;
-    Command server({cls_binary(), "server", "--host", host, "--port", "0", "--dir",
-                    folder.path().string()});
+    Command server(
+        {cls_binary(), "server", "--host", host, "--port", "0", "--dir", folder.path().string()});
     EXPECT_TRUE(server.wait_for_output("listening on ")) << server.finish().err;
     server.send_signal(SIGINT);
     server.finish();

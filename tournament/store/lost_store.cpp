@@ -63,10 +63,15 @@ void members(Codec& codec, typename Codec::template Object<Event>& event) {
   codec.member("again", event.again);
 }
 
-// Numbers of the matches whose outcome was recorded. A torn line at the end tells nothing.
+// Numbers of the matches whose outcome was recorded. A torn line at the end tells nothing, nor does
+// a device or a pipe in place of the file.
 std::set<int> recorded_matches(const fs::path& folder) {
   std::set<int> matches;
-  const auto text = read_if_there(folder / kTournamentEvents);
+  std::error_code code;
+  const fs::path file = folder / kTournamentEvents;
+  if (!fs::is_regular_file(file, code)) return matches;
+
+  const auto text = read_if_there(file);
   std::istringstream lines(text ? *text : std::string());
   for (std::string line; std::getline(lines, line);) {
     const auto event = parse_json<Event>(line);
