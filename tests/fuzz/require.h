@@ -7,7 +7,8 @@
 
 namespace cls::tests {
 
-/// Aborts, so that the fuzzer keeps the input, and prints which promise is broken and what was found.
+/// Aborts, so that the fuzzer keeps the input, and prints which promise is broken and what was
+/// found.
 inline void require(bool condition, const char* promise = "", const std::string& found = "") {
   if (condition) return;
   std::fprintf(stderr, "broken promise: %s: %s\n", promise, found.c_str());

@@ -71,8 +71,8 @@ enum {
 
 // -------------------------------------------------------------------------------- library
 
-// CLS_TRAINING_ABI of the library. Compare it with the header's. 0: the mathematical library inside of
-// a packaged file cannot be loaded; cls_training_error() says why, and no pool can be created.
+// CLS_TRAINING_ABI of the library. Compare it with the header's. 0: the mathematical library inside
+// of a packaged file cannot be loaded; cls_training_error() says why, and no pool can be created.
 CLS_TRAINING_API int32_t cls_training_abi(void);
 
 // Version of cls, for example "0.1.0". Static storage.
