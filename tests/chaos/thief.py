@@ -1,7 +1,7 @@
 """A program of a sandboxed team that reaches for all that is not its own, until it is ended: other
 processes by limits, priorities, cores and signals; players and coaches by reconnects and by their
-names; the referee as a monitor; ports; in namespaces also clients by datagrams in the name of the
-server, files by their permissions, shared memory. It prints what it was given.
+names; the referee as a monitor; ports; in namespaces also files by their permissions, and shared
+memory. It prints what it was given.
 
     thief.py PLAYER_PORT COACH_PORT TEAM...
 """
@@ -12,7 +12,6 @@ import resource
 import select
 import signal
 import socket
-import struct
 import sys
 import time
 
@@ -79,7 +78,8 @@ def messages(teams, ports):
     """What a stranger must not be granted, and the beginning of the reply that grants it."""
     for port in ports:
         yield port, b"(dispinit version 4)", b"(server_param"
-    for team in teams:
+    # A server in namespaces is that of this side alone: whoever joins there takes its own places.
+    for team in [] if IN_NAMESPACES else teams:
         name = team.encode()
         for number in range(1, 12):
             yield ports[0], b"(reconnect " + name + b" %d)" % number, b"(reconnect"
@@ -98,31 +98,6 @@ def attack_server(teams, ports):
                 taken(f"{message.decode()} at port {port}: {reply[:60]!r}")
                 peer.sendto(b"(dispcard 1 2 red)\0", ("127.0.0.1", port))
                 peer.sendto(b"(bye)\0", ("127.0.0.1", port))
-
-
-def own_sockets():
-    for link in glob.glob("/proc/[0-9]*/fd/*"):
-        try:
-            yield os.readlink(link)
-        except OSError:
-            pass
-
-
-def forge():
-    """Sends to the clients of others from the server's ports, held on another address."""
-    own = set(own_sockets())
-    entries = [line.split() for line in pathlib.Path("/proc/net/udp").read_text().splitlines()[1:]]
-    own_ports = {words[1].split(":")[1] for words in entries if f"socket:[{words[9]}]" in own}
-    source = struct.pack("=i4s4s", 0, socket.inet_aton("127.0.0.1"), bytes(4))
-    for words in entries:
-        port, peer = words[1].split(":")[1], words[2].split(":")[1]
-        if int(peer, 16) == 0 or peer in own_ports:
-            continue
-        taken(f"the connection of a stranger: {words[1]} to {words[2]}")
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as forger:
-            forger.bind(("127.0.0.2", int(port, 16)))
-            forger.sendmsg([b"(hear 100 referee time_over)"], [(socket.IPPROTO_IP, 8, source)], 0,
-                           ("127.0.0.1", int(peer, 16)))
 
 
 def attack_files():
@@ -163,7 +138,6 @@ def main():
                 attack_process(pid)
         attack_server(sys.argv[3:], ports)
         if IN_NAMESPACES:
-            forge()
             attack_files()
         time.sleep(0.1)
 
