@@ -174,7 +174,7 @@ TEST_F(Wheel, InstallsWithoutAnIndexAndPlaysTheBytesOfTheBuild) {
   const CommandResult installed = run_there(
       {python, "-m", "pip", "install", "--no-index", "--no-deps", "-q", wheel("cls_gym")});
   ASSERT_EQ(installed.exit_code, 0) << installed.err;
-  const std::string where = "import cls_gym._engine as e; print(e.library_path())";
+  const std::string where = "from cls_gym._engine import library_path as path; print(path())";
   if (run_there({python, "-c", "import numpy"}).exit_code != 0) GTEST_SKIP() << "no numpy there";
   EXPECT_THAT(run_there({python, "-c", where}).out, HasSubstr("/site-packages/cls_gym/"));
 
