@@ -10,7 +10,7 @@ import warnings
 
 import gym_support  # first: may hide gymnasium
 import numpy as np
-from gym_adapters_test import EXAMPLES, needs
+from gym_adapter_support import EXAMPLES, needs
 
 import cls_gym
 from cls_gym import data

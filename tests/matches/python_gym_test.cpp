@@ -88,6 +88,8 @@ INSTANTIATE_TEST_SUITE_P(
                            "no gymnasium: run python/tests/environment", "gym_arrays_test.py"},
                     Script{"ServesFrameworks", "numpy, gymnasium",
                            "no gymnasium: run python/tests/environment", "gym_adapters_test.py"},
+                    Script{"ServesFrameworksOfSeveralAgents", "numpy, gymnasium",
+                           "no gymnasium: run python/tests/environment", "gym_multiagent_test.py"},
                     Script{"RecordsEpisodes", "numpy, gymnasium, pyarrow",
                            "no pyarrow: run python/tests/environment", "gym_data_test.py"},
                     Script{"RunsExamplesOfDocumentation",
