@@ -116,15 +116,13 @@ class GuardLoop {
 
   // After a failed fork cls sees the connection closed without a reply.
   void make_namespaces(Packet packet) {
-    NamespaceRequest request;
-    if (packet.bytes.size() != sizeof request) return;
-    std::memcpy(&request, packet.bytes.data(), sizeof request);
-
+    const auto request = read_plain<NamespaceRequest>(packet);
+    if (!request) return;
     const pid_t pid = ::fork();
     if (pid > 0) keepers_.insert(pid);
     if (pid != 0) return;
     become("match-network", "match-network");
-    run_namespace_maker(std::move(packet.fds[0]), request);
+    run_namespace_maker(std::move(packet.fds[0]), *request);
   }
 
   void start(Packet packet) {

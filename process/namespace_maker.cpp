@@ -24,11 +24,6 @@ namespace {
 
 constexpr int kOfEachProgram = CLONE_NEWNS | CLONE_NEWPID | CLONE_NEWIPC | CLONE_NEWUTS;
 
-template <typename T>
-bool reply(int socket, const T& value, const std::vector<int>& fds = {}) {
-  return send_packet(socket, {reinterpret_cast<const char*>(&value), sizeof value}, fds);
-}
-
 bool write_file(const char* path, const std::string& text) {
   const base::UniqueFd file(::open(path, O_WRONLY | O_CLOEXEC));
   return file && ::write(file.get(), text.data(), text.size()) >= 0;
@@ -86,15 +81,12 @@ NamespaceReply make(const NamespaceRequest& request) {
 
 void open_sockets(int control) {
   while (true) {
-    const Packet packet = receive_packet(control);
-    if (packet.bytes.empty()) return;
-
-    base::SocketAddress local;
-    if (packet.bytes.size() != sizeof local) return;
-    std::memcpy(&local, packet.bytes.data(), sizeof local);
-    const auto socket = base::UdpSocket::bind(local);
+    const Packet packet = receive_packet(control);  // empty when `control` is closed
+    const auto local = read_plain<base::SocketAddress>(packet);
+    if (!local) return;
+    const auto socket = base::UdpSocket::bind(*local);
     const SocketReply error = socket ? 0 : errno;
-    reply(control, error, socket ? std::vector<int>{socket->fd()} : std::vector<int>());
+    send_plain(control, error, socket ? std::vector<int>{socket->fd()} : std::vector<int>());
   }
 }
 
@@ -103,7 +95,7 @@ void open_sockets(int control) {
 void run_namespace_maker(base::UniqueFd control, const NamespaceRequest& request) {
   const NamespaceReply made = make(request);
   if (made.error != 0) {
-    reply(control.get(), made);
+    send_plain(control.get(), made);
     ::_exit(0);
   }
 
@@ -111,7 +103,7 @@ void run_namespace_maker(base::UniqueFd control, const NamespaceRequest& request
   const base::UniqueFd network(::open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC));
   std::vector<int> fds = {user.get()};
   if (request.own_network) fds.push_back(network.get());
-  reply(control.get(), made, fds);
+  send_plain(control.get(), made, fds);
   if (request.own_network) open_sockets(control.get());
   ::_exit(0);
 }

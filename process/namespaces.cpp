@@ -57,13 +57,6 @@ std::string remedy() {
   return {};
 }
 
-template <typename T>
-bool read_plain(const Packet& packet, T& value) {
-  if (packet.bytes.size() != sizeof value) return false;
-  std::memcpy(&value, packet.bytes.data(), sizeof value);
-  return true;
-}
-
 struct Made {
   base::UniqueFd user;
   base::UniqueFd network;
@@ -75,18 +68,17 @@ Result<Made> make(const NamespaceRequest& request) {
   if (guard == nullptr) return Error{"no guard process"};
 
   auto control = make_socket_pair();
-  const std::string_view bytes(reinterpret_cast<const char*>(&request), sizeof request);
-  if (!control || !send_packet(guard->socket(), bytes, {control->second.get()})) {
+  if (!control || !send_plain(guard->socket(), request, {control->second.get()})) {
     return Error{std::strerror(errno)};
   }
   control->second.reset();
 
   Packet packet = receive_packet(control->first.get());
-  NamespaceReply reply;
-  if (!read_plain(packet, reply)) return Error{"no process could be made for it"};
-  if (reply.error != 0) {
+  const auto reply = read_plain<NamespaceReply>(packet);
+  if (!reply) return Error{"no process could be made for it"};
+  if (reply->error != 0) {
     return Error{
-        fmt::format("{}: {}{}", what_failed(reply.step), std::strerror(reply.error), remedy())};
+        fmt::format("{}: {}{}", what_failed(reply->step), std::strerror(reply->error), remedy())};
   }
 
   const std::size_t expected = request.own_network ? 2 : 1;
@@ -106,13 +98,12 @@ std::string try_namespaces() {
 }  // namespace
 
 Result<base::UdpSocket> NetworkDoor::bind_udp(const base::SocketAddress& local) const {
-  const std::string_view bytes(reinterpret_cast<const char*>(&local), sizeof local);
-  if (!send_packet(socket_.get(), bytes)) return Error{std::strerror(errno)};
+  if (!send_plain(socket_.get(), local)) return Error{std::strerror(errno)};
 
   Packet packet = receive_packet(socket_.get());
-  SocketReply error = 0;
-  if (!read_plain(packet, error)) return Error{"the process in that network is gone"};
-  if (error != 0) return Error{std::strerror(error)};
+  const auto error = read_plain<SocketReply>(packet);
+  if (!error) return Error{"the process in that network is gone"};
+  if (*error != 0) return Error{std::strerror(*error)};
   if (packet.fds.size() != 1) return Error{std::strerror(EMFILE)};
   return base::UdpSocket::adopt(std::move(packet.fds[0]), local.family());
 }

@@ -8,28 +8,12 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <type_traits>
 
 namespace cls::process {
 namespace {
 
 constexpr std::size_t kMaxPacket = 256 * 1024;
 constexpr std::size_t kMaxFds = 8;
-
-template <typename T>
-bool send_plain(int socket, const T& value, int fd = -1) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  return send_packet(socket, {reinterpret_cast<const char*>(&value), sizeof value},
-                     fd < 0 ? std::vector<int>() : std::vector<int>{fd});
-}
-
-template <typename T>
-std::optional<T> read_plain(const Packet& packet) {
-  T value;
-  if (packet.bytes.size() != sizeof value) return std::nullopt;
-  std::memcpy(&value, packet.bytes.data(), sizeof value);
-  return value;
-}
 
 // A sequence of NUL-terminated strings.
 class Fields {
@@ -148,7 +132,7 @@ Packet receive_packet(int socket) {
 }
 
 bool send_report(int socket, const KeeperReport& report, int program) {
-  return send_plain(socket, report, program);
+  return send_plain(socket, report, program < 0 ? std::vector<int>() : std::vector<int>{program});
 }
 bool send_request(int socket, const KeeperRequest& request) { return send_plain(socket, request); }
 

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/system/unique_fd.h"
@@ -62,6 +65,23 @@ bool send_packet(int socket, std::string_view bytes, const std::vector<int>& fds
 
 /// Waits for one message.
 Packet receive_packet(int socket);
+
+/// Sends the bytes of a value as a message, see send_packet(): both ends are of one build.
+template <typename T>
+bool send_plain(int socket, const T& value, const std::vector<int>& fds = {}) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  return send_packet(socket, {reinterpret_cast<const char*>(&value), sizeof value}, fds);
+}
+
+/// The value of such a message; nothing if it is not of the size of one.
+template <typename T>
+std::optional<T> read_plain(const Packet& packet) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  T value;
+  if (packet.bytes.size() != sizeof value) return std::nullopt;
+  std::memcpy(&value, packet.bytes.data(), sizeof value);
+  return value;
+}
 
 /// `program`: a descriptor of its process (pidfd), where `pid` is not its number for the receiver;
 /// -1: none.
