@@ -22,12 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using base::Json;
 
-// The number of a match in the name of its folder: "000017-RED-vs-BLUE", "000017.1.LABEL".
-std::optional<int> match_number(const std::string& folder) {
-  const std::string name = fs::path(folder).filename().string();
-  return base::parse_int(name.substr(0, name.find_first_not_of("0123456789")));
-}
-
 // The whole lines that were appended since `position`.
 std::string new_lines(const fs::path& file, std::uint64_t& position) {
   std::error_code code;

@@ -92,7 +92,10 @@ class TournamentRun {
     TRY_INIT(auto decided, decided_matches(options_.folder, store_));
     matches_ = std::move(decided);
     rebuilds_ = matches_.empty() && was_begun(options_.folder);
-    if (rebuilds_) TRY(check_lost_results(options_.folder));
+    if (rebuilds_) {
+      found_ = find_attempts(options_.folder);
+      TRY(check_lost_results(options_.folder, found_));
+    }
 
     log_event("tournament_started", {{"folder", options_.folder.string()},
                                      {"scheduled", matches_.size()},
@@ -166,19 +169,19 @@ class TournamentRun {
                                     {"last", next.back().index},
                                     {"scheduled", matches_.size()}});
 
-    if (rebuilds_) TRY(find_attempts(next));
+    if (rebuilds_) TRY(set_attempts(next));
     TRY(record_work_results());
     return recover_results();
   }
 
   // The matches of a store that was lost get the attempts that their folders tell, and the seeds
   // that were decided.
-  Result<void> find_attempts(const std::vector<Fixture>& fixtures) {
+  Result<void> set_attempts(const std::vector<Fixture>& fixtures) {
     TRY_INIT(auto decided, decided_matches(options_.folder, store_));
     matches_ = std::move(decided);
     for (const Fixture& fixture : fixtures) {
       ScheduledMatch& match = match_at(fixture.index);
-      const int attempts = latest_attempt(config_, match.fixture, options_.folder);
+      const int attempts = latest_attempt(config_, match.fixture, options_.folder, found_);
       for (int attempt = 1; attempt <= attempts; ++attempt) {
         TRY(store_.begin_attempts(std::vector{fixture.index}));
       }
@@ -443,6 +446,7 @@ class TournamentRun {
   std::optional<RunEnd> ending_;
   RunSummary summary_;
   bool rebuilds_ = false;  ///< the store was lost: results are read from folders
+  FoundAttempts found_;    ///< those of a lost store
   bool paused_ = false;
   int done_ = 0;
   int invalid_ = 0;

@@ -72,10 +72,15 @@ std::optional<AttemptName> parse_attempt_name(std::string_view name) {
   return AttemptName{*index, *attempt, name.substr(second + 1)};
 }
 
-bool is_inside(const fs::path& file, const fs::path& tournament) {
+std::optional<int> match_number(const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  return base::parse_int(name.substr(0, name.find_first_not_of("0123456789")));
+}
+
+bool is_inside(const fs::path& file, const fs::path& folder) {
   std::error_code code;
   const fs::path whole = fs::canonical(file, code);
-  const fs::path root = code ? fs::path() : fs::canonical(tournament, code);
+  const fs::path root = code ? fs::path() : fs::canonical(folder, code);
   if (code) return false;
   return std::ranges::mismatch(root, whole).in1 == root.end();
 }
@@ -86,6 +91,7 @@ Result<std::optional<FolderLock>> FolderLock::try_lock(const fs::path& folder) {
   if (!file) {
     return Error{fmt::format("cannot create {}: {}", path.string(), std::strerror(errno))};
   }
+
   constexpr int kTries = 5;
   constexpr std::chrono::milliseconds kPause{20};
   for (int tries = 1; ::flock(file.get(), LOCK_EX | LOCK_NB) != 0; ++tries) {

@@ -35,13 +35,17 @@ std::filesystem::path match_folder(const TournamentConfig& config, const Fixture
 /// "results/000017.1.json".
 std::filesystem::path result_file(int index, int attempt);
 
+/// The number of a match in the name of its folder: 17 of "000017-RED-vs-BLUE" or "000017.1.LABEL";
+/// nothing for other names.
+std::optional<int> match_number(const std::filesystem::path& folder);
+
 /// Creates a folder below matches/ that match_folder() names. False if it exists: it belongs to the
 /// process that created it, which may be playing in it.
 bool claim_folder(const std::filesystem::path& folder);
 
-/// True if `file` exists in the folder of the tournament, also when links are followed: a folder of
-/// a stranger may name any other one in its results, and hold links to any other one.
-bool is_inside(const std::filesystem::path& file, const std::filesystem::path& tournament);
+/// True if `file` exists below `folder`, also when links are followed: a tournament or data set of
+/// a stranger may name any other file, and hold links to any other one.
+bool is_inside(const std::filesystem::path& file, const std::filesystem::path& folder);
 
 /// The host in unfinished_label(): the name of this one as part of a file name.
 std::string unfinished_host();

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 #include <sstream>
 #include <string>
@@ -20,33 +19,11 @@ namespace fs = std::filesystem;
 using base::Error;
 using base::Result;
 
-// The number in "000017-RED-vs-BLUE.2"; 0: another name.
-int match_number(const std::string& name) {
-  return base::parse_int(name.substr(0, name.find('-'))).value_or(0);
-}
-
-// The attempt in it.
-int attempt_in(const std::string& name) {
+// The attempt in the name of a match folder: 2 in "000017-RED-vs-BLUE.2".
+int attempt_in(const fs::path& folder) {
+  const std::string name = folder.filename().string();
   const std::size_t dot = name.rfind('.');
   return dot == name.npos ? 1 : base::parse_int(name.substr(dot + 1)).value_or(0);
-}
-
-// Numbers of the matches whose folders have results, and the highest attempt.
-struct Found {
-  std::set<int> matches;
-  int attempts = 0;
-};
-
-Found find_results(const fs::path& folder) {
-  Found found;
-  std::error_code code;
-  for (const auto& entry : fs::directory_iterator(folder / kMatchesFolder, code)) {
-    if (!holds_result(entry.path())) continue;
-    const std::string name = entry.path().filename().string();
-    found.matches.insert(match_number(name));
-    found.attempts = std::max(found.attempts, attempt_in(name));
-  }
-  return found;
 }
 
 /// A line of events.jsonl.
@@ -82,14 +59,23 @@ std::set<int> recorded_matches(const fs::path& folder) {
 
 }  // namespace
 
+FoundAttempts find_attempts(const fs::path& folder) {
+  FoundAttempts found;
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder / kMatchesFolder, code)) {
+    if (!holds_result(entry.path())) continue;
+    found[match_number(entry.path()).value_or(0)].insert(attempt_in(entry.path()));
+  }
+  return found;
+}
+
 bool was_begun(const fs::path& folder) {
   std::error_code code;
   if (!recorded_matches(folder).empty()) return true;
-  return !fs::exists(folder / kResultsFolder, code) && !find_results(folder).matches.empty();
+  return !fs::exists(folder / kResultsFolder, code) && !find_attempts(folder).empty();
 }
 
-Result<void> check_lost_results(const fs::path& folder) {
-  const std::set<int> found = find_results(folder).matches;
+Result<void> check_lost_results(const fs::path& folder, const FoundAttempts& found) {
   for (const int match : recorded_matches(folder)) {
     const bool by_work = fs::exists(folder / result_file(match, 1));
     if (found.contains(match) || by_work) continue;
@@ -101,9 +87,12 @@ Result<void> check_lost_results(const fs::path& folder) {
   return {};
 }
 
-int latest_attempt(const TournamentConfig& config, const Fixture& fixture, const fs::path& folder) {
-  for (int attempt = find_results(folder).attempts; attempt > 0; --attempt) {
-    if (was_played(folder / match_folder(config, fixture, attempt), fixture)) return attempt;
+int latest_attempt(const TournamentConfig& config, const Fixture& fixture, const fs::path& folder,
+                   const FoundAttempts& found) {
+  const auto attempts = found.find(fixture.index);
+  if (attempts == found.end()) return 0;
+  for (auto attempt = attempts->second.rbegin(); attempt != attempts->second.rend(); ++attempt) {
+    if (was_played(folder / match_folder(config, fixture, *attempt), fixture)) return *attempt;
   }
   return 0;
 }
