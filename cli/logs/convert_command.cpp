@@ -1,5 +1,4 @@
 // `cls convert IN OUT`.
-#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -12,6 +11,7 @@
 #include <string_view>
 
 #include "base/system/parallel.h"
+#include "base/text/json.h"
 #include "cli/logs/match_tables.h"
 #include "cli/logs/output_file.h"
 #include "cli/support/log_errors.h"
@@ -163,8 +163,7 @@ std::string why_wrong(const ConvertArguments& arguments) {
   if (!version && !table_of(arguments) && !arguments.has_folder() && !names_format(arguments.out)) {
     return fmt::format(
         "OUT '{}': its ending names no format; use {}, .tracking.csv, .player_types.csv, "
-        ".event.csv "
-        "or --to",
+        ".event.csv or --to",
         arguments.out, fmt::join(kEndings, ", "));
   }
   const bool arrow = arguments.format == "arrow";

@@ -20,11 +20,12 @@ namespace fs = std::filesystem;
 using base::Error;
 using base::Result;
 
-std::string without_log_suffix(std::string name) {
-  for (const std::string_view suffix : {".gz", ".xz", ".zst", ".rcg", ".json", ".html"}) {
-    if (name.ends_with(suffix)) name.resize(name.size() - suffix.size());
+std::string without_log_suffix(std::string_view file) {
+  std::string_view name = gamelog::unpacked_name(file);
+  for (const std::string_view suffix : {".rcg", ".json", ".html"}) {
+    if (name.ends_with(suffix)) name.remove_suffix(suffix.size());
   }
-  return name;
+  return std::string(name);
 }
 
 Result<FoundLog> find_in_folder(const fs::path& folder) {

@@ -1,5 +1,4 @@
 // `cls logs DIR`: the files of a match and the last output of the process that failed.
-#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -12,6 +11,7 @@
 
 #include "base/io/whole_file.h"
 #include "base/text/counted.h"
+#include "base/text/json.h"
 #include "base/text/printable.h"
 #include "base/text/suggestion.h"
 #include "base/text/table.h"

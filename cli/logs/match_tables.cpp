@@ -206,8 +206,9 @@ struct Job {
   std::size_t frames = 0;
 };
 
-fs::path without_endings(fs::path name) {
-  for (const char* ending : {".gz", ".xz", ".zst", ".rcg", ".json", ".html", ".view"}) {
+fs::path without_endings(const fs::path& file) {
+  fs::path name(gamelog::unpacked_name(file.native()));
+  for (const char* ending : {".rcg", ".json", ".html", ".view"}) {
     if (name.extension() == ending) name.replace_extension();
   }
   return name;

@@ -39,26 +39,30 @@ std::optional<FollowedMatch> in_folder(const std::string& what) {
                        folder / match::kTextLogFile, folder.filename().string(), folder};
 }
 
-base::Result<std::optional<FollowedMatch>> on_server(const std::string& what) {
-  if (!names_server(what)) return std::optional<FollowedMatch>();
+// The number in HOST:PORT, unless there is a file of that name.
+std::optional<int> server_port(const std::string& what) {
+  std::error_code code;
   const std::size_t colon = what.rfind(':');
+  if (colon == std::string::npos || colon == 0 || what.find('/') != std::string::npos) return {};
   const auto port = base::parse_int(std::string_view(what).substr(colon + 1));
+  return fs::exists(what, code) ? std::nullopt : port;
+}
+
+base::Result<std::optional<FollowedMatch>> on_server(const std::string& what) {
+  const auto port = server_port(what);
+  if (!port) return std::optional<FollowedMatch>();
   if (*port < 1 || *port > 65535) {
     return base::Error{fmt::format("{}: a port is a number from 1 to 65535", what)};
   }
 
-  TRY_INIT(auto input, viewer::follow_server(base::strip_brackets(what.substr(0, colon)), *port));
+  const std::string host = base::strip_brackets(what.substr(0, what.rfind(':')));
+  TRY_INIT(auto input, viewer::follow_server(host, *port));
   return std::optional(FollowedMatch{std::move(input), {}, what, {}});
 }
 
 }  // namespace
 
-bool names_server(const std::string& what) {
-  std::error_code code;
-  const std::size_t colon = what.rfind(':');
-  if (colon == std::string::npos || colon == 0 || what.find('/') != std::string::npos) return false;
-  return base::parse_int(std::string_view(what).substr(colon + 1)) && !fs::exists(what, code);
-}
+bool names_server(const std::string& what) { return server_port(what).has_value(); }
 
 base::Result<std::optional<FollowedMatch>> find_running_match(const std::string& what,
                                                               bool is_live_log) {

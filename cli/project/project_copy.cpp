@@ -11,6 +11,7 @@
 
 #include "cli/project/git_ignore.h"
 #include "cli/project/private_files.h"
+#include "gamelog/files/log_files.h"
 #include "match/result/match_folder.h"
 #include "tournament/store/folder.h"
 #include "viewer/page/page.h"
@@ -28,11 +29,7 @@ bool is_page(const fs::path& file) {
 }
 
 bool is_log(const fs::path& file) {
-  std::string name = file.filename().string();
-  for (const std::string_view packed : {".gz", ".xz", ".zst"}) {
-    if (name.ends_with(packed)) name.resize(name.size() - packed.size());
-  }
-  const std::string ending = fs::path(name).extension().string();
+  const fs::path ending = fs::path(gamelog::unpacked_name(file.native())).extension();
   return ending == ".rcg" || ending == ".rcl" || ending == ".rpc";
 }
 

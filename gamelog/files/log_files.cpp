@@ -21,14 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kPackedEndings[] = {"", ".gz", ".xz", ".zst"};
 
-std::string_view unpacked_name(std::string_view path) {
-  for (const std::string_view ending : kPackedEndings) {
-    if (!ending.empty() && path.ends_with(ending))
-      return path.substr(0, path.size() - ending.size());
-  }
-  return path;
-}
-
 bool is_game_log(std::string_view path) { return unpacked_name(path).ends_with(".rcg"); }
 
 // The path without .rcg, .rcl and .gz: equal for the two logs of a match.
@@ -130,6 +122,15 @@ void find_text_log(const std::string& stem, MatchLogs& logs) {
 
 }  // namespace
 
+std::string_view unpacked_name(std::string_view path) {
+  for (const std::string_view ending : kPackedEndings) {
+    if (!ending.empty() && path.ends_with(ending)) {
+      return path.substr(0, path.size() - ending.size());
+    }
+  }
+  return path;
+}
+
 bool is_text_log(std::string_view path) { return unpacked_name(path).ends_with(".rcl"); }
 
 base::Result<void> set_apart(const fs::path& folder) {
@@ -161,9 +162,9 @@ FoundLogs find_logs(const std::vector<std::string>& arguments) {
       if (path.empty()) {
         path = file;
       } else if (!has_same_text(path, file)) {
-        found.matches.push_back({file, ""});  // another match of the same name
+        MatchLogs& other = found.matches.emplace_back();  // another match of the same name
+        (is_text_log(file) ? other.text : other.game) = file;
         stems.emplace_back();
-        if (is_text_log(file)) std::swap(found.matches.back().game, found.matches.back().text);
       }
     }
   }

@@ -28,6 +28,9 @@ struct FoundLogs {
   std::vector<std::string> missing;  ///< arguments without any log
 };
 
+/// The path without .gz, .xz or .zst, which base::open_source() unpacks.
+std::string_view unpacked_name(std::string_view path);
+
 /// True for .rcl, also with .gz, .xz or .zst.
 bool is_text_log(std::string_view path);
 

@@ -122,7 +122,7 @@ bool read_player_fields(base::JsonCursor& in, ReadPlayer& player, bool within_co
 bool is_possible(const ReadPlayer& player) {
   const PlayerFrame& frame = player.frame;
   const bool attention =
-      frame.attention_side == Side::kNeutral || (soccer::is_unum(frame.attention_unum));
+      frame.attention_side == Side::kNeutral || soccer::is_unum(frame.attention_unum);
   return player.side != Side::kNeutral && soccer::is_unum(player.unum) && frame.type >= -1 &&
          frame.type <= kMaxPlayerType && attention;
 }
