@@ -87,4 +87,9 @@ std::string strip_brackets(const std::string& host) {
   return bracketed ? host.substr(1, host.size() - 2) : host;
 }
 
+std::string with_brackets(const std::string& host) {
+  const bool bare = host.find(':') != std::string::npos && !host.starts_with('[');
+  return bare ? "[" + host + "]" : host;
+}
+
 }  // namespace cls::base

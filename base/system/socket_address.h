@@ -44,4 +44,7 @@ Result<SocketAddress> parse_ip_address(const std::string& text, int port);
 /// "::1" for "[::1]"; other hosts unchanged.
 std::string strip_brackets(const std::string& host);
 
+/// "[::1]" for "::1", as a host stands before a port; other hosts unchanged.
+std::string with_brackets(const std::string& host);
+
 }  // namespace cls::base

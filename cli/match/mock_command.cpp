@@ -1,5 +1,4 @@
 // `cls mock`: runs the mock Playmaker until a signal.
-#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -20,6 +19,8 @@
 #include <vector>
 
 #include "base/io/whole_file.h"
+#include "base/system/socket_address.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/text/suggestion.h"
 #include "cli/support/interrupt.h"
@@ -152,12 +153,6 @@ void wait(milliseconds time, const std::atomic<int>& signal) {
   }
 }
 
-// "[::1]" for "::1": a port follows.
-std::string grpc_host(const std::string& host) {
-  const bool bare = host.find(':') != host.npos && !host.starts_with('[');
-  return bare ? "[" + host + "]" : host;
-}
-
 // The faults that affect the whole process: a crash kills it, a restart closes the port.
 class ServingProcess {
  public:
@@ -177,7 +172,8 @@ class ServingProcess {
       due_.notify_one();
     };
 
-    TRY_INIT(auto server, Server::start(std::move(mock), grpc_host(arguments_.host), port()));
+    TRY_INIT(auto server,
+             Server::start(std::move(mock), base::with_brackets(arguments_.host), port()));
     server_ = std::move(server);
     port_ = server_->port();
     return {};
@@ -197,7 +193,8 @@ class ServingProcess {
     mock.faults.crash_at_cycle.reset();
     mock.faults.restart_at_cycle = 0;
     mock.faults.restart_cycles = 0;
-    TRY_INIT(auto server, Server::start(std::move(mock), grpc_host(arguments_.host), port()));
+    TRY_INIT(auto server,
+             Server::start(std::move(mock), base::with_brackets(arguments_.host), port()));
     server_ = std::move(server);
     const std::lock_guard lock(mutex_);
     restart_due_ = false;

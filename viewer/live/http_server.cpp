@@ -455,8 +455,7 @@ int HttpServer::port() const {
 std::string HttpServer::url() const {
   std::string host = state_->shown_host;
   if (host == "0.0.0.0" || host == "::") host = base::host_name();
-  if (host.find(':') != std::string::npos) host = fmt::format("[{}]", host);
-  return fmt::format("http://{}:{}{}", host, port(), state_->prefix);
+  return fmt::format("http://{}:{}{}", base::with_brackets(host), port(), state_->prefix);
 }
 
 std::string HttpServer::single_use_url() {
