@@ -20,14 +20,17 @@
 namespace cls::tests {
 namespace {
 
+// The report of a broken promise has the last error of the engine.
+void promise(bool kept, const char* what) { require(kept, what, cls_training_error()); }
+
 constexpr int kMaxSteps = 60;
 
 // A failure has one line of text that names its cause.
 bool succeeds(int code) {
   if (code == CLS_TRAINING_OK) return true;
   const std::string_view text = cls_training_error();
-  require(code != CLS_TRAINING_INTERNAL, "no internal error");
-  require(!text.empty() && text.find('\n') == std::string_view::npos, "one line");
+  promise(code != CLS_TRAINING_INTERNAL, "no internal error");
+  promise(!text.empty() && text.find('\n') == std::string_view::npos, "one line");
   return false;
 }
 
@@ -82,7 +85,7 @@ class Pool {
     if (!succeeds(code)) return;
     const auto finite = [](float value) { return std::isfinite(value); };
     for (const auto* values : {&pool_.observations, &pool_.rewards, &pool_.state}) {
-      require(std::all_of(values->begin(), values->end(), finite), "what is written is finite");
+      promise(std::all_of(values->begin(), values->end(), finite), "what is written is finite");
     }
   }
 
@@ -106,7 +109,7 @@ class Pool {
     cls_training_world world = {};
     world.struct_size = sizeof world;
     if (!succeeds(cls_training_view(pool_.handle, 0, &world))) return;
-    require(std::isfinite(world.ball_x) && std::isfinite(world.ball_vy), "the ball is somewhere");
+    promise(std::isfinite(world.ball_x) && std::isfinite(world.ball_vy), "the ball is somewhere");
   }
 
   void bind(std::size_t which) {
@@ -115,7 +118,7 @@ class Pool {
     const std::size_t count = (sizeof changed - sizeof changed.struct_size) / sizeof *buffers;
     cls_training_buffer& one = buffers[which % count];
     one.count += 1;
-    if (one.data != nullptr) require(!succeeds(cls_training_bind(pool_.handle, &changed)), "sizes");
+    if (one.data != nullptr) promise(!succeeds(cls_training_bind(pool_.handle, &changed)), "sizes");
   }
 
   BoundPool pool_;
@@ -138,7 +141,7 @@ int play_training_script(std::string_view script) {
     } catch (const std::runtime_error& refusal) {
       std::uint64_t handle = 0;
       const int code = cls_training_create(std::string(line).c_str(), &handle);
-      require(code != CLS_TRAINING_OK && *refusal.what() != '\0', "refused with a reason");
+      promise(code != CLS_TRAINING_OK && *refusal.what() != '\0', "refused with a reason");
       return 0;
     }
   }
