@@ -1,5 +1,4 @@
 // `cls version`.
-#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -16,6 +15,7 @@
 #include <string>
 
 #include "base/system/version.h"
+#include "base/text/json.h"
 #include "base/text/stored_formats.h"
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/json_stdout.h"

@@ -1,16 +1,16 @@
 // Parses scenario files.
 #include "scenario/scenario_file.h"
-#include "base/text/json.h"
-#include "match/terms/option_table.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
+#include "base/text/json.h"
 #include "base/text/number_text.h"
 #include "base/text/schema.h"
 #include "base/text/stored_formats.h"
 #include "match/terms/match_options.h"
+#include "match/terms/option_table.h"
 #include "mock-server/mock.h"
 #include "mock-server/script/named_behaviors.h"
 #include "mock-server/script/script.h"

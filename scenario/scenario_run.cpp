@@ -1,14 +1,14 @@
 // Plays one run of a scenario.
 #include "scenario/scenario_run.h"
-#include "match/terms/option_table.h"
-#include "soccer/per_side.h"
 
 #include <chrono>
 
 #include "base/io/byte_sink.h"
 #include "match/match_setup.h"
 #include "match/terms/match_options.h"
+#include "match/terms/option_table.h"
 #include "scenario/scenario_recorder.h"
+#include "soccer/per_side.h"
 
 namespace cls::scenario {
 namespace {

@@ -1,11 +1,11 @@
 // `cls config`: the settings of a match, and where each comes from.
-#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
 
 #include <vector>
 
+#include "base/text/json.h"
 #include "cli/match/match_arguments.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/exit_code.h"

@@ -1,5 +1,4 @@
 // `cls match`: plays one match.
-#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "base/text/counted.h"
+#include "base/text/json.h"
 #include "cli/logs/live_view.h"
 #include "cli/match/match_arguments.h"
 #include "cli/match/match_report.h"

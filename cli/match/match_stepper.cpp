@@ -1,6 +1,5 @@
 // Interactive stepping on stdin.
 #include "cli/match/match_stepper.h"
-#include "base/text/number_text.h"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -8,6 +7,8 @@
 
 #include <array>
 #include <cstdio>
+
+#include "base/text/number_text.h"
 
 namespace cls::cli {
 namespace {

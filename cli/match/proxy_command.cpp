@@ -1,5 +1,4 @@
 // `cls proxy`: one team for a running soccer server; accepts the options of upstream's start.sh.
-#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -14,6 +13,7 @@
 
 #include "base/io/whole_file.h"
 #include "base/system/socket_address.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "cli/match/start_script_options.h"
 #include "cli/support/interrupt.h"

@@ -1,6 +1,4 @@
 // `cls server`: serves one match over UDP, until time over or a signal.
-#include "base/system/socket_address.h"
-#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -20,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/system/socket_address.h"
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "cli/command/help.h"
 #include "cli/command/usage_errors.h"

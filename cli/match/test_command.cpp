@@ -1,5 +1,4 @@
 // `cls test`: plays scenarios and reports their verdicts.
-#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -14,6 +13,7 @@
 #include "base/index.h"
 #include "base/io/whole_file.h"
 #include "base/system/parallel.h"
+#include "base/text/json.h"
 #include "base/text/number_text.h"
 #include "base/text/split.h"
 #include "base/text/suggestion.h"

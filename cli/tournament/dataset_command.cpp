@@ -353,6 +353,7 @@ void add_dataset_verify(Command& dataset) {
       "Exit code: 0 if all is as it was, 65 if files are missing or corrupt, 1 if a\n"
       "match played again has other bytes: another version of cls or of a side.",
       verify_dataset);
+
   command.option("DIR", arguments.folder, "folder of the data set").required();
   command.setting("--sample", arguments.sample, "matches to play again");
   command.flag("--run-programs", arguments.run_programs,

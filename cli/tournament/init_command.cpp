@@ -1,5 +1,4 @@
 // `cls init`: writes cls.toml or planner.toml, never over an existing one.
-#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
+#include "base/text/json.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/json_stdout.h"
 #include "match/terms/planner_file.h"

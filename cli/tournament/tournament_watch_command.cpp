@@ -196,9 +196,11 @@ void add_tournament_watch_command(Command& app) {
       .split_at(',');
 
   command
-      .option("--delay", arguments.delay_s,
-              "seconds by which the page is behind the matches: no program on the\n"
-              "pitch profits from it (default: 10 with teams that are programs, else 0)")
+      .option(
+          "--delay", arguments.delay_s,
+          fmt::format("seconds by which the page is behind the matches: no program on the\n"
+                      "pitch profits from it (default: {} with teams that are programs, else 0)",
+                      kSafeDelaySeconds))
       .range(0, kMaxDelaySeconds);
 
   command

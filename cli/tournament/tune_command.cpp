@@ -1,5 +1,4 @@
 // `cls tune`: the list of its sub-commands, and `cls tune init`.
-#include "base/text/json.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
+#include "base/text/json.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/json_stdout.h"
 #include "tournament/tuning/tune_config.h"
