@@ -28,6 +28,7 @@ struct TeamView {
   int outcome(PassOutcome outcome) const { return passes.outcomes[base::index(outcome)]; }
   int outcome(ShotOutcome outcome) const { return shots.outcomes[base::index(outcome)]; }
   int outcome(ChainResult result) const { return chains.results[base::index(result)]; }
+
   const TeamSummary& opponent() const { return summary.teams[1 - team]; }
   const Pressing& pressing() const { return all.pressing.teams[team]; }
   const TeamTerritory& territory() const { return all.territory.teams[team]; }
@@ -65,6 +66,7 @@ struct PlayerView {
     const Cloud& all_play = position().all;
     return {all_play.var_x, all_play.var_y, all_play.cov_xy};
   }
+
   const BallActions& ball() const { return all.ball_actions[slot]; }
   const Tackles& tackles() const { return all.tackles[slot]; }
   const Movement& movement() const { return all.movement[slot]; }
@@ -112,10 +114,12 @@ inline constexpr Field<TeamView> kTeamFields[] = {
     {"side", CLS_T(t.team == 0 ? "left" : "right"), "side"},
     {"/name", CLS_T(t.summary.teams[t.team].name), "name"},
     {"/score", CLS_T(t.summary.teams[t.team].score), "score"},
+
     {"opponent", CLS_T(t.opponent().name), "opponent"},
     {"opponent_score", CLS_T(t.opponent().score), "opponent_score"},
     {"cycles", CLS_T(t.summary.cycles), "cycles"},
     {"complete", CLS_T(t.summary.complete), "complete"},
+
     {"/possession/last_touch", CLS_T(t.part(t.all.possession.last_touch)), "possession"},
     {"/possession/next_kicker", CLS_T(t.part(t.all.possession.next_kicker))},
     {"/possession/at_feet", CLS_T(t.part(t.all.possession.at_feet)), "possession_at_feet"},
@@ -123,6 +127,7 @@ inline constexpr Field<TeamView> kTeamFields[] = {
     {"/possession/all_play", CLS_T(t.part(t.all.possession.all_play))},
     {"/possession/last_touch_frames", CLS_T(t.all.possession.last_touch[t.team])},
     {"/possession/at_feet_frames", CLS_T(t.all.possession.at_feet[t.team])},
+
     {"/touches", CLS_T(t.ball(&BallActions::touches)), "touches"},
     {"/passes/attempted", CLS_T(t.passes.attempted), "passes"},
     {"/passes/completed", CLS_T(t.passes.completed), "completed"},
@@ -144,6 +149,7 @@ inline constexpr Field<TeamView> kTeamFields[] = {
     {"/passes/clearances", CLS_T(t.passes.clearances)},
     {"/passes/one_twos", CLS_T(t.all.one_twos[t.team]), "one_twos"},
     {"/passes/overtaken", CLS_T(t.passes.overtaken)},
+
     {"/chains/count", CLS_T(t.chains.count)},
     {"/chains/mean_passes", CLS_T(t.chains.mean_passes)},
     {"/chains/mean_frames", CLS_T(t.chains.mean_frames)},
@@ -153,6 +159,7 @@ inline constexpr Field<TeamView> kTeamFields[] = {
     {"/chains/results/box_entry", CLS_T(t.outcome(ChainResult::kBoxEntry))},
     {"/chains/results/lost", CLS_T(t.outcome(ChainResult::kLost))},
     {"/chains/results/out", CLS_T(t.outcome(ChainResult::kOut))},
+
     {"/carries", CLS_T(std::ranges::count(t.all.carries, t.team, &Carry::team))},
     {"/dribbles", CLS_T(t.ball(&BallActions::dribbles)), "dribbles"},
     {"/take_ons", CLS_T(t.ball(&BallActions::take_ons)), "take_ons"},
@@ -167,6 +174,7 @@ inline constexpr Field<TeamView> kTeamFields[] = {
     {"/shots/other", CLS_T(t.outcome(ShotOutcome::kOther))},
     {"/shots/expected_goals", CLS_T(t.shots.expected), "expected_goals"},
     {"/shots/expected_goals_by_chain", CLS_T(t.shots.expected_by_chain)},
+
     {"/own_goals", CLS_T(t.ball(&BallActions::own_goals))},
     {"/threat_added", CLS_T(t.ball(&BallActions::threat))},
     {"/tackles/tried", CLS_T(t.tackles(&Tackles::tried)), "tackles"},
@@ -175,6 +183,7 @@ inline constexpr Field<TeamView> kTeamFields[] = {
     {"/tackles/out_of_reach", CLS_T(t.tackles(&Tackles::out_of_reach))},
     {"/tackles/effective", CLS_T(t.tackles(&Tackles::effective)), "tackles_effective"},
     {"/tackles/as_kick", CLS_T(t.tackles(&Tackles::as_kick))},
+
     {"/interceptions", CLS_T(t.interceptions()), "interceptions"},
     {"/pressing/opponent_passes", CLS_T(t.pressing().opponent_passes)},
     {"/pressing/defensive_actions", CLS_T(t.pressing().defensive_actions)},
@@ -185,16 +194,19 @@ inline constexpr Field<TeamView> kTeamFields[] = {
     {"/pressing/regained", CLS_T(t.pressing().regained)},
     {"/pressing/regained_within_20_cycles", CLS_T(t.pressing().regained_soon)},
     {"/pressing/mean_cycles_to_regain", CLS_T(t.pressing().regain_cycles)},
+
     {"/territory/thirds_owned", CLS_T(shares_json(t.territory().thirds_owned))},
     {"/territory/box_entries", CLS_T(t.territory().box_entries), "box_entries"},
     {"/territory/box_touches", CLS_T(t.territory().box_touches), "box_touches"},
     {"/territory/final_third_touches", CLS_T(t.territory().final_third_touches),
      "final_third_touches"},
     {"/territory/pitch_control", CLS_T(t.territory().pitch_control), "pitch_control"},
+
     {"/stoppages/set_plays", CLS_T(t.stoppages().set_plays())},
     {"/stoppages/kick_offs", CLS_T(t.stoppages().kick_offs)},
     {"/stoppages/kick_ins", CLS_T(t.stoppages().kick_ins)},
     {"/stoppages/corners", CLS_T(t.stoppages().corners), "corners"},
+
     {"kick_ins", CLS_T(t.stoppages().kick_ins), "kick_ins"},
     {"/stoppages/goal_kicks", CLS_T(t.stoppages().goal_kicks), "goal_kicks"},
     {"/stoppages/free_kicks", CLS_T(t.stoppages().free_kicks), "free_kicks"},
@@ -202,6 +214,7 @@ inline constexpr Field<TeamView> kTeamFields[] = {
      "indirect_free_kicks"},
     {"/stoppages/goalie_catches", CLS_T(t.stoppages().goalie_catches)},
     {"/stoppages/restart_frames", CLS_T(t.stoppages().restart_frames)},
+
     {"/goalkeeping/catches", CLS_T(t.goalie().catches), "catches"},
     {"/goalkeeping/punches", CLS_T(t.goalie().punches)},
     {"/goalkeeping/failed_catches", CLS_T(t.goalie().failed_catches)},
@@ -211,6 +224,7 @@ inline constexpr Field<TeamView> kTeamFields[] = {
     {"/goalkeeping/moves_after_catch", CLS_T(t.goalie().moves_after_catch)},
     {"/goalkeeping/mean_position", CLS_T(point_json(t.goalie().mean_position))},
     {"/goalkeeping/furthest_rush", CLS_T(t.goalie().furthest_rush)},
+
     {"/stoppages/offsides", CLS_T(t.stoppages().offsides), "offsides"},
     {"/stoppages/fouls", CLS_T(t.stoppages().fouls), "fouls"},
     {"/stoppages/back_passes", CLS_T(t.stoppages().back_passes)},
@@ -219,10 +233,12 @@ inline constexpr Field<TeamView> kTeamFields[] = {
     {"/stoppages/illegal_defenses", CLS_T(t.stoppages().illegal_defenses)},
     {"/stoppages/yellow_cards", CLS_T(t.stoppages().yellow_cards), "yellow"},
     {"/stoppages/red_cards", CLS_T(t.stoppages().red_cards), "red"},
+
     {"/distance", CLS_T(t.sum(t.all.movement, &Movement::distance)), "distance"},
     {"/stamina_used", CLS_T(t.sum(t.all.stamina, &Stamina::used)), "stamina_used"},
     {"/exhausted_frames", CLS_T(t.sum(t.all.stamina, &Stamina::exhausted_frames)),
      "exhausted_frames"},
+
     {"/shape/formation", CLS_T(t.shape().formation)},
     {"/shape/length", CLS_T(t.shape().length)},
     {"/shape/width", CLS_T(t.shape().width)},
@@ -230,10 +246,12 @@ inline constexpr Field<TeamView> kTeamFields[] = {
     {"/shape/compactness", CLS_T(t.shape().compactness)},
     {"/shape/defence_x", CLS_T(t.shape().defense_x)},
     {"/shape/line_distance", CLS_T(t.shape().line_distance)},
+
     {"/network/density", CLS_T(t.network().density)},
     {"/network/top_edge", CLS_T(t.network().top_edge)},
     {"/network/entropy", CLS_T(t.network().entropy)},
     {"/network/edges", CLS_T(edges_json(t.network()))},
+
     {"/silent_steps", CLS_T(t.sent(&Responsiveness::silent)), "silent_steps"},
     {"steps", CLS_T(t.sent(&Responsiveness::steps))},
     {"/rejected_commands", CLS_T(t.sent(&Responsiveness::rejected)), "rejected_commands"},
@@ -247,6 +265,7 @@ inline constexpr Field<PlayerView> kPlayerFields[] = {
     {"/goalie", CLS_P(was_goalie(*p.all.flow.record, p.slot))},
     {"/type", CLS_P(p.type())},
     {"/frames", CLS_P(p.attention().frames), "frames"},
+
     {"/ball/touches", CLS_P(p.ball().touches), "touches"},
     {"/ball/passes", CLS_P(p.ball().passes), "passes"},
     {"/ball/completed", CLS_P(p.ball().completed), "completed"},
@@ -265,12 +284,14 @@ inline constexpr Field<PlayerView> kPlayerFields[] = {
     {"/ball/own_goals", CLS_P(p.ball().own_goals), "own_goals"},
     {"/ball/expected_goals", CLS_P(p.ball().expected_goals), "expected_goals"},
     {"/ball/threat_added", CLS_P(p.ball().threat), "threat_added"},
+
     {"/tackles/tried", CLS_P(p.tackles().tried), "tackles"},
     {"/tackles/succeeded", CLS_P(p.tackles().succeeded), "tackles_hit"},
     {"/tackles/failed", CLS_P(p.tackles().failed)},
     {"/tackles/out_of_reach", CLS_P(p.tackles().out_of_reach)},
     {"/tackles/effective", CLS_P(p.tackles().effective)},
     {"/tackles/as_kick", CLS_P(p.tackles().as_kick)},
+
     {"/interceptions", CLS_P(p.all.pressing.interceptions[p.slot]), "interceptions"},
     {"/recoveries", CLS_P(p.all.pressing.recoveries[p.slot]), "recoveries"},
     {"/ball/losses", CLS_P(p.ball().losses), "losses"},
@@ -278,10 +299,12 @@ inline constexpr Field<PlayerView> kPlayerFields[] = {
     {"/fouled", CLS_P(p.all.stoppages.fouls_against[p.slot]), "fouled"},
     {"/yellow_cards", CLS_P(p.all.stoppages.yellow_cards[p.slot]), "yellow"},
     {"/red_cards", CLS_P(p.all.stoppages.red_cards[p.slot]), "red"},
+
     {"/movement/distance", CLS_P(p.movement().distance()), "distance"},
     {"/movement/live_distance", CLS_P(p.movement().live_distance)},
     {"/movement/top_speed", CLS_P(p.movement().top_speed), "top_speed"},
     {"/movement/stand_jog_run_sprint", CLS_P(shares_json(p.movement().bands))},
+
     {"/stamina/used", CLS_P(p.stamina().used), "stamina_used"},
     {"/stamina/lowest", CLS_P(p.stamina().lowest), "lowest_stamina"},
     {"/stamina/last", CLS_P(p.stamina().last)},
@@ -291,18 +314,22 @@ inline constexpr Field<PlayerView> kPlayerFields[] = {
     {"/stamina/lowered_recovery_frames", CLS_P(p.stamina().lowered_recovery_frames)},
     {"/stamina/lowered_effort_frames", CLS_P(p.stamina().lowered_effort_frames)},
     {"/stamina/refills", CLS_P(p.stamina().refills)},
+
     {"/position/mean", CLS_P(point_json(p.position().all.mean))},
     {"mean_x", CLS_P(p.position().all.mean.x), "mean_x"},
     {"mean_y", CLS_P(p.position().all.mean.y), "mean_y"},
+
     {"/position/mean_own_ball", CLS_P(point_json(p.position().mean_own_ball))},
     {"/position/mean_opponent_ball", CLS_P(point_json(p.position().mean_opponent_ball))},
     {"/position/variance", CLS_P(p.variance())},
+
     {"/heat", CLS_P(p.position().heat)},
     {"/network/partners", CLS_P(p.node().partners)},
     {"/network/page_rank", CLS_P(p.node().page_rank)},
     {"/network/betweenness", CLS_P(p.node().betweenness)},
     {"/network/clustering", CLS_P(p.node().clustering)},
     {"/network/mean_contact", CLS_P(point_json(p.node().mean_contact))},
+
     {"/attention/view_narrow", CLS_P(p.attentive(p.attention().narrow))},
     {"/attention/view_normal", CLS_P(p.attentive(p.attention().normal))},
     {"/attention/view_wide", CLS_P(p.attentive(p.attention().wide))},
@@ -311,6 +338,7 @@ inline constexpr Field<PlayerView> kPlayerFields[] = {
     {"/attention/pointing", CLS_P(p.attentive(p.attention().pointing))},
     {"/attention/attentive", CLS_P(p.attentive(p.attention().attentive))},
     {"/attention/attention_to", CLS_P(targets_json(p.attention()))},
+
     {"/counted", CLS_P(counters_json(p.attention().counted))},
     {"/responsiveness/steps", CLS_P(p.sent(&Responsiveness::steps)), "steps"},
     {"/responsiveness/answered", CLS_P(p.sent(&Responsiveness::answered))},
@@ -327,6 +355,7 @@ inline constexpr Field<PlayerView> kPlayerFields[] = {
     {"/responsiveness/say_characters", CLS_P(p.sent(&Responsiveness::say_characters))},
     {"/responsiveness/datagrams", CLS_P(p.sent(&Responsiveness::datagrams))},
     {"/responsiveness/commands", CLS_P(commands_json(p))},
+
     {"/rating/total", CLS_P(p.rating().total()), "rating"},
     {"/rating/attack", CLS_P(p.rating().attack)},
     {"/rating/passing", CLS_P(p.rating().passing)},

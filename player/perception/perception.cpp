@@ -43,12 +43,14 @@ void copy_sense_body(WorldModel& world, const soccer::SenseBody& sense) {
   self.effort = sense.effort;
   self.capacity = sense.capacity;
   self.counts = sense.counts;
+
   self.view_width = sense.width;
   self.view_quality = sense.quality;
   self.focus_distance = sense.focus_distance;
   self.focus_direction = AngleDeg(sense.focus_direction);
   self.attention_side = sense.attention_side;
   self.attention_unum = sense.attention_unum;
+
   self.tackle_count = sense.tackle_count;
   self.tackle_expires_in = sense.tackle_expires_in;
   self.foul_charged = sense.foul_charged;

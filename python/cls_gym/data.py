@@ -28,6 +28,7 @@ import numpy as np
 from cls_gym._api import AutoresetMode
 from cls_gym._config import ConfigError, plain
 from cls_gym._engine import fingerprint
+from cls_gym.adapters._common import check_vector
 from cls_gym.policy import Policy
 from cls_gym.vector import VectorEnv
 
@@ -60,7 +61,9 @@ def record(envs: VectorEnv, policy: Union[Policy, Act], episodes: int,
     expert: another policy whose actions are noted in the column `expert`, for imitation.
     """
     arrow = _arrow()
-    _check(envs)
+    check_vector(envs, "record()", AutoresetMode.DISABLED)
+    if envs._worlds.mask_place not in (None, "info"):
+        raise ConfigError("mask: record() has a column of its own; use \"info\"")
     folder = pathlib.Path(out)
     folder.mkdir(parents=True, exist_ok=True)
     waiting = [number for number in range(first, first + episodes)
@@ -77,18 +80,6 @@ def record(envs: VectorEnv, policy: Union[Policy, Act], episodes: int,
         if waiting or any(running):
             _begin(envs, running, waiting, seed)
     return written
-
-
-def _check(envs: VectorEnv) -> None:
-    if envs.autoreset_mode is not AutoresetMode.DISABLED:
-        raise ConfigError("autoreset_mode: record() needs 'disabled', not "
-                          f"{envs.autoreset_mode.name.lower()!r}")
-    kinds = envs.spec_of_task.actions
-    if kinds.names and kinds.values:
-        raise ConfigError(f"actions: record() has no actions that are tuples, as those of "
-                          f"{kinds.name!r} are; did you mean 'skills' or 'low_discrete'?")
-    if envs._worlds.mask_place not in (None, "info"):
-        raise ConfigError("mask: record() has a column of its own; use \"info\"")
 
 
 def _act(policy: Union[Policy, Act]) -> Act:
