@@ -30,7 +30,7 @@ help:
 	@echo 'make asan-input    the same for libraries that read untrusted input (Clang, build-fuzz/)'
 	@echo 'make fuzz          each fuzzer for FUZZ_SECONDS, default 60 (Clang, build-fuzz/)'
 	@echo 'make chaos         CHAOS_SEEDS tournaments under faults, default 20, or the one of CHAOS_SEED'
-	@echo 'make same-bytes    play matches with the builds of GCC and Clang, compare the logs'
+	@echo 'make same-bytes    play matches with the builds of GCC, Clang and portable math, compare the logs'
 	@echo 'make install       everything below PREFIX, default /usr/local (DESTDIR too)'
 	@echo 'make package       the one-file program and the Debian package, in build/dist/'
 	@echo 'make wheel         the Python packages cls_gym and cls_playmaker for pip, in build/wheels/'
@@ -57,6 +57,7 @@ slow-test: build/build.ninja
 
 full: test slow-test
 	@CLS_FULL=1 ctest --test-dir build -L '^(matches[.]slow|packaging)$$' -V
+	@CLS_FULL=1 build/bin/cls_soccer_tests --gtest_filter='PortableMath.*'
 	@$(MAKE) --no-print-directory asan
 	@$(MAKE) --no-print-directory tsan
 
@@ -99,11 +100,13 @@ fuzz:
 chaos: build
 	@tests/chaos/run --seeds $(CHAOS_SEEDS) $(if $(CHAOS_SEED),--seed $(CHAOS_SEED))
 
-# -O2 of GCC against -O1 of Clang, which also runs whole matches under ASan and UBSan.
+# -O2 of GCC, with SLEEF and without, against -O1 of Clang, which also runs whole matches under ASan
+# and UBSan.
 same-bytes: build
+	@cmake --build --preset release -j $(JOBS) --target cls_portable_math
 	@cmake --preset fuzz
 	@cmake --build --preset fuzz -j $(JOBS) --target cls
-	@tests/same_bytes build/bin/cls build-fuzz/bin/cls
+	@tests/same_bytes build/bin/cls build/bin/cls_portable_math build-fuzz/bin/cls
 
 install: build/build.ninja
 	@cmake --build --preset release -j $(JOBS) \

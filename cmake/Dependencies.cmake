@@ -29,13 +29,27 @@ if(CLS_BUILD_BENCH)
   cls_need(benchmark libbenchmark-dev CONFIG)
 endif()
 
-# SLEEF brings a pkg-config file only.
-find_path(CLS_SLEEF_INCLUDE sleef.h)
-find_library(CLS_SLEEF_LIBRARY sleef)
-if(NOT CLS_SLEEF_INCLUDE OR NOT CLS_SLEEF_LIBRARY)
-  message(FATAL_ERROR "sleef not found: install libsleef-dev (./bootstrap deps does it)")
+# Which functions soccer/math.cpp calls: both have the same bits.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set(default_math sleef)
+else()
+  set(default_math portable)
 endif()
-add_library(sleef::sleef UNKNOWN IMPORTED)
-set_target_properties(sleef::sleef PROPERTIES
-  IMPORTED_LOCATION "${CLS_SLEEF_LIBRARY}"
-  INTERFACE_INCLUDE_DIRECTORIES "${CLS_SLEEF_INCLUDE}")
+set(CLS_MATH ${default_math} CACHE STRING "transcendental functions: sleef (x86-64 only) or portable")
+if(NOT CLS_MATH MATCHES "^(sleef|portable)$")
+  message(FATAL_ERROR "CLS_MATH: '${CLS_MATH}' is not sleef or portable")
+endif()
+
+# SLEEF brings a pkg-config file only.
+if(CLS_MATH STREQUAL "sleef")
+  find_path(CLS_SLEEF_INCLUDE sleef.h)
+  find_library(CLS_SLEEF_LIBRARY sleef)
+  if(NOT CLS_SLEEF_INCLUDE OR NOT CLS_SLEEF_LIBRARY)
+    message(FATAL_ERROR "sleef not found: install libsleef-dev (./bootstrap deps does it), or take "
+      "the slower -DCLS_MATH=portable")
+  endif()
+  add_library(sleef::sleef UNKNOWN IMPORTED)
+  set_target_properties(sleef::sleef PROPERTIES
+    IMPORTED_LOCATION "${CLS_SLEEF_LIBRARY}"
+    INTERFACE_INCLUDE_DIRECTORIES "${CLS_SLEEF_INCLUDE}")
+endif()

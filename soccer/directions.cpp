@@ -1,15 +1,15 @@
-// SLEEF's functions of two or four doubles; see math.cpp. Their results have the same bits at any
-// width.
+// SLEEF's functions of two or four doubles, where math.cpp has SLEEF. Their results have the same
+// bits at any width.
 #include "soccer/directions.h"
 
 #include <algorithm>
 
-#if defined(__x86_64__)
+#include "soccer/math_library.h"
+#ifdef CLS_SLEEF
 #include <emmintrin.h>
 #include <sleef.h>
 
 #include "soccer/four_wide.h"
-#define CLS_X86 1
 #endif
 
 namespace cls::soccer {
@@ -21,7 +21,7 @@ double degrees_of(Vec2 vector, double radians) {
 double radians_of(Vec2 vector, double radians) { return vector.is_zero() ? 0.0 : radians; }
 
 std::array<double, 2> atan2_pair(Vec2 a, Vec2 b) {
-#ifdef CLS_X86
+#ifdef CLS_SLEEF
   const __m128d y = _mm_setr_pd(a.y, b.y);
   const __m128d x = _mm_setr_pd(a.x, b.x);
   std::array<double, 2> radians;
@@ -32,7 +32,7 @@ std::array<double, 2> atan2_pair(Vec2 a, Vec2 b) {
 #endif
 }
 
-#ifdef CLS_X86
+#ifdef CLS_SLEEF
 constexpr std::size_t kWidth = 4;
 
 bool has_wide() {
@@ -57,7 +57,7 @@ std::array<double, kWidth> atan2_of_four(const Vec2* vectors) {
 template <typename Convert>
 void convert_all(const Vec2* vectors, std::size_t count, double* out, Convert convert) {
   std::size_t done = 0;
-#ifdef CLS_X86
+#ifdef CLS_SLEEF
   for (; has_wide() && done + kWidth <= count; done += kWidth) {
     const auto radians = atan2_of_four(vectors + done);
     for (std::size_t i = 0; i < kWidth; ++i) out[done + i] = convert(vectors[done + i], radians[i]);
@@ -88,7 +88,7 @@ void directions_radians(const Vec2* vectors, std::size_t count, double* radians)
 
 void unit_vectors(const double* radians, std::size_t count, Vec2* vectors) {
   std::size_t done = 0;
-#ifdef CLS_X86
+#ifdef CLS_SLEEF
   for (; has_wide() && done + kWidth <= count; done += kWidth) {
     std::array<double, kWidth> sin;
     std::array<double, kWidth> cos;

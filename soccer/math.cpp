@@ -1,19 +1,22 @@
-// Reproducible transcendental functions on SLEEF.
+// Reproducible transcendental functions: those of SLEEF, or their portable twins.
 #include "soccer/math.h"
 
-#ifdef __SSE2__
+#include "soccer/math_library.h"
+#ifdef CLS_SLEEF
 #include <emmintrin.h>
-#endif
 #include <sleef.h>
+#else
+#include "soccer/portable_math.h"
+#endif
 
 #include <cmath>
 
 namespace cls::soccer::math {
 
-#ifdef __SSE2__
+#ifdef CLS_SLEEF
 namespace {
 
-// SLEEF's vectors of two doubles: same bits as its scalar code, which has more branches.
+// Vectors of two doubles: same bits as SLEEF's scalar code, which has more branches.
 __m128d one(double x) { return _mm_set_sd(x); }
 double first(__m128d v) { return _mm_cvtsd_f64(v); }
 
@@ -22,9 +25,12 @@ double first(__m128d v) { return _mm_cvtsd_f64(v); }
 double sin(double x) { return first(Sleef_cinz_sind2_u10sse2(one(x))); }
 double cos(double x) { return first(Sleef_cinz_cosd2_u10sse2(one(x))); }
 double tan(double x) { return first(Sleef_cinz_tand2_u10sse2(one(x))); }
+double asin(double x) { return Sleef_cinz_asind1_u10purec(x); }
+double acos(double x) { return Sleef_cinz_acosd1_u10purec(x); }
 double atan(double x) { return first(Sleef_cinz_atand2_u10sse2(one(x))); }
 double atan2(double y, double x) { return first(Sleef_cinz_atan2d2_u10sse2(one(y), one(x))); }
 double exp(double x) { return first(Sleef_cinz_expd2_u10sse2(one(x))); }
+double log(double x) { return Sleef_cinz_logd1_u10purec(x); }
 double pow(double x, double y) { return first(Sleef_cinz_powd2_u10sse2(one(x), one(y))); }
 
 SinCos sincos(double x) {
@@ -32,23 +38,18 @@ SinCos sincos(double x) {
   return {first(both.x), first(both.y)};
 }
 #else
-double sin(double x) { return Sleef_cinz_sind1_u10purec(x); }
-double cos(double x) { return Sleef_cinz_cosd1_u10purec(x); }
-double tan(double x) { return Sleef_cinz_tand1_u10purec(x); }
-double atan(double x) { return Sleef_cinz_atand1_u10purec(x); }
-double atan2(double y, double x) { return Sleef_cinz_atan2d1_u10purec(y, x); }
-double exp(double x) { return Sleef_cinz_expd1_u10purec(x); }
-double pow(double x, double y) { return Sleef_cinz_powd1_u10purec(x, y); }
-
-SinCos sincos(double x) {
-  const Sleef_double_2 both = Sleef_cinz_sincosd1_u10purec(x);
-  return {both.x, both.y};
-}
+double sin(double x) { return portable::sin(x); }
+double cos(double x) { return portable::cos(x); }
+double tan(double x) { return portable::tan(x); }
+double asin(double x) { return portable::asin(x); }
+double acos(double x) { return portable::acos(x); }
+double atan(double x) { return portable::atan(x); }
+double atan2(double y, double x) { return portable::atan2(y, x); }
+double exp(double x) { return portable::exp(x); }
+double log(double x) { return portable::log(x); }
+double pow(double x, double y) { return portable::pow(x, y); }
+SinCos sincos(double x) { return portable::sincos(x); }
 #endif
-
-double asin(double x) { return Sleef_cinz_asind1_u10purec(x); }
-double acos(double x) { return Sleef_cinz_acosd1_u10purec(x); }
-double log(double x) { return Sleef_cinz_logd1_u10purec(x); }
 
 double normalize_radians(double angle) {
   if (std::fabs(angle) > 2.0 * kPi) angle = std::fmod(angle, 2.0 * kPi);

@@ -1,4 +1,4 @@
-// Transcendental functions with identical results on all x86-64 CPUs, and angle arithmetic.
+// Transcendental functions with identical results on all CPUs, and angle arithmetic.
 #pragma once
 
 namespace cls::soccer::math {
@@ -6,9 +6,10 @@ namespace cls::soccer::math {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kEps = 1e-10;
 
-/// Based on the FMA-free scalar code of SLEEF, which rounds equally on all CPUs; the C library uses
-/// other code, with other last bits, on CPUs with FMA. Simulator, world model and mock use only
-/// these functions. Error at most 1 ulp. Angles in radians.
+/// SLEEF's functions without FMA, which round equally on all CPUs; the C library uses other code,
+/// with other last bits, on CPUs with FMA. Where SLEEF is missing, their twins of portable_math.h.
+/// Simulator, world model and mock use only these functions. Error at most 1 ulp. Angles in
+/// radians.
 double sin(double x);
 double cos(double x);
 double tan(double x);
