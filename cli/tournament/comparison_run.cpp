@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "base/text/wrap_text.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/compare_progress.h"
 #include "cli/terminal/terminal.h"
+#include "cli/tournament/alike_matches.h"
 #include "tournament/run/tournament_run.h"
 
 namespace cls::cli {
@@ -26,10 +28,14 @@ int exit_code_of(const RunSummary& summary, const ComparisonVerdict& known) {
 }
 
 void print_result(const Comparison& comparison, const std::vector<ScheduledMatch>& matches,
-                  const std::filesystem::path& folder, bool json) {
-  fmt::print("{}", json ? comparison_json(comparison, matches)
-                        : comparison_text(comparison, matches, stdout_width()));
-  if (!json) fmt::print("{}/\n", folder.string());
+                  const AlikeSamples& alike, const std::filesystem::path& folder, bool json) {
+  if (json) {
+    fmt::print("{}", comparison_json(comparison, matches, alike.count()));
+    return;
+  }
+  fmt::print("{}", comparison_text(comparison, matches, stdout_width()));
+  if (alike.count() > 0) fmt::print("{}", base::wrap_text(alike.text() + "\n", stdout_width()));
+  fmt::print("{}/\n", folder.string());
 }
 
 }  // namespace
@@ -45,8 +51,11 @@ int run_comparison(const Comparison& comparison, const std::filesystem::path& fo
   };
 
   ComparisonVerdict known;
+  AlikeSamples alike(comparison, folder);
+  CompareProgress progress(comparison, known, stderr_is_terminal(), session.quiet);
   options.decided = [&](std::span<const ScheduledMatch> matches) {
     known = verdict(comparison, matches);
+    if (const std::string line = alike.look_at(matches); !line.empty()) progress.on_note(line);
     return known.decision != Decision::kOpen;
   };
 
@@ -60,13 +69,12 @@ int run_comparison(const Comparison& comparison, const std::filesystem::path& fo
   const OpenedFolder opened = begin_session(options.folder, options.config, session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
   known = verdict(comparison, opened.matches);
-  CompareProgress progress(comparison, known, stderr_is_terminal(), session.quiet);
   const auto summary =
       run_tournament(options, executors_in(options.folder), progress, watch_interrupts());
   progress.clear();
   if (!summary) return print_error(kWriteFailed, summary.error().message);
 
-  if (prints) print_result(comparison, summary->matches, folder, session.json);
+  if (prints) print_result(comparison, summary->matches, alike, folder, session.json);
   if (prints && !session.json) fmt::print("{}", watch_line(folder, summary->matches));
   const int exit_code =
       end_session(*summary, options.config, session, exit_code_of(*summary, known), false);

@@ -225,9 +225,6 @@ int make_dataset(const MakeArguments& arguments) {
     return print_error(kBadData, "{}: {}", arguments.folder, checked.error().message);
   }
 
-  const std::string twins = twin_sides(config);
-  if (!twins.empty() && !arguments.session.quiet) print_error(0, "warning: " + twins);
-
   Packer packer(options.config, arguments.folder);
   DatasetProgress progress(packer, arguments.session.quiet);
   const auto summary =

@@ -214,6 +214,11 @@ OpenedFolder begin_session(const fs::path& folder, const TournamentConfig& confi
     opened.exit_code =
         run_preflight(folder, config, options, opened.matches, outlook_of(opened.matches));
   }
+
+  const std::string twins = twin_sides(config);
+  if (opened.exit_code == kOk && !twins.empty() && !options.quiet) {
+    print_error(0, "warning: " + twins);
+  }
   return opened;
 }
 

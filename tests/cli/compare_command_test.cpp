@@ -68,6 +68,29 @@ TEST_F(Compare, RespectsMaxPairsOfThisCommand) {
   EXPECT_EQ(json::parse(forced.out)["matches"].size(), 2u);
 }
 
+// A change without effect would be undecided for hours.
+TEST_F(Compare, TellsAfterTheFirstPairThatBothSidesPlayTheSame) {
+  const Arguments same = {cls_binary(), "compare", "mock", "mock", "--cycles", "30"};
+  const auto compare_same = [&](const Arguments& more) {
+    return Command(joined(same, more), {}, folder_.path()).finish();
+  };
+
+  const CommandResult direct = compare_same({"--max-pairs", "2", "--concurrency", "1"});
+
+  EXPECT_EQ(direct.exit_code, 3) << direct.err;
+  EXPECT_THAT(direct.err, HasSubstr("warning: mock and mock_base are the same side: "));
+  const std::size_t note =
+      direct.err.find("mock and mock_base sent the same commands in all cycles");
+  ASSERT_NE(note, std::string::npos) << direct.err;
+  EXPECT_LT(note, direct.err.find("match 3/4")) << direct.err;
+  EXPECT_THAT(direct.out, HasSubstr("in 2 of 2 pairs mock and mock_base sent the same commands"));
+
+  const CommandResult quartets =
+      compare_same({"--opponents", "mock:hold", "--max-pairs", "1", "--json"});
+  EXPECT_EQ(json::parse(quartets.out)["alike"], 1) << quartets.err;
+  EXPECT_EQ(json::parse(compare({"--max-pairs", "1", "--json"}).out)["alike"], 0);
+}
+
 TEST_F(Compare, ForceRenamesNothingBeforeTeamsAreChecked) {
   ASSERT_EQ(compare({"--max-pairs", "1", "--dir", "c"}).exit_code, 3);
   EXPECT_THAT(

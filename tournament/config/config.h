@@ -121,4 +121,9 @@ match::MatchOptions match_options(const Conditions& conditions);
 /// settings are checked as in `cls match`.
 std::vector<std::string> validate(const TournamentConfig& config);
 
+/// What equal sides play twice, in one line: intervals count it twice, and a split of a data set
+/// into training and test leaks. Empty: no two teams have the same endpoint, or each pair is played
+/// once.
+std::string twin_sides(const TournamentConfig& config);
+
 }  // namespace cls::tournament

@@ -55,21 +55,6 @@ constexpr const char* kLicense =
 
 }  // namespace
 
-std::string twin_sides(const TournamentConfig& config) {
-  if (!config.competition.swap_sides) return {};
-  const std::vector<TeamEntry>& teams = config.competition.teams;
-  for (std::size_t i = 0; i < teams.size(); ++i) {
-    for (std::size_t k = i + 1; k < teams.size(); ++k) {
-      if (teams[i].endpoint != teams[k].endpoint) continue;
-      return fmt::format(
-          "{} and {} are the same side: the two matches of a pair on one seed are the same frames "
-          "with other names; use one of them, or swap_sides = false",
-          teams[i].name, teams[k].name);
-    }
-  }
-  return {};
-}
-
 std::string data_card(const TournamentConfig& config, const std::vector<DatasetMatch>& matches) {
   const Totals totals = totals_of(matches);
   const DatasetSize size = size_of(matches);

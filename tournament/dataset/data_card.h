@@ -13,8 +13,4 @@ namespace cls::tournament {
 /// depends on its arguments only.
 std::string data_card(const TournamentConfig& config, const std::vector<DatasetMatch>& matches);
 
-/// What a data set of equal sides has twice, in one line: a split into training and test leaks.
-/// Empty: no two teams have the same endpoint, or each pair is played once.
-std::string twin_sides(const TournamentConfig& config);
-
 }  // namespace cls::tournament

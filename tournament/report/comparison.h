@@ -1,6 +1,7 @@
 // `cls compare`: is NEW better than BASE? Pairs of matches until a sequential test decides.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -127,7 +128,8 @@ std::string_view verdict_name(const ComparisonVerdict& verdict);
 std::string comparison_text(const Comparison& comparison, std::span<const ScheduledMatch> matches,
                             std::size_t width = 80);
 
-/// The document cls.compare/1.
-std::string comparison_json(const Comparison& comparison, std::span<const ScheduledMatch> matches);
+/// The document cls.compare/1. `alike`: samples in which NEW and BASE sent the same commands.
+std::string comparison_json(const Comparison& comparison, std::span<const ScheduledMatch> matches,
+                            std::size_t alike = 0);
 
 }  // namespace cls::tournament

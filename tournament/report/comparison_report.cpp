@@ -184,7 +184,8 @@ std::string comparison_text(const Comparison& comparison, std::span<const Schedu
   return base::wrap_text(text, width);
 }
 
-std::string comparison_json(const Comparison& comparison, std::span<const ScheduledMatch> matches) {
+std::string comparison_json(const Comparison& comparison, std::span<const ScheduledMatch> matches,
+                            std::size_t alike) {
   const ComparisonVerdict known = verdict(comparison, matches);
   const Names names = names_of(comparison);
   const Estimate& strength = known.strength;
@@ -218,6 +219,7 @@ std::string comparison_json(const Comparison& comparison, std::span<const Schedu
                    {"model", known.model},
                    {"samples", samples_json(comparison, known)},
                    {"left_out", known.left_out},
+                   {"alike", alike},
                    {"superiority", rounded(strength.superiority)}};
 
   if (names.direct) {
