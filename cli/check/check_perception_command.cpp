@@ -34,10 +34,10 @@ constexpr const char* kCheckPerceptionDescription =
     "  cls check perception player_7.txt.gz --truth game.rcg.gz --page game.html\n"
     "\n"
     "TRANSCRIPT has a line per datagram of one player: S>C or C>S, seconds, text,\n"
-    "separated by tabs; plain or gzip, - for standard input. It is replayed through\n"
-    "the world model. Each decision in play_on is compared with the game log: own\n"
-    "position and body angle, the ball and its velocity when just seen, other\n"
-    "players when just seen with their uniform number.";
+    "separated by tabs; plain or compressed, - for standard input. It is replayed\n"
+    "through the world model. Each decision in play_on is compared with the game\n"
+    "log: own position and body angle, the ball and its velocity when just seen,\n"
+    "other players when just seen with their uniform number.";
 
 struct CheckPerceptionArguments {
   std::string transcript;

@@ -24,7 +24,7 @@ constexpr const char* kCheckServerLogDescription =
     "commands (rcl). The result is compared with the next frame. Random outcomes\n"
     "(tackle, catch, foul) are taken from the log, and so is noise within its\n"
     "bounds; the distribution of the noise is checked. Reads game logs of versions 4\n"
-    "to 6 and JSON, plain or gzip.";
+    "to 6 and JSON, plain or compressed (gzip, xz, zstd).";
 
 struct CheckServerLogArguments {
   std::string game;

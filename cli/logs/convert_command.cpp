@@ -29,7 +29,8 @@ using gamelog::RcgVersion;
 
 constexpr const char* kConvertDescription =
     "convert a game log to another version or into tables\n"
-    "Reads rcg versions 1 to 7 and JSON, plain or gzip, and pages of 'cls watch'.\n"
+    "Reads rcg versions 1 to 7 and JSON, plain or compressed (gzip, xz, zstd), and\n"
+    "pages of 'cls watch'.\n"
     "\n"
     "  cls convert old.rcg.gz new.rcg             version 6\n"
     "  cls convert game.rcg game.rcg.gz --to 4    version 4, compressed\n"

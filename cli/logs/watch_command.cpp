@@ -51,10 +51,11 @@ constexpr const char* kWatchDescription =
     "  cls watch localhost:6000               the match on any soccer server\n"
     "  cls watch runs --view terminal         without a browser, for example over ssh\n"
     "\n"
-    "WHAT is a game log (rcg 1 to 7, JSON, gzip), a page of cls, a match folder, a\n"
-    "folder of matches (the latest that has a log), a tournament's folder (a list of\n"
-    "its matches with a page of each; with --out its latest match that failed, else\n"
-    "the latest), HOST:PORT of a soccer server, or - for standard input.";
+    "WHAT is a game log (rcg 1 to 7 or JSON, plain or compressed), a page of cls, a\n"
+    "match folder, a folder of matches (the latest that has a log), a tournament's\n"
+    "folder (a list of its matches with a page of each; with --out its latest match\n"
+    "that failed, else the latest), HOST:PORT of a soccer server, or - for standard\n"
+    "input.";
 
 struct WatchArguments {
   std::string what;
