@@ -36,7 +36,9 @@ std::string port_in(Command& command) {
 
 // Where each agent has a machine of its own, nothing orders their starts.
 TEST(ServerCommand, CoachWaitsForTheFirstPlayerOfItsTeam) {
-  Command server({cls_binary(), "server", "--port", "0", "--seed", "7", "server::synch_mode=on"});
+  const TemporaryFolder folder;
+  Command server({cls_binary(), "server", "--port", "0", "--seed", "7", "--dir", folder.path(),
+                  "server::synch_mode=on"});
   const std::string port = port_in(server);
   const std::string ports = server.out();
   const std::string coaches = ports.substr(ports.find("coaches ") + 8);
