@@ -13,7 +13,7 @@ from typing import Any
 
 from cls_gym._api import AutoresetMode, ClosedEnvironmentError, ResetNeeded
 from cls_gym._config import ActionError, ConfigError, EngineError, KeywordError
-from cls_gym._engine import catalog, version
+from cls_gym._engine import World, catalog, version
 from cls_gym._history import Snapshot
 from cls_gym.env import Env
 from cls_gym.pipeline import Pipeline
@@ -22,7 +22,7 @@ from cls_gym.vector import VectorEnv
 
 __all__ = ["ActionError", "AutoresetMode", "ClosedEnvironmentError", "ConfigError", "EngineError",
            "Env", "KeywordError", "ParallelEnv", "Pipeline", "ResetNeeded", "Snapshot", "VectorEnv",
-           "catalog", "ids", "make_env", "make_vector_env", "version"]
+           "World", "catalog", "ids", "make_env", "make_vector_env", "version"]
 
 
 def make_env(**keywords: Any) -> Env:
@@ -38,7 +38,8 @@ def make_vector_env(**keywords: Any) -> VectorEnv:
 
 def _register() -> None:
     """Makes the ids known to gymnasium.make() and make_vec()."""
-    from gymnasium.envs.registration import register, registry
+    from gymnasium.envs.registration import (  # type: ignore[import-not-found,unused-ignore]
+        register, registry)
     for id in ids():
         if id not in registry:
             register(id, entry_point="cls_gym:make_env",
@@ -53,7 +54,7 @@ def __getattr__(name: str) -> Any:
 
 
 try:
-    import gymnasium as _gymnasium  # noqa: F401
+    import gymnasium as _gymnasium  # type: ignore[import-not-found,unused-ignore]  # noqa: F401
 except ImportError:
     pass
 else:

@@ -18,7 +18,7 @@ from cls_gym.spec import ActionSet, Feature, Spec
 
 LIBRARY = "libcls_training.so"
 VARIABLE = "CLS_TRAINING_LIBRARY"
-ABI = 2
+ABI = 3
 
 _SMALL_BUFFER = -9
 
@@ -53,18 +53,29 @@ class _Buffers(ctypes.Structure):
 class _Player(ctypes.Structure):
     _fields_ = [("side", ctypes.c_int32), ("unum", ctypes.c_int32), ("on_pitch", ctypes.c_int32),
                 ("goalie", ctypes.c_int32)] + [(name, ctypes.c_double) for name in (
-                    "x", "y", "vx", "vy", "body", "neck", "stamina", "kickable_area")]
+                    "x", "y", "vx", "vy", "body", "neck", "stamina", "kickable_area", "effort",
+                    "recovery", "capacity")] + [(name, ctypes.c_int32) for name in (
+                        "tackle_cycles", "foul_cycles", "catch_ban", "cards", "type", "reserved")]
 
 
 class World(ctypes.Structure):
-    """cls_training_world: the physical state of a world."""
+    """The physical state of a world, whose members can be changed (cls_training_world).
+
+    seed; cycle of the episode; time of the match clock; score[2] (left, right); status; play_mode
+    (bytes: b"play_on"); ball_x, ball_y, ball_vx, ball_vy; last_touch and catcher, indices of players
+    or -1; players[22], left 1 to 11, right 1 to 11: side (1 left, -1 right), unum, on_pitch, goalie,
+    x, y, vx, vy, body, neck (relative to the body), stamina, kickable_area, effort, recovery,
+    capacity, tackle_cycles, foul_cycles, catch_ban, cards, type. Meters, meters a cycle and degrees; the
+    left team defends x = -52.5, y grows downwards. copy.copy() gives another one.
+    """
 
     _fields_ = [("struct_size", ctypes.c_uint64), ("seed", ctypes.c_uint64),
                 ("cycle", ctypes.c_int32), ("time", ctypes.c_int32),
                 ("score", ctypes.c_int32 * 2), ("status", ctypes.c_int32),
                 ("play_mode", ctypes.c_char * 32), ("ball_x", ctypes.c_double),
                 ("ball_y", ctypes.c_double), ("ball_vx", ctypes.c_double),
-                ("ball_vy", ctypes.c_double), ("players", _Player * 22)]
+                ("ball_vy", ctypes.c_double), ("last_touch", ctypes.c_int32),
+                ("catcher", ctypes.c_int32), ("players", _Player * 22)]
 
 
 _POOL = ctypes.c_uint64
@@ -84,6 +95,7 @@ _FUNCTIONS: Dict[str, List[Any]] = {
     "fork": [_POOL, ctypes.c_uint64, ctypes.c_uint64],
     "record": [_POOL, ctypes.c_uint64, ctypes.c_char_p],
     "view": [_POOL, ctypes.c_uint64, ctypes.POINTER(World)],
+    "set_state": [_POOL, ctypes.c_uint64, ctypes.POINTER(World)],
 }
 
 
@@ -148,7 +160,8 @@ def _document(call: Callable[[Any, int, Any], int]) -> Dict[str, Any]:
         _check(code)
     text = ctypes.create_string_buffer(length.value + 1)
     _check(call(text, len(text), ctypes.byref(length)))
-    return json.loads(text.value.decode("utf-8"))
+    document: Dict[str, Any] = json.loads(text.value.decode("utf-8"))
+    return document
 
 
 @functools.lru_cache(maxsize=None)
@@ -159,7 +172,7 @@ def catalog() -> Dict[str, Any]:
 
 def version() -> str:
     """The version of the engine."""
-    return library().cls_training_version().decode()
+    return str(library().cls_training_version().decode())
 
 
 @functools.lru_cache(maxsize=None)
@@ -195,7 +208,7 @@ class Pool:
         sizes = {"N": n, "A": a, "I": a if k else 0, "F": len(spec.features), "K": k,
                  "V": len(spec.actions.values), "S": len(spec.state_features),
                  "R": len(spec.reward_terms), "2": 2}
-        arrays = {name: np.zeros([sizes[one] for one in shape], kind)
+        arrays: Dict[str, Any] = {name: np.zeros([sizes[one] for one in shape], kind)
                   for name, (kind, shape) in _ARRAYS.items()}
         for name in ("final_observations", "final_state"):
             if self.config.get("autoreset") != "same_step":
@@ -240,7 +253,7 @@ class Pool:
 
     def call(self, name: str, *arguments: Any) -> int:
         """A function of the engine for this pool: its code."""
-        return getattr(library(), "cls_training_" + name)(self.handle, *arguments)
+        return int(getattr(library(), "cls_training_" + name)(self.handle, *arguments))
 
     def reset(self, which: Optional[np.ndarray], seeds: np.ndarray) -> None:
         """Starts an episode with seeds[i] (uint64[N]) where which[i] (bool[N]; None: all)."""
@@ -289,6 +302,13 @@ class Pool:
         _check(self.call("view", env, ctypes.byref(world)))
         return world
 
+    def set_state(self, env: int, world: World) -> None:
+        """Starts an episode from a physical state."""
+        try:
+            _check(self.call("set_state", env, ctypes.byref(world)))
+        except ConfigError as error:
+            raise ConfigError(f"set_state: {error}") from None
+
     def close(self) -> None:
         """Frees the worlds; may be called again. Raises EngineError when a recording could not be
         written."""
@@ -318,6 +338,6 @@ def _spec(document: Dict[str, Any]) -> Spec:
 
 
 def _status_name(entry: Any) -> str:
-    return entry["name"] if isinstance(entry, dict) else entry
+    return str(entry["name"] if isinstance(entry, dict) else entry)
 
 

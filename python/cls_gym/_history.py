@@ -9,7 +9,8 @@ from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 
 from cls_gym._api import warn
-from cls_gym._engine import EngineError, Pool, fingerprint, library
+from cls_gym._config import EngineError
+from cls_gym._engine import Pool, World, fingerprint, library
 
 Actions = Tuple[np.ndarray, np.ndarray]  # ids [T, A] (or [T, 0]), values float32[T, A, V]
 #: Bytes of actions that an environment keeps; episodes that began before them cannot travel.
@@ -37,6 +38,7 @@ class Episode(NamedTuple):
     ids: np.ndarray            # [T, A]
     values: np.ndarray         # float32[T, A, V]
     mark: int                  # of what the engine showed then
+    start: Optional[bytes] = None  # a World from which it started; None: where its task says
 
     @property
     def steps(self) -> int:
@@ -71,6 +73,7 @@ class History:
         self._past: List[Optional[Past]] = [None] * count  # those before
         self.options: Dict[str, float] = dict(pool.spec.document["options"])
         self._options_of = [self.options] * count  # those of the running episode
+        self._start_of: List[Optional[bytes]] = [None] * count  # its state, if it was given
         self._nothing = (np.empty((0, *self._shapes[0][1:]), self._kind),
                          np.empty((0, *self._shapes[1][1:]), np.float32))
 
@@ -101,12 +104,18 @@ class History:
         self._free = self._rows
 
     def begin(self, which: Any) -> None:
-        """Worlds (bool[N]; None: all) have begun an episode."""
+        """Worlds (bool[N]; None: all) have begun an episode where their task says."""
         rows = range(len(self._past)) if which is None else which.nonzero()[0].tolist()
         for index in rows:
             self._start[index] = self._now
             self._past[index] = None
             self._options_of[index] = self.options
+            self._start_of[index] = None
+
+    def begin_at(self, index: int, start: bytes) -> None:
+        """World `index` has begun an episode in a state."""
+        self._start[index], self._past[index] = self._now, None
+        self._options_of[index], self._start_of[index] = self.options, start
 
     def set_options(self, options: Dict[str, Any]) -> None:
         """Options of the next episodes."""
@@ -134,18 +143,20 @@ class History:
     def moment(self, index: int) -> "Moment":
         """The episode of a world now."""
         return Moment(int(self._pool.seeds[index]), self._options_of[index], self.past(index),
-                      mark_of(self._pool, index), self._nothing)
+                      mark_of(self._pool, index), self._nothing, self._start_of[index])
 
     def received(self, episode: Episode) -> "Moment":
         """An episode of another process as one of this."""
         past = Past(None, (episode.ids, episode.values)) if episode.steps else None
-        return Moment(episode.seed, episode.options, past, episode.mark, self._nothing)
+        return Moment(episode.seed, episode.options, past, episode.mark, self._nothing,
+                      episode.start)
 
     def adopt(self, index: int, moment: "Moment") -> None:
         """World `index` continues an episode from a moment."""
         self._start[index] = self._now
         self._past[index] = moment.past
         self._options_of[index] = moment.options
+        self._start_of[index] = moment.start
 
 
 class Moment(NamedTuple):
@@ -156,6 +167,7 @@ class Moment(NamedTuple):
     past: Optional[Past]
     mark: int
     nothing: Actions  # no actions, in their shapes
+    start: Optional[bytes]
 
     def episode(self) -> Episode:
         """The same by value. Raises EngineError where actions were forgotten."""
@@ -166,7 +178,7 @@ class Moment(NamedTuple):
             parts.insert(1, past.actions)
             past = past.before
         return Episode(self.seed, self.options, np.concatenate([ids for ids, _ in parts]),
-                       np.concatenate([values for _, values in parts]), self.mark)
+                       np.concatenate([values for _, values in parts]), self.mark, self.start)
 
 
 def replay(pool: Pool, episodes: Dict[int, Episode], options: Dict[str, float],
@@ -191,6 +203,10 @@ def replay(pool: Pool, episodes: Dict[int, Episode], options: Dict[str, float],
             which = np.zeros(len(seeds), np.bool_)
             which[due] = True
             pool.reset(which, seeds)
+        for index in due:
+            start = episodes[index].start
+            if start is not None:
+                pool.set_state(index, World.from_buffer_copy(start))
         running += due
         if step == longest:
             break

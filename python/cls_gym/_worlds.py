@@ -11,7 +11,7 @@ from cls_gym import rendering
 from cls_gym._api import ClosedEnvironmentError, ResetNeeded, warn
 from cls_gym._config import (MASKS, ActionError, ConfigError, EngineError, check_choice,
                              check_keywords, with_features)
-from cls_gym._engine import Pool, catalog, fingerprint
+from cls_gym._engine import Pool, World, catalog, fingerprint
 from cls_gym._history import Episode, History, Snapshot, replay
 from cls_gym.spec import bounds
 from cls_gym.tasks import resolve
@@ -98,7 +98,7 @@ class Worlds:
         pool = self.pool
         # float32[N, F] or float32[N, A, F]
         self.observations = self._per_agent(pool.observations)
-        self._own_rewards = pool.rewards[:, 0]
+        self._own_rewards: np.ndarray = pool.rewards[:, 0]
         if pool.final_observations is not None:
             self.final_observations = self._per_agent(pool.final_observations)
         self.masks = self._per_agent(pool.action_masks) if self.spec.actions.names else None
@@ -107,7 +107,7 @@ class Worlds:
             ("illegal", self._per_agent(pool.illegal)), ("seed", pool.seeds),
             ("reward_terms", pool.reward_terms), ("opponent", pool.opponent)]
         self._masks_in_infos = self.mask_place == "info"
-        if self._masks_in_infos:
+        if self._masks_in_infos and self.masks is not None:
             self.columns.append((self.mask_name, self.masks))
         self._targets = self._action_targets()
 
@@ -230,7 +230,8 @@ class Worlds:
         if self.agents == 1:
             return self._own_rewards.astype(np.float64)
         # As mean() does, without what it does around it.
-        return np.add.reduce(self.pool.rewards, axis=1, dtype=np.float64) / self.agents
+        sums: np.ndarray = np.add.reduce(self.pool.rewards, axis=1, dtype=np.float64)
+        return sums / self.agents
 
     def info(self, index: int, ended: bool = False) -> Info:
         """What Env.step() returns beside the observation, of one world."""
@@ -281,7 +282,7 @@ class Worlds:
         if self.pool.terminated[index] or self.pool.truncated[index]:
             if self.pool.config["autoreset"] != "same_step":
                 return np.ones(self.masks[index].size, np.bool_)
-        return self.masks[index].ravel() != 0
+        return np.asarray(self.masks[index].ravel() != 0)
 
     # ---- worlds as values
 
@@ -312,6 +313,21 @@ class Worlds:
         self.pool.fork(source, target)
         self.history.adopt(target, self.history.moment(source))
         self._started[target] = True
+        self._all_started = bool(self._started.all())
+
+    def view(self, index: int) -> World:
+        """The physical state of a world."""
+        self.check_begun(index, "view")
+        return self.pool.view(index)
+
+    def set_state(self, index: int, world: World) -> None:
+        """Starts an episode of a world from a physical state."""
+        self.check_open()
+        if not isinstance(world, World):
+            raise TypeError(f"set_state: a World, as view() returns, not {world!r:.60}")
+        self.pool.set_state(index, world)
+        self.history.begin_at(index, bytes(world))
+        self._started[index] = True
         self._all_started = bool(self._started.all())
 
     def __reduce__(self) -> Any:

@@ -7,12 +7,13 @@ import numpy as np
 
 from cls_gym import spaces
 from cls_gym._api import BaseEnv, ResetNeeded, check_gymnasium
+from cls_gym._engine import World
 from cls_gym._history import Snapshot
 from cls_gym._worlds import METADATA, Info, Worlds, alone, check_render_mode
 from cls_gym.seeding import episode_seed
 
 
-class Env(BaseEnv):
+class Env(BaseEnv):  # type: ignore[misc]
     """A task for one agent, or for several that are controlled together.
 
     >>> import cls_gym
@@ -54,8 +55,14 @@ class Env(BaseEnv):
         self.render_mode = render_mode
         self._worlds = Worlds(task, 1, config, mask=mask, owner="Env", own=("render_mode",))
         self._ended = False
-        self.observation_space: spaces.Space = self._worlds.observation_space
-        self.action_space: spaces.Space = self._worlds.action_space
+        self.observation_space: spaces.Space[Any] = self._worlds.observation_space
+        self.action_space: spaces.Space[Any] = self._worlds.action_space
+
+    def __enter__(self) -> "Env":
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
 
     @property
     def spec_of_task(self) -> Any:
@@ -70,17 +77,17 @@ class Env(BaseEnv):
     @property
     def alive(self) -> np.ndarray:
         """bool[A]: False after a red card; the agent observes zeros and does not act."""
-        return self._worlds.pool.alive[0].copy()
+        return np.array(self._worlds.pool.alive[0])
 
     @property
     def agent_terminations(self) -> np.ndarray:
         """bool[A]: `terminated` by agent: a red card ends the episode for an agent alone."""
-        return self._worlds.pool.terminated[0] | ~self._worlds.pool.alive[0]
+        return np.array(self._worlds.pool.terminated[0] | ~self._worlds.pool.alive[0])
 
     @property
     def agent_rewards(self) -> np.ndarray:
         """float32[A]: the rewards of the last step by agent."""
-        return self._worlds.pool.rewards[0].copy()
+        return np.array(self._worlds.pool.rewards[0])
 
     def action_masks(self) -> np.ndarray:
         """bool[K], with A > 1 agents bool[A K], agent by agent: which ids have an effect now; all
@@ -117,7 +124,7 @@ class Env(BaseEnv):
     def state(self) -> np.ndarray:
         """float32[S]: the full state, for a central critic; `spec_of_task.state_features`."""
         self._worlds.check_open()
-        return self._worlds.pool.state[0].copy()
+        return np.array(self._worlds.pool.state[0])
 
     def render(self) -> Any:
         """str for "ansi", uint8[height, width, 3] for "rgb_array"; "human" writes the text to
@@ -137,6 +144,22 @@ class Env(BaseEnv):
         self._worlds.restore(0, snapshot)
         self._ended = bool(self._worlds.pool.terminated[0] or self._worlds.pool.truncated[0])
         return self._worlds.observe(0, ... if self._ended else None)
+
+    def view(self) -> World:
+        """The physical state of the world, a copy."""
+        return self._worlds.view(0)
+
+    @alone
+    def set_state(self, world: World) -> Tuple[Any, Info]:
+        """Starts an episode from a physical state, as view() returns it; returns what reset() does.
+        Seed, cycle, clock, score, play mode, ball and players are those of `world`. Unlike a
+        snapshot it is the state of the bodies alone: random numbers begin with the seed, a set play
+        begins anew, and agents with obs="world_model" know what they see in it. Raises ConfigError
+        that names a member where no episode can start."""
+        self._worlds.set_state(0, world)
+        self._ended = False
+        self._worlds.show(self.render_mode)
+        return self._worlds.observe(0), self._worlds.info(0)
 
     def record(self, path: Optional[str]) -> None:
         """Writes the next episode, from its reset() to its end, as a game log (rcg) and its

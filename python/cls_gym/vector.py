@@ -8,6 +8,7 @@ import numpy as np
 from cls_gym import spaces
 from cls_gym._api import AutoresetMode, BaseVectorEnv, ResetNeeded, check_gymnasium, mode_of
 from cls_gym._config import ConfigError
+from cls_gym._engine import World
 from cls_gym._history import Snapshot
 from cls_gym._worlds import METADATA, Info, Worlds, alone, check_render_mode
 from cls_gym.seeding import SeedQueues, seed_list
@@ -15,7 +16,7 @@ from cls_gym.seeding import SeedQueues, seed_list
 Step = Tuple[Any, np.ndarray, np.ndarray, np.ndarray, Info]
 
 
-class VectorEnv(BaseVectorEnv):
+class VectorEnv(BaseVectorEnv):  # type: ignore[misc]
     """The same worlds as `num_envs` times Env, bit for bit, but at the speed of the engine.
 
     >>> import cls_gym
@@ -65,8 +66,8 @@ class VectorEnv(BaseVectorEnv):
         self._other: Optional[np.ndarray] = None  # with copy=False: the array of the next step
         if not self._copy:
             self._other = self._worlds.pool.observations.copy()
-        self.single_observation_space: spaces.Space = self._worlds.observation_space
-        self.single_action_space: spaces.Space = self._worlds.action_space
+        self.single_observation_space: spaces.Space[Any] = self._worlds.observation_space
+        self.single_action_space: spaces.Space[Any] = self._worlds.action_space
         self.observation_space = spaces.batch_space(self.single_observation_space, self.num_envs)
         self.action_space = spaces.batch_space(self.single_action_space, self.num_envs)
         self._seeds = SeedQueues(self.num_envs)
@@ -92,9 +93,10 @@ class VectorEnv(BaseVectorEnv):
         options = dict(options or {})
         which = self._reset_mask(options.pop("reset_mask", None))
         seeds = seed_list(seed, self.num_envs)
-        for index in range(self.num_envs) if which is None else np.flatnonzero(which):
-            if seeds[index] is not None:
-                self._seeds.start(int(index), seeds[index])
+        for index in range(self.num_envs) if which is None else np.flatnonzero(which).tolist():
+            own = seeds[index]
+            if own is not None:
+                self._seeds.start(index, own)
         self._in_turn(lambda: worlds.reset(which, self._seeds.next, options))
         self._seeds.take(which)
         self._opponents = worlds.pool.opponent.copy()
@@ -147,6 +149,7 @@ class VectorEnv(BaseVectorEnv):
 
     def _turn(self) -> None:
         now = self._worlds.pool.observations
+        assert self._other is not None
         self._worlds.show_in(self._other)
         self._other = now
 
@@ -180,7 +183,8 @@ class VectorEnv(BaseVectorEnv):
     def agent_terminations(self) -> np.ndarray:
         """bool[N, A]: where the last step ended an episode that has no future, or a red card has
         ended it for the agent alone."""
-        return self._worlds.pool.terminated[:, None] | ~self._worlds.pool.alive
+        pool = self._worlds.pool
+        return np.asarray(pool.terminated[:, None] | ~pool.alive)
 
     @property
     def agent_rewards(self) -> np.ndarray:
@@ -228,6 +232,18 @@ class VectorEnv(BaseVectorEnv):
                 self._settle(other)
 
         self._in_turn(copy_all)
+
+    def view(self, index: int) -> World:
+        """The physical state of world `index`, a copy."""
+        return self._worlds.view(index)
+
+    @alone
+    def set_state(self, index: int, world: World) -> Any:
+        """Starts an episode of world `index` from a physical state (as Env.set_state); returns its
+        observation."""
+        self._in_turn(lambda: self._worlds.set_state(index, world))
+        self._settle(index)
+        return self._worlds.observe(index)
 
     def record(self, index: int, path: Optional[str]) -> None:
         """Writes the next episode of a world as a game log (rcg) and its commands as a text log

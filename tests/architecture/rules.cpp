@@ -58,7 +58,7 @@ const std::map<std::string, Library>& libraries() {
        {{"base", "soccer", "gamelog", "analysis"},
         {"stream", "decisions", "page", "live", "terminal", "charts", "report"}}},
       {"training",
-       {{"base", "soccer", "gamelog", "player", "simulator"},
+       {{"base", "soccer", "gamelog", "player", "analysis", "simulator"},
         {"scene", "senses", "features", "skills", "actions", "npc", "tasks", "episode", "pool",
          "c_api"}}},
       {"process", {{"base"}, {}}},

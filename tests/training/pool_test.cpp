@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -41,6 +42,31 @@ TEST(TrainingPool, ResultsDoNotDependOnEarlierEpisodes) {
   BoundPool used(config(""));
   play(used, 99, 80);
   EXPECT_TRUE(play(fresh, 5, 100) == play(used, 5, 100));
+}
+
+TEST(TrainingPool, StartsFromTheStateThatIsSeen) {
+  BoundPool played(config(""), 5);
+  soccer::RandomStream random(1, "actions");
+  played.play(random, 20);
+  cls_training_world world = played.view();
+  world.ball_x = 20.0;
+
+  BoundPool other(config(""), 50);
+  ASSERT_EQ(cls_training_set_state(other.handle, 3, &world), CLS_TRAINING_OK)
+      << cls_training_error();
+  const cls_training_world seen = other.view(3);
+  EXPECT_EQ(seen.ball_x, 20.0);
+  EXPECT_EQ(seen.seed, world.seed);
+  EXPECT_EQ(seen.cycle, world.cycle);
+  EXPECT_EQ(seen.players[10].x, world.players[10].x);
+  EXPECT_EQ(other.was_reset[3], 1);
+  EXPECT_EQ(other.was_reset[2], 1) << "rows of other worlds stay";
+
+  world.players[10].x = std::nan("");
+  EXPECT_EQ(cls_training_set_state(other.handle, 3, &world), CLS_TRAINING_BAD_CONFIG);
+  EXPECT_STREQ(cls_training_error(), "players[10].x: nan is not between -200 and 200");
+  EXPECT_EQ(cls_training_set_state(other.handle, 7, &seen), CLS_TRAINING_BAD_INDEX);
+  EXPECT_EQ(other.view(3).players[10].x, seen.players[10].x);
 }
 
 TEST(TrainingPool, OtherSeedsGiveOtherEpisodes) {

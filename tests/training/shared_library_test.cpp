@@ -36,7 +36,7 @@ TEST(TrainingLibrary, ExportsOnlyItsInterfaceAndNeedsNoProtobuf) {
   for (std::string line; std::getline(lines, line); ++count) {
     EXPECT_THAT(line, HasSubstr(" T cls_training_"));
   }
-  EXPECT_EQ(count, 17);
+  EXPECT_EQ(count, 18);
   const CommandResult needs = run({"readelf", "-d", kLibrary});
   ASSERT_EQ(needs.exit_code, 0);
   EXPECT_THAT(needs.out, Not(HasSubstr("protobuf")));

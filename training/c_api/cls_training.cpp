@@ -16,6 +16,7 @@
 
 #include "base/system/version.h"
 #include "base/text/json.h"
+#include "training/c_api/world_view.h"
 #include "training/pool/specification.h"
 
 namespace cls::training {
@@ -219,48 +220,6 @@ Outcome bind(Pool& pool, const cls_training_buffers& in) {
   return binder.outcome;
 }
 
-cls_training_player to_player(const simulator::World& world, const simulator::Player& player) {
-  constexpr double kDegrees = 180.0 / soccer::math::kPi;
-  cls_training_player out = {};
-  out.side = soccer::sign(player.side);
-  out.unum = player.unum;
-  out.on_pitch = player.enabled ? 1 : 0;
-  out.goalie = player.goalie ? 1 : 0;
-
-  out.x = player.position.x;
-  out.y = player.position.y;
-  out.vx = player.velocity.x;
-  out.vy = player.velocity.y;
-  out.body = player.body * kDegrees;
-  out.neck = player.neck * kDegrees;
-  out.stamina = player.stamina.value;
-  out.kickable_area = world.type_of(player).kickable_area(world.params().ball_size);
-  return out;
-}
-
-void fill_view(const Episode& episode, cls_training_world& out) {
-  const simulator::World& world = episode.world();
-  out.seed = episode.seed();
-  out.cycle = episode.cycles();
-  out.time = world.clock.time;
-  out.score[0] = episode.score()[0];
-  out.score[1] = episode.score()[1];
-  out.status = static_cast<std::int32_t>(episode.status());
-
-  const std::string_view mode = soccer::name(world.mode);
-  std::memset(out.play_mode, 0, sizeof out.play_mode);
-  std::memcpy(out.play_mode, mode.data(), std::min(mode.size(), sizeof out.play_mode - 1));
-
-  out.ball_x = world.ball.position.x;
-  out.ball_y = world.ball.position.y;
-  out.ball_vx = world.ball.velocity.x;
-  out.ball_vy = world.ball.velocity.y;
-
-  for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
-    out.players[slot] = to_player(world, world.player(slot));
-  }
-}
-
 }  // namespace
 }  // namespace cls::training
 
@@ -282,6 +241,12 @@ namespace {
 Outcome check_math_library() {
   const char* const fault = cls_math_library_fault == nullptr ? nullptr : cls_math_library_fault();
   return fault == nullptr ? Outcome{} : Outcome{Code::kInternal, fault};
+}
+
+Outcome check_world(const cls_training_world* world) {
+  if (world == nullptr) return null_pointer("world");
+  if (world->struct_size == sizeof *world) return {};
+  return {Code::kBadSize, "struct_size must be " + std::to_string(sizeof *world)};
 }
 
 }  // namespace
@@ -386,12 +351,18 @@ int cls_training_record(uint64_t handle, uint64_t env, const char* path) {
 
 int cls_training_view(uint64_t handle, uint64_t env, cls_training_world* world) {
   return with_pool(handle, [&](Pool& pool) -> Outcome {
-    if (world == nullptr) return null_pointer("world");
-    if (world->struct_size != sizeof *world) {
-      return {Code::kBadSize, "struct_size must be " + std::to_string(sizeof *world)};
-    }
+    if (Outcome sized = check_world(world); !sized.ok()) return sized;
     if (env >= pool.size()) return {Code::kBadIndex, "no world " + std::to_string(env)};
     engine::fill_view(pool.episode(env), *world);
     return {};
+  });
+}
+
+int cls_training_set_state(uint64_t handle, uint64_t env, const cls_training_world* world) {
+  return with_pool(handle, [&](Pool& pool) -> Outcome {
+    if (Outcome sized = check_world(world); !sized.ok()) return sized;
+    const auto start = engine::read_start(*world, pool.setup());
+    if (!start) return {Code::kBadConfig, start.error().message};
+    return pool.set_state(env, world->seed, *start);
   });
 }

@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 // Changes when a function, a struct or a meaning below changes.
-#define CLS_TRAINING_ABI 2
+#define CLS_TRAINING_ABI 3
 
 enum {
   CLS_TRAINING_OK = 0,
@@ -124,6 +124,9 @@ CLS_TRAINING_API int cls_training_catalog(char* out, size_t capacity, size_t* le
 //   "frame_skip"  cycles per step, 1..100; rewards are summed, an end ends the step. Default 1.
 //   "max_cycles"  length of an episode in cycles; 0: the task's.
 //   "reward"      {"TERM": weight, ...}: replaces the task's weights. Terms are in the catalog.
+//   "start"       "task" (default): the task places ball and players; "book:FILE": each episode of
+//                 Match starts at a situation of a book (docs/formats/book.md) that its seed draws,
+//                 with score 0:0 and the types that "types" says.
 //   "options"     {"NAME": number, ...}: options of the task, see cls_training_set_options.
 //   "types"       "default" (type 0 for all) or "random" (drawn from the seed). Default "default".
 // Agents and players: team by team, left first, in the order of the spec's "agents". The own team
@@ -139,7 +142,7 @@ CLS_TRAINING_API int cls_training_create(const char* config_json, uint64_t* pool
 //                "value_items": [{"name", "unit", "low", "high"}, ...]},
 //    "state": {"size": S, "items": [{"name", "unit", "low", "high"}, ...]},
 //    "reward_terms": [{"name", "weight", "summary"}, ...]   (R of them),
-//    "teammates": [NAME, ...], "opponents": [NAME, ...],
+//    "teammates": [NAME, ...], "opponents": [NAME, ...], "start",
 //    "max_cycles", "frame_skip", "autoreset", "options": {...}, "statuses": [...]}
 // K is 0 for action sets without ids (a box), V is 0 for those without values (discrete ids).
 CLS_TRAINING_API int cls_training_spec(uint64_t pool, char* out, size_t capacity, size_t* length);
@@ -256,7 +259,13 @@ typedef struct {
   double vx, vy;         // meters per cycle
   double body, neck;     // degrees; neck relative to body
   double stamina;        // 0..8000
-  double kickable_area;  // meters
+  double kickable_area;  // meters; set_state ignores it
+  double effort, recovery;
+  double capacity;  // of stamina
+  // Cycles for which its tackle, a foul that it suffered or a catch block it; yellow cards.
+  int32_t tackle_cycles, foul_cycles, catch_ban, cards;
+  int32_t type;  // its player type
+  int32_t reserved;
 } cls_training_player;
 
 typedef struct {
@@ -265,14 +274,25 @@ typedef struct {
   int32_t cycle;       // of the episode
   int32_t time;        // of the match clock
   int32_t score[2];    // left, right
-  int32_t status;      // CLS_TRAINING_IN_GAME ...
+  int32_t status;      // CLS_TRAINING_IN_GAME ...; set_state ignores it
   char play_mode[32];  // "play_on"
   double ball_x, ball_y, ball_vx, ball_vy;
+  int32_t last_touch;               // index of the player that touched the ball last; -1: none
+  int32_t catcher;                  // index of the goalie that holds the ball; -1: none
   cls_training_player players[22];  // left 1..11, right 1..11
 } cls_training_world;
 
-// Copies the physical state of a world, for rendering.
+// Copies the physical state of a world.
 CLS_TRAINING_API int cls_training_view(uint64_t pool, uint64_t env, cls_training_world* world);
+
+// Starts an episode in world `env` from a physical state and fills the row as a reset does: with
+// the seed, the cycle of the episode, the clock, the score, the play mode, the ball and the players
+// of `world`, which cls_training_view() then returns (angles to rounding). It is the state of the
+// bodies alone, unlike a snapshot: random streams begin with the seed, a set play begins anew, and
+// agents that perceive know what they see in it. Players who do not play in the task are ignored.
+// CLS_TRAINING_BAD_CONFIG: an episode cannot start there; the text names the field.
+CLS_TRAINING_API int cls_training_set_state(uint64_t pool, uint64_t env,
+                                            const cls_training_world* world);
 
 #ifdef __cplusplus
 }

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "analysis/situations/book.h"
 #include "base/index.h"
 #include "base/overloaded.h"
 #include "simulator/actions/actions.h"
@@ -72,6 +73,24 @@ Episode::Episode(std::shared_ptr<const Setup> setup)
 }
 
 void Episode::reset(std::uint64_t seed, const OptionValues& options) {
+  soccer::RandomStream stream = clear(seed, options);
+  if (setup_->book == nullptr) {
+    setup_->task->place({world_, setup_->cast, options_, stream});
+    return begin();
+  }
+
+  const std::vector<analysis::Situation>& situations = setup_->book->situations;
+  const int drawn = stream.integer(static_cast<int>(situations.size()));
+  begin_at(start_of(situations[base::index(drawn)]));
+}
+
+void Episode::reset_at(std::uint64_t seed, const OptionValues& options, const Start& start) {
+  clear(seed, options);
+  begin_at(start);
+}
+
+// Returns the random numbers of the start.
+soccer::RandomStream Episode::clear(std::uint64_t seed, const OptionValues& options) {
   world_ = setup_->prepared;
   world_.seed = seed;
   world_.random = simulator::RandomStreams(seed);
@@ -83,18 +102,66 @@ void Episode::reset(std::uint64_t seed, const OptionValues& options) {
 
   soccer::RandomStream stream(seed, "training start");
   if (setup_->random_types) draw_types(stream);
-  setup_->task->place({world_, setup_->cast, options_, stream});
+  return stream;
+}
 
+void Episode::begin_at(const Start& start) {
+  const bool perceived = has_world_models() || !setup_->match_players.empty();
+  const StartFrame& moment = start.frames.back();
+  const StartFrame& first = perceived ? start.frames.front() : moment;
+  training::begin_at(start, first, setup_->cast, world_, events_);
+  memory_.cycles = start.cycles;
+  memory_.score = start.score;
+  begin();
+  if (&first == &moment) return;
+
+  for (std::size_t i = 1; i < start.frames.size(); ++i) perceive_frame(start.frames[i]);
+  for (Agent& agent : agents_) agent = {};
+  if (world_.mode != start.mode) {  // the referee has intervened
+    Start now = start;
+    now.time = world_.clock.time;
+    training::begin_at(now, moment, setup_->cast, world_, events_);
+  }
+  memory_.previous_ball = world_.ball.position;
+  begin_rewards(world_, setup_->cast, reward_memory_);
+  fill_scenes();
+}
+
+// A cycle before the start: heads, views and messages are the players' own, bodies and the ball
+// those of the frame.
+void Episode::perceive_frame(const StartFrame& frame) {
+  for (simulator::Player& player : world_.players) player.command_done = true;
+  for (const Side side : soccer::kBothSides) {
+    for (const int slot : setup_->cast.team(side)) {
+      commands_[base::index(slot)] = stand();
+      MatchPlayer* player = training::match_player(*setup_, others_, slot);
+      if (player != nullptr) decide(others_.drivers[base::index(slot)], *player);
+    }
+  }
+
+  clear_contacts();
+  send_commands();
+  execute_commands(nullptr);
+  simulator::step(world_, events_);
+  show(frame, setup_->cast, world_);
+  simulator::finish_step(world_, events_);
+  perceive_step();
+  events_.clear();
+}
+
+// Memory, knowledge and scenes of the first state.
+void Episode::begin() {
   memory_.previous_ball = world_.ball.position;
   begin_rewards(world_, setup_->cast, reward_memory_);
   rewards_ = {};
 
-  begin_others(*setup_, world_, senses_, others_);
+  begin_others(*setup_, world_, events_, senses_, others_);
   perceivers_ = setup_->perceivers;
   for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
-    begin_perception(*setup_->vision, world_, setup_->cast.agents[agent], perceivers_[agent],
-                     senses_);
+    begin_perception(*setup_->vision, world_, events_, setup_->cast.agents[agent],
+                     perceivers_[agent], senses_);
   }
+  events_.clear();
 
   fill_scenes();
 }
@@ -280,9 +347,7 @@ void Episode::play_cycle(simulator::MatchRecorder* recorder) {
   const std::array<int, 2> score = memory_.score;
   // A match server does the same after the senses: a catch or a move may give contacts before the
   // step.
-  for (simulator::Player& player : world_.players) {
-    if (player.enabled) player.contacts = {};
-  }
+  clear_contacts();
   send_commands();
   execute_commands(recorder);
 
@@ -303,6 +368,12 @@ void Episode::play_cycle(simulator::MatchRecorder* recorder) {
   memory_.previous_ball = world_.ball.position;
   add_rewards(world_, setup_->cast, status_, memory_, score, reward_memory_, rewards_);
   fill_scenes();
+}
+
+void Episode::clear_contacts() {
+  for (simulator::Player& player : world_.players) {
+    if (player.enabled) player.contacts = {};
+  }
 }
 
 void Episode::perceive_step() {

@@ -11,6 +11,7 @@
 #include "simulator/sessions/match_recorder.h"
 #include "simulator/world/event.h"
 #include "training/episode/others.h"
+#include "training/episode/start.h"
 #include "training/npc/scripted.h"
 
 namespace cls::training {
@@ -29,6 +30,8 @@ class Episode {
   explicit Episode(std::shared_ptr<const Setup> setup);
 
   void reset(std::uint64_t seed, const OptionValues& options);
+  /// Starts at the last frame of `start` instead, which has one or more.
+  void reset_at(std::uint64_t seed, const OptionValues& options, const Start& start);
 
   /// Plays frame_skip cycles, or until the end. The episode must be running. `recorder` (may be
   /// null) receives every frame.
@@ -75,12 +78,17 @@ class Episode {
     int illegal = 0;
   };
 
+  soccer::RandomStream clear(std::uint64_t seed, const OptionValues& options);
+  void begin_at(const Start& start);
+  void begin();
+  void perceive_frame(const StartFrame& frame);
   void play_cycle(simulator::MatchRecorder* recorder);
   void draw_types(soccer::RandomStream& random);
   bool has_world_models() const { return !perceivers_.empty(); }
   /// Index of the agent in `slot`; -1 for other players.
   int agent_in(int slot) const;
   void send_commands();
+  void clear_contacts();
   void perceive_step();
   void queue_says(std::size_t first_event);
   PlayerCommand driven_command(int slot, std::optional<TeamSituation>& situation);

@@ -47,13 +47,13 @@ MatchPlayer* match_player(const Setup& setup, Others& others, int slot) {
   return const_cast<MatchPlayer*>(match_player(setup, std::as_const(others), slot));
 }
 
-void begin_others(const Setup& setup, const simulator::World& world, SenseBuffers& buffers,
-                  Others& others) {
+void begin_others(const Setup& setup, const simulator::World& world,
+                  const simulator::Events& events, SenseBuffers& buffers, Others& others) {
   draw_drivers(setup, world, others);
   for_each_player(setup, others, [&](int slot, MatchPlayer& player) {
     player =
         setup.match_players[base::index(setup.match_player_of[static_cast<std::size_t>(slot)])];
-    begin_perception(*setup.vision, world, slot, player.senses, buffers);
+    begin_perception(*setup.vision, world, events, slot, player.senses, buffers);
   });
 }
 

@@ -22,8 +22,8 @@ MatchPlayer* match_player(const Setup& setup, Others& others, int slot);
 const MatchPlayer* match_player(const Setup& setup, const Others& others, int slot);
 
 /// Start of an episode: draws the drivers by its seed and gives their players the first messages.
-void begin_others(const Setup& setup, const simulator::World& world, SenseBuffers& buffers,
-                  Others& others);
+void begin_others(const Setup& setup, const simulator::World& world,
+                  const simulator::Events& events, SenseBuffers& buffers, Others& others);
 
 /// Queues what players have said since event `first` for those who may hear it.
 void queue_says(const Setup& setup, const simulator::World& world, const simulator::Events& events,

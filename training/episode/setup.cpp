@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "analysis/situations/book_file.h"
 #include "base/index.h"
 #include "base/text/suggestion.h"
 #include "simulator/actions/actions.h"
@@ -177,6 +178,27 @@ Result<void> prepare_world(Setup& setup) {
   return {};
 }
 
+// Books have eleven players of each team and set plays, so that only tasks with a referee play
+// them.
+Result<void> choose_start(const SetupChoices& choices, Setup& setup) {
+  constexpr std::string_view kBook = "book:";
+  setup.start = choices.start;
+  if (choices.start == "task") return {};
+
+  if (!choices.start.starts_with(kBook)) {
+    return Error{fmt::format("'start' must be 'task' or 'book:FILE', not '{}'", choices.start)};
+  }
+  if (!setup.task->referee) {
+    return Error{fmt::format("'start': the task {} has places of its own; a book is for Match",
+                             setup.task->id)};
+  }
+
+  auto book = analysis::read_book(choices.start.substr(kBook.size()));
+  if (!book) return Error{"'start': " + book.error().message};
+  setup.book = std::make_shared<const analysis::Book>(std::move(*book));
+  return {};
+}
+
 bool may_perceive(const DriverPool& pool) {
   return std::ranges::any_of(
       pool, [](const DriverShare& share) { return share.weight > 0.0 && perceives(share.driver); });
@@ -229,6 +251,7 @@ Result<std::shared_ptr<const Setup>> make_setup(const SetupChoices& choices) {
   TRY_INIT(setup->task, choose_task(choices.task));
   TRY(choose_cast(choices, *setup));
   TRY(choose_sets(choices, *setup));
+  TRY(choose_start(choices, *setup));
 
   setup->weights = choices.weights;
   setup->frame_skip = choices.frame_skip;

@@ -16,6 +16,10 @@
 #include "training/senses/perceiver.h"
 #include "training/tasks/task.h"
 
+namespace cls::analysis {
+struct Book;
+}
+
 namespace cls::training {
 
 /// The knowledge of agents. Never mixed in a pool; players of matches do not know the full state.
@@ -33,6 +37,7 @@ struct SetupChoices {
   std::string task;
   std::string features;
   std::string actions;
+  std::string start = "task";  ///< or "book:FILE"
   int offense = -1;
   int defense = -1;
   int num_agents = -1;
@@ -69,8 +74,10 @@ struct Setup {
   int frame_skip = 1;
   int max_cycles = 0;
   bool random_types = false;
-  OptionValues options{};     ///< defaults of the task
-  simulator::World prepared;  ///< all players of the cast on the pitch, at rest
+  OptionValues options{};                      ///< defaults of the task
+  std::string start;                           ///< as chosen
+  std::shared_ptr<const analysis::Book> book;  ///< from which episodes start; null: not
+  simulator::World prepared;                   ///< all players of the cast on the pitch, at rest
   Fidelity fidelity = Fidelity::kFullState;
   std::vector<Perceiver> perceivers;  ///< of the agents, connected; empty with the full state
   /// Connected players that drivers may play who perceive; by match_player_of.

@@ -55,10 +55,22 @@ Outcome Pool::reset(const std::uint8_t* mask, const std::uint64_t* seeds) {
   return recording_outcome();
 }
 
-void Pool::reset_world(std::size_t env, std::uint64_t seed) {
+Outcome Pool::set_state(std::uint64_t env, std::uint64_t seed, const Start& start) {
+  if (Outcome known = check_index(env); !known.ok()) return known;
+  if (!bound_) return {Code::kBadOrder, "bind the buffers before the first state"};
+  reset_world(env, seed, &start);
+  return recording_outcome();
+}
+
+// Null: where the setup says.
+void Pool::reset_world(std::size_t env, std::uint64_t seed, const Start* start) {
   Slot& slot = worlds_[env];
   if (slot.recording && slot.recording->running()) finish_recording(slot);
-  slot.episode.reset(seed, slot.options);
+  if (start != nullptr) {
+    slot.episode.reset_at(seed, slot.options, *start);
+  } else {
+    slot.episode.reset(seed, slot.options);
+  }
   if (slot.recording) slot.recording->begin(slot.episode);
   fill_row(env, false);
   if (buffers_.was_reset != nullptr) buffers_.was_reset[env] = 1;

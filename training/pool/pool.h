@@ -61,6 +61,8 @@ class Pool {
   /// `mask` may be null: all worlds.
   Outcome reset(const std::uint8_t* mask, const std::uint64_t* seeds);
   Outcome step();
+  /// Starts an episode from a state.
+  Outcome set_state(std::uint64_t env, std::uint64_t seed, const Start& start);
   /// A negative index means all worlds.
   Outcome set_options(std::int64_t env, const std::string& json);
 
@@ -90,7 +92,7 @@ class Pool {
   Outcome recording_outcome();
   void work(std::size_t begin, std::size_t end);
   void step_world(std::size_t env);
-  void reset_world(std::size_t env, std::uint64_t seed);
+  void reset_world(std::size_t env, std::uint64_t seed, const Start* start = nullptr);
   void finish_recording(Slot& slot);
   void fill_row(std::size_t env, bool step);
   void fill_views(std::size_t env, float* observations, float* state);

@@ -19,10 +19,10 @@ using base::JsonValue;
 using base::Result;
 using Names = std::vector<std::string_view>;
 
-const Names kKeys = {"task",       "num_envs", "threads",      "obs",       "features",
-                     "actions",    "offense",  "defense",      "agents",    "num_agents",
-                     "teammates",  "opponent", "goalie_agent", "autoreset", "frame_skip",
-                     "max_cycles", "reward",   "options",      "types",     "state"};
+const Names kKeys = {
+    "task",       "num_envs",   "threads",    "obs",       "features", "actions",      "offense",
+    "defense",    "agents",     "num_agents", "teammates", "opponent", "goalie_agent", "autoreset",
+    "frame_skip", "max_cycles", "reward",     "options",   "types",    "state",        "start"};
 constexpr auto kRandomTypesNames = base::enum_names<bool>("default", "random");
 
 constexpr int kMaxEnvs = 65536;
@@ -148,6 +148,7 @@ void read_choices(Reader& in, SetupChoices& choices) {
   in.text("task", choices.task);
   in.text("features", choices.features);
   in.text("actions", choices.actions);
+  in.text("start", choices.start);
   in.integer("offense", 0, soccer::kPlayersPerTeam, choices.offense);
   in.integer("defense", 0, soccer::kPlayersPerTeam, choices.defense);
   in.choice("agents", kAgentsNames, choices.agents);

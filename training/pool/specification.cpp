@@ -182,6 +182,7 @@ Json specification(const Pool& pool) {
           {"reward_terms", reward_list(&setup.weights)},
           {"teammates", names_of(setup.teammates)},
           {"opponents", names_of(setup.opponents)},
+          {"start", setup.start},
           {"max_cycles", setup.max_cycles},
           {"frame_skip", setup.frame_skip},
           {"autoreset", kAutoresetNames.name(pool.config().autoreset)},

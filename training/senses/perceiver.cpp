@@ -99,8 +99,10 @@ Perceiver make_perceiver(const simulator::World& world, simulator::Slot slot) {
 }
 
 void begin_perception(const simulator::VisionModel& vision, const simulator::World& world,
-                      simulator::Slot slot, Perceiver& agent, SenseBuffers& buffers) {
+                      const simulator::Events& events, simulator::Slot slot, Perceiver& agent,
+                      SenseBuffers& buffers) {
   read_changed_types(world, agent);
+  hear_referee(events, agent, buffers);
   sense(world, slot, agent, buffers);
   look(vision, world, slot, agent, buffers);
   update_derived(agent.world);

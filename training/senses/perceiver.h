@@ -37,9 +37,11 @@ struct SenseBuffers {
 /// A connected player in `slot` that has received parameters and player types.
 Perceiver make_perceiver(const simulator::World& world, simulator::Slot slot);
 
-/// The first messages of an episode: changed player types, sense_body and see.
+/// The first messages of an episode: changed player types, referee messages among `events`,
+/// sense_body and see.
 void begin_perception(const simulator::VisionModel& vision, const simulator::World& world,
-                      simulator::Slot slot, Perceiver& agent, SenseBuffers& buffers);
+                      const simulator::Events& events, simulator::Slot slot, Perceiver& agent,
+                      SenseBuffers& buffers);
 
 /// The messages that MatchServer sends between a step and the decision: referee messages among
 /// `events`, sense_body, what players said (agent.said), and see where one is due. Each is
