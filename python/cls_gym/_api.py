@@ -17,7 +17,7 @@ GYMNASIUM = "1.1"
 old_gymnasium: Optional[str] = None
 
 try:
-    import gymnasium
+    import gymnasium  # type: ignore[import-not-found,unused-ignore]
 except ImportError:
     pass
 else:
@@ -37,7 +37,8 @@ def check_gymnasium(owner: str) -> None:
 try:
     if old_gymnasium is not None:
         raise ImportError
-    from gymnasium.vector import AutoresetMode
+    from gymnasium.vector import (  # type: ignore[import-not-found,unused-ignore]
+        AutoresetMode as AutoresetMode)
 
     BaseEnv: Any = gymnasium.Env
     BaseVectorEnv: Any = gymnasium.vector.VectorEnv
@@ -50,20 +51,20 @@ try:
 
 except ImportError:
 
-    class AutoresetMode(enum.Enum):  # type: ignore[no-redef]
+    class AutoresetMode(enum.Enum):  # type: ignore[no-redef,unused-ignore]
         """When a vector environment starts the next episode of one that has ended."""
 
         NEXT_STEP = "NextStep"
         SAME_STEP = "SameStep"
         DISABLED = "Disabled"
 
-    class ResetNeeded(Exception):  # type: ignore[no-redef]
+    class ResetNeeded(Exception):  # type: ignore[no-redef,unused-ignore]
         """step() before reset()."""
 
-    class ClosedEnvironmentError(Exception):  # type: ignore[no-redef]
+    class ClosedEnvironmentError(Exception):  # type: ignore[no-redef,unused-ignore]
         """A call after close()."""
 
-    class BaseEnv:  # type: ignore[no-redef]
+    class BaseEnv:  # type: ignore[no-redef,unused-ignore]
         """What gymnasium.Env brings, as far as cls_gym uses it."""
 
         metadata: Dict[str, Any] = {}
@@ -96,7 +97,7 @@ except ImportError:
         def __exit__(self, *_: Any) -> None:
             self.close()
 
-    class BaseVectorEnv(BaseEnv):  # type: ignore[no-redef]
+    class BaseVectorEnv(BaseEnv):  # type: ignore[misc,no-redef,unused-ignore]
         """What gymnasium.vector.VectorEnv brings, as far as cls_gym uses it."""
 
         closed = False

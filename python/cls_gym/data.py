@@ -143,7 +143,8 @@ def _begin(envs: VectorEnv, running: List[Optional[_Episode]], waiting: List[int
         if waiting:
             number = waiting.pop(0)
             running[world] = _Episode(number, seed + number)
-        seeds[world] = seed + running[world].number if running[world] is not None else 0
+        own = running[world]
+        seeds[world] = seed + own.number if own is not None else 0
     which = np.zeros(envs.num_envs, np.bool_)
     which[free] = True
     envs.reset(seed=seeds, options={} if fresh else {"reset_mask": which})

@@ -112,13 +112,13 @@ class HFOEnvironment:
 
     def getStateSize(self) -> int:
         """The number of features."""
-        return self._open().observations.shape[1]
+        return int(self._open().observations.shape[1])
 
     def getState(self, state_data: Optional[np.ndarray] = None) -> np.ndarray:
         """float32[F]: the features now; written into `state_data` if it is given."""
         features = self._open().observations[0]
         if state_data is None:
-            return features.copy()
+            return np.array(features)
         state_data[...] = features
         return state_data
 

@@ -156,7 +156,8 @@ class League:
             lost = np.array([1.0 - self.results(learner, number).share for number in numbers])
             hard = others * lost ** 2
             chances = hard if hard.sum() > 0 else chances
-        return chances / chances.sum()
+        shares: np.ndarray = chances / chances.sum()
+        return shares
 
     def opponent(self, learner: int, sampling: str = "pfsp",
                  random: Union[np.random.Generator, int] = 0) -> int:

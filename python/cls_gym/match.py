@@ -33,7 +33,7 @@ from cls_gym.seeding import episode_seed
 PLAYERS = 10  # field players, uniform numbers 2 to 11
 
 
-class MatchEnv(BaseEnv):
+class MatchEnv(BaseEnv):  # type: ignore[misc]
     """The ten field players of the left team in whole matches.
 
     observation: float32[10, F], by uniform number from 2; zeros for a player that does not decide.
@@ -63,8 +63,8 @@ class MatchEnv(BaseEnv):
         kinds = worlds.spec.actions
         if kinds.values:
             raise ConfigError(f"actions: {actions} has numbers; MatchEnv takes ids alone")
-        self.observation_space: spaces.Space = worlds.observation_space
-        self.action_space: spaces.Space = worlds.action_space
+        self.observation_space: spaces.Space[Any] = worlds.observation_space
+        self.action_space: spaces.Space[Any] = worlds.action_space
         self._form = cls_playmaker.RowForm(
             f"{worlds.spec.feature_set}/{worlds.spec.feature_version}",
             f"{kinds.name}/{kinds.version}", 10, 11)
@@ -77,13 +77,17 @@ class MatchEnv(BaseEnv):
         self._match: Optional[subprocess.Popen[str]] = None
         self._folder: Optional[tempfile.TemporaryDirectory[str]] = None
         self._rows: Any = None
+        self._score = [0, 0]
+        self._mode = ""  # of play, at the last call
+        self._paid = 0   # goal difference in rewards so far
+        self._cycle = self._skipped = 0
         self._closed = False
 
     def _team(self, package: Any) -> Any:
         env = self
         proto = package.proto
 
-        class Team(package.Playmaker):  # type: ignore[misc, name-defined]
+        class Team(package.Playmaker):  # type: ignore[misc,name-defined,unused-ignore]
             """Hands decisions in play_on to step()."""
 
             row_form = env._form
@@ -148,8 +152,7 @@ class MatchEnv(BaseEnv):
         difference = self._score[0] - self._score[1]
         reward, self._paid = float(difference - self._paid), difference
         skipped = 0 if over else self._skipped
-        observation = np.zeros(self.observation_space.shape, np.float32) if over \
-            else self._observation()
+        observation = self._nothing() if over else self._observation()
         return observation, reward, over, False, self._info(skipped)
 
     def _next_rows(self) -> Any:
@@ -185,8 +188,11 @@ class MatchEnv(BaseEnv):
         return into
 
     def _observation(self) -> np.ndarray:
-        return self._columns(self._rows.features, "<f4",
-                             np.zeros(self.observation_space.shape, np.float32))
+        return self._columns(self._rows.features, "<f4", self._nothing())
+
+    def _nothing(self) -> np.ndarray:
+        """The observation of players that do not decide."""
+        return np.zeros(self.observation_space.shape or (), np.float32)
 
     def _info(self, skipped: int) -> Dict[str, Any]:
         ids = len(self.spec_of_task.actions.names)

@@ -6,7 +6,8 @@ from typing import Any, Dict, List, Optional, Tuple
 import numpy as np
 
 try:
-    from pettingzoo import ParallelEnv as _Base
+    from pettingzoo import (  # type: ignore[import-not-found,import-untyped,unused-ignore]
+        ParallelEnv as _Base)
 except ImportError as error:
     raise ImportError("cls_gym.ParallelEnv needs PettingZoo: pip install pettingzoo") from error
 
@@ -19,7 +20,7 @@ from cls_gym.seeding import episode_seed, generator
 Dicts = Tuple[Dict[str, Any], Dict[str, float], Dict[str, bool], Dict[str, bool], Dict[str, Any]]
 
 
-class ParallelEnv(_Base):
+class ParallelEnv(_Base):  # type: ignore[misc]
     """A task for agents that act at the same time: "left_7", "right_1", ...
 
     >>> import cls_gym
@@ -58,10 +59,15 @@ class ParallelEnv(_Base):
         self._action_spaces = {agent: spec.actions.space(1) for agent in spec.agents}
         self.state_space = spec.state_space()
 
-    def observation_space(self, agent: str) -> spaces.Space:
+    @property
+    def spec_of_task(self) -> Any:
+        """cls_gym.spec.Spec: features, actions, reward terms with names, units, bounds."""
+        return self._worlds.spec
+
+    def observation_space(self, agent: str) -> spaces.Space[Any]:
         return self._observation_spaces[agent]
 
-    def action_space(self, agent: str) -> spaces.Space:
+    def action_space(self, agent: str) -> spaces.Space[Any]:
         return self._action_spaces[agent]
 
     @alone
@@ -128,7 +134,7 @@ class ParallelEnv(_Base):
     def state(self) -> np.ndarray:
         """float32[S]: the full state, the left team's view, for a central critic."""
         self._worlds.check_open()
-        return self._worlds.pool.state[0].copy()
+        return np.array(self._worlds.pool.state[0])
 
     def render(self) -> Any:
         """str for "ansi", uint8[height, width, 3] for "rgb_array"; "human" writes the text to

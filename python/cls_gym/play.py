@@ -113,7 +113,7 @@ def main() -> int:
         sys.exit(f"cls_gym.play: {error}; install the package: pip install ./python")
     about = policy.about
 
-    class Team(Playmaker):
+    class Team(Playmaker):  # type: ignore[misc,unused-ignore]
         """The policy for every player."""
 
         row_form = RowForm(f"{about['features']}/{about['feature_version']}",

@@ -45,7 +45,7 @@ class Policy:
         scores = self.scores(observations)
         if masks is not None:
             scores = np.where(masks != 0, scores, -np.inf)
-        return scores.argmax(axis=-1)
+        return np.asarray(scores.argmax(axis=-1))
 
     def save(self, path: Union[str, pathlib.Path]) -> None:
         """Writes the file."""

@@ -140,8 +140,8 @@ def _averaged(pixels: np.ndarray) -> np.ndarray:
     """Blocks of _OVERSAMPLE x _OVERSAMPLE pixels as one pixel each."""
     height, width = (n // _OVERSAMPLE for n in pixels.shape[:2])
     blocks = pixels.reshape(height, _OVERSAMPLE, width, _OVERSAMPLE, 3)
-    return ((blocks.sum(axis=(1, 3), dtype=np.uint16) + _OVERSAMPLE ** 2 // 2)
-            // _OVERSAMPLE ** 2).astype(np.uint8)
+    sums: np.ndarray = blocks.sum(axis=(1, 3), dtype=np.uint16)
+    return ((sums + _OVERSAMPLE ** 2 // 2) // _OVERSAMPLE ** 2).astype(np.uint8)
 
 
 class _Sprite(NamedTuple):

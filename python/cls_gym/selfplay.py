@@ -26,7 +26,7 @@ class _Drawn:
     """Policies by world: drawn for each episode by its seed."""
 
     def __init__(self, pool: Pool, name: str, stream: int) -> None:
-        shares = pool if isinstance(pool, (list, tuple)) else [(pool, 1.0)]
+        shares: Any = pool if isinstance(pool, (list, tuple)) else [(pool, 1.0)]
         weights = np.array([weight for _, weight in shares], np.float64)
         if not len(shares) or not np.isfinite(weights).all() or (weights < 0).any() \
                 or weights.sum() <= 0:

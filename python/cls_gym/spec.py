@@ -26,7 +26,7 @@ class ActionSet(NamedTuple):
     parameters: Tuple[Tuple[Feature, ...], ...]  # of each action of `names`
     values: Tuple[Feature, ...]                  # the numbers that the engine reads
 
-    def space(self, agents: int) -> spaces.Space:
+    def space(self, agents: int) -> spaces.Space[Any]:
         """The space of one agent's action, or of `agents` actions side by side.
 
         Discrete; Box; or Tuple(Discrete, Box...): which action, then the numbers of each action
@@ -36,7 +36,7 @@ class ActionSet(NamedTuple):
             n = len(self.names)
             return spaces.Discrete(n) if agents == 1 else spaces.Ids(agents, n)
         if not self.names:
-            one = _box(self.values)
+            one: spaces.Space[Any] = _box(self.values)
         else:
             one = spaces.IdsAndNumbers([spaces.Discrete(len(self.names)),
                                         *(spaces.Box(-1.0, 1.0, (len(own),), np.float32)
@@ -60,7 +60,7 @@ class Spec(NamedTuple):
     opponents: Tuple[str, ...]  #: who plays them; info["opponent"] is an index
     document: Dict[str, Any]
 
-    def observation_space(self, agents: int, mask: str = "info") -> spaces.Space:
+    def observation_space(self, agents: int, mask: str = "info") -> spaces.Space[Any]:
         """float32[F], or float32[agents, F]. mask "appended": with K masks, 0 or 1, after the
         features; "observation": a Dict of `observation` and the ids' mask, int8[K]."""
         low, high = bounds(self.features)

@@ -93,6 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
                {"CLS_TEST_WITHOUT_GYMNASIUM=1"}},
         Script{"StartsWhereToldWithGymnasium", "numpy, gymnasium",
                "no gymnasium: run python/tests/environment", "gym_start_test.py"},
+        Script{"HasTypes", "numpy, mypy", "no mypy: run python/tests/environment", "types_test.py"},
         Script{"ServesFrameworks", "numpy, gymnasium", "no gymnasium: run python/tests/environment",
                "gym_adapters_test.py"},
         Script{"ServesFrameworksOfSeveralAgents", "numpy, gymnasium",

@@ -24,4 +24,5 @@ def check_vector(envs: Any, framework: str, mode: AutoresetMode) -> VectorEnv:
         raise ConfigError(f"autoreset_mode: {framework} needs {mode.name.lower()!r}, not "
                           f"{envs.autoreset_mode.name.lower()!r}")
     refuse_tuples(envs.spec_of_task, framework)
-    return envs
+    checked: VectorEnv = envs
+    return checked

@@ -13,7 +13,7 @@ from cls_gym.tasks import resolve
 from cls_gym.vector import VectorEnv
 
 
-class ClsTask(TaskClass):  # type: ignore[misc]
+class ClsTask(TaskClass):  # type: ignore[misc,unused-ignore]
     """A task by its id, with the keywords of VectorEnv as `config`: all agents are one group.
 
     >>> ClsTask("cls/HFO-2v1-v0", {"features": "ego", "actions": "skills"})  # doctest: +SKIP
@@ -39,14 +39,14 @@ class ClsTask(TaskClass):  # type: ignore[misc]
         return make
 
     def supports_continuous_actions(self) -> bool:
-        return self.config["actions"] == "low_flat"
+        return bool(self.config["actions"] == "low_flat")
 
     def supports_discrete_actions(self) -> bool:
         return not self.supports_continuous_actions()
 
     def max_steps(self, env: EnvBase) -> int:
         document = env.envs.spec_of_task.document
-        return -(-document["max_cycles"] // document["frame_skip"])
+        return -int(-document["max_cycles"] // document["frame_skip"])
 
     def has_render(self, env: EnvBase) -> bool:
         return False

@@ -44,10 +44,12 @@ def functions(envs: VectorEnv) -> Tuple[Callable[[Any], Step], Callable[[Any], S
         return _shown(envs, seen, infos, terminated, truncated)
 
     def reset(seed: Any) -> Step:
-        return io_callback(reset_worlds, shapes, seed, ordered=True)
+        begun: Step = io_callback(reset_worlds, shapes, seed, ordered=True)
+        return begun
 
     def step(actions: Any) -> Step:
-        return io_callback(step_worlds, shapes, actions, ordered=True)
+        shown: Step = io_callback(step_worlds, shapes, actions, ordered=True)
+        return shown
 
     return reset, step
 

@@ -14,7 +14,7 @@ from cls_gym.seeding import SeedQueues, seed_list
 Result = Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, List[Dict[str, Any]]]
 
 
-class PufferCls(pufferlib.PufferEnv):  # type: ignore[misc]
+class PufferCls(pufferlib.PufferEnv):  # type: ignore[misc,unused-ignore]
     """N worlds with A agents each as N A rows, world by world, in PufferLib's buffers.
 
     num_envs: N. Other keywords are those of VectorEnv. PufferLib has no action masks: with

@@ -13,7 +13,7 @@ from cls_gym._config import ConfigError
 from cls_gym.parallel import ParallelEnv
 
 
-class ClsMultiAgentEnv(MultiAgentEnv):  # type: ignore[misc]
+class ClsMultiAgentEnv(MultiAgentEnv):  # type: ignore[misc,unused-ignore]
     """A task whose agents RLlib decides for by name: "left_7", ...
 
     config: the keywords of ParallelEnv. RLlib steps its copies one after the other in Python and
@@ -52,7 +52,7 @@ class ClsMultiAgentEnv(MultiAgentEnv):  # type: ignore[misc]
         self.env.close()
 
 
-class MaskedModule(DefaultPPOTorchRLModule):  # type: ignore[misc]
+class MaskedModule(DefaultPPOTorchRLModule):  # type: ignore[misc,unused-ignore]
     """PPO's default network for environments with mask="observation" and ids alone: it sees the
     features, and ids without an effect have no chance."""
 

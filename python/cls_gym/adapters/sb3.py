@@ -13,7 +13,7 @@ from cls_gym.adapters._common import check_vector
 from cls_gym.vector import VectorEnv
 
 
-class SB3VecEnv(VecEnv):  # type: ignore[misc]
+class SB3VecEnv(VecEnv):  # type: ignore[misc,unused-ignore]
     """N worlds with A agents each as N A rows, world by world, for one policy that all share.
 
     envs: a VectorEnv with autoreset_mode="same_step" and actions that are no tuples. MaskablePPO

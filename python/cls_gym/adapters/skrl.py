@@ -16,7 +16,7 @@ from cls_gym.vector import VectorEnv
 Tensors = Dict[str, torch.Tensor]
 
 
-class ClsMultiAgent(MultiAgentEnvWrapper):  # type: ignore[misc]
+class ClsMultiAgent(MultiAgentEnvWrapper):  # type: ignore[misc,unused-ignore]
     """N worlds; agents are "left_7", "right_1", ...
 
     envs: a VectorEnv with autoreset_mode="same_step", mask "info" or "appended", and actions that

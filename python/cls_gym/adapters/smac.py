@@ -71,7 +71,7 @@ class SmacEnv:
         return list(self._seen)
 
     def get_obs_agent(self, agent_id: int) -> np.ndarray:
-        return self._seen[agent_id]
+        return np.array(self._seen[agent_id])
 
     def get_obs_size(self) -> int:
         return self._seen.shape[1]

@@ -15,7 +15,7 @@ from cls_gym.adapters._common import check_vector
 from cls_gym.vector import VectorEnv
 
 
-class ClsEnv(EnvBase):  # type: ignore[misc]
+class ClsEnv(EnvBase):  # type: ignore[misc,unused-ignore]
     """N worlds with A agents each: batch [N], and below "agents" [N, A].
 
     envs: a VectorEnv with autoreset_mode="disabled", mask="info" and actions that are no tuples.
