@@ -1,6 +1,8 @@
 """Recorded episodes, what reads them, and recording on a cluster of Ray."""
 import os
 import pathlib
+import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -137,28 +139,61 @@ class Minari(Folder):
 
 @needs("pyarrow", "ray")
 class RayCluster(Folder):
-    def test_two_nodes_record_and_a_killed_worker_loses_no_finished_episode(self):
+    def setUp(self):
+        super().setUp()
         from ray.cluster_utils import Cluster
         paths = [str(pathlib.Path(cls_gym.__file__).parents[1]), os.environ.get("PYTHONPATH")]
-        environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))}
-        os.environ.update(PYTHONPATH=environment["PYTHONPATH"])  # of the node processes
+        self.environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))}
+        os.environ.update(PYTHONPATH=self.environment["PYTHONPATH"])  # of the node processes
         cluster = Cluster(initialize_head=True, head_node_args={"num_cpus": 1})
         self.addCleanup(cluster.shutdown)
         cluster.add_node(num_cpus=1)
-        environment["RAY_ADDRESS"] = cluster.address
-        command = [sys.executable, str(EXAMPLES / "ray_record.py"), str(self.folder), "80"]
-        with subprocess.Popen(command, env=environment, stdout=subprocess.PIPE) as first:
-            while len(data.files(self.folder)) < 5 and first.poll() is None:
-                time.sleep(0.02)
-            first.kill()
-        finished = {path: path.read_bytes() for path in data.files(self.folder)}
-        self.assertGreaterEqual(len(finished), 5)
-        again = subprocess.run(command, env=environment, stdout=subprocess.PIPE, check=True,
-                               text=True, timeout=300)
-        self.assertIn("80 episodes from 2 nodes", again.stdout)
+        self.environment["RAY_ADDRESS"] = cluster.address
+
+    def start(self, example, *arguments):
+        return subprocess.Popen([sys.executable, str(EXAMPLES / example), *arguments], text=True,
+                                env=self.environment, stdout=subprocess.PIPE)
+
+    def finished(self, process, count):
+        """The episodes that are there when `count` are, or the process has ended."""
+        while len(data.files(self.folder)) < count and process.poll() is None:
+            time.sleep(0.02)
+        self.assertGreaterEqual(len(data.files(self.folder)), count)
+        return {path: path.read_bytes() for path in data.files(self.folder)}
+
+    def assert_kept(self, finished):
         for path, content in finished.items():
             self.assertEqual(path.read_bytes(), content)
             data.load(path)
+
+    def test_two_nodes_record_and_a_killed_program_loses_no_finished_episode(self):
+        with self.start("ray_record.py", str(self.folder), "80") as first:
+            self.finished(first, 5)
+            first.kill()
+        finished = {path: path.read_bytes() for path in data.files(self.folder)}
+        with self.start("ray_record.py", str(self.folder), "80") as again:
+            out, _ = again.communicate(timeout=300)
+        self.assertIn("80 episodes from 2 nodes", out)
+        self.assert_kept(finished)
+
+    def test_a_killed_actor_loses_no_finished_episode_and_the_others_go_on(self):
+        with self.start("ray_actors.py", str(self.folder), "160") as program:
+            part, node, victim = program.stdout.readline().split()
+            before = {path.name: path.stat().st_mtime_ns for path in data.files(self.folder)}
+            finished = self.finished(program, len(before))
+            os.kill(int(victim), signal.SIGKILL)
+            out, _ = program.communicate(timeout=300)
+        self.assertEqual(program.returncode, 0)
+        self.assertIn("160 episodes\n", out)
+        lines = [line.split() for line in out.splitlines()  # others are Ray's
+                 if re.fullmatch(r"\d+ \w+ \d+", line)]
+        self.assertEqual({int(first) for first, *_ in [[part], *lines]}, set(range(0, 160, 20)))
+        processes = {process for *_, process in lines}
+        self.assertGreaterEqual(len({one for _, one, _ in lines} | {node}), 2, "both nodes play")
+        self.assertGreaterEqual(len(processes - {victim}), 2, "the victim was started again")
+        self.assert_kept(finished)
+        for name, written in before.items():
+            self.assertEqual((self.folder / name).stat().st_mtime_ns, written, name)
 
 
 if __name__ == "__main__":
