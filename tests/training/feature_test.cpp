@@ -1,6 +1,7 @@
 // Feature sets: sizes, bounds, symmetry.
 #include "training/features/feature_set.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -141,6 +142,35 @@ TEST(TrainingFeatures, Ego2HasTheAgesOfAWorldModel) {
     }
   }
   EXPECT_GT(oldest, 0.0F) << "somebody was out of sight";
+}
+
+TEST(TrainingFeatures, Ego2CountsCyclesSinceTheModeChangedAndKnowsTheLastToucher) {
+  for (const char* obs : {"full_state", "world_model"}) {
+    const std::string config = fmt::format(
+        R"({{"task": "Match", "offense": 2, "defense": 2, "actions": "hfo", "features": "ego/2",
+            "obs": "{}"}})",
+        obs);
+    BoundPool pool(config, 3);
+    const auto setup = setup_of(config);
+    const std::size_t age = column(*setup, "mode_age");
+    const std::size_t by_own = column(*setup, "touched_by_own");
+    soccer::RandomStream random(1, "modes");
+    int changes = 0;
+    int touches = 0;
+    for (int step = 0; step < 300 && pool.status[0] == CLS_TRAINING_IN_GAME; ++step) {
+      const std::string mode = pool.view().play_mode;
+      const float before = pool.observations[age];
+      pool.play(random, 1);
+
+      const bool changed = mode != pool.view().play_mode;
+      const float expected = changed ? 0.0F : std::min(before + 0.01F, 1.0F);
+      EXPECT_NEAR(pool.observations[age], expected, 0.011F) << obs << step << mode;
+      changes += changed ? 1 : 0;
+      touches += pool.observations[by_own] != 0.0F ? 1 : 0;
+    }
+    EXPECT_GT(changes, 0) << obs;
+    EXPECT_GT(touches, 0) << obs;
+  }
 }
 
 TEST(TrainingFeatures, StateVersion2BeginsWithVersion1) {

@@ -151,6 +151,7 @@ void Episode::perceive_frame(const StartFrame& frame) {
 
 // Memory, knowledge and scenes of the first state.
 void Episode::begin() {
+  mode_start_ = world_.clock;
   memory_.previous_ball = world_.ball.position;
   begin_rewards(world_, setup_->cast, reward_memory_);
   rewards_ = {};
@@ -178,7 +179,12 @@ void Episode::draw_types(soccer::RandomStream& random) {
 void Episode::fill_scenes() {
   for (const Side side : soccer::kBothSides) {
     if (setup_->cast.team(side).empty()) continue;
-    fill_scene(world_, side, setup_->cast, scenes_[side]);
+    Scene& scene = scenes_[side];
+    fill_scene(world_, side, setup_->cast, scene);
+    scene.mode_age = cycles_between(mode_start_, world_.clock);
+    const bool touched = memory_.holder != simulator::kNoPlayer;
+    scene.last_touch_side = touched ? soccer::side_of_slot(memory_.holder) : Side::kNeutral;
+    scene.last_touch = touched ? seat_of(side, memory_.holder) : kNoSeat;
     if (setup_->observes[side]) complete_for_observers(scenes_[side]);
   }
   for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
@@ -345,6 +351,7 @@ void Episode::play_cycle(simulator::MatchRecorder* recorder) {
   if (setup_->task->referee && allows_moves(world_.mode)) return_to_formation();
 
   const std::array<int, 2> score = memory_.score;
+  const soccer::PlayMode mode = world_.mode;
   // A match server does the same after the senses: a catch or a move may give contacts before the
   // step.
   clear_contacts();
@@ -357,6 +364,7 @@ void Episode::play_cycle(simulator::MatchRecorder* recorder) {
   simulator::finish_step(world_, events_);
   if (recorder != nullptr) record_messages(events_, before, *recorder);
 
+  if (world_.mode != mode) mode_start_ = world_.clock;
   perceive_step();
   events_.clear();
 

@@ -103,6 +103,7 @@ class Episode {
   std::shared_ptr<const Setup> setup_;
   simulator::World world_;
   TaskMemory memory_;
+  simulator::Clock mode_start_;  ///< when the play mode changed
   RewardMemory reward_memory_;
   OptionValues options_{};
   Status status_ = Status::kInGame;

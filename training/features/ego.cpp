@@ -17,6 +17,7 @@ constexpr double kPlayerSpeed = 1.2;  // above player_speed_max of all types
 constexpr int kPlayerColumns = 10;
 constexpr double kOld = 30.0;  // cycles; older estimates count as this old
 constexpr double kFrozen = 10.0;
+constexpr double kLong = 100.0;    // cycles of a play mode; longer ones count as this long
 constexpr int kFixedColumns = 31;  // of version 1, without the other players
 constexpr double kMaxDashPower = 100.0;
 
@@ -65,6 +66,7 @@ void append_body(Columns& out, const std::string& who) {
   append(out, who, {"_kickable_area"}, "2 m", 0);
   append(out, who, {"_speed_max"}, "1.2 m/cycle", 0);
   append(out, who, {"_decay"}, "1", 0);
+  append(out, who, {"_touched_last"}, "0/1");
 }
 
 // Those of version 1 come first.
@@ -75,6 +77,8 @@ Columns columns_2(int teammates, int opponents) {
   append(out, "self", {"_frozen_cycles"}, "10 cycles", 0);
   append_body(out, "self");
   append_mode(out);
+  append(out, "mode", {"_age"}, "100 cycles", 0);
+  append(out, "", {"touched_by_own"});  // -1: by the other team, 0: not known
   append(out, "offside_line", {"_x"}, "52.5 m", -1.2F, 1.2F);
   append_ages(out, "ball");
   for (int i = 1; i <= teammates; ++i) append_body(out, "teammate" + std::to_string(i));
@@ -196,17 +200,20 @@ void add_ages(FeatureWriter& out, int age, int velocity_age) {
 }
 
 /// How old an estimate is, and what a player's type can do. Of unseen players: as old as can be.
-void add_body(FeatureWriter& out, const ScenePlayer& player) {
+void add_body(FeatureWriter& out, const Scene& scene, Seat seat) {
+  const ScenePlayer& player = scene.player(seat);
   if (!player.seen || player.type == nullptr) {
     out.same(3, 1.0F);
     out.same(3, 0.0F);
-    return;
+    return out.flag(scene.last_touch == seat);
   }
+
   add_ages(out, player.age, player.velocity_age);
   out.value(player.body_age / kOld, 0.0);
   out.value(player.kickable_area / 2.0, 0.0);
   out.value(player.type->real_speed_max(kMaxDashPower) / kPlayerSpeed, 0.0);
   out.value(player.type->player_decay, 0.0);
+  out.flag(scene.last_touch == seat);
 }
 
 /// The second last opponent that is seen, or the ball, or the half-way line.
@@ -234,14 +241,16 @@ void fill_2(const PointOfView& view, float* numbers) {
   out.value(me.capacity < 0.0 ? 1.0 : me.capacity / scene.server->stamina_capacity, 0.0);
   out.angle(me.neck);
   out.value(me.frozen_cycles / kFrozen, 0.0);
-  add_body(out, me);
+  add_body(out, scene, view.self);
 
   add_mode(out, scene.mode, scene.side);
+  out.value(scene.mode_age / kLong, 0.0);
+  out.value(soccer::sign(scene.last_touch_side) * soccer::sign(scene.side));
   out.value(offside_line(scene) / soccer::kHalfLength, -1.2, 1.2);
   add_ages(out, scene.ball_age, scene.ball_velocity_age);
 
-  for (const Seat seat : teammates_of(view)) add_body(out, scene.player(seat));
-  for (const Seat seat : opponents_of(view)) add_body(out, scene.player(seat));
+  for (const Seat seat : teammates_of(view)) add_body(out, scene, seat);
+  for (const Seat seat : opponents_of(view)) add_body(out, scene, seat);
 }
 
 }  // namespace
@@ -252,11 +261,12 @@ const FeatureSet kEgoFeatures = {
     .columns = columns,
     .fill = fill};
 
-const FeatureSet kEgo2Features = {
-    .name = "ego",
-    .version = 2,
-    .summary = "ego, ages of estimates, own condition, abilities, play mode, offside line",
-    .columns = columns_2,
-    .fill = fill_2};
+const FeatureSet kEgo2Features = {.name = "ego",
+                                  .version = 2,
+                                  .summary =
+                                      "ego, ages of estimates, own condition, abilities, play mode "
+                                      "and its age, last toucher, offside line",
+                                  .columns = columns_2,
+                                  .fill = fill_2};
 
 }  // namespace cls::training

@@ -79,6 +79,20 @@ void add_players(const player::WorldModel& world, const player::PlayerList& play
   }
 }
 
+void fill_history(const player::WorldModel& world, Scene& out) {
+  const player::GameTime now = world.game.time;
+  const player::GameTime start = world.game.mode_start;  // cycle -1 before any announcement
+  const simulator::Clock began{std::max(start.cycle, 0), start.stopped};
+  out.mode_age = std::max(0, cycles_between(began, {now.cycle, now.stopped}));
+
+  const player::LastKick& last = world.last_kick;
+  out.last_touch_side = last.side;
+  out.last_touch = kNoSeat;
+  if (last.side != Side::kNeutral && last.unum > 0) {
+    out.last_touch = seat_of(world.our_side, soccer::slot_of(last.side, last.unum));
+  }
+}
+
 }  // namespace
 
 void fill_scene(const player::WorldModel& world, const Cast& cast, Scene& out) {
@@ -93,6 +107,8 @@ void fill_scene(const player::WorldModel& world, const Cast& cast, Scene& out) {
   out.ball_velocity = world.ball.velocity;
   out.ball_age = world.ball.pos_count;
   out.ball_velocity_age = world.ball.vel_count;
+
+  fill_history(world, out);
 
   for (ScenePlayer& player : out.players) player = {};
   for (const Side side : {Side::kLeft, Side::kRight}) {

@@ -51,6 +51,13 @@ using Seat = int;
 constexpr Seat kNoSeat = -1;
 constexpr Seat kSeats = soccer::kPlayersOnPitch;
 
+/// Cycles between two readings of the clock of a match: its time, and the cycles that it stood
+/// since then.
+constexpr int cycles_between(simulator::Clock start, simulator::Clock now) {
+  return start.time == now.time ? now.stoppage - start.stoppage
+                                : now.time - start.time + now.stoppage;
+}
+
 /// Coordinates of the own team, which attacks +x (the right team's are mirrored). y grows
 /// downwards for the left team.
 struct Scene {
@@ -64,6 +71,9 @@ struct Scene {
   Vec2 ball_velocity;
   int ball_age = 0;  ///< cycles since the position was seen or heard
   int ball_velocity_age = 0;
+  int mode_age = 0;                       ///< cycles since the play mode changed
+  Side last_touch_side = Side::kNeutral;  ///< who had the ball last; neutral: not known
+  Seat last_touch = kNoSeat;              ///< the player, if known
   std::array<ScenePlayer, kSeats> players;
 
   const ScenePlayer& player(Seat seat) const { return players[static_cast<std::size_t>(seat)]; }
