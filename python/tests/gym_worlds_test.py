@@ -467,5 +467,44 @@ class Rendering(unittest.TestCase):
             self.assertEqual(images[0].dtype, np.uint8)
 
 
+class Until(unittest.TestCase):
+    CONFIG = {"features": "ego", "actions": "skills", "num_agents": 3, "opponent": "scripted"}
+
+    def test_step_ends_where_something_is_to_decide(self):
+        one = cls_gym.Env("cls/Match-v0", state=2, **self.CONFIG)
+        many = cls_gym.Env("cls/Match-v0", state=2, frame_skip=20, until="decision", **self.CONFIG)
+        names = [feature.name for feature in one.spec_of_task.features]
+        can_kick = names.index("self_kickable")
+        lengths = []
+        for env in (one, many):
+            env.reset(seed=3)
+        for action in seeded_actions(one.action_space, 1, 80):
+            reward, length = 0.0, 0
+            before = many.view().cycle
+            seen, total, ended, cut, info = many.step(action)
+            while length < info["cycles"] - before:
+                mode = one.view().play_mode
+                plain, part, *_ = one.step(action)
+                reward, length = reward + part, length + 1
+                due = plain[:, can_kick].max() > 0 or one.view().play_mode != mode
+                if due:
+                    self.assertEqual(length, info["cycles"] - before, "the step ends here")
+            lengths.append(length)
+            np.testing.assert_array_equal(plain, seen)
+            self.assertAlmostEqual(reward, total, 5)
+            if ended or cut:
+                break
+        self.assertLess(min(lengths), 20)
+        self.assertGreater(np.mean(lengths), 2)
+
+    def test_it_is_part_of_what_an_episode_depends_on(self):
+        with cls_gym.Env("cls/HFO-2v1-v0", frame_skip=20, until="decision") as env:
+            self.assertEqual(env.spec_of_task.document["until"], "decision")
+        for config, text in (({"until": "decision"}, "'until' = 'decision' needs 'frame_skip'"),
+                             ({"until": "decisions"}, "until.*decision")):
+            with self.assertRaisesRegex(cls_gym.ConfigError, text):
+                cls_gym.Env("cls/HFO-2v1-v0", **config)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -122,6 +122,9 @@ CLS_TRAINING_API int cls_training_catalog(char* out, size_t capacity, size_t* le
 //                 on the pitch.
 //   "autoreset"   "next_step", "same_step" or "disabled" (Gymnasium's modes). Default "disabled".
 //   "frame_skip"  cycles per step, 1..100; rewards are summed, an end ends the step. Default 1.
+//   "until"       "cycles" (default), or "decision": a step ends before frame_skip cycles when an
+//                 agent knows that it can kick the ball, another player has it, or the play mode
+//                 has changed. The actions hold until then; `cycles` says how many were played.
 //   "max_cycles"  length of an episode in cycles; 0: the task's.
 //   "reward"      {"TERM": weight, ...}: replaces the task's weights. Terms are in the catalog.
 //   "start"       "task" (default): the task places ball and players; "book:FILE": each episode of
@@ -143,7 +146,7 @@ CLS_TRAINING_API int cls_training_create(const char* config_json, uint64_t* pool
 //    "state": {"size": S, "items": [{"name", "unit", "low", "high"}, ...]},
 //    "reward_terms": [{"name", "weight", "summary"}, ...]   (R of them),
 //    "teammates": [NAME, ...], "opponents": [NAME, ...], "start",
-//    "max_cycles", "frame_skip", "autoreset", "options": {...}, "statuses": [...]}
+//    "max_cycles", "frame_skip", "until", "autoreset", "options": {...}, "statuses": [...]}
 // K is 0 for action sets without ids (a box), V is 0 for those without values (discrete ids).
 CLS_TRAINING_API int cls_training_spec(uint64_t pool, char* out, size_t capacity, size_t* length);
 

@@ -216,9 +216,22 @@ PointOfView Episode::view_of(int slot, bool last_action_worked) const {
 void Episode::step(const AgentActions& actions, simulator::MatchRecorder* recorder) {
   std::fill_n(rewards_.begin(), setup_->agent_count(), RewardValues{});
   for (int i = 0; i < setup_->frame_skip && !ended(); ++i) {
+    const int holder = memory_.holder;
+    const soccer::PlayMode mode = world_.mode;
     choose_commands(actions);
     play_cycle(recorder);
+    if (setup_->until == Until::kDecision && has_decision(holder, mode)) break;
   }
+}
+
+// Whether another player has the ball or the mode is another one than before the cycle, or an agent
+// knows that it can kick.
+bool Episode::has_decision(int holder, soccer::PlayMode mode) const {
+  if (memory_.holder != holder || world_.mode != mode) return true;
+  return std::ranges::any_of(setup_->cast.agents, [this](int slot) {
+    const PointOfView view = view_of(slot, true);
+    return world_.player(slot).enabled && can_kick(view.scene, view.self);
+  });
 }
 
 PlayerCommand Episode::command_of(std::size_t agent, const AgentActions& actions) {

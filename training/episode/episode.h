@@ -81,6 +81,7 @@ class Episode {
   soccer::RandomStream clear(std::uint64_t seed, const OptionValues& options);
   void begin_at(const Start& start);
   void begin();
+  bool has_decision(int holder, soccer::PlayMode mode) const;
   void perceive_frame(const StartFrame& frame);
   void play_cycle(simulator::MatchRecorder* recorder);
   void draw_types(soccer::RandomStream& random);

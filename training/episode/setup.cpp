@@ -255,6 +255,10 @@ Result<std::shared_ptr<const Setup>> make_setup(const SetupChoices& choices) {
 
   setup->weights = choices.weights;
   setup->frame_skip = choices.frame_skip;
+  setup->until = choices.until;
+  if (setup->until == Until::kDecision && setup->frame_skip < 2) {
+    return Error{"'until' = 'decision' needs 'frame_skip' from 2 on, the most cycles of a step"};
+  }
   setup->max_cycles = choices.max_cycles > 0 ? choices.max_cycles : setup->task->max_cycles;
   setup->random_types = choices.random_types;
   setup->options = setup->task->usual_options();

@@ -29,6 +29,13 @@ enum class Fidelity : unsigned char {
 };
 constexpr auto kFidelityNames = base::enum_names<Fidelity>("full_state", "world_model");
 
+/// When a step ends.
+enum class Until : unsigned char {
+  kCycles,    ///< after frame_skip cycles
+  kDecision,  ///< or earlier, when there is something to decide
+};
+constexpr auto kUntilNames = base::enum_names<Until>("cycles", "decision");
+
 /// From which the player types of all pools are drawn.
 constexpr std::uint64_t kTypesSeed = 1;
 
@@ -48,6 +55,7 @@ struct SetupChoices {
   Fidelity fidelity = Fidelity::kFullState;
   int state = 1;  ///< version of the full state
   int frame_skip = 1;
+  Until until = Until::kCycles;
   int max_cycles = 0;
   std::array<double, kRewardTerms> weights{};
   bool random_types = false;
@@ -72,6 +80,7 @@ struct Setup {
   Columns state_columns;
   std::array<double, kRewardTerms> weights{};
   int frame_skip = 1;
+  Until until = Until::kCycles;
   int max_cycles = 0;
   bool random_types = false;
   OptionValues options{};                      ///< defaults of the task

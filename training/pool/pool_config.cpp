@@ -19,10 +19,11 @@ using base::JsonValue;
 using base::Result;
 using Names = std::vector<std::string_view>;
 
-const Names kKeys = {
-    "task",       "num_envs",   "threads",    "obs",       "features", "actions",      "offense",
-    "defense",    "agents",     "num_agents", "teammates", "opponent", "goalie_agent", "autoreset",
-    "frame_skip", "max_cycles", "reward",     "options",   "types",    "state",        "start"};
+const Names kKeys = {"task",       "num_envs", "threads",      "obs",       "features",
+                     "actions",    "offense",  "defense",      "agents",    "num_agents",
+                     "teammates",  "opponent", "goalie_agent", "autoreset", "frame_skip",
+                     "max_cycles", "reward",   "options",      "types",     "state",
+                     "start",      "until"};
 constexpr auto kRandomTypesNames = base::enum_names<bool>("default", "random");
 
 constexpr int kMaxEnvs = 65536;
@@ -158,6 +159,7 @@ void read_choices(Reader& in, SetupChoices& choices) {
   in.drivers("opponent", true, choices.opponents);
   in.integer("frame_skip", 1, kMaxFrameSkip, choices.frame_skip);
   in.integer("max_cycles", 0, kMaxCycles, choices.max_cycles);
+  in.choice("until", kUntilNames, choices.until);
   in.choice("obs", kFidelityNames, choices.fidelity);
   in.integer("state", 1, kStateVersions, choices.state);
 

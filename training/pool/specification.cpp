@@ -185,6 +185,7 @@ Json specification(const Pool& pool) {
           {"start", setup.start},
           {"max_cycles", setup.max_cycles},
           {"frame_skip", setup.frame_skip},
+          {"until", kUntilNames.name(setup.until)},
           {"autoreset", kAutoresetNames.name(pool.config().autoreset)},
           {"options", options},
           {"statuses", status_list()}};
