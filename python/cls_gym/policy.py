@@ -67,6 +67,32 @@ def describe(envs: Any) -> Dict[str, Any]:
             "teammates": _count(names, "teammate"), "opponents": _count(names, "opponent")}
 
 
+def from_torch(envs: Any, *modules: Any) -> Policy:
+    """The policy of networks of PyTorch that follow each other: linear layers with tanh between
+    them, of which the last gives a score per action id. `envs`: the environment that trained it.
+
+    Stable-Baselines3: model.policy.mlp_extractor.policy_net, model.policy.action_net. TorchRL: a
+    MultiAgentMLP with share_params. RLlib: module.encoder.actor_encoder (module.encoder.encoder
+    where the value shares layers), module.pi. Raises PolicyError for other networks.
+    """
+    others = {kind for module in modules for part in module.modules()
+              for kind in [type(part).__name__]
+              if type(part).__module__.startswith("torch.nn.modules.")
+              and kind not in ("Linear", "Tanh", "Identity", "Sequential", "ModuleList", "Flatten")}
+    if others:
+        raise PolicyError(f"from_torch: {min(others)} is neither Linear nor Tanh")
+    layers: List[Layer] = []
+    for module in modules:
+        arrays = {name: value.detach().cpu().numpy() for name, value in module.state_dict().items()
+                  if getattr(value, "ndim", 0)}
+        for name, array in arrays.items():
+            if name.endswith("weight") and array.ndim == 2:
+                layers.append((array.T, arrays[name[:-len("weight")] + "bias"]))
+    about = dict(describe(envs), schema=SCHEMA)
+    _check_layers("from_torch", layers, about)
+    return Policy(layers, about)
+
+
 def _count(names: List[str], team: str) -> int:
     return len({name.split("_")[0] for name in names if name.startswith(team)})
 

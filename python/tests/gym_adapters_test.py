@@ -4,6 +4,8 @@ examples of them. gym_multiagent_test.py has those of several agents.
 python/tests/adapters runs both in environments that have all frameworks, demands that nothing is
 skipped, and prints the speed of each adapter beside the engine's.
 """
+import os
+import tempfile
 import unittest
 import warnings
 
@@ -111,6 +113,27 @@ class SuperSuit(Adapter):
 @needs("stable_baselines3", "sb3_contrib")
 class StableBaselines3(Adapter):
     name = "Stable-Baselines3"
+
+    def test_policy_of_a_match_chooses_what_the_model_does(self):
+        import torch
+        from cls_gym import policy
+        from sb3_contrib import MaskablePPO
+        env = self.make(40)
+        model = MaskablePPO("MlpPolicy", env, seed=1)
+        parts = model.policy.mlp_extractor.policy_net, model.policy.action_net
+        own = policy.from_torch(env.envs, *parts)
+        seen, masks = env.reset(), np.stack(env.action_masks())
+        chosen, _ = model.predict(seen, action_masks=masks, deterministic=True)
+        np.testing.assert_array_equal(own.act(seen, masks), chosen)
+        with tempfile.TemporaryDirectory() as folder:
+            own.save(os.path.join(folder, "p.npz"))
+            loaded = policy.load(os.path.join(folder, "p.npz"))
+        self.assertEqual(loaded.about["features"], "ego")
+        for wrong, text in (([torch.nn.ReLU(), *parts], "ReLU is neither Linear nor Tanh"),
+                            (parts[:1], "not one score per action"),
+                            (parts[1:], "layer 0 does not fit")):
+            with self.assertRaisesRegex(policy.PolicyError, text):
+                policy.from_torch(env.envs, *wrong)
 
     def make(self, count=3, **config):
         from cls_gym.adapters.sb3 import SB3VecEnv

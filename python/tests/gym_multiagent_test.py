@@ -27,6 +27,19 @@ class TorchRL(Adapter):
         self.refused(lambda: self.make(actions="hfo"), "TorchRL has no actions that are tuples")
         self.refused(lambda: self.make(mask="appended"), "ActionMask reads")
 
+    def test_policy_of_a_match_has_the_scores_of_the_network(self):
+        import torch
+        from cls_gym.policy import from_torch
+        from torchrl.modules import MultiAgentMLP
+        env = self.make(20)
+        seen = env.reset()["agents", "observation"]
+        network = MultiAgentMLP(seen.shape[-1], 81, seen.shape[-2], centralized=False,
+                                share_params=True)
+        with torch.no_grad():
+            scores = network(seen).numpy()
+        own = from_torch(env.envs, network).scores(seen.numpy())
+        np.testing.assert_allclose(own, scores, atol=1e-5)
+
     def test_rollout_is_that_of_the_worlds_with_partial_resets(self):
         env, other = self.make(max_cycles=12), vector(mode="disabled", max_cycles=12)
         env.set_seed(4)
@@ -175,6 +188,24 @@ class RLlib(Adapter):
         self.assertEqual(set(rewards), set(env.possible_agents))
         self.refused(lambda: MaskedModule(observation_space=env.observation_spaces["left_7"]),
                      "mask=\"observation\"")
+
+    def test_policy_of_a_match_has_the_scores_of_the_module(self):
+        import torch
+        from cls_gym.adapters.rllib import ClsMultiAgentEnv, MaskedModule
+        from cls_gym.policy import from_torch
+        from ray.rllib.core.rl_module.rl_module import RLModuleSpec
+        env = ClsMultiAgentEnv({**TASK, "mask": "observation"})
+        agent = env.possible_agents[0]
+        module = RLModuleSpec(
+            module_class=MaskedModule, observation_space=env.observation_spaces[agent],
+            action_space=env.action_spaces[agent], model_config={"vf_share_layers": False}).build()
+        seen = env.reset(seed=1)[0][agent]
+        rows = {key: torch.as_tensor(value)[None] for key, value in seen.items()}
+        with torch.no_grad():
+            scores = module.forward_inference({"obs": rows})["action_dist_inputs"][0].numpy()
+        own = from_torch(env.env, module.encoder.actor_encoder, module.pi)
+        legal = seen["action_mask"] != 0
+        np.testing.assert_allclose(own.scores(seen["observation"])[legal], scores[legal], atol=1e-5)
 
     def test_policy_learns_with_masks_and_a_checkpoint_restores(self):
         program = MASKED_RLLIB.format(example=str(EXAMPLES / "rllib_ppo.py"))

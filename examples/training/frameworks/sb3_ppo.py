@@ -10,6 +10,7 @@ from stable_baselines3.common.logger import configure
 
 import cls_gym
 from cls_gym.adapters.sb3 import SB3VecEnv
+from cls_gym.policy import from_torch
 
 steps = int(sys.argv[1]) if len(sys.argv) > 1 else 200_000
 worlds = {"task": "cls/HFO-1v0-v0", "features": "ego", "actions": "skills", "frame_skip": 4,
@@ -29,4 +30,5 @@ while (first < 0).any():
     seen, _, ended, infos = trial.step(actions)
     for row in np.flatnonzero(ended & (first < 0)):
         first[row] = infos[row]["status"]
+from_torch(env.envs, model.policy.mlp_extractor.policy_net, model.policy.action_net).save("sb3.npz")
 print(f"goals in {np.mean(first == 1):.2f} of 100 fresh episodes")
