@@ -21,6 +21,7 @@ model = MaskablePPO("MlpPolicy", env, n_steps=128, batch_size=1024, n_epochs=4, 
                     learning_rate=1e-3, ent_coef=0.01, seed=1)
 model.set_logger(configure(format_strings=["stdout"]))
 model.learn(steps)
+from_torch(env.envs, model.policy.mlp_extractor.policy_net, model.policy.action_net).save("sb3.npz")
 
 trial = SB3VecEnv(cls_gym.VectorEnv(num_envs=100, **worlds))
 trial.seed(1_000_000_000)
@@ -30,5 +31,4 @@ while (first < 0).any():
     seen, _, ended, infos = trial.step(actions)
     for row in np.flatnonzero(ended & (first < 0)):
         first[row] = infos[row]["status"]
-from_torch(env.envs, model.policy.mlp_extractor.policy_net, model.policy.action_net).save("sb3.npz")
 print(f"goals in {np.mean(first == 1):.2f} of 100 fresh episodes")
