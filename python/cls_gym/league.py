@@ -31,7 +31,7 @@ from typing import Any, Dict, List, NamedTuple, Sequence, Union
 
 import numpy as np
 
-from cls_gym.policy import Policy, load
+from cls_gym.policy import Policy, PolicyError, describe, load, misfit
 from cls_gym.selfplay import CONFIG, TASK, SelfPlay
 from cls_gym.vector import VectorEnv
 
@@ -88,8 +88,15 @@ class League:
     def path(self, number: int) -> pathlib.Path:
         return self.folder / f"snapshot-{number}.npz"
 
-    def add(self, policy: Policy) -> int:
-        """Stores a snapshot; returns its number."""
+    def add(self, policy: Union[Policy, str, pathlib.Path]) -> int:
+        """Stores a snapshot, a Policy or a file of one; returns its number. PolicyError: it does
+        not play the worlds of this league."""
+        if not isinstance(policy, Policy):
+            policy = load(policy)
+        with VectorEnv(TASK, 1, **{**self.config, "agents": "both"}) as envs:
+            reason = misfit(policy, describe(envs))
+        if reason:
+            raise PolicyError(f"{self.folder}: a policy of another league: {reason}")
         number = max(self.numbers(), default=0) + 1
         policy.save(self.path(number))
         return number
@@ -147,7 +154,7 @@ class League:
         numbers = self.numbers()
         others = np.array([number != learner for number in numbers])
         if not others.any():
-            raise LeagueError(f"{self.folder}: no snapshot but {learner}")
+            raise LeagueError(f"{self.folder}: no snapshot but {learner}; add() another one")
         chances = others.astype(np.float64)
         if sampling == "latest":
             chances[:] = 0.0

@@ -93,6 +93,21 @@ def from_torch(envs: Any, *modules: Any) -> Policy:
     return Policy(layers, about)
 
 
+def misfit(policy: Policy, about: Dict[str, Any]) -> Optional[str]:
+    """Why a policy cannot play in the environment that describe() gave; None: it can."""
+    for key in ("features", "feature_version", "actions", "action_version"):
+        if policy.about.get(key, about[key]) != about[key]:
+            return f"trained with {key} {policy.about[key]}, not {about[key]}"
+    if list(policy.about.get("feature_names", [])) != about["feature_names"] \
+            or list(policy.about.get("action_names", [])) != about["action_names"]:
+        ours, theirs = [(one.get("teammates", 0), one.get("opponents", 0),
+                         len(one.get("feature_names", [])), len(one.get("action_names", [])))
+                        for one in (policy.about, about)]
+        return ("trained with %d teammates and %d opponents (%d features, %d actions), "
+                "not %d and %d (%d, %d)" % (*ours, *theirs))
+    return None
+
+
 def _count(names: List[str], team: str) -> int:
     return len({name.split("_")[0] for name in names if name.startswith(team)})
 

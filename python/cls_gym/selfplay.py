@@ -6,7 +6,7 @@ from typing import Any, Callable, Dict, List, Sequence, Tuple, Union
 import numpy as np
 
 from cls_gym._config import ConfigError
-from cls_gym.policy import Policy
+from cls_gym.policy import Policy, PolicyError, describe, misfit
 from cls_gym.vector import VectorEnv
 
 TASK = "cls/Match-v0"
@@ -76,9 +76,18 @@ class SelfPlay:
             raise ConfigError(f"num_agents: 1 to {self._left}, and opponents on the pitch")
         if (teammates is None) != (self.agents == self._left):
             raise ConfigError("teammates: policies for the players beyond num_agents, if any")
+        for pool in (opponent, teammates):
+            self._check_fit(pool)
         self._opponents = _Drawn(opponent, "opponent", 1)
         self._teammates = None if teammates is None else _Drawn(teammates, "teammates", 2)
         self._drawn = np.zeros((2, num_envs), np.int64)  # opponents, teammates
+
+    def _check_fit(self, pool: Union[Pool, None]) -> None:
+        shares = pool if isinstance(pool, (list, tuple)) else [(pool, 1.0)]
+        for policy, _ in shares:
+            reason = misfit(policy, describe(self.envs)) if isinstance(policy, Policy) else None
+            if reason:
+                raise PolicyError(f"a policy of other worlds: {reason}")
 
     def reset(self, seed: int) -> Tuple[np.ndarray, Dict[str, Any]]:
         """Starts episodes in all worlds."""

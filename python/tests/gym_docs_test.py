@@ -15,6 +15,8 @@ import gym_support  # noqa: F401  first: may hide gymnasium
 import numpy as np
 
 import cls_gym
+from cls_gym.league import CONFIG, TASK
+from cls_gym.policy import Policy, describe
 
 CLS = os.environ.get("CLS_BINARY") or shutil.which("cls")
 GUIDE = pathlib.Path(__file__).resolve().parents[2] / "docs/training.md"
@@ -81,15 +83,25 @@ class Examples(unittest.TestCase):
     def test_guide(self):
         """Blocks of a section share their names; those of matches and files are left out."""
         names = {"policy": zeros}
+        for number, name in enumerate(("first.npz", "second.npz")):
+            constant(number).save(name)
         blocks = re.findall(r"```python\n(.*?)```", GUIDE.read_text("utf-8"), re.DOTALL)
         ran = 0
         for block in blocks:
-            if any(word in block for word in ("MatchEnv", "League", "data.record", "duckdb")):
+            if any(word in block for word in ("MatchEnv", "data.record", "duckdb")):
                 continue
             with self.subTest(block), contextlib.redirect_stdout(io.StringIO()):
                 exec(compile(block, "training.md", "exec"), names)
                 ran += 1
-        self.assertGreaterEqual(ran, 3)
+        self.assertGreaterEqual(ran, 4)
+
+
+def constant(number):
+    """A policy for the worlds of a league."""
+    with cls_gym.VectorEnv(TASK, 1, **CONFIG, agents="both") as envs:
+        about = describe(envs)
+    shape = len(about["feature_names"]), len(about["action_names"])
+    return Policy([(np.full(shape, number), np.zeros(shape[1]))], about)
 
 
 def zeros(observations, masks):

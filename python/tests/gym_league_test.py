@@ -8,7 +8,7 @@ import numpy as np
 
 from cls_gym import ConfigError
 from cls_gym.league import CONFIG, TASK, League, LeagueError, SelfPlay, play_episodes
-from cls_gym.policy import Policy, describe
+from cls_gym.policy import Policy, PolicyError, describe
 from cls_gym.vector import VectorEnv
 
 
@@ -46,6 +46,22 @@ class Leagues(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.league = League(folder.name, max_cycles=150)
         self.addCleanup(self.league.close)
+
+    def test_a_snapshot_may_be_a_file(self):
+        path = self.league.folder / "policy.npz"
+        policy(1).save(path)
+        self.assertEqual([self.league.add(path), self.league.add(str(path))], [1, 2])
+
+    def test_a_policy_of_other_worlds_is_refused(self):
+        with VectorEnv("cls/HFO-1v0-v0", 1, features="ego", actions="low_discrete") as envs:
+            about = describe(envs)
+        shape = len(about["feature_names"]), len(about["action_names"])
+        other = Policy([(np.zeros(shape), np.zeros(shape[1]))], about)
+        reason = r"trained with 0 teammates and 0 opponents \(31 features, \d+ actions\), not 1 and 2"
+        with self.assertRaisesRegex(PolicyError, reason):
+            self.league.add(other)
+        with self.assertRaisesRegex(PolicyError, reason):
+            SelfPlay([(other, 1)], num_envs=1)
 
     def test_a_later_version_is_refused(self):
         folder = self.league.folder
