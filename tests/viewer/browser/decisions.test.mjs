@@ -25,9 +25,9 @@ after(async () => {
 });
 
 /** Opens a page with decisions of the left team; `problems` collects messages, errors and requests. */
-async function open({hash = '', text, decisions = {left: sampleDecisionStream(text)}, ...options} = {}) {
-  const file = path.join(kFolder, `${Object.keys(decisions).length}-${text ? 'text' : 'plain'}.html`);
-  fs.writeFileSync(file, pageOf(sampleStream(), {}, decisions));
+async function open({hash = '', text, sides, decisions = {left: sampleDecisionStream(text)}, ...options} = {}) {
+  const file = path.join(kFolder, `${Object.keys(decisions).length}-${text ? 'text' : 'plain'}${sides ? '-sides' : ''}.html`);
+  fs.writeFileSync(file, pageOf(sampleStream(), sides ? {sides} : {}, decisions));
   const opened = await openPage(browser, pathToFileURL(file).href + hash, /^(file|blob):/, {viewport: {width: 1280, height: 900}, ...options});
   await opened.page.waitForFunction(() => window.clsViewer, null, {timeout: 120000});
   return opened;
@@ -103,6 +103,15 @@ test('lists the worst moments, marks missed decisions, and links restore the mod
   await page.keyboard.press('Shift+Digit7');
   await page.locator('.decision .hint', {hasText: '--record-world-models'}).first().waitFor();
   assert.deepEqual(problems, []);
+  await context.close();
+});
+
+test('calls the Playmaker of this match again', async () => {
+  const {page, context} = await open({hash: `#t=${kMissedFrame}&p=l7&d=1`, sides: ['run:./run --port {port}', 'mock']});
+  await loaded(page);
+  await page.getByRole('button', {name: 'Call the Playmaker again'}).click();
+  assert.match(await page.locator('.copied').innerText(),
+    /^# match.rpc: played again with --record-rpc match.rpc, unless it was recorded\ncls test --replay match.rpc --side left --at \d+ --player 7 'run:.\/run --port \{port\}'$/);
   await context.close();
 });
 
