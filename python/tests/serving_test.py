@@ -171,6 +171,14 @@ class Program(unittest.TestCase):
             _, errors = program.communicate(timeout=20)
             self.assertEqual((program.returncode, errors), (0, ""))
 
+    def test_says_which_ports_there_are(self):
+        for port in ("70000", "-1"):
+            done = subprocess.run([sys.executable, "-c", PROGRAM, "--port", port], timeout=60,
+                                  stderr=subprocess.PIPE, text=True, check=False)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn(f"port {port} is not within 0 to 65535", done.stderr)
+            self.assertNotIn("Traceback", done.stderr)
+
     def test_says_which_port_is_taken(self):
         _, port = self.run_until_listening("--port", "0")
         second = subprocess.run([sys.executable, "-c", PROGRAM, "--port", port], timeout=20,
