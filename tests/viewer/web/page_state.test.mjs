@@ -216,6 +216,7 @@ test('keyName names keys of any layout', () => {
 test('eventsOf finds goals, shots, cards and offenses in order of time', () => {
   const events = eventsOf(sampleRecord());
   assert.deepEqual(events.map(({kind, frame}) => [kind, frame]), [['turnover', 65], ['goal', kGoalFrame], ['card', 150], ['shot', 220]]);
+  assert.deepEqual(events.map(({expectedGoals}) => expectedGoals), [undefined, 0.5, undefined, 0.3], 'goals and shots have theirs');
   assert.equal(nextEvent(events, 0, 1, ['goal']).frame, kGoalFrame);
   assert.equal(nextEvent(events, 299, -1).kind, 'shot');
   assert.equal(nextEvent(events, 299, 1), undefined);

@@ -29,6 +29,13 @@ function eventFrame(record, event) {
   return Math.min(Math.max(0, frame), record.frames - 1);
 }
 
+/** The expected goals of the shot that became this goal; undefined without one. */
+function expectedGoalsOf(record, goal) {
+  const own = (record.statistics?.shots ?? []).filter((shot) =>
+    shot.outcome === 'goal' && shot.side === goal.side && shot.unum === goal.unum && eventFrame(record, shot) <= eventFrame(record, goal));
+  return goal.own_goal ? undefined : own.at(-1)?.expected_goals;
+}
+
 function goals(record) {
   const later = goalsOfNotes(record).filter(({frame}) => frame >= record.statisticsFrames);
   return [...(record.statistics?.goals ?? []).map((goal) => ({
@@ -36,6 +43,7 @@ function goals(record) {
     kind: 'goal',
     side: goal.side,
     slot: goal.own_goal ? -1 : slotOf(goal.side, goal.unum),
+    expectedGoals: expectedGoalsOf(record, goal),
     text: `Goal: ${goal.own_goal ? `${teamName(record, goal.side)}, own goal` : playerText(record, goal.side, goal.unum)}`,
   })), ...(record.end && record.statistics ? [] : later)];
 }
