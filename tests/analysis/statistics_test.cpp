@@ -13,7 +13,10 @@
 #include "analysis/statistics/statistics_text.h"
 #include "base/index.h"
 #include "base/text/lines.h"
+#include "base/text/split.h"
+#include "base/text/trimmed.h"
 #include "tests/analysis/plays.h"
+#include "tests/support/files.h"
 
 namespace cls::analysis {
 namespace {
@@ -497,6 +500,26 @@ TEST(StatisticsText, FitsLinesIntoWidth) {
       with_player += line.starts_with("FIFTEEN_CHARS_A 1 ");
     }
     EXPECT_GE(with_player, width == 200 ? 1 : 2) << "blocks repeat the player at " << width;
+  }
+}
+
+// A row of the page names the columns in its first cell.
+TEST(StatisticsCsv, PageNamesEveryColumn) {
+  const std::string page = tests::read_file(tests::source_folder() / "docs/formats/statistics.md");
+  const auto of_format = [&page](const std::string& format) {
+    const std::size_t begin = page.find("| columns of `" + format + "` |");
+    EXPECT_NE(begin, std::string::npos) << format;
+    return page.substr(begin, page.find("\n\n", begin) - begin);
+  };
+
+  for (const auto& [format, table] :
+       {std::pair("csv", team_table()), std::pair("csv-players", player_table()),
+        std::pair("csv-events", event_table())}) {
+    const std::string rows = of_format(format);
+    const std::string csv = table.format_csv();
+    for (const std::string_view column : base::split(base::trimmed(csv), ',')) {
+      EXPECT_THAT(rows, HasSubstr("`" + std::string(column) + "`")) << format;
+    }
   }
 }
 
