@@ -52,7 +52,8 @@ std::optional<EndReason> MatchGuard::exceeded_limit() const {
   if (const auto limit = limits_.exceeded()) return limit;
   if (!playing_ || options_.no_deadline) return std::nullopt;
 
-  const std::chrono::duration<double> stall_limit(options_.stall_after_s);
+  const std::chrono::duration<double> stall_limit =
+      std::chrono::duration<double>(options_.stall_after_s) + limits_.stood_still();
   if (sides_awaited_for(sides_, stall_limit).empty()) return std::nullopt;
   return EndReason::kStalled;
 }
@@ -107,6 +108,12 @@ void MatchGuard::check_sides() {
 void MatchGuard::check() {
   if (ended()) return;
 
+  if (const auto gap = limits_.skip_standstill(); gap > gap.zero()) {
+    warn(
+        fmt::format("cls stood still for {:.0f} s (stopped and continued, or a host that did not "
+                    "run it): limits count from here",
+                    std::chrono::duration<double>(gap).count()));
+  }
   if (auto failure = server_.failure(playing_)) {
     if (failure->reason == EndReason::kLate) {
       blame_unresponsive(sides_, server_.status().awaited_s, *failure);

@@ -52,6 +52,15 @@ bool MatchLimits::clock_stands() const {
          seconds_since(moved_at_) > options_.stall_after_s;
 }
 
+MatchLimits::Clock::duration MatchLimits::skip_standstill(Clock::time_point now) {
+  const Clock::duration gap = watch_.check(now);
+  start_ += gap;
+  moved_at_ += gap;
+  if (last_cycle_) *last_cycle_ += gap;
+  stood_still_ += gap;
+  return gap;
+}
+
 std::optional<EndReason> MatchLimits::exceeded() const {
   if (stop_signal_.load() != 0) return EndReason::kInterrupted;
   if (options_.time_limit_s && seconds_since(start_) > *options_.time_limit_s) {

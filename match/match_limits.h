@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "base/system/standstill.h"
 #include "match/result/match_observer.h"
 #include "match/terms/match_options.h"
 #include "soccer/end_reason.h"
@@ -25,13 +26,22 @@ class MatchLimits {
       : options_(options), stop_signal_(stop_signal) {}
 
   /// A new cycle has begun: the stall limit counts from here, and replaces the start limit.
-  void begin_cycle() { last_cycle_ = Clock::now(); }
+  void begin_cycle() {
+    last_cycle_ = Clock::now();
+    stood_still_ = {};
+  }
 
   /// Takes the place of the match: the stall limit is exceeded as well while steps are made, but
   /// the game clock is stopped for longer than any wait of the referee.
   void follow(const SourceProgress& progress);
   /// True when that is the stall.
   bool clock_stands() const;
+
+  /// To be called every moment. The time in which this process stood still delays all limits;
+  /// returns it, or zero. `now`: of the clock, or later.
+  Clock::duration skip_standstill(Clock::time_point now = Clock::now());
+  /// The standstills since the cycle began: calls that were open then have this much longer.
+  Clock::duration stood_still() const { return stood_still_; }
 
   /// Why the match has to end now; nothing while it may continue.
   std::optional<EndReason> exceeded() const;
@@ -51,6 +61,8 @@ class MatchLimits {
   SourceProgress moved_;  ///< when cycle, mode or score changed last
   std::int64_t steps_ = 0;
   Clock::time_point moved_at_ = start_;
+  base::StandstillWatch watch_;
+  Clock::duration stood_still_{};
 };
 
 }  // namespace cls::match

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/system/standstill.h"
 #include "soccer/protocol/reply_code.h"
 
 namespace cls::proxy {
@@ -120,6 +121,7 @@ std::optional<DriveResult> TeamDriver::end_of_run(Instant now, Instant last_mess
 DriveResult TeamDriver::run(const ShouldContinue& should_continue) {
   auto last_message = steady_clock::now();
   DriveResult end = DriveResult::kStopped;
+  base::StandstillWatch watch;
   while (should_continue()) {
     if (options_.before_decisions && team_.begins_turn(steady_clock::now())) {
       options_.before_decisions();
@@ -127,6 +129,7 @@ DriveResult TeamDriver::run(const ShouldContinue& should_continue) {
     }
 
     const auto now = steady_clock::now();
+    if (watch.check(now) > steady_clock::duration::zero()) last_message = now;
     const bool begun = team_.begin_decisions(now) > 0;
     last_message = std::max(last_message, team_.heard_at());
     if (team_.outstanding() > 0) {

@@ -53,5 +53,22 @@ TEST_F(MatchLimitsTest, DoNotTrustAWaitWithoutEnd) {
   EXPECT_EQ(end_after(6201, 0, PlayMode::kBeforeKickOff), EndReason::kStalled);
 }
 
+// Ctrl-Z, and on after a while.
+TEST_F(MatchLimitsTest, DoNotCountTheTimeInWhichClsStoodStill) {
+  using Clock = MatchLimits::Clock;
+  options_.stall_after_s = 1.0;
+  options_.time_limit_s = 2.0;
+  limits_.begin_cycle();
+  EXPECT_EQ(limits_.skip_standstill(), Clock::duration::zero()) << "a moment";
+
+  std::this_thread::sleep_for(std::chrono::milliseconds(3200));
+  const auto gap = limits_.skip_standstill();
+  EXPECT_GT(gap, std::chrono::seconds(3));
+  EXPECT_EQ(limits_.stood_still(), gap);
+  EXPECT_FALSE(limits_.exceeded());
+  limits_.begin_cycle();
+  EXPECT_EQ(limits_.stood_still(), Clock::duration::zero());
+}
+
 }  // namespace
 }  // namespace cls::match
