@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -96,6 +97,30 @@ TEST(SpectatorView, ShowsTheLadderOfAKnockout) {
   const SpectatorPage page = spectator_view(played(Format::kKnockout, 4), "cup");
   EXPECT_TRUE(page.over);
   EXPECT_THAT(page.ladder, HasSubstr("class=\"won\""));
+}
+
+// Deciding matches of a final and of the third place are played in turn.
+TEST(SpectatorView, ListsTheResultsOfAStageUnderOneHeading) {
+  const auto drawn = [](const Fixture&) { return score(1, 1); };
+  const SpectatorPage page = spectator_view(played(Format::kKnockout, 4, drawn), "cup");
+  std::set<std::string> titles;
+  for (const auto& group : page.results) {
+    EXPECT_TRUE(titles.insert(group.title).second) << group.title;
+  }
+  EXPECT_GE(titles.size(), 3U);
+}
+
+TEST(SpectatorPage, ShowsPlayersWithTheirNumbers) {
+  SpectatorPage page = spectator_view(played(Format::kRoundRobin, 2), "cup");
+  SpectatorMatch match;
+  match.left = "A";
+  match.right = "B";
+  match.glance.emplace().left_players = {{9, {-10.0, 3.0}}};
+  page.winner.clear();
+  page.running = {match};
+  EXPECT_THAT(spectator_now(page, "x"),
+              HasSubstr("<g class=\"l\" transform=\"translate(-10.0 3.0)\"><circle r=\"2\"/>"
+                        "<text y=\"0.85\">9</text></g>"));
 }
 
 TEST(SpectatorView, ShowsNoEndpointsMessagesOrHosts) {

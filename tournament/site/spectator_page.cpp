@@ -37,29 +37,38 @@ main { display: grid; gap: 1rem; padding: 1rem; max-width: 120rem; margin: 0 aut
 .column { display: grid; gap: 1rem; grid-template-columns: minmax(0, 1fr); }
 section.part { background: var(--card); border: 1px solid var(--faint); border-radius: 0.6rem; padding: 0.9rem 1rem; min-width: 0; }
 section.part:empty { display: none; }
-.cards { display: grid; gap: 0.8rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 15rem), 1fr)); }
-.card { display: block; color: inherit; text-decoration: none; border: 1px solid var(--line); border-radius: 0.5rem; overflow: hidden; max-width: 46rem; }
+.cards { display: grid; gap: 0.8rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); align-items: start; }
+.card { display: block; color: inherit; text-decoration: none; border: 1px solid var(--line); border-radius: 0.5rem; overflow: hidden; max-width: 46rem; container-type: inline-size; }
 .card:only-child { max-width: none; }
 .card:only-child .pitch { max-height: 75vh; }
-.card:only-child .name { font-size: 1.5rem; }
-.card:only-child .score { font-size: 2.6rem; }
 a.card:hover, a.card:focus-visible { border-color: var(--accent); box-shadow: 0 0 0 1px var(--accent); }
 .card .line { display: grid; grid-template-columns: minmax(0, 1fr) auto minmax(0, 1fr); gap: 0.7rem; align-items: center; padding: 0.5rem 0.7rem; }
-.card .name { font-size: 1.15rem; font-weight: 650; line-height: 1.2; overflow-wrap: anywhere; }
-.card .name:first-child { text-align: right; }
-.card .score { font-size: 1.7rem; line-height: 1.1; font-weight: 700; font-variant-numeric: tabular-nums; white-space: nowrap; }
+.card .name { display: flex; align-items: center; font-size: clamp(0.75rem, 3.7cqi, 1.7rem); font-weight: 650; line-height: 1.2; overflow-wrap: anywhere; }
+.card .name:first-child { justify-content: end; text-align: right; }
+.card .score { font-size: clamp(1.6rem, 8cqi, 2.8rem); line-height: 1.1; font-weight: 700; font-variant-numeric: tabular-nums; white-space: nowrap; text-align: center; }
+/* Names of fifteen characters fit in half of a card; with the score between them they do not. */
+@container (max-width: 34rem) {
+  .card .line { grid-template-columns: minmax(0, 1fr) minmax(0, 1fr); gap: 0.1rem 0.9rem; }
+  .card .score { grid-area: 2 / 1 / auto / 3; }
+  .card .name:first-child { grid-column: 1; }
+  .card .name:last-child { grid-area: 1 / 2; }
+}
 .card .foot { display: flex; flex-wrap: wrap; gap: 0 1rem; justify-content: space-between; padding: 0.3rem 0.7rem 0.5rem; color: var(--muted); font-size: 0.85rem; font-variant-numeric: tabular-nums; }
 .live { color: var(--live); font-weight: 650; }
 .live::before { content: ""; display: inline-block; width: 0.55em; height: 0.55em; margin-right: 0.4em; border-radius: 50%; background: currentColor; }
 .pitch { display: block; width: 100%; background: var(--grass); }
 .pitch path { fill: none; stroke: #ffffff; stroke-opacity: 0.55; stroke-width: 0.4; }
 .pitch circle { transition: cx 1s linear, cy 1s linear; }
-.pitch .l { fill: #ffd54a; stroke: #1b1b1b; stroke-width: 0.5; }
-.pitch .r { fill: #e6403a; stroke: #ffffff; stroke-width: 0.7; }
+.pitch g { transition: transform 1s linear; }
+.pitch text { font-size: 2.4px; font-weight: 650; text-anchor: middle; stroke: none; }
+.pitch .l { fill: #ffd54a; stroke: #1b1b1b; stroke-width: 0.4; }
+.pitch .l text { fill: #1b1b1b; }
+.pitch .r { fill: #c62828; stroke: #ffffff; stroke-width: 0.4; }
+.pitch .r text { fill: #ffffff; }
 .pitch .b { fill: #ffffff; stroke: #1b1b1b; stroke-width: 0.4; }
-.key { display: inline-block; width: 0.62em; height: 0.62em; margin: 0 0.35em; border-radius: 50%; border: 1px solid #1b1b1b; background: #ffd54a; }
-.key.r { border-color: var(--text); background: #e6403a; }
-@media (prefers-reduced-motion: reduce) { .pitch circle { transition: none; } }
+.key { flex: none; display: inline-block; width: 0.62em; height: 0.62em; margin: 0 0.35em; border-radius: 50%; border: 1px solid #1b1b1b; background: #ffd54a; }
+.key.r { border-color: var(--text); background: #c62828; }
+@media (prefers-reduced-motion: reduce) { .pitch circle, .pitch g { transition: none; } }
 .scroll, .bracket { overflow-x: auto; }
 .tables { display: grid; gap: 0.9rem 1.6rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 20rem), 1fr)); align-items: start; }
 .tables > div { min-width: 0; }
@@ -69,11 +78,11 @@ th, td { padding: 0.22rem 0.4rem; text-align: right; font-weight: 400; border-bo
 th:first-child, td:first-child { padding-left: 0.1rem; }
 thead th { color: var(--muted); font-size: 0.82rem; border-bottom-color: var(--line); white-space: nowrap; }
 td.w, th.w { text-align: left; overflow-wrap: break-word; }
-.standings td.w { width: 100%; min-width: 5.5rem; font-weight: 600; }
+.standings td.w { width: 100%; min-width: 5.5rem; font-weight: 600; overflow-wrap: anywhere; }
 #ladder .bracket:not(:has(.joins)) { flex-wrap: wrap; gap: 0.6rem 0; }
 .matches { list-style: none; margin: 0; padding: 0; }
-.matches li { display: grid; grid-template-columns: minmax(0, 1fr) minmax(4.2rem, max-content) minmax(0, 1fr); gap: 0 0.7rem; align-items: baseline; padding: 0.28rem 0; border-bottom: 1px solid var(--faint); }
-.matches .name { overflow-wrap: anywhere; line-height: 1.25; }
+.matches li { display: grid; grid-template-columns: minmax(0, 1fr) minmax(2.8rem, max-content) minmax(0, 1fr); gap: 0 0.5rem; align-items: baseline; padding: 0.28rem 0; border-bottom: 1px solid var(--faint); }
+.matches .name { overflow-wrap: anywhere; line-height: 1.25; font-size: 0.88em; }
 .matches .name:first-child { text-align: right; }
 .matches .score { text-align: center; font-weight: 650; font-variant-numeric: tabular-nums; line-height: 1.25; }
 .matches .occasion { grid-column: 1 / -1; text-align: center; color: var(--muted); font-size: 0.8rem; }
@@ -94,10 +103,17 @@ footer { padding: 0 1rem 1rem; text-align: center; color: var(--muted); font-siz
 }
 @media (min-width: 1700px) {
   main { grid-template-columns: minmax(0, 1.15fr) minmax(0, 1fr) minmax(0, 0.8fr); }
-  main:has(.card:only-child) { grid-template-columns: minmax(0, 2fr) minmax(0, 1fr) minmax(0, 0.7fr); }
+  main:has(.cards) { grid-template-columns: minmax(0, 1.75fr) minmax(0, 1.12fr) minmax(0, 0.83fr); }
   main:not(:has(.cards)) { grid-template-columns: minmax(0, 0.5fr) minmax(0, 1fr) minmax(0, 1fr); }
 }
 )";
+
+std::string pitch_player(const viewer::GlancePlayer& player, char kind) {
+  return fmt::format(
+      "<g class=\"{}\" transform=\"translate({:.1f} {:.1f})\"><circle r=\"2\"/>"
+      "<text y=\"0.85\">{}</text></g>",
+      kind, player.position.x, player.position.y, player.unum);
+}
 
 std::string pitch_circle(soccer::Vec2 at, double radius, char kind) {
   return fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>", kind, at.x,
@@ -110,8 +126,8 @@ std::string pitch(const viewer::Glance& glance) {
       "<svg class=\"pitch\" viewBox=\"-55 -36 110 72\" aria-hidden=\"true\"><path d=\"M-52.5 "
       "-34h105v68h-105zM0 -34v68M-9.15 0a9.15 9.15 0 1 0 18.3 0a9.15 9.15 0 1 0 -18.3 0M-52.5 "
       "-20.16h16.5v40.32h-16.5M52.5 -20.16h-16.5v40.32h16.5\"/>";
-  for (const soccer::Vec2 at : glance.left_players) text += pitch_circle(at, 1.7, 'l');
-  for (const soccer::Vec2 at : glance.right_players) text += pitch_circle(at, 1.7, 'r');
+  for (const viewer::GlancePlayer& one : glance.left_players) text += pitch_player(one, 'l');
+  for (const viewer::GlancePlayer& one : glance.right_players) text += pitch_player(one, 'r');
   return text + pitch_circle(glance.ball, 1.2, 'b') + "</svg>\n";
 }
 

@@ -88,8 +88,9 @@ class Viewer {
       if (const std::string history = history_text(*match); !history.empty()) {
         shown.occasion += shown.occasion.empty() ? history : " · " + history;
       }
-      if (groups.empty() || groups.back().title != title) groups.push_back({title, {}});
-      groups.back().content.push_back(std::move(shown));
+      auto group = std::ranges::find(groups, title, &SpectatorGroup<SpectatorMatch>::title);
+      if (group == groups.end()) group = groups.insert(groups.end(), {title, {}});
+      group->content.push_back(std::move(shown));
     }
   }
 

@@ -24,7 +24,7 @@ void read_players(const std::string& frame, Glance& glance) {
     const int count = std::sscanf(frame.c_str() + at, " ((%c %d) %d %x %lf %lf", &side, &unum,
                                   &type, &flags, &place.x, &place.y);
     if (count != 6 || (flags & 1U) == 0) continue;
-    (side == 'l' ? glance.left_players : glance.right_players).push_back(place);
+    (side == 'l' ? glance.left_players : glance.right_players).push_back({unum, place});
   }
 }
 

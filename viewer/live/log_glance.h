@@ -11,13 +11,18 @@
 
 namespace cls::viewer {
 
+struct GlancePlayer {
+  int unum = 0;
+  soccer::Vec2 position;
+};
+
 struct Glance {
   int cycle = 0;
   int left = 0;  ///< goals
   int right = 0;
   soccer::Vec2 ball;
-  std::vector<soccer::Vec2> left_players = {};  ///< on the pitch
-  std::vector<soccer::Vec2> right_players = {};
+  std::vector<GlancePlayer> left_players = {};  ///< on the pitch
+  std::vector<GlancePlayer> right_players = {};
 };
 
 /// Follows a text log (rcg 4 to 6). Each call reads what was added; a compressed log, which arrives

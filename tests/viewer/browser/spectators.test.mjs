@@ -52,12 +52,23 @@ function writeCup(folder, count) {
 
 const run = (folder, mode, ...more) => start('tournament', 'run', folder, '--quiet', '--no-preflight', '--concurrency', '2', '--mode', mode, ...more);
 
+/** Names of running matches that stand on more than one line, although they are not as wide as names may be. */
+function brokenNames(page) {
+  return page.evaluate(() => [...document.querySelectorAll('.card .name')].filter((each) => {
+    const range = document.createRange();
+    range.selectNodeContents(each.lastChild);
+    const lines = new Set([...range.getClientRects()].map((rect) => Math.round(rect.top)));
+    return lines.size > 1 && !each.textContent.startsWith('WWW');
+  }).map((each) => each.textContent));
+}
+
 /** Opens the page at each size in both themes: nothing is wider than the window, and axe finds nothing. */
 async function checkSizes(url, name) {
   for (const [size, [width, height]] of Object.entries(kSizes)) {
     for (const colorScheme of ['light', 'dark']) {
       const {page, problems, context} = await openPage(browser, url, /^http:\/\/127\.0\.0\.1:/, {viewport: {width, height}, colorScheme});
       await page.waitForTimeout(1500);
+      assert.deepEqual(await brokenNames(page), [], `${name}, ${size}: names broken inside`);
       const [wide, cut] = await page.evaluate(() => {
         const {scrollWidth, clientWidth} = document.documentElement;
         const cut = [...document.querySelectorAll('.name, h1, h2, .score')].filter((each) => each.scrollWidth > each.clientWidth + 1 && each.clientWidth > 0);
