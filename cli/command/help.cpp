@@ -114,6 +114,10 @@ std::string signature_of(const Option& option) {
 
 std::string description_of(const Option& option) {
   std::string text = option.help;
+  // The width of the help folds it; only lines that are indented stay lines.
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
+    if (at + 1 < text.size() && text[at + 1] != ' ') text[at] = ' ';
+  }
   if (!option.environment.empty()) text += fmt::format(" (environment: {})", option.environment);
   if (!option.default_text.empty()) text += fmt::format(" (default: {})", option.default_text);
   return text;

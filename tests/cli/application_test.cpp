@@ -113,6 +113,23 @@ TEST(Application, HelpFits80Columns) {
   }
 }
 
+// A line of an option's help ends where the next word does not fit.
+TEST(Application, HelpFoldsOptionsAtItsWidthOnly) {
+  constexpr std::size_t kColumn = 30;
+  const std::string margin(kColumn, ' ');
+  for (const Words& words : commands()) {
+    const std::string text = run(with(words, {"--help"})).out;
+    std::istringstream help(text.substr(text.find("\nOptions:\n")));
+    std::string before;
+    for (std::string line; std::getline(help, line); before = line) {
+      const bool continues = line.starts_with(margin) && line[kColumn] != ' ';
+      if (!continues || before.size() <= kColumn || before[kColumn - 1] != ' ') continue;
+      const std::string word = line.substr(kColumn, line.find(' ', kColumn) - kColumn);
+      EXPECT_GT(before.size() + 1 + word.size(), 80U) << before << "\n" << line;
+    }
+  }
+}
+
 TEST(Application, HelpNamesNoTypeOfTheParser) {
   for (const Words& words : commands()) {
     const std::string help = run(with(words, {"--help"})).out;
