@@ -30,6 +30,7 @@ CLI::Option* declare(CLI::App& app, const Option& option) {
   const bool takes_many = option.max_values == kAnyNumber;
   declared->expected(option.min_values,
                      takes_many ? CLI::detail::expected_max_vector_size : option.max_values);
+  if (option.min_values == 0) declared->default_str("true");  // without a value, as a flag
   return takes_many ? declared->allow_extra_args() : declared;
 }
 

@@ -114,7 +114,9 @@ TEST(Refusals, SayThatAnHttpServerAnswers) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
   EXPECT_EQ(result.exit_code, 69);
   EXPECT_THAT(result.err, HasSubstr("an HTTP server answers at 127.0.0.1:" + port.number() +
-                                    ", it does not speak gRPC"));
+                                    ", it does not speak gRPC, which needs HTTP/2 without TLS "
+                                    "(in ASP.NET Core: options.Listen(..., o => o.Protocols = "
+                                    "HttpProtocols.Http2))"));
   // No figures, no score and no logs of a match that did not begin.
   EXPECT_THAT(result.out, Not(HasSubstr(" 0 : 0 ")));
 
