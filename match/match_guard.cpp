@@ -22,6 +22,7 @@ constexpr std::chrono::seconds kSlowReply{3};
 
 void MatchGuard::end(MatchEnd end) {
   if (ended()) return;
+  if (end.reason == EndReason::kServerFailed && !end.fault) blame_excess(end);
   if (row_of(end.reason).traits.by_intruder) {
     if (const auto intruder = server_.intruder()) {
       end.fault = intruder->side;
@@ -45,6 +46,17 @@ void MatchGuard::end_unless_interrupted(MatchEnd end) {
   if (limits_.interrupted_within(kSignalSpread)) return;
   this->end(std::move(end));
   loop_->on_failure();
+}
+
+// A server, or the other side, may fail for want of what a side has taken.
+void MatchGuard::blame_excess(MatchEnd& end) const {
+  for (const auto& side : sides_) {
+    const std::string excess = side->excess(true);
+    if (excess.empty() || is_trainer(*side)) continue;
+    end.fault = side->identity().side;
+    end.message += fmt::format("; {}: {}", side->who(), excess);
+    return;
+  }
 }
 
 // The server may continue without a side whose Playmaker hangs: that is a stall, too.
@@ -101,11 +113,28 @@ void MatchGuard::check_sides() {
   for (const auto& side : sides_) {
     if (ended() || !loop_->needs_sides()) return;
     auto failure = side->failure(moment());
-    if (failure) end_by_side(*side, *std::move(failure));
+    if (!failure) continue;
+    // A program that gets no more processes or space may end before the match looks.
+    if (const std::string excess = side->excess(true); !excess.empty()) {
+      failure->message += fmt::format("; {}", excess);
+    }
+    end_by_side(*side, *std::move(failure));
+  }
+}
+
+void MatchGuard::check_excess() {
+  for (const auto& side : sides_) {
+    if (ended() || !loop_->needs_sides()) return;
+    const std::string excess = side->excess(false);
+    if (excess.empty()) continue;
+    end_by_side(*side, {.reason = playing_ ? EndReason::kCrashed : EndReason::kRefused,
+                        .message = fmt::format("{}: {}", side->who(), excess)});
   }
 }
 
 void MatchGuard::check() {
+  if (ended()) return;
+  check_excess();
   if (ended()) return;
 
   if (const auto gap = limits_.skip_standstill(); gap > gap.zero()) {

@@ -77,6 +77,8 @@ class MatchGuard {
   void end_by_stall();
   std::optional<EndReason> exceeded_limit() const;
   void check_sides();
+  void check_excess();
+  void blame_excess(MatchEnd& end) const;
   void warn_of_slow_reply();
 
   const MatchOptions& options_;

@@ -145,7 +145,7 @@ Result<Sides> make_sides(const MatchSetup& setup, TeamPlans teams, const SideNam
     if (side != Side::kNeutral && teams[side]) {
       sides.push_back(std::make_unique<ExternalSide>(
           identity_of(setup, side), *std::move(teams[side]), on_other_name_of(setup.options, side),
-          server, *setup.host, namespaces[side]));
+          server, *setup.host, setup.options.side_limits, namespaces[side]));
       continue;
     }
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/io/disk_space.h"
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
 #include "match/hooks/debug_action_log.h"
@@ -34,6 +35,8 @@ namespace {
 namespace fs = std::filesystem;
 using base::Result;
 using FileSink = std::unique_ptr<base::FileSink>;
+
+constexpr std::uint64_t kSpaceOfDocuments = std::uint64_t{2} << 20;
 
 // Short enough to be typed.
 std::uint64_t random_seed() { return std::random_device()(); }
@@ -164,7 +167,11 @@ MatchResult play(const MatchSetup& setup, std::unique_ptr<Match> match, const Fo
                  MatchHooks* hooks, MatchObserver& observer) {
   for (const FolderHook& hook : files) match->add_hooks(*hook);
   if (hooks != nullptr) match->add_hooks(*hooks);
+
+  base::KeptSpace for_documents;
+  if (has_external_team(setup.options)) for_documents = {setup.folder, kSpaceOfDocuments};
   match->play(observer);
+  for_documents.release();
 
   MatchResult result = match->result();
   FirstError problem;
@@ -233,15 +240,17 @@ bool stock_port_is_taken(const MatchSetup& setup) {
 
 Result<MatchResult> play_lockstep(const MatchSetup& setup, MatchHooks* hooks,
                                   MatchObserver& observer) {
-  TRY_INIT(auto logs, MatchLogs::create(setup.folder, setup.options.server));
+  TRY_INIT(auto logs,
+           MatchLogs::create(setup.folder, setup.options.server, has_external_team(setup.options)));
   TRY_INIT(const auto event_file, create_file(setup, kEventsFile));
   TRY_INIT(auto files, make_hooks(setup));
 
   EventRecorder events(*event_file);
   auto match = make_lockstep_match(setup, {logs.game(), logs.text(), &events});
   events.start(setup.names, setup.seed);
-  MatchResult result = match ? play(setup, *std::move(match), files, hooks, observer)
-                             : refused(setup, match.error().message, stock_port_is_taken(setup));
+  MatchResult result =
+      match ? play(setup, *std::move(match), files, hooks, observer)
+            : refused(setup, match.error().message, stock_port_is_taken(setup));
   events.end(result);
 
   close_files(logs.close(result), *event_file, files, result);

@@ -26,6 +26,9 @@ struct EnvironmentChange {
 struct ResourceLimits {
   std::uint64_t memory = 0;  ///< bytes of private writable memory (RLIMIT_DATA)
   int cpu_seconds = 0;       ///< user and system time; SIGXCPU, then SIGKILL (RLIMIT_CPU)
+  /// Of a program in namespaces: processes and threads that it may have at a time, with all its
+  /// descendants (Linux 6.14; as another user than root those that all programs in them have).
+  int processes = 0;
 
   bool operator==(const ResourceLimits&) const = default;
 };

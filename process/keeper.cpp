@@ -16,6 +16,7 @@
 #include <chrono>
 #include <csignal>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "process/launch.h"
@@ -63,6 +64,16 @@ bool place_passed(const std::vector<base::UniqueFd>& passed) {
     if (::dup3(passed[i].get(), kFirstPassedFd + static_cast<int>(i), O_CLOEXEC) < 0) return false;
   }
   return true;
+}
+
+// The numbers of processes in this namespace, which the kernel gives to as many (Linux 6.14). Where
+// it does not, RLIMIT_NPROC and the match limit them.
+void limit_processes(int limit) {
+  constexpr int kLeast = 301;  // of the kernel
+  if (limit == 0) return;
+  const std::string text = std::to_string(std::max(limit, kLeast));
+  const base::UniqueFd file(::open("/proc/sys/kernel/pid_max", O_WRONLY | O_CLOEXEC));
+  if (file && ::write(file.get(), text.data(), text.size()) < 0) return;
 }
 
 class Keeper {
@@ -250,6 +261,7 @@ void run_keeper(KeeperFds fds, const CommandPlan& plan) {
   if (fds.user && (!plan.files || !enter_private_root(*plan.files))) {
     fail(fds.control, LaunchStep::kMounts, errno);
   }
+  if (fds.user) limit_processes(plan.limits.processes);
 
   fds.passed.clear();
   const Launch launched = launch(plan, fds.output.get());

@@ -18,6 +18,7 @@
 #include <csignal>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -62,9 +63,20 @@ void set_limits(const ResourceLimits& limits) {
   // Between them the process may handle SIGXCPU.
   constexpr rlim_t kSecondsUntilKill = 2;
   if (limits.memory != 0) set_limit(RLIMIT_DATA, limits.memory, limits.memory);
+  if (limits.processes != 0) {
+    const auto processes = static_cast<rlim_t>(limits.processes);
+    set_limit(RLIMIT_NPROC, processes, processes);
+  }
   if (limits.cpu_seconds == 0) return;
   const auto seconds = static_cast<rlim_t>(limits.cpu_seconds);
   set_limit(RLIMIT_CPU, seconds, seconds + kSecondsUntilKill);
+}
+
+// When a host runs out of memory, the kernel ends programs of a side before all others.
+void be_ended_first() {
+  constexpr std::string_view kPoints = "500";
+  const base::UniqueFd file(::open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC));
+  if (file && ::write(file.get(), kPoints.data(), kPoints.size()) < 0) return;
 }
 
 // Runs in the new process just before exec. Returns the step that failed, with errno set.
@@ -76,6 +88,7 @@ std::optional<LaunchStep> prepare(const CommandPlan& plan, int ruleset, pid_t pa
 
   set_affinity(plan.cpus);
   set_limits(plan.limits);
+  if (plan.confined) be_ended_first();
 
   // The descriptor with which Boost reports a failed exec must stay open until exec.
   ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);

@@ -160,6 +160,7 @@ std::string encode(const CommandPlan& plan) {
   for (const int cpu : plan.cpus) add(bytes, std::to_string(cpu));
   add(bytes, std::to_string(plan.limits.memory));
   add(bytes, std::to_string(plan.limits.cpu_seconds));
+  add(bytes, std::to_string(plan.limits.processes));
   add(bytes, plan.empty_environment ? "1" : "0");
   add(bytes, plan.confined ? "1" : "0");
   add(bytes, std::to_string(plan.passed.size()));
@@ -198,6 +199,7 @@ std::optional<CommandPlan> decode_plan(std::string_view bytes) {
 
   plan.limits.memory = std::strtoull(fields.text().c_str(), nullptr, 10);
   plan.limits.cpu_seconds = fields.number();
+  plan.limits.processes = fields.number();
   plan.empty_environment = fields.number() != 0;
   plan.confined = fields.number() != 0;
   plan.passed.resize(static_cast<std::size_t>(std::max(0, fields.number())), -1);

@@ -82,6 +82,7 @@ std::optional<ProcessEntry> read_process(pid_t pid) {
 
   return ProcessEntry{.pid = pid,
                       .parent = parent,
+                      .threads = threads,
                       .cpu_seconds = ticks_to_seconds(user + system),
                       .reaped_cpu_seconds = ticks_to_seconds(
                           static_cast<unsigned long long>(fetched_user + fetched_system))};

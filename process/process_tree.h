@@ -13,6 +13,7 @@ namespace cls::process {
 struct ProcessEntry {
   pid_t pid = 0;
   pid_t parent = 0;
+  int threads = 1;
   double cpu_seconds = 0.0;         ///< its own, with a resolution of 10 ms (clock tick)
   double reaped_cpu_seconds = 0.0;  ///< of its children that have exited and were reaped
 };

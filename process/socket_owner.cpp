@@ -106,6 +106,7 @@ void SocketOwners::remember(unsigned long inode, const SocketOwner& owner) {
 
 SocketOwner SocketOwners::owner_of(const base::SocketAddress& address) {
   const auto sockets = sockets_at(bound_sockets(Protocol::kUdp), hex_host(address), address.port());
+  if (sockets.empty()) return {};  // a flood of such requests must cost nothing
   if (sockets.size() != 1) return find(inodes_of(sockets));
   const SocketEntry& socket = sockets.front();
   const auto known = known_.find(socket.inode);

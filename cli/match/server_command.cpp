@@ -337,7 +337,8 @@ int serve_match(const ServerArguments& arguments, const ServerSettings& settings
     return print_error(kCannotCreate, "{}: exists; give --dir another folder", log);
   }
 
-  TRY_INIT_OR(kCannotCreate, auto logs, match::ServerLogs::open(settings.server, start));
+  TRY_INIT_OR(kCannotCreate, auto logs,
+              match::ServerLogs::open(settings.server, start, settings.bound.has_value()));
   (*server)->record(logs.sinks());
   std::optional<simulator::KeepawayRecorder> keepaway;
   if (logs.keepaway() != nullptr) keepaway.emplace(*logs.keepaway());

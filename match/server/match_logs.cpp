@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "base/io/background_sink.h"
+#include "base/io/disk_space.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "gamelog/rcg/rcg_writer.h"
 #include "gamelog/rcg/record_writer.h"
 #include "match/result/match_folder.h"
+#include "match/server/server_logs.h"
 
 namespace cls::match {
 namespace {
@@ -69,7 +71,8 @@ std::string running_game_log(const MatchOptions& options) {
   return fmt::format("{}{}", kGameLogFile, base::compressed_suffix(compression));
 }
 
-Result<MatchLogs> MatchLogs::create(const fs::path& folder, const soccer::ServerParams& params) {
+Result<MatchLogs> MatchLogs::create(const fs::path& folder, const soccer::ServerParams& params,
+                                    bool keep_space) {
   MatchLogs logs;
   const auto open = [&](bool wanted, const char* file, int compression, std::string& name,
                         std::unique_ptr<base::ByteSink>& sink) -> Result<void> {
@@ -78,6 +81,9 @@ Result<MatchLogs> MatchLogs::create(const fs::path& folder, const soccer::Server
     name = std::string(file).append(base::compressed_suffix(level(compression)));
     TRY_INIT(auto created, base::create_log_file((folder / name).string(), level(compression)));
     sink = std::move(created);
+    if (!keep_space) return {};
+    logs.kept_.push_back(folder / name);
+    base::reserve_space(folder / name, kSpaceOfLog);
     return {};
   };
 
@@ -98,6 +104,7 @@ Result<void> MatchLogs::close(MatchResult& result) {
     auto closed = sink->close();
     if (first) first = std::move(closed);
   }
+  std::ranges::for_each(kept_, base::release_space);
   return first;
 }
 

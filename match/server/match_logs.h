@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/io/byte_sink.h"
 #include "base/result.h"
@@ -19,8 +20,9 @@ namespace cls::match {
 class MatchLogs {
  public:
   /// The error names the file that cannot be created.
+  /// `keep_space`: for a match beside programs that may fill the disk.
   static base::Result<MatchLogs> create(const std::filesystem::path& folder,
-                                        const soccer::ServerParams& params);
+                                        const soccer::ServerParams& params, bool keep_space);
 
   base::ByteSink* game() { return game_.get(); }  ///< nullptr: not wanted
   base::ByteSink* text() { return text_.get(); }
@@ -33,6 +35,7 @@ class MatchLogs {
   std::unique_ptr<base::ByteSink> text_;
   std::string game_name_;
   std::string text_name_;
+  std::vector<std::filesystem::path> kept_;  ///< files with space for more
 };
 
 /// The file of the game log while the match is played; empty: none is wanted. An external server

@@ -62,7 +62,8 @@ Result<ServerLogs::Log> ServerLogs::open(const Wish& wish, const std::string& da
   return log;
 }
 
-Result<ServerLogs> ServerLogs::open(const soccer::ServerParams& p, std::time_t start) {
+Result<ServerLogs> ServerLogs::open(const soccer::ServerParams& p, std::time_t start,
+                                    bool keep_space) {
   const std::string date = formatted(p.log_date_format, start);
   ServerLogs logs;
   logs.version_ = gamelog::rcg_version(p.game_log_version).value_or(gamelog::RcgVersion::kV6);
@@ -81,7 +82,9 @@ Result<ServerLogs> ServerLogs::open(const soccer::ServerParams& p, std::time_t s
   for (const auto& [log, wish] : wishes) {
     TRY_INIT(auto opened, open(wish, date));
     *log = std::move(opened);
+    if (keep_space && log->sink != nullptr) base::reserve_space(log->path, kSpaceOfLog);
   }
+  logs.keeps_space_ = keep_space;
   return logs;
 }
 
@@ -89,9 +92,11 @@ simulator::LogSinks ServerLogs::sinks() const {
   return {game_.sink.get(), text_.sink.get(), version_, date_};
 }
 
-Result<void> ServerLogs::finish(Log& log, const std::string& match) {
+Result<void> ServerLogs::finish(Log& log, const std::string& match) const {
   if (log.sink == nullptr) return {};
-  TRY(log.sink->close());
+  const auto closed = log.sink->close();
+  if (keeps_space_) base::release_space(log.path);
+  TRY(closed);
   if (log.fixed) return {};
 
   const std::filesystem::path last = log.path.parent_path() / (log.date + match + log.ending);

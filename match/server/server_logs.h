@@ -1,6 +1,7 @@
 // Log files of `cls server`, with the names of rcssserver.
 #pragma once
 
+#include <cstdint>
 #include <ctime>
 #include <filesystem>
 #include <memory>
@@ -15,6 +16,9 @@
 
 namespace cls::match {
 
+/// Enough for each log of a whole match.
+inline constexpr std::uint64_t kSpaceOfLog = std::uint64_t{16} << 20;
+
 /// The date of a match that begins then, in local time.
 gamelog::LogDate log_date(std::time_t start);
 
@@ -27,7 +31,9 @@ class ServerLogs {
  public:
   /// The error names the file or folder that cannot be created. game_log_version must be one (see
   /// gamelog::rcg_version).
-  static base::Result<ServerLogs> open(const soccer::ServerParams& params, std::time_t start);
+  /// `keep_space`: for a match beside programs that may fill the disk.
+  static base::Result<ServerLogs> open(const soccer::ServerParams& params, std::time_t start,
+                                       bool keep_space = false);
 
   /// nullptr: no such log.
   simulator::LogSinks sinks() const;
@@ -50,13 +56,14 @@ class ServerLogs {
   struct Wish;
 
   static base::Result<Log> open(const Wish& wish, const std::string& date);
-  static base::Result<void> finish(Log& log, const std::string& match);
+  base::Result<void> finish(Log& log, const std::string& match) const;
 
   Log game_;
   Log text_;
   Log keepaway_;
   gamelog::RcgVersion version_ = gamelog::RcgVersion::kV6;
   gamelog::LogDate date_;
+  bool keeps_space_ = false;
 };
 
 }  // namespace cls::match

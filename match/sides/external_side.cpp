@@ -29,6 +29,9 @@ constexpr int kEndDelayCycles = 15;
 // A coach is the last agent of a team to start.
 constexpr int kCoachDelayCycles = 300;
 
+// Above that of the match, which says who exceeds it.
+int kernel_limit(int processes) { return processes + processes / 4 + 64; }
+
 milliseconds time_until(Clock::time_point end) {
   const auto left = std::chrono::duration_cast<milliseconds>(end - Clock::now());
   return std::max(left, milliseconds(0));
@@ -42,22 +45,39 @@ bool has_succeeded(const process::Child& child) {
 }  // namespace
 
 // A team in a sandbox cannot use the folder for temporary files of all programs.
+Result<void> ExternalSide::make_temporary_folder() {
+  if (temporary_) return {};
+  TRY_INIT(auto folder, process::ScratchFolder::create());
+  temporary_.emplace(std::move(folder));
+  return {};
+}
+
+Result<void> ExternalSide::begin_use() {
+  std::vector<std::filesystem::path> folders;
+  for (const AgentPlan& agent : plan_.agents) folders.push_back(agent.command.folder);
+  if (plan_.agents.front().command.empty_environment) {
+    TRY(make_temporary_folder());
+    folders.push_back(temporary_->path());
+  }
+  use_.begin(std::move(folders));
+  return {};
+}
+
 Result<std::shared_ptr<process::Child>> ExternalSide::start(process::CommandPlan plan) {
   if (!plan.empty_environment) return host_.start(plan);
-  if (!temporary_) {
-    TRY_INIT(auto folder, process::ScratchFolder::create());
-    temporary_.emplace(std::move(folder));
-  }
+  TRY(make_temporary_folder());
   // In namespaces there are no links to it.
   std::error_code code;
   const std::filesystem::path folder = std::filesystem::canonical(temporary_->path(), code);
   if (plan.files) plan.files->writable.push_back(folder);
   plan.environment.push_back({"TMPDIR", folder.string()});
   plan.namespaces = namespaces_;
+  if (namespaces_ != nullptr) plan.limits.processes = kernel_limit(limits_.processes);
   return host_.start(plan);
 }
 
 Result<void> ExternalSide::start_next() {
+  if (agents_.empty()) TRY(begin_use());
   const AgentPlan& next = plan_.agents[agents_.size()];
   TRY_INIT(auto child, start(next.command));
   agents_.push_back({next.unum, std::move(child)});

@@ -11,6 +11,8 @@
 #include "match/programs/team_folder.h"
 #include "match/server/match_server.h"
 #include "match/sides/match_side.h"
+#include "match/sides/side_use.h"
+#include "match/terms/side_limits.h"
 #include "process/process_host.h"
 #include "process/scratch_folder.h"
 
@@ -24,15 +26,17 @@ class ExternalSide : public MatchSide {
   enum class OnOtherName { kAccept, kWarn, kRefuse };
 
   /// `server` and `host` must outlive the side. Nothing is started yet. The programs start in
-  /// `namespaces`; null: in those of cls.
+  /// `namespaces`; null: in those of cls. Together they may use of the host what `limits` says.
   ExternalSide(SideIdentity identity, TeamPlan plan, OnOtherName on_other_name, Server& server,
-               process::ProcessHost& host,
+               process::ProcessHost& host, const SideLimits& limits = {},
                std::shared_ptr<const process::Namespaces> namespaces = nullptr)
       : MatchSide(std::move(identity)),
         plan_(std::move(plan)),
         on_other_name_(on_other_name),
         server_(server),
         host_(host),
+        limits_(limits),
+        use_(this->identity().side, limits),
         namespaces_(std::move(namespaces)) {}
 
   bool is_external() const override { return true; }
@@ -46,6 +50,7 @@ class ExternalSide : public MatchSide {
   std::optional<MatchEnd> failure(const MatchMoment& moment) override;
   std::optional<MatchEnd> final_failure(const MatchMoment& moment) override;
   std::vector<std::string> take_warnings() override;
+  std::string excess(bool at_once) override { return use_.excess(at_once); }
   void leave() override;
   void terminate() override;
   std::vector<ProcessResult> wait_gone() override;
@@ -67,6 +72,8 @@ class ExternalSide : public MatchSide {
   base::Result<void> continue_joining(const ServerStatus& server,
                                       const std::vector<std::string>& others);
   base::Result<void> start_next();
+  base::Result<void> make_temporary_folder();
+  base::Result<void> begin_use();
   base::Result<std::shared_ptr<process::Child>> start(process::CommandPlan plan);
   bool find_name(const ServerStatus& server, const std::vector<std::string>& others);
   base::Result<void> check_name();
@@ -85,6 +92,8 @@ class ExternalSide : public MatchSide {
   OnOtherName on_other_name_;
   Server& server_;
   process::ProcessHost& host_;
+  SideLimits limits_;
+  SideUse use_;
   std::shared_ptr<const process::Namespaces> namespaces_;
   std::optional<process::ScratchFolder> temporary_;  ///< of a team in a sandbox
   std::string name_;              ///< that the team plays under; empty before its first player

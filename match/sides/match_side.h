@@ -124,6 +124,9 @@ class MatchSide {
     return std::nullopt;
   }
   virtual std::vector<std::string> take_warnings() { return {}; }
+  /// The limit of what a side may use of this host that its programs exceed; empty: none. Measured
+  /// now and then, or `at_once`.
+  virtual std::string excess(bool /*at_once*/) { return {}; }
   /// Cancels calls to the Playmaker.
   virtual void cancel() {}
 

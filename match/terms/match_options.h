@@ -12,6 +12,7 @@
 #include "base/result.h"
 #include "match/terms/endpoint.h"
 #include "match/terms/server_choice.h"
+#include "match/terms/side_limits.h"
 #include "process/command_plan.h"
 #include "proxy/agent/debug_options.h"
 #include "proxy/agent/on_late.h"
@@ -85,6 +86,7 @@ struct MatchOptions {
   Sandbox sandbox = Sandbox::kOn;  ///< of `team:` sides
   bool bind_clients = true;        ///< players and coaches of a side come from its own programs
   process::ResourceLimits limits;  ///< of each process that a `run:` or `team:` side starts
+  SideLimits side_limits;          ///< of all processes of a `team:` side
 
   bool pin = false;  ///< pin_sides() chooses the cores
   TlsFileNames tls;

@@ -213,6 +213,15 @@ std::string shown_memory(const Options& options) {
   return memory == 0 ? std::string() : base::byte_size_text(memory);
 }
 
+std::string shown_side_memory(const Options& options) {
+  const std::uint64_t memory = options.side_limits.memory;
+  return memory == 0 ? std::string() : base::byte_size_text(memory);
+}
+
+std::string shown_side_disk(const Options& options) {
+  return base::byte_size_text(options.side_limits.disk);
+}
+
 std::string shown_cpu_seconds(const Options& options) {
   const int seconds = options.limits.cpu_seconds;
   return seconds == 0 ? std::string() : fmt::to_string(seconds);
@@ -362,6 +371,19 @@ std::vector<Row> limit_rows() {
           "their own (default: no limit)")
           .showing(shown_cpu_seconds)
           .in_toml_of_runs("600"),
+      row("side_processes", in(&Options::side_limits, &SideLimits::processes), "N", whole(1),
+          "processes and threads that the programs of a team: side may be (default: 4096)")
+          .in_toml_of_runs("8000"),
+      parsed("side_memory", in(&Options::side_limits, &SideLimits::memory), "SIZE",
+             text("a size such as 512M or 2G"), base::parse_byte_size,
+             "memory of all programs of a team: side (default: two fifths of this host's)")
+          .showing(shown_side_memory)
+          .in_toml_of_runs("\"8G\""),
+      parsed("side_disk", in(&Options::side_limits, &SideLimits::disk), "SIZE",
+             text("a size such as 512M or 2G"), base::parse_byte_size,
+             "what all programs of a team: side may add to their folders (default: 1G)")
+          .showing(shown_side_disk)
+          .in_toml_of_runs("\"4G\""),
   };
 }
 

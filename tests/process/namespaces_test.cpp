@@ -151,6 +151,28 @@ TEST_F(InNamespaces, AreKnownByTheirNumberOnThisHost) {
 }
 
 // The opposite of a process that leaves its parent, and its session.
+// The kernel counts the processes of each namespace, or those of a user in it.
+TEST_F(InNamespaces, HaveNoMoreProcessesThanTheyMay) {
+  CommandPlan plan = plan_of(
+      "i=0; while [ $i -lt 600 ] && sleep 60 & do i=$((i + 1)); echo $i > count; done; wait");
+  plan.limits.processes = 310;
+  const auto child = processes_.start(plan);
+  const fs::path count = path("own/count");
+  const auto counted = [&count] {
+    int number = 0;
+    std::ifstream(count) >> number;
+    return number;
+  };
+
+  int last = -1;
+  while (counted() != last || last < 1) {
+    last = counted();
+    std::this_thread::sleep_for(500ms);
+  }
+  EXPECT_LT(last, 311);
+  EXPECT_GT(last, 200);
+}
+
 TEST_F(InNamespaces, EndTogether) {
   const auto child = processes_.start(
       plan_of("trap '' TERM; setsid sh -c 'trap \"\" TERM; while :; do sleep 1; done' & echo on; "

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <thread>
 #include <utility>
@@ -31,7 +32,10 @@ inline UdpConfig quick_match() {
 /// Runs a server. Access the world only after stop().
 class RunningServer {
  public:
-  explicit RunningServer(const UdpConfig& config) : server(std::move(*UdpServer::open(config))) {
+  using Prepare = std::function<void(UdpServer&)>;
+  explicit RunningServer(const UdpConfig& config, const Prepare& prepare = {})
+      : server(std::move(*UdpServer::open(config))) {
+    if (prepare) prepare(*server);
     server->record({&game_log, &text_log});
     port = server->port();
     thread_ = std::thread([this] {

@@ -191,8 +191,8 @@ int count_senses(UdpClient& client, int most) {
 
 /// A server in real time whose client must receive its senses during a flood.
 template <typename Start, typename Send>
-void expect_senses(Start start, Send send) {
-  RunningServer running(real_time_match());
+void expect_senses(Start start, Send send, const RunningServer::Prepare& prepare = {}) {
+  RunningServer running(real_time_match(), prepare);
   UdpClient client(running.port);
   client.send("(init A (version 18))");
   ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
@@ -216,6 +216,19 @@ TEST(UdpStorm, FloodOfRequestsDelaysNoClient) {
 
 TEST(UdpStorm, FloodOnListeningPortDelaysNoClient) {
   expect_senses([](UdpClient&) {}, [](UdpClient& stranger) { stranger.send("(dash 100)"); });
+}
+
+// The sender of each request is a process among many.
+TEST(UdpStorm, FloodOfRequestsToBecomeAClientDelaysNoClient) {
+  const auto bind_clients = [](UdpServer& server) {
+    const auto slowly = [](const base::SocketAddress&) {
+      std::this_thread::sleep_for(milliseconds(5));
+      return ClientRights{};
+    };
+    server.bind_clients(slowly, {});
+  };
+  expect_senses([](UdpClient&) {}, [](UdpClient& stranger) { stranger.send("(reconnect A 7)"); },
+                bind_clients);
 }
 
 }  // namespace
