@@ -21,10 +21,12 @@
 #include "match/hooks/situation_run.h"
 #include "match/hooks/world_model_recorder.h"
 #include "match/match_setup.h"
+#include "match/programs/team_folder.h"
 #include "match/programs/team_sandbox.h"
 #include "match/result/late_warnings.h"
 #include "match/result/match_folder.h"
 #include "match/server/match_logs.h"
+#include "match/server/match_plan.h"
 #include "match/terms/match_settings.h"
 #include "process/ports.h"
 #include "soccer/per_side.h"
@@ -207,6 +209,34 @@ MatchResult refused(const MatchSetup& setup, std::string message, bool try_again
   return result;
 }
 
+// The side whose start script cannot be run, where no program of the other side could take that
+// away: a team must not void its matches so.
+std::optional<soccer::Side> side_without_program(const MatchSetup& setup) {
+  std::optional<soccer::Side> found;
+  for (const soccer::Side side : soccer::kBothSides) {
+    const Endpoint& endpoint = endpoint_of(setup.options, side);
+    if (endpoint.kind != Endpoint::Kind::kTeam) continue;
+    const TeamValues values =
+        team_values(setup.options, setup.names, side, "127.0.0.1", {}, setup.folder);
+    if (team_plan(endpoint, values)) continue;
+    if (found) return std::nullopt;
+    found = side;
+  }
+  if (!found) return found;
+
+  const soccer::Side other = soccer::opponent(*found);
+  const bool out_of_reach =
+      !endpoint_of(setup.options, other).starts_programs() || has_namespaces(setup.options, other);
+  return out_of_reach ? found : std::nullopt;
+}
+
+// A match whose programs, server or sides are not as its options say.
+MatchResult refused_by_setup(const MatchSetup& setup, std::string message, bool try_again) {
+  MatchResult result = refused(setup, std::move(message), try_again);
+  result.fault = side_without_program(setup);
+  return result;
+}
+
 // Closes the files of a match whose logs are `complete`; the first error becomes that of the
 // result.
 void close_files(const Result<void>& complete, base::FileSink& events, const FolderHookList& files,
@@ -250,7 +280,7 @@ Result<MatchResult> play_lockstep(const MatchSetup& setup, MatchHooks* hooks,
   events.start(setup.names, setup.seed);
   MatchResult result =
       match ? play(setup, *std::move(match), files, hooks, observer)
-            : refused(setup, match.error().message, stock_port_is_taken(setup));
+            : refused_by_setup(setup, match.error().message, stock_port_is_taken(setup));
   events.end(result);
 
   close_files(logs.close(result), *event_file, files, result);
@@ -265,7 +295,7 @@ Result<MatchResult> play_over_udp(const MatchSetup& setup, MatchHooks* hooks,
 
   MatchResult result;
   auto plan = plan_match(setup.options, setup.names, setup.seed, setup.folder);
-  if (!plan) return refused(setup, plan.error().message, false);
+  if (!plan) return refused_by_setup(setup, plan.error().message, false);
   if (const std::string in_use = port_in_use(*plan); !in_use.empty()) {
     result = refused(setup, in_use, true);
   } else {

@@ -319,6 +319,23 @@ TEST_F(Namespaces, AreMissedWithOneWarning) {
                                      "namespace: No space left on device"));
 }
 
+// A team cannot void its matches by its own script, and its opponent cannot make it lose them.
+TEST_F(Namespaces, ShowWhoseFaultAScriptIsThatCannotBeRun) {
+  for (const char* level : {"files", "namespaces"}) {
+    add_team("guests", "");
+    ::chmod(path("guests/start.sh").c_str(), 0644);
+    const CommandResult refused = play({std::string("--sandbox=") + level});
+    EXPECT_EQ(refused.exit_code, 69) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr("start.sh"));
+    const auto result = base::Json::parse(read_file(path("match/result.json")));
+    if (std::string(level) == "namespaces") {
+      EXPECT_EQ(result["fault"], "right");
+    } else {
+      EXPECT_TRUE(result["fault"].is_null());
+    }
+  }
+}
+
 TEST_F(Namespaces, NeedTheEmbeddedServerAndBoundClients) {
   add_team("guests", "");
   EXPECT_THAT(play({"--sandbox=namespaces", "--no-bind-clients"}),
