@@ -98,12 +98,12 @@ class Campaign:
 
     def play(self):
         """True when the tournament is complete."""
-        plan.write(self.folder, self.plan, self.cls, self.forwarder.port, self.references.thief)
+        plan.write(self.folder, self.plan, self.cls, self.forwarder.port, self.references.villains)
         count = self.random.randint(1, self.options.faults)
         self.start()
         for _ in range(count):
             time.sleep(self.random.choice([0.0, 0.05, 0.2, 0.5, 1.0]) * self.random.random())
-            fault = faults.choose(self.random, self.options.only)
+            fault = faults.choose(self.random, self.options.only or self.plan.get("faults"))
             self.last_fault = fault.__name__
             # A store can only be damaged between two runs.
             if fault is faults.corrupt_store and self.is_running():
@@ -214,12 +214,24 @@ class Campaign:
             if path.exists():
                 self.violate(f"a killed `work` left {path.relative_to(self.folder)}")
 
+    def check_loser(self, document):
+        """A team that breaks the rules loses each of its matches by forfeit, and nobody else does."""
+        loser = self.plan.get("loser")
+        for match in document["matches"] if loser else []:
+            sides = {"left": match["left"], "right": match["right"]}
+            fair = [side for side, team in sides.items() if team != loser]
+            wanted = fair[0] if len(fair) == 1 else None
+            got = match.get("winner") if match.get("forfeit") else None
+            if got != wanted:
+                self.violate(f"match {match['index']} {sides}: won by forfeit: {got}, not {wanted}")
+
     def check_outcome(self):
         document, errors, code = plan.report(self.cls, self.folder)
         if document is None:
             self.violate(f"no report: exit {code}: {errors}")
             return
         self.check_unfinished(document)
+        self.check_loser(document)
         got = plan.outcome(document, self.folder, self.plan)
         wanted = self.wanted
         if got == wanted:
