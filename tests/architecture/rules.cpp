@@ -155,10 +155,10 @@ const std::vector<ForbiddenHeader>& forbidden_headers() {
   return table;
 }
 
-/// Code that some folders must not contain, except files whose path starts with `except`.
+/// Code that some folders must not contain, except files whose path starts with one of `except`.
 struct ForbiddenCode {
   Folders folders;
-  std::string except;
+  std::vector<std::string> except;
   std::regex pattern;
   std::string message;
 };
@@ -171,23 +171,23 @@ const std::vector<ForbiddenCode>& forbidden_code() {
 
   static const std::vector<ForbiddenCode> table = {
       {{"base", "soccer", "simulator", "training", "player", "proxy", "mock-server"},
-       "soccer/math.",
+       {"soccer/math.", "soccer/portable_math."},
        std::regex(R"((\bstd::|(^|[^\w:])::|(^|[^\w:.>])))" + functions + R"(\s*\()"),
        "last bits depend on the CPU; use soccer/math.h"},
       {{"base", "soccer", "simulator", "training", "player", "proxy", "mock-server"},
-       "",
+       {},
        std::regex(R"(\bstd::(\w+_distribution|random_device|shuffle|sample|generate_canonical)\b)"),
        "differs between libraries or runs; use the seeded streams of soccer/random.h"},
       {{"base", "soccer", "simulator", "training", "player", "proxy", "mock-server"},
-       "",
+       {},
        std::regex(R"((\bstd::|(^|[^\w:.>]))(rand|srand|random|drand48)\s*\()"),
        "hidden global state; use the seeded streams of soccer/random.h"},
       {{"simulator"},
-       "simulator/server",
+       {"simulator/server"},
        std::regex(R"(\bstd::(chrono|thread|jthread|mutex|this_thread|async|atomic|time)\b)"),
        "no clocks or threads below simulator/server*"},
       {{"tests"},
-       "tests/support/",
+       {"tests/support/"},
        std::regex(R"(\b(TempDir|temp_directory_path|tmpnam)\s*\()"),
        "shared between concurrent runs; use tests/support/temporary_folder.h"},
   };
@@ -199,9 +199,13 @@ bool starts_with(std::string_view text, std::string_view start) {
   return text.substr(0, start.size()) == start;
 }
 
-bool applies(const Folders& folders, const std::string& except, const std::string& path) {
+bool applies(const Folders& folders, const std::vector<std::string>& except,
+             const std::string& path) {
   const std::string library = library_of(path);
-  if (library.empty() || (!except.empty() && starts_with(path, except))) return false;
+  const auto is_excepted = [&](const std::string& start) {
+    return !start.empty() && starts_with(path, start);
+  };
+  if (library.empty() || std::ranges::any_of(except, is_excepted)) return false;
   return folders.count(library) != 0 || folders.count(library + "/" + layer_of(library, path)) != 0;
 }
 
@@ -281,7 +285,7 @@ std::vector<Violation> check_forbidden_headers(const SourceFile& file) {
   std::vector<Violation> violations;
   for (const Include& include : includes_of(file.text)) {
     for (const ForbiddenHeader& rule : forbidden_headers()) {
-      if (!applies(rule.folders, rule.except, file.path)) continue;
+      if (!applies(rule.folders, {rule.except}, file.path)) continue;
       const bool hit =
           std::any_of(rule.headers.begin(), rule.headers.end(),
                       [&](const auto& entry) { return is_header(include.path, entry); });
