@@ -51,15 +51,16 @@ function(cls_unoptimized target)
 endfunction()
 
 # cls_test(<folder> SOURCES <files...> [LINK <targets...>] [NEEDS <targets...>] [TIMEOUT <seconds>]
-#   [PCH <name>] [SHARDS <number> | SLOW] [ALONE <files...>] [HOT <files...>])
+#   [PCH <name>] [SHARDS <number> | SLOW] [ALONE <files...>] [HOT <files...> | OPTIMIZED])
 # One GoogleTest binary for tests/<folder>, `cls_<folder>_tests`, linked with the folder's library.
 # NEEDS lists what must be built although it is not linked (the binary `cls`). In CTest each test is
 # an entry <folder>.<Suite>.<Case> with the label <folder>; where no process is tested, SHARDS entries
 # run all of them instead: starting a binary costs more than such a test, and test-results/ has their
 # names and times. SLOW tests have the label <folder>.slow: `make test` leaves them to `make
-# slow-test`. Paths: see tests/support/files.h.
+# slow-test`. OPTIMIZED is for tests that work in their own code alone. Paths: see
+# tests/support/files.h.
 function(cls_test folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SLOW" "TIMEOUT;PCH;SHARDS" "SOURCES;LINK;NEEDS;ALONE;HOT")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SLOW;OPTIMIZED" "TIMEOUT;PCH;SHARDS" "SOURCES;LINK;NEEDS;ALONE;HOT")
   if(NOT arg_SOURCES)
     return()
   endif()
@@ -77,8 +78,14 @@ function(cls_test folder)
   endif()
   target_link_libraries(${target} PRIVATE
     ${arg_LINK} cls_test_support GTest::gmock GTest::gtest_main cls_warnings)
-  cls_unoptimized(${target})
   cls_unity(${target} ${arg_ALONE})
+  if(NOT arg_OPTIMIZED)
+    cls_unoptimized(${target})
+    if(NOT arg_PCH)
+      set(arg_PCH tests)
+    endif()
+    target_precompile_headers(${target} REUSE_FROM cls_pch_${arg_PCH})
+  endif()
   # Precompiled headers belong to one level of optimization.
   set_source_files_properties(${arg_HOT} PROPERTIES
     COMPILE_OPTIONS "$<$<CONFIG:RelWithDebInfo,Release>:-O2>"
@@ -88,10 +95,6 @@ function(cls_test folder)
   if(arg_SLOW)
     string(APPEND label ".slow")
   endif()
-  if(NOT arg_PCH)
-    set(arg_PCH tests)
-  endif()
-  target_precompile_headers(${target} REUSE_FROM cls_pch_${arg_PCH})
   if(arg_NEEDS)
     add_dependencies(${target} ${arg_NEEDS})
   endif()
