@@ -16,6 +16,8 @@ namespace cls::match {
 namespace {
 
 constexpr std::chrono::milliseconds kInterval{500};
+// Of walks through the folders, whatever the disks say: what others free hides what a side writes.
+constexpr std::chrono::seconds kWalkInterval{5};
 // What a match needs for its own files.
 constexpr std::uint64_t kNeededSpace = std::uint64_t{16} << 20;
 
@@ -55,6 +57,7 @@ void SideUse::begin(std::vector<std::filesystem::path> folders) {
     disks_.push_back({folder, free, free, free});
   }
   next_ = Clock::now() + kInterval;
+  next_walk_ = Clock::now() + kWalkInterval;
 }
 
 std::string SideUse::excess(bool at_once) {
@@ -87,13 +90,14 @@ bool SideUse::Disk::is_full() const {
 // Others fill disks, too: only a walk through its folders shows what the side has written.
 bool SideUse::must_measure_disk() const {
   constexpr std::uint64_t kShare = 8;
-  return std::ranges::any_of(disks_, [this](const Disk& disk) {
-    const bool less = disk.free + limits_.disk / kShare < disk.free_when_measured;
-    return less || (disk.is_full() && disk.free < disk.free_when_measured);
-  });
+  return Clock::now() >= next_walk_ || std::ranges::any_of(disks_, [this](const Disk& disk) {
+           const bool less = disk.free + limits_.disk / kShare < disk.free_when_measured;
+           return less || (disk.is_full() && disk.free < disk.free_when_measured);
+         });
 }
 
 std::uint64_t SideUse::written() {
+  next_walk_ = Clock::now() + kWalkInterval;
   for (Disk& disk : disks_) disk.free_when_measured = disk.free;
   const std::uint64_t now =
       base::bytes_below(folders_) + process::unnamed_bytes_of_programs(programs_, devices_);

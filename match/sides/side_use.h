@@ -52,6 +52,7 @@ class SideUse {
   std::set<dev_t> devices_;
   std::uint64_t bytes_at_start_ = 0;
   Clock::time_point next_;
+  Clock::time_point next_walk_;
 };
 
 }  // namespace cls::match
