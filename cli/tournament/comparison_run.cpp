@@ -68,6 +68,7 @@ int run_comparison(const Comparison& comparison, const std::filesystem::path& fo
 
   const OpenedFolder opened = begin_session(options.folder, options.config, session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
+  warn_of_twins(options.config, session);
   known = verdict(comparison, opened.matches);
   const auto summary =
       run_tournament(options, executors_in(options.folder), progress, watch_interrupts());

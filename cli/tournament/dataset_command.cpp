@@ -225,6 +225,7 @@ int make_dataset(const MakeArguments& arguments) {
     return print_error(kBadData, "{}: {}", arguments.folder, checked.error().message);
   }
 
+  warn_of_twins(config, arguments.session);
   Packer packer(options.config, arguments.folder);
   DatasetProgress progress(packer, arguments.session.quiet);
   const auto summary =

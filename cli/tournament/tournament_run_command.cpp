@@ -87,6 +87,7 @@ int run_tournament_command(const TournamentRunArguments& arguments) {
                        (folder / kStoreFile).string(), checked.error().message);
   }
 
+  warn_of_twins(chosen.config, arguments.session);
   RunOptions options;
   options.folder = folder;
   options.config = chosen.config;

@@ -214,12 +214,12 @@ OpenedFolder begin_session(const fs::path& folder, const TournamentConfig& confi
     opened.exit_code =
         run_preflight(folder, config, options, opened.matches, outlook_of(opened.matches));
   }
-
-  const std::string twins = twin_sides(config);
-  if (opened.exit_code == kOk && !twins.empty() && !options.quiet) {
-    print_error(0, "warning: " + twins);
-  }
   return opened;
+}
+
+void warn_of_twins(const TournamentConfig& config, const SessionOptions& options) {
+  const std::string twins = twin_sides(config);
+  if (!twins.empty() && !options.quiet) print_error(0, "warning: " + twins);
 }
 
 MakeExecutor executors_in(const fs::path& folder) {

@@ -61,6 +61,9 @@ OpenedFolder begin_session(const std::filesystem::path& folder,
                            const tournament::TournamentConfig& config,
                            const SessionOptions& options, const OutlookOf& outlook_of);
 
+/// Warns of equal sides, whose matches are mirror images; see twin_sides().
+void warn_of_twins(const tournament::TournamentConfig& config, const SessionOptions& options);
+
 /// The line that shows the last match whose logs are kept, "  cls watch cup/matches/...\n"; empty
 /// if there is none.
 std::string watch_line(const std::filesystem::path& folder,
