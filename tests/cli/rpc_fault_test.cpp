@@ -206,7 +206,7 @@ TEST_P(RpcFault, CountsEachErrorStatusAsMissed) {
 
   EXPECT_EQ(player["missed"], 16) << player;
   EXPECT_EQ(player["missed_by"],
-            json({{"deadline", 1}, {"unavailable", 1}, {"unimplemented", 1}, {"error", 13}}));
+            json({{"deadline", 1}, {"error", 13}, {"unavailable", 1}, {"unimplemented", 1}}));
   EXPECT_EQ(played.total("missed"), 16);
 }
 

@@ -38,7 +38,7 @@ Played play_with_delay(int delay_ms, const std::vector<std::string>& more) {
 
 void expect_whole(const json& shares) {
   double sum = 0.0;
-  for (const auto& share : shares) sum += share.get<double>();
+  for (const auto& [name, share] : shares.items()) sum += share.get<double>();
   EXPECT_NEAR(sum, 1.0, 1e-9) << shares;
 }
 
