@@ -17,6 +17,7 @@ class SideLimits : public NetworkMatch {
 
   /// A team whose script does something before it starts eleven players.
   std::string team_that(const std::string& name, const std::string& before) {
+    fs::remove_all(folder_.path() / name);  // what a match before wrote counts for none
     fs::create_directories(folder_.path() / name);
     const std::string player = copy_built("cls_fake_player", folder_.path() / name);
     script(name + "/start.sh",
