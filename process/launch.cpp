@@ -6,6 +6,7 @@
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -136,13 +137,18 @@ Launch launch_program(const CommandPlan& plan, std::vector<std::string> argv, in
   std::vector<char*> environment = pointers_to(entries);
   const pid_t parent = ::getpid();
 
+  // Boost's own report is three writes, of which it may read the first alone.
+  int failure[2];
+  if (::pipe2(failure, O_CLOEXEC) != 0) return {0, errno, LaunchStep::kProgram};
+  const base::UniqueFd failure_end(failure[0]);
+
   const auto before_exec = [&, parent](auto& executor) {
     executor.cmd_line = arguments.data();
     executor.env = environment.data();
     const auto failed = prepare(plan, ruleset.get(), parent);
     if (!failed) return;
     const int error = static_cast<int>(*failed) * kStepError + errno;
-    executor.set_error(std::error_code(error, std::system_category()), "before exec");
+    if (::write(failure[1], &error, sizeof error) < 0) ::_exit(126);
     ::_exit(127);
   };
 
@@ -150,7 +156,15 @@ Launch launch_program(const CommandPlan& plan, std::vector<std::string> argv, in
   bp::child child(bp::exe = argv.front(), bp::posix::fd.bind(1, output),
                   bp::posix::fd.bind(2, output), bp::extend::on_exec_setup = before_exec, error);
 
+  ::close(failure[1]);
+
   if (!error && child.id() <= 0) error.assign(EMFILE, std::system_category());  // no pipe
+  int failed = 0;
+  if (!error && ::read(failure_end.get(), &failed, sizeof failed) == sizeof failed) {
+    ::waitpid(child.id(), nullptr, 0);
+    child.detach();
+    error.assign(failed, std::system_category());
+  }
   if (error) {
     return {0, error.value() % kStepError, static_cast<LaunchStep>(error.value() / kStepError)};
   }
