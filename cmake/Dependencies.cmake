@@ -46,7 +46,7 @@ if(CLS_MATH STREQUAL "sleef")
   find_library(CLS_SLEEF_LIBRARY sleef)
   if(NOT CLS_SLEEF_INCLUDE OR NOT CLS_SLEEF_LIBRARY)
     message(FATAL_ERROR "sleef not found: install libsleef-dev (./bootstrap deps does it), or take "
-      "the slower -DCLS_MATH=portable")
+      "-DCLS_MATH=portable")
   endif()
   add_library(sleef::sleef UNKNOWN IMPORTED)
   set_target_properties(sleef::sleef PROPERTIES
