@@ -27,6 +27,7 @@
 #include "base/system/unique_fd.h"
 #include "process/confinement.h"
 #include "process/landlock.h"
+#include "process/pipe.h"
 
 namespace cls::process {
 namespace {
@@ -138,9 +139,8 @@ Launch launch_program(const CommandPlan& plan, std::vector<std::string> argv, in
   const pid_t parent = ::getpid();
 
   // Boost's own report is three writes, of which it may read the first alone.
-  int failure[2];
-  if (::pipe2(failure, O_CLOEXEC) != 0) return {0, errno, LaunchStep::kProgram};
-  const base::UniqueFd failure_end(failure[0]);
+  auto failure = make_pipe();
+  if (!failure) return {0, errno, LaunchStep::kProgram};
 
   const auto before_exec = [&, parent](auto& executor) {
     executor.cmd_line = arguments.data();
@@ -148,7 +148,7 @@ Launch launch_program(const CommandPlan& plan, std::vector<std::string> argv, in
     const auto failed = prepare(plan, ruleset.get(), parent);
     if (!failed) return;
     const int error = static_cast<int>(*failed) * kStepError + errno;
-    if (::write(failure[1], &error, sizeof error) < 0) ::_exit(126);
+    if (::write(failure->write.get(), &error, sizeof error) < 0) ::_exit(126);
     ::_exit(127);
   };
 
@@ -156,11 +156,11 @@ Launch launch_program(const CommandPlan& plan, std::vector<std::string> argv, in
   bp::child child(bp::exe = argv.front(), bp::posix::fd.bind(1, output),
                   bp::posix::fd.bind(2, output), bp::extend::on_exec_setup = before_exec, error);
 
-  ::close(failure[1]);
+  failure->write.reset();
 
   if (!error && child.id() <= 0) error.assign(EMFILE, std::system_category());  // no pipe
   int failed = 0;
-  if (!error && ::read(failure_end.get(), &failed, sizeof failed) == sizeof failed) {
+  if (!error && ::read(failure->read.get(), &failed, sizeof failed) == sizeof failed) {
     ::waitpid(child.id(), nullptr, 0);
     child.detach();
     error.assign(failed, std::system_category());

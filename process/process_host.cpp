@@ -6,7 +6,6 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <thread>
@@ -14,6 +13,7 @@
 #include "base/system/control_group.h"
 #include "process/guard.h"
 #include "process/namespaces.h"
+#include "process/pipe.h"
 #include "process/process_host_core.h"
 
 namespace cls::process {
@@ -78,19 +78,6 @@ std::vector<int> descriptors(const CommandPlan& plan, int control, int output) {
     fds.push_back(plan.namespaces->network_fd());
   }
   return fds;
-}
-
-struct Pipe {
-  base::UniqueFd read;
-  base::UniqueFd write;
-};
-
-std::optional<Pipe> make_pipe() {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return std::nullopt;
-  Pipe pipe{base::UniqueFd(ends[0]), base::UniqueFd(ends[1])};
-  ::fcntl(pipe.read.get(), F_SETFL, O_NONBLOCK);
-  return pipe;
 }
 
 }  // namespace
@@ -190,6 +177,7 @@ Result<std::shared_ptr<Child>> ProcessHost::start(const CommandPlan& plan, OnLin
   const Guard* guard = Guard::active();
   if (guard == nullptr) return cannot_start(plan, "the guard is gone");
   if (!control || !output) return cannot_start(plan, std::strerror(errno));
+  ::fcntl(output->read.get(), F_SETFL, O_NONBLOCK);
 
   if (!send_packet(guard->socket(), encode(complete),
                    descriptors(plan, control->second.get(), output->write.get()))) {
