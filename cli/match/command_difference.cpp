@@ -7,17 +7,15 @@
 #include <map>
 #include <tuple>
 
+#include "base/index.h"
 #include "base/io/byte_source.h"
+#include "cli/logs/agent_commands.h"
 #include "gamelog/rcl/rcl_reader.h"
-#include "proto/rpc.h"
-#include "soccer/side.h"
 
 namespace cls::cli {
 namespace {
 
-using gamelog::RclSource;
-
-// Cycle, stopped cycle and agent: uniform number, 12 for the coach.
+// Cycle, stopped cycle and agent.
 using Decision = std::tuple<int, int, int>;
 
 std::map<Decision, std::string> commands_of(std::string_view log, std::string_view name) {
@@ -25,14 +23,11 @@ std::map<Decision, std::string> commands_of(std::string_view log, std::string_vi
   const gamelog::RclRecord record = gamelog::read_rcl(source);
 
   std::map<Decision, std::string> commands;
-  for (const gamelog::RclLine& line : record.lines) {
-    const bool coach = line.source == RclSource::kCoach;
-    if (!coach && line.source != RclSource::kPlayer) continue;
-    if (record.teams[line.team] != name) continue;
-    const int agent = coach ? proto::kCoachNumber : line.unum;
-    std::string& text = commands[{line.time, line.stopped, agent}];
+  for (const AgentCommand& command : agent_commands(record)) {
+    if (record.teams[base::index(command.team)] != name) continue;
+    std::string& text = commands[{command.time, command.stopped, command.agent}];
     if (!text.empty()) text += ' ';
-    text += record.text_of(line);
+    text += command.text;
   }
   return commands;
 }
@@ -54,8 +49,7 @@ std::optional<CommandDifference> compare_commands(std::string_view before, std::
       const int agent = std::get<2>(decision);
       difference.emplace();
       difference->cycle = std::get<0>(decision);
-      difference->agent =
-          agent > soccer::kPlayersPerTeam ? "the coach" : fmt::format("player {}", agent);
+      difference->agent = agent == kCoachAgent ? "the coach" : fmt::format("player {}", agent);
       difference->before = texts.first;
       difference->now = texts.second;
       difference->total =

@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <optional>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
+#include "cli/logs/agent_commands.h"
 #include "cli/logs/find_log.h"
-#include "gamelog/rcl/rcl_record.h"
 
 namespace cls::cli {
 namespace {
@@ -18,24 +17,16 @@ namespace {
 namespace fs = std::filesystem;
 using tournament::ScheduledMatch;
 
-// Cycle, stopped cycle, team, agent (a player's number, 0 for the coach) and text.
-using SentCommand = std::tuple<int, int, int, int, std::string_view>;
-
-// Which has the names of the teams; all others are the same for teams that play the same.
-bool is_connection(std::string_view text) {
-  return text.starts_with("(init ") || text.starts_with("(reconnect ");
+// Connections have the names of the teams; all other commands are the same for teams that play the
+// same.
+bool names_team(const AgentCommand& command) {
+  return command.text.starts_with("(init ") || command.text.starts_with("(reconnect ");
 }
 
-// In an order of their own: agents send theirs in any order within a cycle.
-std::vector<SentCommand> commands_in(const gamelog::RclRecord& log) {
-  std::vector<SentCommand> commands;
-  for (const gamelog::RclLine& line : log.lines) {
-    const bool is_player = line.source == gamelog::RclSource::kPlayer;
-    if (!is_player && line.source != gamelog::RclSource::kCoach) continue;
-    const std::string_view text = log.text_of(line);
-    if (is_connection(text)) continue;
-    commands.emplace_back(line.time, line.stopped, line.team, is_player ? line.unum : 0, text);
-  }
+// Sorted: agents send theirs in any order within a cycle.
+std::vector<AgentCommand> commands_in(const gamelog::RclRecord& log) {
+  std::vector<AgentCommand> commands = agent_commands(log);
+  std::erase_if(commands, names_team);
   std::ranges::stable_sort(commands);
   return commands;
 }
@@ -84,10 +75,12 @@ std::string AlikeSamples::look_at(std::span<const ScheduledMatch> matches) {
     ++alike_;
     if (samples_ == 1) {
       const auto& teams = comparison_.config.competition.teams;
+      std::string_view sample_name = tournament::sample_name(comparison_);
+      sample_name.remove_suffix(1);  // the name is a plural
       line = fmt::format(
           "{} and {} sent the same commands in all cycles of the first {}: what differs between "
           "them has no effect there",
-          teams[0].name, teams[1].name, tournament::is_direct(comparison_) ? "pair" : "quartet");
+          teams[0].name, teams[1].name, sample_name);
     }
   }
   return line;
