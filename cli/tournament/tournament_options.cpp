@@ -116,7 +116,7 @@ void add_key_options(Command& command, TournamentOptions& options, bool schedule
     Option& option = command.option(option_of(key.name), options.overrides[std::string(key.name)],
                                     std::string(key.help));
     option.placeholder(std::string(key.placeholder)).of_group(group_title(key.group));
-    if (key.placeholder == "true|false") option.min_values = 0;
+    if (key.read == tournament::read_flag) option.min_values = 0;
     const match::MatchOption* row = match::find_match_option(key.name);
     if (row != nullptr) option.form.phrase = row->form.phrase;
   }

@@ -208,18 +208,13 @@ std::string shown_deadline(const Options& options) {
   return deadline ? fmt::to_string(deadline->count()) : std::string();
 }
 
-std::string shown_memory(const Options& options) {
-  const std::uint64_t memory = options.limits.memory;
-  return memory == 0 ? std::string() : base::byte_size_text(memory);
-}
-
-std::string shown_side_memory(const Options& options) {
-  const std::uint64_t memory = options.side_limits.memory;
-  return memory == 0 ? std::string() : base::byte_size_text(memory);
-}
-
-std::string shown_side_disk(const Options& options) {
-  return base::byte_size_text(options.side_limits.disk);
+// Of a size in bytes; none: no limit, or the default.
+template <class Block>
+auto shown_size(Block Options::*block, std::uint64_t Block::*size) {
+  return [=](const Options& options) {
+    const std::uint64_t bytes = options.*block.*size;
+    return bytes == 0 ? std::string() : base::byte_size_text(bytes);
+  };
 }
 
 std::string shown_cpu_seconds(const Options& options) {
@@ -364,7 +359,7 @@ std::vector<Row> limit_rows() {
              text("a size such as 512M or 2G"), base::parse_byte_size,
              "memory of each process of run: and team: sides, such as 512M or 2G: what it "
              "allocates for itself, without files and shared memory (default: no limit)")
-          .showing(shown_memory)
+          .showing(shown_size(&Options::limits, &process::ResourceLimits::memory))
           .in_toml_of_runs("\"2G\""),
       row("max_cpu", in(&Options::limits, &process::ResourceLimits::cpu_seconds), "N", whole(1),
           "seconds of CPU time of each process of run: and team: sides; its child processes have "
@@ -377,12 +372,12 @@ std::vector<Row> limit_rows() {
       parsed("side_memory", in(&Options::side_limits, &SideLimits::memory), "SIZE",
              text("a size such as 512M or 2G"), base::parse_byte_size,
              "memory of all programs of a team: side (default: two fifths of this host's)")
-          .showing(shown_side_memory)
+          .showing(shown_size(&Options::side_limits, &SideLimits::memory))
           .in_toml_of_runs("\"8G\""),
       parsed("side_disk", in(&Options::side_limits, &SideLimits::disk), "SIZE",
              text("a size such as 512M or 2G"), base::parse_byte_size,
              "what all programs of a team: side may add to their folders (default: 1G)")
-          .showing(shown_side_disk)
+          .showing(shown_size(&Options::side_limits, &SideLimits::disk))
           .in_toml_of_runs("\"4G\""),
   };
 }
