@@ -31,7 +31,9 @@ class _Drawn:
         if not len(shares) or not np.isfinite(weights).all() or (weights < 0).any() \
                 or weights.sum() <= 0:
             raise ConfigError(f"{name}: needs policies with weights, some of them above 0")
-        self._acts: List[Act] = [one.act if isinstance(one, Policy) else one for one, _ in shares]
+        self.policies: List[Frozen] = [one for one, _ in shares]
+        self._acts: List[Act] = [one.act if isinstance(one, Policy) else one
+                                 for one in self.policies]
         self._chances = np.cumsum(weights / weights.sum())
         self._stream = stream
 
@@ -76,15 +78,15 @@ class SelfPlay:
             raise ConfigError(f"num_agents: 1 to {self._left}, and opponents on the pitch")
         if (teammates is None) != (self.agents == self._left):
             raise ConfigError("teammates: policies for the players beyond num_agents, if any")
-        for pool in (opponent, teammates):
-            self._check_fit(pool)
         self._opponents = _Drawn(opponent, "opponent", 1)
         self._teammates = None if teammates is None else _Drawn(teammates, "teammates", 2)
+        for drawn in (self._opponents, self._teammates):
+            if drawn is not None:
+                self._check_fit(drawn)
         self._drawn = np.zeros((2, num_envs), np.int64)  # opponents, teammates
 
-    def _check_fit(self, pool: Union[Pool, None]) -> None:
-        shares = pool if isinstance(pool, (list, tuple)) else [(pool, 1.0)]
-        for policy, _ in shares:
+    def _check_fit(self, drawn: _Drawn) -> None:
+        for policy in drawn.policies:
             reason = misfit(policy, describe(self.envs)) if isinstance(policy, Policy) else None
             if reason:
                 raise PolicyError(f"a policy of other worlds: {reason}")
