@@ -274,9 +274,8 @@ TEST_F(Namespaces, ForbidPortsAndSocketsOfThisHost) {
 
 TEST_F(Namespaces, HideTheProcessesOfThisHost) {
   expect_closed_by_namespaces(
-      "(cat /proc/[0-9]*/cmdline | tr '\\0' ' ' | grep -q '[r]ivals' && echo seen || echo closed) "
-      "> "
-      "lines\n"
+      "(cat /proc/[0-9]*/cmdline | tr '\\0' ' ' | grep -q '[r]ivals' && echo seen || "
+      "echo closed) > lines\n"
       "([ $(ls -d /proc/[0-9]* | wc -l) -gt 9 ] && echo seen || echo closed) > number",
       {"lines", "number"});
 }

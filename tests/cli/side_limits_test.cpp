@@ -27,6 +27,17 @@ class SideLimits : public NetworkMatch {
     return "team:" + (folder_.path() / name).string();
   }
 
+  /// Of the 60 that `guests` write, as many as they had written when the match looked.
+  void expect_megabytes_above_32() const {
+    constexpr std::string_view kStart = "its programs wrote ";
+    const std::size_t at = played_.err.find(kStart);
+    ASSERT_NE(at, std::string::npos) << played_.err;
+    const int megabytes = std::atoi(played_.err.c_str() + at + kStart.size());
+    EXPECT_GT(megabytes, 32);
+    EXPECT_LE(megabytes, 64);
+    EXPECT_THAT(played_.err, HasSubstr("M to disk, more than the 32M that --side-disk allows"));
+  }
+
   /// The right side does this before it joins, and then waits: it is at fault.
   void expect_blamed(const std::string& deed, const std::vector<std::string>& limit,
                      const std::string& message) {
@@ -69,9 +80,10 @@ TEST_F(SideLimits, OfMemoryIncludeFilesInIt) {
 
 TEST_F(SideLimits, OfTheDiskBlameWhoWritesMore) {
   expect_blamed("head -c 60M /dev/zero > large", {"--side-disk", "32M"}, "its programs wrote ");
-  EXPECT_THAT(played_.err, HasSubstr("to disk, more than the 32M that --side-disk allows"));
+  expect_megabytes_above_32();
   expect_blamed("exec 7> hidden; rm hidden; head -c 60M /dev/zero >&7", {"--side-disk", "32M"},
                 "its programs wrote ");
+  expect_megabytes_above_32();
 }
 
 // During play, too, with the score of that moment.
@@ -80,6 +92,7 @@ TEST_F(SideLimits, CountInPlay) {
       team_that("guests", "(sleep 3; head -c 60M /dev/zero > large; sleep 60) &");
   play(guests, "embedded", {"--half-time", "30", "--mode", "realtime", "--side-disk", "32M"});
   expect_end("crashed", 1, "guests (" + guests + "): its programs wrote ");
+  expect_megabytes_above_32();
   EXPECT_EQ(result_["fault"], "right");
   EXPECT_EQ(result_["left"]["score"], 0);
 }

@@ -150,7 +150,6 @@ TEST_F(InNamespaces, AreKnownByTheirNumberOnThisHost) {
   EXPECT_TRUE(child->wait_gone(5s));
 }
 
-// The opposite of a process that leaves its parent, and its session.
 // The kernel counts the processes of each namespace, or those of a user in it.
 TEST_F(InNamespaces, HaveNoMoreProcessesThanTheyMay) {
   CommandPlan plan = plan_of(
@@ -173,6 +172,7 @@ TEST_F(InNamespaces, HaveNoMoreProcessesThanTheyMay) {
   EXPECT_GT(last, 200);
 }
 
+// The opposite of a process that leaves its parent, and its session.
 TEST_F(InNamespaces, EndTogether) {
   const auto child = processes_.start(
       plan_of("trap '' TERM; setsid sh -c 'trap \"\" TERM; while :; do sleep 1; done' & echo on; "
