@@ -41,6 +41,13 @@ class CorruptTournament : public testing::Test {
   }
   fs::path cup() const { return folder_.path(); }
 
+  // A report without the line of its times: when a match ended is in the store alone.
+  static std::string without_times(const std::string& report) {
+    const std::size_t times = report.find("\nPlayed from ");
+    EXPECT_NE(times, std::string::npos) << report;
+    return std::string(report).erase(times, report.find('\n', times + 1) - times);
+  }
+
   void sql(const std::string& statement) const {
     SQLite::Database(cup() / "tournament.db", SQLite::OPEN_READWRITE).exec(statement);
   }
@@ -79,7 +86,7 @@ TEST_F(CorruptTournament, RejectsMissingAndRenumberedMatches) {
 
 // Without the store the results are in the folders of the matches: nothing is played again.
 TEST_F(CorruptTournament, ReadsResultsOfALostStoreFromTheFolders) {
-  const std::string table = tournament({"report", cup()}).out;
+  const std::string table = without_times(tournament({"report", cup()}).out);
   std::map<fs::path, fs::file_time_type> logs;
   for (const auto& entry : fs::recursive_directory_iterator(cup() / "matches")) {
     if (entry.is_regular_file()) logs[entry.path()] = entry.last_write_time();
@@ -101,7 +108,7 @@ TEST_F(CorruptTournament, ReadsResultsOfALostStoreFromTheFolders) {
     EXPECT_THAT(tournament({"run", cup()}),
                 Exits(0, HasSubstr("was missing or empty: 6 results were read from matches/")));
     for (const auto& [file, time] : logs) EXPECT_EQ(fs::last_write_time(file), time) << file;
-    EXPECT_EQ(tournament({"report", cup()}).out.substr(0, 400), table.substr(0, 400));
+    EXPECT_EQ(without_times(tournament({"report", cup()}).out), table);
   }
 }
 
