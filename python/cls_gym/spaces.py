@@ -63,7 +63,7 @@ class IdRows(Box):  # type: ignore[misc,unused-ignore]
         return _drawn(self, np.ones((*self.shape, self.count)) if mask is None else mask)
 
 
-class IdsAndNumbers(Tuple):  # type: ignore[misc,unused-ignore]
+class IdsAndNumbers(Tuple):  # type: ignore[misc,type-arg,unused-ignore]
     """Ids, or one, and the numbers of actions. sample() takes a mask of the ids, too."""
 
     def sample(  # type: ignore[override,unused-ignore]

@@ -53,17 +53,19 @@ def mypy(folder, *arguments, **environment):
 
 
 class Types(unittest.TestCase):
-    def setUp(self):
+    # One cache for all: most of the time goes into NumPy's types.
+    @classmethod
+    def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
 
     def check_program(self, text):
         (self.folder / "program.py").write_text(text, "utf-8")
         return mypy(self.folder, "--strict", "program.py", MYPYPATH=str(PYTHON))
 
     def test_package(self):
-        checked = mypy(PYTHON, "--cache-dir", str(self.folder), "-p", "cls_gym", PYTHONPATH="")
+        checked = mypy(PYTHON, "--cache-dir", str(self.folder / ".mypy_cache"), "-p", "cls_gym", PYTHONPATH="")
         self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
 
     def test_program_of_a_user(self):
