@@ -1,6 +1,7 @@
 # Daily work. `./bootstrap` is for machines that have nothing installed yet.
 JOBS ?= $(shell nproc)
-TEST_JOBS ?= 2
+# Tests wait for programs and clocks for a third of their time.
+TEST_JOBS ?= $(shell echo $$(($$(nproc) + 1)))
 FUZZ_SECONDS ?= 60
 CHAOS_SEEDS ?= 20
 CHAOS_SEED ?=
