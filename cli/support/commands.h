@@ -13,6 +13,7 @@
   ROW(dev)                \
   ROW(results)            \
   ROW(stats)              \
+  ROW(review)             \
   ROW(logs)               \
   ROW(convert)            \
   ROW(book)               \

@@ -1,4 +1,4 @@
-// Progress line while reading several logs.
+// A bar, the rate and the time left.
 #include "cli/terminal/log_progress.h"
 
 #include <fmt/format.h>
@@ -13,8 +13,10 @@ constexpr double kMinElapsed = 0.5;  // s; the rate is too noisy before
 
 }  // namespace
 
-LogProgress::LogProgress(std::size_t logs)
-    : logs_(logs), shown_(logs > 1 && stderr_is_terminal() && !output_options().quiet) {}
+LogProgress::LogProgress(std::size_t parts, const char* parts_name)
+    : parts_(parts),
+      parts_name_(parts_name),
+      shown_(parts > 1 && stderr_is_terminal() && !output_options().quiet) {}
 
 void LogProgress::update(std::size_t count) {
   if (!shown_) return;
@@ -25,13 +27,13 @@ void LogProgress::update(std::size_t count) {
 
   last_shown_ = now;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  const double share = static_cast<double>(count) / static_cast<double>(logs_);
-  std::string text = fmt::format("{} {}/{} logs", progress_bar(share), count, logs_);
+  const double share = static_cast<double>(count) / static_cast<double>(parts_);
+  std::string text = fmt::format("{} {}/{} {}", progress_bar(share), count, parts_, parts_name_);
 
   if (elapsed > kMinElapsed) {
     const double speed = static_cast<double>(count) / elapsed;
-    text += fmt::format("  {:.0f} logs/s  {}", speed,
-                        time_left(static_cast<double>(logs_ - count) / speed));
+    if (speed >= 1.0) text += fmt::format("  {:.0f} {}/s", speed, parts_name_);
+    if (count > 0) text += "  " + time_left(static_cast<double>(parts_ - count) / speed);
   }
 
   line_.show(text);

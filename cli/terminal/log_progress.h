@@ -1,4 +1,4 @@
-// Progress line while reading several logs.
+// Progress line while several logs are read, or other work of many equal parts is done.
 #pragma once
 
 #include <chrono>
@@ -9,18 +9,19 @@
 
 namespace cls::cli {
 
-/// Shown only on a terminal and for more than one log.
+/// Shown only on a terminal and for more than one part.
 class LogProgress {
  public:
-  explicit LogProgress(std::size_t logs);
+  explicit LogProgress(std::size_t parts, const char* parts_name = "logs");
 
-  /// Reports the number of logs read. Thread-safe.
+  /// Reports the number of parts that are done. Thread-safe.
   void update(std::size_t count);
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  std::size_t logs_;
+  std::size_t parts_;
+  const char* parts_name_;
   bool shown_;
   std::mutex mutex_;
   TerminalLine line_;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/play/flow.h"
 #include "analysis/situations/book_file.h"
 #include "analysis/situations/book_fit.h"
 #include "analysis/situations/make_book.h"
@@ -20,6 +21,7 @@
 #include "cli/terminal/log_progress.h"
 #include "gamelog/files/log_files.h"
 #include "gamelog/rcg/rcg_reader.h"
+#include "review/state_value.h"
 
 namespace cls::cli {
 namespace {
@@ -141,13 +143,60 @@ int run_book_show(const BookArguments& arguments) {
   return print_book(book, arguments.book, arguments.json);
 }
 
+// The weights of the chance to score, fitted and used, and how well the used ones agree.
+Json chances_json(const review::StateFitter& fitter, const review::Calibration& calibration) {
+  const review::StateFigures fitted = fitter.fit();
+  Json weights = Json::object();
+  for (std::size_t i = 0; i < fitted.size(); ++i) {
+    weights[std::string(review::kStateFigures[i])] = {{"fitted", fitted[i]},
+                                                      {"used", review::state_weights()[i]}};
+  }
+
+  constexpr std::size_t kBins = 10;
+  Json bins = Json::array();
+  for (const review::CalibrationBin& bin : calibration.bins(kBins)) {
+    bins.push_back({{"moments", bin.moments}, {"chance", bin.chance}, {"goals", bin.goals}});
+  }
+  return {{"cycles", review::kValueHorizon},
+          {"moments", fitter.rows()},
+          {"goals", fitter.goals()},
+          {"weights", weights},
+          {"calibration", bins}};
+}
+
+void print_chances(const Json& chances) {
+  fmt::print("\nchance to score within {} cycles: {} moments, {} of them before a goal\n",
+             chances["cycles"].get<int>(), chances["moments"].get<int>(),
+             chances["goals"].get<int>());
+  fmt::print("{:<20}{:>10}{:>10}\n", "figure", "fitted", "used");
+  for (const auto& [figure, values] : chances["weights"].items()) {
+    fmt::print("{:<20}{:>10.3f}{:>10.3f}\n", figure, values["fitted"].get<double>(),
+               values["used"].get<double>());
+  }
+
+  fmt::print("{:<20}{:>10}{:>10}\n", "moments", "chance", "goals");
+  for (const Json& bin : chances["calibration"]) {
+    fmt::print("{:<20}{:>10.4f}{:>10.4f}\n", bin["moments"].get<int>(), bin["chance"].get<double>(),
+               bin["goals"].get<double>());
+  }
+}
+
 int run_book_fit(const BookArguments& arguments) {
   analysis::BookFitter fitter(arguments.cycles, arguments.ridge);
-  const int read = for_each_log(
-      arguments.logs, [&](const auto& record, const std::string&) { return fitter.add(record); });
+  review::StateFitter states;
+  review::Calibration calibration;
+  const int read = for_each_log(arguments.logs, [&](const auto& record, const std::string&) {
+    const std::string why = fitter.add(record);
+    if (!why.empty()) return why;
+    const analysis::Flow flow = analysis::build_flow(record);
+    states.add(flow);
+    calibration.add(flow);
+    return why;
+  });
   if (read != kOk) return read;
 
   const analysis::BookFit fit = fitter.fit();
+  const Json chances = chances_json(states, calibration);
   Json weights = Json::object();
   for (std::size_t i = 0; i < analysis::kFigures; ++i) {
     weights[std::string(analysis::kFigureNames[i])] = {{"fitted", fit.weights[i]},
@@ -160,7 +209,8 @@ int run_book_fit(const BookArguments& arguments) {
         {"ridge", arguments.ridge},       {"matches", fit.matches},
         {"windows", fit.windows},         {"weights", weights},
         {"correlation", fit.correlation}, {"correlation_of_goals", fit.correlation_of_goals},
-        {"variance", fit.variance},       {"variance_of_goals", fit.variance_of_goals}};
+        {"variance", fit.variance},       {"variance_of_goals", fit.variance_of_goals},
+        {"chance_to_score", chances}};
     return print_json(document);
   }
 
@@ -176,6 +226,7 @@ int run_book_fit(const BookArguments& arguments) {
              fit.correlation_of_goals);
   fmt::print("variance within matches: {:.2f}, of goals alone {:.2f}\n", fit.variance,
              fit.variance_of_goals);
+  print_chances(chances);
   return kOk;
 }
 

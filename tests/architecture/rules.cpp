@@ -19,9 +19,9 @@ struct Library {
 
 /// Everything that the command line may use.
 Folders below_cli() {
-  return {"base",        "soccer",   "proto",      "gamelog",  "player",   "proxy",
-          "mock-server", "analysis", "simulator",  "viewer",   "training", "process",
-          "match",       "league",   "tournament", "scenario", "checks"};
+  return {"base",        "soccer",   "proto",     "gamelog",    "player",   "proxy",
+          "mock-server", "analysis", "simulator", "viewer",     "training", "process",
+          "match",       "league",   "review",    "tournament", "scenario", "checks"};
 }
 
 Folders below_cli_and(const std::string& another) {
@@ -66,6 +66,8 @@ const std::map<std::string, Library>& libraries() {
        {{"base", "soccer", "proto", "gamelog", "player", "proxy", "mock-server", "analysis",
          "simulator", "viewer", "training", "process"},
         {"terms", "programs", "saved", "result", "server", "sides", "hooks", "replay", ""}}},
+      {"review",
+       {{"base", "soccer", "gamelog", "player", "analysis", "simulator", "training"}, {}}},
       {"tournament",
        {{"base", "soccer", "league", "viewer", "process", "match"},
         {"config", "slots", "store", "report", "site", "run", "dataset", "tuning"}}},

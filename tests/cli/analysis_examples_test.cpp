@@ -1,4 +1,4 @@
-// The programs of examples/analysis and examples/tuning on tables of a fixture, compared with `cls
+// The programs of examples/analysis on tables of a fixture, compared with `cls
 // stats`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -82,22 +82,6 @@ TEST_F(AnalysisExamples, FormationClustersReadTrackingTables) {
   ASSERT_THAT(example("analysis/formation_clusters.py", {"m.tracking.csv", "left", "out.svg"}),
               Prints(0, HasSubstr(" frames, mean x ")));
   EXPECT_THAT(read_file(path("out.svg")), HasSubstr("% of "));
-}
-
-TEST_F(AnalysisExamples, GoalsAgainstAgreeWithTheScore) {
-  const json result = json::parse(cls({"results", "m", "--json"}).out)["matches"][0];
-  const auto loser = result["right"]["name"].get<std::string>();
-  const auto score = result["left"]["score"].get<int>();
-  ASSERT_GT(score, 0);
-  const CommandResult against = example("tuning/goals_against.py", {loser, "m"});
-  ASSERT_EQ(against.exit_code, 0) << against.err;
-  EXPECT_THAT(against.out,
-              HasSubstr(loser + ": " + std::to_string(score) + " goals against in 1 match,"));
-  EXPECT_THAT(against.out, HasSubstr("m/match.rcg"));
-
-  const CommandResult unknown = example("tuning/goals_against.py", {"unknown", "m"});
-  EXPECT_EQ(unknown.exit_code, 1);
-  EXPECT_THAT(unknown.err, HasSubstr("no match of unknown in m"));
 }
 
 }  // namespace

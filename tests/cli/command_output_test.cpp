@@ -57,6 +57,7 @@ TEST_F(CommandOutput, JsonIsOneDocumentOfItsSchema) {
       {{"test", "referee_corner_kick"}, "cls.test/1"},
       {{"results", "m"}, "cls.results/1"},
       {{"stats", "m"}, "cls.stats/1"},
+      {{"review", "m"}, "cls.review/1"},
       {{"convert", "m/match.rcg", "m/old.rcg", "--to", "4"}, "cls.convert/1"},
       {{"watch", "m", "--out", "m/page.html"}, "cls.watch/1"},
       {{"report", "m"}, "cls.report/1"},

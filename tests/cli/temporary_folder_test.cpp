@@ -53,6 +53,7 @@ const std::vector<Use>& uses() {
       {{"dev", "no_such_scenario"}},
       {{"results", "match"}},
       {{"stats", "match"}},
+      {{"review", "match/match.rcg"}},
       {{"logs", "match"}},
       {{"convert", "match", "--tables", "tables"}, {"tables"}},
       {{"book", "make", "match", "--out", "moments.book"}},

@@ -218,10 +218,15 @@ void Episode::step(const AgentActions& actions, simulator::MatchRecorder* record
   for (int i = 0; i < setup_->frame_skip && !ended(); ++i) {
     const int holder = memory_.holder;
     const soccer::PlayMode mode = world_.mode;
-    choose_commands(actions);
+    choose_commands(actions, nullptr);
     play_cycle(recorder);
     if (setup_->until == Until::kDecision && has_decision(holder, mode)) break;
   }
+}
+
+void Episode::step_with(const Guest& guest) {
+  choose_commands({}, &guest);
+  play_cycle(nullptr);
 }
 
 // Whether another player has the ball or the mode is another one than before the cycle, or an agent
@@ -266,7 +271,7 @@ PlayerCommand Episode::command_of(std::size_t agent, const AgentActions& actions
   return action.command(view, clipped.data());
 }
 
-void Episode::choose_commands(const AgentActions& actions) {
+void Episode::choose_commands(const AgentActions& actions, const Guest* guest) {
   const Cast& cast = setup_->cast;
   for (std::size_t agent = 0; agent < cast.agents.size(); ++agent) {
     const int slot = cast.agents[agent];
@@ -283,12 +288,13 @@ void Episode::choose_commands(const AgentActions& actions) {
     for (const int slot : cast.team(side)) {
       const auto i = base::index(slot);
       if (setup_->is_agent[i] || !world_.player(slot).enabled) continue;
-      commands_[i] = driven_command(slot, situation);
+      commands_[i] = driven_command(slot, guest, situation);
     }
   }
 }
 
-PlayerCommand Episode::driven_command(int slot, std::optional<TeamSituation>& situation) {
+PlayerCommand Episode::driven_command(int slot, const Guest* guest,
+                                      std::optional<TeamSituation>& situation) {
   const Driver driver = others_.drivers[base::index(slot)];
   if (driver == Driver::kScripted) {
     const PointOfView view = view_of(slot, true);
@@ -296,7 +302,11 @@ PlayerCommand Episode::driven_command(int slot, std::optional<TeamSituation>& si
     return scripted_command(view, *situation);
   }
   if (MatchPlayer* player = training::match_player(*setup_, others_, slot)) {
-    decide(driver, *player);
+    if (guest != nullptr && guest->slot == slot) {
+      guest->decide(*player);
+    } else {
+      decide(driver, *player);
+    }
   }
   return stand();
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -36,6 +37,15 @@ class Episode {
   /// Plays frame_skip cycles, or until the end. The episode must be running. `recorder` (may be
   /// null) receives every frame.
   void step(const AgentActions& actions, simulator::MatchRecorder* recorder);
+
+  /// The commands of one player for a cycle, instead of its driver's: fills senses.commands. The
+  /// player must be one that perceives.
+  struct Guest {
+    int slot = 0;
+    const std::function<void(MatchPlayer&)>& decide;
+  };
+  /// Plays one cycle without agents, with the guest's decision.
+  void step_with(const Guest& guest);
 
   bool started() const { return started_; }
   bool ended() const { return status_ != Status::kInGame; }
@@ -92,10 +102,11 @@ class Episode {
   void clear_contacts();
   void perceive_step();
   void queue_says(std::size_t first_event);
-  PlayerCommand driven_command(int slot, std::optional<TeamSituation>& situation);
+  PlayerCommand driven_command(int slot, const Guest* guest,
+                               std::optional<TeamSituation>& situation);
   PlayerCommand command_of(std::size_t agent, const AgentActions& actions);
   PointOfView view_of(int slot, bool last_action_worked) const;
-  void choose_commands(const AgentActions& actions);
+  void choose_commands(const AgentActions& actions, const Guest* guest);
   void return_to_formation();
   void execute_commands(simulator::MatchRecorder* recorder);
   void fill_scenes();

@@ -152,11 +152,11 @@ soccer::ServerParams server_params(const Task& task) {
   return server;
 }
 
-Result<void> prepare_world(Setup& setup) {
-  TRY_INIT(auto rules, simulator::make_rules(server_params(*setup.task), {}, kTypesSeed));
-
+// Connects the players of the cast, of whom those in `goalies` (slots, or -1) keep goal.
+void prepare_world(std::shared_ptr<const simulator::Rules> rules, soccer::PerSide<int> goalies,
+                   Setup& setup) {
   simulator::World& world = setup.prepared;
-  world = simulator::make_world(rules, kTypesSeed);
+  world = simulator::make_world(std::move(rules), kTypesSeed);
 
   for (const Side side : soccer::kBothSides) {
     simulator::Team& team = world.team(side);
@@ -164,10 +164,8 @@ Result<void> prepare_world(Setup& setup) {
     team.connected = true;
     for (const int slot : setup.cast.team(side)) {
       simulator::Player& player = world.player(slot);
-      const bool first = slot == setup.cast.team(side).front();
       player.joined = player.enabled = true;
-      player.goalie =
-          side == Side::kRight ? first && setup.task->right_goalie : first && setup.task->referee;
+      player.goalie = slot == goalies[side];
       player.client_version = kClientVersion;
       player.view.synchronous = true;
       player.state = simulator::state::kStand | (player.goalie ? simulator::state::kGoalie : 0);
@@ -175,7 +173,14 @@ Result<void> prepare_world(Setup& setup) {
   }
 
   if (!setup.task->referee) world.mode = soccer::PlayMode::kPlayOn;
-  return {};
+}
+
+// The slots of the goalies of a task.
+soccer::PerSide<int> goalies_of(const Task& task, const Cast& cast) {
+  const auto first = [](bool keeps, const std::vector<int>& team) {
+    return keeps && !team.empty() ? team.front() : -1;
+  };
+  return {first(task.referee, cast.left), first(task.right_goalie, cast.right)};
 }
 
 // Books have eleven players of each team and set plays, so that only tasks with a referee play
@@ -263,11 +268,33 @@ Result<std::shared_ptr<const Setup>> make_setup(const SetupChoices& choices) {
   setup->random_types = choices.random_types;
   setup->options = setup->task->usual_options();
 
-  TRY(prepare_world(*setup));
+  TRY_INIT(auto rules, simulator::make_rules(server_params(*setup->task), {}, kTypesSeed));
+  prepare_world(std::move(rules), goalies_of(*setup->task, setup->cast), *setup);
   setup->fidelity = choices.fidelity;
   prepare_senses(*setup);
 
   return std::shared_ptr<const Setup>(std::move(setup));
+}
+
+std::shared_ptr<const Setup> make_watched_setup(std::shared_ptr<const simulator::Rules> rules,
+                                                soccer::PerSide<Driver> drivers,
+                                                soccer::PerSide<int> goalies) {
+  auto setup = std::make_shared<Setup>();
+  setup->task = find_task("Match");
+  setup->cast.left = team_slots(*setup->task, Side::kLeft, soccer::kPlayersPerTeam);
+  setup->cast.right = team_slots(*setup->task, Side::kRight, soccer::kPlayersPerTeam);
+  setup->teammates = {{drivers.left}};
+  setup->opponents = {{drivers.right}};
+  for (const int slot : setup->cast.right) setup->is_opponent[base::index(slot)] = true;
+
+  setup->features = find_feature_set(setup->task->features);
+  setup->actions = find_action_set(setup->task->actions);
+  setup->max_cycles = setup->task->max_cycles;
+  setup->options = setup->task->usual_options();
+  prepare_world(std::move(rules), goalies, *setup);
+  prepare_senses(*setup);
+
+  return setup;
 }
 
 }  // namespace cls::training

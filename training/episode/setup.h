@@ -103,6 +103,12 @@ struct Setup {
 /// The error names the choice that does not fit the task.
 base::Result<std::shared_ptr<const Setup>> make_setup(const SetupChoices& choices);
 
+/// Eleven against eleven without agents, by the rules of a match: the drivers play both teams, and
+/// the players in `goalies` (slots) keep goal.
+std::shared_ptr<const Setup> make_watched_setup(std::shared_ptr<const simulator::Rules> rules,
+                                                soccer::PerSide<Driver> drivers,
+                                                soccer::PerSide<int> goalies);
+
 /// "left_7"
 std::string agent_name(int slot);
 

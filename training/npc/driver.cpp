@@ -60,6 +60,18 @@ int draw_driver(const DriverPool& pool, soccer::RandomStream& random) {
 }
 
 void decide(Driver driver, MatchPlayer& player) {
+  decide_with(
+      [driver](ActionContext& context) {
+        if (driver == Driver::kMock) {
+          play_as_simple_team(context);
+        } else if (!play_automatically(context, {})) {
+          play_by_planner(context);
+        }
+      },
+      player);
+}
+
+void decide_with(const std::function<void(ActionContext&)>& choose, MatchPlayer& player) {
   const player::WorldModel& world = player.senses.world;
   player::CommandSlots slots(world);
   player::NeckPlan neck;
@@ -68,12 +80,7 @@ void decide(Driver driver, MatchPlayer& player) {
   ActionContext context{world, player.memory, slots, neck, report, choice};
 
   begin_decision(context);
-  if (driver == Driver::kMock) {
-    play_as_simple_team(context);
-  } else if (!play_automatically(context, {})) {
-    play_by_planner(context);
-  }
-
+  choose(context);
   finish_decision(context);
   slots.compose(player.senses.commands);
   record_sent_commands(player.senses.world, player.senses.commands);

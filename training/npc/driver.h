@@ -1,6 +1,7 @@
 // Drivers of the players that are not agents; some perceive and decide as agents do.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "base/text/enum_names.h"
@@ -44,6 +45,9 @@ struct MatchPlayer {
 /// Decides from the completed world model: fills player.senses.commands with what such an agent of
 /// a match sends. The driver must be one that perceives.
 void decide(Driver driver, MatchPlayer& player);
+
+/// Decides by `choose`, which fills the slots of the context, instead of a driver.
+void decide_with(const std::function<void(player::ActionContext&)>& choose, MatchPlayer& player);
 
 /// One decision of a player of the mock Playmaker's simple team, between player::begin_decision()
 /// and player::finish_decision().

@@ -1,0 +1,129 @@
+// Groups kicks to decisions, and values them by what followed.
+#include "review/decisions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "analysis/play/carries.h"
+#include "analysis/play/passes.h"
+#include "analysis/play/shots.h"
+#include "base/index.h"
+#include "review/state_value.h"
+
+namespace cls::review {
+namespace {
+
+using analysis::Flow;
+using analysis::Touch;
+using soccer::Side;
+
+constexpr std::uint32_t kSequence = 2;  // frames between kicks of one decision, at most
+
+int lead(const gamelog::MatchRecord& record, std::size_t frame, Side side) {
+  const gamelog::TeamFrames& teams = record.teams[record.team_state[frame]];
+  return (teams[0].score - teams[1].score) * soccer::sign(side);
+}
+
+// The value kDecisionHorizon cycles after a frame, or of the first goal until then.
+double value_after(const Flow& flow, std::size_t begin, Side side) {
+  const gamelog::MatchRecord& record = *flow.record;
+  std::size_t frame = begin;
+  while (frame + 1 < record.frames() &&
+         record.time[frame] < record.time[begin] + kDecisionHorizon) {
+    ++frame;
+    const int goals = lead(record, frame, side) - lead(record, begin, side);
+    if (goals != 0) return std::clamp(goals, -1, 1);
+  }
+  return state_value(view_of(flow, frame), side);
+}
+
+// Names the kicks of a match by what the statistics take them for.
+class Kinds {
+ public:
+  explicit Kinds(const Flow& flow) : kinds_(flow.touches.size()), receivers_(flow.touches.size()) {
+    std::ranges::fill(receivers_, static_cast<int>(soccer::kNoPlayer));
+    const std::vector<analysis::Shot> shots = find_shots(flow);
+    for (const analysis::Carry& carry : find_carries(flow)) {
+      kinds_[carry.touch] = DecisionKind::kDribble;
+    }
+    for (const analysis::Pass& pass : find_passes(flow, shots)) {
+      kinds_[pass.touch] = pass.clearance ? DecisionKind::kClearance : DecisionKind::kPass;
+      receivers_[pass.touch] = pass.receiver;
+    }
+    for (const analysis::Shot& shot : shots) kinds_[shot.touch] = DecisionKind::kShot;
+  }
+
+  void name(std::size_t touch, Decision& decision) const {
+    decision.kind = kinds_[touch];
+    decision.receiver = receivers_[touch];
+  }
+
+ private:
+  std::vector<DecisionKind> kinds_;
+  std::vector<int> receivers_;
+};
+
+bool continues(const Touch& last, const Touch& next) {
+  return next.slot == last.slot && next.kind == analysis::TouchKind::kKick &&
+         next.live_phase == last.live_phase && next.frame - last.frame <= kSequence;
+}
+
+}  // namespace
+
+std::vector<Decision> find_decisions(const Flow& flow, Side side) {
+  const gamelog::MatchRecord& record = *flow.record;
+  const Kinds kinds(flow);
+  std::vector<Decision> decisions;
+
+  for (std::size_t first = 0, next = 0; first < flow.touches.size(); first = next) {
+    const Touch& touch = flow.touches[first];
+    next = first + 1;
+    if (touch.contested() || touch.kind != analysis::TouchKind::kKick || touch.frame == 0 ||
+        touch.live_phase < 0 || analysis::side_of(touch.slot) != side ||
+        !flow.is_live(touch.frame - 1)) {
+      continue;
+    }
+
+    while (next < flow.touches.size() && continues(flow.touches[next - 1], flow.touches[next])) {
+      ++next;
+    }
+
+    Decision decision;
+    decision.frame = touch.frame - 1;
+    decision.end = flow.touches[next - 1].frame;
+    decision.cycle = record.time[decision.frame];
+    decision.slot = touch.slot;
+    kinds.name(next - 1, decision);
+    decision.before = state_value(view_of(flow, decision.frame), side);
+    decision.after = value_after(flow, decision.frame, side);
+    decisions.push_back(decision);
+  }
+
+  return decisions;
+}
+
+std::vector<Decision> costliest(std::vector<Decision> decisions, std::size_t count) {
+  std::ranges::stable_sort(decisions, std::ranges::greater{}, &Decision::lost);
+
+  std::vector<Decision> chosen;
+  for (const Decision& decision : decisions) {
+    if (chosen.size() == count) break;
+    const bool near = std::ranges::any_of(chosen, [&](const Decision& other) {
+      return std::abs(other.cycle - decision.cycle) < kDecisionHorizon;
+    });
+    if (!near) chosen.push_back(decision);
+  }
+  return chosen;
+}
+
+std::string text_of(const Decision& decision) {
+  const std::string kind(kDecisionNames.name(decision.kind));
+  if (decision.kind != DecisionKind::kPass || decision.receiver == soccer::kNoPlayer) return kind;
+  return fmt::format("{} to {}{}", kind,
+                     analysis::same_team(decision.slot, decision.receiver) ? "" : "their ",
+                     soccer::unum_of_slot(decision.receiver));
+}
+
+}  // namespace cls::review

@@ -1,0 +1,216 @@
+// A review as text and JSON.
+#include "review/review.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text/counted.h"
+#include "base/text/table.h"
+
+namespace cls::review {
+namespace {
+
+using base::Json;
+using base::Table;
+
+std::string decimals(double value) { return fmt::format("{:.2f}", value); }
+
+std::string signed_text(const Estimate& estimate) {
+  return fmt::format("{:.2f} to {:.2f}", estimate.low, estimate.high);
+}
+
+int goals_of(const Review& review, int ReviewedMatch::*goals) {
+  int sum = 0;
+  for (const ReviewedMatch& match : review.matches) sum += match.*goals;
+  return sum;
+}
+
+std::vector<std::vector<Chance>> chances_of(const Review& review,
+                                            std::vector<Chance> ReviewedMatch::*chances) {
+  std::vector<std::vector<Chance>> all;
+  for (const ReviewedMatch& match : review.matches) all.push_back(match.*chances);
+  return all;
+}
+
+std::vector<Verdict> verdicts_of(const Review& review) {
+  std::vector<Verdict> all;
+  for (const ReviewedDecision& decision : review.decisions) all.push_back(decision.verdict);
+  return all;
+}
+
+Json estimate_json(const Estimate& estimate) {
+  return {{"value", estimate.value}, {"low", estimate.low}, {"high", estimate.high}};
+}
+
+Json chances_json(const std::vector<Chance>& chances) {
+  Json list = Json::array();
+  for (const Chance& chance : chances) {
+    list.push_back({{"cycle", chance.cycle},
+                    {"worth", chance.worth},
+                    {"origin", chance.origin},
+                    {"finish", chance.finish}});
+  }
+  return list;
+}
+
+Json worths_json(const Worths& worths) {
+  Json list = Json::array();
+  for (const double worth : worths) list.push_back(worth);
+  return list;
+}
+
+Json decision_json(const ReviewedDecision& reviewed) {
+  const Verdict& verdict = reviewed.verdict;
+  const PlayedDecision& played = verdict.played;
+  const Decision& decision = played.decision;
+
+  Json alternatives = Json::array();
+  for (std::size_t i = 0; i < played.alternatives.size(); ++i) {
+    const Alternative& alternative = played.alternatives[i];
+    alternatives.push_back({{"decision", alternative.text},
+                            {"kind", alternative.group},
+                            {"planner", alternative.planned},
+                            {"target", {alternative.target.x, alternative.target.y}},
+                            {"worths", worths_json(played.worths[i])}});
+  }
+
+  const Alternative* best = verdict.best();
+  return {{"match", reviewed.match},
+          {"cycle", decision.cycle},
+          {"unum", soccer::unum_of_slot(decision.slot)},
+          {"decision", text_of(decision)},
+          {"kind", kDecisionNames.name(decision.kind)},
+          {"value_before", decision.before},
+          {"value_after", decision.after},
+          {"better", best == nullptr ? Json() : Json(best->text)},
+          {"cost", estimate_json(verdict.cost)},
+          {"worths", worths_json(played.recorded)},
+          {"alternatives", alternatives}};
+}
+
+std::string place_text(const Review& review, const Place& place) {
+  return fmt::format("{} {}", review.matches[place.match].folder, place.cycle);
+}
+
+// A table of classes of chances, with a line that names it.
+std::string classes_text(const Review& review, const std::string& title,
+                         std::vector<Chance> ReviewedMatch::*chances, std::string Chance::*field,
+                         std::size_t most) {
+  const std::vector<ChanceClass> classes = classes_of(chances_of(review, chances), field);
+  if (classes.empty()) return {};
+
+  Table table;
+  table.add_column("goals", Table::Align::kRight);
+  table.add_column("times", Table::Align::kRight);
+  table.add_column("how");
+  table.add_column("seen in, at cycle");
+  for (std::size_t i = 0; i < std::min(most, classes.size()); ++i) {
+    const ChanceClass& one = classes[i];
+    table.add_row({decimals(one.worth), fmt::to_string(one.chances), one.name,
+                   place_text(review, one.worst)});
+  }
+  return fmt::format("\n{}\n{}", title, table.format_text(2));
+}
+
+std::string decisions_text(const Review& review, std::size_t most) {
+  Table table;
+  table.add_column("goals", Table::Align::kRight);
+  table.add_column("95 %");
+  table.add_column("player", Table::Align::kRight);
+  table.add_columns({"did", "better", "match, cycle"});
+  std::size_t rows = 0;
+  for (const ReviewedDecision& reviewed : review.decisions) {
+    const Verdict& verdict = reviewed.verdict;
+    const Decision& decision = verdict.played.decision;
+    if (!verdict.better || rows == most) break;
+    ++rows;
+    table.add_row({decimals(verdict.cost.value), signed_text(verdict.cost),
+                   fmt::to_string(soccer::unum_of_slot(decision.slot)), text_of(decision),
+                   verdict.best()->text, place_text(review, {reviewed.match, decision.cycle})});
+  }
+  if (rows == 0) return "  the playouts prefer no other decision\n";
+  return table.format_text(2);
+}
+
+std::string groups_text(const Review& review, std::size_t most) {
+  Table table;
+  table.add_column("goals", Table::Align::kRight);
+  table.add_column("95 %");
+  table.add_column("times", Table::Align::kRight);
+  table.add_columns({"did", "better"});
+  const std::vector<VerdictGroup> groups = group(verdicts_of(review));
+  for (std::size_t i = 0; i < std::min(most, groups.size()); ++i) {
+    table.add_row({decimals(groups[i].cost.value), signed_text(groups[i].cost),
+                   fmt::to_string(groups[i].decisions), groups[i].recorded, groups[i].better});
+  }
+  return groups.empty() ? "" : "\nthe same by kind\n" + table.format_text(2);
+}
+
+}  // namespace
+
+Json to_json(const Review& review) {
+  Json matches = Json::array();
+  for (const ReviewedMatch& match : review.matches) {
+    matches.push_back({{"file", match.file},
+                       {"side", side_name(match.side)},
+                       {"opponent", match.opponent},
+                       {"goals", match.goals},
+                       {"goals_against", match.goals_against},
+                       {"decisions", match.decisions},
+                       {"against", chances_json(match.against)},
+                       {"wasted", chances_json(match.wasted)}});
+  }
+
+  Json decisions = Json::array();
+  for (const ReviewedDecision& decision : review.decisions) {
+    decisions.push_back(decision_json(decision));
+  }
+  Json kinds = Json::array();
+  for (const VerdictGroup& one : group(verdicts_of(review))) {
+    kinds.push_back({{"kind", one.recorded},
+                     {"better", one.better},
+                     {"decisions", one.decisions},
+                     {"cost", estimate_json(one.cost)}});
+  }
+
+  Json skipped = Json::array();
+  for (const std::string& why : review.skipped) skipped.push_back(why);
+  return {{"schema", "cls.review/1"},
+          {"team", review.team},
+          {"continued_by", review.continued_by},
+          {"seeds", review.terms.seeds},
+          {"seed", review.terms.seed},
+          {"cycles", review.terms.cycles},
+          {"interrupted", review.interrupted},
+          {"matches", matches},
+          {"decisions", decisions},
+          {"kinds", kinds},
+          {"skipped", skipped}};
+}
+
+std::string to_text(const Review& review, std::size_t most) {
+  const auto count = static_cast<double>(review.matches.size());
+  std::string text = fmt::format("{}: {}, {:.2f} : {:.2f} goals a match\n", review.team,
+                                 base::counted(review.matches.size(), "match", "matches"),
+                                 goals_of(review, &ReviewedMatch::goals) / count,
+                                 goals_of(review, &ReviewedMatch::goals_against) / count);
+
+  text += classes_text(review, "goals against, by how the ball was lost", &ReviewedMatch::against,
+                       &Chance::origin, most);
+  text += classes_text(review, "goals against, by finish", &ReviewedMatch::against, &Chance::finish,
+                       most);
+  text += classes_text(review, "chances wasted, by finish (expected goals)", &ReviewedMatch::wasted,
+                       &Chance::finish, most);
+  if (review.decisions.empty() && review.skipped.empty()) return text;
+
+  text += fmt::format(
+      "\ndecisions that cost most: {} of {} cycles after each choice, played by the {}\n",
+      base::counted(base::index(review.terms.seeds), "playout"), review.terms.cycles,
+      review.continued_by);
+  text += decisions_text(review, most) + groups_text(review, most);
+  for (const std::string& why : review.skipped) text += fmt::format("not played again: {}\n", why);
+  return text;
+}
+
+}  // namespace cls::review

@@ -1,0 +1,49 @@
+// The review of matches of a team: what cost goals, and what would have been better.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/text/json.h"
+#include "review/chances.h"
+#include "review/verdict.h"
+
+namespace cls::review {
+
+/// A match of the team.
+struct ReviewedMatch {
+  std::string file;    ///< of the game log
+  std::string folder;  ///< what `cls watch` shows
+  soccer::Side side = soccer::Side::kLeft;
+  std::string opponent;
+  int goals = 0;
+  int goals_against = 0;
+  std::vector<Chance> against;  ///< goals
+  std::vector<Chance> wasted;   ///< shots
+  std::size_t decisions = 0;    ///< with the ball in live play
+};
+
+/// A decision played again, in one of the matches.
+struct ReviewedDecision {
+  std::size_t match = 0;
+  Verdict verdict;
+};
+
+struct Review {
+  std::string team;
+  std::vector<ReviewedMatch> matches;
+  std::vector<ReviewedDecision> decisions;  ///< by cost, highest first
+  std::vector<std::string> skipped;         ///< decisions that could not be played again, and why
+  std::string continued_by;                 ///< who plays on after the decision: "planner"
+  PlayoutTerms terms;
+  bool interrupted = false;
+};
+
+/// The document `cls.review/1`.
+base::Json to_json(const Review& review);
+
+/// `most`: rows of each table. `width`: columns of the terminal.
+std::string to_text(const Review& review, std::size_t most);
+
+}  // namespace cls::review
