@@ -81,6 +81,7 @@ test('waits for the first frame, then shows each as it comes', async () => {
   await match.listen();
   const {page, problems, context} = await open(match.url);
   await page.getByText('Waiting for the kick-off').waitFor();
+  assert.equal(await page.getByRole('heading', {level: 1}).textContent(), await page.title());
   for (const pieces of [1, 2, 3]) {
     match.play(1);
     await shows(page, pieces * kPieceFrames - 1);

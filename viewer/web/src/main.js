@@ -81,12 +81,12 @@ async function startReplay(root, options) {
 
 async function startLive(root, options) {
   const state = element('p', {role: 'status'}, 'Connecting');
-  root.replaceChildren(element('main', {class: 'message'}, state));
+  root.replaceChildren(element('main', {class: 'message'}, element('h1', {}, document.title), state));
   /** @type {Page | null} */
   let page = null;
   await readLive(options.live, {
     onConnection(connected) {
-      setText(state, connected ? 'Waiting for the kick-off' : 'No connection to cls; trying again');
+      setText(state, connected ? 'Waiting for the kick-off. The match appears here by itself.' : 'No connection to cls; trying again');
       page?.showNotice(connected ? '' : 'No connection to cls; trying again');
     },
     onRecord(record) {
