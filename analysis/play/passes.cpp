@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/play/one_ball.h"
 #include "analysis/play/pitch_areas.h"
 #include "base/text/enum_names.h"
 #include "soccer/pitch.h"
@@ -15,7 +16,6 @@ namespace {
 using soccer::Vec2;
 
 constexpr double kPlayedSpeed = 0.6;
-constexpr double kPlayedDistance = 3.0;
 constexpr int kOneTwoCycles = 40;
 constexpr double kOneTwoGain = 5.0;
 
@@ -218,6 +218,7 @@ std::vector<Pass> find_passes(const Flow& flow, const std::vector<Shot>& shots) 
 
     const Touch* next = builder.next_in_play(i);
     if (next != nullptr && next->slot == touch.slot) continue;  // a carry
+    if (next != nullptr && at_one_ball(flow, touch, *next)) continue;
 
     const Pass pass = builder.build(i);
     if (was_played(pass)) passes.push_back(pass);

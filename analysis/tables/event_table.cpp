@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/play/one_ball.h"
 #include "base/io/arrow_file.h"
 #include "base/text/number_text.h"
 #include "soccer/play_mode.h"
@@ -108,6 +109,9 @@ class EventRows {
     } else if (to.side != from.side) {
       type = "Interception";
       success = true;
+    } else if (at_one_ball(flow_, *before, touch)) {
+      type = "BallTouch";
+      success = false;
     } else if (to == from) {
       if (dashed(*before, touch)) {
         type = "Dribble";

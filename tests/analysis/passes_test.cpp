@@ -105,6 +105,23 @@ TEST(Passes, IgnoresReceptionFromOffsidePosition) {
   EXPECT_EQ(passes_in(match).at(0).outcome, PassOutcome::kOffside);
 }
 
+// As at a kick-off where two players stand at the ball.
+TEST(Passes, IgnoresTeammatesWhoKickInTurn) {
+  const auto passes = [](Vec2 mate, Vec2 launch, int steps) {
+    ScriptedMatch match;
+    match.player(left(6)).position = mate;
+    match.step();
+    match.kick(left(5), launch);
+    match.steps(steps);
+    match.kick(left(6), {0, 0});
+    return passes_in(match).size();
+  };
+
+  EXPECT_EQ(passes({0.5, 0}, {0.1, 0}, 0), 0U);
+  EXPECT_EQ(passes({0.5, 0}, {1.5, 0}, 3), 1U) << "moved further";
+  EXPECT_EQ(passes({2.5, 0}, {0.8, 0}, 2), 1U) << "to a teammate who could not kick before";
+}
+
 TEST(Passes, IgnoresSoftTouchThatIsLost) {
   ScriptedMatch soft;
   soft.kick(left(5), {0.3, 0});

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "analysis/play/flow.h"
+#include "analysis/play/passes.h"
 #include "analysis/tables/log_tables.h"
 #include "analysis/tables/tracking_table.h"
 #include "base/io/byte_sink.h"
@@ -153,6 +154,21 @@ TEST(EventTable, PairsTouchesOfALivePhase) {
                                "BallTouch,left,6,4,play_on,3,0,left,6,5,4,0,false\n"
                                "Pass,left,6,5,play_on,4,0,left,7,6,5,0,false\n"
                                "Interception,left,7,6,play_on,5,0,right,8,7,6,0,true\n");
+}
+
+TEST(EventTable, CountsTheSamePassesAsTheStatistics) {
+  ScriptedMatch match;
+  match.player(left(6)).position = {0.5, 0};
+  match.step();
+  match.kick(left(5), {0.1, 0});
+  match.kick(left(6), {0.1, 0});
+  match.kick(left(7), {0, 0});
+  EXPECT_EQ(events(match), std::string(kEventHeading) +
+                               "BallTouch,left,5,2,play_on,0,0,left,6,3,0.1,0,false\n"
+                               "Pass,left,6,3,play_on,0.1,0,left,7,4,0.2,0,true\n");
+
+  const Flow flow = build_flow(match.record());
+  EXPECT_EQ(find_passes(flow, {}).size(), 1U);
 }
 
 TEST(EventTable, SeveralTouchersHaveNoNumber) {
