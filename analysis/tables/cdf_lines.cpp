@@ -63,6 +63,13 @@ std::string match_clock(const gamelog::MatchRecord& record, std::size_t frame) {
   return fmt::format("{:02}:{:05.2f}", minutes, seconds - minutes * 60.0);
 }
 
+// With six significant digits, as logs have it: floats as doubles have digits that mean nothing.
+double as_logged(double value) {
+  std::string text;
+  base::append_g(value, text);
+  return base::parse_number(text).value_or(value);
+}
+
 Json event_object(const CdfMatch& match, const Event& event, std::size_t index) {
   const auto& record = match.record;
   const MatchStatistics& all = match.statistics;
@@ -83,14 +90,15 @@ Json event_object(const CdfMatch& match, const Event& event, std::size_t index) 
       {"team_id", match.teams[team_of(event.slot)]},
       {"receiver_id", received ? Json(match.player_id(slot_index(event.other))) : Json()},
       {"receiver_time", received ? Json(match.time_of(end_frame)) : Json()},
-      {"x", event.from.x},
-      {"y", 0.0 - event.from.y},
-      {"x_end", event.to.x},
-      {"y_end", 0.0 - event.to.y},
+      {"x", as_logged(event.from.x)},
+      {"y", as_logged(0.0 - event.from.y)},
+      {"x_end", as_logged(event.to.x)},
+      {"y_end", as_logged(0.0 - event.to.y)},
       {"body_part", "other"},
       {"related_event_ids", nullptr},
       {"match_clock", match_clock(record, event.frame)}};
-  if (event.kind == EventKind::kShot) one["metrics"] = {{"xg", all.expected[event.index]}};
+  if (event.kind == EventKind::kShot)
+    one["metrics"] = {{"xg", as_logged(all.expected[event.index])}};
 
   return {{"match", {{"id", match.id}}},
           {"meta", {{"is_synced", true}}},

@@ -149,6 +149,15 @@ TEST(Cdf, EventsHaveReceiversAndFrames) {
   EXPECT_EQ(events[0]["tracking"], (json{{"frame_id", 1}, {"frame_id_end", 3}}));
 }
 
+// Positions are floats, whose digits as doubles mean nothing.
+TEST(Cdf, EventsHaveTheDigitsOfTheLog) {
+  ScriptedMatch match;
+  match.kick(left(5), {0.1, 0.7});
+  match.kick(left(6), {0.1, 0});
+  const CdfMatch cdf(match.record(), "m");
+  EXPECT_THAT(cdf_events(cdf), testing::HasSubstr(R"("x_end":0.1,"y_end":-0.7,)"));
+}
+
 TEST(Cdf, DocumentsHavePeriodsGoalsAndResult) {
   ScriptedMatch match;
   match.record().server.half_time = 1;
