@@ -129,6 +129,17 @@ base::Result<std::vector<ScheduledMatch>> planned_matches(const TournamentOption
   return matches;
 }
 
+// Teams that are equal where a table decides who goes on: what has separated them.
+void print_equal_teams(const Competition& competition, const std::vector<ScheduledMatch>& matches) {
+  for (const EqualTeams& equal : equal_teams(competition, matches)) {
+    std::vector<std::string> names;
+    for (const int team : equal.teams) names.push_back(competition.team(team));
+    fmt::print(
+        "{}: {} are equal; their order is {}\n", equal.table, fmt::join(names, ", "),
+        equal.decided ? "a decision" : "a lot from the seed (cls tournament decide --order)");
+  }
+}
+
 int run_plan(const PlanArguments& arguments) {
   const ChosenConfig chosen = choose_config(arguments.tournament);
   if (chosen.exit_code != kOk) return chosen.exit_code;
@@ -150,6 +161,7 @@ int run_plan(const PlanArguments& arguments) {
   const FormatRules& rules = rules_of(competition);
   fmt::print("{}, {} teams, seed {}: {} matches{}\n", rules.name, competition.teams.size(),
              competition.seed, matches.size(), rules.later ? ", more follow from results" : "");
+  print_equal_teams(competition, matches);
   if (!times.starts.empty()) {
     fmt::print("{}, a match every {} minutes on each\n", base::counted(times.servers, "server"),
                times.slot_minutes);

@@ -145,6 +145,16 @@ OpenedFolder open_folder(const fs::path& folder, const TournamentConfig& config,
   return {kOk, *std::move(lock), std::move(state->matches)};
 }
 
+// The plan with the teams that still play.
+TournamentConfig without_withdrawn(TournamentConfig config,
+                                   const std::vector<ScheduledMatch>& matches) {
+  std::vector<std::string> gone;
+  for (const int team : withdrawn_teams(matches)) gone.push_back(config.competition.team(team));
+  std::erase_if(config.competition.teams,
+                [&gone](const TeamEntry& team) { return std::ranges::count(gone, team.name) > 0; });
+  return config;
+}
+
 // Checks teams and host before the first match; prints errors, warnings and the outlook.
 int run_preflight(const fs::path& folder, const TournamentConfig& config,
                   const SessionOptions& options, const std::vector<ScheduledMatch>& matches,
@@ -156,7 +166,8 @@ int run_preflight(const fs::path& folder, const TournamentConfig& config,
     const std::chrono::duration<double> patience(
         std::min(kPatienceS, match_options(config.conditions).start_timeout_s));
     const auto problems =
-        check_start(config, std::chrono::duration_cast<std::chrono::milliseconds>(patience));
+        check_start(without_withdrawn(config, matches),
+                    std::chrono::duration_cast<std::chrono::milliseconds>(patience));
     for (const StartProblem& problem : problems) print_error(0, problem.text);
     if (!problems.empty()) {
       return print_error(exit_code_of(problems.front().kind),

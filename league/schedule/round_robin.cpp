@@ -34,15 +34,32 @@ std::vector<std::vector<int>> groups_of(const Competition& competition) {
   return serpentine(slots, base::index(competition.groups));
 }
 
-// Seeds of the knockout: all group winners, then all second, ...
-std::vector<int> qualified(const Competition& competition, std::span<const RankedTable> groups) {
+// Seeds of the knockout: all group winners, then all second, ... Those that have left make room.
+std::vector<int> qualified(const Competition& competition, std::span<const RankedTable> groups,
+                           const std::vector<int>& withdrawn) {
+  std::vector<std::vector<int>> teams;
+  for (const RankedTable& group : groups) {
+    teams.emplace_back();
+    for (const Standing& row : group.standings) {
+      if (std::ranges::count(withdrawn, row.team) == 0) teams.back().push_back(row.team);
+    }
+  }
+
   std::vector<int> seeds;
   for (std::size_t place = 0; place < base::index(competition.advance); ++place) {
-    for (const RankedTable& group : groups) {
-      if (place < group.standings.size()) seeds.push_back(group.standings[place].team);
+    for (const std::vector<int>& group : teams) {
+      if (place < group.size()) seeds.push_back(group[place]);
     }
   }
   return seeds;
+}
+
+// The matches before the knockout; all while there is none.
+std::span<const ScheduledMatch> before_knockout(std::span<const ScheduledMatch> matches) {
+  const auto first = std::ranges::find_if_not(matches, [](const ScheduledMatch& match) {
+    return match.fixture.stage.starts_with("group ");
+  });
+  return matches.first(base::index(first - matches.begin()));
 }
 
 }  // namespace
@@ -96,10 +113,13 @@ Progress schedule_groups(FixtureList& list) {
   }
 
   if (!played.empty() && all_have_outcomes(played)) {
+    const auto orders = decided_orders(list.so_far());
+    const std::vector<int> withdrawn = withdrawn_teams(before_knockout(list.so_far()));
+    const int places = competition.advance + static_cast<int>(withdrawn.size());
     for (RankedTable& table : progress.tables) {
-      draw_lots(competition.seed, table.title, competition.advance, table.standings);
+      draw_lots(competition.seed, table.title, places, orders, table.standings);
     }
-    progress.ranks = schedule_knockout(list, qualified(competition, progress.tables),
+    progress.ranks = schedule_knockout(list, qualified(competition, progress.tables, withdrawn),
                                        rounds_of(competition) + 1);
   }
   return progress;

@@ -53,6 +53,26 @@ std::vector<RankedTable> tables(const Competition& competition,
   return std::move(progress.tables);
 }
 
+std::vector<EqualTeams> equal_teams(const Competition& competition,
+                                    std::span<const ScheduledMatch> so_far) {
+  std::vector<EqualTeams> found;
+  for (const RankedTable& table : tables(competition, so_far)) {
+    const Standing* above = nullptr;
+    for (const Standing& row : table.standings) {
+      const bool equal = row.separated_by == kLot || row.separated_by == kDecision;
+      if (equal && above->separated_by != kLot && above->separated_by != kDecision) {
+        found.push_back({.table = table.title, .teams = {above->team}});
+      }
+      if (equal) {
+        found.back().teams.push_back(row.team);
+        found.back().decided = row.separated_by == kDecision;
+      }
+      above = &row;
+    }
+  }
+  return found;
+}
+
 std::vector<Bye> byes(const Competition& competition, std::span<const ScheduledMatch> so_far) {
   const auto byes = rules_of(competition).byes;
   return byes == nullptr ? std::vector<Bye>() : byes(competition, so_far);

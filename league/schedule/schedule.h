@@ -24,6 +24,17 @@ std::vector<Fixture> next_fixtures(const Competition& competition,
 std::vector<RankedTable> tables(const Competition& competition,
                                 std::span<const ScheduledMatch> so_far);
 
+/// Teams that are equal in every tiebreaker of a table whose order decides who goes on: a lot or a
+/// decision has given them their order.
+struct EqualTeams {
+  std::string table;       ///< title
+  std::vector<int> teams;  ///< best first
+  bool decided = false;    ///< by a decision, else by a lot
+};
+
+std::vector<EqualTeams> equal_teams(const Competition& competition,
+                                    std::span<const ScheduledMatch> so_far);
+
 /// The byes of a Swiss tournament.
 std::vector<Bye> byes(const Competition& competition, std::span<const ScheduledMatch> so_far);
 

@@ -70,7 +70,10 @@ Slots row_by_row(const std::vector<std::vector<int>>& groups, bool gaps) {
 class Stages {
  public:
   explicit Stages(FixtureList& list)
-      : list_(list), competition_(list.competition()), breakers_(tie_breakers_of(competition_)) {}
+      : list_(list),
+        competition_(list.competition()),
+        breakers_(tie_breakers_of(competition_)),
+        orders_(decided_orders(list.so_far())) {}
 
   std::vector<RankedTable> play() {
     for (const Stage& stage : competition_.stages) {
@@ -102,7 +105,8 @@ class Stages {
 
     slots_ = ranked_entrants();
     out_.clear();
-    if (stage.teams > 0) leave_out(base::index(stage.teams));
+    leave_out_withdrawn();
+    leave_out(stage.teams > 0 ? base::index(stage.teams) : slots_.size());
     for (const std::string& team : stage.join) slots_.emplace_back(team_index(competition_, team));
   }
 
@@ -125,7 +129,7 @@ class Stages {
     table.standings = standings(teams, matches_of(stage_->ranked_by), breakers_);
     table.average = true;
     const int places = stage_->teams > 0 ? stage_->teams : competition_.team_count();
-    draw_lots(competition_.seed, table.title, places, table.standings);
+    draw_lots(competition_.seed, table.title, places, orders_, table.standings);
 
     before_.ranks = ranks_of(table.standings);
     tables_.push_back(std::move(table));
@@ -151,10 +155,19 @@ class Stages {
     return slots;
   }
 
+  // Teams that left before the stage began, unless its groups are given: those they are drawn from
+  // have as many places as before.
+  void leave_out_withdrawn() {
+    if (!stage_->drawn.empty() || !stage_->divisions.empty()) return;
+    const std::vector<ScheduledMatch> own = matches_of({stage_->name});
+    const std::span<const ScheduledMatch> all = list_.so_far();
+    const auto before = own.empty() ? all : all.first(base::index(own.front().fixture.index) - 1);
+    for (const int team : withdrawn_teams(before)) std::erase(slots_, std::optional(team));
+  }
+
   // Only the first `teams` slots take part; the others keep their ranks behind them.
   void leave_out(std::size_t teams) {
-    if (slots_.size() <= teams) return;
-    slots_.resize(teams);
+    slots_.resize(std::min(slots_.size(), teams));
     const std::vector<int> in = entrants();
     for (const std::vector<int>& shared : before_.ranks) {
       std::vector<int> rest = without(shared, in);
@@ -234,7 +247,7 @@ class Stages {
     std::vector<std::vector<int>> sorted;
     for (std::size_t i = 0; i < groups.size(); ++i) {
       RankedTable table = table_of(groups[i], name_of_group(i, groups.size()));
-      draw_lots(competition_.seed, table.title, places, table.standings);
+      draw_lots(competition_.seed, table.title, places, orders_, table.standings);
       const Ranks ranks = ranks_of(table.standings);
       in_turn.insert(in_turn.end(), ranks.begin(), ranks.end());
       sorted.push_back(flat(ranks));
@@ -301,6 +314,7 @@ class Stages {
   FixtureList& list_;
   const Competition& competition_;
   const std::vector<TieBreaker> breakers_;
+  const std::vector<MatchDecision> orders_;
   const Stage* stage_ = nullptr;
   Slots slots_;  // of the stage, by rank; a gap is a place that a smaller group lacked
   Ranks out_;    // teams that have taken part, but not in this stage

@@ -2,8 +2,10 @@
 #include "league/schedule/standings.h"
 
 #include <algorithm>
+#include <climits>
 #include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "base/text/fnv1a.h"
@@ -238,6 +240,18 @@ class Table {
   OpponentRecords records_;
 };
 
+// The place of the team in the last order that was decided for the table.
+std::optional<int> decided_place(std::span<const MatchDecision> orders, std::string_view title,
+                                 int team) {
+  std::optional<int> place;
+  for (const MatchDecision& order : orders) {
+    const auto found = std::ranges::find(order.teams, team);
+    if (order.table != title || found == order.teams.end()) continue;
+    place = static_cast<int>(found - order.teams.begin());
+  }
+  return place;
+}
+
 }  // namespace
 
 std::vector<Standing> standings(std::span<const int> teams, std::span<const ScheduledMatch> matches,
@@ -247,11 +261,12 @@ std::vector<Standing> standings(std::span<const int> teams, std::span<const Sche
 }
 
 void draw_lots(std::uint64_t seed, std::string_view title, int places,
-               std::vector<Standing>& table) {
-  const auto lot_of = [&](const Standing& row) {
-    return soccer::RandomStream(seed, "lot of a table", base::fnv1a(title),
-                                static_cast<std::uint64_t>(row.team))
-        .integer(1 << 30);
+               std::span<const MatchDecision> orders, std::vector<Standing>& table) {
+  const auto place_of = [&](const Standing& row) {
+    const int lot = soccer::RandomStream(seed, "lot of a table", base::fnv1a(title),
+                                         static_cast<std::uint64_t>(row.team))
+                        .integer(1 << 30);
+    return std::pair(decided_place(orders, title, row.team).value_or(INT_MAX), lot);
   };
 
   for (auto first = table.begin(); first != table.end();) {
@@ -259,11 +274,13 @@ void draw_lots(std::uint64_t seed, std::string_view title, int places,
     const auto end =
         std::find_if(first, table.end(), [rank](const Standing& row) { return row.rank != rank; });
     if (end - first > 1 && rank <= places) {
-      std::stable_sort(first, end,
-                       [&](const Standing& a, const Standing& b) { return lot_of(a) < lot_of(b); });
+      std::stable_sort(first, end, [&](const Standing& a, const Standing& b) {
+        return place_of(a) < place_of(b);
+      });
       int next = rank;
       for (auto row = first; row != end; ++row) {
-        if (row != first) row->separated_by = kLot;
+        const bool decided = place_of(*row).first != INT_MAX;
+        if (row != first) row->separated_by = decided ? kDecision : kLot;
         row->rank = next++;
       }
     }

@@ -54,13 +54,14 @@ std::vector<Standing> standings(std::span<const int> teams, std::span<const Sche
                                 const std::vector<TieBreaker>& breakers,
                                 std::span<const Bye> byes = {});
 
-/// The name of the criterion in Standing::separated_by of draw_lots().
+/// The names of the criteria in Standing::separated_by of draw_lots().
 inline constexpr const char* kLot = "lot";
+inline constexpr const char* kDecision = "decision";
 
-/// Gives teams that share a rank of the first `places` ranks of their own, in an order drawn from
-/// `seed`: for tables whose order decides who goes on. `title`: of the table; each has its own
-/// lots.
+/// Gives teams that share a rank of the first `places` ranks of their own, in the order that was
+/// decided for the table of this title, else in one drawn from `seed`: for tables whose order
+/// decides who goes on. Each table has its own lots.
 void draw_lots(std::uint64_t seed, std::string_view title, int places,
-               std::vector<Standing>& table);
+               std::span<const MatchDecision> orders, std::vector<Standing>& table);
 
 }  // namespace cls::league

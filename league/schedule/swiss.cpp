@@ -78,10 +78,14 @@ class Pairing {
   Pairs pairs_;
 };
 
-// With an odd number of teams one gets a bye: the last team without an earlier bye for which the
-// others can be paired.
-Pairs pair_round(const std::vector<Entry>& ordered, const std::set<int>& had_bye,
+// With an odd number of teams one gets a bye: of the teams with the fewest byes, which are none
+// unless teams have left, the last one for which the others can be paired.
+Pairs pair_round(const std::vector<Entry>& ordered, const std::map<int, int>& byes,
                  const Meetings& meetings) {
+  const auto byes_of = [&byes](const Entry& entry) {
+    return byes.contains(entry.team) ? byes.at(entry.team) : 0;
+  };
+  const int fewest = byes_of(std::ranges::min(ordered, {}, byes_of));
   for (int allowed = 0;; ++allowed) {
     if (ordered.size() % 2 == 0) {
       Pairing pairing(ordered, meetings, allowed);
@@ -89,7 +93,7 @@ Pairs pair_round(const std::vector<Entry>& ordered, const std::set<int>& had_bye
       continue;
     }
     for (std::size_t i = ordered.size(); i-- > 0;) {
-      if (had_bye.contains(ordered[i].team)) continue;
+      if (byes_of(ordered[i]) > fewest) continue;
       std::vector<Entry> rest = ordered;
       rest.erase(rest.begin() + static_cast<long>(i));
       Pairing pairing(std::move(rest), meetings, allowed);
@@ -123,7 +127,7 @@ History history_of(std::span<const ScheduledMatch> matches) {
   return history;
 }
 
-// All teams by points, then seeding.
+// All teams but those that have left, by points, then seeding.
 std::vector<Entry> entries_by_points(const FixtureList& list, const std::vector<Bye>& byes) {
   const std::vector<int> order = seeding(list.competition());
   std::map<int, int> points;
@@ -131,8 +135,11 @@ std::vector<Entry> entries_by_points(const FixtureList& list, const std::vector<
     points[standing.team] = standing.points;
   }
 
+  const std::vector<int> withdrawn = withdrawn_teams(list.so_far());
   std::vector<Entry> ordered;
-  for (const int team : order) ordered.push_back({team, points[team]});
+  for (const int team : order) {
+    if (std::ranges::count(withdrawn, team) == 0) ordered.push_back({team, points[team]});
+  }
   std::ranges::stable_sort(ordered, std::greater(), &Entry::points);
   return ordered;
 }
@@ -142,9 +149,11 @@ std::vector<Entry> entries_by_points(const FixtureList& list, const std::vector<
 std::vector<Bye> swiss_byes(const Competition& competition,
                             std::span<const ScheduledMatch> so_far) {
   std::vector<Bye> byes;
-  if (competition.teams.size() % 2 == 0) return byes;
+  std::size_t known = 0;  // matches of earlier rounds
   for (const auto& [round, matches] : by_round(so_far)) {
-    std::set<int> present;
+    const std::vector<int> withdrawn = withdrawn_teams(so_far.first(known));
+    std::set<int> present(withdrawn.begin(), withdrawn.end());
+    known += matches.size();
     for (const ScheduledMatch& match : matches) {
       present.insert({match.fixture.left, match.fixture.right});
     }
@@ -162,12 +171,13 @@ Progress schedule_swiss(FixtureList& list) {
   if (!all_have_outcomes(so_far) || round > rounds_of(competition)) return {};
 
   const std::vector<Bye> byes = swiss_byes(competition, so_far);
-  std::set<int> had_bye;
-  for (const Bye& bye : byes) had_bye.insert(bye.team);
+  const std::vector<Entry> entries = entries_by_points(list, byes);
+  if (entries.size() < 2) return {};
+  std::map<int, int> had_byes;
+  for (const Bye& bye : byes) ++had_byes[bye.team];
 
   const History history = history_of(so_far);
-  for (const auto& [first, second] :
-       pair_round(entries_by_points(list, byes), had_bye, history.meetings)) {
+  for (const auto& [first, second] : pair_round(entries, had_byes, history.meetings)) {
     const int more_lefts = history.lefts_of(first) - history.lefts_of(second);
     const bool swapped = more_lefts != 0 ? more_lefts > 0 : round % 2 == 0;
     list.add_pairing(round, "", first, second, swapped);

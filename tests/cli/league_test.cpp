@@ -1,7 +1,9 @@
 // The organizer's commands: presets, check-in, stages, decisions.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <regex>
 
@@ -14,6 +16,7 @@ namespace cls::tests {
 namespace {
 
 using json = base::Json;
+using testing::HasSubstr;
 
 class League : public testing::Test, protected ClsFolder {
  protected:
@@ -152,6 +155,76 @@ TEST_F(League, NamesMayBeNumbers) {
 constexpr const char* kThreeTeams =
     "[teams.RED]\nendpoint = \"mock\"\n[teams.BLUE]\nendpoint = \"mock\"\n"
     "[teams.GOLD]\nendpoint = \"mock\"\n";
+
+// A team leaves after the first round, and takes its program along.
+TEST_F(League, ATeamThatWithdrawsIsAwaitedNoMore) {
+  const std::string stop = cls_binary().string() + " tournament stop " + path("cup").string();
+  write("cup/cls.toml",
+        "[tournament]\nformat = \"swiss\"\nrounds = 3\ncycles = 3\nswap_sides = false\n"
+        "on_match_finish = \"test -e once || { touch once; " +
+            stop +
+            "; }\"\n[teams.A]\nendpoint = \"mock:hold\"\n[teams.B]\nendpoint = \"mock:hold\"\n"
+            "[teams.C]\nendpoint = \"mock:hold\"\n[teams.F]\nendpoint = \"mock:f.json\"\n");
+  write("cup/f.json", R"({"otherwise": "hold"})");
+  run({"tournament", "run", "cup", "--quiet"});
+  std::filesystem::remove(path("cup/f.json"));
+  EXPECT_THAT(run({"tournament", "run", "cup", "--quiet"}).err, HasSubstr("f.json"));
+
+  const std::vector<std::string> decide = {"tournament", "decide", "cup"};
+  const auto withdraw = [&](const std::string& team) {
+    return run(joined(decide, {"--withdraw", team, "--reason", "left the league"}));
+  };
+  EXPECT_THAT(withdraw("G").err, HasSubstr("--withdraw: unknown team 'G'"));
+  EXPECT_EQ(run(joined(decide, {"--withdraw", "F", "--match", "1", "--reason", "x"})).exit_code, 2);
+  const json before = report()["matches"];
+  const auto played_before = static_cast<std::size_t>(
+      std::ranges::count_if(before, [](const json& match) { return !match["score"].is_null(); }));
+  const CommandResult left = withdraw("F");
+  EXPECT_EQ(left.exit_code, 0) << left.err;
+  EXPECT_THAT(left.out, HasSubstr("F has withdrawn: "));
+
+  const CommandResult played = run({"tournament", "run", "cup", "--quiet"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_THAT(run(decide).out, HasSubstr("withdrawn: F"));
+  const json document = report();
+  EXPECT_EQ(document["complete"], true);
+  ASSERT_GT(document["matches"].size(), played_before);
+  for (std::size_t i = played_before; i < document["matches"].size(); ++i) {
+    const json& match = document["matches"][i];
+    const bool leaves = match["left"] == "F" || match["right"] == "F";
+    EXPECT_TRUE(!leaves || match["forfeit"] == true) << match;
+  }
+}
+
+// Three teams are equal where two go on.
+TEST_F(League, OrganizersOrderEqualTeams) {
+  write("cup/cls.toml",
+        "[tournament]\nformat = \"stages\"\ncycles = 3\nswap_sides = false\n"
+        "[[stages]]\nname = \"first\"\n"
+        "[[stages]]\nname = \"final\"\nformat = \"knockout\"\nteams = 2\n"
+        "[teams.A]\nendpoint = \"mock:hold\"\n[teams.B]\nendpoint = \"mock:hold\"\n"
+        "[teams.C]\nendpoint = \"mock:hold\"\n");
+  ASSERT_EQ(run({"tournament", "run", "cup", "--quiet"}).exit_code, 0);
+  const std::string lot = run({"tournament", "plan", "cup"}).out;
+  EXPECT_THAT(lot, HasSubstr("are equal; their order is a lot from the seed"));
+  EXPECT_THAT(run({"tournament", "report", "cup"}).out, HasSubstr(" by lot"));
+
+  // The one that the lot left out comes first now.
+  const json table = report()["tables"][0]["standings"];
+  const std::string last = table[2]["team"].get<std::string>();
+  const std::string order =
+      last + "," + table[0]["team"].get<std::string>() + "," + table[1]["team"].get<std::string>();
+  const std::vector<std::string> decide = {"tournament", "decide",   "cup",      "--order",
+                                           order,        "--reason", "penalties"};
+  EXPECT_THAT(run(decide).err, HasSubstr("--redraw discards"));
+  const CommandResult decided = run(joined(decide, {"--redraw"}));
+  EXPECT_THAT(decided.out, HasSubstr("first: the order is " + order));
+
+  ASSERT_EQ(run({"tournament", "run", "cup", "--quiet"}).exit_code, 0);
+  EXPECT_EQ(report()["tables"][0]["standings"][0]["team"], last);
+  EXPECT_THAT(run({"tournament", "report", "cup"}).out, HasSubstr(" by decision"));
+  EXPECT_THAT(run({"tournament", "plan", "cup"}).out, HasSubstr("their order is a decision"));
+}
 
 TEST_F(League, PlanShowsWhenMatchesStart) {
   const std::string head = "[tournament]\ncycles = 5\nswap_sides = false\nconcurrency = 2\n";

@@ -152,7 +152,7 @@ TEST(DrawLots, OrdersEqualTeamsOfThePlacesThatGoOn) {
   ASSERT_EQ(table[2].rank, 1);
   const auto drawn = [&](std::uint64_t seed, std::string_view title, int places) {
     auto result = table;
-    draw_lots(seed, title, places, result);
+    draw_lots(seed, title, places, {}, result);
     return result;
   };
 

@@ -1,10 +1,13 @@
 // Decisions on matches: annulled, awarded, replayed, and what they change.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 
+#include "league/schedule/schedule.h"
 #include "league/schedule/schedule_check.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -263,6 +266,166 @@ TEST_F(DecisionsTest, ACorruptFileIsNamedWithItsLine) {
   const auto read = read_tournament(folder_.path());
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().message, file.string() + ":2: kind: unknown value 'anul'");
+}
+
+MatchDecision withdrawal(int team) {
+  MatchDecision decision = decision_on(0, DecisionKind::kWithdraw);
+  decision.teams = {team};
+  return decision;
+}
+
+bool plays(const Assignment& one, int team) {
+  return one.fixture.left == team || one.fixture.right == team;
+}
+
+TEST_F(DecisionsTest, ATeamThatLeavesIsNotPairedInLaterSwissRounds) {
+  TournamentConfig config = config_of(Format::kSwiss, 4);
+  config.competition.swap_sides = false;
+  config.competition.rounds = 3;
+  play(config, better_wins, 2);
+  ASSERT_EQ(state().matches.size(), 4U) << "the second round is drawn";
+
+  const auto effect = decide_on(withdrawal(0));
+  ASSERT_TRUE(effect) << effect.error().message;
+  EXPECT_EQ(effect->drawn_again, 3);
+  play(config);
+  EXPECT_EQ(played().size(), 2U) << "a match of the three that are left in each round";
+  for (const Assignment& one : record_.started) EXPECT_FALSE(plays(one, 0));
+
+  const TournamentState now = state();
+  const auto all = byes(now.config.competition, now.matches);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_NE(all[0].team, all[1].team);
+  EXPECT_TRUE(all[0].team != 0 && all[1].team != 0);
+  EXPECT_EQ(decide_on(withdrawal(0)).error().message, "A has withdrawn already");
+}
+
+// Byes go round when there are more rounds than teams that are left.
+TEST_F(DecisionsTest, ThreeTeamsThatAreLeftHaveByesInTurn) {
+  TournamentConfig config = config_of(Format::kSwiss, 6);
+  config.competition.swap_sides = false;
+  config.competition.rounds = 5;
+  play(config, better_wins, 3);
+  for (const int team : {0, 2, 4}) ASSERT_TRUE(decide_on(withdrawal(team)));
+  play(config);
+
+  const TournamentState now = state();
+  std::map<int, int> times;
+  for (const Bye& bye : byes(now.config.competition, now.matches)) ++times[bye.team];
+  ASSERT_EQ(times.size(), 3U);
+  int all = 0;
+  for (const auto& [team, number] : times) {
+    EXPECT_LE(number, 2) << team;
+    all += number;
+  }
+  EXPECT_EQ(all, 4) << "rounds 2 to 5";
+}
+
+TEST_F(DecisionsTest, OpponentsOfATeamThatLeavesWinTheirMatches) {
+  TournamentConfig config = config_of(Format::kRoundRobin, 3);
+  play(config, better_wins, 4);
+  const auto effect = decide_on(withdrawal(0));
+  ASSERT_TRUE(effect);
+  EXPECT_EQ(effect->awarded, 2) << "of four, two were played";
+  play(config);
+  EXPECT_TRUE(played().empty());
+
+  const TournamentState now = state();
+  for (const ScheduledMatch& match : now.matches) {
+    ASSERT_TRUE(match.outcome);
+    EXPECT_EQ(is_by_withdrawal(match), match.outcome->forfeit);
+  }
+  const Report report = make_report(now.config, now.matches, folder_.path());
+  EXPECT_THAT(report_text(report, {}), testing::HasSubstr("withdrawn: A"));
+
+  ASSERT_TRUE(decide_on(withdrawal(1)));
+  EXPECT_EQ(count(state().matches).finished, 4) << "what was played counts";
+}
+
+TEST_F(DecisionsTest, AMatchOfTwoTeamsThatLeftCountsForNothing) {
+  const TournamentConfig config = config_of(Format::kRoundRobin, 3);
+  play(config, better_wins, 0);
+  for (const int team : {0, 1}) ASSERT_TRUE(decide_on(withdrawal(team)));
+  play(config);
+  EXPECT_TRUE(played().empty());
+
+  const MatchCounts counts = count(state().matches);
+  EXPECT_EQ(counts.annulled, 2) << "A against B, from both sides";
+  EXPECT_EQ(counts.forfeits, 4);
+  EXPECT_EQ(ranks().front(), "C");
+}
+
+TEST_F(DecisionsTest, TheNextTeamOfAGroupGoesOnForOneThatLeaves) {
+  TournamentConfig config = config_of(Format::kGroups, 6);
+  config.competition.swap_sides = false;
+  config.competition.advance = 1;
+  play(config, better_wins, 6);
+  const int winner = state().matches[6].fixture.left;
+
+  ASSERT_TRUE(decide_on(withdrawal(winner)));
+  play(config);
+  for (const Assignment& one : record_.started) EXPECT_FALSE(plays(one, winner));
+  ASSERT_EQ(played().size(), 1U) << "a final";
+}
+
+TEST_F(DecisionsTest, AKnockoutGoesOnWithoutATeamThatLeaves) {
+  TournamentConfig config = config_of(Format::kKnockout, 4);
+  play(config, better_wins, 4);
+  ASSERT_TRUE(decide_on(withdrawal(0)));
+  play(config);
+
+  const TournamentState now = state();
+  EXPECT_TRUE(make_report(now.config, now.matches, folder_.path()).complete);
+  EXPECT_EQ(ranks().front(), "B");
+}
+
+TEST_F(DecisionsTest, AStageBeginsWithoutATeamThatLeft) {
+  TournamentConfig config = ladder_of(3);
+  play(config, better_wins, 3);
+  ASSERT_TRUE(decide_on(withdrawal(0)));
+  play(config);
+  for (const Assignment& one : record_.started) EXPECT_FALSE(plays(one, 0));
+  EXPECT_TRUE(make_report(config, state().matches, folder_.path()).complete);
+}
+
+TEST_F(DecisionsTest, ADecisionOnAnUnknownTeamIsNamed) {
+  const TournamentConfig config = config_of(Format::kRoundRobin, 3);
+  play(config, better_wins, 2);
+  ASSERT_TRUE(decide_on(withdrawal(0)));
+  std::ofstream(folder_.path() / kDecisionsFile, std::ios::app)
+      << R"({"match": 2, "kind": "withdraw", "teams": [7]})"
+      << "\n";
+  const auto read = read_tournament(folder_.path());
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message, testing::HasSubstr("there is no team 7"));
+}
+
+// Teams that a lot would separate have the order of the organizers, and the next round follows it.
+TEST_F(DecisionsTest, AnOrderStandsInPlaceOfALot) {
+  TournamentConfig config = config_of(Format::kGroups, 6);
+  config.competition.swap_sides = false;
+  config.competition.advance = 1;
+  const auto draws = [](const Fixture&) { return score(0, 0); };
+  play(config, draws, 6);
+
+  const TournamentState now = state();
+  const auto equal = equal_teams(now.config.competition, now.matches);
+  ASSERT_EQ(equal.size(), 2U);
+  MatchDecision decision = decision_on(0, DecisionKind::kOrder);
+  decision.teams = {equal[0].teams.rbegin(), equal[0].teams.rend()};
+  const auto effect = decide_on(decision);
+  ASSERT_TRUE(effect) << effect.error().message;
+
+  const auto table = tables(now.config.competition, state().matches).front();
+  EXPECT_EQ(table.standings.front().team, equal[0].teams.back());
+  EXPECT_EQ(table.standings[1].separated_by, kDecision);
+  play(config);
+  ASSERT_FALSE(record_.started.empty());
+  EXPECT_TRUE(plays(record_.started.front(), equal[0].teams.back()));
+
+  decision.teams.pop_back();
+  EXPECT_THAT(decide_on(decision).error().message,
+              testing::HasSubstr("no lot separates these teams"));
 }
 
 // The board of 2024 lists 0-1 in the match for rank 3, and its loser as semi-finalist and third.

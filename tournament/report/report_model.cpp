@@ -119,9 +119,10 @@ std::string score_text(const TournamentConfig& config, const ScheduledMatch& mat
   return swapped ? fmt::format("{} - {}", right, left) : fmt::format("{} - {}", left, right);
 }
 
-std::string decision_text(const ScheduledMatch& match, std::size_t number) {
-  const MatchDecision& decision = match.history[number];
-  const bool played = match.outcome || number + 1 < match.history.size();
+namespace {
+
+// `played`: a match to be played again has been.
+std::string text_of(const MatchDecision& decision, bool played) {
   switch (decision.kind) {
     case DecisionKind::kAnnul:
       return "annulled";
@@ -131,17 +132,30 @@ std::string decision_text(const ScheduledMatch& match, std::size_t number) {
       return fmt::format("awarded {}:{}", decision.left_score, decision.right_score);
     case DecisionKind::kAsPlayed:
       return "counts as played";
+    case DecisionKind::kWithdraw:
+      return "withdrawn";
+    case DecisionKind::kOrder:
+      return "order";
   }
   return {};
 }
 
+}  // namespace
+
+std::string decision_text(const ScheduledMatch& match, std::size_t number) {
+  const bool played = match.outcome || number + 1 < match.history.size();
+  return text_of(match.history[number], played);
+}
+
 std::string decision_text(const ScheduledMatch& match) {
-  return match.decision ? decision_text(match, match.history.size() - 1) : std::string();
+  return match.decision ? text_of(*match.decision, match.outcome.has_value()) : std::string();
 }
 
 std::string history_text(const ScheduledMatch& match) {
   std::string text;
+  if (is_by_withdrawal(match)) text = decision_text(match) + ", withdrawn";
   for (std::size_t i = 0; i < match.history.size(); ++i) {
+    if (is_about_teams(match.history[i].kind)) continue;
     if (!text.empty()) text += "; ";
     text += decision_text(match, i);
     const std::string& before = match.history[i].before;

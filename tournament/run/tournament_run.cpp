@@ -39,7 +39,6 @@ using base::Json;
 using base::Result;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kForfeitGoals = 3;
 constexpr std::chrono::milliseconds kPollInterval{200};
 
 std::chrono::milliseconds hook_limit(const TournamentConfig& config) {
@@ -131,6 +130,7 @@ class TournamentRun {
       TRY(record_outcome(match.fixture.index, *std::move(outcome)));
     }
 
+    for (const int number : award_withdrawn(matches_)) count_done(match_at(number));
     waiting_.clear();
     for (const ScheduledMatch& match : matches_) {
       const int index = match.fixture.index;
@@ -186,6 +186,8 @@ class TournamentRun {
         TRY(store_.begin_attempts(std::vector{fixture.index}));
       }
       match.attempts = attempts;
+      // It may have been played before the team left.
+      if (attempts > 0 && is_by_withdrawal(match)) match.outcome.reset();
     }
     return {};
   }

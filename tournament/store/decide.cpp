@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <span>
+#include <vector>
 
 #include "base/text/counted.h"
+#include "league/schedule/schedule.h"
 #include "league/schedule/schedule_check.h"
 #include "tournament/store/collector.h"
 #include "tournament/store/decisions_file.h"
@@ -31,8 +33,58 @@ bool lacks_winner(const MatchDecision& decision, const Fixture& fixture) {
          winner_sign(awarded({}, decision)) == 0;
 }
 
+std::string joined(const Competition& competition, std::span<const int> teams) {
+  std::vector<std::string> names;
+  for (const int team : teams) names.push_back(competition.team(team));
+  return fmt::to_string(fmt::join(names, ", "));
+}
+
+// Sets the number of a withdrawal. Why there is none; empty: there is.
+std::string place_withdrawal(const Competition& competition, MatchDecision& decision,
+                             std::span<const ScheduledMatch> matches) {
+  const int team = decision.teams.front();
+  // Rounds of which nothing was played are drawn again without the team.
+  decision.match = 1;
+  for (const ScheduledMatch& match : matches) {
+    if (match.outcome) decision.match = match.fixture.index;
+  }
+  if (matches.empty()) {
+    return fmt::format("no match is scheduled yet: remove {} from cls.toml",
+                       competition.team(team));
+  }
+  const std::vector<int> gone = withdrawn_teams(matches);
+  return std::ranges::count(gone, team) == 0
+             ? ""
+             : fmt::format("{} has withdrawn already", competition.team(team));
+}
+
+// Sets the number and the table of an order. Why there is none; empty: there is.
+std::string place_order(const Competition& competition, MatchDecision& decision,
+                        std::span<const ScheduledMatch> matches) {
+  std::string known;
+  for (const EqualTeams& equal : equal_teams(competition, matches)) {
+    if (std::ranges::is_permutation(equal.teams, decision.teams)) {
+      const auto first = std::ranges::find_if(matches, [&decision](const ScheduledMatch& match) {
+        return match.fixture.left == decision.teams.front() ||
+               match.fixture.right == decision.teams.front();
+      });
+      decision.table = equal.table;
+      decision.match = first->fixture.index;
+      return {};
+    }
+    known += fmt::format("; {}: {}", equal.table, joined(competition, equal.teams));
+  }
+  return fmt::format("no lot separates these teams: {}{}", joined(competition, decision.teams),
+                     known.empty() ? "; no lot was drawn so far" : known);
+}
+
 // Why there is nothing to decide; empty: there is.
-std::string problem_of(const MatchDecision& decision, std::span<const ScheduledMatch> matches) {
+std::string problem_of(const Competition& competition, MatchDecision& decision,
+                       std::span<const ScheduledMatch> matches) {
+  if (decision.kind == DecisionKind::kWithdraw) {
+    return place_withdrawal(competition, decision, matches);
+  }
+  if (decision.kind == DecisionKind::kOrder) return place_order(competition, decision, matches);
   const int number = decision.match;
   if (number < 1 || number > std::ssize(matches)) {
     return fmt::format("no match {}: {} so far", number,
@@ -53,11 +105,31 @@ std::string problem_of(const MatchDecision& decision, std::span<const ScheduledM
   return "";
 }
 
-// Removes the matches from `first` on from store, folder and decisions.
+// Number of matches that `after` awards because a team has left, and `before` does not.
+int newly_awarded(std::span<const ScheduledMatch> before, std::span<const ScheduledMatch> after) {
+  int number = 0;
+  for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
+    if (is_by_withdrawal(after[i]) && !is_by_withdrawal(before[i])) ++number;
+  }
+  return number;
+}
+
+// Number of matches that were played, or decided on.
+int with_results(std::span<const ScheduledMatch> matches) {
+  return static_cast<int>(std::ranges::count_if(matches, [](const ScheduledMatch& one) {
+    return one.outcome.has_value() && !is_by_withdrawal(one);
+  }));
+}
+
+// Removes the matches from `first` on from store, folder and decisions. A team that has left does
+// not take part in what is drawn again.
 Result<void> remove_matches(const fs::path& folder, Store& store, int first,
                             std::vector<MatchDecision>& decisions) {
   TRY(store.remove_from(first));
   remove_work_results(folder, first);
+  for (MatchDecision& one : decisions) {
+    if (one.kind == DecisionKind::kWithdraw) one.match = std::min(one.match, first - 1);
+  }
   std::erase_if(decisions, [first](const MatchDecision& one) { return one.match >= first; });
   return {};
 }
@@ -87,12 +159,12 @@ Result<DecisionEffect> decide(const fs::path& folder, const TournamentConfig& co
   TRY_INIT(auto matches, decided_matches(folder, store));
   TRY_INIT(auto decisions, read_decisions(folder));
   DecisionEffect effect;
-  effect.problem = problem_of(decision, matches);
+  effect.problem = problem_of(config.competition, decision, matches);
   if (!effect.problem.empty()) return effect;
 
   const std::size_t at = base::index(decision.match) - 1;
   const ScheduledMatch before = matches[at];
-  if (before.outcome) {
+  if (before.outcome && !is_about_teams(decision.kind)) {
     decision.before = result_text(*before.outcome);
     decision.folder = before.outcome->folder;
     decision.began = before.outcome->started;
@@ -108,15 +180,15 @@ Result<DecisionEffect> decide(const fs::path& folder, const TournamentConfig& co
     const auto removed = std::span(after).subspan(base::index(contradiction->first) - 1);
     effect.drawn_again = contradiction->first;
     effect.removed = static_cast<int>(removed.size());
-    effect.removed_played = static_cast<int>(
-        std::ranges::count_if(removed, [](const auto& one) { return one.outcome.has_value(); }));
+    effect.removed_played = with_results(removed);
     effect.refused = effect.removed_played > 0 && !redraw;
     if (effect.refused) return effect;
     TRY(remove_matches(folder, store, contradiction->first, decisions));
   }
 
   TRY(write_decisions(folder, decisions));
-  TRY(decided_matches(folder, store));
+  TRY_INIT(const auto stored, decided_matches(folder, store));
+  effect.awarded = newly_awarded(matches, stored);
   return effect;
 }
 

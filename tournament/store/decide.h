@@ -27,10 +27,12 @@ struct DecisionEffect {
   std::optional<int> drawn_again;  ///< the matches from this number on are drawn again
   int removed = 0;                 ///< number of these matches
   int removed_played = 0;          ///< of these, played already
+  int awarded = 0;                 ///< kWithdraw: matches that got their result by it
   bool refused = false;            ///< because of played matches
 };
 
-/// Makes a decision on a match with this number; sets its seed and the result until then. Later
+/// Makes a decision on the match of its number, or on its teams; sets the seed and the result until
+/// then, and of a decision on teams the number and the table. Later
 /// rounds that it changes are removed, and drawn again by the next run; if some of their matches
 /// were played, only with `redraw`. The caller holds the lock of the folder. An error if a file
 /// cannot be written.

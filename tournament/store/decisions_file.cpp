@@ -1,6 +1,8 @@
 // Lines of decisions.jsonl.
 #include "tournament/store/decisions_file.h"
 
+#include <fmt/format.h>
+
 #include "tournament/store/json_lines.h"
 
 // Where argument-dependent lookup finds it.
@@ -15,6 +17,8 @@ static void members(Codec& codec, typename Codec::template Object<MatchDecision>
   codec.pair("score", decision.left_score, decision.right_score);
   codec.pair("penalty_score", decision.left_penalties, decision.right_penalties);
   codec.member("seed", decision.seed);
+  codec.member("teams", decision.teams);
+  codec.text_or_null("table", decision.table);
   codec.member("reason", decision.reason);
   codec.text_or_null("before", decision.before);
   codec.text_or_null("folder", decision.folder);
@@ -29,7 +33,13 @@ namespace cls::tournament {
 base::Json json_of(const MatchDecision& decision) { return base::JsonEncoder::encode(decision); }
 
 base::Result<std::vector<MatchDecision>> read_decisions(const std::filesystem::path& folder) {
-  return read_json_lines<MatchDecision>(folder / kDecisionsFile);
+  const std::filesystem::path file = folder / kDecisionsFile;
+  TRY_INIT(auto decisions, read_json_lines<MatchDecision>(file));
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    if (!is_about_teams(decisions[i].kind) || !decisions[i].teams.empty()) continue;
+    return base::Error{fmt::format("{}:{}: teams: must name a team", file.string(), i + 1)};
+  }
+  return decisions;
 }
 
 base::Result<void> write_decisions(const std::filesystem::path& folder,

@@ -255,6 +255,18 @@ Result<void> check_file(const fs::path& file, const TournamentState& state) {
   return {};
 }
 
+Result<void> check_decisions(const fs::path& file, const Competition& competition,
+                             std::span<const MatchDecision> decisions) {
+  for (const MatchDecision& decision : decisions) {
+    for (const int team : decision.teams) {
+      if (team >= 0 && team < competition.team_count()) continue;
+      return corrupt(file, {fmt::format("there is no team {}: the plan has {} teams, from 0", team,
+                                        competition.team_count())});
+    }
+  }
+  return {};
+}
+
 // The matches of the store, and those that are scheduled only.
 Result<void> read_store(const fs::path& folder, std::span<const MatchDecision> decisions,
                         TournamentState& state) {
@@ -275,6 +287,7 @@ Result<TournamentState> read_tournament(const fs::path& folder, bool may_be_lost
   TournamentState state;
   TRY_INIT(state.config, read_plan(folder));
   TRY_INIT(const auto decisions, read_decisions(folder));
+  TRY(check_decisions(folder / kDecisionsFile, state.config.competition, decisions));
   TRY_INIT(const auto pauses, read_pauses(folder));
   state.paused = is_paused(pauses);
 
