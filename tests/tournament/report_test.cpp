@@ -416,6 +416,15 @@ TEST(Report, ShowsTablesOfGroupsAndTheirBracket) {
     expect_part(html, part);
   }
   expect_part(bracket_text(played.report, 80), "|- semi-final 2:");
+
+  for (const std::string& text :
+       {html, report_markdown(played.report), report_text(played.report, {})}) {
+    EXPECT_LT(text.find("knock-out"), text.find("group A")) << "the end comes first";
+  }
+  Report unfinished = played.report;
+  unfinished.complete = false;
+  const std::string text = report_text(unfinished, {});
+  EXPECT_GT(text.find("knock-out"), text.find("group A"));
 }
 
 // The winner of a group has no other matches in the table of its group than those of its group.

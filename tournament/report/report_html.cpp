@@ -67,7 +67,7 @@ std::string head_html(const Report& report) {
 std::string report_html(const Report& report) {
   constexpr std::size_t kMaxNamedColumns = 8;
   std::string text = head_html(report);
-  for (const RankedTable& ranked : report.tables) {
+  for (const RankedTable& ranked : tables_by_interest(report)) {
     text += table_html(standings_table(report, ranked, Headings::kLong));
   }
 

@@ -196,6 +196,16 @@ std::string rerun_lines(const Report& report) {
   return text;
 }
 
+std::vector<RankedTable> tables_by_interest(const Report& report) {
+  std::vector<RankedTable> tables = report.tables;
+  const Format format = report.config->competition.format;
+  const bool ends_with_final = format == Format::kStages || format == Format::kGroups;
+  if (ends_with_final && report.complete && !tables.empty()) {
+    std::rotate(tables.begin(), tables.end() - 1, tables.end());
+  }
+  return tables;
+}
+
 ReportTable standings_table(const Report& report, const RankedTable& ranked, Headings headings) {
   ReportTable result;
   result.title = ranked.title.empty() ? "standings" : ranked.title;

@@ -18,6 +18,9 @@ struct ReportTable {
   bool empty() const { return table.empty(); }
 };
 
+/// The tables as readers want them: the last one of stages and groups first when all matches are done.
+std::vector<RankedTable> tables_by_interest(const Report& report);
+
 /// Headings of the standings: "P", "W", "pts" where space is short, or "played", "won", "points".
 enum class Headings { kShort, kLong };
 

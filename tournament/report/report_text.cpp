@@ -175,7 +175,8 @@ std::string schedule_text(const TournamentConfig& config, const Fixture& fixture
 
 std::string standings_text(const Report& report, const TextOptions& options) {
   std::string text;
-  for (const RankedTable& table : report.tables) {
+  for (const RankedTable& table :
+       options.standings_last ? report.tables : tables_by_interest(report)) {
     if (!text.empty()) text += '\n';
     text += format_text(standings_table(report, table, Headings::kShort), options.width);
   }
@@ -223,7 +224,7 @@ std::string report_markdown(const Report& report) {
     text += fmt::format("{}\n", without_markup(line));
   }
 
-  for (const RankedTable& ranked : report.tables) {
+  for (const RankedTable& ranked : tables_by_interest(report)) {
     text += "\n" + format_markdown(standings_table(report, ranked, Headings::kLong));
   }
   if (const std::string tree = bracket_text(report, kTreeWidth); !tree.empty()) {
