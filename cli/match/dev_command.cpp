@@ -88,6 +88,7 @@ class DevSession {
   void play(const std::vector<std::string>& changed) {
     Json document = {{"schema", "cls.dev/1"}, {"changed", changed}, {"scenarios", Json::array()}};
     if (!changed.empty()) print("changed: {}\n", fmt::join(changed, ", "));
+    shown_output_.clear();
 
     for (const std::string& name : arguments_.scenarios) {
       const auto scenarios = read(name);
@@ -198,7 +199,7 @@ class DevSession {
 
   // Why a match is invalid, with the last output of the program: a compiler names file and line. A
   // program with an error in decisions repeats that error.
-  void print_end(const RunRecord& record) const {
+  void print_end(const RunRecord& record) {
     if (record.result.valid()) return;
     print("      {}\n", record.result.message);
 
@@ -206,6 +207,11 @@ class DevSession {
     if (!record.result.failure || has_error) return;
     constexpr std::size_t kLines = 10;
     const auto& output = record.result.failure->output;
+    if (!output.empty() && output == shown_output_) {
+      print("        the same output as above\n");
+      return;
+    }
+    shown_output_ = output;
     for (std::size_t i = output.size() - std::min(output.size(), kLines); i < output.size(); ++i) {
       print("        {}\n", output[i]);
     }
@@ -270,6 +276,7 @@ class DevSession {
   process::ProcessHost& host_;
   const std::atomic<int>& signal_;
   std::map<std::string, LastRun> last_;
+  std::vector<std::string> shown_output_;  // in this round, of a program that ended
 };
 
 // Waits until files differ from `versions` and no longer change; empty after a signal.

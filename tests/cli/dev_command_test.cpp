@@ -95,6 +95,22 @@ TEST_F(DevCommand, ReportsWhatKeepsProgramFromStarting) {
   command.finish();
 }
 
+// Nothing is new in what a program prints for each scenario.
+TEST_F(DevCommand, PrintsTheSameOutputOfAProgramOnce) {
+  Command command(
+      dev({"tests/runs.json", "tests/runs.json", "--against",
+           "run:exec " + built("cls_fake_playmaker") + " --port {port} --exit-at-start 5"}),
+      {}, folder_.path());
+  ASSERT_TRUE(command.wait_for_output("watching .")) << command.out();
+  const std::string out = command.out();
+  const std::string line = "        cannot load the formation\n";
+  ASSERT_THAT(out, HasSubstr(line));
+  EXPECT_EQ(out.find(line), out.rfind(line)) << out;
+  EXPECT_THAT(out, HasSubstr("        the same output as above\n"));
+  command.send_signal(SIGINT);
+  command.finish();
+}
+
 // The error once, with the command that sends its State again, instead of the checks that fail
 // for it.
 TEST_F(DevCommand, ReportsErrorsOfDecisions) {
