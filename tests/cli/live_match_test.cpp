@@ -137,6 +137,31 @@ TEST(LiveMatch, IsServedWhileItIsPlayed) {
   EXPECT_EQ(watch.finish().exit_code, 0);
 }
 
+// Tunnels of editors and of containers pass a host name of their own on.
+TEST(LiveMatch, AnswersToTheHostNamesThatItIsGiven) {
+  const TemporaryFolder folder;
+  const fs::path errors = folder.path() / "errors";
+  Command watched(joined({"/bin/sh", "-c", "exec \"$@\" 2>" + errors.string(), "sh"},
+                         with(match_command(folder.path() / "m"),
+                              {"--watch", "--host-name", "x-8080.app.github.dev,example.org",
+                               "--linger", "0", "--speed", "10"})));
+  wait_for_file(folder.path() / "m/match.rcg");
+  const std::string url = url_in(read_file(errors));
+  ASSERT_NE(url, "");
+  const auto ask_as = [&url](const std::string& host) {
+    return exchange(port_of(url), "GET " + path_of(url) + " HTTP/1.1\r\nHost: " + host +
+                                      "\r\nConnection: close\r\n\r\n");
+  };
+
+  EXPECT_EQ(ask_as("X-8080.app.github.dev").status, 200);
+  EXPECT_EQ(ask_as("example.org:443").status, 200);
+  const HttpResponse refused = ask_as("y-8080.app.github.dev");
+  EXPECT_EQ(refused.status, 403);
+  EXPECT_THAT(refused.body, HasSubstr("--host-name NAME"));
+  watched.send_signal(SIGINT);
+  (void)watched.finish();
+}
+
 TEST(LiveMatch, StaysAsLongAsItIsTold) {
   const TemporaryFolder folder;
   const fs::path log = folder.path() / "game.rcg";
