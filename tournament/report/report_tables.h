@@ -18,7 +18,7 @@ struct ReportTable {
   bool empty() const { return table.empty(); }
 };
 
-/// The tables as readers want them: the last one of stages and groups first when all matches are done.
+/// The tables as readers want them: the last of stages and groups first, once all are played.
 std::vector<RankedTable> tables_by_interest(const Report& report);
 
 /// Headings of the standings: "P", "W", "pts" where space is short, or "played", "won", "points".
