@@ -15,6 +15,7 @@
 #include "base/text/wrap_text.h"
 #include "cli/explain/formation_picture.h"
 #include "cli/explain/reference.h"
+#include "cli/explain/table_rows.h"
 #include "cli/support/commands.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/json_stdout.h"
@@ -26,6 +27,9 @@ namespace {
 namespace fs = std::filesystem;
 using base::Json;
 
+// The word that names all rows of the tables.
+constexpr const char* kAllRows = "summary";
+
 constexpr const char* kExplainDescription =
     "explain a field, an action, a play mode or an end reason\n"
     "\n"
@@ -34,6 +38,8 @@ constexpr const char* kExplainDescription =
     "  cls explain offside_line_x      in whatever message it is\n"
     "  cls explain Ball                a message with its fields\n"
     "  cls explain KickIn_ stalled     a play mode and an end reason\n"
+    "  cls explain missed              a row of the tables that commands print\n"
+    "  cls explain summary             all of these rows\n"
     "  cls explain formation           a picture of the home positions\n"
     "  cls explain formation offense --ball=20,10 --svg offense.svg\n"
     "  cls explain --search offside    names whose explanation has the text\n"
@@ -105,7 +111,7 @@ void print(const ReferenceEntry& entry, bool color) {
   if (has_members(entry) && !members_of(entry).empty()) fmt::print("\n{}", members_text(entry));
 }
 
-Json document(const std::vector<const ReferenceEntry*>& entries) {
+Json json_of(const std::vector<const ReferenceEntry*>& entries) {
   Json list = Json::array();
   for (const ReferenceEntry* entry : entries) {
     Json one = {{"kind", name(entry->kind)}, {"name", entry->name}, {"text", entry->text}};
@@ -122,7 +128,20 @@ Json document(const std::vector<const ReferenceEntry*>& entries) {
 
     list.push_back(std::move(one));
   }
-  return {{"schema", "cls.explain/1"}, {"entries", std::move(list)}};
+  return list;
+}
+
+Json json_of(const std::vector<const TableRow*>& rows) {
+  Json list = Json::array();
+  for (const TableRow* row : rows) {
+    list.push_back({{"command", row->command}, {"row", row->label}, {"meaning", row->meaning}});
+  }
+  return list;
+}
+
+Json document(const std::vector<const ReferenceEntry*>& entries,
+              const std::vector<const TableRow*>& rows = {}) {
+  return {{"schema", "cls.explain/1"}, {"entries", json_of(entries)}, {"rows", json_of(rows)}};
 }
 
 int list(bool json) {
@@ -174,8 +193,19 @@ int export_pages(const std::string& folder, bool json) {
   return kOk;
 }
 
+std::string rows_text(const std::vector<const TableRow*>& rows) {
+  base::Table table;
+  table.add_columns({"printed by", "row", "meaning"});
+  for (const TableRow* row : rows) {
+    table.add_row({std::string(row->command), std::string(row->label), std::string(row->meaning)});
+  }
+  table.allow_folds(2);
+  return table.format_text({0, stdout_width(), 1});
+}
+
 int report_unknown(const std::string& word) {
   std::vector<std::string_view> names;
+  for (const TableRow& row : table_rows()) names.push_back(row.label);
   for (const ReferenceEntry& entry : reference()) {
     names.emplace_back(entry.name);
     if (entry.kind == ReferenceKind::kField) {
@@ -230,6 +260,22 @@ int explain_formation(const ExplainArguments& arguments) {
   return kOk;
 }
 
+// Adds what `word` names; whether there is anything. A name of the interface names only the rows
+// with this label.
+bool find_word(const std::string& word, std::vector<const ReferenceEntry*>& entries,
+               std::vector<const TableRow*>& rows) {
+  if (word == kAllRows) {
+    for (const TableRow& row : table_rows()) rows.push_back(&row);
+    return true;
+  }
+
+  const auto named = find_entries(word);
+  const auto labels = named.empty() ? find_rows(word) : rows_with_label(word);
+  entries.insert(entries.end(), named.begin(), named.end());
+  rows.insert(rows.end(), labels.begin(), labels.end());
+  return !named.empty() || !labels.empty();
+}
+
 int run_explain(const ExplainArguments& arguments) {
   if (!arguments.folder.empty()) return export_pages(arguments.folder, arguments.json);
   if (arguments.list) return list(arguments.json);
@@ -241,21 +287,18 @@ int run_explain(const ExplainArguments& arguments) {
   if (formation) return explain_formation(arguments);
 
   std::vector<const ReferenceEntry*> entries;
+  std::vector<const TableRow*> rows;
   for (const std::string& word : arguments.names) {
-    const auto found = find_entries(word);
-    if (found.empty()) return report_unknown(word);
-    entries.insert(entries.end(), found.begin(), found.end());
+    if (!find_word(word, entries, rows)) return report_unknown(word);
   }
-
-  if (arguments.json) {
-    return print_json(document(entries));
-  }
+  if (arguments.json) return print_json(document(entries, rows));
 
   const bool color = stdout_supports_color();
   for (const ReferenceEntry* entry : entries) {
     if (entry != entries.front()) fmt::print("\n");
     print(*entry, color);
   }
+  if (!rows.empty()) fmt::print("{}{}", entries.empty() ? "" : "\n", rows_text(rows));
   return kOk;
 }
 
@@ -264,8 +307,10 @@ int run_explain(const ExplainArguments& arguments) {
 void add_explain_command(Command& app) {
   auto [command, arguments] = app.command("explain", kExplainDescription, run_explain);
 
-  command.option("NAME", arguments.names,
-                 "a name of the interface, or its last part; formation, and which one");
+  command.option(
+      "NAME", arguments.names,
+      "a name of the interface, or its last part; a row of a table; summary; formation, and\n"
+      "which one");
   command.flag("--list", arguments.list, "print all names");
   command.setting("--ball", arguments.ball, "where the ball is, of a formation").placeholder("X,Y");
   command.option("--svg", arguments.svg, "write the picture of a formation to this file");

@@ -9,6 +9,7 @@
 #include <cctype>
 #include <map>
 #include <regex>
+#include <span>
 #include <sstream>
 
 #include "base/text/enum_names.h"
@@ -334,19 +335,44 @@ std::string_view meaning(const ReferenceEntry& entry) {
 
 namespace {
 
+using Words = std::pair<std::string_view, std::string_view>;
+
 // Words of users for names of the interface.
-constexpr std::pair<std::string_view, std::string_view> kSynonyms[] = {
+constexpr Words kSynonyms[] = {
     {"goalie", "helios_goalie"},    {"keeper", "helios_goalie"},  {"speed", "velocity"},
     {"energy", "stamina"},          {"number", "uniform_number"}, {"unum", "uniform_number"},
     {"run", "body_go_to_point"},    {"shot", "helios_shoot"},     {"draw", "debug_client"},
     {"look", "neck_turn_to_point"},
 };
 
+// Functions in the projects of `cls new`, and what they return.
+constexpr Words kProjectFunctions[] = {
+    {"before_kick_off", "bhv_before_kick_off"},
+    {"go_to", "body_go_to_point"},
+    {"watch_ball", "neck_turn_to_ball_or_scan"},
+    {"watch_goalie", "neck_turn_to_goalie_or_scan"},
+    {"shoot", "helios_shoot"},
+    {"basic_move", "helios_basic_move"},
+    {"set_play", "helios_set_play"},
+    {"penalty", "helios_penalty"},
+    {"substitute", "do_helios_substitute"},
+    {"say_player_types", "do_helios_say_player_types"},
+    {"show_text", "Log"},
+    {"show_line", "Log"},
+    {"plan_attack", "helios_offensive_planner"},
+};
+
+// What a list of words has for one; empty: nothing.
+std::string name_in(std::span<const Words> list, std::string_view word) {
+  const auto found = std::ranges::find_if(
+      list, [&word](const Words& one) { return folded(word) == folded(one.first); });
+  return found == list.end() ? "" : std::string(found->second);
+}
+
 // The singular of a plural, the name that a synonym means; empty for other words.
 std::string other_form(std::string_view word) {
-  for (const auto& [synonym, name] : kSynonyms) {
-    if (folded(word) == synonym) return std::string(name);
-  }
+  const std::string name = name_in(kSynonyms, word);
+  if (!name.empty()) return name;
   return word.size() > 3 && word.ends_with('s') ? std::string(word.substr(0, word.size() - 1)) : "";
 }
 
@@ -392,15 +418,38 @@ std::vector<const ReferenceEntry*> entries_named(std::string_view word) {
   return found;
 }
 
+// The actions whose name has the word between separators: "smart_kick" of body_smart_kick.
+std::vector<const ReferenceEntry*> entries_with_part(std::string_view word) {
+  const auto parts = [](std::string_view text) {
+    std::string result = "_";
+    for (const char c : text) {
+      const bool separates = c == '-' || c == ' ';
+      result += separates ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return result + "_";
+  };
+
+  std::vector<const ReferenceEntry*> found;
+  for (const ReferenceEntry& entry : reference()) {
+    if (entry.kind != ReferenceKind::kAction || word.empty()) continue;
+    if (parts(entry.name).find(parts(word)) != std::string::npos) found.push_back(&entry);
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<const ReferenceEntry*> find_entries(std::string_view word) {
-  auto found = entries_named(word);
+  auto found = entries_named(name_in(kProjectFunctions, word));
+  for (const ReferenceEntry* entry : entries_named(word)) {
+    if (std::ranges::count(found, entry) == 0) found.push_back(entry);
+  }
   if (!found.empty()) return found;
 
   std::string other = other_form(word);
   found = entries_named(other);
   if (found.empty()) found = entries_named(other_form(other));  // "shots"
+  if (found.empty()) found = entries_with_part(word);
   return found;
 }
 

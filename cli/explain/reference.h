@@ -38,10 +38,11 @@ std::string_view fact(const ReferenceEntry& entry, std::string_view label);
 /// The effect of an action, or the meaning of another entry; may be empty.
 std::string_view meaning(const ReferenceEntry& entry);
 
-/// The entries that `word` names: a full name, the last part of it ("stamina"), or a name as a
-/// language has it ("GameModeType.KickIn"). Case, `_` and `-` do not count. Exact names win; where
-/// there are none, a plural means its singular
-/// ("tackles"), and some words of users mean a name ("keeper").
+/// The entries that `word` names: a full name, the last part of it ("stamina"), a name as a
+/// language has it ("GameModeType.KickIn"), or a function in the projects of `cls new` ("go_to").
+/// Case, `_` and `-` do not count. Exact names win; where there are none, a plural means its
+/// singular ("tackles"), some words of users mean a name ("keeper"), and a part of its name means
+/// an action ("smart_kick").
 std::vector<const ReferenceEntry*> find_entries(std::string_view word);
 
 /// The entries whose name, text or facts have `text`, whatever its case.

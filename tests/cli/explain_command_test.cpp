@@ -149,6 +149,79 @@ TEST(ExplainCommand, SearchesNamesAndExplanations) {
   EXPECT_EQ(nothing.err, "cls: nothing explains 'croquet'\n");
 }
 
+TEST(ExplainCommand, FindsWordsOfProjectsAndPartsOfNames) {
+  EXPECT_THAT(explain({"smart_kick"}), Prints(0, HasSubstr("body_smart_kick (action")));
+  EXPECT_THAT(explain({"plan_attack"}), Prints(0, HasSubstr("helios_offensive_planner (action")));
+
+  EXPECT_THAT(explain({"shoot"}), Prints(0, HasSubstr("helios_shoot (action")));
+
+  std::istringstream lines(read_file(source_folder() / "examples/python/actions.py"));
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("def ") || line.starts_with("def _")) continue;
+    const std::string name = line.substr(4, line.find('(') - 4);
+    EXPECT_EQ(explain({name}).exit_code, 0) << name;
+  }
+}
+
+// The labels in the first column of a table, whose lines begin with `indent`.
+std::set<std::string> first_column(const std::string& table, const std::string& indent) {
+  std::set<std::string> labels;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t begin = indent.size();
+    if (!line.starts_with(indent) || line.size() <= begin || line[begin] == ' ') continue;
+    labels.insert(line.substr(begin, line.find("  ", begin) - begin));
+  }
+  return labels;
+}
+
+// The text between two others.
+std::string between(const std::string& text, const std::string& first, const std::string& last) {
+  const std::size_t begin = text.find(first);
+  return begin == std::string::npos ? "" : text.substr(begin, text.find(last, begin) - begin);
+}
+
+TEST(ExplainCommand, KnowsEveryRowOfTheTables) {
+  const TemporaryFolder folder;
+  const CommandResult played = run({cls_binary(), "match", "mock:hold", "mock:hold", "--mode",
+                                    "synch", "--cycles", "30", "--dir", folder.path() / "m"});
+  const auto rows = first_column(between(played.out, "  playmaker", "\n\n"), "  ");
+  ASSERT_GE(rows.size(), 14U) << played.out;
+  for (const std::string& row : rows) {
+    EXPECT_THAT(explain({row}).out, HasSubstr("cls match")) << row;
+  }
+
+  const std::string stats = run({cls_binary(), "stats", folder.path() / "m"}).out;
+  const auto figures = first_column(between(stats, "possession", "\n\n"), "");
+  ASSERT_GE(figures.size(), 25U) << stats;
+  for (const std::string& row : figures) {
+    const bool has_picture = row == "formation";
+    EXPECT_THAT(explain({has_picture ? "summary" : row}).out, HasSubstr("cls stats")) << row;
+  }
+
+  const std::string summary = explain({"summary"}).out;
+  std::istringstream headings(between(stats, "player  ", "\n") + " " +
+                              between(stats.substr(stats.rfind("player  ")), "player", "\n"));
+  int columns = 0;
+  for (std::string heading; headings >> heading; ++columns) {
+    EXPECT_TRUE(heading == "player" || summary.find(heading) != std::string::npos) << heading;
+  }
+  EXPECT_GE(columns, 13);
+}
+
+TEST(ExplainCommand, ExplainsRowsBesideNames) {
+  EXPECT_THAT(explain({"missed"}), Prints(0, HasSubstr("without a usable reply")));
+  EXPECT_THAT(explain({"rpc p50"}), Prints(0, HasSubstr("median player")));
+  const std::string both = explain({"kick"}).out;
+  EXPECT_THAT(both, HasSubstr("kick (action"));
+  EXPECT_THAT(both, HasSubstr("kick commands sent"));
+
+  const auto document = base::Json::parse(explain({"kick", "missed", "--json"}).out);
+  EXPECT_EQ(document["entries"].size(), 1U);
+  ASSERT_EQ(document["rows"].size(), 2U);
+  EXPECT_EQ(document["rows"][1]["row"], "missed (late)");
+}
+
 TEST(ExplainCommand, SuggestsNamesForTypos) {
   EXPECT_THAT(explain({"body_smart_kik"}),
               Exits(2, "cls: unknown name 'body_smart_kik'; did you mean 'body_smart_kick'?\n"));
