@@ -1,7 +1,10 @@
 // `cls explain`: the reference in the terminal.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <regex>
 #include <string>
@@ -74,19 +77,52 @@ std::vector<const ReferenceEntry*> members_of(const ReferenceEntry& entry) {
   return members;
 }
 
+std::string own_name(const ReferenceEntry& entry) {
+  return entry.name.substr(entry.name.rfind('.') + 1);
+}
+
 bool has_members(const ReferenceEntry& entry) {
   return entry.kind == ReferenceKind::kMessage || entry.kind == ReferenceKind::kEnum ||
          entry.kind == ReferenceKind::kAction;
 }
 
+// A line for the name of each member, its meaning below it.
+std::string members_list(const std::vector<const ReferenceEntry*>& members) {
+  constexpr std::size_t kMeaningIndent = 6;
+  std::string text;
+  for (const ReferenceEntry* one : members) {
+    text += "  " + own_name(*one);
+    for (const char* label : {"type", "unit"}) {
+      const std::string_view value = fact(*one, label);
+      if (!value.empty()) fmt::format_to(std::back_inserter(text), ", {}", value);
+    }
+
+    text += '\n';
+    if (one->text.empty()) continue;
+    fmt::format_to(std::back_inserter(text), "{:{}}{}\n", "", kMeaningIndent,
+                   base::wrap_text(plain(one->text), stdout_width(), kMeaningIndent));
+  }
+  return text;
+}
+
+// A table, or a list where the table has no room for meanings.
 std::string members_text(const ReferenceEntry& entry) {
+  constexpr std::size_t kLeastMeaning = 24;
+  constexpr std::size_t kGaps = 2 + 3 * 2;
+  const std::vector<const ReferenceEntry*> members = members_of(entry);
   base::Table table;
   table.add_columns({"name", "type", "unit", "meaning"});
-  for (const ReferenceEntry* one : members_of(entry)) {
-    table.add_row({one->name.substr(one->name.rfind('.') + 1), std::string(fact(*one, "type")),
-                   std::string(fact(*one, "unit")), plain(one->text)});
+  std::array<std::size_t, 3> widths = {4, 4, 4};
+  for (const ReferenceEntry* one : members) {
+    const std::string type(fact(*one, "type"));
+    const std::string unit(fact(*one, "unit"));
+    table.add_row({own_name(*one), type, unit, plain(one->text)});
+    widths = {std::max(widths[0], own_name(*one).size()), std::max(widths[1], type.size()),
+              std::max(widths[2], unit.size())};
   }
 
+  const std::size_t taken = widths[0] + widths[1] + widths[2] + kGaps;
+  if (taken + kLeastMeaning > stdout_width()) return members_list(members);
   table.allow_folds(3);
   return table.format_text({2, stdout_width(), 1});
 }

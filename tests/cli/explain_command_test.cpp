@@ -222,6 +222,13 @@ TEST(ExplainCommand, ExplainsRowsBesideNames) {
   EXPECT_EQ(document["rows"][1]["row"], "missed (late)");
 }
 
+// Long names and types leave no room for a column of meanings.
+TEST(ExplainCommand, PutsMeaningsBelowLongNames) {
+  EXPECT_THAT(explain({"WorldModel"}).out,
+              HasSubstr("  intercept_table, InterceptTable\n      who reaches the ball when\n"));
+  EXPECT_THAT(explain({"Ball"}).out, HasSubstr("name               type "));
+}
+
 TEST(ExplainCommand, SuggestsNamesForTypos) {
   EXPECT_THAT(explain({"body_smart_kik"}),
               Exits(2, "cls: unknown name 'body_smart_kik'; did you mean 'body_smart_kick'?\n"));
