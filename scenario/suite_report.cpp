@@ -10,6 +10,7 @@
 #include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/text/table.h"
+#include "base/text/wrap_text.h"
 
 namespace cls::scenario {
 namespace {
@@ -47,6 +48,13 @@ std::string failures(const ScenarioVerdict& verdict) {
   }
   if (!verdict.reason.empty()) text += verdict.reason + "\n";
   return text;
+}
+
+// A line below a verdict.
+std::string detail(const std::string& text, std::size_t width) {
+  constexpr std::size_t kIndent = 6;
+  return fmt::format("{:{}}{}\n", "", kIndent,
+                     width == 0 ? text : base::wrap_text(text, width, kIndent));
 }
 
 std::string watch_line(const ScenarioVerdict& verdict) {
@@ -88,7 +96,7 @@ Json json_of(const ScenarioVerdict& verdict) {
 
 }  // namespace
 
-std::string to_text(const ScenarioVerdict& verdict, bool color) {
+std::string to_text(const ScenarioVerdict& verdict, bool color, std::size_t width) {
   const Scenario& scenario = *verdict.scenario;
   const bool not_played =
       verdict.verdict == Verdict::kSkipped || verdict.verdict == Verdict::kInterrupted;
@@ -104,12 +112,12 @@ std::string to_text(const ScenarioVerdict& verdict, bool color) {
   }
 
   std::string text = fmt::format("{}{}\n", colored("FAIL  " + scenario.name, kRed, color), runs);
-  if (!scenario.about.empty()) text += fmt::format("      {}\n", scenario.about);
+  if (!scenario.about.empty()) text += detail(scenario.about, width);
   for (const CheckVerdict& check : verdict.checks) {
-    if (!check.passed) text += fmt::format("      {}: {}\n", place(scenario), describe(check));
+    if (!check.passed) text += detail(place(scenario) + ": " + describe(check), width);
   }
 
-  if (!verdict.reason.empty()) text += fmt::format("      {}\n", verdict.reason);
+  if (!verdict.reason.empty()) text += detail(verdict.reason, width);
   if (!verdict.replay.empty()) text += fmt::format("      logs: {}\n", verdict.replay);
   if (!verdict.page.empty()) text += fmt::format("      watch: {}\n", verdict.page);
   text += fmt::format("      rerun: {}\n", verdict.rerun);

@@ -1,6 +1,7 @@
 // Reports of a suite: text, JSON, JUnit, Markdown, GitHub annotations.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "scenario/suite.h"
@@ -8,8 +9,9 @@
 namespace cls::scenario {
 
 /// One scenario as text: verdict, failed checks and how to rerun them. With `color`, the verdict
-/// has a terminal color.
-std::string to_text(const ScenarioVerdict& verdict, bool color = false);
+/// has a terminal color. Sentences are folded at `width` characters, commands and paths are not; 0:
+/// no line is folded.
+std::string to_text(const ScenarioVerdict& verdict, bool color = false, std::size_t width = 0);
 
 /// "34 passed, 1 failed, 0 skipped in 12.3 s", and a line on interrupted scenarios if there are
 /// any.

@@ -46,6 +46,8 @@ struct DoctorArguments {
 };
 
 constexpr std::size_t kFoundColumn = 28;
+constexpr std::size_t kNarrow = 60;
+constexpr std::size_t kNarrowColumn = 4;
 
 const char* color_of(DoctorStatus status, bool needed) {
   constexpr const char* kGreen = "\x1b[32m";
@@ -61,16 +63,22 @@ void print_row(const DoctorCheck& check, bool color) {
   const std::string shown =
       color ? fmt::format("{}{}\x1b[0m", color_of(check.status, check.needed), status) : status;
 
-  const auto folded = [](const std::string& text) {
-    return base::wrap_text(text, static_cast<std::size_t>(stdout_width()), kFoundColumn);
+  const bool narrow = stdout_width() < kNarrow;
+  const std::size_t column = narrow ? kNarrowColumn : kFoundColumn;
+  const auto folded = [column](const std::string& text) {
+    return base::wrap_text(text, stdout_width(), column);
   };
 
-  fmt::print("{}  {:<13}  {}\n", shown, check.name, folded(check.found));
+  if (narrow) {
+    fmt::print("{}  {}\n{:{}}{}\n", shown, check.name, "", column, folded(check.found));
+  } else {
+    fmt::print("{}  {:<13}  {}\n", shown, check.name, folded(check.found));
+  }
   if (check.status != DoctorStatus::kOk) {
-    fmt::print("{:{}}{}\n", "", kFoundColumn, folded("needed for: " + check.purpose));
+    fmt::print("{:{}}{}\n", "", column, folded("needed for: " + check.purpose));
   }
   if (!check.hint.empty()) {
-    fmt::print("{:{}}{}\n", "", kFoundColumn, folded("hint: " + check.hint));
+    fmt::print("{:{}}{}\n", "", column, folded("hint: " + check.hint));
   }
 
   std::fflush(stdout);

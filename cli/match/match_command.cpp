@@ -212,7 +212,7 @@ int run_match_command(const Command& command, MatchArguments& arguments) {
   if (arguments.json) {
     fmt::print("{}", to_json(*result));
   } else {
-    fmt::print("{}", match_report(*result, stdout_supports_color()));
+    fmt::print("{}", match_report(*result, stdout_supports_color(), stdout_width()));
   }
 
   std::fflush(stdout);

@@ -22,7 +22,8 @@ using match::MatchResult;
 using match::PlayerResult;
 using match::TeamResult;
 
-constexpr std::size_t kLineWidth = 80;
+constexpr std::size_t kMaxWidth = 80;
+constexpr std::size_t kRowWidth = 62;
 
 std::int64_t total(const TeamResult& team,
                    const std::function<std::int64_t(const PlayerResult&)>& value) {
@@ -57,12 +58,29 @@ std::string shortened(const std::string& text) {
   return fmt::format("{}...", std::string_view(text).substr(0, kWidth - 3));
 }
 
+// A line with its indentation; what follows a fold is indented by four.
+std::string folded(std::string_view line, std::size_t width) {
+  constexpr std::size_t kIndent = 4;
+  std::string text = base::wrap_text(line, width);
+  if (text.find('\n') == std::string::npos) return text;
+  const std::size_t first = text.find('\n') + 1;
+  return text.substr(0, first) + std::string(kIndent, ' ') +
+         base::wrap_text(line.substr(first), width, kIndent);
+}
+
 class Rows {
  public:
-  explicit Rows(const MatchResult& result) : result_(result) {}
+  Rows(const MatchResult& result, std::size_t width)
+      : result_(result), narrow_(width < kRowWidth) {}
 
+  // On a narrow terminal the values are below their label.
   void add(std::string_view label, const std::string& left, const std::string& right) {
-    fmt::format_to(std::back_inserter(text_), "  {:<22} {:>18} {:>18}\n", label, left, right);
+    if (!narrow_) {
+      fmt::format_to(std::back_inserter(text_), "  {:<22} {:>18} {:>18}\n", label, left, right);
+      return;
+    }
+    if (!label.empty()) fmt::format_to(std::back_inserter(text_), "  {}\n", label);
+    fmt::format_to(std::back_inserter(text_), "{:>19} {:>19}\n", left, right);
   }
   void add(std::string_view label, const std::function<std::int64_t(const TeamResult&)>& value) {
     // External teams have no per-player counts.
@@ -75,6 +93,7 @@ class Rows {
 
  private:
   const MatchResult& result_;
+  bool narrow_;
   std::string text_;
 };
 
@@ -88,16 +107,16 @@ std::string score_line(const MatchResult& result) {
   return line;
 }
 
-std::string goals_line(const MatchResult& result) {
+std::string goals_line(const MatchResult& result, std::size_t width) {
   if (result.goals.empty()) return {};
   std::string line = "  goals:";
   for (const auto& goal : result.goals) {
     const TeamResult& team = goal.side == soccer::Side::kLeft ? result.left : result.right;
     fmt::format_to(std::back_inserter(line), " {} {}", goal.cycle, team.name);
     if (goal.unum > 0) fmt::format_to(std::back_inserter(line), " {}", goal.unum);
-    line += &goal == &result.goals.back() ? "\n" : ",";
+    line += &goal == &result.goals.back() ? "" : ",";
   }
-  return line;
+  return folded(line, width) + "\n";
 }
 
 std::string missed(const TeamResult& team) {
@@ -154,18 +173,31 @@ void add_losses(Rows& rows) {
   }
 }
 
-std::string server_line(const MatchResult& result) {
+std::string server_line(const MatchResult& result, std::size_t width) {
   std::string line = fmt::format("  {}", result.server_kind);
   if (!result.server_version.empty()) line += fmt::format(" {}", result.server_version);
   if (result.server_seed) line += fmt::format(", server seed {}", *result.server_seed);
   line += fmt::format(", missed cycles: {}", result.server_missed_cycles);
   if (result.server_cpu_seconds)
     line += fmt::format(", {:.2f} s of CPU", *result.server_cpu_seconds);
-  return line + "\n";
+  return folded(line, width) + "\n";
 }
 
-std::string figures(const MatchResult& result) {
-  Rows rows(result);
+// The time of play, and that before it where one waits for it.
+std::string speed_line(const MatchResult& result, std::size_t width) {
+  constexpr double kLongStart = 2.0;
+  const double rate = result.cycles_per_second;
+  const double play = rate > 0.0 ? result.cycles / rate : result.wall_seconds;
+  const double start = result.wall_seconds - play;
+  const std::string line = fmt::format(
+      "  {} cycles in {:.1f} s ({:.0f} cycles/s){}, {}, seed {}{}", result.cycles, play, rate,
+      start >= kLongStart ? fmt::format(", {:.1f} s for start and end", start) : "", result.mode,
+      result.seed, result.deterministic ? "" : ", not deterministic");
+  return folded(line, width) + "\n";
+}
+
+std::string figures(const MatchResult& result, std::size_t width) {
+  Rows rows(result, width);
   rows.add("", result.left.name, result.right.name);
   rows.add("playmaker", shortened(result.left.endpoint), shortened(result.right.endpoint));
   rows.add("decisions", [](const TeamResult& team) {
@@ -192,13 +224,13 @@ std::string figures(const MatchResult& result) {
 }
 
 // The Playmakers of a mixed side.
-std::string parts(const TeamResult& team) {
+std::string parts(const TeamResult& team, std::size_t width) {
   std::string text;
   for (const auto& part : team.parts) {
     fmt::format_to(
         std::back_inserter(text),
         "  {} {}: {}\n    {}, {} missed, p50 {:.0f} us, p99 {:.0f} us, {:.2f} s of CPU\n",
-        team.name, part.agents, base::wrap_text(part.endpoint, kLineWidth, 4),
+        team.name, part.agents, base::wrap_text(part.endpoint, width, 4),
         base::counted(part.decisions, "decision"), part.missed, part.rpc_us.p50, part.rpc_us.p99,
         part.cpu_seconds);
   }
@@ -206,15 +238,14 @@ std::string parts(const TeamResult& team) {
 }
 
 // What a side's Playmaker answered with an error, and how to ask it again.
-std::string errors(const MatchResult& result, const TeamResult& team) {
+std::string errors(const MatchResult& result, const TeamResult& team, std::size_t width) {
   if (!team.errors.first) return {};
 
   const auto& first = *team.errors.first;
-  std::string text =
-      fmt::format("  {}: {}, the first at cycle {} ({}, {})\n    {}\n", team.name,
-                  base::counted(team.errors.count, "RPC error"), first.cycle, first.rpc,
-                  proxy::agent_name(first.unum),
-                  base::wrap_text(first.status + ": " + first.message, kLineWidth, 4));
+  std::string text = fmt::format("  {}: {}, the first at cycle {} ({}, {})\n    {}\n", team.name,
+                                 base::counted(team.errors.count, "RPC error"), first.cycle,
+                                 first.rpc, proxy::agent_name(first.unum),
+                                 base::wrap_text(first.status + ": " + first.message, width, 4));
 
   if (!first.recording.empty()) {
     fmt::format_to(std::back_inserter(text), "    try again: cls test --replay {} {}\n",
@@ -225,12 +256,12 @@ std::string errors(const MatchResult& result, const TeamResult& team) {
 }
 
 // The first exception that each program printed; where errors() has its text, only its log.
-std::string exceptions(const MatchResult& result) {
+std::string exceptions(const MatchResult& result, std::size_t width) {
   std::string text;
   for (const auto& process : result.processes) {
     if (process.exception.empty()) continue;
     if (!is_reported(result, process.exception)) {
-      text += "  " + base::wrap_text(process.name + ": " + process.exception, kLineWidth, 2) + "\n";
+      text += "  " + base::wrap_text(process.name + ": " + process.exception, width, 2) + "\n";
     }
     fmt::format_to(std::back_inserter(text), "    output is in {}/{}\n", result.folder,
                    process.log);
@@ -239,14 +270,15 @@ std::string exceptions(const MatchResult& result) {
 }
 
 // A match without a cycle has no score and no figures.
-std::string refusal(const MatchResult& result) {
+std::string refusal(const MatchResult& result, std::size_t width) {
   std::string hint = troubleshooting_hint(result.end_reason);
   for (const auto& process : result.processes) {
     const std::string remedy = match::remedy_of(process.exception);
-    if (!remedy.empty()) hint = base::wrap_text("remedy: " + remedy, kLineWidth, 2);
+    if (!remedy.empty()) hint = "remedy: " + remedy;
   }
   return fmt::format("invalid match: {} before the first cycle\n  {}\n{}  {}/\n",
-                     name(result.end_reason), hint, exceptions(result), result.folder);
+                     name(result.end_reason), base::wrap_text(hint, width, 2),
+                     exceptions(result, width), result.folder);
 }
 
 // The command that shows the match; nothing for a match without a game log.
@@ -257,28 +289,31 @@ std::string watch_line(const MatchResult& result) {
 
 }  // namespace
 
-std::string match_report(const MatchResult& result, bool color) {
-  if (!result.valid() && result.steps == 0) return refusal(result);
+std::string match_report(const MatchResult& result, bool color, std::size_t width) {
+  width = std::min(width, kMaxWidth);
+  if (!result.valid() && result.steps == 0) return refusal(result, width);
 
   const std::string score = score_line(result);
-  std::string text = color ? fmt::format("\x1b[1m{}\x1b[0m\n", score) : score + "\n";
-  if (!result.valid()) {
-    fmt::format_to(std::back_inserter(text), "  invalid match: {} at cycle {}\n  {}\n",
-                   name(result.end_reason), result.cycles, troubleshooting_hint(result.end_reason));
+  std::string text;
+  if (!result.valid()) {  // its score does not count
+    text = fmt::format("invalid match: {} at cycle {}\n  {}\n  score until then: {}\n",
+                       name(result.end_reason), result.cycles,
+                       base::wrap_text(troubleshooting_hint(result.end_reason), width, 2), score);
+  } else {
+    text = color ? fmt::format("\x1b[1m{}\x1b[0m\n", score) : score + "\n";
   }
 
-  text += goals_line(result);
-  text += errors(result, result.left) + errors(result, result.right) + exceptions(result);
-  text += "\n";
+  text += goals_line(result, width);
+  text += errors(result, result.left, width) + errors(result, result.right, width) +
+          exceptions(result, width) + "\n";
   const bool played = result.valid() || result.cycles > 0;
-  if (played) text += figures(result) + "\n" + parts(result.left) + parts(result.right);
+  if (played) {
+    text += figures(result, width) + "\n" + parts(result.left, width) + parts(result.right, width);
+  }
 
-  fmt::format_to(std::back_inserter(text),
-                 "  {} cycles in {:.1f} s ({:.0f} cycles/s), {}, seed {}{}\n", result.cycles,
-                 result.wall_seconds, result.cycles_per_second, result.mode, result.seed,
-                 result.deterministic ? "" : ", not deterministic");
-  if (result.speed && result.valid()) text += fmt::format("  {}\n", describe(*result.speed));
-  if (result.mode != "lockstep") text += server_line(result);
+  text += speed_line(result, width);
+  if (result.speed && result.valid()) text += folded("  " + describe(*result.speed), width) + "\n";
+  if (result.mode != "lockstep") text += server_line(result, width);
   fmt::format_to(std::back_inserter(text), "  {}/\n", result.folder);
   return text + watch_line(result);
 }

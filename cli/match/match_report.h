@@ -1,6 +1,7 @@
 // Result table of `cls match`.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "match/result/match_result.h"
@@ -8,7 +9,7 @@
 namespace cls::cli {
 
 /// The table that `cls match` prints: score, goals, figures of both sides, match folder.
-/// With `color`, the score line is bold.
-std::string match_report(const match::MatchResult& result, bool color);
+/// With `color`, the score line is bold. Folded at `width` characters, or at 80.
+std::string match_report(const match::MatchResult& result, bool color, std::size_t width);
 
 }  // namespace cls::cli

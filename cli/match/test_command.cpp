@@ -230,12 +230,13 @@ int run_test_command(const TestArguments& arguments) {
   warn_without_sandbox(scenarios, options);
 
   const bool color = !arguments.json && stdout_supports_color();
+  const std::size_t width = stdout_is_terminal() && !arguments.json ? stdout_width() : 0;
   const auto on_done = [&](const scenario::ScenarioVerdict& verdict) {
     // The summary counts those that an interrupt cut off.
     if (verdict.verdict == Verdict::kInterrupted) return;
     const bool wanted = verdict.verdict == Verdict::kFailed || !arguments.quiet;
     if (!wanted) return;
-    fmt::print(arguments.json ? stderr : stdout, "{}", to_text(verdict, color));
+    fmt::print(arguments.json ? stderr : stdout, "{}", to_text(verdict, color, width));
     std::fflush(arguments.json ? stderr : stdout);
   };
 

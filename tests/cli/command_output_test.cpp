@@ -12,6 +12,7 @@
 #include "tests/support/command.h"
 #include "tests/support/command_matchers.h"
 #include "tests/support/json.h"
+#include "tests/support/pseudo_terminal.h"
 
 namespace cls::tests {
 namespace {
@@ -117,6 +118,30 @@ TEST_F(CommandOutput, DoctorFits80ColumnsWithoutBreakingWords) {
     EXPECT_TRUE(line.size() <= 80 || line.size() == 28 + last.size()) << line;
   }
   EXPECT_THAT(text, HasSubstr("hint: "));
+}
+
+// A terminal of 40 columns: no line is longer, but for the path of a command.
+TEST_F(CommandOutput, NarrowTerminalsFoldMatchAndDoctor) {
+  const auto lines_of = [this](const std::string& command) {
+    PseudoTerminal terminal({"/bin/sh", "-c", "stty cols 40; " + command + "; echo the end"},
+                            {"TERM=xterm", "NO_COLOR=1"}, folder_.path());
+    EXPECT_TRUE(terminal.wait_for("the end", std::chrono::seconds(60)));
+    std::string shown = terminal.shown();
+    std::erase(shown, '\r');
+    std::vector<std::string> lines;
+    std::istringstream in(shown);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+  };
+
+  for (const std::string command : {"match mock:hold mock:hold --cycles 20 --quiet", "doctor"}) {
+    const auto lines = lines_of(cls_binary().string() + " " + command);
+    EXPECT_GT(lines.size(), 10U) << command;
+    for (const std::string& line : lines) {
+      const std::size_t word = line.rfind(' ') == std::string::npos ? 0 : line.rfind(' ') + 1;
+      EXPECT_TRUE(line.size() <= 40 || word <= std::string("  cls watch ").size()) << line;
+    }
+  }
 }
 
 TEST_F(CommandOutput, QuietDoctorPrintsOnlyWhatIsNotOk) {

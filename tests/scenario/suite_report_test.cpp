@@ -65,6 +65,21 @@ TEST(SuiteReport, TextNamesFailureLocationAndRerunCommand) {
   EXPECT_EQ(summary(sample.suite, 1.25), "1 passed, 1 failed, 1 skipped in 1.2 s\n");
 }
 
+TEST(SuiteReport, FoldsSentencesOnNarrowTerminals) {
+  const Sample sample;
+  EXPECT_EQ(to_text(sample.suite.scenarios[1], false, 30),
+            "FAIL  bad\n"
+            "      About bad.\n"
+            "      tests/bad.json: line 9,\n"
+            "      seed 7: a <name> &\n"
+            "      \"more\": the score is 1 :\n"
+            "      0,\n"
+            "      50% off\n"
+            "      logs: runs/test/bad-seed-7\n"
+            "      watch: runs/test/bad-seed-7/match.html\n"
+            "      rerun: cls test tests/bad.json --seed 7\n");
+}
+
 TEST(SuiteReport, ColorsVerdicts) {
   const Sample sample;
   EXPECT_EQ(to_text(sample.suite.scenarios[0], true),
