@@ -1,4 +1,4 @@
-// Looking: actions of body and neck, of the neck alone, and of the view; completing a body command.
+// Looking: actions of body and neck, of the neck alone, and of the view; body commands as values.
 #pragma once
 
 #include <vector>
@@ -104,12 +104,10 @@ bool focus_to_point(const WorldModel& world, CommandSlots& slots, Vec2 point);
 /// Moves the focus point back to the agent.
 bool focus_reset(const WorldModel& world, CommandSlots& slots);
 
-/// Replaces `out` with the body command, clamped and rounded like that of a Playmaker, and the
-/// default neck, view and focus (docs/spec/proxy-behavior.md 2.4). `body` is Dash, Turn, Kick,
-/// Tackle, Catch or Move; others, and those that the server would reject, become `turn 0`: then the
-/// result is false. Call it once per decision, after update_derived().
-bool complete_body_command(const WorldModel& world, ViewMemory& view,
-                           const soccer::PlayerCommand& body,
-                           std::vector<soccer::PlayerCommand>& out, bool with_done);
+/// Sets the body slot to the command, clamped and rounded like that of a Playmaker. `body` is Dash,
+/// Turn, Kick, Tackle, Catch or Move; false, changing nothing, for others and for those that the
+/// server would reject.
+bool set_body_command(const WorldModel& world, const soccer::PlayerCommand& body,
+                      CommandSlots& slots);
 
 }  // namespace cls::player

@@ -14,7 +14,7 @@ import numpy as np
 
 from cls_gym._config import (ActionError, ConfigError, EngineError, check_choice, plain,
                              readable)
-from cls_gym.spec import ActionSet, Feature, Spec
+from cls_gym.spec import ActionSet, Feature, Sense, Spec
 
 LIBRARY = "libcls_training.so"
 VARIABLE = "CLS_TRAINING_LIBRARY"
@@ -32,7 +32,7 @@ class _Buffer(ctypes.Structure):
 
 
 # The arrays of a pool in the order of cls_training_buffers: element type, and a shape of N worlds,
-# A agents (I: where the action set has ids), F features, K ids, V values, S state features,
+# A agents (I: where the action set has ids; H senses add [1 + H]), F features, K ids, V values, S state features,
 # R reward terms, 2 teams. training/pool/arrays.inc is the table of the engine.
 _ARRAYS: Dict[str, Tuple[type, str]] = {
     "action_ids": (np.int32, "NI"), "action_values": (np.float32, "NAV"),
@@ -210,6 +210,8 @@ class Pool:
                  "R": len(spec.reward_terms), "2": 2}
         arrays: Dict[str, Any] = {name: np.zeros([sizes[one] for one in shape], kind)
                   for name, (kind, shape) in _ARRAYS.items()}
+        if spec.actions.senses:
+            arrays["action_ids"] = np.zeros([n, a, 1 + len(spec.actions.senses)], np.int32)
         for name in ("final_observations", "final_state"):
             if self.config.get("autoreset") != "same_step":
                 setattr(self, name, None)
@@ -330,7 +332,8 @@ def _spec(document: Dict[str, Any]) -> Spec:
             actions["set"], actions["version"],
             tuple(one["name"] for one in actions["items"]) if actions["ids"] else (),
             tuple(features(one["parameters"]) for one in actions["items"]),
-            features(actions["value_items"])),
+            features(actions["value_items"]),
+            tuple(Sense(one["name"], tuple(one["items"])) for one in document["senses"])),
         reward_terms=tuple(one["name"] for one in document["reward_terms"]),
         statuses=tuple(_status_name(one) for one in document["statuses"]),
         options=tuple(document["options"]), opponents=tuple(document["opponents"]),

@@ -276,13 +276,19 @@ class Worlds:
         return {"observation": rows.copy(), self.mask_name: masks}
 
     def legal(self, index: int) -> np.ndarray:
-        """bool[K] or bool[A K]: which ids have an effect now; all where the episode is over."""
+        """bool[K] or bool[A K]: which ids have an effect now; all where the episode is over. With
+        senses each agent's K are followed by those of all their items."""
         if self.masks is None:
             raise ActionError(f"action_masks: actions={self.spec.actions.name!r} has no ids")
         if self.pool.terminated[index] or self.pool.truncated[index]:
             if self.pool.config["autoreset"] != "same_step":
-                return np.ones(self.masks[index].size, np.bool_)
-        return np.asarray(self.masks[index].ravel() != 0)
+                return self._flat(np.ones(self.masks[index].shape, np.bool_))
+        return self._flat(self.masks[index] != 0)
+
+    def _flat(self, mask: np.ndarray) -> np.ndarray:
+        items = sum(len(sense.items) for sense in self.spec.actions.senses)
+        free = np.ones((*mask.shape[:-1], items), np.bool_)
+        return np.concatenate([mask, free], axis=-1).ravel()
 
     # ---- worlds as values
 

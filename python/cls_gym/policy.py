@@ -59,6 +59,9 @@ class Policy:
 def describe(envs: Any) -> Dict[str, Any]:
     """What a policy file says about the environment that trained it."""
     spec = envs.spec_of_task
+    if spec.actions.senses:
+        raise PolicyError("look, say: a policy file has a score per action, and none for senses; "
+                          "save the network in the format of its framework")
     names = [feature.name for feature in spec.features]
     return {"task": spec.task, "obs": spec.document["obs"],
             "features": spec.feature_set, "feature_version": spec.feature_version,

@@ -71,6 +71,8 @@ class SelfPlay:
         settings = {**CONFIG, **config} if task == TASK else config
         self.envs = VectorEnv(task, num_envs, **{**settings, "agents": "both"},
                               autoreset_mode="same_step")
+        if self.envs.spec_of_task.actions.senses:
+            raise ConfigError("look, say: policies of SelfPlay choose ids alone")
         names = self.envs.spec_of_task.agents
         self._left = sum(agent.startswith("left") for agent in names)
         self.agents = self._left if num_agents is None else num_agents

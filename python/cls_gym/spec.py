@@ -17,28 +17,44 @@ class Feature(NamedTuple):
     high: float
 
 
+class Sense(NamedTuple):
+    """A choice beside the action: the number of one of `items`; 0 is what agents of matches do."""
+
+    name: str
+    items: Tuple[str, ...]
+
+
 class ActionSet(NamedTuple):
-    """What an agent can do: one of `names` (if any), with numbers (if any) for `values`."""
+    """What an agent can do: one of `names` (if any), with numbers (if any) for `values`, and
+    choices of its senses (with look and say)."""
 
     name: str
     version: int
     names: Tuple[str, ...]
     parameters: Tuple[Tuple[Feature, ...], ...]  # of each action of `names`
     values: Tuple[Feature, ...]                  # the numbers that the engine reads
+    senses: Tuple[Sense, ...] = ()
+
+    def _ids(self, agents: int) -> spaces.Space[Any]:
+        n = len(self.names)
+        if self.senses:
+            counts = [n, *(len(sense.items) for sense in self.senses)]
+            return spaces.IdsAndSenses(counts, () if agents == 1 else (agents,))
+        return spaces.Discrete(n) if agents == 1 else spaces.Ids(agents, n)
 
     def space(self, agents: int) -> spaces.Space[Any]:
         """The space of one agent's action, or of `agents` actions side by side.
 
         Discrete; Box; or Tuple(Discrete, Box...): which action, then the numbers of each action
-        that has some, scaled to -1..1.
+        that has some, scaled to -1..1. With senses it is MultiDiscrete instead of Discrete: which
+        action, then the number of an item of each of `senses`.
         """
         if not self.values:
-            n = len(self.names)
-            return spaces.Discrete(n) if agents == 1 else spaces.Ids(agents, n)
+            return self._ids(agents)
         if not self.names:
             one: spaces.Space[Any] = _box(self.values)
         else:
-            one = spaces.IdsAndNumbers([spaces.Discrete(len(self.names)),
+            one = spaces.IdsAndNumbers([self._ids(1),
                                         *(spaces.Box(-1.0, 1.0, (len(own),), np.float32)
                                           for own in self.parameters if own)])
         return one if agents == 1 else spaces.batch_space(one, agents)

@@ -38,6 +38,7 @@ BoundPool::BoundPool(const std::string& config) {
   agents = setup.agent_count();
   features = setup.feature_count();
   ids = setup.id_count();
+  width = setup.id_width();
   states = setup.state_columns.size();
   value_columns = setup.value_columns;
 
@@ -66,7 +67,10 @@ int BoundPool::reset(std::uint64_t first) {
 }
 
 void BoundPool::draw_actions(soccer::RandomStream& random) {
-  for (std::int32_t& id : action_ids) id = random.integer(static_cast<int>(ids));
+  // Senses stay as those of agents in matches.
+  for (std::size_t i = 0; i < action_ids.size(); i += width) {
+    action_ids[i] = random.integer(static_cast<int>(ids));
+  }
   for (std::size_t i = 0; i < action_values.size(); ++i) {
     const training::Column& column = value_columns[i % value_columns.size()];
     action_values[i] = static_cast<float>(

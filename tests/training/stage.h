@@ -42,6 +42,7 @@ class BoundPool {
   std::size_t agents = 0;
   std::size_t features = 0;
   std::size_t ids = 0;
+  std::size_t width = 0;  ///< of a row of ids
   std::size_t states = 0;
   training::Columns value_columns;
 

@@ -205,6 +205,7 @@ Outcome bind(Pool& pool, const cls_training_buffers& in) {
   const std::uint64_t rows = worlds * setup.agent_count();
   const std::uint64_t features = setup.feature_count();
   const std::uint64_t ids = setup.id_count();
+  const std::uint64_t width = setup.id_width();
   const std::uint64_t values = setup.value_count();
   const std::uint64_t states = setup.state_columns.size();
   constexpr std::uint64_t terms = kRewardTerms;

@@ -130,6 +130,12 @@ CLS_TRAINING_API int cls_training_catalog(char* out, size_t capacity, size_t* le
 //   "start"       "task" (default): the task places ball and players; "book:FILE": each episode of
 //                 Match starts at a situation of a book (docs/formats/book.md) that its seed draws,
 //                 with score 0:0 and the types that "types" says.
+//   "look"        true: agents choose neck, view and focus; needs "obs": "world_model" and an
+//   action
+//                 set with ids. Observations then end with what an agent knows of them. Default:
+//                 false, neck, view and focus of agents in matches.
+//   "say"         true: agents choose what they say, one of eight symbols or nothing; observations
+//                 then end with the last symbol that a teammate was heard to say. Default: false.
 //   "options"     {"NAME": number, ...}: options of the task, see cls_training_set_options.
 //   "types"       "default" (type 0 for all) or "random" (drawn from the seed). Default "default".
 // Agents and players: team by team, left first, in the order of the spec's "agents". The own team
@@ -143,6 +149,7 @@ CLS_TRAINING_API int cls_training_create(const char* config_json, uint64_t* pool
 //    "actions": {"set", "version", "ids": K, "values": V, "id_low": 0,
 //                "items": [{"id", "name", "parameters": [{"name", "unit", "low", "high"}]}],
 //                "value_items": [{"name", "unit", "low", "high"}, ...]},
+//    "senses": [{"name", "items": [NAME, ...]}, ...],  (H of them: none without look and say)
 //    "state": {"size": S, "items": [{"name", "unit", "low", "high"}, ...]},
 //    "reward_terms": [{"name", "weight", "summary"}, ...]   (R of them),
 //    "teammates": [NAME, ...], "opponents": [NAME, ...], "start",
@@ -170,7 +177,8 @@ typedef struct {
 
   // In: read by step(). Give the ones of the action set: `action_ids` if K > 0, `action_values` if
   // V > 0. Rows of agents that are not alive are ignored.
-  cls_training_buffer action_ids;     // int32 [N, A], 0..K-1
+  cls_training_buffer action_ids;     // int32 [N, A], 0..K-1; with senses [N, A, 1 + H]: the id,
+                                      // then the number of an item of each of them
   cls_training_buffer action_values;  // float32 [N, A, V]; clipped to the bounds in the spec
   // In: seed of a world's next automatic reset; needed unless autoreset is disabled. Renew the
   // entries of worlds with was_reset != 0 after each step.

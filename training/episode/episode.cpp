@@ -14,6 +14,7 @@
 #include "simulator/actions/actions.h"
 #include "simulator/step.h"
 #include "soccer/commands/rounding.h"
+#include "training/features/sense_features.h"
 #include "training/scene/estimated_scene.h"
 #include "training/scene/openings.h"
 
@@ -259,7 +260,7 @@ PlayerCommand Episode::command_of(std::size_t agent, const AgentActions& actions
     return set.choose(view, clipped.data());
   }
 
-  const auto id = base::index(actions.ids[agent]);
+  const auto id = base::index(actions.ids[agent * setup_->id_width()]);
   const Action& action = set.actions[id];
   if (action.legal != nullptr && !action.legal(view)) {
     ++agents_[agent].illegal;
@@ -278,6 +279,10 @@ void Episode::choose_commands(const AgentActions& actions, const Guest* guest) {
     if (!world_.player(slot).enabled) continue;
     PlayerCommand& command = commands_[base::index(slot)];
     command = command_of(agent, actions);
+    if (setup_->senses.any()) {
+      const std::int32_t* row = actions.ids + agent * setup_->id_width();
+      perceivers_[agent].chosen = read_senses(setup_->senses, row + 1);
+    }
     if (const auto* dash = std::get_if<soccer::Dash>(&command)) {
       add_effort(dash->power, rewards_[agent]);
     }
@@ -452,6 +457,10 @@ void Episode::observe(float* out) const {
       view.openings = &*openings;
     }
     setup_->features->fill(view, out);
+    if (setup_->senses.any()) {
+      const std::size_t first = setup_->feature_count() - setup_->sense_column_count;
+      fill_senses(perceivers_[agent], setup_->senses, out + first);
+    }
   }
 }
 

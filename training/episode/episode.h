@@ -17,8 +17,8 @@
 
 namespace cls::training {
 
-/// Actions of the agents of one world: ids [A] and values [A, V]; null if the set has none. They
-/// have been checked: ids exist and values are finite.
+/// Actions of the agents of one world: ids [A, id_width()] and values [A, V]; null if the set has
+/// none. They have been checked: ids exist and values are finite.
 struct AgentActions {
   const std::int32_t* ids = nullptr;
   const float* values = nullptr;

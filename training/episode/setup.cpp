@@ -11,6 +11,7 @@
 #include "base/text/suggestion.h"
 #include "simulator/actions/actions.h"
 #include "simulator/world/rules.h"
+#include "training/features/sense_features.h"
 
 namespace cls::training {
 namespace {
@@ -100,6 +101,28 @@ Result<void> choose_cast(const SetupChoices& choices, Setup& setup) {
   return {};
 }
 
+// Choices of senses are messages to a server, and numbers beside an id.
+Result<void> choose_senses(const SetupChoices& choices, Setup& setup) {
+  setup.senses = choices.senses;
+  setup.sense_heads = sense_heads(choices.senses);
+  if (!choices.senses.any()) return {};
+
+  const std::string_view name = choices.senses.look ? "look" : "say";
+  if (choices.fidelity != Fidelity::kWorldModel) {
+    return Error{
+        fmt::format("'{}' needs 'obs' = 'world_model': who knows the full state neither "
+                    "looks nor hears",
+                    name)};
+  }
+  if (setup.actions->actions.empty()) {
+    return Error{
+        fmt::format("'{}' needs actions with ids, which '{}' has not; use 'low_discrete' "
+                    "or 'skills'",
+                    name, setup.actions->name)};
+  }
+  return {};
+}
+
 Result<void> choose_sets(const SetupChoices& choices, Setup& setup) {
   const Task& task = *setup.task;
   const auto or_usual = [](const std::string& name, std::string_view usual) {
@@ -108,6 +131,7 @@ Result<void> choose_sets(const SetupChoices& choices, Setup& setup) {
 
   TRY_INIT(setup.features, choose_features(or_usual(choices.features, task.features)));
   TRY_INIT(setup.actions, choose_actions(or_usual(choices.actions, task.actions)));
+  TRY(choose_senses(choices, setup));
 
   const auto has_agents = [&](Side side) {
     return std::ranges::find(setup.cast.agents, side, soccer::side_of_slot) !=
@@ -126,6 +150,10 @@ Result<void> choose_sets(const SetupChoices& choices, Setup& setup) {
     Columns columns = setup.features->columns(own - 1, others);
     if (columns.size() > setup.feature_columns.size()) setup.feature_columns = std::move(columns);
   }
+
+  const Columns own_senses = sense_columns(setup.senses);
+  setup.sense_column_count = own_senses.size();
+  setup.feature_columns.insert(setup.feature_columns.end(), own_senses.begin(), own_senses.end());
 
   setup.value_columns = setup.actions->values();
   setup.offsets = setup.actions->offsets();

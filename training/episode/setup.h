@@ -59,6 +59,7 @@ struct SetupChoices {
   int max_cycles = 0;
   std::array<double, kRewardTerms> weights{};
   bool random_types = false;
+  SenseOptions senses;
 };
 
 /// Immutable; shared by the episodes of a pool and by their copies.
@@ -73,6 +74,9 @@ struct Setup {
   const FeatureSet* features = nullptr;
   const ActionSet* actions = nullptr;
   Columns feature_columns;  ///< of an agent; the widest if the teams differ in size
+  SenseOptions senses;
+  std::vector<SenseHead> sense_heads;
+  std::size_t sense_column_count = 0;  ///< the last of feature_columns
   Columns value_columns;
   std::vector<int> offsets;  ///< first value of each action
   Legality legality;
@@ -98,6 +102,8 @@ struct Setup {
   std::size_t feature_count() const { return feature_columns.size(); }
   std::size_t value_count() const { return value_columns.size(); }
   std::size_t id_count() const { return actions->actions.size(); }
+  /// Numbers of an agent's row of ids: the action, then one for each of sense_heads.
+  std::size_t id_width() const { return id_count() == 0 ? 0 : 1 + sense_heads.size(); }
 };
 
 /// The error names the choice that does not fit the task.

@@ -79,6 +79,7 @@ void Pool::reset_world(std::size_t env, std::uint64_t seed, const Start* start) 
 Outcome Pool::check_actions() const {
   const std::size_t agents = setup().agent_count();
   const auto ids = static_cast<std::int32_t>(setup().id_count());
+  const std::size_t width = setup().id_width();
   const std::size_t values = setup().value_count();
 
   for (std::size_t row = 0; row < worlds_.size() * agents; ++row) {
@@ -87,9 +88,16 @@ Outcome Pool::check_actions() const {
     if (episode.ended() || !episode.alive(row % agents)) continue;
 
     const auto where = [&] { return fmt::format("world {}, agent {}", env, row % agents); };
-    if (ids > 0 && (buffers_.action_ids[row] < 0 || buffers_.action_ids[row] >= ids)) {
-      return {Code::kBadAction, fmt::format("{}: action id {} is not in 0..{}", where(),
-                                            buffers_.action_ids[row], ids - 1)};
+    const std::int32_t* chosen = buffers_.action_ids + row * width;
+    if (ids > 0 && (*chosen < 0 || *chosen >= ids)) {
+      return {Code::kBadAction,
+              fmt::format("{}: action id {} is not in 0..{}", where(), *chosen, ids - 1)};
+    }
+    for (const SenseHead& head : setup().sense_heads) {
+      const auto most = static_cast<std::int32_t>(head.items.size()) - 1;
+      if (*++chosen >= 0 && *chosen <= most) continue;
+      return {Code::kBadAction,
+              fmt::format("{}: {} {} is not in 0..{}", where(), head.name, *chosen, most)};
     }
 
     for (std::size_t i = 0; i < values; ++i) {
@@ -148,7 +156,8 @@ void Pool::step_world(std::size_t env) {
 
   AgentActions actions;
   const std::size_t first = env * setup().agent_count();
-  if (buffers_.action_ids != nullptr) actions.ids = buffers_.action_ids + first;
+  if (buffers_.action_ids != nullptr)
+    actions.ids = buffers_.action_ids + first * setup().id_width();
   if (buffers_.action_values != nullptr) {
     actions.values = buffers_.action_values + first * setup().value_count();
   }

@@ -23,7 +23,7 @@ const Names kKeys = {"task",       "num_envs", "threads",      "obs",       "fea
                      "actions",    "offense",  "defense",      "agents",    "num_agents",
                      "teammates",  "opponent", "goalie_agent", "autoreset", "frame_skip",
                      "max_cycles", "reward",   "options",      "types",     "state",
-                     "start",      "until"};
+                     "start",      "until",    "look",         "say"};
 constexpr auto kRandomTypesNames = base::enum_names<bool>("default", "random");
 
 constexpr int kMaxEnvs = 65536;
@@ -162,7 +162,8 @@ void read_choices(Reader& in, SetupChoices& choices) {
   in.choice("until", kUntilNames, choices.until);
   in.choice("obs", kFidelityNames, choices.fidelity);
   in.integer("state", 1, kStateVersions, choices.state);
-
+  in.flag("look", choices.senses.look);
+  in.flag("say", choices.senses.say);
   in.choice("types", kRandomTypesNames, choices.random_types);
 }
 

@@ -97,6 +97,12 @@ Json names_of(const DriverPool& pool) {
   return names;
 }
 
+Json describe(const std::vector<SenseHead>& heads) {
+  Json list = Json::array();
+  for (const SenseHead& head : heads) list.push_back({{"name", head.name}, {"items", head.items}});
+  return list;
+}
+
 Json describe_state(const Setup& setup) {
   return {{"version", setup.state_version},
           {"size", setup.state_columns.size()},
@@ -177,6 +183,7 @@ Json specification(const Pool& pool) {
             {"size", setup.feature_count()},
             {"items", to_json(setup.feature_columns)}}},
           {"actions", describe(*setup.actions)},
+          {"senses", describe(setup.sense_heads)},
           {"state", describe_state(setup)},
           {"reward_version", kRewardVersion},
           {"reward_terms", reward_list(&setup.weights)},

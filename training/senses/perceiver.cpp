@@ -116,6 +116,7 @@ void perceive(const simulator::VisionModel& vision, simulator::World& world,
   if (!player.enabled) return;
   sense(world, slot, agent, buffers);
   hear_players(world, slot, agent, buffers);
+  update_heard_symbol(agent.world, agent.heard);
   if (++agent.see_rounds >= view_interval(player.view)) {
     look(vision, world, slot, agent, buffers);
   }
@@ -123,7 +124,11 @@ void perceive(const simulator::VisionModel& vision, simulator::World& world,
 }
 
 bool choose_commands(Perceiver& agent, const soccer::PlayerCommand& body) {
-  const bool accepted = complete_body_command(agent.world, agent.view, body, agent.commands, false);
+  update_view_memory(agent.view, agent.world);
+  player::CommandSlots slots(agent.world);
+  const bool accepted = set_body_command(agent.world, body, slots);
+  choose_senses(agent.chosen, agent.world, agent.view, slots);
+  slots.compose(agent.commands);
   record_sent_commands(agent.world, agent.commands);
   return accepted;
 }

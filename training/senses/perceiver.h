@@ -13,6 +13,7 @@
 #include "soccer/messages/hear.h"
 #include "soccer/messages/see.h"
 #include "soccer/messages/sense_body.h"
+#include "training/senses/sense_choice.h"
 
 namespace cls::training {
 
@@ -23,6 +24,8 @@ struct Perceiver {
   int see_rounds = 0;                           ///< since the last see message
   simulator::PendingMessages said;              ///< by players, not heard yet
   std::vector<soccer::PlayerCommand> commands;  ///< of the current cycle
+  SenseChoice chosen;                           ///< for the current cycle
+  HeardSymbol heard;
 };
 
 /// Memory that is reused from message to message.
@@ -51,7 +54,8 @@ void perceive(const simulator::VisionModel& vision, simulator::World& world,
               const simulator::Events& events, simulator::Slot slot, Perceiver& agent,
               SenseBuffers& buffers);
 
-/// Completes a body command to agent.commands; false if the server would reject it.
+/// Completes a body command and what the agent has chosen for its senses to agent.commands; false
+/// if the server would reject the body command.
 bool choose_commands(Perceiver& agent, const soccer::PlayerCommand& body);
 
 }  // namespace cls::training

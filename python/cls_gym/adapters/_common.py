@@ -9,7 +9,11 @@ from cls_gym.vector import VectorEnv
 
 
 def refuse_tuples(spec: Any, framework: str) -> None:
-    """Raises ConfigError where actions are tuples of an id and numbers."""
+    """Raises ConfigError where actions are tuples of an id and numbers, or rows with senses."""
+    if spec.actions.senses:
+        senses = ", ".join(sense.name for sense in spec.actions.senses)
+        raise ConfigError(f"look, say: {framework} takes ids alone, without {senses}; use Env, "
+                          "VectorEnv or ParallelEnv")
     if spec.actions.names and spec.actions.values:
         raise ConfigError(f"actions: {framework} has no actions that are tuples, as those of "
                           f"{spec.actions.name!r} are; did you mean 'skills' or 'low_discrete'?")
