@@ -240,8 +240,23 @@ TEST(TrainingFeatures, SharedOpeningsAreThoseOfEachObserver) {
       EXPECT_EQ(openings.to_teammate(eye, mate),
                 plain_opening(scene, setup->cast, place, middle - pi / 4.0, middle + pi / 4.0,
                               to.length()));
+
+      double nearest = 1e9;
+      for (training::Seat seat = soccer::kPlayersPerTeam; seat < training::kSeats; ++seat) {
+        nearest = std::min(nearest, distance(scene.player(seat).position, place));
+      }
+      EXPECT_EQ(openings.nearest_opponent(eye), nearest);
     }
   }
+}
+
+TEST(TrainingFeatures, NoOpponentIsNearWhereNoneIsSeen) {
+  const auto setup = setup_of(R"({"task": "HalfFieldOffense", "features": "hfo_high"})");
+  training::Scene scene;
+  training::fill_scene(setup->prepared, soccer::Side::kLeft, setup->cast, scene);
+  const training::Openings openings(scene, setup->cast);
+  const training::Seat eye = training::seat_of(soccer::Side::kLeft, setup->cast.left.front());
+  EXPECT_TRUE(std::isinf(openings.nearest_opponent(eye)));
 }
 
 TEST(TrainingFeatures, AttackersOnlySetIsRefusedForDefenders) {

@@ -58,10 +58,10 @@ struct Scale {
   void length(double length) const { out.scaled(length, 0.0, max_distance()); }
   void width(double angle) const { out.scaled(angle, 0.0, math::kPi); }
   void angle(double angle) const { out.scaled(angle, -math::kPi, math::kPi); }
-  void nearest_opponent(Vec2 point) const {
-    const Seat seat = nearest_player(view.scene, true, point);
-    if (seat == kNoSeat) return out.same(1, kMissing);
-    length(distance(view.scene.player(seat).position, point));
+  void nearest_opponent(const Openings& openings, Seat eye) const {
+    const double meters = openings.nearest_opponent(eye);
+    if (!std::isfinite(meters)) return out.same(1, kMissing);
+    length(meters);
   }
   void position(Seat seat) const {
     const ScenePlayer& player = view.scene.player(seat);
@@ -85,11 +85,10 @@ void add_players(FeatureWriter& out, const Scale& scale, const PointOfView& view
   const Seats opponents = seen(view, opponents_of(view));
   const int no_teammates = view.teammate_count() - static_cast<int>(teammates.size());
   const int no_opponents = view.opponent_count() - static_cast<int>(opponents.size());
-  const auto position = [&](Seat seat) { return view.scene.player(seat).position; };
 
   for (const Seat seat : teammates) scale.width(openings.to_goal(seat));
   out.same(no_teammates, kMissing);
-  for (const Seat seat : teammates) scale.nearest_opponent(position(seat));
+  for (const Seat seat : teammates) scale.nearest_opponent(openings, seat);
   out.same(no_teammates, kMissing);
   for (const Seat seat : teammates) scale.width(openings.to_teammate(view.self, seat));
   out.same(no_teammates, kMissing);
@@ -118,7 +117,7 @@ void fill(const PointOfView& view, float* numbers) {
   scale.length(to_goal.length());
   scale.angle(soccer::direction_radians(to_goal));
   scale.width(openings.to_goal(view.self));
-  scale.nearest_opponent(me.position);
+  scale.nearest_opponent(openings, view.self);
 
   add_players(out, scale, view, openings);
   out.flag(view.last_action_worked);

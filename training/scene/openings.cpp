@@ -69,6 +69,12 @@ std::size_t add_opponents(const Scene& scene, const Seats& opponents, Vec2 eye, 
   return count;
 }
 
+double distance_to_nearest_opponent(const Scene& scene, Vec2 place) {
+  const Seat nearest = nearest_player(scene, true, place);
+  if (nearest == kNoSeat) return std::numeric_limits<double>::infinity();
+  return distance(scene.player(nearest).position, place);
+}
+
 Covers covers_of(const Rays& rays, std::size_t opponents) {
   Covers covers;
   for (std::size_t i = 0; i < opponents; ++i) {
@@ -98,6 +104,7 @@ Openings::Openings(const Scene& scene, const Cast& cast) {
     rays.measure();
 
     Eye& eye = eyes_[static_cast<std::size_t>(seat)];
+    eye.nearest_opponent = distance_to_nearest_opponent(scene, place);
     const Covers covers = covers_of(rays, seen);
     eye.goal = widest(covers, {rays.directions[posts], rays.directions[posts + 1]},
                       std::numeric_limits<double>::infinity());

@@ -1,4 +1,5 @@
-// How open goal and teammates are from each own player's place, as HFO defines it.
+// How open goal and teammates are from each own player's place, as HFO defines it, and how near
+// opponents are.
 #pragma once
 
 #include <array>
@@ -21,9 +22,13 @@ class Openings {
     return of(eye).teammates[static_cast<std::size_t>(mate)];
   }
 
+  /// Meters from the own player in `eye` to the nearest opponent that is seen; infinity if none is.
+  double nearest_opponent(Seat eye) const { return of(eye).nearest_opponent; }
+
  private:
   struct Eye {
     double goal;
+    double nearest_opponent;
     std::array<double, soccer::kPlayersPerTeam> teammates;  ///< by seat, of the cast
   };
 
