@@ -73,8 +73,9 @@ class Adapter(unittest.TestCase):
             print(json.dumps({"name": name or self.name, "worlds": worlds, "rate": rate}),
                   file=out)
 
-    def run_example(self, file, *arguments, seconds=400):
-        """The output of an example of at most 40 lines, blank ones aside."""
+    def run_example(self, file, *arguments, seconds=1800):
+        """The output of an example of at most 40 lines, blank ones aside. `seconds` is for a program
+        that hangs: it needs two minutes of a processor at most, which a busy machine may stretch."""
         text = (EXAMPLES / file).read_text("utf-8")
         self.assertLessEqual(sum(bool(line.strip()) for line in text.splitlines()), 40, file)
         with tempfile.TemporaryDirectory() as folder:
