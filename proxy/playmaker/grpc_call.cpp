@@ -12,6 +12,11 @@
 namespace cls::proxy {
 namespace {
 
+// gRPC gives no status while there are messages that nobody has read, and of a unary reply it reads
+// one.
+constexpr std::string_view kNoEnd =
+    "; a message came, but not the end of the reply: does it have two messages, or no status?";
+
 grpc::ByteBuffer serialize(const protos::State& state, proto::StateWriter& writer) {
   const std::string_view bytes = writer.write(state, proto::StateForm::kWhole);
   const grpc::Slice slice(bytes.data(), bytes.size());
@@ -71,6 +76,7 @@ void GrpcCall::finish() {
   RpcStatus& status = reply_.status;
   status = rpc_status(reply_.rpc, grpc_status_.error_code(), grpc_status_.error_message());
   if (status.ok()) return read_message();
+  if (status.outcome == RpcOutcome::kDeadline && response_.Valid()) status.message += kNoEnd;
   if (cancelled_ && status.outcome == RpcOutcome::kError) status.outcome = RpcOutcome::kCancelled;
 }
 

@@ -108,10 +108,11 @@ class BareServer {
   std::thread thread_;
 };
 
-RpcStatus status_of(const std::string& content_type, const std::string& data) {
+RpcStatus status_of(const std::string& content_type, const std::string& data,
+                    RpcTimeout limit = 5s) {
   const BareServer server(content_type, data);
   const auto playmaker = make_grpc_playmaker(tests::loopback(server.port()));
-  playmaker->begin(1, proto::Rpc::kGetPlayerActions, protos::State(), 5s);
+  playmaker->begin(1, proto::Rpc::kGetPlayerActions, protos::State(), limit);
   return playmaker->next_reply().value_or(Reply{}).status;
 }
 
@@ -135,6 +136,13 @@ TEST(IncompleteReply, SaysThatTheMessageIsMissing) {
 
 TEST(IncompleteReply, IsUnlikeAnEmptyMessage) {
   EXPECT_TRUE(status_of("application/grpc", std::string(5, '\0')).ok());
+}
+
+// gRPC waits for the status of such a call up to its deadline.
+TEST(IncompleteReply, OfTwoMessagesIsNamedAtItsDeadline) {
+  const RpcStatus status = status_of("application/grpc", std::string(10, '\0'), 300ms);
+  EXPECT_EQ(status.outcome, RpcOutcome::kDeadline);
+  EXPECT_THAT(status.message, HasSubstr("a message came, but not the end of the reply"));
 }
 
 }  // namespace
