@@ -5,6 +5,7 @@
 
 #include <iterator>
 
+#include "match/programs/team_sandbox.h"
 #include "match/run_match.h"
 #include "match/server/match_plan.h"
 #include "match/terms/run_command.h"
@@ -42,6 +43,9 @@ Result<void> add_playmaker(std::string& text, const MatchOptions& options, const
   process::CommandPlan plan = run_plan(endpoint.command, values, folder);
   plan.limits = options.limits;
   if (!trainer) plan.cpus = options.cpus[side];
+  if (has_sandboxed_playmakers(options, side)) {
+    put_playmaker_in_sandbox(plan, endpoint.command, hidden_from_playmakers(options, side, folder));
+  }
   add(text, plan);
   return {};
 }

@@ -13,6 +13,7 @@
 #include "match/sides/external_side.h"
 #include "match/sides/lockstep_agents.h"
 #include "match/sides/network_agents.h"
+#include "match/sides/side_sandbox.h"
 #include "process/namespaces.h"
 #include "soccer/side.h"
 
@@ -149,13 +150,14 @@ Result<Sides> make_sides(const MatchSetup& setup, TeamPlans teams, const SideNam
       continue;
     }
 
-    const SideSetup values = side_setup(setup, side);
+    SideSetup values = side_setup(setup, side);
     const Endpoint& endpoint = endpoint_of(setup.options, side);
+    TRY_INIT(values.sandbox, PlaymakerSandbox::create(setup.options, side, setup.folder));
     TRY_INIT(auto connection, connect_playmaker(endpoint, values));
     TRY_INIT(auto agents,
              agents_of(side, AgentParts{identity_of(setup, side), std::move(connection),
                                         team_options(values, endpoint, setup.options),
-                                        setup.options, values.cpus}));
+                                        setup.options, values.cpus, values.sandbox}));
     sides.push_back(std::move(agents));
   }
   return sides;

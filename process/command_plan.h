@@ -48,6 +48,8 @@ struct FileAccess {
   /// With namespaces: folders of its own in memory, and links, where there is nothing else.
   std::vector<std::filesystem::path> own = {};
   std::vector<FileLink> links = {};
+  /// With namespaces: folders, in others, that are empty to it and cannot be changed.
+  std::vector<std::filesystem::path> covered = {};
 
   bool operator==(const FileAccess&) const = default;
 };

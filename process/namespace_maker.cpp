@@ -15,7 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "base/system/socket_address.h"
 #include "base/system/udp_socket.h"
 #include "process/packet.h"
 
@@ -79,14 +78,26 @@ NamespaceReply make(const NamespaceRequest& request) {
   return {};
 }
 
+// -1: `errno` says why.
+void reply(int control, int socket) {
+  const SocketReply error = socket < 0 ? errno : 0;
+  send_plain(control, error, socket < 0 ? std::vector<int>() : std::vector<int>{socket});
+}
+
 void open_sockets(int control) {
   while (true) {
     const Packet packet = receive_packet(control);  // empty when `control` is closed
-    const auto local = read_plain<base::SocketAddress>(packet);
-    if (!local) return;
-    const auto socket = base::UdpSocket::bind(*local);
-    const SocketReply error = socket ? 0 : errno;
-    send_plain(control, error, socket ? std::vector<int>{socket->fd()} : std::vector<int>());
+    const auto request = read_plain<SocketRequest>(packet);
+    if (!request) return;
+
+    if (request->tcp) {
+      constexpr int kType = SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC;
+      const base::UniqueFd socket(::socket(request->local.family(), kType, 0));
+      reply(control, socket.get());
+    } else {
+      const auto socket = base::UdpSocket::bind(request->local);
+      reply(control, socket ? socket->fd() : -1);
+    }
   }
 }
 

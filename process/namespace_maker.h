@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "base/system/socket_address.h"
 #include "base/system/unique_fd.h"
 
 namespace cls::process {
@@ -25,8 +26,14 @@ struct NamespaceReply {
   NamespaceStep step = NamespaceStep::kUser;
 };
 
-/// A request to a maker to open a socket in its network: the bytes of a base::SocketAddress. The
-/// reply is an errno, and the socket if that is 0.
+/// A request to a maker to open a socket in its network: for UDP bound to `local`, for TCP of the
+/// address family of `local`, not connected, non-blocking.
+struct SocketRequest {
+  bool tcp = false;
+  base::SocketAddress local;
+};
+
+/// An errno, and the socket if that is 0.
 using SocketReply = std::int32_t;
 
 /// Body of a maker: makes the namespaces, replies over `control`, opens sockets in their network on

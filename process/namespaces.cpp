@@ -97,15 +97,26 @@ std::string try_namespaces() {
 
 }  // namespace
 
-Result<base::UdpSocket> NetworkDoor::bind_udp(const base::SocketAddress& local) const {
-  if (!send_plain(socket_.get(), local)) return Error{std::strerror(errno)};
+Result<base::UniqueFd> NetworkDoor::ask(const SocketRequest& request) const {
+  if (!send_plain(socket_.get(), request)) return Error{std::strerror(errno)};
 
   Packet packet = receive_packet(socket_.get());
   const auto error = read_plain<SocketReply>(packet);
   if (!error) return Error{"the process in that network is gone"};
   if (*error != 0) return Error{std::strerror(*error)};
   if (packet.fds.size() != 1) return Error{std::strerror(EMFILE)};
-  return base::UdpSocket::adopt(std::move(packet.fds[0]), local.family());
+  return std::move(packet.fds[0]);
+}
+
+Result<base::UdpSocket> NetworkDoor::bind_udp(const base::SocketAddress& local) const {
+  TRY_INIT(auto socket, ask({.tcp = false, .local = local}));
+  return base::UdpSocket::adopt(std::move(socket), local.family());
+}
+
+Result<base::UniqueFd> NetworkDoor::make_tcp(int family) const {
+  SocketRequest request{.tcp = true, .local = {}};
+  request.local.bytes.ss_family = static_cast<sa_family_t>(family);
+  return ask(request);
 }
 
 Result<std::shared_ptr<const Namespaces>> Namespaces::create(Network network) {

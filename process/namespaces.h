@@ -11,6 +11,8 @@
 
 namespace cls::process {
 
+struct SocketRequest;
+
 /// A connection to a process in another network, which opens sockets there. Used by one thread at a
 /// time; may be passed on to a child (CommandPlan::passed).
 class NetworkDoor {
@@ -19,9 +21,13 @@ class NetworkDoor {
 
   /// A socket of that network, bound to `local`. Errors are those of the system.
   base::Result<base::UdpSocket> bind_udp(const base::SocketAddress& local) const;
+  /// A TCP socket of that network, not connected, non-blocking. `family`: AF_INET or AF_INET6.
+  base::Result<base::UniqueFd> make_tcp(int family) const;
   int fd() const { return socket_.get(); }
 
  private:
+  base::Result<base::UniqueFd> ask(const SocketRequest& request) const;
+
   base::UniqueFd socket_;
 };
 

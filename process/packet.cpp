@@ -175,6 +175,7 @@ std::string encode(const CommandPlan& plan) {
     add(bytes, link.path.string());
     add(bytes, link.target.string());
   }
+  add_paths(bytes, plan.files->covered);
   return bytes;
 }
 
@@ -209,6 +210,7 @@ std::optional<CommandPlan> decode_plan(std::string_view bytes) {
     files.writable = fields.paths();
     files.own = fields.paths();
     files.links = fields.links();
+    files.covered = fields.paths();
   }
 
   if (!fields.good() || plan.argv.empty()) return std::nullopt;

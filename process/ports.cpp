@@ -56,8 +56,8 @@ int bind_error(int type, int port) {
 }
 
 // Those of servers: of TCP without the connections of clients.
-std::vector<SocketEntry> listening_sockets(Protocol protocol) {
-  std::vector<SocketEntry> sockets = bound_sockets(protocol);
+std::vector<SocketEntry> listening_sockets(Protocol protocol, int pid = 0) {
+  std::vector<SocketEntry> sockets = bound_sockets(protocol, pid);
   std::erase_if(sockets, [protocol](const SocketEntry& socket) {
     return protocol == Protocol::kTcp && !socket.listens;
   });
@@ -180,7 +180,7 @@ std::vector<int> ports_of(Protocol protocol, int pid) {
   for (const ProcessEntry& entry : descendants_of(pid)) inodes.merge(sockets_of(entry.pid));
 
   std::set<int> ports;
-  for (const SocketEntry& socket : listening_sockets(protocol)) {
+  for (const SocketEntry& socket : listening_sockets(protocol, pid)) {
     if (inodes.contains(socket.inode)) ports.insert(socket.port);
   }
   return {ports.begin(), ports.end()};

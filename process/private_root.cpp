@@ -111,6 +111,12 @@ bool make_own_folder(const fs::path& path) {
          ::mount("tmpfs", place.c_str(), "tmpfs", kPlain, kMemoryFolder) == 0;
 }
 
+bool cover(const fs::path& path) {
+  const fs::path place = inside(kNew, path);
+  return !is_folder(place) ||
+         ::mount("tmpfs", place.c_str(), "tmpfs", kPlain | MS_RDONLY, "mode=0755,size=4k") == 0;
+}
+
 // Where it can be: one in a folder that is shown is there already, and none is necessary.
 void make_link(const FileLink& link) {
   const fs::path place = inside(kNew, link.path);
@@ -134,7 +140,10 @@ bool fill(const FileAccess& files) {
     return false;
   }
 
-  if (!std::ranges::all_of(files.own, make_own_folder) || !show_all(files)) return false;
+  if (!std::ranges::all_of(files.own, make_own_folder) || !show_all(files) ||
+      !std::ranges::all_of(files.covered, cover)) {
+    return false;
+  }
   std::ranges::for_each(files.links, make_link);
   std::ranges::for_each(device_links(), make_link);
   return true;

@@ -28,9 +28,10 @@ int split_port(std::string& text) {
 }  // namespace
 
 // Lines: "sl local remote state tx:rx tr:when retrans uid timeout inode ...".
-std::vector<SocketEntry> bound_sockets(Protocol protocol) {
+std::vector<SocketEntry> bound_sockets(Protocol protocol, int pid) {
   constexpr std::string_view kListening = "0A";
-  const std::string name = protocol == Protocol::kTcp ? "/proc/net/tcp" : "/proc/net/udp";
+  const std::string name = fmt::format("/proc/{}/net/{}", pid == 0 ? "self" : std::to_string(pid),
+                                       protocol == Protocol::kTcp ? "tcp" : "udp");
   std::vector<SocketEntry> entries;
 
   for (const std::string& path : {name, name + "6"}) {

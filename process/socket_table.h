@@ -22,8 +22,8 @@ struct SocketEntry {
   unsigned long inode = 0;
 };
 
-/// All sockets of a protocol.
-std::vector<SocketEntry> bound_sockets(Protocol protocol);
+/// All sockets of a protocol in the network of a process; 0: of this one.
+std::vector<SocketEntry> bound_sockets(Protocol protocol, int pid = 0);
 
 /// The inodes of a process's open sockets; empty without permission.
 std::set<unsigned long> sockets_of(int pid);

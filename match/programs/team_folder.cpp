@@ -7,8 +7,6 @@
 
 #include "base/io/whole_file.h"
 #include "match/programs/team_sandbox.h"
-#include "process/confinement.h"
-#include "process/landlock.h"
 
 namespace cls::match {
 namespace {
@@ -36,14 +34,7 @@ process::CommandPlan plan_of(const fs::path& team, const TeamValues& values,
   plan.log = values.folder / fmt::format("{}-{}.log", side_name(values.side), log);
   plan.cpus = values.cpus;
   plan.limits = values.limits;
-  if (!values.sandbox) return plan;
-
-  plan.empty_environment = true;
-  plan.environment = team_environment();
-  plan.confined = process::can_confine();
-  if (process::landlock_version() > 0) {
-    plan.files = team_files(team, hidden_folders(values), values.namespaces);
-  }
+  if (values.sandbox) put_in_sandbox(plan, team, hidden_folders(values), values.namespaces);
   return plan;
 }
 

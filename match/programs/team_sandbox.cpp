@@ -9,8 +9,10 @@
 #include <cstdlib>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "match/programs/team_folder.h"
+#include "match/terms/run_command.h"
 #include "process/confinement.h"
 #include "process/landlock.h"
 #include "process/namespaces.h"
@@ -107,6 +109,9 @@ process::FileAccess team_files(const fs::path& folder, const std::vector<fs::pat
   if (!namespaces) return files;
 
   files.own = {kTemporary, kSharedMemory};
+  for (const fs::path& one : closed) {
+    if (one != real(folder) && encloses(real(folder), one)) files.covered.push_back(one);
+  }
   for (const fs::path& one : known) {
     if (real(one) != one) files.links.push_back({one, real(one)});
   }
@@ -126,6 +131,52 @@ std::vector<process::EnvironmentChange> team_environment() {
   return variables;
 }
 
+void put_in_sandbox(process::CommandPlan& plan, const fs::path& folder,
+                    const std::vector<fs::path>& hidden, bool namespaces) {
+  plan.empty_environment = true;
+  const std::vector<process::EnvironmentChange> own = std::exchange(plan.environment, {});
+  plan.environment = team_environment();
+  plan.environment.insert(plan.environment.end(), own.begin(), own.end());
+  plan.confined = process::can_confine();
+  if (process::landlock_version() > 0) plan.files = team_files(folder, hidden, namespaces);
+}
+
+fs::path playmaker_folder(std::string_view command) { return real(folder_in(command)); }
+
+void put_playmaker_in_sandbox(process::CommandPlan& plan, std::string_view command,
+                              const std::vector<fs::path>& hidden) {
+  const fs::path folder = playmaker_folder(command);
+  put_in_sandbox(plan, folder, hidden, true);
+  plan.folder = real(".");
+  if (plan.files && plan.folder != folder) plan.files->own.push_back(plan.folder);
+}
+
+std::vector<std::string> playmaker_commands(const Endpoint& side) {
+  std::vector<std::string> commands;
+  if (side.kind == Endpoint::Kind::kRun) commands.push_back(side.command);
+  if (side.kind != Endpoint::Kind::kMixed) return commands;
+  for (const Endpoint& part : side.parts) {
+    for (std::string& one : playmaker_commands(part)) commands.push_back(std::move(one));
+  }
+  return commands;
+}
+
+bool has_sandboxed_playmakers(const MatchOptions& options, soccer::Side side) {
+  return options.sandbox_playmakers && side != soccer::Side::kNeutral &&
+         !playmaker_commands(endpoint_of(options, side)).empty();
+}
+
+std::vector<fs::path> hidden_from_playmakers(const MatchOptions& options, soccer::Side side,
+                                             const fs::path& folder) {
+  const Endpoint& other = endpoint_of(options, soccer::opponent(side));
+  std::vector<fs::path> hidden = team_folders(other);
+  for (const std::string& command : playmaker_commands(other)) {
+    hidden.push_back(playmaker_folder(command));
+  }
+  hidden.push_back(folder);
+  return hidden;
+}
+
 bool has_namespaces(const MatchOptions& options, soccer::Side side) {
   const bool wanted = options.sandbox == Sandbox::kOn || options.sandbox == Sandbox::kNamespaces;
   return wanted && options.bind_clients &&
@@ -138,7 +189,25 @@ bool has_own_network(const MatchOptions& options, soccer::Side side) {
          has_namespaces(options, side);
 }
 
+namespace {
+
+std::string refused_without_namespaces(std::string_view wanted) {
+  const std::string& missing = process::missing_namespaces();
+  return missing.empty() ? std::string()
+                         : fmt::format("{}: this host cannot make them: {}", wanted, missing);
+}
+
+}  // namespace
+
 std::string refused_without_namespaces(const MatchOptions& options) {
+  const auto has_playmakers = [&](soccer::Side side) {
+    return has_sandboxed_playmakers(options, side);
+  };
+  if (std::ranges::any_of(soccer::kBothSides, has_playmakers)) {
+    std::string why = refused_without_namespaces("--sandbox-playmakers needs namespaces");
+    if (!why.empty()) return why;
+  }
+
   if (options.sandbox != Sandbox::kNamespaces || !has_external_team(options)) return {};
   constexpr std::string_view kWanted = "--sandbox=namespaces";
   if (!options.bind_clients) {
@@ -148,9 +217,7 @@ std::string refused_without_namespaces(const MatchOptions& options) {
     return fmt::format("{}: on --server {} the teams share one network; use the embedded server",
                        kWanted, options.server_choice.text);
   }
-  const std::string& missing = process::missing_namespaces();
-  return missing.empty() ? std::string()
-                         : fmt::format("{}: this host cannot make them: {}", kWanted, missing);
+  return refused_without_namespaces(kWanted);
 }
 
 std::string missing_sandbox(const MatchOptions& options) {
@@ -180,6 +247,7 @@ std::vector<std::string> sandbox_warnings(const MatchOptions& options,
   if (std::string missing = missing_sandbox(options); !missing.empty()) return {std::move(missing)};
 
   for (const soccer::Side side : soccer::kBothSides) {
+    if (has_namespaces(options, side)) continue;
     const Endpoint& own = endpoint_of(options, side);
     const Endpoint& opponent = endpoint_of(options, soccer::opponent(side));
     for (const fs::path& folder : team_folders(own)) {

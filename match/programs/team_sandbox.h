@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "match/terms/match_options.h"
@@ -22,14 +23,36 @@ process::FileAccess team_files(const std::filesystem::path& folder,
 /// libraries, the user's name, home and shell, the language and the time zone.
 std::vector<process::EnvironmentChange> team_environment();
 
+/// Puts a program that works in `folder` into the sandbox, as far as this host has one: with
+/// team_files() and team_environment(), which replace what it would inherit.
+void put_in_sandbox(process::CommandPlan& plan, const std::filesystem::path& folder,
+                    const std::vector<std::filesystem::path>& hidden, bool namespaces);
+
+/// Of `command`, a Playmaker's, the folder that it may change in the sandbox: that of the script
+/// `run` that it starts, else the working directory.
+std::filesystem::path playmaker_folder(std::string_view command);
+/// As put_in_sandbox(), with namespaces, for the Playmaker that `command` starts in the working
+/// directory; without its content if that is not in playmaker_folder().
+void put_playmaker_in_sandbox(process::CommandPlan& plan, std::string_view command,
+                              const std::vector<std::filesystem::path>& hidden);
+
+/// True if the programs of that side are Playmakers that start in namespaces.
+bool has_sandboxed_playmakers(const MatchOptions& options, soccer::Side side);
+/// The commands of the Playmakers that cls starts for a side: one, or those of its parts.
+std::vector<std::string> playmaker_commands(const Endpoint& side);
+/// What Playmakers of a side may not see, wherever it is: the match folder, the other team.
+std::vector<std::filesystem::path> hidden_from_playmakers(const MatchOptions& options,
+                                                          soccer::Side side,
+                                                          const std::filesystem::path& folder);
+
 /// True if the programs of that side start in namespaces: of an external team in a sandbox, on a
 /// host that can make them, whose clients the match binds to their side.
 bool has_namespaces(const MatchOptions& options, soccer::Side side);
 /// True if they also have a network of their own: where the embedded server can have ports in it.
 bool has_own_network(const MatchOptions& options, soccer::Side side);
 
-/// Why a match that needs namespaces for its external teams cannot have them; empty: it can, or
-/// does not need them.
+/// Why a match that needs namespaces for its external teams or Playmakers cannot have them; empty:
+/// it can, or does not need them.
 std::string refused_without_namespaces(const MatchOptions& options);
 
 /// That external teams run without the wanted sandbox on this host, or in half of one; empty: they

@@ -10,6 +10,7 @@
 #include "base/index.h"
 #include "match/result/match_end.h"
 #include "match/sides/policy_rows.h"
+#include "match/sides/side_sandbox.h"
 #include "proxy/playmaker/batch_playmaker.h"
 #include "proxy/playmaker/direct_playmaker.h"
 #include "proxy/playmaker/grpc_playmaker.h"
@@ -147,7 +148,7 @@ Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const Si
     TRY_INIT(auto started,
              PlaymakerProcess::start(*setup.host, endpoint,
                                      {0, setup.side, setup.name, setup.seed, endpoint.label},
-                                     setup.folder, setup.cpus, setup.limits));
+                                     setup.folder, setup.cpus, setup.limits, setup.sandbox.get()));
     connection.process = std::move(started);
     connection.playmaker =
         proxy::make_grpc_playmaker(connection.process->target(), setup.team_reply);
@@ -164,6 +165,7 @@ Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const Si
 
 AgentSide::AgentSide(AgentParts parts)
     : MatchSide(std::move(parts.identity)),
+      sandbox_(std::move(parts.sandbox)),
       connection_(std::move(parts.connection)),
       options_(parts.options) {
   worker_.set_affinity(parts.cpus);
@@ -257,9 +259,11 @@ std::optional<MatchEnd> AgentSide::failure(const MatchMoment& moment) {
     crash.failure = failure_of(started->child());
     crash.reason = moment.playing ? EndReason::kCrashed : EndReason::kRefused;
     crash.message = fmt::format(
-        "{}: its process ended {}: {}{}", who(),
+        "{}: its process ended {}: {}{}{}", who(),
         moment.playing ? fmt::format("at cycle {}", moment.cycle) : "before it answered",
-        crash.failure->exit, limit_hint(started->child()));
+        crash.failure->exit, limit_hint(started->child()),
+        moment.playing ? std::string()
+                       : sandbox_hint(started->child(), "play without --sandbox-playmakers"));
     return crash;
   }
 
@@ -270,6 +274,10 @@ std::optional<MatchEnd> AgentSide::failure(const MatchMoment& moment) {
     end->failure = playmaker_failure(identity().side);
   }
   return end;
+}
+
+std::string AgentSide::excess(bool at_once) {
+  return sandbox_ == nullptr ? std::string() : sandbox_->excess(at_once);
 }
 
 std::vector<ProcessResult> AgentSide::wait_gone() {

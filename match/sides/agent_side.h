@@ -28,7 +28,8 @@ struct SideSetup {
   std::vector<int> cpus;                 ///< processor cores of agents and Playmaker; empty: all
   process::ResourceLimits limits{};      ///< of the Playmaker's processes
   proxy::BatchMode batch = proxy::BatchMode::kOff;
-  proxy::RpcTimeout team_reply = proxy::kNoTimeout;  ///< for RegisterTeam, once connected
+  proxy::RpcTimeout team_reply = proxy::kNoTimeout;     ///< for RegisterTeam, once connected
+  std::shared_ptr<PlaymakerSandbox> sandbox = nullptr;  ///< of the Playmakers; null: none
 };
 
 /// A Playmaker as a match uses it, with the programs behind it.
@@ -57,6 +58,7 @@ struct AgentParts {
   proxy::TeamOptions team;
   const MatchOptions& options;  ///< must outlive the side
   std::vector<int> cpus{};
+  std::shared_ptr<PlaymakerSandbox> sandbox = nullptr;  ///< null: none
 };
 
 /// The result of a player of a cls team.
@@ -76,6 +78,7 @@ class AgentSide : public MatchSide {
   const process::Child* awaited_process() const override;
   std::optional<MatchEnd> failure(const MatchMoment& moment) override;
   void cancel() override { connection_.playmaker->cancel(); }
+  std::string excess(bool at_once) override;
   std::vector<ProcessResult> wait_gone() override;
   std::vector<std::string> failed_expectations() const override;
   const proxy::PlaymakerErrors* errors() const override { return &team_->errors(); }
@@ -110,6 +113,7 @@ class AgentSide : public MatchSide {
   const PlaymakerConnection* awaited_connection() const;
   void add_parts(TeamResult& result) const;
 
+  std::shared_ptr<PlaymakerSandbox> sandbox_;  ///< null: none
   PlaymakerConnection connection_;
   const MatchOptions& options_;
   proxy::CallWatch watch_;

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "match/result/match_end.h"
+#include "match/sides/side_sandbox.h"
 #include "soccer/side.h"
 
 namespace cls::match {
@@ -28,9 +29,6 @@ constexpr milliseconds kEndDelay{2000};
 constexpr int kEndDelayCycles = 15;
 // A coach is the last agent of a team to start.
 constexpr int kCoachDelayCycles = 300;
-
-// Above that of the match, which says who exceeds it.
-int kernel_limit(int processes) { return processes + processes / 4 + 64; }
 
 milliseconds time_until(Clock::time_point end) {
   const auto left = std::chrono::duration_cast<milliseconds>(end - Clock::now());
@@ -66,13 +64,7 @@ Result<void> ExternalSide::begin_use() {
 Result<std::shared_ptr<process::Child>> ExternalSide::start(process::CommandPlan plan) {
   if (!plan.empty_environment) return host_.start(plan);
   TRY(make_temporary_folder());
-  // In namespaces there are no links to it.
-  std::error_code code;
-  const std::filesystem::path folder = std::filesystem::canonical(temporary_->path(), code);
-  if (plan.files) plan.files->writable.push_back(folder);
-  plan.environment.push_back({"TMPDIR", folder.string()});
-  plan.namespaces = namespaces_;
-  if (namespaces_ != nullptr) plan.limits.processes = kernel_limit(limits_.processes);
+  share_with_side(plan, temporary_->path(), namespaces_, limits_);
   return host_.start(plan);
 }
 
@@ -182,13 +174,14 @@ MatchEnd ExternalSide::exit_failure(const process::Child& child, const MatchMome
   end.reason = moment.playing ? EndReason::kCrashed : EndReason::kRefused;
   end.fault_unknown = may_be_refused_for_its_name(child);
   end.failure = failure_of(child);
-  end.message =
-      fmt::format("{}: the process of {} ended {}: {}{}{}", who(), child.plan().name,
-                  moment.playing ? fmt::format("at cycle {}", moment.cycle) : "before the match",
-                  end.failure->exit,
-                  limit_hint(child) +
-                      (moment.playing ? std::string() : sandbox_hint(child) + options_hint(child)),
-                  shared_name_hint_);
+  end.message = fmt::format(
+      "{}: the process of {} ended {}: {}{}{}", who(), child.plan().name,
+      moment.playing ? fmt::format("at cycle {}", moment.cycle) : "before the match",
+      end.failure->exit,
+      limit_hint(child) + (moment.playing
+                               ? std::string()
+                               : sandbox_hint(child, "use --no-sandbox") + options_hint(child)),
+      shared_name_hint_);
   return end;
 }
 
@@ -216,17 +209,6 @@ std::string ExternalSide::options_hint(const process::Child& child) const {
       "; it was called with {}: a start.sh with other options needs a script that "
       "translates them (cls help matches)",
       fmt::join(argv.begin() + 1, argv.end(), " "));
-}
-
-// A hint if a program prints that a file is missing, which the sandbox may withhold.
-std::string ExternalSide::sandbox_hint(const process::Child& child) const {
-  constexpr std::string_view kMissing[] = {"ermission denied", "cannot open shared object",
-                                           "not found", "No module named", "No such file"};
-  if (!child.plan().empty_environment || !prints_any(child, kMissing)) return {};
-  return fmt::format(
-      "; it runs in a sandbox: if it needs files outside of {} or variables of your environment, "
-      "copy them there or use --no-sandbox",
-      child.plan().folder.string());
 }
 
 // A server may continue without the players that a limit has ended.

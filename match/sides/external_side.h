@@ -85,7 +85,6 @@ class ExternalSide : public MatchSide {
   bool exited_before_the_end(int cycle) const;
   std::string limit_hints() const;
   std::string options_hint(const process::Child& child) const;
-  std::string sandbox_hint(const process::Child& child) const;
   bool may_be_refused_for_its_name(const process::Child& child) const;
 
   TeamPlan plan_;

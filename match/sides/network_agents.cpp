@@ -16,7 +16,7 @@ using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
 constexpr milliseconds kLimitPollInterval{5};
-constexpr int kConnectTimeoutMs = 100;
+constexpr std::chrono::milliseconds kConnectTimeout{100};
 
 }  // namespace
 
@@ -44,7 +44,7 @@ NetworkAgents::~NetworkAgents() {
 // A Playmaker that takes long to start must not make the players on the pitch wait for it.
 bool NetworkAgents::prepared() {
   return std::ranges::all_of(playmaker_processes(), [](const PlaymakerProcess* started) {
-    return process::tcp_answers(process::loopback_host(), started->port(), kConnectTimeoutMs);
+    return started->answers(kConnectTimeout);
   });
 }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/system/tcp_connect.h"
+#include "match/sides/side_sandbox.h"
 #include "proxy/playmaker/grpc_probe.h"
 
 namespace cls::match {
@@ -48,7 +50,8 @@ Result<std::unique_ptr<mock_server::Server>> start_mock(const Endpoint& endpoint
 
 Result<std::unique_ptr<PlaymakerProcess>> PlaymakerProcess::start(
     process::ProcessHost& host, const Endpoint& endpoint, RunValues values,
-    const std::filesystem::path& folder, std::vector<int> cpus, process::ResourceLimits limits) {
+    const std::filesystem::path& folder, std::vector<int> cpus, process::ResourceLimits limits,
+    const PlaymakerSandbox* sandbox) {
   TRY_INIT(auto ports, process::ReservedPort::choose(1));
   std::unique_ptr<PlaymakerProcess> created(new PlaymakerProcess(std::move(ports.front())));
   values.port = created->port();
@@ -56,6 +59,10 @@ Result<std::unique_ptr<PlaymakerProcess>> PlaymakerProcess::start(
   process::CommandPlan plan = run_plan(endpoint.command, values, folder);
   plan.cpus = std::move(cpus);
   plan.limits = limits;
+  if (sandbox != nullptr) {
+    sandbox->enclose(plan, endpoint.command);
+    created->sockets_ = sandbox->sockets();
+  }
 
   TRY_INIT(auto child, host.start(plan));
   created->child_ = std::move(child);
@@ -66,7 +73,13 @@ proxy::GrpcTarget PlaymakerProcess::target() const {
   proxy::GrpcTarget target;
   target.host = process::loopback_host();
   target.port = port();
+  target.make_socket = sockets_;
   return target;
+}
+
+bool PlaymakerProcess::answers(std::chrono::milliseconds limit) const {
+  const auto deadline = std::chrono::steady_clock::now() + limit;
+  return static_cast<bool>(base::connect_tcp(process::loopback_host(), port(), deadline, sockets_));
 }
 
 std::string PlaymakerProcess::port_hint() const {

@@ -1,6 +1,7 @@
 // The Playmaker that an endpoint names: where it listens, the bundled mock, a `run:` process.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -15,6 +16,8 @@
 #include "proxy/playmaker/grpc_target.h"
 
 namespace cls::match {
+
+class PlaymakerSandbox;
 
 /// Calls to a crashed program fail before its exit is known.
 inline constexpr std::chrono::milliseconds kProgramExitDelay{500};
@@ -33,19 +36,20 @@ base::Result<std::unique_ptr<mock_server::Server>> start_mock(const Endpoint& en
 /// The Playmaker of a `run:` side: a process that listens on a port chosen for it.
 class PlaymakerProcess {
  public:
-  /// Chooses `values.port` itself. The log goes into `folder`.
-  static base::Result<std::unique_ptr<PlaymakerProcess>> start(process::ProcessHost& host,
-                                                               const Endpoint& endpoint,
-                                                               RunValues values,
-                                                               const std::filesystem::path& folder,
-                                                               std::vector<int> cpus = {},
-                                                               process::ResourceLimits limits = {});
+  /// Chooses `values.port` itself. The log goes into `folder`. Null `sandbox`: none.
+  static base::Result<std::unique_ptr<PlaymakerProcess>> start(
+      process::ProcessHost& host, const Endpoint& endpoint, RunValues values,
+      const std::filesystem::path& folder, std::vector<int> cpus = {},
+      process::ResourceLimits limits = {}, const PlaymakerSandbox* sandbox = nullptr);
 
   int port() const { return port_.number(); }
   /// Its address.
   proxy::GrpcTarget target() const;
   const process::Child& child() const { return *child_; }
   bool ended() const { return process::has_ended(child_->status()); }
+
+  /// True when it accepts a connection within `limit`.
+  bool answers(std::chrono::milliseconds limit) const;
 
   /// Compares its open ports with the port it was given, and probes that: "" or "; it listens on
   /// port 50051, not on 21234".
@@ -55,6 +59,7 @@ class PlaymakerProcess {
   explicit PlaymakerProcess(process::ReservedPort port) : port_(std::move(port)) {}
 
   process::ReservedPort port_;
+  base::TcpSocketMaker sockets_;  ///< in its network; empty: that of cls
   std::shared_ptr<process::Child> child_;
 };
 

@@ -83,10 +83,11 @@ struct MatchOptions {
   std::optional<Endpoint> trainer;  ///< whose Playmaker handles GetTrainerActions
   /// Processor cores of the programs and agents of a side, see pin_sides(); empty: all.
   soccer::PerSide<std::vector<int>> cpus;
-  Sandbox sandbox = Sandbox::kOn;  ///< of `team:` sides
-  bool bind_clients = true;        ///< players and coaches of a side come from its own programs
-  process::ResourceLimits limits;  ///< of each process that a `run:` or `team:` side starts
-  SideLimits side_limits;          ///< of all processes of a `team:` side
+  Sandbox sandbox = Sandbox::kOn;   ///< of `team:` sides
+  bool sandbox_playmakers = false;  ///< programs of `run:` sides too have namespaces of their own
+  bool bind_clients = true;         ///< players and coaches of a side come from its own programs
+  process::ResourceLimits limits;   ///< of each process that a `run:` or `team:` side starts
+  SideLimits side_limits;           ///< of all processes of a side in a sandbox
 
   bool pin = false;  ///< pin_sides() chooses the cores
   TlsFileNames tls;

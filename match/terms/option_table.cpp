@@ -294,6 +294,9 @@ std::vector<Row> team_rows() {
              "(default: on; docs/security.md)")
           .with_opposite()
           .in_toml_of_runs("true"),
+      flag("sandbox_playmakers", &Options::sandbox_playmakers,
+           "run the programs of run: sides as those of team: sides with --sandbox=namespaces")
+          .in_toml_of_runs("true"),
       flag("bind_clients", &Options::bind_clients,
            "accept players and coaches from the programs of their side only "
            "(default: on; off for teams in containers; docs/security.md)")

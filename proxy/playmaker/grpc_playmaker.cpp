@@ -11,6 +11,7 @@
 
 #include "base/index.h"
 #include "proto/grpc_settings.h"
+#include "proxy/playmaker/channel_socket.h"
 #include "proxy/playmaker/grpc_call.h"
 #include "proxy/playmaker/grpc_probe.h"
 #include "proxy/playmaker/replies.h"
@@ -46,6 +47,7 @@ grpc::ChannelArguments channel_arguments(const GrpcTarget& target) {
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, kReconnectBackoffMs / 4);
   // Two teams with the same Playmaker have separate connections.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  if (target.make_socket) connect_over(target.make_socket, arguments);
   // An idle connection, e.g. to a Playmaker in a debugger, must not count as lost.
   arguments.SetInt(GRPC_ARG_CLIENT_IDLE_TIMEOUT_MS, INT_MAX);
   proto::limit_replies(arguments);

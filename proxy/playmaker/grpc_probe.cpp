@@ -40,7 +40,8 @@ base::UniqueFd connect_unix(const std::string& path) {
 
 base::UniqueFd connect_to(const GrpcTarget& target, int agent) {
   if (!target.unix_path.empty()) return connect_unix(target.unix_path);
-  return base::connect_tcp(target.host, port_of(target, agent), Clock::now() + kConnectTimeout);
+  return base::connect_tcp(target.host, port_of(target, agent), Clock::now() + kConnectTimeout,
+                           target.make_socket);
 }
 
 enum class Answer { kHttp2, kHttp1, kOther, kClosed, kSilent };

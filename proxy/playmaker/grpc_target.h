@@ -4,6 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "base/system/tcp_connect.h"
+
 namespace cls::proxy {
 
 /// PEM texts for a TLS connection.
@@ -21,6 +23,7 @@ struct GrpcTarget {
   bool port_step = false;  ///< player n uses port + n, coach and trainer port + 13
   std::string unix_path;
   std::shared_ptr<const TlsFiles> tls;  ///< null: no TLS
+  base::TcpSocketMaker make_socket;     ///< in the Playmaker's network; empty: that of cls
 };
 
 /// Port of that agent.

@@ -166,7 +166,7 @@ Probe perform_handshake(const GrpcTarget& target, int agent, const TlsFiles& fil
                         const std::string& name) {
   const Clock::time_point limit = Clock::now() + kLimit;
   Probe probe{std::make_unique<bool>(false),
-              base::connect_tcp(target.host, port_of(target, agent), limit),
+              base::connect_tcp(target.host, port_of(target, agent), limit, target.make_socket),
               Context(SSL_CTX_new(TLS_client_method())), Connection(), limit};
   if (!probe.socket || probe.context == nullptr) return probe;
 

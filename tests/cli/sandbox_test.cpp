@@ -187,7 +187,7 @@ TEST_F(Sandbox, TournamentsWarnOnceOnAKernelWithoutLandlock) {
 TEST_F(Sandbox, WarnsOfResultsInTheFolderOfATeam) {
   if (!has_landlock()) GTEST_SKIP() << "this kernel has no Landlock";
   add_team("guests", "");
-  EXPECT_THAT(play({"--dir", path("guests/match")}),
+  EXPECT_THAT(play({"--dir", path("guests/match"), "--sandbox=files"}),
               Exits(0, "cls: warning: the folder of team:" + path("guests").string() +
                            " contains the match folder: the team can change the results; choose "
                            "another --dir\n"));
@@ -270,6 +270,23 @@ TEST_F(Namespaces, ForbidPortsAndSocketsOfThisHost) {
                                   connect_locally +
                                   "' && echo reached || echo closed) > local 2>&1",
                               {"page", "local"});
+}
+
+// Whatever is in its folder, such as those of tournaments or of a part of the other team.
+TEST_F(Namespaces, CoverResultsAndTheOtherTeamInTheFolderOfATeam) {
+  add_team("guests/rivals", "");
+  add_team("guests",
+           "(cat match/manifest.json || echo closed) > results\n"
+           "(echo x > match/result.json || echo closed) > change\n"
+           "(ls rivals/start.sh || echo closed) > other\n"
+           "(mv rivals gone || echo closed) > move");
+  const CommandResult played =
+      run({cls_binary(), "match", "team:" + path("guests/rivals").string(),
+           "team:" + path("guests").string(), "--half-time", "1", "--dir", path("guests/match")});
+  EXPECT_THAT(played, Exits(0, Not(HasSubstr("the folder of"))));
+  for (const char* name : {"results", "change", "other", "move"}) {
+    EXPECT_EQ(probe(name), "closed\n") << name;
+  }
 }
 
 TEST_F(Namespaces, HideTheProcessesOfThisHost) {

@@ -16,6 +16,8 @@ namespace {
 using testing::AllOf;
 using testing::Contains;
 using testing::Each;
+using testing::ElementsAre;
+using testing::IsEmpty;
 using testing::IsSupersetOf;
 using testing::Ne;
 
@@ -46,6 +48,28 @@ TEST_F(TeamSandbox, LeavesOutHiddenFoldersOfTheSystem) {
   EXPECT_THAT(files.readable, IsSupersetOf<fs::path>({"/usr/bin", "/usr/lib"}));
   EXPECT_THAT(files.readable, Each(AllOf(Ne("/usr"), Ne("/usr/share"))));
   EXPECT_THAT(files.writable, Each(Ne("/dev/shm")));
+}
+
+TEST_F(TeamSandbox, CoversHiddenFoldersInItsOwnWithNamespaces) {
+  const std::vector<fs::path> hidden = {path("team/runs/1"), path("team"), path("rivals")};
+  EXPECT_THAT(team_files(path("team"), hidden, true).covered, ElementsAre(path("team/runs/1")));
+  EXPECT_THAT(team_files(path("team"), hidden, false).covered, IsEmpty());
+}
+
+TEST_F(TeamSandbox, OfAPlaymakerIsTheFolderOfItsScript) {
+  EXPECT_EQ(playmaker_folder("python3 playmaker.py --port {port}"), fs::current_path());
+  EXPECT_EQ(playmaker_folder("cd " + path("rivals").string() + " && ./run --port {port}"),
+            path("rivals"));
+
+  process::CommandPlan plan = process::shell_command("left Playmaker", "env");
+  plan.environment = {{"PYTHONUNBUFFERED", "1"}};
+  put_playmaker_in_sandbox(plan, path("team/run").string() + " --port {port}", {});
+  EXPECT_EQ(plan.folder, fs::current_path());
+  EXPECT_EQ(plan.environment.back().name, "PYTHONUNBUFFERED");
+  if (!plan.files) GTEST_SKIP() << "this kernel has no Landlock";
+  EXPECT_THAT(plan.files->writable, Contains(path("team")));
+  EXPECT_THAT(plan.files->writable, Each(Ne(fs::current_path())));
+  EXPECT_THAT(plan.files->own, Contains(fs::current_path()));
 }
 
 TEST_F(TeamSandbox, ReadsFoldersOfPathsButNotAboveHome) {

@@ -2,9 +2,11 @@
 #include "process/namespaces.h"
 
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/ipc.h>
 #include <sys/shm.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -14,7 +16,10 @@
 #include <string>
 #include <thread>
 
+#include "base/system/tcp_connect.h"
 #include "base/system/udp_socket.h"
+#include "process/packet.h"
+#include "process/ports.h"
 #include "process/process_tree.h"
 #include "tests/process/test_guard.h"
 #include "tests/support/files.h"
@@ -94,6 +99,19 @@ TEST_F(InNamespaces, SeeNoOtherFiles) {
   const std::string other = path("others").string();
   EXPECT_NE(exit_code_of("ls " + other), 0);
   EXPECT_NE(exit_code_of("ls /home || ls /root || ls /var || ls /old || ls /new"), 0) << output();
+}
+
+TEST_F(InNamespaces, SeeNothingOfCoveredFolders) {
+  fs::create_directories(path("own/covered"));
+  std::ofstream(path("own/covered/file")) << "secret\n";
+  CommandPlan plan = plan_of("ls -A covered; echo x > covered/file || echo closed");
+  plan.files->covered = {path("own/covered"), path("own/missing")};
+  EXPECT_EQ(decode_plan(encode(plan))->files, plan.files);
+  const auto child = processes_.start(plan);
+  EXPECT_TRUE(child->wait_gone(10s));
+  EXPECT_NE(output().find("closed\n"), std::string::npos) << output();
+  EXPECT_EQ(output().find("secret"), std::string::npos) << output();
+  EXPECT_EQ(tests::read_file(path("own/covered/file")), "secret\n");
 }
 
 // By the same user, who owns all of them.
@@ -223,6 +241,27 @@ TEST_F(InNamespaces, ReachOnlySocketsOpenedInTheirNetwork) {
   socket->send("answer", false, &sender);
   EXPECT_TRUE(child->wait_gone(10s));
   EXPECT_EQ(output(), "answer\n");
+}
+
+TEST_F(InNamespaces, AreReachedOverSocketsMadeInTheirNetwork) {
+  const auto child = processes_.start(
+      plan_of("exec python3 -c \"import socket; s = socket.create_server(('127.0.0.1', 7000)); "
+              "print('on', flush=True); c, a = s.accept(); c.sendall(b'yes'); c.recv(1)\""));
+  ASSERT_TRUE(saw_line(*child, "on")) << output();
+  const auto until = std::chrono::steady_clock::now() + 10s;
+  EXPECT_FALSE(base::connect_tcp("127.0.0.1", 7000, until)) << "in the network of this host";
+
+  const auto make = [this](int family) {
+    auto made = namespaces_->door().make_tcp(family);
+    return made ? *std::move(made) : base::UniqueFd();
+  };
+  const base::UniqueFd socket = base::connect_tcp("127.0.0.1", 7000, until, make);
+  ASSERT_TRUE(socket);
+  std::array<char, 8> bytes{};
+  ASSERT_TRUE(base::wait_for_events(socket.get(), POLLIN, until));
+  EXPECT_EQ(::recv(socket.get(), bytes.data(), bytes.size(), 0), 3);
+  EXPECT_EQ(ports_of(Protocol::kTcp, child->status().pid), std::vector<int>{7000});
+  EXPECT_FALSE(namespaces_->door().make_tcp(AF_MAX));
 }
 
 TEST_F(InNamespaces, ReachNoSocketOfThisHostOrOfOthers) {

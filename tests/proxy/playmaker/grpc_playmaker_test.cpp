@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -263,6 +265,37 @@ TEST(GrpcPlaymaker, ReportsStoppedPlaymakerImmediatelyAndReconnects) {
     reply = decision(*playmaker, 3, kPatience);
   }
   EXPECT_TRUE(reply.status.ok()) << reply.status.message;
+}
+
+// Sockets of this network stand for those of another one.
+TEST(GrpcPlaymaker, ConnectsOverSocketsThatOthersMake) {
+  GameService service;
+  auto server = std::make_unique<PlaymakerServer>(service);
+  GrpcTarget target = loopback(server->port());
+  std::atomic<int> made{0};
+  std::atomic<bool> refusing{false};
+  target.make_socket = [&](int family) {
+    if (refusing) return base::UniqueFd();
+    base::UniqueFd socket(::socket(family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+    ++made;
+    return socket;
+  };
+
+  const auto playmaker = make_grpc_playmaker(target);
+  ASSERT_TRUE(decision(*playmaker, 3, kPatience).status.ok());
+  EXPECT_EQ(made, 1);
+  server->stop();
+  refusing = true;
+  EXPECT_EQ(decision(*playmaker, 3, kPatience).status.outcome, RpcOutcome::kUnavailable);
+
+  PlaymakerServer again(service, target.port);
+  EXPECT_EQ(decision(*playmaker, 3, 300ms).status.outcome, RpcOutcome::kUnavailable);
+  EXPECT_EQ(made, 1) << "none of gRPC's own";
+  refusing = false;
+  const Reply back =
+      playmaker->call(3, Rpc::kRegister, request_of(3), kPatience);  // waits for the Playmaker
+  EXPECT_TRUE(back.status.ok()) << back.status.message;
+  EXPECT_GE(made, 2);
 }
 
 TEST(GrpcPlaymaker, ReportsPlaymakerThatStopsDuringCall) {
