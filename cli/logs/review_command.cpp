@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,6 @@
 namespace cls::cli {
 namespace {
 
-using review::Decision;
 using review::Review;
 using review::ReviewedMatch;
 using soccer::Side;
@@ -69,7 +69,7 @@ struct LoadedMatch {
 // A decision to be played again, and of which match.
 struct Candidate {
   std::size_t match = 0;
-  Decision decision;
+  review::Decision decision;
 };
 
 const std::string& name_of(const gamelog::MatchRecord& record, Side side) {
@@ -163,10 +163,11 @@ class Replays {
 
   // Adds the decisions of a match to those that may be played again.
   void add(std::size_t match, const analysis::Flow& flow, Side side) {
-    std::vector<Decision> all = review::find_decisions(flow, side);
+    std::vector<review::Decision> all = review::find_decisions(flow, side);
     review_.matches[match].decisions = all.size();
-    std::erase_if(all, [&](const Decision& one) { return !review::has_warm_up(flow, one.frame); });
-    for (const Decision& one : review::costliest(std::move(all), arguments_.replays)) {
+    std::erase_if(
+        all, [&](const review::Decision& one) { return !review::has_warm_up(flow, one.frame); });
+    for (const review::Decision& one : review::costliest(std::move(all), arguments_.replays)) {
       candidates_.push_back({match, one});
     }
   }
@@ -199,7 +200,7 @@ class Replays {
  private:
   base::Result<review::PlayedDecision> play_one(const LoadedMatch& match,
                                                 const analysis::Flow& flow,
-                                                const Decision& decision) const {
+                                                const review::Decision& decision) const {
     if (const std::string why = review::why_not_played(match.record); !why.empty()) {
       return base::Error{why};
     }
