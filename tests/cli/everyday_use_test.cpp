@@ -71,7 +71,8 @@ TEST_F(EverydayUse, AnAbortForWantOfMemorySaysSo) {
     const CommandResult result = command.finish();
     fs::remove_all(folder_.path() / "limited");
     if (result.exit_code == 0) continue;  // there was memory enough, this time
-    EXPECT_EQ(result.exit_code, 70) << result.err;
+    // 75: the memory ended where a thread is started, which names the limits.
+    EXPECT_THAT(result.exit_code, testing::AnyOf(70, 75)) << result.err;
     EXPECT_THAT(result.err, HasSubstr("memory")) << limit;
   }
 }
