@@ -144,7 +144,7 @@ class References:
             folder = self.folder / f"reference-{number}"
             write(folder, PLANS[number], self.cls, self.tcp_port, self.villains)
             done = subprocess.run([self.cls, "tournament", "run", folder, "--quiet"], check=False,
-                                  capture_output=True, text=True, timeout=120, env=os.environ)
+                                  capture_output=True, text=True, timeout=300, env=os.environ)
             if done.returncode != 0:
                 raise RuntimeError(f"the undisturbed tournament failed: {done.stderr}")
             self.known[number] = outcome(report(self.cls, folder)[0], folder, PLANS[number])
