@@ -60,7 +60,15 @@ Finding memory(PlaymakerSubject& subject) {
   const double after = resident_mb(*pid);
   const std::string evidence = fmt::format("{:.1f} MB after {} calls, {:.1f} MB after {}", before,
                                            warm_up, after, subject.calls);
-  return after - before <= kMaxGrowthMb ? pass(evidence) : fail(evidence);
+  if (after - before <= kMaxGrowthMb) return pass(evidence);
+
+  // The heap of a garbage collector grows in steps, and comes to rest; a leak grows on.
+  status = ask_many(subject, subject.calls - warm_up);
+  if (!status.ok()) return fail(to_text(status));
+  const double last = resident_mb(*pid);
+  const int calls = subject.calls + subject.calls - warm_up;
+  const std::string more = fmt::format("{}, {:.1f} MB after {}", evidence, last, calls);
+  return last - after <= kMaxGrowthMb ? pass(more) : fail(more);
 }
 
 Finding bye(PlaymakerSubject& subject) {

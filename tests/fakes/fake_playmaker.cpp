@@ -1,8 +1,11 @@
 // A Playmaker with the mock's simple team until the fault named by its flags.
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <deque>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 
@@ -32,16 +35,27 @@ class FaultyTeam : public Behavior {
       std::fprintf(stderr, "lost in thought\n");
       std::this_thread::sleep_for(std::chrono::hours(1));
     }
+    if (flags_.has("leak-kb")) take(flags_.number("leak-kb"));
+    if (flags_.has("grow-at-call") && ++calls_ == flags_.number("grow-at-call")) take(40 << 10);
     team_->decide(state, actions);
   }
 
  private:
+  // Takes memory, and uses it, for as long as the program runs.
+  static void take(int kilobytes) {
+    static std::mutex mutex;
+    static std::deque<std::string> taken;
+    const std::scoped_lock lock(mutex);
+    taken.emplace_back(static_cast<std::size_t>(kilobytes) << 10, 'x');
+  }
+
   bool reached(const std::string& fault, int cycle) const {
     return flags_.has(fault) && cycle >= flags_.number(fault);
   }
 
   std::unique_ptr<Behavior> team_;
   const Flags& flags_;
+  mutable std::atomic<int> calls_ = 0;
 };
 
 }  // namespace
