@@ -10,7 +10,9 @@ import sys
 import time
 
 BURNERS = 16
-FLOODERS = 3
+# Teams in whose name it asks: the others, and one that does not exist. Its own players it would take
+# over from its own programs, and so end its matches.
+FLOODED = ("T1", "T3", "T4")
 SOCKETS = 400
 FILLED = 64 << 20
 
@@ -25,15 +27,14 @@ def burn(_port):
 
 def flood(port):
     """From sockets that are closed at once, next to many that stay open."""
-    for number in range(FLOODERS):
+    for team in FLOODED:
         if os.fork() != 0:
             continue
         held = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(SOCKETS)]
         while held:
             for player in range(1, 12):
                 with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as peer:
-                    peer.sendto(b"(reconnect T%d %d)\0" % (number % 3 + 1, player),
-                                ("127.0.0.1", port))
+                    peer.sendto(f"(reconnect {team} {player})\0".encode(), ("127.0.0.1", port))
             time.sleep(0.01)
 
 
