@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "base/system/tcp_connect.h"
 #include "base/system/udp_socket.h"
 #include "process/packet.h"
 
@@ -91,9 +92,7 @@ void open_sockets(int control) {
     if (!request) return;
 
     if (request->tcp) {
-      constexpr int kType = SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC;
-      const base::UniqueFd socket(::socket(request->local.family(), kType, 0));
-      reply(control, socket.get());
+      reply(control, base::make_tcp_socket(request->local.family()).get());
     } else {
       const auto socket = base::UdpSocket::bind(request->local);
       reply(control, socket ? socket->fd() : -1);

@@ -23,17 +23,17 @@ bool connect_to(int fd, const SocketAddress& address, Time deadline) {
   return ::getsockopt(fd, SOL_SOCKET, SO_ERROR, &error, &size) == 0 && error == 0;
 }
 
-UniqueFd make_here(int family) {
+}  // namespace
+
+UniqueFd make_tcp_socket(int family) {
   return UniqueFd(::socket(family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
 }
-
-}  // namespace
 
 UniqueFd connect_tcp(const std::string& host, int port, Time deadline, const TcpSocketMaker& make) {
   const auto addresses = resolve_all(strip_brackets(host), port, AF_UNSPEC, SOCK_STREAM);
   if (!addresses) return UniqueFd();
   for (const SocketAddress& address : *addresses) {
-    UniqueFd fd = make ? make(address.family()) : make_here(address.family());
+    UniqueFd fd = make ? make(address.family()) : make_tcp_socket(address.family());
     if (fd && connect_to(fd.get(), address, deadline)) return fd;
   }
   return UniqueFd();

@@ -13,6 +13,9 @@ namespace cls::base {
 /// any thread.
 using TcpSocketMaker = std::function<UniqueFd(int family)>;
 
+/// A TCP socket that is not connected, non-blocking and closed on exec; none: `errno` says why.
+UniqueFd make_tcp_socket(int family);
+
 /// A connected, non-blocking socket, or none if no address of `host` accepts a connection before
 /// `deadline`. `host` is a name or an IP address, with or without brackets. Empty `make`: sockets
 /// of the network of this process.

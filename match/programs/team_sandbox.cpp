@@ -90,6 +90,13 @@ std::vector<fs::path> absolute_folders(const char* variable) {
   return folders;
 }
 
+// Why the host cannot give `wanted` its namespaces; empty: it can.
+std::string missing_namespaces_for(std::string_view wanted) {
+  const std::string& missing = process::missing_namespaces();
+  return missing.empty() ? std::string()
+                         : fmt::format("{}: this host cannot make them: {}", wanted, missing);
+}
+
 }  // namespace
 
 process::FileAccess team_files(const fs::path& folder, const std::vector<fs::path>& hidden,
@@ -189,22 +196,12 @@ bool has_own_network(const MatchOptions& options, soccer::Side side) {
          has_namespaces(options, side);
 }
 
-namespace {
-
-std::string refused_without_namespaces(std::string_view wanted) {
-  const std::string& missing = process::missing_namespaces();
-  return missing.empty() ? std::string()
-                         : fmt::format("{}: this host cannot make them: {}", wanted, missing);
-}
-
-}  // namespace
-
 std::string refused_without_namespaces(const MatchOptions& options) {
   const auto has_playmakers = [&](soccer::Side side) {
     return has_sandboxed_playmakers(options, side);
   };
   if (std::ranges::any_of(soccer::kBothSides, has_playmakers)) {
-    std::string why = refused_without_namespaces("--sandbox-playmakers needs namespaces");
+    std::string why = missing_namespaces_for("--sandbox-playmakers needs namespaces");
     if (!why.empty()) return why;
   }
 
@@ -217,7 +214,7 @@ std::string refused_without_namespaces(const MatchOptions& options) {
     return fmt::format("{}: on --server {} the teams share one network; use the embedded server",
                        kWanted, options.server_choice.text);
   }
-  return refused_without_namespaces(kWanted);
+  return missing_namespaces_for(kWanted);
 }
 
 std::string missing_sandbox(const MatchOptions& options) {
