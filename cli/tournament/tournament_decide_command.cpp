@@ -87,9 +87,8 @@ int add_team(const char* option, const Competition& competition, std::string_vie
   if (teams.back() >= 0) return kOk;
   std::vector<std::string_view> known;
   for (const TeamEntry& team : competition.teams) known.push_back(team.name);
-  const std::string_view near = base::nearest_name(name, known);
   return print_error(kUsage, "{}: unknown team '{}'{}", option, name,
-                     near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
+                     base::did_you_mean(name, known));
 }
 
 // The decision that the options describe, or an exit code whose error is printed.

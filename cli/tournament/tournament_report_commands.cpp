@@ -132,10 +132,8 @@ base::Result<std::vector<ScheduledMatch>> planned_matches(const TournamentOption
 // Teams that are equal where a table decides who goes on: what has separated them.
 void print_equal_teams(const Competition& competition, const std::vector<ScheduledMatch>& matches) {
   for (const EqualTeams& equal : equal_teams(competition, matches)) {
-    std::vector<std::string> names;
-    for (const int team : equal.teams) names.push_back(competition.team(team));
     fmt::print(
-        "{}: {} are equal; their order is {}\n", equal.table, fmt::join(names, ", "),
+        "{}: {} are equal; their order is {}\n", equal.table, team_list(competition, equal.teams),
         equal.decided ? "a decision" : "a lot from the seed (cls tournament decide --order)");
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,6 +72,13 @@ struct Competition {
   const std::string& team(int index) const { return teams[base::index(index)].name; }
   int team_count() const { return static_cast<int>(teams.size()); }
 };
+
+/// The names of teams, with commas between them.
+inline std::string team_list(const Competition& competition, std::span<const int> teams) {
+  std::string text;
+  for (const int team : teams) text += (text.empty() ? "" : ", ") + competition.team(team);
+  return text;
+}
 
 /// Index of the team `name`, or -1.
 inline int team_index(const Competition& competition, std::string_view name) {

@@ -382,14 +382,6 @@ ReportTable hosts_table(const Report& report) {
   return result;
 }
 
-static std::string team_list(const Report& report, const MatchDecision& decision) {
-  std::string text;
-  for (const int team : decision.teams) {
-    text += (text.empty() ? "" : ", ") + report.team(team);
-  }
-  return text;
-}
-
 ReportTable decisions_table(const Report& report) {
   ReportTable result;
   for (const ScheduledMatch& match : report.matches) {
@@ -407,9 +399,10 @@ ReportTable decisions_table(const Report& report) {
 
       const MatchDecision& decision = match.history[i];
       if (is_about_teams(decision.kind)) {
-        result.table.add_row({"-", decision.table.empty() ? "-" : decision.table, "-", "-", "-",
-                              decision_text(match, i) + ": " + team_list(report, decision),
-                              base::printable(decision.reason), time_text(decision.time), "-"});
+        result.table.add_row(
+            {"-", decision.table.empty() ? "-" : decision.table, "-", "-", "-",
+             decision_text(match, i) + ": " + team_list(report.config->competition, decision.teams),
+             base::printable(decision.reason), time_text(decision.time), "-"});
         continue;
       }
       result.table.add_row({fmt::to_string(match.fixture.index), stage_text(match.fixture),

@@ -33,12 +33,6 @@ bool lacks_winner(const MatchDecision& decision, const Fixture& fixture) {
          winner_sign(awarded({}, decision)) == 0;
 }
 
-std::string joined(const Competition& competition, std::span<const int> teams) {
-  std::vector<std::string> names;
-  for (const int team : teams) names.push_back(competition.team(team));
-  return fmt::to_string(fmt::join(names, ", "));
-}
-
 // Sets the number of a withdrawal. Why there is none; empty: there is.
 std::string place_withdrawal(const Competition& competition, MatchDecision& decision,
                              std::span<const ScheduledMatch> matches) {
@@ -72,9 +66,9 @@ std::string place_order(const Competition& competition, MatchDecision& decision,
       decision.match = first->fixture.index;
       return {};
     }
-    known += fmt::format("; {}: {}", equal.table, joined(competition, equal.teams));
+    known += fmt::format("; {}: {}", equal.table, team_list(competition, equal.teams));
   }
-  return fmt::format("no lot separates these teams: {}{}", joined(competition, decision.teams),
+  return fmt::format("no lot separates these teams: {}{}", team_list(competition, decision.teams),
                      known.empty() ? "; no lot was drawn so far" : known);
 }
 

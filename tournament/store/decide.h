@@ -32,10 +32,9 @@ struct DecisionEffect {
 };
 
 /// Makes a decision on the match of its number, or on its teams; sets the seed and the result until
-/// then, and of a decision on teams the number and the table. Later
-/// rounds that it changes are removed, and drawn again by the next run; if some of their matches
-/// were played, only with `redraw`. The caller holds the lock of the folder. An error if a file
-/// cannot be written.
+/// then, and of a decision on teams the number and the table. Later rounds that it changes are
+/// removed, and drawn again by the next run; if some of their matches were played, only with
+/// `redraw`. The caller holds the lock of the folder. An error if a file cannot be written.
 base::Result<DecisionEffect> decide(const std::filesystem::path& folder,
                                     const TournamentConfig& config, MatchDecision decision,
                                     bool redraw);
