@@ -23,6 +23,7 @@ using player::PlanTag;
 constexpr double kShotRange = 32.0;  // meters
 constexpr int kKicks = 3;            // of a sequence of kicks, at most
 constexpr int kHoldCycles = 5;
+constexpr int kAction = 1;  // node of Alternative::plan
 
 std::string group_of(const PlanAction& action) {
   switch (action.category) {
@@ -60,8 +61,7 @@ Alternative planned(const Plan& plan, int node) {
   const PlanAction& action = plan.at(node).action;
   Alternative result;
   result.kind = AlternativeKind::kPlanned;
-  result.plan = plan;
-  result.node = node;
+  result.plan.nodes = {plan.at(0), plan.at(node)};
   result.group = group_of(action);
   result.text = action.category == PlanCategory::kPass
                     ? fmt::format("{} to {}", result.group, action.target)
@@ -82,7 +82,7 @@ Alternative skill(AlternativeKind kind, std::string name, soccer::Vec2 target) {
 void execute(const Alternative& alternative, ActionContext& context) {
   switch (alternative.kind) {
     case AlternativeKind::kPlanned:
-      execute_plan_or_hold(context, alternative.plan, alternative.node);
+      execute_plan_or_hold(context, alternative.plan, kAction);
       return;
     case AlternativeKind::kHold:
       hold_ball(context.world, context.slots, false, {});
@@ -106,10 +106,7 @@ std::vector<Alternative> alternatives_of(const training::MatchPlayer& player, st
   Plan plan;
   training::decide_with(
       [&](ActionContext& context) {
-        player::PlannerOptions options;
-        options.simple_pass = true;
-        options.simple_dribble = true;
-        plan = plan_of_decision(context, options);
+        plan = plan_of_decision(context, training::planner_options());
       },
       thinker);
 
@@ -135,7 +132,7 @@ int longest_cycles(const Alternative& alternative) {
   if (alternative.kind == AlternativeKind::kHold) return kHoldCycles;
   if (alternative.kind != AlternativeKind::kPlanned) return kKicks;
   // A dribble leaves an intention, with which the player goes on.
-  const PlanAction& action = alternative.plan.at(alternative.node).action;
+  const PlanAction& action = alternative.plan.at(kAction).action;
   return action.category == PlanCategory::kDribble ? 1 : kKicks;
 }
 

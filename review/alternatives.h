@@ -15,8 +15,7 @@ enum class AlternativeKind : unsigned char { kPlanned, kHold, kClear, kShoot };
 /// A decision that the player can carry out by its own estimates. Copyable.
 struct Alternative {
   AlternativeKind kind = AlternativeKind::kHold;
-  player::Plan plan;      ///< of kPlanned
-  int node = 0;           ///< of it: a first action
+  player::Plan plan;      ///< of kPlanned: the root and the action
   std::string group;      ///< "pass", "through pass", "dribble", "hold", ...: for sums
   std::string text;       ///< the group with its aim: "pass to 9"
   soccer::Vec2 target{};  ///< of the ball, as the player's team sees the pitch: it attacks +x

@@ -43,10 +43,8 @@ bool has_mark(const Event& event, std::string_view mark) {
 
 bool from_set_play(const MatchStatistics& match, const Attack& attack) {
   if (attack.shot == nullptr) return false;
-  const auto chain = std::ranges::find_if(match.chains, [&](const analysis::Chain& one) {
-    return one.first_touch <= attack.shot->touch && attack.shot->touch <= one.last_touch;
-  });
-  return chain != match.chains.end() && chain->from_set_play;
+  const analysis::Chain* chain = chain_of(match.chains, *attack.shot);
+  return chain != nullptr && chain->from_set_play;
 }
 
 // How the other team lost the ball before an attack.
@@ -104,28 +102,23 @@ Chance chance_of(const MatchStatistics& match, const std::vector<Event>& events,
 
 }  // namespace
 
-std::vector<Chance> goals_against(const MatchStatistics& match, Side side) {
+Chances find_chances(const MatchStatistics& match, Side side) {
   const std::vector<Event> events = analysis::list_events(match);
-  std::vector<Chance> chances;
+  Chances chances;
   for (const analysis::Goal& goal : match.goals) {
     if (goal.side == side) continue;
     Attack attack{goal.frame, goal.side, nullptr, goal.own_goal};
     if (goal.shot >= 0) attack.shot = &match.shots[base::index(goal.shot)];
-    chances.push_back(chance_of(match, events, attack, 1.0));
+    chances.against.push_back(chance_of(match, events, attack, 1.0));
   }
-  return chances;
-}
 
-std::vector<Chance> wasted_chances(const MatchStatistics& match, Side side) {
-  const std::vector<Event> events = analysis::list_events(match);
-  std::vector<Chance> chances;
   for (std::size_t i = 0; i < match.shots.size(); ++i) {
     const analysis::Shot& shot = match.shots[i];
     if (analysis::side_of(shot.slot) != side || shot.outcome == analysis::ShotOutcome::kGoal) {
       continue;
     }
     const Attack attack{match.flow.touches[shot.touch].frame, side, &shot};
-    chances.push_back(chance_of(match, events, attack, match.expected[i]));
+    chances.wasted.push_back(chance_of(match, events, attack, match.expected[i]));
   }
   return chances;
 }

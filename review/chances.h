@@ -20,10 +20,11 @@ struct Chance {
 };
 
 /// In the order of the match.
-std::vector<Chance> goals_against(const analysis::MatchStatistics& match, soccer::Side side);
-
-/// Shots of `side` that were no goals.
-std::vector<Chance> wasted_chances(const analysis::MatchStatistics& match, soccer::Side side);
+struct Chances {
+  std::vector<Chance> against;  ///< goals
+  std::vector<Chance> wasted;   ///< shots of the team that were no goals
+};
+Chances find_chances(const analysis::MatchStatistics& match, soccer::Side side);
 
 /// A place in a match: index of the match, and the cycle.
 struct Place {

@@ -6,9 +6,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "analysis/play/carries.h"
-#include "analysis/play/passes.h"
-#include "analysis/play/shots.h"
 #include "base/index.h"
 #include "review/state_value.h"
 
@@ -16,15 +13,11 @@ namespace cls::review {
 namespace {
 
 using analysis::Flow;
+using analysis::MatchStatistics;
 using analysis::Touch;
 using soccer::Side;
 
 constexpr std::uint32_t kSequence = 2;  // frames between kicks of one decision, at most
-
-int lead(const gamelog::MatchRecord& record, std::size_t frame, Side side) {
-  const gamelog::TeamFrames& teams = record.teams[record.team_state[frame]];
-  return (teams[0].score - teams[1].score) * soccer::sign(side);
-}
 
 // The value kDecisionHorizon cycles after a frame, or of the first goal until then.
 double value_after(const Flow& flow, std::size_t begin, Side side) {
@@ -33,8 +26,8 @@ double value_after(const Flow& flow, std::size_t begin, Side side) {
   while (frame + 1 < record.frames() &&
          record.time[frame] < record.time[begin] + kDecisionHorizon) {
     ++frame;
-    const int goals = lead(record, frame, side) - lead(record, begin, side);
-    if (goals != 0) return std::clamp(goals, -1, 1);
+    const int goals = lead_at(record, frame) - lead_at(record, begin);
+    if (goals != 0) return std::clamp(goals * soccer::sign(side), -1, 1);
   }
   return state_value(view_of(flow, frame), side);
 }
@@ -42,17 +35,15 @@ double value_after(const Flow& flow, std::size_t begin, Side side) {
 // Names the kicks of a match by what the statistics take them for.
 class Kinds {
  public:
-  explicit Kinds(const Flow& flow) : kinds_(flow.touches.size()), receivers_(flow.touches.size()) {
-    std::ranges::fill(receivers_, static_cast<int>(soccer::kNoPlayer));
-    const std::vector<analysis::Shot> shots = find_shots(flow);
-    for (const analysis::Carry& carry : find_carries(flow)) {
-      kinds_[carry.touch] = DecisionKind::kDribble;
-    }
-    for (const analysis::Pass& pass : find_passes(flow, shots)) {
+  explicit Kinds(const MatchStatistics& match)
+      : kinds_(match.flow.touches.size(), DecisionKind::kOther),
+        receivers_(kinds_.size(), soccer::kNoPlayer) {
+    for (const analysis::Carry& carry : match.carries) kinds_[carry.touch] = DecisionKind::kDribble;
+    for (const analysis::Pass& pass : match.passes) {
       kinds_[pass.touch] = pass.clearance ? DecisionKind::kClearance : DecisionKind::kPass;
       receivers_[pass.touch] = pass.receiver;
     }
-    for (const analysis::Shot& shot : shots) kinds_[shot.touch] = DecisionKind::kShot;
+    for (const analysis::Shot& shot : match.shots) kinds_[shot.touch] = DecisionKind::kShot;
   }
 
   void name(std::size_t touch, Decision& decision) const {
@@ -72,9 +63,10 @@ bool continues(const Touch& last, const Touch& next) {
 
 }  // namespace
 
-std::vector<Decision> find_decisions(const Flow& flow, Side side) {
+std::vector<Decision> find_decisions(const MatchStatistics& match, Side side) {
+  const Flow& flow = match.flow;
   const gamelog::MatchRecord& record = *flow.record;
-  const Kinds kinds(flow);
+  const Kinds kinds(match);
   std::vector<Decision> decisions;
 
   for (std::size_t first = 0, next = 0; first < flow.touches.size(); first = next) {

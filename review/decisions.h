@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/play/flow.h"
+#include "analysis/statistics/match_statistics.h"
 #include "base/text/enum_names.h"
 #include "soccer/side.h"
 
@@ -36,7 +36,7 @@ struct Decision {
 inline constexpr int kDecisionHorizon = 50;
 
 /// The decisions of a side in live play, in the order of the match.
-std::vector<Decision> find_decisions(const analysis::Flow& flow, soccer::Side side);
+std::vector<Decision> find_decisions(const analysis::MatchStatistics& match, soccer::Side side);
 
 /// Those that lost most, at most `count`, with `kDecisionHorizon` cycles between any two: the
 /// moments that mattered. Most lost first.

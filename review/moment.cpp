@@ -94,7 +94,7 @@ bool has_warm_up(const analysis::Flow& flow, std::size_t frame) {
 
 training::Start start_at(const analysis::Flow& flow, std::size_t frame) {
   const MatchRecord& record = *flow.record;
-  const gamelog::TeamFrames& teams = record.teams[record.team_state[frame]];
+  const gamelog::TeamFrames& teams = gamelog::teams_at(record, frame);
 
   training::Start start;
   start.mode = record.mode[frame];

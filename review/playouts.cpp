@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
-#include <tuple>
 #include <utility>
 
 #include "base/index.h"
@@ -46,10 +45,10 @@ double worth(const Episode& moment, const Decision& decision, int cycles, const 
 }
 
 // What the player sent in the match.
-Choice as_recorded(const SentCommands& sent, const Decision& decision) {
+Choice as_recorded(const simulator::TextLogIndex& sent, const Decision& decision) {
   const auto length = static_cast<int>(decision.end - decision.frame);
   return [&sent, &decision, length](int cycle, MatchPlayer& player) {
-    player.senses.commands = sent.of(decision.slot, decision.cycle + cycle);
+    player.senses.commands = commands_sent(sent, decision.slot, decision.cycle + cycle);
     player::record_sent_commands(player.senses.world, player.senses.commands);
     return cycle + 1 < length;
   };
@@ -77,29 +76,22 @@ training::OptionValues until_a_goal(const training::Setup& setup) {
 
 }  // namespace
 
-SentCommands::SentCommands(const gamelog::MatchRecord& record, const gamelog::RclRecord& log) {
-  const gamelog::TeamFrames& teams = record.final_teams();
-  for (const gamelog::RclLine& line : log.lines) {
-    if (line.source != gamelog::RclSource::kPlayer || line.stopped != 0) continue;
-    const Side side = log.teams[line.team] == teams[0].name ? Side::kLeft : Side::kRight;
-    lines_.push_back({line.time, soccer::slot_of(side, line.unum), log.text_of(line)});
-  }
-  std::ranges::stable_sort(lines_, {},
-                           [](const Line& line) { return std::tuple(line.cycle, line.slot); });
-}
-
-std::vector<soccer::PlayerCommand> SentCommands::of(int slot, int cycle) const {
+std::vector<soccer::PlayerCommand> commands_sent(const simulator::TextLogIndex& sent, int slot,
+                                                 int cycle) {
   std::vector<soccer::PlayerCommand> commands;
-  const auto key = [](const Line& line) { return std::tuple(line.cycle, line.slot); };
-  for (auto line = std::ranges::lower_bound(lines_, std::tuple(cycle, slot), {}, key);
-       line != lines_.end() && line->cycle == cycle && line->slot == slot; ++line) {
-    parse_player_commands(line->text, commands);
+  const simulator::LoggedStep* step = sent.at({cycle, 0});
+  if (step == nullptr) return commands;
+  for (const simulator::LoggedDatagram& datagram : step->received) {
+    const bool is_own = datagram.source == gamelog::RclSource::kPlayer &&
+                        soccer::slot_of(datagram.side, datagram.unum) == slot;
+    if (is_own) parse_player_commands(datagram.text, commands);
   }
   return commands;
 }
 
 base::Result<PlayedDecision> play_again(std::shared_ptr<const training::Setup> setup,
-                                        const analysis::Flow& flow, const SentCommands& sent,
+                                        const analysis::Flow& flow,
+                                        const simulator::TextLogIndex& sent,
                                         const Decision& decision, const PlayoutTerms& terms) {
   if (!has_warm_up(flow, decision.frame)) return Error{"play had just begun"};
   const training::Start start = start_at(flow, decision.frame);
@@ -122,7 +114,7 @@ base::Result<PlayedDecision> play_again(std::shared_ptr<const training::Setup> s
   const training::Driver driver = (right ? setup->opponents : setup->teammates).front().driver;
 
   for (int i = 0; i < terms.seeds; ++i) {
-    moment.reset_at(terms.seed + static_cast<std::uint64_t>(i), options, start);
+    if (i > 0) moment.reset_at(terms.seed + static_cast<std::uint64_t>(i), options, start);
     played.recorded.push_back(worth(moment, decision, terms.cycles, recorded));
     for (std::size_t k = 0; k < played.alternatives.size(); ++k) {
       const Choice choice = instead(played.alternatives[k], driver);

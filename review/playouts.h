@@ -2,35 +2,23 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string>
+#include <memory>
 #include <vector>
 
 #include "analysis/play/flow.h"
 #include "base/result.h"
-#include "gamelog/rcl/rcl_record.h"
 #include "review/alternatives.h"
 #include "review/decisions.h"
+#include "simulator/replay/logged_match.h"
+#include "soccer/commands/player_command.h"
 #include "training/episode/episode.h"
 
 namespace cls::review {
 
-/// Commands that a player sent, by cycle, from the text log of a match.
-class SentCommands {
- public:
-  SentCommands(const gamelog::MatchRecord& record, const gamelog::RclRecord& log);
-
-  /// Those that the server executed in the step after a frame of this cycle.
-  std::vector<soccer::PlayerCommand> of(int slot, int cycle) const;
-
- private:
-  struct Line {
-    int cycle;
-    int slot;
-    std::string_view text;
-  };
-  std::vector<Line> lines_;  ///< sorted by cycle and slot, of each in the order of the log
-};
+/// Commands of the player in `slot` that the server executed in the step after the frame of this
+/// cycle of running play.
+std::vector<soccer::PlayerCommand> commands_sent(const simulator::TextLogIndex& sent, int slot,
+                                                 int cycle);
 
 struct PlayoutTerms {
   int seeds = 40;  ///< playouts of each decision
@@ -52,7 +40,8 @@ struct PlayedDecision {
 
 /// Plays the moment of a decision again. A pure function. The error says why it cannot.
 base::Result<PlayedDecision> play_again(std::shared_ptr<const training::Setup> setup,
-                                        const analysis::Flow& flow, const SentCommands& sent,
+                                        const analysis::Flow& flow,
+                                        const simulator::TextLogIndex& sent,
                                         const Decision& decision, const PlayoutTerms& terms);
 
 }  // namespace cls::review

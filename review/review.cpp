@@ -27,15 +27,9 @@ int goals_of(const Review& review, int ReviewedMatch::*goals) {
 }
 
 std::vector<std::vector<Chance>> chances_of(const Review& review,
-                                            std::vector<Chance> ReviewedMatch::*chances) {
+                                            std::vector<Chance> Chances::*chances) {
   std::vector<std::vector<Chance>> all;
-  for (const ReviewedMatch& match : review.matches) all.push_back(match.*chances);
-  return all;
-}
-
-std::vector<Verdict> verdicts_of(const Review& review) {
-  std::vector<Verdict> all;
-  for (const ReviewedDecision& decision : review.decisions) all.push_back(decision.verdict);
+  for (const ReviewedMatch& match : review.matches) all.push_back(match.chances.*chances);
   return all;
 }
 
@@ -60,8 +54,7 @@ Json worths_json(const Worths& worths) {
   return list;
 }
 
-Json decision_json(const ReviewedDecision& reviewed) {
-  const Verdict& verdict = reviewed.verdict;
+Json decision_json(const Verdict& verdict) {
   const PlayedDecision& played = verdict.played;
   const Decision& decision = played.decision;
 
@@ -76,7 +69,7 @@ Json decision_json(const ReviewedDecision& reviewed) {
   }
 
   const Alternative* best = verdict.best();
-  return {{"match", reviewed.match},
+  return {{"match", verdict.match},
           {"cycle", decision.cycle},
           {"unum", soccer::unum_of_slot(decision.slot)},
           {"decision", text_of(decision)},
@@ -95,7 +88,7 @@ std::string place_text(const Review& review, const Place& place) {
 
 // A table of classes of chances, with a line that names it.
 std::string classes_text(const Review& review, const std::string& title,
-                         std::vector<Chance> ReviewedMatch::*chances, std::string Chance::*field,
+                         std::vector<Chance> Chances::*chances, std::string Chance::*field,
                          std::size_t most) {
   const std::vector<ChanceClass> classes = classes_of(chances_of(review, chances), field);
   if (classes.empty()) return {};
@@ -120,14 +113,13 @@ std::string decisions_text(const Review& review, std::size_t most) {
   table.add_column("player", Table::Align::kRight);
   table.add_columns({"did", "better", "match, cycle"});
   std::size_t rows = 0;
-  for (const ReviewedDecision& reviewed : review.decisions) {
-    const Verdict& verdict = reviewed.verdict;
+  for (const Verdict& verdict : review.decisions) {
     const Decision& decision = verdict.played.decision;
     if (!verdict.better || rows == most) break;
     ++rows;
     table.add_row({decimals(verdict.cost.value), signed_text(verdict.cost),
                    fmt::to_string(soccer::unum_of_slot(decision.slot)), text_of(decision),
-                   verdict.best()->text, place_text(review, {reviewed.match, decision.cycle})});
+                   verdict.best()->text, place_text(review, {verdict.match, decision.cycle})});
   }
   if (rows == 0) return "  the playouts prefer no other decision\n";
   return table.format_text(2);
@@ -139,7 +131,7 @@ std::string groups_text(const Review& review, std::size_t most) {
   table.add_column("95 %");
   table.add_column("times", Table::Align::kRight);
   table.add_columns({"did", "better"});
-  const std::vector<VerdictGroup> groups = group(verdicts_of(review));
+  const std::vector<VerdictGroup> groups = group(review.decisions);
   for (std::size_t i = 0; i < std::min(most, groups.size()); ++i) {
     table.add_row({decimals(groups[i].cost.value), signed_text(groups[i].cost),
                    fmt::to_string(groups[i].decisions), groups[i].recorded, groups[i].better});
@@ -158,16 +150,16 @@ Json to_json(const Review& review) {
                        {"goals", match.goals},
                        {"goals_against", match.goals_against},
                        {"decisions", match.decisions},
-                       {"against", chances_json(match.against)},
-                       {"wasted", chances_json(match.wasted)}});
+                       {"against", chances_json(match.chances.against)},
+                       {"wasted", chances_json(match.chances.wasted)}});
   }
 
   Json decisions = Json::array();
-  for (const ReviewedDecision& decision : review.decisions) {
+  for (const Verdict& decision : review.decisions) {
     decisions.push_back(decision_json(decision));
   }
   Json kinds = Json::array();
-  for (const VerdictGroup& one : group(verdicts_of(review))) {
+  for (const VerdictGroup& one : group(review.decisions)) {
     kinds.push_back({{"kind", one.recorded},
                      {"better", one.better},
                      {"decisions", one.decisions},
@@ -196,11 +188,11 @@ std::string to_text(const Review& review, std::size_t most) {
                                  goals_of(review, &ReviewedMatch::goals) / count,
                                  goals_of(review, &ReviewedMatch::goals_against) / count);
 
-  text += classes_text(review, "goals against, by how the ball was lost", &ReviewedMatch::against,
+  text += classes_text(review, "goals against, by how the ball was lost", &Chances::against,
                        &Chance::origin, most);
-  text += classes_text(review, "goals against, by finish", &ReviewedMatch::against, &Chance::finish,
-                       most);
-  text += classes_text(review, "chances wasted, by finish (expected goals)", &ReviewedMatch::wasted,
+  text +=
+      classes_text(review, "goals against, by finish", &Chances::against, &Chance::finish, most);
+  text += classes_text(review, "chances wasted, by finish (expected goals)", &Chances::wasted,
                        &Chance::finish, most);
   if (review.decisions.empty() && review.skipped.empty()) return text;
 

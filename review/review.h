@@ -19,23 +19,16 @@ struct ReviewedMatch {
   std::string opponent;
   int goals = 0;
   int goals_against = 0;
-  std::vector<Chance> against;  ///< goals
-  std::vector<Chance> wasted;   ///< shots
-  std::size_t decisions = 0;    ///< with the ball in live play
-};
-
-/// A decision played again, in one of the matches.
-struct ReviewedDecision {
-  std::size_t match = 0;
-  Verdict verdict;
+  Chances chances;
+  std::size_t decisions = 0;  ///< with the ball in live play
 };
 
 struct Review {
   std::string team;
   std::vector<ReviewedMatch> matches;
-  std::vector<ReviewedDecision> decisions;  ///< by cost, highest first
-  std::vector<std::string> skipped;         ///< decisions that could not be played again, and why
-  std::string continued_by;                 ///< who plays on after the decision: "planner"
+  std::vector<Verdict> decisions;    ///< by cost, highest first
+  std::vector<std::string> skipped;  ///< decisions that could not be played again, and why
+  std::string continued_by;          ///< who plays on after the decision: "planner"
   PlayoutTerms terms;
   bool interrupted = false;
 };
@@ -43,7 +36,7 @@ struct Review {
 /// The document `cls.review/1`.
 base::Json to_json(const Review& review);
 
-/// `most`: rows of each table. `width`: columns of the terminal.
+/// `most`: rows of each table.
 std::string to_text(const Review& review, std::size_t most);
 
 }  // namespace cls::review

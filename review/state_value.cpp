@@ -2,8 +2,9 @@
 #include "review/state_value.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
+#include "analysis/situations/linear_system.h"
 #include "base/index.h"
 #include "soccer/math.h"
 #include "soccer/pitch.h"
@@ -11,7 +12,9 @@
 namespace cls::review {
 namespace {
 
+using analysis::dot;
 using analysis::Flow;
+using analysis::solve;
 using soccer::Side;
 using soccer::Vec2;
 
@@ -25,12 +28,6 @@ constexpr StateFigures kWeights = {-4.123, 0.483, 2.175,  -0.592, 2.084,
 
 double logistic(double x) { return 1.0 / (1.0 + soccer::math::exp(-x)); }
 
-double dot(const StateFigures& a, const StateFigures& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < kCount; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
 Side owner_of(soccer::PlayMode mode, std::int8_t toucher) {
   if (soccer::is_set_play(mode)) return soccer::side(mode);
   return toucher == soccer::kNoPlayer ? Side::kNeutral : soccer::side_of_slot(toucher);
@@ -40,43 +37,19 @@ Side owner_of(soccer::PlayMode mode, std::int8_t toucher) {
 template <typename See>
 void for_each_moment(const Flow& flow, See see) {
   const gamelog::MatchRecord& record = *flow.record;
-  const auto score = [&](std::size_t frame, Side side) {
-    return record.teams[record.team_state[frame]][soccer::side_index(side)].score;
-  };
-
   for (std::size_t frame = 0; frame < record.frames(); frame += kStride) {
     if (!flow.is_live(frame)) continue;
     std::size_t end = frame;
     while (end + 1 < record.frames() && record.time[end] < record.time[frame] + kValueHorizon &&
-           score(end, Side::kLeft) == score(frame, Side::kLeft) &&
-           score(end, Side::kRight) == score(frame, Side::kRight)) {
+           lead_at(record, end) == lead_at(record, frame)) {
       ++end;
     }
+    const int gained = lead_at(record, end) - lead_at(record, frame);
 
     const StateView view = view_of(flow, frame);
     for (const Side side : soccer::kBothSides) {
-      see(figures_of(view, side), score(end, side) > score(frame, side));
+      see(figures_of(view, side), gained * soccer::sign(side) > 0);
     }
-  }
-}
-
-// Solves a symmetric positive definite system in place by Cholesky's method.
-void solve(std::array<StateFigures, kCount>& matrix, StateFigures& right) {
-  for (std::size_t i = 0; i < kCount; ++i) {
-    for (std::size_t k = 0; k <= i; ++k) {
-      double sum = matrix[i][k];
-      for (std::size_t j = 0; j < k; ++j) sum -= matrix[i][j] * matrix[k][j];
-      matrix[i][k] = i == k ? std::sqrt(sum) : sum / matrix[k][k];
-    }
-  }
-
-  for (std::size_t i = 0; i < kCount; ++i) {
-    for (std::size_t j = 0; j < i; ++j) right[i] -= matrix[i][j] * right[j];
-    right[i] /= matrix[i][i];
-  }
-  for (std::size_t i = kCount; i-- > 0;) {
-    for (std::size_t j = i + 1; j < kCount; ++j) right[i] -= matrix[j][i] * right[j];
-    right[i] /= matrix[i][i];
   }
 }
 
@@ -157,7 +130,7 @@ StateFigures StateFitter::fit() const {
 
   for (int round = 0; round < kRounds; ++round) {
     StateFigures slope{};
-    std::array<StateFigures, kCount> curvature{};
+    analysis::Matrix<kCount> curvature{};
     for (std::size_t i = 0; i < kCount; ++i) {
       slope[i] = -kPull * weights[i];
       curvature[i][i] = kPull;
@@ -169,33 +142,28 @@ StateFigures StateFitter::fit() const {
       for (std::size_t i = 0; i < kCount; ++i) {
         slope[i] += error * row.figures[i];
         const double scaled = chance * (1.0 - chance) * row.figures[i];
-        for (std::size_t k = 0; k <= i; ++k) curvature[i][k] += scaled * row.figures[k];
+        for (std::size_t k = 0; k < kCount; ++k) curvature[i][k] += scaled * row.figures[k];
       }
     }
 
-    solve(curvature, slope);
-    for (std::size_t i = 0; i < kCount; ++i) weights[i] += slope[i];
+    const StateFigures step = solve(curvature, slope);
+    for (std::size_t i = 0; i < kCount; ++i) weights[i] += step[i];
   }
 
   return weights;
 }
 
-void Calibration::add(const Flow& flow) {
-  for_each_moment(flow, [&](const StateFigures& figures, bool goal) {
-    rows_.push_back({chance_to_score(figures), goal});
-  });
-}
-
-std::vector<CalibrationBin> Calibration::bins(std::size_t count) const {
-  std::vector<Row> rows = rows_;
-  std::ranges::stable_sort(rows, {}, &Row::chance);
+std::vector<CalibrationBin> StateFitter::calibration(std::size_t count) const {
+  std::vector<std::pair<double, bool>> rows;  // chance, goal
+  for (const Row& row : rows_) rows.emplace_back(chance_to_score(row.figures), row.goal);
+  std::ranges::stable_sort(rows, {}, &std::pair<double, bool>::first);
 
   std::vector<CalibrationBin> bins(rows.empty() ? 0 : count);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     CalibrationBin& bin = bins[i * count / rows.size()];
     ++bin.moments;
-    bin.chance += rows[i].chance;
-    bin.goals += rows[i].goal ? 1.0 : 0.0;
+    bin.chance += rows[i].first;
+    bin.goals += rows[i].second ? 1.0 : 0.0;
   }
 
   for (CalibrationBin& bin : bins) {

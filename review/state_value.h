@@ -51,25 +51,6 @@ double state_value(const StateView& view, soccer::Side side);
 
 const StateFigures& state_weights();
 
-/// Fits the weights by logistic regression.
-class StateFitter {
- public:
-  /// Adds both views of every tenth live frame of a match.
-  void add(const analysis::Flow& flow);
-
-  std::size_t rows() const { return rows_.size(); }
-  std::size_t goals() const;
-  /// Maximum likelihood with a weak pull towards 0.
-  StateFigures fit() const;
-
- private:
-  struct Row {
-    StateFigures figures;
-    bool goal;
-  };
-  std::vector<Row> rows_;
-};
-
 /// How well chances agree with goals: moments by their chance.
 struct CalibrationBin {
   std::size_t moments = 0;
@@ -77,15 +58,21 @@ struct CalibrationBin {
   double goals = 0.0;   ///< share of moments after which the side scored
 };
 
-/// Bins of equal numbers of moments, by rising chance, from both views of every tenth live frame.
-class Calibration {
+/// Fits the weights by logistic regression, to both views of every tenth live frame of matches.
+class StateFitter {
  public:
   void add(const analysis::Flow& flow);
-  std::vector<CalibrationBin> bins(std::size_t count) const;
+
+  std::size_t rows() const { return rows_.size(); }
+  std::size_t goals() const;
+  /// Maximum likelihood with a weak pull towards 0.
+  StateFigures fit() const;
+  /// Of chance_to_score() on these moments: bins of equal numbers of them, by rising chance.
+  std::vector<CalibrationBin> calibration(std::size_t count) const;
 
  private:
   struct Row {
-    double chance;
+    StateFigures figures;
     bool goal;
   };
   std::vector<Row> rows_;

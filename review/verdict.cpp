@@ -25,8 +25,9 @@ Estimate mean_difference(const Worths& a, const Worths& b, std::size_t begin, st
   return {mean, mean - kNormal95 * error, mean + kNormal95 * error};
 }
 
-Verdict judge(PlayedDecision played) {
+Verdict judge(PlayedDecision played, std::size_t match) {
   Verdict verdict;
+  verdict.match = match;
   const std::size_t all = played.recorded.size();
   const std::size_t half = all / 2;
 

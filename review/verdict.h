@@ -22,6 +22,7 @@ struct Estimate {
 Estimate mean_difference(const Worths& a, const Worths& b, std::size_t begin, std::size_t end);
 
 struct Verdict {
+  std::size_t match = 0;  ///< index of its match in a review
   PlayedDecision played;
   /// The alternative that the first half of the playouts prefers; none: the recorded decision.
   std::optional<std::size_t> better;
@@ -33,7 +34,7 @@ struct Verdict {
 
 /// One half of the playouts chooses, the other half estimates: so the estimate does not flatter
 /// the alternative that had luck.
-Verdict judge(PlayedDecision played);
+Verdict judge(PlayedDecision played, std::size_t match = 0);
 
 /// Decisions of one kind: "dribble instead of pass".
 struct VerdictGroup {

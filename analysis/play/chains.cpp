@@ -98,6 +98,13 @@ std::vector<Chain> find_chains(const Flow& flow, const std::vector<Pass>& passes
   return chains;
 }
 
+const Chain* chain_of(const std::vector<Chain>& chains, const Shot& shot) {
+  const auto chain = std::ranges::find_if(chains, [&](const Chain& one) {
+    return one.first_touch <= shot.touch && shot.touch <= one.last_touch;
+  });
+  return chain == chains.end() ? nullptr : &*chain;
+}
+
 Assist find_assist(const Flow& flow, const std::vector<Pass>& passes, const Shot& shot) {
   Assist assist;
   const Touch& taken = flow.touches[shot.touch];

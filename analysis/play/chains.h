@@ -36,6 +36,9 @@ struct Chain {
 std::vector<Chain> find_chains(const Flow& flow, const std::vector<Pass>& passes,
                                const std::vector<Shot>& shots);
 
+/// The chain in which a shot was taken; null if there is none.
+const Chain* chain_of(const std::vector<Chain>& chains, const Shot& shot);
+
 /// The passers before a goal: of the last completed pass to the scorer in the same chain, at most
 /// 60 cycles before the shot, and of the pass before it. kNoPlayer if there is none.
 struct Assist {

@@ -48,7 +48,7 @@ void read_half_score(const gamelog::MatchRecord& record, MatchSummary& summary) 
       summary.past_half = true;
       continue;
     }
-    const gamelog::TeamFrames& teams = record.teams[record.team_state[i - 1]];
+    const gamelog::TeamFrames& teams = gamelog::teams_at(record, i - 1);
     summary.teams[0].first_half = teams[0].score;
     summary.teams[1].first_half = teams[1].score;
     return;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/play/flow.h"
+#include "analysis/situations/linear_system.h"
 
 namespace cls::analysis {
 namespace {
@@ -13,39 +13,12 @@ constexpr double kMatchCycles = 6000.0;
 constexpr double kMaxDifference = 5.0;
 constexpr std::size_t kMinWindows = 5;
 
-using Row = std::array<double, kFigures>;
-using Matrix = std::array<Row, kFigures>;
+using FigureRow = Row<kFigures>;
 
-// Solves a symmetric positive definite system by elimination; unused figures get 0.
-Row solve(Matrix a, Row b, double ridge) {
-  for (std::size_t i = 0; i < kFigures; ++i) {
-    // Figures that depend on each other share their weight.
-    a[i][i] = a[i][i] * (1.0 + ridge) + 1e-9;
-  }
-
-  for (std::size_t i = 0; i < kFigures; ++i) {
-    for (std::size_t row = i + 1; row < kFigures; ++row) {
-      const double factor = a[row][i] / a[i][i];
-      for (std::size_t column = i; column < kFigures; ++column) {
-        a[row][column] -= factor * a[i][column];
-      }
-      b[row] -= factor * b[i];
-    }
-  }
-
-  Row x{};
-  for (std::size_t i = kFigures; i-- > 0;) {
-    double rest = b[i];
-    for (std::size_t column = i + 1; column < kFigures; ++column) rest -= a[i][column] * x[column];
-    x[i] = rest / a[i][i];
-  }
-  return x;
-}
-
-double dot(const Row& a, const Row& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < kFigures; ++i) sum += a[i] * b[i];
-  return sum;
+// Figures that depend on each other share their weight; unused ones get 0.
+FigureRow solve_with_ridge(Matrix<kFigures> a, const FigureRow& b, double ridge) {
+  for (std::size_t i = 0; i < kFigures; ++i) a[i][i] = a[i][i] * (1.0 + ridge) + 1e-9;
+  return solve(a, b);
 }
 
 struct Moments2 {
@@ -67,18 +40,18 @@ double deviations(const auto& matches, auto value_of) {
   for (const auto& match : matches) {
     double mean = 0.0;
     const auto count = static_cast<double>(match.windows.size());
-    for (const Row& window : match.windows) mean += value_of(window) / count;
-    for (const Row& window : match.windows) sum += std::pow(value_of(window) - mean, 2);
+    for (const FigureRow& window : match.windows) mean += value_of(window) / count;
+    for (const FigureRow& window : match.windows) sum += std::pow(value_of(window) - mean, 2);
   }
   return sum;
 }
 
 }  // namespace
 
-std::string BookFitter::add(const gamelog::MatchRecord& record) {
+std::string BookFitter::add(const Flow& flow) {
+  const gamelog::MatchRecord& record = *flow.record;
   if (record.frames() < 2) return "the log has no frames";
 
-  const Flow flow = build_flow(record);
   Match match;
   std::size_t begin = 0;
   while (begin + 1 < record.frames()) {
@@ -106,10 +79,10 @@ BookFit BookFitter::fit() const {
   BookFit fit;
   fit.matches = static_cast<int>(matches_.size());
 
-  Matrix products{};
-  Row targets{};
+  Matrix<kFigures> products{};
+  FigureRow targets{};
   for (const Match& match : matches_) {
-    for (const Row& window : match.windows) {
+    for (const FigureRow& window : match.windows) {
       ++fit.windows;
       // The goals of the window itself are left out: they would explain themselves.
       const double rest = match.difference - window[0];
@@ -120,12 +93,12 @@ BookFit BookFitter::fit() const {
     }
   }
   if (fit.windows == 0) return fit;
-  fit.weights = solve(products, targets, ridge_);
+  fit.weights = solve_with_ridge(products, targets, ridge_);
 
   scale(fit);
-  const auto value_of = [&](const Row& window) { return dot(fit.weights, window); };
+  const auto value_of = [&](const FigureRow& window) { return dot(fit.weights, window); };
   const double share = cycles_ / kMatchCycles;
-  const auto goals_of = [&](const Row& window) { return window[0] / share; };
+  const auto goals_of = [&](const FigureRow& window) { return window[0] / share; };
   fit.variance = deviations(matches_, value_of) / fit.windows;
   fit.variance_of_goals = deviations(matches_, goals_of) / fit.windows;
   return fit;
@@ -137,7 +110,7 @@ void BookFitter::scale(BookFit& fit) const {
   Moments2 goals;
   for (const Match& match : matches_) {
     double mean = 0.0;
-    for (const Row& window : match.windows) {
+    for (const FigureRow& window : match.windows) {
       const double value = dot(fit.weights, window);
       mean += value / static_cast<double>(match.windows.size());
       windows.add(value, match.difference);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/play/flow.h"
 #include "analysis/situations/situation_value.h"
-#include "gamelog/record/match_record.h"
 
 namespace cls::analysis {
 
@@ -37,7 +37,7 @@ class BookFitter {
 
   /// Adds a whole match; its goal difference counts up to 5. Why it is left out, or an empty
   /// string.
-  std::string add(const gamelog::MatchRecord& record);
+  std::string add(const Flow& flow);
 
   /// Least squares of the goal difference of the other windows of a match, a window at a time,
   /// without an intercept: the sides are equal. The weights are then scaled so that values have the
@@ -45,9 +45,8 @@ class BookFitter {
   BookFit fit() const;
 
  private:
-  using Row = std::array<double, kFigures>;
   struct Match {
-    std::vector<Row> windows;
+    std::vector<std::array<double, kFigures>> windows;
     double difference = 0.0;  ///< goals a match of 6000 cycles
   };
 

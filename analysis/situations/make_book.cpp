@@ -133,7 +133,7 @@ Situation situation_at(const MatchRecord& record, const Moments& moments, std::s
   Situation situation;
   situation.time = record.time[frame];
   situation.mode = record.mode[frame];
-  const gamelog::TeamFrames& teams = record.teams[record.team_state[frame]];
+  const gamelog::TeamFrames& teams = gamelog::teams_at(record, frame);
   situation.score = {teams[0].score, teams[1].score};
 
   // The goalie changes places with number 1.

@@ -32,11 +32,6 @@ double danger(Vec2 ball) {
   return closeness(ball, soccer::kHalfLength) - closeness(ball, -soccer::kHalfLength);
 }
 
-int lead_at(const gamelog::MatchRecord& record, std::size_t frame) {
-  const gamelog::TeamFrames& teams = record.teams[record.team_state[frame]];
-  return teams[0].score - teams[1].score;
-}
-
 }  // namespace
 
 SituationFigures figures_of(const Flow& flow, std::size_t begin, std::size_t end) {

@@ -18,11 +18,9 @@ Json unum_or_null(std::int8_t slot) { return slot == kNoPlayer ? Json() : Json(u
 void add_origin(const MatchStatistics& all, const Shot& shot, Json& json) {
   json["shot_distance"] = shot.distance;
   json["shot_cycles"] = shot.cycles;
-  const auto chain = std::ranges::find_if(all.chains, [&](const Chain& c) {
-    return c.first_touch <= shot.touch && shot.touch <= c.last_touch;
-  });
-  json["chain_passes"] = chain == all.chains.end() ? Json(nullptr) : Json(chain->passes);
-  json["from_set_play"] = chain != all.chains.end() && chain->from_set_play;
+  const Chain* chain = chain_of(all.chains, shot);
+  json["chain_passes"] = chain == nullptr ? Json(nullptr) : Json(chain->passes);
+  json["from_set_play"] = chain != nullptr && chain->from_set_play;
 }
 
 // Minute of play, as if normal time had 90 minutes.

@@ -93,7 +93,7 @@ void write_frames_arrow(const MatchRecord& record, base::ByteSink& sink) {
     table.add(stopped);
     table.add(name(record.mode[frame]));
 
-    for (const gamelog::TeamFrame& team : record.teams[record.team_state[frame]]) {
+    for (const gamelog::TeamFrame& team : gamelog::teams_at(record, frame)) {
       table.add(std::string_view(team.name));
       table.add(team.score);
       table.add(team.penalty_scored);

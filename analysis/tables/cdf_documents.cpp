@@ -35,9 +35,9 @@ Json goals_in(const CdfMatch& match, PeriodKind kind) {
   const Period* period = find(match, kind);
   if (period == nullptr) return score(0, 0);
   const auto& record = match.record;
-  const auto& last = record.teams[record.team_state[period->end_frame - 1]];
+  const auto& last = gamelog::teams_at(record, period->end_frame - 1);
   if (period->first_frame == 0) return score(last[0].score, last[1].score);
-  const auto& before = record.teams[record.team_state[period->first_frame - 1]];
+  const auto& before = gamelog::teams_at(record, period->first_frame - 1);
   return score(last[0].score - before[0].score, last[1].score - before[1].score);
 }
 
@@ -107,7 +107,7 @@ Json goals_of(const CdfMatch& match) {
     const Goal& goal = all.goals[i];
     if (goal.scorer == kNoPlayer) continue;
 
-    const auto& teams = match.record.teams[match.record.team_state[goal.frame]];
+    const auto& teams = gamelog::teams_at(match.record, goal.frame);
     const std::int8_t assist = i < all.assists.size() ? all.assists[i].passer : kNoPlayer;
     goals.push_back(
         {{"time", match.time_of(goal.frame)},

@@ -97,8 +97,9 @@ Json event_object(const CdfMatch& match, const Event& event, std::size_t index) 
       {"body_part", "other"},
       {"related_event_ids", nullptr},
       {"match_clock", match_clock(record, event.frame)}};
-  if (event.kind == EventKind::kShot)
+  if (event.kind == EventKind::kShot) {
     one["metrics"] = {{"xg", as_logged(all.expected[event.index])}};
+  }
 
   return {{"match", {{"id", match.id}}},
           {"meta", {{"is_synced", true}}},

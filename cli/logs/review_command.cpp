@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/statistics/match_statistics.h"
 #include "base/system/parallel.h"
-#include "base/text/enum_names.h"
 #include "base/text/suggestion.h"
 #include "cli/support/commands.h"
 #include "cli/support/interrupt.h"
@@ -23,6 +25,7 @@
 #include "gamelog/rcl/rcl_reader.h"
 #include "review/moment.h"
 #include "review/review.h"
+#include "simulator/replay/logged_match.h"
 
 namespace cls::cli {
 namespace {
@@ -58,12 +61,19 @@ struct ReviewArguments {
   bool json = false;
 };
 
-constexpr auto kStandIns =
-    base::enum_names<training::Driver>("hold", "scripted", "mock", "planner");
-
 struct LoadedMatch {
   gamelog::MatchLogs logs;
   gamelog::MatchRecord record;
+};
+
+// A match of the team, and what playing its decisions again needs.
+struct PlayedMatch {
+  const LoadedMatch* loaded = nullptr;
+  analysis::Flow flow;
+  gamelog::RclRecord text;
+  std::optional<simulator::TextLogIndex> sent;  // of `text`
+  std::shared_ptr<const training::Setup> setup;
+  std::string problem;  // why its decisions cannot be played
 };
 
 // A decision to be played again, and of which match.
@@ -116,7 +126,7 @@ std::string choose_team(const ReviewArguments& arguments, const std::vector<Load
   return team;
 }
 
-// ": did you mean NAME?", or nothing.
+// "; did you mean 'NAME'?", or nothing.
 std::string nearest_team(const std::string& team, const std::vector<LoadedMatch>& matches) {
   std::vector<std::string_view> names;
   for (const LoadedMatch& match : matches) {
@@ -150,67 +160,88 @@ ReviewedMatch review_match(const LoadedMatch& match, const analysis::MatchStatis
   reviewed.opponent = teams[1 - own].name;
   reviewed.goals = teams[own].score;
   reviewed.goals_against = teams[1 - own].score;
-  reviewed.against = review::goals_against(statistics, side);
-  reviewed.wasted = review::wasted_chances(statistics, side);
+  reviewed.chances = review::find_chances(statistics, side);
   return reviewed;
 }
 
-// Plays decisions of one match again. Returns what could not be played with the reason.
+// Chooses the costliest decisions of all matches, and plays them again.
 class Replays {
  public:
   Replays(const ReviewArguments& arguments, Review& review)
       : arguments_(arguments), review_(review) {}
 
-  // Adds the decisions of a match to those that may be played again.
-  void add(std::size_t match, const analysis::Flow& flow, Side side) {
-    std::vector<review::Decision> all = review::find_decisions(flow, side);
-    review_.matches[match].decisions = all.size();
-    std::erase_if(
-        all, [&](const review::Decision& one) { return !review::has_warm_up(flow, one.frame); });
+  // Adds the last match of the review, with its decisions.
+  void add(const LoadedMatch& loaded, analysis::MatchStatistics statistics, Side side) {
+    std::vector<review::Decision> all = review::find_decisions(statistics, side);
+    review_.matches.back().decisions = all.size();
+    std::erase_if(all, [&](const review::Decision& one) {
+      return !review::has_warm_up(statistics.flow, one.frame);
+    });
     for (const review::Decision& one : review::costliest(std::move(all), arguments_.replays)) {
-      candidates_.push_back({match, one});
+      candidates_.push_back({matches_.size(), one});
     }
+    PlayedMatch& match = matches_.emplace_back();
+    match.loaded = &loaded;
+    match.flow = std::move(statistics.flow);
   }
 
-  // `logs` and `flows` by match of the review.
-  void play(const std::vector<const LoadedMatch*>& matches,
-            const std::vector<analysis::Flow>& flows) {
+  void play() {
     std::ranges::stable_sort(candidates_, std::ranges::greater{},
                              [](const Candidate& one) { return one.decision.lost(); });
     if (candidates_.size() > arguments_.replays) candidates_.resize(arguments_.replays);
+    prepare_matches();
 
     std::vector<std::optional<base::Result<review::PlayedDecision>>> played(candidates_.size());
     LogProgress progress(candidates_.size(), "decisions");
     base::parallel_for(
         candidates_.size(), arguments_.jobs,
         [&](std::size_t i) {
-          if (watch_interrupts() != 0) return;
-          const std::size_t match = candidates_[i].match;
-          played[i] = play_one(*matches[match], flows[match], candidates_[i].decision);
+          if (watch_interrupts() == 0) played[i] = play_one(candidates_[i]);
         },
         [&](std::size_t count) { progress.update(count); });
 
     for (std::size_t i = 0; i < played.size(); ++i) collect(candidates_[i], std::move(played[i]));
-    std::ranges::stable_sort(review_.decisions, std::ranges::greater{},
-                             [](const review::ReviewedDecision& one) {
-                               return one.verdict.better ? one.verdict.cost.value : -1e9;
-                             });
+    std::ranges::stable_sort(
+        review_.decisions, std::ranges::greater{},
+        [](const review::Verdict& one) { return one.better ? one.cost.value : -1e9; });
   }
 
  private:
-  base::Result<review::PlayedDecision> play_one(const LoadedMatch& match,
-                                                const analysis::Flow& flow,
-                                                const review::Decision& decision) const {
-    if (const std::string why = review::why_not_played(match.record); !why.empty()) {
-      return base::Error{why};
-    }
-    if (match.logs.text.empty()) return base::Error{"the text log (rcl) is missing"};
-    TRY_INIT(const auto text, gamelog::read_rcl_file(match.logs.text));
+  // Reads the text logs of those matches that have candidates.
+  void prepare_matches() {
+    std::set<std::size_t> wanted;
+    for (const Candidate& one : candidates_) wanted.insert(one.match);
+    const std::vector<std::size_t> list(wanted.begin(), wanted.end());
+    base::parallel_for(list.size(), arguments_.jobs,
+                       [&](std::size_t i) { prepare(matches_[list[i]]); });
+  }
 
-    const training::Driver driver = *kStandIns.parse(arguments_.continued_by);
-    TRY_INIT(auto setup, review::setup_of(match.record, {driver, driver}));
-    const review::SentCommands sent(match.record, text);
-    return review::play_again(std::move(setup), flow, sent, decision, arguments_.terms);
+  void prepare(PlayedMatch& match) const {
+    const gamelog::MatchRecord& record = match.loaded->record;
+    match.problem = review::why_not_played(record);
+    if (!match.problem.empty()) return;
+    if (match.loaded->logs.text.empty()) {
+      match.problem = "the text log (rcl) is missing";
+      return;
+    }
+
+    const training::Driver driver = *training::kDriverNames.parse(arguments_.continued_by);
+    auto text = gamelog::read_rcl_file(match.loaded->logs.text);
+    auto setup = review::setup_of(record, {driver, driver});
+    if (!text || !setup) {
+      match.problem = !text ? text.error().message : setup.error().message;
+      return;
+    }
+    match.text = *std::move(text);
+    match.sent.emplace(match.text, record.final_teams());
+    match.setup = *std::move(setup);
+  }
+
+  base::Result<review::PlayedDecision> play_one(const Candidate& candidate) const {
+    const PlayedMatch& match = matches_[candidate.match];
+    if (!match.problem.empty()) return base::Error{match.problem};
+    return review::play_again(match.setup, match.flow, *match.sent, candidate.decision,
+                              arguments_.terms);
   }
 
   void collect(const Candidate& candidate,
@@ -218,7 +249,7 @@ class Replays {
     if (!played) {
       review_.interrupted = true;
     } else if (*played) {
-      review_.decisions.push_back({candidate.match, review::judge(**std::move(played))});
+      review_.decisions.push_back(review::judge(**std::move(played), candidate.match));
     } else {
       review_.skipped.push_back(fmt::format("{} {}: {}", review_.matches[candidate.match].folder,
                                             candidate.decision.cycle, played->error().message));
@@ -227,6 +258,7 @@ class Replays {
 
   const ReviewArguments& arguments_;
   Review& review_;
+  std::vector<PlayedMatch> matches_;  // as in the review
   std::vector<Candidate> candidates_;
 };
 
@@ -235,7 +267,7 @@ int check_arguments(const ReviewArguments& arguments) {
   if (!arguments.side.empty() && !soccer::parse_side(arguments.side)) {
     return print_error(kUsage, "--side '{}': must be left or right", arguments.side);
   }
-  const auto driver = kStandIns.parse(arguments.continued_by);
+  const auto driver = training::kDriverNames.parse(arguments.continued_by);
   if (!driver || !training::perceives(*driver)) {
     return print_error(kUsage, "--continue '{}': must be planner or mock", arguments.continued_by);
   }
@@ -254,23 +286,19 @@ int run_review_command(const ReviewArguments& arguments) {
   review.continued_by = arguments.continued_by == "mock" ? "mock's simple team" : "bundled planner";
 
   Replays replays(arguments, review);
-  std::vector<const LoadedMatch*> matches;
-  std::vector<analysis::Flow> flows;
   for (const LoadedMatch& match : logs) {
     const Side side = side_of_team(arguments, match.record, review.team);
     if (side == Side::kNeutral) continue;
     analysis::MatchStatistics statistics = analysis::compute_statistics(match.record, nullptr);
     review.matches.push_back(review_match(match, statistics, side));
-    matches.push_back(&match);
-    flows.push_back(std::move(statistics.flow));
-    replays.add(matches.size() - 1, flows.back(), side);
+    replays.add(match, std::move(statistics), side);
   }
-  if (matches.empty()) {
+  if (review.matches.empty()) {
     return print_error(kNoInput, "--team '{}': plays in none of these matches{}", review.team,
                        nearest_team(review.team, logs));
   }
 
-  if (arguments.replays > 0) replays.play(matches, flows);
+  if (arguments.replays > 0) replays.play();
   if (arguments.json) {
     print_json(to_json(review));
   } else {

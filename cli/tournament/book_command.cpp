@@ -144,7 +144,7 @@ int run_book_show(const BookArguments& arguments) {
 }
 
 // The weights of the chance to score, fitted and used, and how well the used ones agree.
-Json chances_json(const review::StateFitter& fitter, const review::Calibration& calibration) {
+Json chances_json(const review::StateFitter& fitter) {
   const review::StateFigures fitted = fitter.fit();
   Json weights = Json::object();
   for (std::size_t i = 0; i < fitted.size(); ++i) {
@@ -154,7 +154,7 @@ Json chances_json(const review::StateFitter& fitter, const review::Calibration& 
 
   constexpr std::size_t kBins = 10;
   Json bins = Json::array();
-  for (const review::CalibrationBin& bin : calibration.bins(kBins)) {
+  for (const review::CalibrationBin& bin : fitter.calibration(kBins)) {
     bins.push_back({{"moments", bin.moments}, {"chance", bin.chance}, {"goals", bin.goals}});
   }
   return {{"cycles", review::kValueHorizon},
@@ -184,19 +184,16 @@ void print_chances(const Json& chances) {
 int run_book_fit(const BookArguments& arguments) {
   analysis::BookFitter fitter(arguments.cycles, arguments.ridge);
   review::StateFitter states;
-  review::Calibration calibration;
   const int read = for_each_log(arguments.logs, [&](const auto& record, const std::string&) {
-    const std::string why = fitter.add(record);
-    if (!why.empty()) return why;
     const analysis::Flow flow = analysis::build_flow(record);
-    states.add(flow);
-    calibration.add(flow);
+    std::string why = fitter.add(flow);
+    if (why.empty()) states.add(flow);
     return why;
   });
   if (read != kOk) return read;
 
   const analysis::BookFit fit = fitter.fit();
-  const Json chances = chances_json(states, calibration);
+  const Json chances = chances_json(states);
   Json weights = Json::object();
   for (std::size_t i = 0; i < analysis::kFigures; ++i) {
     weights[std::string(analysis::kFigureNames[i])] = {{"fitted", fit.weights[i]},

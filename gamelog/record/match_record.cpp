@@ -95,7 +95,7 @@ Frame frame_at(const MatchRecord& record, std::size_t frame) {
   result.time = record.time[frame];
   result.stopped = record.stopped[frame];
   result.mode = record.mode[frame];
-  result.teams = record.teams[record.team_state[frame]];
+  result.teams = teams_at(record, frame);
 
   result.ball_position = record.ball_position[frame];
   result.ball_velocity = record.ball_velocity[frame];

@@ -168,6 +168,17 @@ void resize_frames(MatchRecord& record, std::size_t frames);
 /// A copy of one frame.
 Frame frame_at(const MatchRecord& record, std::size_t frame);
 
+/// Names and scores in a frame.
+inline const TeamFrames& teams_at(const MatchRecord& record, std::size_t frame) {
+  return record.teams[record.team_state[frame]];
+}
+
+/// Goals of the left team minus those of the right one, in a frame.
+inline int lead_at(const MatchRecord& record, std::size_t frame) {
+  const auto& [left, right] = teams_at(record, frame);
+  return left.score - right.score;
+}
+
 inline bool is_enabled(const MatchRecord& record, std::size_t entry) {
   return (record.players.state[entry] & kStateEnabled) != 0;
 }

@@ -115,8 +115,8 @@ void SituationRun::after_step(World& world, Events& events) {
   if (shown_ < situation().frames.size()) return show_step(world);
 
   record(world);
-  const auto teams = record_.teams[record_.team_state.back()];
-  const auto before = record_.teams[record_.team_state.front()];
+  const gamelog::TeamFrames& teams = gamelog::teams_at(record_, record_.frames() - 1);
+  const gamelog::TeamFrames& before = gamelog::teams_at(record_, 0);
   const bool goal = teams[0].score != before[0].score || teams[1].score != before[1].score;
   if (goal || static_cast<int>(record_.frames()) > cycles_) finish(world, events);
 }

@@ -256,8 +256,8 @@ TEST(SituationFigures, ShowBallPossessionAndGoals) {
 
 TEST(BookFitter, NeedsMatchesOfSomeLength) {
   BookFitter fitter(100);
-  EXPECT_EQ(fitter.add(ping_pong(200)), "the match is too short");
-  EXPECT_EQ(fitter.add(ping_pong(3000)), "");
+  EXPECT_EQ(fitter.add(build_flow(ping_pong(200))), "the match is too short");
+  EXPECT_EQ(fitter.add(build_flow(ping_pong(3000))), "");
   EXPECT_EQ(fitter.fit().matches, 1);
 }
 

@@ -20,16 +20,16 @@ class Decisions : public testing::Test {
     auto read = gamelog::read_rcg_file(tests::fixture("gamelog/match-start.rcg.gz").string());
     EXPECT_TRUE(read);
     record_ = *std::move(read);
-    flow_ = analysis::build_flow(record_);
+    statistics_ = analysis::compute_statistics(record_, nullptr);
   }
 
   gamelog::MatchRecord record_;
-  analysis::Flow flow_;
+  analysis::MatchStatistics statistics_;
 };
 
 TEST_F(Decisions, AreOfOneSideAndInOrder) {
   for (const Side side : soccer::kBothSides) {
-    const std::vector<Decision> decisions = find_decisions(flow_, side);
+    const std::vector<Decision> decisions = find_decisions(statistics_, side);
     ASSERT_GT(decisions.size(), 5U);
     for (std::size_t i = 0; i < decisions.size(); ++i) {
       EXPECT_EQ(soccer::side_of_slot(decisions[i].slot), side);
@@ -42,7 +42,7 @@ TEST_F(Decisions, AreOfOneSideAndInOrder) {
 }
 
 TEST_F(Decisions, BeginBeforeTheKickAndEndWithIt) {
-  for (const Decision& decision : find_decisions(flow_, Side::kLeft)) {
+  for (const Decision& decision : find_decisions(statistics_, Side::kLeft)) {
     const auto slot = static_cast<std::size_t>(decision.slot);
     const auto kicks = [&](std::size_t frame) {
       return record_.players
@@ -55,7 +55,7 @@ TEST_F(Decisions, BeginBeforeTheKickAndEndWithIt) {
 
 TEST_F(Decisions, OfAGoalAreWorthOne) {
   bool found = false;
-  for (const Decision& decision : find_decisions(flow_, Side::kLeft)) {
+  for (const Decision& decision : find_decisions(statistics_, Side::kLeft)) {
     if (decision.kind != DecisionKind::kShot) continue;
     found = true;
     EXPECT_EQ(decision.after, 1.0);
@@ -65,7 +65,7 @@ TEST_F(Decisions, OfAGoalAreWorthOne) {
 }
 
 TEST_F(Decisions, ThatMatteredAreApart) {
-  const std::vector<Decision> all = find_decisions(flow_, Side::kRight);
+  const std::vector<Decision> all = find_decisions(statistics_, Side::kRight);
   const std::vector<Decision> chosen = costliest(all, 3);
   ASSERT_FALSE(chosen.empty());
   for (const Decision& one : all) EXPECT_GE(chosen.front().lost(), one.lost());

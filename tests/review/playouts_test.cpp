@@ -24,7 +24,7 @@ class Playouts : public testing::Test {
   Playouts() {
     record_ = *gamelog::read_rcg_file(tests::fixture("gamelog/match-start.rcg.gz").string());
     text_ = *gamelog::read_rcl_file(tests::fixture("gamelog/match-start.rcl.gz").string());
-    flow_ = analysis::build_flow(record_);
+    statistics_ = analysis::compute_statistics(record_, nullptr);
     setup_ = *setup_of(record_, {training::Driver::kPlanner, training::Driver::kPlanner});
     terms_.seeds = 4;
     terms_.cycles = 15;
@@ -32,20 +32,22 @@ class Playouts : public testing::Test {
 
   // The decision of the left team at a cycle.
   Decision at(int cycle) const {
-    for (const Decision& one : find_decisions(flow_, Side::kLeft)) {
+    for (const Decision& one : find_decisions(statistics_, Side::kLeft)) {
       if (one.cycle == cycle) return one;
     }
     ADD_FAILURE() << "no decision at " << cycle;
     return {};
   }
 
+  simulator::TextLogIndex sent() const { return {text_, record_.final_teams()}; }
+
   base::Result<PlayedDecision> play(const Decision& decision) const {
-    return play_again(setup_, flow_, SentCommands(record_, text_), decision, terms_);
+    return play_again(setup_, statistics_.flow, sent(), decision, terms_);
   }
 
   gamelog::MatchRecord record_;
   gamelog::RclRecord text_;
-  analysis::Flow flow_;
+  analysis::MatchStatistics statistics_;
   std::shared_ptr<const training::Setup> setup_;
   PlayoutTerms terms_;
 };
@@ -84,14 +86,13 @@ TEST_F(Playouts, HaveTheAlternativesThatThePlannerSees) {
 TEST_F(Playouts, RepeatTheRecordedCommands) {
   const Decision shot = at(166);
   ASSERT_EQ(shot.kind, DecisionKind::kShot);
-  const SentCommands sent(record_, text_);
-  EXPECT_TRUE(sent.of(shot.slot, 100'000).empty());
+  EXPECT_TRUE(commands_sent(sent(), shot.slot, 100'000).empty());
 
   training::Episode episode(setup_);
-  episode.reset_at(1, setup_->options, start_at(flow_, shot.frame));
+  episode.reset_at(1, setup_->options, start_at(statistics_.flow, shot.frame));
   const std::function<void(training::MatchPlayer&)> as_recorded =
       [&](training::MatchPlayer& player) {
-        player.senses.commands = sent.of(shot.slot, shot.cycle);
+        player.senses.commands = commands_sent(sent(), shot.slot, shot.cycle);
       };
   episode.step_with({shot.slot, as_recorded});
 

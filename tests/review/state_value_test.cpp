@@ -123,13 +123,13 @@ TEST(StateFitter, CountsGoalsWithinTheHorizon) {
   EXPECT_NE(weights, state_weights());
 }
 
-TEST(Calibration, HasEqualBinsByRisingChance) {
+TEST(StateFitter, CalibratesByEqualBinsOfRisingChance) {
   const auto record = gamelog::read_rcg_file(tests::fixture("gamelog/match-start.rcg.gz").string());
   ASSERT_TRUE(record);
-  Calibration calibration;
-  EXPECT_TRUE(calibration.bins(3).empty());
-  calibration.add(analysis::build_flow(*record));
-  const std::vector<CalibrationBin> bins = calibration.bins(4);
+  StateFitter fitter;
+  EXPECT_TRUE(fitter.calibration(3).empty());
+  fitter.add(analysis::build_flow(*record));
+  const std::vector<CalibrationBin> bins = fitter.calibration(4);
   ASSERT_EQ(bins.size(), 4U);
   for (std::size_t i = 1; i < bins.size(); ++i) {
     EXPECT_GE(bins[i].chance, bins[i - 1].chance);

@@ -11,14 +11,6 @@ namespace {
 
 using player::ActionContext;
 
-// The options of the mock Playmaker's behavior "planner".
-player::PlannerOptions all_kinds() {
-  player::PlannerOptions options;
-  options.simple_pass = true;
-  options.simple_dribble = true;
-  return options;
-}
-
 bool in_play(const player::GameState& game) {
   return !game.goalie_catch &&
          (game.mode == soccer::PlayMode::kPlayOn || game.mode == soccer::PlayMode::kDropBall);
@@ -37,7 +29,7 @@ void play_by_planner(ActionContext& context) {
   } else if (must_leave_ball(world, context.memory)) {
     leave_ball(context);
   } else if (!shoot_and_look(context) && !world.self.frozen()) {
-    const player::Plan& plan = plan_of_decision(context, all_kinds());
+    const player::Plan& plan = plan_of_decision(context, planner_options());
     if (!kick_out_of_danger(context)) execute_plan_or_hold(context, plan, plan.best);
   }
 }
@@ -57,6 +49,13 @@ int draw_driver(const DriverPool& pool, soccer::RandomStream& random) {
     if (left < 0.0) break;
   }
   return last;
+}
+
+player::PlannerOptions planner_options() {
+  player::PlannerOptions options;
+  options.simple_pass = true;
+  options.simple_dribble = true;
+  return options;
 }
 
 void decide(Driver driver, MatchPlayer& player) {

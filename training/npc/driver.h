@@ -46,6 +46,9 @@ struct MatchPlayer {
 /// a match sends. The driver must be one that perceives.
 void decide(Driver driver, MatchPlayer& player);
 
+/// The options of Driver::kPlanner, and of the mock Playmaker's behavior "planner".
+player::PlannerOptions planner_options();
+
 /// Decides by `choose`, which fills the slots of the context, instead of a driver.
 void decide_with(const std::function<void(player::ActionContext&)>& choose, MatchPlayer& player);
 

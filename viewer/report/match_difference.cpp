@@ -66,7 +66,7 @@ std::vector<std::string> differences_at(const MatchRecord& a, const MatchRecord&
     if (different) what.emplace_back(name);
   };
   const auto score = [frame](const MatchRecord& record, std::size_t team) {
-    return record.teams[record.team_state[frame]][team].score;
+    return gamelog::teams_at(record, frame)[team].score;
   };
 
   add(differs(a.time, b.time, frame) || differs(a.stopped, b.stopped, frame), "clock");

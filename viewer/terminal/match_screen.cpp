@@ -156,7 +156,7 @@ void MatchScreen::press(Key key) {
 
 void MatchScreen::find_goal(int direction) {
   const auto score = [&](std::size_t frame) {
-    const auto& teams = record_.teams[record_.team_state[frame]];
+    const auto& teams = gamelog::teams_at(record_, frame);
     return teams[0].score + teams[1].score;
   };
 
