@@ -27,7 +27,21 @@ add_compile_options(-fPIC -fvisibility=hidden -fvisibility-inlines-hidden)
 # Everywhere, not only where a library asks for it: precompiled headers want equal flags.
 add_compile_options(-pthread)
 
+# Precompiled headers make every compilation uncacheable unless ccache may trust them; -fpch-preprocess
+# (GCC) and -fno-pch-timestamp (Clang) are what its manual demands. The base folder lets another clone
+# hit what this one compiled: it makes names of files relative to the build folder, and their prefix is
+# taken away again for the same bytes.
 find_program(CLS_CCACHE ccache)
 if(CLS_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CLS_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+    "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros
+    "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" "${CLS_CCACHE}")
+  file(RELATIVE_PATH source_from_build "${CMAKE_BINARY_DIR}" "${CMAKE_SOURCE_DIR}")
+  add_compile_options(
+    "$<$<CONFIG:RelWithDebInfo,Release>:-ffile-prefix-map=${source_from_build}=>")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_compile_options(-fpch-preprocess)
+  elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    add_compile_options("SHELL:-Xclang -fno-pch-timestamp")
+  endif()
 endif()
