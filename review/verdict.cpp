@@ -6,12 +6,9 @@
 #include <map>
 #include <utility>
 
+#include "base/confidence.h"
+
 namespace cls::review {
-namespace {
-
-constexpr double kNormal95 = 1.96;
-
-}  // namespace
 
 Estimate mean_difference(const Worths& a, const Worths& b, std::size_t begin, std::size_t end) {
   const auto count = static_cast<double>(end - begin);
@@ -22,7 +19,7 @@ Estimate mean_difference(const Worths& a, const Worths& b, std::size_t begin, st
   double squares = 0.0;
   for (std::size_t i = begin; i < end; ++i) squares += std::pow(a[i] - b[i] - mean, 2);
   const double error = count < 2.0 ? 0.0 : std::sqrt(squares / (count - 1.0) / count);
-  return {mean, mean - kNormal95 * error, mean + kNormal95 * error};
+  return {mean, mean - base::kNormal95 * error, mean + base::kNormal95 * error};
 }
 
 Verdict judge(PlayedDecision played, std::size_t match) {

@@ -6,19 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "review/estimate.h"
 #include "review/playouts.h"
 
 namespace cls::review {
 
-/// An estimate with its 95 % interval, in goals.
-struct Estimate {
-  double value = 0.0;
-  double low = 0.0;
-  double high = 0.0;
-};
-
-/// The mean of `a` - `b` by pairs, which have had the same random numbers, over the playouts from
-/// `begin` to `end` - 1.
+/// In goals: the mean of `a` - `b` by pairs, which have had the same random numbers, over the
+/// playouts from `begin` to `end` - 1.
 Estimate mean_difference(const Worths& a, const Worths& b, std::size_t begin, std::size_t end);
 
 struct Verdict {

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/confidence.h"
 #include "base/index.h"
 #include "league/rating/statistics.h"
 
@@ -124,7 +125,7 @@ Ratings fit_bradley_terry(int teams, std::span<const PairResults> results) {
   Ratings ratings;
   for (std::size_t i = 0; i < count; ++i) {
     ratings.elo.push_back(kEloPerUnit * (rating[i] - middle));
-    ratings.error.push_back(kEloPerUnit * kNormal95 *
+    ratings.error.push_back(kEloPerUnit * base::kNormal95 *
                             std::sqrt(std::max(0.0, variance_against_mean(covariance, i))));
 
     ratings.superiority.emplace_back();

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/confidence.h"
+
 namespace cls::league {
 
 double rounded(double value) { return std::round(value * 1e4) / 1e4; }
@@ -12,10 +14,10 @@ double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 
 Interval wilson(double successes, double trials) {
   if (trials <= 0) return {0.0, 1.0};
-  constexpr double z2 = kNormal95 * kNormal95;
+  constexpr double z2 = base::kNormal95 * base::kNormal95;
   const double center = (successes + z2 / 2) / (trials + z2);
   const double spread = successes * (trials - successes) / trials + z2 / 4;
-  const double half = kNormal95 / (trials + z2) * std::sqrt(spread);
+  const double half = base::kNormal95 / (trials + z2) * std::sqrt(spread);
   return {std::max(0.0, center - half), std::min(1.0, center + half)};
 }
 
@@ -50,8 +52,8 @@ Estimate estimate(double score, double variance, int count) {
   result.score = score;
   const bool few = count < kMinNormalCount || min_points < kMinNormalPoints;
   result.score_interval = few ? wilson(score * count, count)
-                              : Interval{std::max(0.0, score - kNormal95 * error),
-                                         std::min(1.0, score + kNormal95 * error)};
+                              : Interval{std::max(0.0, score - base::kNormal95 * error),
+                                         std::min(1.0, score + base::kNormal95 * error)};
 
   result.elo = elo_from_score(score);
   result.elo_interval = {elo_from_score(result.score_interval.low),

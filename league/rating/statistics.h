@@ -3,9 +3,6 @@
 
 namespace cls::league {
 
-/// Two-sided 95 % of the normal distribution.
-inline constexpr double kNormal95 = 1.959963984540054;
-
 struct Interval {
   double low = 0.0;
   double high = 0.0;

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/confidence.h"
+
 namespace cls::review {
 namespace {
 
@@ -28,8 +30,8 @@ TEST(MeanDifference, IsByPairs) {
   // Differences 0 and 2: mean 1, standard error 1.
   const Estimate wide = mean_difference({0.0, 2.0}, {0.0, 0.0}, 0, 2);
   EXPECT_DOUBLE_EQ(wide.value, 1.0);
-  EXPECT_DOUBLE_EQ(wide.low, 1.0 - 1.96);
-  EXPECT_DOUBLE_EQ(wide.high, 1.0 + 1.96);
+  EXPECT_DOUBLE_EQ(wide.low, 1.0 - base::kNormal95);
+  EXPECT_DOUBLE_EQ(wide.high, 1.0 + base::kNormal95);
 
   EXPECT_DOUBLE_EQ(mean_difference({9.0, 1.0, 2.0}, {0.0, 0.0, 0.0}, 1, 3).value, 1.5);
 }
@@ -66,7 +68,7 @@ TEST(Groups, AddCostsAndVariances) {
   EXPECT_EQ(groups[1].decisions, 2U);
   EXPECT_DOUBLE_EQ(groups[1].cost.value, 1.5);
   // Each has the standard error 0.5.
-  EXPECT_NEAR(groups[1].cost.high - groups[1].cost.value, 1.96 * std::sqrt(0.5), 1e-9);
+  EXPECT_NEAR(groups[1].cost.high - groups[1].cost.value, base::kNormal95 * std::sqrt(0.5), 1e-9);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/confidence.h"
 #include "viewer/charts/layout.h"
 
 namespace cls::viewer {
@@ -23,7 +24,6 @@ struct Mean {
 // After each match, from the first one whose interval means something.
 std::vector<Mean> means_of(const std::vector<int>& differences) {
   constexpr double kFirst = 5.0;
-  constexpr double kNormal95 = 1.96;
 
   std::vector<Mean> means;
   double sum = 0.0;
@@ -37,7 +37,7 @@ std::vector<Mean> means_of(const std::vector<int>& differences) {
 
     const double mean = sum / count;
     const double variance = std::max(0.0, (squares - sum * mean) / (count - 1));
-    means.push_back({count, mean, kNormal95 * std::sqrt(variance / count)});
+    means.push_back({count, mean, base::kNormal95 * std::sqrt(variance / count)});
   }
   return means;
 }
