@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "base/system/version.h"
 #include "base/text/counted.h"
 #include "base/text/table.h"
 
@@ -35,6 +37,20 @@ std::vector<std::vector<Chance>> chances_of(const Review& review,
 
 Json estimate_json(const Estimate& estimate) {
   return {{"value", estimate.value}, {"low", estimate.low}, {"high", estimate.high}};
+}
+
+Json reference_json(const Reference& reference) {
+  Json differences = Json::array();
+  for (const Difference& one : reference.differences) {
+    differences.push_back({{"statistic", one.statistic},
+                           {"unit", one.unit},
+                           {"team", one.team},
+                           {"reference", one.reference},
+                           {"difference", estimate_json(one.difference)}});
+  }
+  return {{"team", reference.team},
+          {"matches", reference.matches},
+          {"differences", std::move(differences)}};
 }
 
 Json chances_json(const std::vector<Chance>& chances) {
@@ -106,6 +122,33 @@ std::string classes_text(const Review& review, const std::string& title,
   return fmt::format("\n{}\n{}", title, table.format_text(2));
 }
 
+// "12.3 %".
+std::string with_unit(double value, const char* unit) {
+  return fmt::format("{:.1f}{}{}", value, *unit != '\0' ? " " : "", unit);
+}
+
+// The differences beyond doubt.
+std::string reference_text(const Reference& reference, std::size_t most) {
+  Table table;
+  table.add_column("a match", Table::Align::kRight);
+  table.add_column("reference", Table::Align::kRight);
+  table.add_column("difference", Table::Align::kRight);
+  table.add_columns({"95 %", "statistic"});
+  std::size_t rows = 0;
+  for (const Difference& one : reference.differences) {
+    if (!one.certain() || rows == most) continue;
+    ++rows;
+    table.add_row({with_unit(one.team, one.unit), with_unit(one.reference, one.unit),
+                   fmt::format("{:+.1f}", one.difference.value),
+                   fmt::format("{:+.1f} to {:+.1f}", one.difference.low, one.difference.high),
+                   one.statistic});
+  }
+  const std::string title = fmt::format("\nfarthest from {} ({})\n", reference.team,
+                                        base::counted(reference.matches, "match", "matches"));
+  if (rows == 0) return title + "  no statistic differs beyond doubt in these matches\n";
+  return title + table.format_text(2);
+}
+
 std::string decisions_text(const Review& review, std::size_t most) {
   Table table;
   table.add_column("goals", Table::Align::kRight);
@@ -168,7 +211,8 @@ Json to_json(const Review& review) {
 
   Json skipped = Json::array();
   for (const std::string& why : review.skipped) skipped.push_back(why);
-  return {{"schema", "cls.review/1"},
+  return {{"schema", kReviewSchema},
+          {"version", std::string(base::kVersion)},
           {"team", review.team},
           {"continued_by", review.continued_by},
           {"seeds", review.terms.seeds},
@@ -176,6 +220,7 @@ Json to_json(const Review& review) {
           {"cycles", review.terms.cycles},
           {"interrupted", review.interrupted},
           {"matches", matches},
+          {"reference", review.reference ? reference_json(*review.reference) : Json()},
           {"decisions", decisions},
           {"kinds", kinds},
           {"skipped", skipped}};
@@ -194,6 +239,7 @@ std::string to_text(const Review& review, std::size_t most) {
       classes_text(review, "goals against, by finish", &Chances::against, &Chance::finish, most);
   text += classes_text(review, "chances wasted, by finish (expected goals)", &Chances::wasted,
                        &Chance::finish, most);
+  if (review.reference) text += reference_text(*review.reference, most);
   if (review.decisions.empty() && review.skipped.empty()) return text;
 
   text += fmt::format(

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/text/json.h"
 #include "review/chances.h"
+#include "review/reference.h"
 #include "review/verdict.h"
 
 namespace cls::review {
@@ -23,9 +25,17 @@ struct ReviewedMatch {
   std::size_t decisions = 0;  ///< with the ball in live play
 };
 
+/// How the team differs from another one.
+struct Reference {
+  std::string team;
+  std::size_t matches = 0;
+  std::vector<Difference> differences;  ///< farthest first
+};
+
 struct Review {
   std::string team;
   std::vector<ReviewedMatch> matches;
+  std::optional<Reference> reference;
   std::vector<Verdict> decisions;    ///< by cost, highest first
   std::vector<std::string> skipped;  ///< decisions that could not be played again, and why
   std::string continued_by;          ///< who plays on after the decision: "planner"
@@ -33,7 +43,9 @@ struct Review {
   bool interrupted = false;
 };
 
-/// The document `cls.review/1`.
+inline constexpr const char* kReviewSchema = "cls.review/1";
+
+/// The document of this schema.
 base::Json to_json(const Review& review);
 
 /// `most`: rows of each table.

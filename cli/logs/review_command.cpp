@@ -1,19 +1,18 @@
 // `cls review LOG...`: what cost a team most, and what would have been better.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <memory>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "analysis/statistics/match_statistics.h"
-#include "base/system/parallel.h"
 #include "base/text/suggestion.h"
+#include "cli/logs/review_replays.h"
 #include "cli/support/commands.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/log_errors.h"
@@ -22,10 +21,7 @@
 #include "cli/terminal/log_progress.h"
 #include "gamelog/files/log_files.h"
 #include "gamelog/rcg/rcg_reader.h"
-#include "gamelog/rcl/rcl_reader.h"
-#include "review/moment.h"
 #include "review/review.h"
-#include "simulator/replay/logged_match.h"
 
 namespace cls::cli {
 namespace {
@@ -36,13 +32,15 @@ using soccer::Side;
 
 constexpr const char* kReviewDescription =
     "find what cost a team most, and what would have been better\n"
-    "Goals against and wasted chances by how they came about. With\n"
+    "Goals against and wasted chances by how they came about. --reference compares\n"
+    "the team with another one, best against the same opponent. With\n"
     "--replay-decisions the costliest decisions with the ball are played again, each\n"
     "with what the player did and with every alternative, and the difference is\n"
     "estimated in goals (docs/review.md).\n"
     "\n"
     "  cls review runs/                           one team of all matches\n"
     "  cls review game.rcg.gz --side right\n"
+    "  cls review runs/ --reference planner-runs/  what does a better team do?\n"
     "  cls review cup/matches --team ADA --replay-decisions 10\n"
     "\n"
     "LOG is a game log (rcg), a folder, or a pattern.";
@@ -53,33 +51,12 @@ struct ReviewArguments {
   std::vector<std::string> logs;
   std::string team;
   std::string side;
-  std::size_t replays = 0;
+  std::vector<std::string> reference;
   review::PlayoutTerms terms;
-  std::string continued_by = "planner";
+  ReplayOptions replays;
+  std::string scenarios;
   std::size_t rows = 5;
-  std::size_t jobs = base::default_jobs();
   bool json = false;
-};
-
-struct LoadedMatch {
-  gamelog::MatchLogs logs;
-  gamelog::MatchRecord record;
-};
-
-// A match of the team, and what playing its decisions again needs.
-struct PlayedMatch {
-  const LoadedMatch* loaded = nullptr;
-  analysis::Flow flow;
-  gamelog::RclRecord text;
-  std::optional<simulator::TextLogIndex> sent;  // of `text`
-  std::shared_ptr<const training::Setup> setup;
-  std::string problem;  // why its decisions cannot be played
-};
-
-// A decision to be played again, and of which match.
-struct Candidate {
-  std::size_t match = 0;
-  review::Decision decision;
 };
 
 const std::string& name_of(const gamelog::MatchRecord& record, Side side) {
@@ -87,23 +64,23 @@ const std::string& name_of(const gamelog::MatchRecord& record, Side side) {
 }
 
 // Reads the logs; those that cannot be read are reported and left out.
-int read_logs(const ReviewArguments& arguments, std::vector<LoadedMatch>& matches) {
-  const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);
+int read_logs(const std::vector<std::string>& logs, std::vector<LoadedMatch>& matches) {
+  const gamelog::FoundLogs found = gamelog::find_logs(logs);
   int exit_code = report_missing(found);
   LogProgress progress(found.matches.size());
   for (std::size_t i = 0; i < found.matches.size(); ++i) {
     if (watch_interrupts() != 0) return signal_exit_code(watch_interrupts());
     progress.update(i);
-    const gamelog::MatchLogs& logs = found.matches[i];
-    if (logs.game.empty()) continue;
+    const std::string& game = found.matches[i].game;
+    if (game.empty()) continue;
 
-    auto record = gamelog::read_rcg_file(logs.game);
+    auto record = gamelog::read_rcg_file(game);
     if (!record) {
-      exit_code = report_log(exit_code, record.error().message, logs.game, {});
+      exit_code = report_log(exit_code, record.error().message, game, {});
       continue;
     }
-    exit_code = report_log(exit_code, "", logs.game, record->errors);
-    if (record->frames() > 0) matches.push_back({logs, *std::move(record)});
+    exit_code = report_log(exit_code, "", game, record->errors);
+    if (record->frames() > 0) matches.push_back({found.matches[i], *std::move(record)});
   }
   return exit_code;
 }
@@ -164,112 +141,53 @@ ReviewedMatch review_match(const LoadedMatch& match, const analysis::MatchStatis
   return reviewed;
 }
 
-// Chooses the costliest decisions of all matches, and plays them again.
-class Replays {
- public:
-  Replays(const ReviewArguments& arguments, Review& review)
-      : arguments_(arguments), review_(review) {}
-
-  // Adds the last match of the review, with its decisions.
-  void add(const LoadedMatch& loaded, analysis::MatchStatistics statistics, Side side) {
-    std::vector<review::Decision> all = review::find_decisions(statistics, side);
-    review_.matches.back().decisions = all.size();
-    std::erase_if(all, [&](const review::Decision& one) {
-      return !review::has_warm_up(statistics.flow, one.frame);
-    });
-    for (const review::Decision& one : review::costliest(std::move(all), arguments_.replays)) {
-      candidates_.push_back({matches_.size(), one});
-    }
-    PlayedMatch& match = matches_.emplace_back();
-    match.loaded = &loaded;
-    match.flow = std::move(statistics.flow);
+// Compares the team, of which `figures` are, with the team of --reference: in each of its matches
+// the one that the reviewed team did not play against.
+int compare_with_reference(const ReviewArguments& arguments,
+                           const std::vector<review::Figures>& figures, Review& review) {
+  std::vector<LoadedMatch> logs;
+  const int exit_code = read_logs(arguments.reference, logs);
+  if (logs.empty()) {
+    return exit_code != kOk ? exit_code : print_error(kNoInput, "--reference: no game log");
+  }
+  if (figures.size() < 2 || logs.size() < 2) {
+    return print_error(kUsage,
+                       "--reference: needs two matches of each team at least, has {} and {}",
+                       figures.size(), logs.size());
   }
 
-  void play() {
-    std::ranges::stable_sort(candidates_, std::ranges::greater{},
-                             [](const Candidate& one) { return one.decision.lost(); });
-    if (candidates_.size() > arguments_.replays) candidates_.resize(arguments_.replays);
-    prepare_matches();
-
-    std::vector<std::optional<base::Result<review::PlayedDecision>>> played(candidates_.size());
-    LogProgress progress(candidates_.size(), "decisions");
-    base::parallel_for(
-        candidates_.size(), arguments_.jobs,
-        [&](std::size_t i) {
-          if (watch_interrupts() == 0) played[i] = play_one(candidates_[i]);
-        },
-        [&](std::size_t count) { progress.update(count); });
-
-    for (std::size_t i = 0; i < played.size(); ++i) collect(candidates_[i], std::move(played[i]));
-    std::ranges::stable_sort(
-        review_.decisions, std::ranges::greater{},
-        [](const review::Verdict& one) { return one.better ? one.cost.value : -1e9; });
+  std::set<std::string> opponents;
+  for (const ReviewedMatch& match : review.matches) opponents.insert(match.opponent);
+  std::vector<review::Figures> others;
+  std::set<std::string> teams;
+  for (const LoadedMatch& match : logs) {
+    const bool is_right = opponents.contains(name_of(match.record, Side::kLeft)) &&
+                          !opponents.contains(name_of(match.record, Side::kRight));
+    const Side side = is_right ? Side::kRight : Side::kLeft;
+    teams.insert(name_of(match.record, side));
+    others.push_back(review::figures_of(analysis::summarize(match.record, nullptr),
+                                        analysis::compute_statistics(match.record, nullptr), side));
   }
-
- private:
-  // Reads the text logs of those matches that have candidates.
-  void prepare_matches() {
-    std::set<std::size_t> wanted;
-    for (const Candidate& one : candidates_) wanted.insert(one.match);
-    const std::vector<std::size_t> list(wanted.begin(), wanted.end());
-    base::parallel_for(list.size(), arguments_.jobs,
-                       [&](std::size_t i) { prepare(matches_[list[i]]); });
-  }
-
-  void prepare(PlayedMatch& match) const {
-    const gamelog::MatchRecord& record = match.loaded->record;
-    match.problem = review::why_not_played(record);
-    if (!match.problem.empty()) return;
-    if (match.loaded->logs.text.empty()) {
-      match.problem = "the text log (rcl) is missing";
-      return;
-    }
-
-    const training::Driver driver = *training::kDriverNames.parse(arguments_.continued_by);
-    auto text = gamelog::read_rcl_file(match.loaded->logs.text);
-    auto setup = review::setup_of(record, {driver, driver});
-    if (!text || !setup) {
-      match.problem = !text ? text.error().message : setup.error().message;
-      return;
-    }
-    match.text = *std::move(text);
-    match.sent.emplace(match.text, record.final_teams());
-    match.setup = *std::move(setup);
-  }
-
-  base::Result<review::PlayedDecision> play_one(const Candidate& candidate) const {
-    const PlayedMatch& match = matches_[candidate.match];
-    if (!match.problem.empty()) return base::Error{match.problem};
-    return review::play_again(match.setup, match.flow, *match.sent, candidate.decision,
-                              arguments_.terms);
-  }
-
-  void collect(const Candidate& candidate,
-               std::optional<base::Result<review::PlayedDecision>> played) {
-    if (!played) {
-      review_.interrupted = true;
-    } else if (*played) {
-      review_.decisions.push_back(review::judge(**std::move(played), candidate.match));
-    } else {
-      review_.skipped.push_back(fmt::format("{} {}: {}", review_.matches[candidate.match].folder,
-                                            candidate.decision.cycle, played->error().message));
-    }
-  }
-
-  const ReviewArguments& arguments_;
-  Review& review_;
-  std::vector<PlayedMatch> matches_;  // as in the review
-  std::vector<Candidate> candidates_;
-};
+  review.reference = {fmt::format("{}", fmt::join(teams, ", ")), others.size(),
+                      review::differences(figures, others)};
+  return exit_code;
+}
 
 // What is wrong with the arguments: kOk, or an exit code after an error line.
 int check_arguments(const ReviewArguments& arguments) {
   if (!arguments.side.empty() && !soccer::parse_side(arguments.side)) {
     return print_error(kUsage, "--side '{}': must be left or right", arguments.side);
   }
-  const auto driver = training::kDriverNames.parse(arguments.continued_by);
+  const std::string& continued_by = arguments.replays.continued_by;
+  const auto driver = training::kDriverNames.parse(continued_by);
   if (!driver || !training::perceives(*driver)) {
-    return print_error(kUsage, "--continue '{}': must be planner or mock", arguments.continued_by);
+    return print_error(kUsage, "--continue '{}': must be planner or mock", continued_by);
+  }
+  if (!arguments.replays.save.empty() && arguments.replays.decisions == 0) {
+    return print_error(kUsage, "--save: needs --replay-decisions");
+  }
+  if (!arguments.scenarios.empty() && arguments.replays.decisions == 0) {
+    return print_error(kUsage, "--scenarios: needs --replay-decisions");
   }
   return kOk;
 }
@@ -277,20 +195,27 @@ int check_arguments(const ReviewArguments& arguments) {
 int run_review_command(const ReviewArguments& arguments) {
   TRY_STEP(check_arguments(arguments));
   std::vector<LoadedMatch> logs;
-  const int exit_code = read_logs(arguments, logs);
+  int exit_code = read_logs(arguments.logs, logs);
   if (logs.empty()) return exit_code != kOk ? exit_code : print_error(kNoInput, "no game log");
 
   Review review;
   review.team = choose_team(arguments, logs);
   review.terms = arguments.terms;
-  review.continued_by = arguments.continued_by == "mock" ? "mock's simple team" : "bundled planner";
+  review.continued_by =
+      arguments.replays.continued_by == "mock" ? "mock's simple team" : "bundled planner";
 
-  Replays replays(arguments, review);
+  Replays replays(arguments.replays, review);
+  TRY_STEP(replays.continue_saved());
+  std::vector<review::Figures> figures;
   for (const LoadedMatch& match : logs) {
     const Side side = side_of_team(arguments, match.record, review.team);
     if (side == Side::kNeutral) continue;
     analysis::MatchStatistics statistics = analysis::compute_statistics(match.record, nullptr);
     review.matches.push_back(review_match(match, statistics, side));
+    if (!arguments.reference.empty()) {
+      const analysis::MatchSummary summary = analysis::summarize(match.record, nullptr);
+      figures.push_back(review::figures_of(summary, statistics, side));
+    }
     replays.add(match, std::move(statistics), side);
   }
   if (review.matches.empty()) {
@@ -298,7 +223,13 @@ int run_review_command(const ReviewArguments& arguments) {
                        nearest_team(review.team, logs));
   }
 
-  if (arguments.replays > 0) replays.play();
+  if (!arguments.reference.empty()) {
+    const int read = compare_with_reference(arguments, figures, review);
+    if (!review.reference) return read;
+    if (exit_code == kOk) exit_code = read;
+  }
+  if (arguments.replays.decisions > 0) TRY_STEP(replays.play());
+  if (!arguments.scenarios.empty()) TRY_STEP(replays.write_scenarios(arguments.scenarios));
   if (arguments.json) {
     print_json(to_json(review));
   } else {
@@ -318,8 +249,11 @@ void add_review_command(Command& app) {
   command.option("--side SIDE", arguments.side,
                  "left or right: the team of that side in the first match");
 
+  command.option("--reference LOG", arguments.reference,
+                 "matches of a team to compare with, best against the same opponent; repeatable");
+
   command
-      .option("--replay-decisions N", arguments.replays,
+      .option("--replay-decisions N", arguments.replays.decisions,
               "play the N costliest decisions again; about 10 s of a processor core each")
       .of_group(kReplayGroup);
   command
@@ -332,10 +266,20 @@ void add_review_command(Command& app) {
       .of_group(kReplayGroup);
   command.setting("--seed N", arguments.terms.seed, "of the first playout").of_group(kReplayGroup);
   command
-      .setting("--continue TEAM", arguments.continued_by,
+      .setting("--continue TEAM", arguments.replays.continued_by,
                "who plays on after the decision, for both sides: planner or mock")
       .of_group(kReplayGroup);
-  command.option("--jobs", arguments.jobs, "decisions played in parallel (default: one per core)")
+  command
+      .option("--save FILE", arguments.replays.save,
+              "keep the review in FILE after each decision; the same command continues it")
+      .of_group(kReplayGroup);
+  command
+      .option("--scenarios DIR", arguments.scenarios,
+              "write a scenario of each decision that has a better alternative, for `cls test`")
+      .of_group(kReplayGroup);
+  command
+      .option("--jobs", arguments.replays.jobs,
+              "decisions played in parallel (default: one per core)")
       .above(0)
       .of_group(kReplayGroup);
   command.setting("--rows N", arguments.rows, "rows of each table").above(0).of_group(kOutputGroup);
