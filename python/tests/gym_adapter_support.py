@@ -25,6 +25,9 @@ TASK = {"task": "cls/HFO-2v1-v0", "features": "ego", "actions": "low_discrete"}
 WORLDS = 64
 os.environ.setdefault("RAY_AUTH_MODE", "disabled")  # else it writes a token into the home
 warnings.filterwarnings("ignore")
+# Frameworks leave things where they are imported, PufferLib a link to its package: not in the tree.
+FOLDER = tempfile.TemporaryDirectory()
+os.chdir(FOLDER.name)
 
 
 def needs(*modules):

@@ -13,13 +13,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Nothing where git does not track the folder.
-std::vector<fs::path> tracked_files(const fs::path& root) {
+/// Relative to `root`; nothing where git does not track the folder.
+std::vector<std::string> tracked_names(const fs::path& root) {
   const CommandResult listed = run({"git", "-C", root, "ls-files", "-z"});
-  std::vector<fs::path> files;
-  if (listed.exit_code != 0) return files;
+  std::vector<std::string> all;
+  if (listed.exit_code != 0) return all;
   std::istringstream names(listed.out);
-  for (std::string name; std::getline(names, name, '\0');) {
+  for (std::string name; std::getline(names, name, '\0');) all.push_back(name);
+  return all;
+}
+
+std::vector<fs::path> tracked_files(const fs::path& root) {
+  std::vector<fs::path> files;
+  for (const std::string& name : tracked_names(root)) {
     const bool hidden = name.starts_with('.') || name.find("/.") != std::string::npos;
     if (!hidden && fs::is_regular_file(root / name)) files.push_back(root / name);
   }
@@ -50,6 +56,14 @@ std::vector<fs::path> found_files(const fs::path& root) {
 }
 
 }  // namespace
+
+std::vector<fs::path> links_of_project(const fs::path& root) {
+  std::vector<fs::path> links;
+  for (const std::string& name : tracked_names(root)) {
+    if (fs::is_symlink(root / name)) links.push_back(root / name);
+  }
+  return links;
+}
 
 std::vector<fs::path> files_of_project(const fs::path& root) {
   std::vector<fs::path> files = tracked_files(root);

@@ -11,6 +11,9 @@ namespace cls::tests {
 /// too, and those of packages.
 std::vector<std::filesystem::path> files_of_project(const std::filesystem::path& root);
 
+/// The symbolic links in `root` that git tracks, hidden ones, too.
+std::vector<std::filesystem::path> links_of_project(const std::filesystem::path& root);
+
 /// The files of this project.
 std::vector<std::filesystem::path> source_files();
 

@@ -43,6 +43,16 @@ TEST_F(FilesOfProject, AreThoseThatGitTracks) {
   EXPECT_THAT(files_of_project(folder_.path()), ElementsAre(path("README.md"), path("cli/a.cpp")));
 }
 
+TEST_F(FilesOfProject, LinksAreListedWhereverTheyLead) {
+  fs::create_symlink("cli", path("folder"));
+  fs::create_symlink("/nowhere", path(".cache/broken"));
+  fs::create_symlink("README.md", path("untracked"));
+  EXPECT_THAT(links_of_project(folder_.path()), testing::IsEmpty());
+  git({"init", "--quiet"});
+  git({"add", "--force", "README.md", "folder", ".cache/broken"});
+  EXPECT_THAT(links_of_project(folder_.path()), ElementsAre(path(".cache/broken"), path("folder")));
+}
+
 TEST_F(FilesOfProject, AreAllOfUnpackedArchive) {
   EXPECT_THAT(files_of_project(folder_.path()),
               ElementsAre(path("README.md"), path("cli/a.cpp"), path("cli/note.cpp")));

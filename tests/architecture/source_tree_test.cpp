@@ -58,6 +58,13 @@ TEST(SourceTree, IsReadCompletely) {
   EXPECT_GE(includes_of(self->text).size(), 9u);
 }
 
+// A link is nothing that the project needs; one that a program left behind leads out of a clone.
+TEST(SourceTree, HasNoSymbolicLinks) {
+  for (const fs::path& link : links_of_project(source_folder())) {
+    ADD_FAILURE() << link << " leads to " << fs::read_symlink(link);
+  }
+}
+
 TEST(SourceTree, IncludesReferToLowerFolders) { EXPECT_EQ(violations_of(check_includes), ""); }
 
 TEST(SourceTree, IncludedFilesExist) {
