@@ -32,6 +32,7 @@
 #include "viewer/page/match_page.h"
 #include "viewer/page/page_decisions.h"
 #include "viewer/page/page_drawings.h"
+#include "viewer/page/page_review.h"
 
 namespace cls::cli {
 namespace {
@@ -64,6 +65,7 @@ struct WatchArguments {
   std::optional<int> at;
   std::vector<std::string> players;
   std::vector<std::string> world_models;
+  std::string review;
   bool compact = false;
   bool no_open = false;
   bool json = false;
@@ -170,6 +172,22 @@ base::Result<std::vector<viewer::PageDecisions>> decisions_of(const WatchArgumen
   return decisions;
 }
 
+// The decisions of --review; null without it.
+base::Result<base::Json> review_of(const WatchArguments& arguments, const FoundLog& found) {
+  if (arguments.review.empty()) return base::Json();
+  const auto document = base::read_file(arguments.review);
+  if (!document) {
+    const auto why = base::why_no_file(arguments.review);
+    return base::Error{
+        fmt::format("--review {}: {}", arguments.review, why.value_or("cannot be read"))};
+  }
+  auto review = viewer::page_review(*document, found.logs.game);
+  if (!review) {
+    return base::Error{fmt::format("--review {}: {}", arguments.review, review.error().message)};
+  }
+  return review;
+}
+
 // The sides of the match, for scenarios that begin with one of its moments; empty without a result.
 std::array<std::string, 2> sides_of(const fs::path& folder) {
   namespace match = match;
@@ -193,12 +211,14 @@ int write_match_page(const WatchArguments& arguments, const FoundLog& found, con
 
   const auto text = read_text_log(found);
   TRY_INIT_OR(kBadData, const auto decisions, decisions_of(arguments, found));
+  TRY_INIT_OR(kBadData, const auto review, review_of(arguments, found));
 
   const bool compact = arguments.compact || match.form.compact;
   viewer::PageSettings settings = {.at = arguments.at,
                                    .players = arguments.players,
                                    .missed = viewer::read_missed_decisions(found.folder),
-                                   .drawings = viewer::read_page_drawings(found.folder)};
+                                   .drawings = viewer::read_page_drawings(found.folder),
+                                   .review = review};
   if (!decisions.empty()) settings.sides = sides_of(found.folder);
   const std::string html = viewer::match_page(
       match.record, text ? &*text : nullptr, fs::path(found.logs.game).filename().string(),
@@ -317,6 +337,11 @@ void add_watch_command(Command& app) {
               "both (default: all)")
       .of_group(kDebuggingGroup)
       .split_at(',');
+
+  command
+      .option("--review FILE", arguments.review,
+              "decisions of `cls review --save FILE`, with what would have been better")
+      .of_group(kDebuggingGroup);
 
   command.flag("--compact", arguments.compact,
                "half the size: centimeters, degrees, no velocities; the page is then\n"

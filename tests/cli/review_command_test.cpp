@@ -118,6 +118,27 @@ TEST_F(ReviewCommand, ContinuesWhatItHasSaved) {
   }
 }
 
+// In the page of its match, and of no other.
+TEST_F(ReviewCommand, IsShownInThePageOfTheMatch) {
+  const CommandResult saved = review({"match-start.rcg.gz", "--replay-decisions", "8", "--seeds",
+                                      "4", "--cycles", "10", "--save", "kept.json"});
+  ASSERT_EQ(saved.exit_code, kIncomplete) << saved.err;
+  const auto watch = [&](const std::string& log, const std::string& file) {
+    Command command({cls_binary(), "watch", log, "--review", file, "--out", "page.html"}, {},
+                    folder_.path());
+    return command.finish();
+  };
+  EXPECT_EQ(watch("./match-start.rcg.gz", "kept.json").exit_code, kIncomplete);
+  EXPECT_THAT(read_file(folder_.path() / "page.html"), HasSubstr("\"review\":[{\"cycle\":"));
+
+  std::filesystem::copy_file(folder_.path() / "match-start.rcg.gz",
+                             folder_.path() / "other.rcg.gz");
+  EXPECT_THAT(watch("other.rcg.gz", "kept.json"),
+              Exits(65, HasSubstr("--review kept.json: has no decision of other.rcg.gz")));
+  EXPECT_THAT(watch("other.rcg.gz", "none.json"),
+              Exits(65, HasSubstr("--review none.json: no such file")));
+}
+
 // Scenarios that `cls test` plays.
 TEST_F(ReviewCommand, WritesMomentsAsScenarios) {
   const std::vector<std::string> words = {

@@ -73,6 +73,7 @@ std::string settings_json(const PageSettings& settings, const LivePaths* live) {
   if (live != nullptr && !live->drawings.empty()) json["drawings"] = live->drawings;
   if (!settings.home.empty()) json["home"] = settings.home;
   if (!settings.sides[0].empty()) json["sides"] = settings.sides;
+  if (!settings.review.is_null()) json["review"] = settings.review;
   for (const MissedDecision& each : settings.missed) {
     json["missed"].push_back({each.cycle, each.stopped, each.player, each.reason});
   }

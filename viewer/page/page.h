@@ -10,6 +10,7 @@
 #include "analysis/results/match_summary.h"
 #include "base/io/input_buffer.h"
 #include "base/result.h"
+#include "base/text/json.h"
 #include "gamelog/record/match_record.h"
 #include "soccer/side.h"
 #include "viewer/stream/chunk_reader.h"
@@ -39,7 +40,8 @@ struct PageSettings {
   bool compared = false;                 ///< a second match follows (compare_page.h)
   /// Left and right, as `cls match` names them: "mock"; empty: not known.
   std::array<std::string, 2> sides{};
-  std::string home{};  ///< address of the page that this one belongs to; empty: none
+  base::Json review{};  ///< decisions that were played again (page_review()); null: none
+  std::string home{};   ///< address of the page that this one belongs to; empty: none
 };
 
 /// Recorded decisions of a side (viewer/decisions): the stream, compressed with gzip.

@@ -472,3 +472,34 @@ test('takes pictures of eight states', {skip: process.env.CLS_SCREENSHOTS ? fals
     await context.close();
   }
 });
+
+test('shows decisions that were played again: marks, paths of the alternatives, playouts', async () => {
+  const worths = (mean) => Array.from({length: 20}, (_, i) => mean + ((i % 5) - 2) / 20);
+  const review = [{cycle: 40, player: 'l7', cost: [0.25, 0.1, 0.4], better: 2, choices: [
+    {text: 'pass to their 4', target: null, worths: worths(-0.2)}, {text: 'hold', target: [2, 1], worths: worths(-0.1)},
+    {text: 'through pass to 11', target: [30, -20], worths: worths(0.05)}]}];
+  const {page, problems, context} = await open(write('review.html', pageOf(sampleStream(), {review})), '', {viewport: {width: 1366, height: 768}});
+  await page.keyboard.press('Shift+X');
+  assert.equal(await frameOf(page), 40);
+  await page.getByRole('tab', {name: 'Events'}).click();
+  const table = page.getByRole('table').filter({hasText: 'Goals after each choice, 20 playouts; difference 0.25 (95 %: 0.10 to 0.40)'});
+  await table.waitFor();
+  assert.match(await table.innerText(), /pass to their 4 \(played\)\s+\u22120\.20[^]*through pass to 11\s+\+0\.05/);
+  assert.equal(await table.locator('circle').count(), 60);
+
+  const painted = () => page.evaluate(() => {
+    const {viewer, page: whole} = window.clsViewer;
+    whole.draw();
+    const at = [viewer.camera.screenX(30), viewer.camera.screenY(-20)].map(Math.round);
+    return [...whole.canvas.getContext('2d').getImageData(at[0], at[1], 1, 1).data];
+  });
+  const shown = await painted();
+  if (process.env.CLS_SCREENSHOTS) await page.screenshot({path: path.join(process.env.CLS_SCREENSHOTS, 'review.png')});
+  await page.evaluate(() => window.clsViewer.viewer.seek(60));
+  assert.notDeepEqual(await painted(), shown, 'the path ends with the moment');
+  await table.waitFor({state: 'hidden'});
+  assert.deepEqual(await accessibilityViolations(page), []);
+  assert.deepEqual(problems, []);
+  assert.deepEqual(await page.evaluate(() => window.violations), []);
+  await context.close();
+});

@@ -10,10 +10,12 @@ import {formatHash, parseHash} from '../../../viewer/web/src/hash.js';
 import {Pose, poseAt} from '../../../viewer/web/src/interpolate.js';
 import {keyName} from '../../../viewer/web/src/keys.js';
 import {drawBall} from '../../../viewer/web/src/layer_ball.js';
+import {signed} from '../../../viewer/web/src/layer_choices.js';
 import {offsideLineX} from '../../../viewer/web/src/layer_offside.js';
 import {momentText} from '../../../viewer/web/src/moment.js';
 import {kPitch} from '../../../viewer/web/src/pitch.js';
 import {playModeClass, playModeText} from '../../../viewer/web/src/play_modes.js';
+import {replayedAt} from '../../../viewer/web/src/replayed.js';
 import {slotOfShortName} from '../../../viewer/web/src/sides.js';
 import {StreamDecoder} from '../../../viewer/web/src/stream.js';
 import {kFrames, kGoalFrame, sampleStream} from './sample_match.mjs';
@@ -313,6 +315,26 @@ test('The page never makes markup out of text, and fits into 150 kB', () => {
 
 test('The sample is as long as the tests say', () => {
   assert.equal(sampleRecord().frames, kFrames);
+});
+
+test('Decisions that were played again are events with their choices, nonsense is left out', () => {
+  const record = sampleRecord();
+  const choice = (text, target, ...worths) => ({text, target, worths});
+  const decision = {cycle: 30, player: 'r2', cost: [0.25, 0.125, 0.5], better: 1, choices: [choice('pass', null, 0, -1), choice('clear', [10, -3], 0.5, 0)]};
+  record.review = [decision, null, 7, {...decision, player: 'x9'}, {...decision, cycle: 'a'}, {...decision, better: 0}, {...decision, better: 2},
+    {...decision, cost: [1]}, {...decision, choices: [choice('pass', null), choice('clear', null)]}, {...decision, choices: 'none'}, {...decision, cycle: 10, player: 'l7'}];
+  const found = eventsOf(record).filter(({kind}) => kind === 'costly');
+  assert.deepEqual(found.map(({frame, side, text}) => [frame, side, text]), [
+    [10, 'left', 'Cost 0.25 goals: Azure 7, pass; better: clear'], [30, 'right', 'Cost 0.25 goals: Amber 2, pass; better: clear']]);
+  assert.deepEqual(found[1].replayed.choices.map(({mean, target}) => [mean, target]), [[-0.5, null], [0.25, [10, -3]]]);
+  assert.equal(replayedAt(record, 24)?.frame, 10);
+  assert.equal(replayedAt(record, 29), undefined);
+  assert.equal(replayedAt(record, 30)?.slot, found[1].slot);
+  assert.equal(replayedAt(record, 44)?.frame, 30);
+  assert.equal(replayedAt(record, 45), undefined);
+  assert.equal(signed(-0.125) + signed(0.5), '\u22120.13+0.50');
+  record.review = /** @type {any} */ ('nonsense');
+  assert.deepEqual(eventsOf(record).filter(({kind}) => kind === 'costly'), []);
 });
 
 test('Missed decisions are events, neighboring ones together', () => {

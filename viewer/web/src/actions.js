@@ -12,6 +12,7 @@ const kGoals = ['goal'];
 const kShots = ['goal', 'shot'];
 const kCards = ['card', 'offense'];
 const kMissed = ['missed'];
+const kCostly = ['costly'];
 const kZoomStep = 1.3;
 
 /** @returns {Action} */
@@ -42,6 +43,7 @@ export const kActions = Object.freeze([
   action('Events', 'next-card', 'Next foul, offside or card', ['Q'], (viewer) => viewer.jump(1, kCards)),
   action('Events', 'previous-card', 'Previous foul, offside or card', ['Shift+Q'], (viewer) => viewer.jump(-1, kCards)),
   action('Events', 'next-missed', 'Next missed decision', ['Shift+M'], (viewer) => viewer.jump(1, kMissed)),
+  action('Events', 'next-costly', 'Next decision that cost goals', ['Shift+X'], (viewer) => viewer.jump(1, kCostly)),
   action('Events', 'highlights', 'Play the highlights', ['Y'], (viewer) => viewer.playHighlights()),
 
   action('Players', 'select-left', 'Player 1 to 11 of the left team', kDigits, (viewer, key) => viewer.select(key)),

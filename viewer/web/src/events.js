@@ -2,16 +2,18 @@
 import {PlayerState} from './player_state.js';
 import {playModeClass, playModeText, splitPlayMode} from './play_modes.js';
 import {frameOfCycle} from './record.js';
+import {replayedDecisions} from './replayed.js';
 import {kSlots, sideOfSlot, slotOf, slotOfShortName, unumOfSlot} from './sides.js';
 
 /**
- * @typedef {{frame: number, kind: 'goal' | 'shot' | 'card' | 'set_play' | 'offense' | 'turnover' | 'missed', side: string, slot: number,
- *   text: string, expectedGoals?: number, red?: boolean}} MatchEvent
+ * @typedef {{frame: number, kind: 'goal' | 'shot' | 'card' | 'set_play' | 'offense' | 'turnover' | 'missed' | 'costly', side: string, slot: number,
+ *   text: string, expectedGoals?: number, red?: boolean, replayed?: import('./replayed.js').Replayed}} MatchEvent
  */
 
 /** All events in order of time. @param {import('./record.js').MatchRecord} record @returns {MatchEvent[]} */
 export function eventsOf(record) {
-  const events = [...goals(record), ...shots(record), ...cards(record), ...modeEvents(record), ...turnovers(record), ...missedDecisions(record)];
+  const events = [...goals(record), ...shots(record), ...cards(record), ...modeEvents(record), ...turnovers(record), ...missedDecisions(record),
+    ...costlyDecisions(record)];
   return events.sort((a, b) => a.frame - b.frame);
 }
 
@@ -150,6 +152,15 @@ function missedText(record, {side, count, slots, reason}) {
   if (count === 1) return `Missed decision: ${playerText(record, side, unumOfSlot([...slots][0]))}, ${reason}`;
   const who = slots.size === 1 ? playerText(record, side, unumOfSlot([...slots][0])) : `${slots.size} players of ${teamName(record, side)}`;
   return `${count} missed decisions: ${who}, ${reason}`;
+}
+
+/** Decisions that `cls review` has played again, where something else was better. */
+function costlyDecisions(record) {
+  return replayedDecisions(record).map((replayed) => {
+    const {frame, slot, cost, best, choices} = replayed;
+    const side = sideOfSlot(slot);
+    return {frame, kind: 'costly', side, slot, replayed, text: `Cost ${cost.toFixed(2)} goals: ${playerText(record, side, unumOfSlot(slot))}, ${choices[0].text}; better: ${choices[best].text}`};
+  });
 }
 
 const kHighlightBefore = 60;

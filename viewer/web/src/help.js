@@ -11,7 +11,7 @@ const kSymbols = [
   ['Stroke through a disc', 'was fouled and cannot move'],
   ['Broken outline', 'with Shift P: where the selected player estimates ball and players; red line: to where they are; dotted ring: unknown to it'],
   ['Shapes and texts', 'what the Playmaker of a player shows with the actions log and debug_client; of the selected players, or of all'],
-  ['Timeline', 'circle: goal, triangle: shot, rectangle: card, tick: ball lost, red: missed decisions; band: play modes; line below: which team has the ball'],
+  ['Timeline', 'circle: goal, triangle: shot, rectangle: card, tick: ball lost, red: missed decisions, diamond: a decision that cost goals; band: play modes; line below: which team has the ball'],
 ];
 
 export class Help {

@@ -38,6 +38,7 @@ function hostPreferences() {
 function makePage(root, record, options) {
   const host = hostPreferences();
   record.missed = options.missed ?? [];
+  record.review = options.review ?? [];
   if (Array.isArray(options.sides)) record.sides = options.sides;
   const viewer = new Viewer(record, new Settings(host), host);
   const page = new Page(root, viewer);

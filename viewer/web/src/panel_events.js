@@ -1,8 +1,9 @@
 // The list of events; each is a button that shows its moment.
+import {choicesTable} from './choices.js';
 import {element, setAttribute} from './dom.js';
 import {cycleLabel} from './record.js';
 
-const kKeyKinds = ['goal', 'shot', 'card', 'missed'];
+const kKeyKinds = ['goal', 'shot', 'card', 'missed', 'costly'];
 
 export class EventsPanel {
   /** @param {import('./viewer.js').Viewer} viewer */
@@ -24,7 +25,8 @@ export class EventsPanel {
         element('span', {class: 'event-time'}, cycleLabel(record, event.frame)), element('span', {class: 'event-text'}, event.text),
         ...(event.expectedGoals === undefined ? [] : [element('span', {class: 'event-extra'}, `${event.expectedGoals.toFixed(2)} xG`)])),
     }));
-    this.list.replaceChildren(...this.rows.map(({button}) => element('li', {}, button)));
+    for (const row of this.rows) row.choices = row.event.replayed ? choicesTable(row.event.replayed) : null;
+    this.list.replaceChildren(...this.rows.map(({button, choices}) => element('li', {}, button, ...(choices ? [choices] : []))));
     if (this.rows.length === 0) this.list.append(element('li', {class: 'hint'}, 'No goals, shots, cards or missed decisions.'));
     this.show();
   }
@@ -42,6 +44,7 @@ export class EventsPanel {
       if (row.event.frame <= frame) current = row;
     }
     for (const row of this.rows) {
+      if (row.choices) row.choices.hidden = row !== current;
       if (row === current) setAttribute(row.button, 'aria-current', 'true');
       else row.button.removeAttribute('aria-current');
     }

@@ -36,6 +36,8 @@ export class MatchRecord {
     this.statisticsFrames = 0;
     /** Missed decisions, as the settings of the page have them: cycle, stopped, player, reason. @type {[number, number, string, string][]} */
     this.missed = [];
+    /** Decisions that were played again, as the settings of the page have them (replayed.js). @type {unknown[]} */
+    this.review = [];
     /** The sides as `cls match` names them, left and right, or null. @type {[string, string] | null} */
     this.sides = null;
     /** Chunk E, or null while the match runs. */

@@ -3,6 +3,7 @@ import {kExtensions} from './extensions.js';
 import {Pose, poseAt} from './interpolate.js';
 import {drawAreas} from './layer_areas.js';
 import {drawBall} from './layer_ball.js';
+import {drawChoices} from './layer_choices.js';
 import {drawOffsideLines} from './layer_offside.js';
 import {drawPlayers} from './layer_players.js';
 import {drawTrails} from './layer_trails.js';
@@ -49,6 +50,7 @@ export class Renderer {
     drawTrails(scene);
     drawPlayers(scene);
     drawBall(scene);
+    drawChoices(scene);
     kExtensions.drawings?.draw(scene);
     kExtensions.decisions?.draw(scene);
   }

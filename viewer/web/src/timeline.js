@@ -196,6 +196,7 @@ const kMarks = {
   shot: {rank: 2, draw: drawShotMark},
   turnover: {rank: 3, draw: drawTurnoverMark},
   missed: {rank: 4, draw: drawMissedMark},
+  costly: {rank: 1, draw: drawCostlyMark},
 };
 
 function sideColor(theme, event) {
@@ -239,6 +240,22 @@ function drawCardMark(context, x, theme, event) {
 function drawMissedMark(context, x, theme, event, xOf) {
   context.fillStyle = theme.warn;
   context.fillRect(x - 1, kPossessionTop, Math.max(2, xOf(event.end) - x), kPossessionHeight + 5);
+}
+
+/** A diamond across the band. */
+function drawCostlyMark(context, x, theme, event) {
+  const middle = kBandTop + kBandHeight / 2;
+  context.fillStyle = sideColor(theme, event);
+  context.strokeStyle = theme.timeline.cursor;
+  context.lineWidth = 1.5;
+  context.beginPath();
+  context.moveTo(x, middle - 7);
+  context.lineTo(x + 5, middle);
+  context.lineTo(x, middle + 7);
+  context.lineTo(x - 5, middle);
+  context.closePath();
+  context.fill();
+  context.stroke();
 }
 
 function drawTurnoverMark(context, x, theme, event) {
