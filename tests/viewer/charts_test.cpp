@@ -10,6 +10,7 @@
 
 #include "tests/viewer/markup.h"
 #include "viewer/charts/drawing.h"
+#include "viewer/charts/layout.h"
 
 namespace cls::viewer {
 namespace {
@@ -215,6 +216,16 @@ TEST(ShotMap, DrawsAreasByExpectedGoals) {
 
   const std::vector<double> x = attributes_of(chart, "circle", "cx", "\"right\"");
   EXPECT_LT(x.back(), 320.0) << "the right team shoots to the left";
+}
+
+TEST(TimeAxis, TextsAtTheEdgeEndThere) {
+  Drawing drawing(kChartWidth, 100.0, "axis");
+  const PlotPlace place{kChartMargin, kChartWidth - kChartMargin, 10.0, 60.0, 6000.0};
+  draw_time_axis(drawing, place, {6000.0, {{3000.0, "3000"}, {6000.0, "6000"}}, {}});
+  const std::string svg = std::move(drawing).finish();
+  EXPECT_THAT(svg,
+              HasSubstr("<text x=\"320\" y=\"77\" class=\"soft\" text-anchor=\"middle\">3000<"));
+  EXPECT_THAT(svg, HasSubstr("<text x=\"628\" y=\"77\" class=\"soft\" text-anchor=\"end\">6000<"));
 }
 
 TEST(Race, RisesToTheSum) {

@@ -99,13 +99,16 @@ double height_with_pitch(double top, double below) {
 
 void draw_time_axis(Drawing& drawing, const PlotPlace& place, const TimeAxis& axis) {
   constexpr double kMinDistance = 44.0;  // of the middles of two texts
+  constexpr double kHalfText = 16.0;     // of four digits
   double last = -kMinDistance;
   for (const TimeAxis::Tick& tick : axis.ticks) {
     const double x = place.x(tick.at);
     if (x - last < kMinDistance || x > place.right + 1) continue;
     last = x;
     drawing.line({x, place.top}, {x, place.bottom}, {"axis"});
-    drawing.text({x, place.bottom + 17}, tick.text, "soft", Anchor::kMiddle);
+    const bool at_edge = x + kHalfText > drawing.width() - kChartMargin;
+    drawing.text({x, place.bottom + 17}, tick.text, "soft",
+                 at_edge ? Anchor::kEnd : Anchor::kMiddle);
   }
 
   for (const double half : axis.halves) {
