@@ -35,15 +35,14 @@ Json players_json(const MatchRecord& record, std::size_t frame, Side side) {
 
 }  // namespace
 
-Json scenario_of(const MatchRecord& record, const Verdict& verdict, const std::string& match,
-                 const PlayoutTerms& terms) {
+Json scenario_of(const MatchRecord& record, const Verdict& verdict, const ScenarioTerms& terms) {
   const Decision& decision = verdict.played.decision;
   const std::size_t frame = decision.frame;
   const Side side = soccer::side_of_slot(decision.slot);
   const char* own = soccer::side_name(side);
   const char* other = soccer::side_name(soccer::opponent(side));
 
-  std::string about = fmt::format("{}, cycle {}: player {} chose {}", match, decision.cycle,
+  std::string about = fmt::format("{}, cycle {}: player {} chose {}", terms.match, decision.cycle,
                                   soccer::unum_of_slot(decision.slot), text_of(decision));
   if (verdict.better) {
     about +=
@@ -57,12 +56,13 @@ Json scenario_of(const MatchRecord& record, const Verdict& verdict, const std::s
                     {{"at", point_json(record.ball_position[frame])},
                      {"velocity", point_json(record.ball_velocity[frame])}}}};
   for (const Side each : soccer::kBothSides) {
-    scenario[soccer::side_name(each)] = {{"playmaker", "mock:planner"},
-                                         {"players", players_json(record, frame, each)}};
+    scenario[soccer::side_name(each)] = {
+        {"playmaker", each == side ? terms.playmaker : "mock:planner"},
+        {"players", players_json(record, frame, each)}};
   }
   scenario["under_test"] = own;
   scenario["seeds"] = kSeeds;
-  scenario["steps"] = terms.cycles;
+  scenario["steps"] = terms.steps;
   scenario["expect"] = {
       {{"name", "no goal against"}, {"score", {{other, 0}}}, {"runs", {{">=", kSeeds - 1}}}},
       {{"name", "keeps the ball"}, {"last_touch", own}, {"runs", {{">", kSeeds / 2}}}}};

@@ -9,10 +9,17 @@
 
 namespace cls::review {
 
-/// The scenario (docs/testing.md) that starts where the player decided, with the bundled planner on
-/// both sides and the side of the decision under test. It expects this side to have the ball at the
-/// end of the playout in most runs, and no goal against it. `match` names the match in its text.
+/// What the scenario of a decision says beside its moment.
+struct ScenarioTerms {
+  std::string match;      ///< in its text
+  std::string playmaker;  ///< of the side of the decision, which is under test
+  int steps = 50;
+};
+
+/// The scenario (docs/testing.md) that starts where the player decided, against the bundled
+/// planner. It expects the side of the decision to have the ball at its end in most runs, and no
+/// goal against it.
 base::Json scenario_of(const gamelog::MatchRecord& record, const Verdict& verdict,
-                       const std::string& match, const PlayoutTerms& terms);
+                       const ScenarioTerms& terms);
 
 }  // namespace cls::review

@@ -12,6 +12,7 @@
 #include "base/io/whole_file.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/support/side_arguments.h"
 #include "cli/terminal/log_progress.h"
 #include "review/moment.h"
 #include "review/scenarios.h"
@@ -86,6 +87,9 @@ int Replays::write_scenarios(const std::string& folder) const {
   fs::create_directories(folder, code);
   if (code) return print_error(kCannotCreate, "--scenarios {}: {}", folder, code.message());
 
+  const auto endpoint = endpoint_of_team(review_.team, fs::absolute(folder));
+  const bool in_project = endpoint && *endpoint != review_.team;
+  const std::string playmaker = in_project ? review_.team : "mock:planner";
   for (const review::Verdict& verdict : review_.decisions) {
     if (!verdict.better) continue;
     const review::Decision& decision = verdict.played.decision;
@@ -93,10 +97,9 @@ int Replays::write_scenarios(const std::string& folder) const {
     const fs::path file =
         fs::path(folder) / fmt::format("{}-{}-player-{}.json", fs::path(match).filename().string(),
                                        decision.cycle, soccer::unum_of_slot(decision.slot));
+    const review::ScenarioTerms terms = {match, playmaker, review_.terms.cycles};
     const std::string text =
-        review::scenario_of(matches_[verdict.match].loaded->record, verdict, match, review_.terms)
-            .dump(2) +
-        "\n";
+        review::scenario_of(matches_[verdict.match].loaded->record, verdict, terms).dump(2) + "\n";
 
     const std::optional<std::string> there = base::read_file(file);
     if (there && *there != text) {

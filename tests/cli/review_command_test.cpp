@@ -166,6 +166,19 @@ TEST_F(ReviewCommand, WritesMomentsAsScenarios) {
   const json report = json::parse(tested.out);
   EXPECT_EQ(report["scenarios"].size(), files.size());
 
+  // In a project that names the team, it is the team under test.
+  EXPECT_EQ(
+      json::parse(read_file(folder_.path() / "tests/costly" / files.front()))["left"]["playmaker"],
+      "mock:planner");
+  write("cls.toml", "[teams.HELIOS_L]\nendpoint = \"mock\"\n");
+  ASSERT_EQ(
+      review(joined(std::vector<std::string>(words.begin(), words.end() - 1), {"own"})).exit_code,
+      kIncomplete);
+  const json own = json::parse(read_file(folder_.path() / "own" / files.front()));
+  EXPECT_EQ(own["left"]["playmaker"], "HELIOS_L");
+  EXPECT_EQ(own["right"]["playmaker"], "mock:planner");
+  std::filesystem::remove(folder_.path() / "cls.toml");
+
   // The same again changes nothing; an edited file stays.
   EXPECT_EQ(review(words).exit_code, kIncomplete);
   write("tests/costly/" + files.front(), "{}");
