@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/system/version.h"
@@ -16,10 +17,13 @@ namespace {
 using base::Json;
 using base::Table;
 
-std::string decimals(double value) { return fmt::format("{:.2f}", value); }
+// Without "-0.00".
+std::string decimals(double value) {
+  return fmt::format("{:.2f}", std::abs(value) < 0.005 ? 0.0 : value);
+}
 
 std::string signed_text(const Estimate& estimate) {
-  return fmt::format("{:.2f} to {:.2f}", estimate.low, estimate.high);
+  return fmt::format("{} to {}", decimals(estimate.low), decimals(estimate.high));
 }
 
 int goals_of(const Review& review, int ReviewedMatch::*goals) {

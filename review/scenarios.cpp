@@ -44,10 +44,7 @@ Json scenario_of(const MatchRecord& record, const Verdict& verdict, const Scenar
 
   std::string about = fmt::format("{}, cycle {}: player {} chose {}", terms.match, decision.cycle,
                                   soccer::unum_of_slot(decision.slot), text_of(decision));
-  if (verdict.better) {
-    about +=
-        fmt::format("; {} was better by {:.2f} goals", verdict.best()->text, verdict.cost.value);
-  }
+  if (verdict.better) about += fmt::format("; playouts prefer {}", verdict.best()->text);
 
   Json scenario = {{"about", about + "."},
                    {"mode", "play_on"},
