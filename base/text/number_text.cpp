@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/text/rounded_number.h"
+
 namespace cls::base {
 namespace {
 
@@ -99,20 +101,27 @@ char* write_decimals(char* to, unsigned hundredths) {
   return write_pair(to, hundredths);
 }
 
-// Most numbers of the protocol are rounded to few decimals: prints a value below 100 within 1e-11
-// of a multiple of 0.0001 as that multiple, which has at most six digits. Null for other values.
-char* write_round(char* to, double value) {
-  constexpr double kTenThousandths = 1e4;
-  const double magnitude = std::fabs(value);
-  if (!(magnitude < 99.5)) return nullptr;
+constexpr double kTenThousandths = 1e4;
+
+// Most numbers of the protocol are rounded to few decimals: the multiple of 0.0001, which has at
+// most six digits, of a magnitude below 100 within 1e-11 of it. Nothing for other magnitudes.
+std::optional<unsigned> ten_thousandths(double magnitude) {
+  if (!(magnitude < 99.5)) return std::nullopt;
 
   const double scaled = magnitude * kTenThousandths;
   const auto whole = static_cast<unsigned>(scaled + 0.5);
-  if (std::fabs(scaled - whole) > 1e-7 || (whole == 0 && magnitude != 0.0)) return nullptr;
+  if (std::fabs(scaled - whole) > 1e-7 || (whole == 0 && magnitude != 0.0)) return std::nullopt;
+  return whole;
+}
+
+// Null where ten_thousandths() gives nothing.
+char* write_round(char* to, double value) {
+  const std::optional<unsigned> whole = ten_thousandths(std::fabs(value));
+  if (!whole) return nullptr;
 
   if (std::signbit(value)) *to++ = '-';
-  const unsigned before = whole / 10000;
-  const unsigned after = whole % 10000;
+  const unsigned before = *whole / 10000;
+  const unsigned after = *whole % 10000;
   to = write_short(to, before);
   if (after == 0) return to;
 
@@ -121,29 +130,40 @@ char* write_round(char* to, double value) {
   return write_decimals(write_pair(to, after / 100), after % 100);
 }
 
-// Fixed notation, for values that are not close to the tie between two roundings, where the error
-// of one multiplication (about 1e-10 of a unit in the sixth digit) could matter. Null for other
-// values.
-char* write_common(char* to, double value) {
-  const double magnitude = std::fabs(value);
-  if (!(magnitude >= 1e-4 && magnitude < 999999.0)) return nullptr;
+// Six digits, the first of which has the weight 10^exponent.
+struct SixDigits {
+  unsigned digits = 0;
+  int exponent = 0;
+};
+
+// The digits of fixed notation, for magnitudes that are not close to the tie between two roundings,
+// where the error of one multiplication (about 1e-10 of a unit in the sixth digit) could matter.
+// Nothing for others.
+std::optional<SixDigits> six_digits(double magnitude) {
+  if (!(magnitude >= 1e-4 && magnitude < 999999.0)) return std::nullopt;
 
   int exponent = decimal_exponent(magnitude);
   const double scaled =
       magnitude * kPowersOfTen[static_cast<std::size_t>(kSignificantDigits - 1 - exponent)];
   const auto below = static_cast<unsigned>(scaled);
   const double rest = scaled - below;
-  if (std::fabs(rest - 0.5) < 1e-6) return nullptr;
+  if (std::fabs(rest - 0.5) < 1e-6) return std::nullopt;
 
   unsigned digits = below + (rest > 0.5 ? 1 : 0);
-  if (digits < 100000) return nullptr;
+  if (digits < 100000) return std::nullopt;
   if (digits == 1000000) {
     digits = 100000;
     ++exponent;
   }
+  return SixDigits{digits, exponent};
+}
 
+// Null where six_digits() gives nothing.
+char* write_common(char* to, double value) {
+  const std::optional<SixDigits> number = six_digits(std::fabs(value));
+  if (!number) return nullptr;
   if (std::signbit(value)) *to++ = '-';
-  return write_fixed(to, digits, exponent);
+  return write_fixed(to, number->digits, number->exponent);
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -215,6 +235,24 @@ char* write_g(double value, char* to) {
   return std::to_chars(to, to + kMaxNumberLength, value, std::chars_format::general,
                        kSignificantDigits)
       .ptr;
+}
+
+// A quotient of two exact numbers is rounded as parsing rounds it.
+double rounded_to_text(double value) {
+  const double magnitude = std::fabs(value);
+  if (const std::optional<unsigned> whole = ten_thousandths(magnitude)) {
+    return std::copysign(*whole / kTenThousandths, value);
+  }
+  if (const std::optional<SixDigits> number = six_digits(magnitude)) {
+    const int decimals = kSignificantDigits - 1 - number->exponent;
+    return std::copysign(number->digits / kPowersOfTen[static_cast<std::size_t>(decimals)], value);
+  }
+
+  std::array<char, kMaxNumberLength> text;
+  const char* end = write_g(value, text.data());
+  double rounded = value;
+  parse_number_prefix({text.data(), end}, rounded);
+  return rounded;
 }
 
 char* write_int(std::int64_t value, char* to) {

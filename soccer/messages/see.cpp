@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/text/rounded_number.h"
 #include "soccer/messages/sense_groups.h"
+#include "soccer/messages/values.h"
 #include "soccer/pitch.h"
 #include "soccer/protocol/observation_name.h"
 #include "soccer/protocol/scanner.h"
@@ -194,7 +196,62 @@ void append_numbers(const Observation& object, TextWriter& out) {
   if (object.mark == ActionMark::kKicked) out.append(" k");
 }
 
+// True if the numbers and marks that the text of an object has are those of its kind.
+bool has_usual_form(const Observation& object) {
+  if (!std::isfinite(object.distance) || !std::isfinite(object.distance_change) ||
+      !std::isfinite(object.direction_change)) {
+    return false;
+  }
+  const ObservedDetail detail = object.detail;
+  if (object.kind == ObservedKind::kPlayer) {
+    return detail != ObservedDetail::kMotion &&
+           !(object.pointing && detail == ObservedDetail::kDirection);
+  }
+  return detail != ObservedDetail::kPose && !object.pointing && object.mark == ActionMark::kNone;
+}
+
+// What the text of an object says of it.
+Observation as_sent(const Observation& object) {
+  Observation sent;
+  sent.kind = object.kind;
+  sent.detail = object.detail;
+  sent.direction = object.direction;
+  if (object.kind == ObservedKind::kLandmark || object.kind == ObservedKind::kLine) {
+    sent.index = object.index;
+  }
+  if (object.kind == ObservedKind::kPlayer && !object.team.empty()) {
+    sent.team = object.team;
+    sent.unum = object.unum;
+    sent.goalie = object.goalie && object.unum > 0;
+  }
+
+  if (object.detail != ObservedDetail::kDirection) {
+    sent.distance = base::rounded_to_text(object.distance);
+  }
+  if (object.detail >= ObservedDetail::kMotion) {
+    sent.distance_change = base::rounded_to_text(object.distance_change);
+    sent.direction_change = base::rounded_to_text(object.direction_change);
+  }
+  if (object.detail == ObservedDetail::kPose) {
+    sent.body = object.body;
+    sent.head = object.head;
+  }
+
+  sent.pointing = object.pointing;
+  if (object.pointing) sent.point_direction = object.point_direction;
+  if (object.mark != ActionMark::kFoulCharged) sent.mark = object.mark;
+  return sent;
+}
+
 }  // namespace
+
+bool make_as_sent(See& see) {
+  for (Observation& object : see.objects) {
+    if (!has_usual_form(object)) return false;
+    object = as_sent(object);
+  }
+  return true;
+}
 
 base::Result<void> parse(std::string_view message, See& out) {
   Scanner in(message);

@@ -1,8 +1,12 @@
 // Parsing and formatting of sense_body, in the order of the message.
 #include "soccer/messages/sense_body.h"
 
+#include <cmath>
+
 #include "base/text/enum_names.h"
+#include "base/text/rounded_number.h"
 #include "soccer/messages/sense_groups.h"
+#include "soccer/messages/values.h"
 
 namespace cls::soccer {
 namespace {
@@ -118,7 +122,28 @@ void append_collision(const SenseBody& sense, TextWriter& out) {
   out.append(separator.empty() ? "none)" : ")");
 }
 
+// False, with the numbers from there on unchanged, if one is not finite.
+template <typename... Numbers>
+bool round_to_text(Numbers&... numbers) {
+  return ((std::isfinite(numbers) && (numbers = base::rounded_to_text(numbers), true)) && ...);
+}
+
 }  // namespace
+
+bool make_as_sent(SenseBody& sense, int version) {
+  // A player that points infinitely far away has a direction that is not read.
+  const bool reads_arm = sense.arm.target_direction >= -kMaxInteger;
+  if (version < kFirstWithFoul || !reads_arm) return false;
+
+  if (sense.attention_side == Side::kNeutral) sense.attention_unum = 0;
+  sense.has_focus_point = version >= kFirstWithFocus;
+  if (!sense.has_focus_point) {
+    sense.counts.change_focus = 0;
+    sense.focus_distance = sense.focus_direction = 0.0;
+  }
+  return round_to_text(sense.stamina, sense.effort, sense.capacity, sense.speed,
+                       sense.arm.target_distance, sense.focus_distance, sense.focus_direction);
+}
 
 base::Result<void> parse(std::string_view message, SenseBody& out) {
   Scanner in(message);

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/text/number_text.h"
+#include "base/text/rounded_number.h"
 
 namespace cls::base {
 namespace {
@@ -125,6 +126,22 @@ TEST(NumberText, FormatsMillionsOfRandomValuesLikePrintf) {
     text.clear();
     append_g(value, text);
     ASSERT_EQ(text, printf_g(value)) << std::hexfloat << value;
+  }
+}
+
+TEST(NumberText, RoundsRandomValuesAsTheirText) {
+  RandomValues values;
+  std::string text;
+  for (int i = 0; i < 3000000; ++i) {
+    const double value = i % 2 == 0 ? values.next(i % 7) : -values.next(i % 7);
+    if (std::isinf(value)) continue;
+    text.clear();
+    append_g(value, text);
+    const std::optional<double> read = parse_number(text);
+    ASSERT_TRUE(read) << text;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(rounded_to_text(value)),
+              std::bit_cast<std::uint64_t>(*read))
+        << std::hexfloat << value << " " << text;
   }
 }
 

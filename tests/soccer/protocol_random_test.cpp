@@ -1,8 +1,12 @@
 // Random messages round-trip; random bytes crash no parser.
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstdint>
+#include <limits>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "soccer/commands/coach_command.h"
@@ -15,6 +19,7 @@
 #include "soccer/messages/see.h"
 #include "soccer/messages/sense_body.h"
 #include "soccer/messages/server_reply.h"
+#include "soccer/messages/values.h"
 #include "soccer/pitch.h"
 #include "tests/soccer/transcript.h"
 #include "tests/support/files.h"
@@ -237,6 +242,122 @@ TEST(ProtocolRandom, MessagesRoundTrip) {
                       [&](const Hear& one, std::string& out) { format(one, recipient, out); });
     if (HasFatalFailure()) return;
   }
+}
+
+// Bits, because -0 and 0 are equal.
+std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+auto fields(const Observation& object) {
+  return std::tuple(object.kind, object.detail, object.index, object.unum, object.goalie,
+                    object.pointing, object.mark, object.direction, object.body, object.head,
+                    object.point_direction, object.team.view(), bits(object.distance),
+                    bits(object.distance_change), bits(object.direction_change));
+}
+
+auto fields(const CommandCounts& counts) {
+  return std::tuple(counts.kick, counts.dash, counts.turn, counts.say, counts.turn_neck,
+                    counts.catches, counts.move, counts.change_view, counts.change_focus);
+}
+
+auto fields(const ArmState& arm) {
+  return std::tuple(arm.movable_in, arm.expires_in, bits(arm.target_distance), arm.target_direction,
+                    arm.count);
+}
+
+auto fields(const SenseBody& sense) {
+  return std::tuple(sense.time, sense.quality, sense.width, bits(sense.stamina), bits(sense.effort),
+                    bits(sense.capacity), bits(sense.speed), sense.speed_direction,
+                    sense.head_angle, fields(sense.counts), fields(sense.arm), sense.attention_side,
+                    sense.attention_unum, sense.attention_count, sense.tackle_expires_in,
+                    sense.tackle_count, sense.collided_with_ball, sense.collided_with_player,
+                    sense.collided_with_post, sense.foul_charged, sense.card, sense.has_focus_point,
+                    bits(sense.focus_distance), bits(sense.focus_direction));
+}
+
+// What passes a channel as values.
+template <typename Message>
+Message through_bytes(const Message& message) {
+  std::string bytes;
+  write_values(message, bytes);
+  Message read;
+  EXPECT_TRUE(read_values(bytes, read));
+  return read;
+}
+
+// Of any form: the text of some has another one or does not parse.
+See any_see(Dice& dice) {
+  See see;
+  see.time = dice.integer(0, 6000);
+  for (int k = dice.integer(0, 81); k > 0; --k) {
+    Observation object = random_object(dice);
+    if (dice.integer(0, 500) == 0) object.pointing = true;
+    if (dice.integer(0, 500) == 0) object.detail = static_cast<ObservedDetail>(dice.integer(0, 3));
+    if (dice.integer(0, 50) == 0) object.mark = static_cast<ActionMark>(dice.integer(0, 3));
+    if (dice.integer(0, 9) == 0) object.goalie = true;
+    if (dice.flip()) object.distance = dice.number() * dice.number();
+    if (dice.flip()) object.direction_change = dice.number() * dice.number();
+    see.objects.push_back(object);
+  }
+  return see;
+}
+
+TEST(ProtocolRandom, ValuesOfSeeAreThoseOfItsText) {
+  Dice dice;
+  int sent = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const See see = any_see(dice);
+    std::string text;
+    format(see, text);
+    See from_text;
+    const bool parsed = parse(text, from_text).ok();
+
+    See values = see;
+    if (!make_as_sent(values)) {  // goes as text, which is the same
+      std::string again;
+      format(values, again);
+      ASSERT_EQ(again, text);
+      continue;
+    }
+    ASSERT_TRUE(parsed) << text;
+    ++sent;
+    values = through_bytes(values);
+    ASSERT_EQ(values.time, from_text.time);
+    ASSERT_EQ(values.objects.size(), from_text.objects.size());
+    for (std::size_t k = 0; k < values.objects.size(); ++k) {
+      ASSERT_EQ(fields(values.objects[k]), fields(from_text.objects[k])) << k << ": " << text;
+    }
+  }
+  EXPECT_GT(sent, 2000);
+  EXPECT_LT(sent, 5000);
+}
+
+TEST(ProtocolRandom, ValuesOfSenseBodyAreThoseOfItsText) {
+  Dice dice;
+  for (int i = 0; i < 20000; ++i) {
+    const int version = dice.integer(8, 19);
+    SenseBody sense = random_sense(dice);
+    if (dice.flip()) sense.stamina = dice.number() * dice.number();
+    if (dice.flip()) sense.attention_unum = dice.unum();
+    if (dice.integer(0, 9) == 0) sense.arm.target_direction = std::numeric_limits<int>::min();
+    std::string text;
+    format(sense, version, text);
+    SenseBody from_text;
+    const bool parsed = parse(text, from_text).ok();
+
+    SenseBody values = sense;
+    const bool made = make_as_sent(values, version);
+    ASSERT_EQ(made, parsed) << text;
+    if (!made) continue;
+    ASSERT_EQ(fields(through_bytes(values)), fields(from_text)) << text;
+  }
+}
+
+TEST(ProtocolRandom, TextIsNotReadAsValues) {
+  See see;
+  SenseBody sense;
+  EXPECT_FALSE(read_values("(see 0)", see));
+  EXPECT_FALSE(read_values("(see 0 ((b) 1 2))", see));
+  EXPECT_FALSE(read_values("(sense_body 0 (view_mode high normal)", sense));
 }
 
 PlayerCommand random_command(Dice& dice) {
