@@ -10,6 +10,7 @@
 #include "simulator/senses/body_sense.h"
 #include "simulator/sessions/connection.h"
 #include "soccer/memory_channel.h"
+#include "soccer/messages/values.h"
 
 namespace cls::training {
 namespace {
@@ -50,9 +51,13 @@ void hear_players(simulator::World& world, simulator::Slot slot, Perceiver& agen
 
 void sense(const simulator::World& world, simulator::Slot slot, Perceiver& agent,
            SenseBuffers& buffers) {
-  buffers.text.clear();
-  format(sense_body(world, slot), world.player(slot).client_version, buffers.text);
-  read(buffers.text, buffers.sense_body);
+  const int version = world.player(slot).client_version;
+  buffers.sense_body = sense_body(world, slot);
+  if (!make_as_sent(buffers.sense_body, version)) {
+    buffers.text.clear();
+    format(buffers.sense_body, version, buffers.text);
+    read(buffers.text, buffers.sense_body);
+  }
   on_sense_body(agent.world, buffers.sense_body);
 }
 
@@ -60,9 +65,11 @@ void look(const simulator::VisionModel& vision, const simulator::World& world, s
           Perceiver& agent, SenseBuffers& buffers) {
   simulator::RandomStream noise = simulator::clock_stream(world, "see", slot);
   see(vision, world, slot, noise, buffers.see);
-  buffers.text.clear();
-  format(buffers.see, buffers.text);
-  read(buffers.text, buffers.see);
+  if (!make_as_sent(buffers.see)) {
+    buffers.text.clear();
+    format(buffers.see, buffers.text);
+    read(buffers.text, buffers.see);
+  }
   on_see(agent.world, buffers.see);
   agent.see_rounds = 0;
 }

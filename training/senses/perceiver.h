@@ -47,8 +47,8 @@ void begin_perception(const simulator::VisionModel& vision, const simulator::Wor
                       SenseBuffers& buffers);
 
 /// The messages that MatchServer sends between a step and the decision: referee messages among
-/// `events`, sense_body, what players said (agent.said), and see where one is due. Each is
-/// formatted and parsed, because numbers are rounded on the way. Then completes the world model.
+/// `events`, sense_body, what players said (agent.said), and see where one is due, with the numbers
+/// and details of their text. Then completes the world model.
 /// Uses up hearing capacity. Does not allocate after the first cycles.
 void perceive(const simulator::VisionModel& vision, simulator::World& world,
               const simulator::Events& events, simulator::Slot slot, Perceiver& agent,
