@@ -2,11 +2,6 @@
 #include "proto/status_name.h"
 
 namespace cls::proto {
-namespace {
-
-constexpr std::size_t kUnknown = 2;
-
-}  // namespace
 
 const std::vector<std::string_view>& status_names() {
   static const std::vector<std::string_view> names = {"OK",
@@ -31,7 +26,7 @@ const std::vector<std::string_view>& status_names() {
 
 std::string_view status_name(int code) {
   const auto index = static_cast<std::size_t>(code);
-  return status_names()[code >= 0 && index < status_names().size() ? index : kUnknown];
+  return status_names()[code >= 0 && index < status_names().size() ? index : kStatusUnknown];
 }
 
 }  // namespace cls::proto

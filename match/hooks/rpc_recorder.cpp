@@ -7,13 +7,12 @@
 #include <algorithm>
 
 #include "match/saved/saved_match.h"
+#include "proto/status_name.h"
 
 namespace cls::match {
 namespace {
 
 using base::Error;
-
-constexpr int kUnknownStatus = 2;  // gRPC's UNKNOWN
 
 // Without this, each process writes the entries of maps in another order.
 void write_deterministically(const google::protobuf::Message& message, std::string& bytes) {
@@ -54,7 +53,7 @@ void CallsOfSide::on_call(const proxy::RpcCall& call) {
   recorded.set_status(call.status.code);
   if (!call.status.ok()) {
     // An exceeded deadline has no status of the Playmaker.
-    if (call.status.code == 0) recorded.set_status(kUnknownStatus);
+    if (call.status.code == 0) recorded.set_status(proto::kStatusUnknown);
     recorded.set_message(call.status.message);
   }
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/index.h"
+#include "proto/status_name.h"
 
 namespace cls::proxy {
 namespace {
@@ -29,9 +30,6 @@ class StopWatch {
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-// In a recording: of a reply without a gRPC status of its own.
-constexpr int kUnknownStatus = 2;
 
 // Playmakers of the first interface assign no client_id.
 constexpr int kNoClientId = 0;
@@ -320,7 +318,8 @@ void Team::count_error(const Reply& reply, const Agent& agent,
   if (is_decision(reply.rpc) || reply.rpc == proto::Rpc::kGetBestPlannerAction) {
     error.calls = client_of(reply.agent).recorded_handshake(agent.identity());
     recording::RecordedCall call = record_call(reply.agent, reply.rpc, 1, request);
-    call.set_status(reply.status.code != 0 ? reply.status.code : kUnknownStatus);
+    // A reply that does not parse has no gRPC status of its own.
+    call.set_status(reply.status.code != 0 ? reply.status.code : proto::kStatusUnknown);
     call.set_message(reply.status.message);
     error.calls.push_back(std::move(call));
   }

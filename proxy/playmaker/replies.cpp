@@ -2,9 +2,10 @@
 #include "proxy/playmaker/replies.h"
 
 #include <fmt/format.h>
-#include <grpc/impl/codegen/status.h>
 
 #include <utility>
+
+#include "proto/status_name.h"
 
 namespace cls::proxy {
 
@@ -41,7 +42,7 @@ Reply failed_reply(int agent, Rpc rpc, RpcStatus status) {
 }
 
 Reply cancelled_reply(int agent, Rpc rpc) {
-  return failed_reply(agent, rpc, {RpcOutcome::kCancelled, GRPC_STATUS_CANCELLED, "cancelled"});
+  return failed_reply(agent, rpc, {RpcOutcome::kCancelled, proto::kStatusCancelled, "cancelled"});
 }
 
 }  // namespace cls::proxy

@@ -2,23 +2,24 @@
 #include "proxy/playmaker/rpc_status.h"
 
 #include <fmt/format.h>
-#include <grpc/impl/codegen/status.h>
+
+#include "proto/status_name.h"
 
 namespace cls::proxy {
 namespace {
 
 RpcOutcome outcome_of(proto::Rpc rpc, int code) {
   switch (code) {
-    case GRPC_STATUS_OK:
+    case proto::kStatusOk:
       return RpcOutcome::kOk;
-    case GRPC_STATUS_DEADLINE_EXCEEDED:
+    case proto::kStatusDeadlineExceeded:
       return RpcOutcome::kDeadline;
-    case GRPC_STATUS_UNAVAILABLE:
+    case proto::kStatusUnavailable:
       return RpcOutcome::kUnavailable;
-    case GRPC_STATUS_CANCELLED:
+    case proto::kStatusCancelled:
       // A server that stops cancels the calls that it has taken: the next one may register.
       return is_registration(rpc) ? RpcOutcome::kUnavailable : RpcOutcome::kError;
-    case GRPC_STATUS_UNIMPLEMENTED:
+    case proto::kStatusUnimplemented:
       return RpcOutcome::kUnimplemented;
     default:
       return RpcOutcome::kError;

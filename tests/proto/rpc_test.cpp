@@ -1,9 +1,11 @@
 // The RPC table against playmaker.proto.
 #include "proto/rpc.h"
 
+#include <grpc/impl/codegen/status.h>
 #include <gtest/gtest.h>
 
 #include "proto/playmaker.pb.h"
+#include "proto/status_name.h"
 
 namespace cls::proto {
 namespace {
@@ -21,6 +23,17 @@ TEST(Rpc, NamesFollowOrderOfEnumeration) {
   EXPECT_EQ(rpc_from_name("UnregisterTeam"), Rpc::kUnregisterTeam);
   EXPECT_EQ(path(Rpc::kRegister), "/protos.Game/Register");
   EXPECT_EQ(path(Rpc::kGetTeamActions), "/cls.playmaker.v1.TeamPlaymaker/GetTeamActions");
+}
+
+TEST(StatusName, HasTheCodesOfGrpc) {
+  EXPECT_EQ(kStatusOk, GRPC_STATUS_OK);
+  EXPECT_EQ(kStatusCancelled, GRPC_STATUS_CANCELLED);
+  EXPECT_EQ(kStatusUnknown, GRPC_STATUS_UNKNOWN);
+  EXPECT_EQ(kStatusDeadlineExceeded, GRPC_STATUS_DEADLINE_EXCEEDED);
+  EXPECT_EQ(kStatusUnimplemented, GRPC_STATUS_UNIMPLEMENTED);
+  EXPECT_EQ(kStatusUnavailable, GRPC_STATUS_UNAVAILABLE);
+  EXPECT_EQ(status_name(kStatusUnavailable), "UNAVAILABLE");
+  EXPECT_EQ(status_name(99), "UNKNOWN");
 }
 
 TEST(Rpc, PrototypesHaveTypesOfInterface) {
