@@ -17,6 +17,8 @@
 #include "match/terms/run_command.h"
 #include "mock-server/mock.h"
 #include "proto/rpc.h"
+#include "soccer/protocol/team_name.h"
+#include "soccer/protocol/team_names.h"
 
 namespace cls::match {
 namespace {
@@ -24,15 +26,11 @@ namespace {
 using base::Error;
 using base::Result;
 
-constexpr std::size_t kMaxTeamName = 15;
 constexpr int kMaxPort = 65535;
 constexpr std::size_t kMaxSocketPath = 107;
 constexpr std::string_view kPlannerForm = "planner:";
 constexpr std::string_view kEachForm = "each:";
 constexpr int kMaxPortStep = 13;
-
-constexpr std::string_view kTeamCharacters =
-    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_+";
 
 Error wrong(std::string_view side, std::string_view what) {
   return Error{fmt::format("side '{}': {}", side, what)};
@@ -178,12 +176,12 @@ std::string name_of_teams(const Endpoint& endpoint) {
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
 
-  const std::size_t share = (kMaxTeamName + 1) / names.size() - 1;
+  const std::size_t share = (soccer::TeamName::kMaxSize + 1) / names.size() - 1;
   std::string text;
   for (const std::string& name : names) {
     text += (text.empty() ? "" : "+") + name.substr(0, std::max<std::size_t>(share, 1));
   }
-  return text.substr(0, kMaxTeamName);
+  return text.substr(0, soccer::TeamName::kMaxSize);
 }
 
 Result<Endpoint> parse_with_planner(std::string_view text) {
@@ -323,28 +321,13 @@ std::string missing_file(const Endpoint& endpoint) {
 }
 
 std::string default_team_name(const Endpoint& endpoint) {
-  const std::string source = described_team(endpoint);
-  std::string name;
-  for (const char c : source) name += kTeamCharacters.find(c) != std::string_view::npos ? c : '_';
-  if (name.size() > kMaxTeamName) name = name.substr(name.size() - kMaxTeamName);
-  return name.empty() ? "team" : name;
+  return soccer::team_name_from(described_team(endpoint));
 }
 
-Result<std::string> check_team_name(std::string_view name) {
-  if (name.empty()) return Error{"a team name must not be empty"};
-  if (name.size() > kMaxTeamName) {
-    return Error{fmt::format("team name '{}' is longer than {} characters", name, kMaxTeamName)};
-  }
-  if (name.find_first_not_of(kTeamCharacters) != std::string_view::npos) {
-    return Error{fmt::format("team name '{}': only letters, digits, '-', '+' and '_'", name)};
-  }
-  return std::string(name);
-}
+Result<std::string> check_team_name(std::string_view name) { return soccer::check_team_name(name); }
 
 TeamNames distinct_names(std::string left, std::string right) {
-  if (left != right) return {std::move(left), std::move(right)};
-  const std::string stem = left.substr(0, kMaxTeamName - 2);
-  return {stem + "_l", stem + "_r"};
+  return soccer::distinct_names(std::move(left), std::move(right));
 }
 
 }  // namespace cls::match

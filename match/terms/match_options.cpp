@@ -15,7 +15,7 @@
 #include "mock-server/mock.h"
 #include "mock-server/script/named_behaviors.h"
 #include "simulator/server/lockstep_server.h"
-#include "soccer/parameters/server_setting.h"
+#include "soccer/parameters/match_parameters.h"
 
 namespace cls::match {
 
@@ -36,12 +36,7 @@ Result<Sandbox> parse_sandbox(std::string_view text) {
       fmt::format("--sandbox '{}': must be {}", text, fmt::join(kSandboxes.texts, " or "))};
 }
 
-soccer::ServerParams match_server_params() {
-  soccer::ServerParams params;
-  params.nr_extra_halfs = 0;
-  params.penalty_shoot_outs = false;
-  return params;
-}
+soccer::ServerParams match_server_params() { return soccer::match_server_params(); }
 
 const Endpoint& endpoint_of(const MatchOptions& options, soccer::Side side) {
   if (side == soccer::Side::kNeutral) return *options.trainer;
@@ -57,20 +52,7 @@ bool has_external_team(const MatchOptions& options) {
 }
 
 Result<void> apply_setting(MatchOptions& options, std::string_view setting) {
-  const std::size_t colons = setting.find("::");
-  const std::size_t equals = setting.find('=');
-  if (colons == std::string_view::npos || equals == std::string_view::npos || equals < colons) {
-    return Error{fmt::format("'{}' must be server::NAME=VALUE or player::NAME=VALUE", setting)};
-  }
-
-  const std::string_view module = setting.substr(0, colons);
-  const std::string_view name = setting.substr(colons + 2, equals - colons - 2);
-  const std::string_view value = setting.substr(equals + 1);
-  if (module == "server") return soccer::set_server_parameter(options.server, name, value);
-  if (module == "player") {
-    return set_parameter(options.player, soccer::player_param_table(), name, value);
-  }
-  return Error{fmt::format("'{}': unknown module '{}'; must be server or player", setting, module)};
+  return soccer::apply_setting(options.server, options.player, setting);
 }
 
 soccer::ServerParams server_params(const MatchOptions& options) {
