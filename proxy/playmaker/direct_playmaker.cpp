@@ -17,7 +17,7 @@ using proto::Rpc;
 
 class DirectPlaymaker : public Playmaker {
  public:
-  explicit DirectPlaymaker(DirectHandler handler) : handler_(std::move(handler)) {}
+  explicit DirectPlaymaker(FallibleHandler handler) : handler_(std::move(handler)) {}
 
   void begin(int agent, Rpc rpc, const Message& request, RpcTimeout /*timeout*/,
              bool /*wait_for_ready*/) override {
@@ -52,16 +52,14 @@ class DirectPlaymaker : public Playmaker {
   Reply reply_to(int agent, Rpc rpc, const Message& request) {
     const auto started = std::chrono::steady_clock::now();
     Message& message = memories_.at(base::index(agent)).create(rpc);
-    handler_(rpc, request, message);
-
-    Reply reply = empty_reply(agent, rpc);
-    reply.message = &message;
+    Reply reply = failed_reply(agent, rpc, handler_(rpc, request, message));
+    if (reply.status.ok()) reply.message = &message;
     reply.latency = std::chrono::duration_cast<std::chrono::microseconds>(
         std::chrono::steady_clock::now() - started);
     return reply;
   }
 
-  DirectHandler handler_;
+  FallibleHandler handler_;
   std::array<ReplyMemory, kAgentNumbers> memories_;
   std::vector<Reply> replies_;  // in the order of the calls; those before `returned_` are taken
   std::size_t returned_ = 0;
@@ -71,6 +69,14 @@ class DirectPlaymaker : public Playmaker {
 }  // namespace
 
 std::unique_ptr<Playmaker> make_direct_playmaker(DirectHandler handler) {
+  return make_fallible_playmaker(
+      [handler = std::move(handler)](Rpc rpc, const Message& request, Message& reply) {
+        handler(rpc, request, reply);
+        return RpcStatus{};
+      });
+}
+
+std::unique_ptr<Playmaker> make_fallible_playmaker(FallibleHandler handler) {
   return std::make_unique<DirectPlaymaker>(std::move(handler));
 }
 

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <optional>
 
+#include "proto/status_name.h"
+
 namespace cls::proxy {
 namespace {
 
@@ -56,6 +58,28 @@ TEST(DirectPlaymaker, RepliesToRequestsAsTheyWereInTheOrderOfTheCalls) {
   EXPECT_EQ(dash_power(*third), 70.0F);
   EXPECT_FALSE(playmaker->next_reply());
   EXPECT_FALSE(playmaker->take_connection_loss(7));
+}
+
+TEST(DirectPlaymaker, RepliesWithTheStatusOfAHandlerThatFails) {
+  const auto playmaker =
+      make_fallible_playmaker([](Rpc rpc, const Message& request, Message& reply) -> RpcStatus {
+        echo(rpc, request, reply);
+        const int number =
+            static_cast<const protos::State&>(request).register_response().uniform_number();
+        return number == 3 ? rpc_status(rpc, proto::kStatusUnknown, "division by zero")
+                           : RpcStatus{};
+      });
+  for (const int agent : {3, 4}) {
+    playmaker->begin(agent, Rpc::kGetPlayerActions, state_of(agent), kNoTimeout);
+  }
+
+  const std::optional<Reply> failed = playmaker->next_reply();
+  const std::optional<Reply> good = playmaker->next_reply();
+  ASSERT_TRUE(failed && good);
+  EXPECT_EQ(failed->status.outcome, RpcOutcome::kError);
+  EXPECT_EQ(failed->status.message, "GetPlayerActions: division by zero");
+  EXPECT_EQ(failed->message, nullptr);
+  EXPECT_EQ(dash_power(*good), 4.0F);
 }
 
 TEST(DirectPlaymaker, FailsCallsAfterCancelExceptBye) {
