@@ -15,7 +15,7 @@
 #include "gamelog/rcl/rcl_reader.h"
 #include "gamelog/record/match_record.h"
 #include "viewer/page/match_page.h"
-#include "viewer/stream/chunk_writer.h"
+#include "viewer/stream/growing_stream.h"
 
 namespace cls::viewer {
 namespace {
@@ -41,46 +41,29 @@ class Publisher {
       : record_(record), feed_(feed), statistics_interval_(statistics_interval) {}
 
   void publish() {
-    if (record_.frames() == writer_.frames()) return;
-
     std::string bytes;
-    append_header(bytes);
-    writer_.append_frames(record_, record_.frames(), bytes);
+    if (!stream_.append_new(bytes)) return;
 
     const auto now = std::chrono::steady_clock::now();
     if (now - counted_ >= statistics_interval_) {
       counted_ = now;
-      writer_.append_statistics(match_statistics(record_, nullptr, ""), bytes);
+      stream_.append_statistics(match_statistics(record_, nullptr, ""), bytes);
     }
     feed_.append(bytes);
   }
 
   void end(const gamelog::RclRecord* text) {
-    publish();
     std::string bytes;
-    append_header(bytes);
-    if (record_.frames() > 0) {
-      writer_.append_statistics(match_statistics(record_, text, ""), bytes);
-    }
-    writer_.append_end(record_, bytes);
+    stream_.append_end(record_.frames() > 0 ? match_statistics(record_, text, "") : "", bytes);
     feed_.append(bytes);
   }
 
  private:
-  // Parameters and player types come before the first frame, and rarely again.
-  void append_header(std::string& bytes) {
-    const std::size_t parts = 1 + record_.parameter_lines.size() + record_.types.size();
-    if (parts == header_parts_) return;
-    header_parts_ = parts;
-    writer_.append_header(record_, bytes);
-  }
-
   const gamelog::MatchRecord& record_;
   LiveFeed& feed_;
   std::chrono::milliseconds statistics_interval_;
   std::chrono::steady_clock::time_point counted_ = std::chrono::steady_clock::now();
-  ChunkWriter writer_{StreamForm{.compact = false, .live = true}};
-  std::size_t header_parts_ = 0;
+  GrowingStream stream_{record_};
 };
 
 class WaitingSource : public base::ByteSource {
