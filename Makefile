@@ -15,7 +15,7 @@ INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tes
 INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server|process)$$
 FUZZERS = protocol rcg rcl session view agent compression user_file training table
 
-.PHONY: help build test slow-test full languages web-test site pictures bench asan tsan asan-input fuzz chaos same-bytes install package wheel dist format format-check lint clean
+.PHONY: help build test slow-test full languages web-test playground site pictures bench asan tsan asan-input fuzz chaos same-bytes install package wheel dist format format-check lint clean
 
 help:
 	@echo 'make build         release build in build/'
@@ -24,6 +24,7 @@ help:
 	@echo 'make full          long forms: 20 whole matches, packages, all tests under ASan, UBSan and TSan'
 	@echo 'make languages     teams and projects of every language at length: all templates, the tutorial'
 	@echo 'make web-test      the replay page in Chromium (needs node 18, npm, chromium)'
+	@echo 'make playground    the engine for browsers and Node, build-playground/bin/cls.wasm (needs emscripten)'
 	@echo 'make site          the documentation as a site with search, in build/site/ (needs mkdocs)'
 	@echo 'make pictures      every picture of README and docs (after make web-test)'
 	@echo 'make bench         benchmarks and matches, beside CLS_BENCH_BASE if set (libbenchmark-dev)'
@@ -75,6 +76,10 @@ pictures: build
 web-test:
 	@tests/viewer/web/run
 	@CLS_NEED_BROWSER=1 tests/viewer/browser/run
+
+# Quarter of an hour on two cores; later only what has changed.
+playground:
+	@playground/build -j $(JOBS)
 
 bench:
 	@cmake --preset release -DCLS_BUILD_BENCH=ON
@@ -143,4 +148,4 @@ lint:
 	    xargs -P $(JOBS) -n 1 clang-tidy -p build-lint --quiet; fi
 
 clean:
-	rm -rf build build-debug build-asan build-tsan build-fuzz build-lint
+	rm -rf build build-debug build-asan build-tsan build-fuzz build-lint build-playground

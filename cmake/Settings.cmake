@@ -21,11 +21,17 @@ add_compile_options(-ffp-contract=off)
 add_compile_options("$<$<CONFIG:RelWithDebInfo,Release>:-ffile-prefix-map=${CMAKE_SOURCE_DIR}/=>")
 
 # One compilation serves the programs and libcls_training.so. Code of a program stays as fast: hidden
-# functions are inlined and called directly, as without -fPIC.
-add_compile_options(-fPIC -fvisibility=hidden -fvisibility-inlines-hidden)
+# functions are inlined and called directly, as without -fPIC. WebAssembly has neither shared libraries
+# nor, in a page without special headers, threads.
+if(NOT EMSCRIPTEN)
+  add_compile_options(-fPIC)
+endif()
+add_compile_options(-fvisibility=hidden -fvisibility-inlines-hidden)
 
 # Everywhere, not only where a library asks for it: precompiled headers want equal flags.
-add_compile_options(-pthread)
+if(NOT EMSCRIPTEN)
+  add_compile_options(-pthread)
+endif()
 
 # Precompiled headers make every compilation uncacheable unless ccache may trust them; -fpch-preprocess
 # (GCC) and -fno-pch-timestamp (Clang) are what its manual demands. The base folder lets another clone

@@ -3,14 +3,19 @@
 option(CLS_UNITY "compile several sources as one where a library allows it" OFF)
 
 # cls_library(<target> SOURCES <files...> LINK <targets...> [PCH <name>] [COLD [HOT <files...>]]
-#   [UNITY [ALONE <files...>]])
+#   [UNITY [ALONE <files...>]] [NATIVE <regular expressions...>])
 # The static library of a folder. LINK states what the folder may include (and libraries that its
 # headers or sources use). PCH names precompiled headers (cmake/PrecompiledHeaders.cmake). COLD code,
 # in which no match spends its time, is optimized less, but for its files that are HOT: there the
-# optimizer takes a third of the time of a build. UNITY and ALONE: see cls_unity().
+# optimizer takes a third of the time of a build. UNITY and ALONE: see cls_unity(). NATIVE are files
+# that need sockets, threads, gRPC or what else browsers lack: a build for WebAssembly leaves them out,
+# and the libraries that it does not have.
 function(cls_library target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "COLD;UNITY" "PCH"
-    "SOURCES;LINK;ALONE;HOT")
+    "SOURCES;LINK;ALONE;HOT;NATIVE")
+  if(EMSCRIPTEN)
+    cls_without_native()
+  endif()
   add_library(${target} STATIC ${arg_SOURCES})
   target_include_directories(${target} PUBLIC "${CMAKE_SOURCE_DIR}")
   target_link_libraries(${target} PUBLIC ${arg_LINK} PRIVATE cls_warnings)
@@ -26,6 +31,17 @@ function(cls_library target)
     cls_unity(${target} ${arg_ALONE})
   endif()
 endfunction()
+
+macro(cls_without_native)
+  foreach(pattern IN LISTS arg_NATIVE)
+    list(FILTER arg_SOURCES EXCLUDE REGEX "${pattern}")
+  endforeach()
+  foreach(library IN LISTS arg_LINK)
+    if(NOT TARGET ${library})
+      list(REMOVE_ITEM arg_LINK ${library})
+    endif()
+  endforeach()
+endmacro()
 
 # Compiles the sources in batches, because most time goes into headers and templates that they share:
 # half of it for libraries and tests alike. Files that are ALONE repeat names of others in their

@@ -12,7 +12,10 @@ bool same_columns(const std::vector<StreamColumn>& a, const std::vector<StreamCo
   const auto form = [](const StreamColumn& column) {
     return std::tuple(column.spec, column.coding, column.series, column.scale, column.of);
   };
-  return std::ranges::equal(a, b, {}, form, form);
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&form](const StreamColumn& one, const StreamColumn& other) {
+                      return form(one) == form(other);
+                    });
 }
 
 }  // namespace
