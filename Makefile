@@ -15,7 +15,7 @@ INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tes
 INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server|process)$$
 FUZZERS = protocol rcg rcl session view agent compression user_file training table
 
-.PHONY: help build test slow-test full languages web-test playground site pictures bench asan tsan asan-input fuzz chaos same-bytes install package wheel dist format format-check lint clean
+.PHONY: help build test slow-test full languages web-test playground npm site pictures bench asan tsan asan-input fuzz chaos same-bytes install package wheel dist format format-check lint clean
 
 help:
 	@echo 'make build         release build in build/'
@@ -25,6 +25,7 @@ help:
 	@echo 'make languages     teams and projects of every language at length: all templates, the tutorial'
 	@echo 'make web-test      the replay page in Chromium (needs node 18, npm, chromium)'
 	@echo 'make playground    the engine for browsers and Node, build-playground/bin/cls.wasm (needs emscripten)'
+	@echo 'make npm           the npm package cls-match, in build-playground/ (needs node, npm)'
 	@echo 'make site          the documentation as a site with search, in build/site/ (needs mkdocs)'
 	@echo 'make pictures      every picture of README and docs (after make web-test)'
 	@echo 'make bench         benchmarks and matches, beside CLS_BENCH_BASE if set (libbenchmark-dev)'
@@ -80,6 +81,9 @@ web-test:
 # Quarter of an hour on two cores; later only what has changed.
 playground:
 	@playground/build -j $(JOBS)
+
+npm: playground
+	@playground/pack
 
 bench:
 	@cmake --preset release -DCLS_BUILD_BENCH=ON
