@@ -91,6 +91,7 @@ bench:
 	@build/bin/cls_bench --benchmark_filter=-rpc_ceiling
 	@bench/training.py
 	@bench/matches.py
+	@if command -v node >/dev/null; then bench/engine.mjs; fi
 
 asan tsan:
 	@cmake --preset $@
