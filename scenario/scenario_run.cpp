@@ -2,9 +2,12 @@
 #include "scenario/scenario_run.h"
 
 #include <chrono>
+#include <string>
+#include <utility>
 
 #include "base/io/byte_sink.h"
 #include "match/match_setup.h"
+#include "match/programs/team_sandbox.h"
 #include "match/terms/match_options.h"
 #include "match/terms/option_table.h"
 #include "scenario/scenario_recorder.h"
@@ -28,6 +31,7 @@ match::MatchOptions match_options(const Scenario& scenario, const RunSettings& s
   options.server = scenario.server;
   options.player = scenario.player;
   options.sandbox = settings.sandbox;
+  options.sandbox_playmakers = settings.sandbox_playmakers;
 
   // A team starts 11 programs in sequence, possibly on a busy host.
   constexpr double kTimeToJoin = 60.0;
@@ -43,6 +47,9 @@ base::Result<RunRecord> run_scenario(const Scenario& scenario, const RunSettings
                                      const std::atomic<int>& stop_signal) {
   const auto start = std::chrono::steady_clock::now();
   const match::MatchOptions options = match_options(scenario, settings);
+  if (std::string why = match::refused_without_namespaces(options); !why.empty()) {
+    return base::Error{std::move(why)};
+  }
   const match::TeamNames names{"left", "right"};
   base::StringSink game_log;
   base::StringSink text_log;

@@ -20,6 +20,7 @@ struct RunSettings {
   std::filesystem::path folder;
   std::optional<double> start_timeout_s;         ///< none: that of matches
   match::Sandbox sandbox = match::Sandbox::kOn;  ///< as of matches
+  bool sandbox_playmakers = false;               ///< the same
 };
 
 /// Plays the run. A failed run has a record too (see its result's end reason); an error means that

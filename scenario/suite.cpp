@@ -180,7 +180,8 @@ class SuiteRun {
         .host = host_,
         .folder = fs::absolute(run_folder(options_.folder, scenario, task.seed)),
         .start_timeout_s = options_.start_timeout_s,
-        .sandbox = options_.sandbox};
+        .sandbox = options_.sandbox,
+        .sandbox_playmakers = options_.sandbox_playmakers};
     if (host_ != nullptr) {
       if (const auto created = base::create_folders(settings.folder); !created) {
         outcome.problem = created.error().message;

@@ -20,6 +20,7 @@ struct SuiteOptions {
   std::optional<match::Endpoint> against;
   std::string against_text;                      ///< for the command that reruns a seed
   match::Sandbox sandbox = match::Sandbox::kOn;  ///< of external teams, as in matches
+  bool sandbox_playmakers = false;               ///< of `run:` sides, as in matches
   std::optional<double> start_timeout_s;         ///< none: that of matches
   std::filesystem::path
       folder;  ///< logs and pages of failed runs; created on demand, cleared when they pass

@@ -29,6 +29,7 @@ struct TestArguments {
   std::optional<double> start_timeout_s;
   bool list = false;
   std::string sandbox = "true";
+  bool sandbox_playmakers = false;
   bool accept_golden = false;
   bool quiet = false;
   bool force = false;

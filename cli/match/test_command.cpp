@@ -137,6 +137,7 @@ int resolve(const TestArguments& arguments, SuiteOptions& options) {
   options.seed = arguments.seed;
   options.folder = arguments.folder;
   if (const auto sandbox = match::parse_sandbox(arguments.sandbox)) options.sandbox = *sandbox;
+  options.sandbox_playmakers = arguments.sandbox_playmakers;
   options.start_timeout_s = start_timeout(arguments);
   options.jobs = arguments.jobs;
   if (options.jobs == 0) options.jobs = static_cast<int>(base::default_jobs());
@@ -300,6 +301,7 @@ void add_test_command(Command& app) {
       .of_group(kLimitsGroup)
       .above(0);
   add_match_option(command, "sandbox", a.sandbox);
+  add_match_option(command, "sandbox_playmakers", a.sandbox_playmakers);
   add_tls_options(command, a.tls);
   command.flag("--strict", a.strict, "fail (exit 1) on any skipped scenario")
       .of_group(kOutputGroup);

@@ -181,6 +181,36 @@ TEST_F(SandboxedPlaymaker, IsRefusedWhereThereAreNoNamespaces) {
   EXPECT_THAT(run(joined(container, words("mock:hold", strict, "match"))), Exits(0, ""));
 }
 
+// In scenarios as in matches; the verdict of this one does not matter.
+TEST_F(SandboxedPlaymaker, PlaysScenarios) {
+  const std::string side =
+      "run:(cat ../others/secret || echo closed) > secret; " + std::string(kPlain);
+  const std::vector<std::string> words = {"sh",
+                                          "-c",
+                                          "cd \"$0\" && exec \"$@\"",
+                                          path("own"),
+                                          cls_binary(),
+                                          "test",
+                                          "team_goalie_catches",
+                                          "--against",
+                                          side,
+                                          "--seed",
+                                          "1",
+                                          "--dir",
+                                          path("runs")};
+  run(words, environment());
+  EXPECT_EQ(file("own/secret"), "our tactics\n");
+  const CommandResult played = run(joined(words, {"--sandbox-playmakers"}), environment());
+  EXPECT_EQ(file("own/secret"), "closed\n") << played.out << played.err;
+
+  const std::vector<std::string> container = {
+      "unshare", "--user", "--map-root-user",
+      "sh",      "-c",     "echo 0 > /proc/sys/user/max_net_namespaces; exec \"$@\"",
+      "sh"};
+  EXPECT_THAT(run(joined(container, joined(words, {"--sandbox-playmakers"}))).out,
+              HasSubstr("--sandbox-playmakers needs namespaces: this host cannot make them"));
+}
+
 TEST_F(SandboxedPlaymaker, PlaysAProjectInPython) {
   if (python_with_grpc().empty()) GTEST_SKIP() << "no Python with grpc: install python3-grpcio";
   ASSERT_THAT(run({"sh", "-c", "cd \"$0\" && exec \"$@\"", path("own").parent_path(), cls_binary(),
