@@ -37,7 +37,8 @@ class LiveLoop : public MatchLoop {
   /// A side that has not called its Playmaker yet may wait for the server. An external team has its
   /// places for itself where clients are bound to their side.
   bool blames(const MatchSide& side) const override {
-    return side.awaited_reply().has_value() || (side.is_external() && server_.binds_clients());
+    return side.awaited_reply().has_value() ||
+           (side.is_external() && server_.keeps_places(side.identity().side));
   }
   bool needs_sides() const override { return !is_over(); }
 

@@ -62,12 +62,10 @@ using SideNamespaces = soccer::PerSide<std::shared_ptr<const process::Namespaces
 
 // Of the sides whose programs start in namespaces.
 Result<SideNamespaces> make_namespaces(const MatchOptions& options) {
-  using Network = process::Namespaces::Network;
   SideNamespaces made;
   for (const Side side : soccer::kBothSides) {
     if (!has_namespaces(options, side)) continue;
-    const bool own = has_own_network(options, side);
-    auto namespaces = process::Namespaces::create(own ? Network::kOwn : Network::kOfHost);
+    auto namespaces = process::Namespaces::create();
     if (!namespaces) {
       return base::Error{fmt::format("namespaces for the {} side: {}", side_name(side),
                                      namespaces.error().message)};
@@ -80,7 +78,6 @@ Result<SideNamespaces> make_namespaces(const MatchOptions& options) {
 // Plans of the external teams, with the port that the server has opened for them.
 Result<TeamPlans> plan_external_teams(const MatchSetup& setup, const SideNamespaces& namespaces,
                                       EmbeddedServer& server) {
-  constexpr const char* kHost = "127.0.0.1";
   TeamPlans plans;
   bool takes_ports = true;
   ServerPorts ports;
@@ -90,7 +87,8 @@ Result<TeamPlans> plan_external_teams(const MatchSetup& setup, const SideNamespa
       const Endpoint& endpoint = endpoint_of(setup.options, side);
       if (endpoint.kind != Endpoint::Kind::kTeam) continue;
 
-      TeamValues values = team_values(setup.options, setup.names, side, kHost, ports, setup.folder);
+      TeamValues values =
+          team_values(setup.options, setup.names, side, kLoopback, ports, setup.folder);
       values.coach = false;
       TRY_INIT(auto plan, team_plan(endpoint, values));
       takes_ports = takes_ports && plan.takes_ports;
@@ -163,6 +161,22 @@ Result<Sides> make_sides(const MatchSetup& setup, TeamPlans teams, const SideNam
   return sides;
 }
 
+// Of the sides that have a network of their own, on a server that has no ports in it.
+Result<void> open_relays(const MatchSetup& setup, const SideNamespaces& namespaces,
+                         ExternalServer& server) {
+  for (const Side side : soccer::kBothSides) {
+    if (endpoint_of(setup.options, side).kind != Endpoint::Kind::kTeam) {
+      server.reserve_name(side, setup.names[side]);
+    }
+    if (namespaces[side] == nullptr) continue;
+    if (auto opened = server.open_relay(side, namespaces[side]); !opened) {
+      return base::Error{
+          fmt::format("relay for the {} side: {}", side_name(side), opened.error().message)};
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Match>> make_lockstep_match(const MatchSetup& setup,
@@ -208,14 +222,16 @@ Result<std::unique_ptr<Match>> make_external_match(const MatchSetup& setup, Matc
   std::map<Side, NetworkSettings> network;
   for (const Side side : sides_of(options)) network[side] = network_settings(setup, plan, side);
   TRY_INIT(const auto namespaces, make_namespaces(options));
+  const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
   for (const Side side : soccer::kBothSides) {
-    if (plan.server && has_own_network(options, side)) {
+    if (embedded && plan.server && has_namespaces(options, side)) {
       plan.server->passed.push_back(namespaces[side]->door().fd());
     }
   }
   auto server =
       std::make_unique<ExternalServer>(options, std::move(plan), setup.host, setup.folder);
   ExternalServer& external = *server;
+  if (!embedded) TRY(open_relays(setup, namespaces, external));
 
   const auto agents_of = [&](Side side, AgentParts parts) -> Result<std::unique_ptr<MatchSide>> {
     TRY_INIT(auto agents, NetworkAgents::create(std::move(parts), network[side]));

@@ -217,7 +217,7 @@ std::optional<soccer::Side> side_without_program(const MatchSetup& setup) {
     const Endpoint& endpoint = endpoint_of(setup.options, side);
     if (endpoint.kind != Endpoint::Kind::kTeam) continue;
     const TeamValues values =
-        team_values(setup.options, setup.names, side, "127.0.0.1", {}, setup.folder);
+        team_values(setup.options, setup.names, side, kLoopback, {}, setup.folder);
     if (team_plan(endpoint, values)) continue;
     if (found) return std::nullopt;
     found = side;
@@ -262,7 +262,7 @@ void remove_logs(const fs::path& folder, MatchResult& result) {
 bool stock_port_is_taken(const MatchSetup& setup) {
   const auto needs = [&](soccer::Side side) {
     return !endpoint_of(setup.options, side).has_playmaker() &&
-           !has_own_network(setup.options, side);
+           !has_namespaces(setup.options, side);
   };
   return std::ranges::any_of(soccer::kBothSides, needs) &&
          !process::taken_port(process::Protocol::kUdp, {ServerPorts().player}).empty();

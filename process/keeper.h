@@ -15,7 +15,7 @@ struct KeeperFds {
   base::UniqueFd output;   ///< of the program
   std::vector<base::UniqueFd> passed;
   base::UniqueFd user;     ///< namespaces to enter; none: no namespaces
-  base::UniqueFd network;  ///< none: that of the host
+  base::UniqueFd network;  ///< with `user`
 };
 
 /// Those of a packet with a plan: control, output, `passed` of them, namespaces.

@@ -74,7 +74,7 @@ int try_mounts() {
 
 NamespaceReply make(const NamespaceRequest& request) {
   if (!make_user_namespace()) return {errno, NamespaceStep::kUser};
-  if (request.own_network && !make_network()) return {errno, NamespaceStep::kNetwork};
+  if (!make_network()) return {errno, NamespaceStep::kNetwork};
   if (request.tried) return {try_mounts(), NamespaceStep::kMounts};
   return {};
 }
@@ -111,16 +111,14 @@ void run_namespace_maker(base::UniqueFd control, const NamespaceRequest& request
 
   const base::UniqueFd user(::open("/proc/self/ns/user", O_RDONLY | O_CLOEXEC));
   const base::UniqueFd network(::open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC));
-  std::vector<int> fds = {user.get()};
-  if (request.own_network) fds.push_back(network.get());
-  send_plain(control.get(), made, fds);
-  if (request.own_network) open_sockets(control.get());
+  send_plain(control.get(), made, {user.get(), network.get()});
+  open_sockets(control.get());
   ::_exit(0);
 }
 
 bool enter_namespaces(int user, int network) {
-  return ::setns(user, CLONE_NEWUSER) == 0 &&
-         (network < 0 || ::setns(network, CLONE_NEWNET) == 0) && ::unshare(kOfEachProgram) == 0;
+  return ::setns(user, CLONE_NEWUSER) == 0 && ::setns(network, CLONE_NEWNET) == 0 &&
+         ::unshare(kOfEachProgram) == 0;
 }
 
 }  // namespace cls::process

@@ -15,12 +15,10 @@ enum class NamespaceStep : std::uint8_t { kUser, kNetwork, kMounts };
 
 /// A request to the guard, as the bytes of a packet with one descriptor, for the reply.
 struct NamespaceRequest {
-  bool own_network = true;
   bool tried = false;  ///< also try what each program in them needs
 };
 
-/// The first packet of a maker: with the descriptors of the user namespace and of the network, if
-/// it has one of its own.
+/// The first packet of a maker: with the descriptors of the user namespace and of the network.
 struct NamespaceReply {
   std::int32_t error = 0;  ///< an errno; 0: made
   NamespaceStep step = NamespaceStep::kUser;
@@ -40,9 +38,8 @@ using SocketReply = std::int32_t;
 /// request, and exits when `control` is closed.
 [[noreturn]] void run_namespace_maker(base::UniqueFd control, const NamespaceRequest& request);
 
-/// Moves this process, which must have one thread, into the namespaces; `network`: -1 for that of
-/// the host. Its next child is the first of a process namespace of its own. False with errno set on
-/// failure.
+/// Moves this process, which must have one thread, into the namespaces. Its next child is the first
+/// of a process namespace of its own. False with errno set on failure.
 bool enter_namespaces(int user, int network);
 
 }  // namespace cls::process

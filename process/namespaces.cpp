@@ -81,17 +81,15 @@ Result<Made> make(const NamespaceRequest& request) {
         fmt::format("{}: {}{}", what_failed(reply->step), std::strerror(reply->error), remedy())};
   }
 
-  const std::size_t expected = request.own_network ? 2 : 1;
-  if (packet.fds.size() != expected) return Error{std::strerror(EMFILE)};
-  Made made{std::move(packet.fds[0]), {}, std::move(control->first)};
-  if (request.own_network) made.network = std::move(packet.fds[1]);
-  return made;
+  constexpr std::size_t kUserAndNetwork = 2;
+  if (packet.fds.size() != kUserAndNetwork) return Error{std::strerror(EMFILE)};
+  return Made{std::move(packet.fds[0]), std::move(packet.fds[1]), std::move(control->first)};
 }
 
 std::string try_namespaces() {
   if (landlock_version() == 0) return "this kernel has no Landlock";
   if (!can_confine()) return "this kernel has no seccomp";
-  const auto made = make({.own_network = true, .tried = true});
+  const auto made = make({.tried = true});
   return made ? std::string() : made.error().message;
 }
 
@@ -119,8 +117,8 @@ Result<base::UniqueFd> NetworkDoor::make_tcp(int family) const {
   return ask(request);
 }
 
-Result<std::shared_ptr<const Namespaces>> Namespaces::create(Network network) {
-  TRY_INIT(auto made, make({.own_network = network == Network::kOwn, .tried = false}));
+Result<std::shared_ptr<const Namespaces>> Namespaces::create() {
+  TRY_INIT(auto made, make({}));
   return std::shared_ptr<const Namespaces>(
       new Namespaces(std::move(made.user), std::move(made.network), std::move(made.door)));
 }

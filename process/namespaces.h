@@ -37,16 +37,13 @@ class NetworkDoor {
 /// end with this object and the last program.
 class Namespaces {
  public:
-  enum class Network { kOwn, kOfHost };
-
   /// Made by the guard of this process. The error says what the host does not allow.
-  static base::Result<std::shared_ptr<const Namespaces>> create(Network network);
+  static base::Result<std::shared_ptr<const Namespaces>> create();
 
-  Network network() const { return network_fd_ ? Network::kOwn : Network::kOfHost; }
-  /// Into its network, which must be an own one.
+  /// Into their network.
   const NetworkDoor& door() const { return door_; }
 
-  /// Descriptors for setns(); that of the network only with one of its own.
+  /// Descriptors for setns().
   int user_fd() const { return user_fd_.get(); }
   int network_fd() const { return network_fd_.get(); }
 

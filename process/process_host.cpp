@@ -74,9 +74,7 @@ std::vector<int> descriptors(const CommandPlan& plan, int control, int output) {
   fds.insert(fds.end(), plan.passed.begin(), plan.passed.end());
   if (plan.namespaces == nullptr) return fds;
   fds.push_back(plan.namespaces->user_fd());
-  if (plan.namespaces->network() == Namespaces::Network::kOwn) {
-    fds.push_back(plan.namespaces->network_fd());
-  }
+  fds.push_back(plan.namespaces->network_fd());
   return fds;
 }
 

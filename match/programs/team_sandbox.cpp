@@ -191,11 +191,6 @@ bool has_namespaces(const MatchOptions& options, soccer::Side side) {
          process::missing_namespaces().empty();
 }
 
-bool has_own_network(const MatchOptions& options, soccer::Side side) {
-  return options.server_choice.kind == ServerChoice::Kind::kEmbedded &&
-         has_namespaces(options, side);
-}
-
 std::string refused_without_namespaces(const MatchOptions& options) {
   const auto has_playmakers = [&](soccer::Side side) {
     return has_sandboxed_playmakers(options, side);
@@ -209,10 +204,6 @@ std::string refused_without_namespaces(const MatchOptions& options) {
   constexpr std::string_view kWanted = "--sandbox=namespaces";
   if (!options.bind_clients) {
     return fmt::format("{}: with --no-bind-clients programs of any place take part", kWanted);
-  }
-  if (options.server_choice.kind != ServerChoice::Kind::kEmbedded) {
-    return fmt::format("{}: on --server {} the teams share one network; use the embedded server",
-                       kWanted, options.server_choice.text);
   }
   return missing_namespaces_for(kWanted);
 }

@@ -45,11 +45,10 @@ std::vector<std::filesystem::path> hidden_from_playmakers(const MatchOptions& op
                                                           soccer::Side side,
                                                           const std::filesystem::path& folder);
 
-/// True if the programs of that side start in namespaces: of an external team in a sandbox, on a
-/// host that can make them, whose clients the match binds to their side.
+/// True if the programs of that side start in namespaces, with a network of their own: of an
+/// external team in a sandbox, on a host that can make them, whose clients the match binds to their
+/// side.
 bool has_namespaces(const MatchOptions& options, soccer::Side side);
-/// True if they also have a network of their own: where the embedded server can have ports in it.
-bool has_own_network(const MatchOptions& options, soccer::Side side);
 
 /// Why a match that needs namespaces for its external teams or Playmakers cannot have them; empty:
 /// it can, or does not need them.

@@ -22,7 +22,6 @@ using soccer::Side;
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kHost = "127.0.0.1";
 constexpr int kStockPort = 6000;
 constexpr milliseconds kJoinStep{20};  // length of a cycle while external teams join
 constexpr milliseconds kCommandPollInterval{2};
@@ -70,7 +69,7 @@ void EmbeddedServer::bind_clients() {
 }
 
 Result<ServerPorts> EmbeddedServer::open_player_port(bool free_port) {
-  const auto port = server_->open_player_port(kHost, free_port ? 0 : kStockPort);
+  const auto port = server_->open_player_port(kLoopback, free_port ? 0 : kStockPort);
   if (port) bind_clients();
   if (port) return ServerPorts{*port, *port + 1, *port + 2};
   if (free_port) return port.error();
@@ -88,14 +87,14 @@ Result<ServerPorts> EmbeddedServer::open_player_port_in(
       network_of(side, *side_binding_, namespaces_[side]->door(),
                  [this](std::string line) { warnings_.push_back(std::move(line)); });
   const ServerPorts ports;
-  TRY(server_->open_player_port_in(network, kHost, ports.player));
+  TRY(server_->open_player_port_in(network, kLoopback, ports.player));
   return ports;
 }
 
 std::optional<MatchEnd> EmbeddedServer::start(const std::function<bool()>& /*keep_waiting*/) {
   if (!options_.monitor_port) return std::nullopt;
 
-  const auto port = server_->open_monitor_port(kHost, *options_.monitor_port);
+  const auto port = server_->open_monitor_port(kLoopback, *options_.monitor_port);
   if (!port) {
     const std::string taken =
         process::taken_port(process::Protocol::kUdp, {*options_.monitor_port});
@@ -107,7 +106,7 @@ std::optional<MatchEnd> EmbeddedServer::start(const std::function<bool()>& /*kee
   }
 
   bind_clients();
-  monitor_address_ = fmt::format("{}:{}", kHost, *port);
+  monitor_address_ = fmt::format("{}:{}", kLoopback, *port);
   return std::nullopt;
 }
 

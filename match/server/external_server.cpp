@@ -50,6 +50,22 @@ MatchEnd ExternalServer::refused(std::string message) const {
   return end;
 }
 
+base::Result<void> ExternalServer::open_relay(
+    soccer::Side side, std::shared_ptr<const process::Namespaces> namespaces) {
+  const ServerPorts inside;
+  RelayRoute route;
+  route.side = side;
+  TRY_INIT(route.players, base::parse_ip_address(kLoopback, inside.player));
+  TRY_INIT(route.coaches, base::parse_ip_address(kLoopback, inside.coach));
+  TRY_INIT(route.server_players, base::resolve_udp(plan_.server_host, plan_.ports.player));
+  TRY_INIT(route.server_coaches, base::resolve_udp(plan_.server_host, plan_.ports.coach));
+  route.bind = [namespaces = std::move(namespaces)](const base::SocketAddress& local) {
+    return namespaces->door().bind_udp(local);
+  };
+  TRY_INIT(relays_[side], ServerRelay::create(std::move(route), names_));
+  return {};
+}
+
 bool ExternalServer::has_open_port() const {
   const std::vector<int> ports = process::ports_of(process::Protocol::kUdp, child_->status().pid);
   return std::ranges::find(ports, plan_.ports.player) != ports.end();
@@ -107,10 +123,15 @@ bool ExternalServer::binds_clients() const {
   return plan_.server && options_.server_choice.kind == ServerChoice::Kind::kEmbedded;
 }
 
+// No client of another side can take the places of one behind a relay, unless both have one name.
+bool ExternalServer::keeps_places(soccer::Side side) const {
+  return binds_clients() || (relays_[side] != nullptr && !names_.collided(side));
+}
+
 // 0: it cannot be seen.
 int ExternalServer::server_process() const {
   if (child_ != nullptr) return child_->status().pid;
-  if (plan_.server_host != "127.0.0.1" && plan_.server_host != process::loopback_host()) return 0;
+  if (plan_.server_host != kLoopback && plan_.server_host != process::loopback_host()) return 0;
   const auto owners = process::owners_of(process::Protocol::kUdp, plan_.ports.player);
   return owners.empty() ? 0 : owners.front().pid;
 }
@@ -154,6 +175,10 @@ std::vector<std::string> ExternalServer::take_warnings() {
   const auto first = status.intrusions.begin() + static_cast<std::ptrdiff_t>(reported_intrusions_);
   reported_intrusions_ = status.intrusions.size();
   lines.insert(lines.end(), first, status.intrusions.end());
+  for (const soccer::Side side : soccer::kBothSides) {
+    if (relays_[side] == nullptr) continue;
+    for (std::string& line : relays_[side]->take_warnings()) lines.push_back(std::move(line));
+  }
   return lines;
 }
 

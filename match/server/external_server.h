@@ -12,6 +12,8 @@
 #include "match/server/game_log_follower.h"
 #include "match/server/match_plan.h"
 #include "match/server/match_server.h"
+#include "match/server/server_relay.h"
+#include "process/namespaces.h"
 #include "process/process_host.h"
 #include "process/socket_owner.h"
 
@@ -24,6 +26,13 @@ class ExternalServer : public Server {
   /// already.
   ExternalServer(const MatchOptions& options, MatchPlan plan, process::ProcessHost* host,
                  const std::filesystem::path& folder);
+
+  /// The name of a side whose agents are those of cls: no program of the other side may have it.
+  void reserve_name(soccer::Side side, std::string_view name) { names_.claim(side, name); }
+  /// Lets the programs in these namespaces, which have a network of their own, take part for `side`
+  /// and do nothing else. The error says what cannot be opened.
+  base::Result<void> open_relay(soccer::Side side,
+                                std::shared_ptr<const process::Namespaces> namespaces);
 
   /// Waits for a poll interval and reads what is new.
   void poll();
@@ -47,6 +56,7 @@ class ExternalServer : public Server {
   ServerStatus status() const override { return output_.status(); }
   std::vector<std::string> take_warnings() override;
   bool binds_clients() const override;
+  bool keeps_places(soccer::Side side) const override;
   std::optional<Intruder> intruder() override;
   SourceProgress progress() const override;
   bool finished() const override;
@@ -79,6 +89,8 @@ class ExternalServer : public Server {
   std::vector<std::string> warnings_;
   GameLogFollower log_;
   std::shared_ptr<process::Child> child_;  ///< null: not started by cls
+  ClaimedNames names_;
+  soccer::PerSide<std::unique_ptr<ServerRelay>> relays_;  ///< null: the side needs none
 };
 
 /// Writes the events of a match that has ended, from its result and from the server's game log in

@@ -44,7 +44,7 @@ Result<std::vector<std::string>> server_program(const MatchOptions& options, con
       const Endpoint& endpoint = endpoint_of(options, side);
       bound.external[side] = endpoint.kind == Endpoint::Kind::kTeam;
       if (bound.external[side] && !endpoint.parts.empty()) bound.names[side] = names[side];
-      if (has_own_network(options, side)) bound.doors[side] = door++;
+      if (has_namespaces(options, side)) bound.doors[side] = door++;
     }
     argv.push_back(bound_sides_argument(bound));
   }
@@ -59,7 +59,7 @@ Result<void> plan_teams(MatchPlan& plan, const MatchOptions& options, const Team
     if (endpoint.kind != Endpoint::Kind::kTeam) continue;
     TRY_INIT(auto team, team_plan(endpoint, team_values(options, names, side, plan.server_host,
                                                         plan.ports, folder)));
-    team.own_network = has_own_network(options, side);
+    team.own_network = has_namespaces(options, side);
     plan.teams[side] = std::move(team);
   }
   return {};
@@ -110,8 +110,9 @@ ServerSetup server_setup(const MatchOptions& options, const MatchPlan& plan,
 TeamValues team_values(const MatchOptions& options, const TeamNames& names, Side side,
                        const std::string& host, const ServerPorts& ports, const fs::path& folder) {
   TeamValues values;
-  values.host = host;
-  values.ports = has_own_network(options, side) ? ServerPorts() : ports;
+  values.namespaces = has_namespaces(options, side);
+  values.host = values.namespaces ? kLoopback : host;
+  values.ports = values.namespaces ? ServerPorts() : ports;
   values.side = side;
   values.team_name = names[side];
   values.coach = options.coach;
@@ -119,7 +120,6 @@ TeamValues team_values(const MatchOptions& options, const TeamNames& names, Side
   values.cpus = options.cpus[side];
   values.limits = options.limits;
   values.sandbox = options.sandbox != Sandbox::kOff;
-  values.namespaces = has_namespaces(options, side);
   values.hidden = team_folders(endpoint_of(options, soccer::opponent(side)));
   return values;
 }

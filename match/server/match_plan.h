@@ -15,9 +15,12 @@
 
 namespace cls::match {
 
+/// Where a server and, in a network of its own, an external team find each other.
+inline constexpr const char* kLoopback = "127.0.0.1";
+
 /// The programs and ports of a match; `--dry-run` prints them.
 struct MatchPlan {
-  std::string server_host = "127.0.0.1";
+  std::string server_host = kLoopback;
   ServerPorts ports;
   std::optional<process::CommandPlan> server;      ///< none: the server runs already
   soccer::PerSide<std::optional<TeamPlan>> teams;  ///< of `team:` sides

@@ -54,6 +54,8 @@ class Server {
 
   /// True for a server that accepts the clients of a side from its own programs only.
   virtual bool binds_clients() const = 0;
+  /// True if only programs of this external side can take the places of its agents.
+  virtual bool keeps_places(soccer::Side /*side*/) const { return binds_clients(); }
   /// On a server that accepts any client: a side that has connected more of them than it has.
   virtual std::optional<Intruder> intruder() { return std::nullopt; }
 

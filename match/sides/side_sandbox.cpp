@@ -66,7 +66,7 @@ base::Result<std::shared_ptr<PlaymakerSandbox>> PlaymakerSandbox::create(
   std::shared_ptr<PlaymakerSandbox> sandbox;
   if (!has_sandboxed_playmakers(options, side)) return sandbox;
 
-  auto namespaces = process::Namespaces::create(process::Namespaces::Network::kOwn);
+  auto namespaces = process::Namespaces::create();
   if (!namespaces) {
     return base::Error{
         fmt::format("namespaces for the {} side: {}", side_name(side), namespaces.error().message)};

@@ -4,6 +4,7 @@
 #include "tests/cli/network_match.h"
 #include "tests/support/command_matchers.h"
 #include "tests/support/host_namespaces.h"
+#include "tests/support/rcssserver.h"
 #include "tests/support/udp_client.h"
 
 namespace cls::tests {
@@ -38,6 +39,22 @@ class Intruder : public NetworkMatch {
   void play_embedded(const std::string& right, const std::vector<std::string>& more = {},
                      const std::string& mode = "synch") {
     play(right, "embedded", joined({"--half-time", "5", "--mode", mode}, more));
+  }
+
+  /// On a server that accepts any client, where cls starts it. The intruder asks for what monitors,
+  /// trainers and the other side have.
+  void reach_beyond_its_side(const std::string& server, const std::vector<std::string>& more) {
+    const auto ask = [](const std::string& port, const std::string& request) {
+      return "$intruder --port " + port + " --first '" + request +
+             "' --then '(dispcard 1 2 red)' & ";
+    };
+    play(named_team("team", "Watchers", "$intruder --port 6001 --first '(init (version 18))'",
+                    ask("$port", "(dispinit version 4)") + ask("$port", "(reconnect hold 2)") +
+                        ask("$port", "(init hold (version 18))") +
+                        ask("$coach", "(init hold (version 18))") + "wait"),
+         server, more);
+    expect_finished();
+    EXPECT_TRUE(result_["fault"].is_null());
   }
 
   std::string file(const std::string& name) const { return read_file(match_folder() + "/" + name); }
@@ -197,10 +214,40 @@ TEST_F(Intruder, MonitorsFromOutsideOnlyWatch) {
   EXPECT_THAT(file("match.rcl"), Not(HasSubstr("red_card")));
 }
 
-// The server is not of cls: it accepts any client, as rcssserver does.
+// A relay stands between a side in namespaces and a server that accepts any client.
+TEST_F(Intruder, ReachesThePlacesOfItsSideOnlyOnAnyServer) {
+  if (!host_has_namespaces()) GTEST_SKIP() << "this host makes no namespaces";
+  reach_beyond_its_side(server(""), {"--cycles", "40"});
+  for (const char* reply : {"(error no_more_monitor)", "(error no_such_team_or_player)",
+                            "(error no_more_team)", "(error no_such_team)"}) {
+    EXPECT_THAT(output(), HasSubstr("reply " + std::string(reply)));
+  }
+  EXPECT_THAT(output(), HasSubstr("no reply")) << "of the port of trainers";
+  for (const char* reply : {"(init", "(reconnect", "(server_param"}) {
+    EXPECT_THAT(output(), Not(HasSubstr("reply " + std::string(reply))));
+  }
+  EXPECT_THAT(played_.err, HasSubstr("sent (dispinit version 4): refused"));
+  EXPECT_THAT(file("match.rcl"), Not(HasSubstr("red_card")));
+}
+
+TEST_F(Intruder, ReachesThePlacesOfItsSideOnlyOnRcssserver) {
+  if (!host_has_namespaces()) GTEST_SKIP() << "this host makes no namespaces";
+  if (rcssserver_program().empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
+  for (const char* mode : {"synch", "realtime"}) {
+    reach_beyond_its_side(rcssserver_program(), {"--half-time", "8", "--mode", mode});
+    EXPECT_THAT(output(), HasSubstr("reply (error no_more_monitor)")) << mode;
+    for (const char* reply : {"(init", "(reconnect", "(server_param"}) {
+      EXPECT_THAT(output(), Not(HasSubstr("reply " + std::string(reply)))) << mode;
+    }
+    EXPECT_THAT(file("match.rcl"), Not(HasSubstr("red_card"))) << mode;
+  }
+}
+
+// Without namespaces, on a server that is not of cls: it accepts any client, as rcssserver does.
 TEST_F(Intruder, IsNamedOnAServerThatAcceptsAnyClient) {
   const std::string watch = "$intruder --port $port --first '(dispinit version 4)' --then '(x)' & ";
-  play(named_team("team", "Watchers", watch + watch + watch), server(""), {"--cycles", "25"});
+  play(named_team("team", "Watchers", watch + watch + watch), server(""),
+       {"--cycles", "25", "--sandbox=files"});
   EXPECT_THAT(played_.err, HasSubstr("an intrusion: programs of the right side hold "));
   EXPECT_THAT(played_.err, HasSubstr("connections to the soccer server; 12 can be its own"));
   EXPECT_NE(result_["fault"], "left");
@@ -211,7 +258,7 @@ TEST_F(Intruder, AloneIsAtFaultOnAServerThatAcceptsAnyClient) {
   play(named_team("team", "Thieves", "",
                   "for i in 1 2 3 4 5 6 7 8 9 10 11; do $intruder --port $port --first "
                   "\"(reconnect hold $i)\" --then '(x)' --times 500 & done; wait"),
-       server(""), {"--half-time", "50"});
+       server(""), {"--half-time", "50", "--sandbox=files"});
   EXPECT_NE(result_["end_reason"], "finished");
   EXPECT_EQ(result_["fault"], "right") << played_.err;
   EXPECT_THAT(played_.err, HasSubstr("an intrusion: programs of the right side hold "));

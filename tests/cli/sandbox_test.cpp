@@ -353,12 +353,10 @@ TEST_F(Namespaces, ShowWhoseFaultAScriptIsThatCannotBeRun) {
   }
 }
 
-TEST_F(Namespaces, NeedTheEmbeddedServerAndBoundClients) {
+TEST_F(Namespaces, NeedBoundClients) {
   add_team("guests", "");
   EXPECT_THAT(play({"--sandbox=namespaces", "--no-bind-clients"}),
               Exits(69, HasSubstr("with --no-bind-clients programs of any place take part")));
-  EXPECT_THAT(play({"--sandbox=namespaces", "--server", "/bin/true"}),
-              Exits(69, HasSubstr("on --server /bin/true the teams share one network")));
   EXPECT_THAT(play({"--sandbox=network"}),
               Exits(2, HasSubstr("must be true, false, files or namespaces")));
 }

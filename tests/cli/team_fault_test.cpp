@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/support/host_namespaces.h"
 #include "tests/support/port_lock.h"
 
 namespace cls::tests {
@@ -143,9 +144,25 @@ TEST_F(TeamFault, BlamesATeamThatPlaysUnderAnotherName) {
   EXPECT_EQ(result_["fault"], "right");
 }
 
-// On a server that takes any client its places may be those of others.
+// A relay keeps its places on a server that takes any client.
+TEST_F(TeamFault, BlamesATeamBehindARelayForMissingPlayers) {
+  if (!host_has_namespaces()) GTEST_SKIP() << "this host makes no namespaces";
+  play(team("", 10), server(""), {"--start-timeout", "3"});
+  expect_end("refused", 69, "10 of 11 players of the right team have joined within");
+  EXPECT_EQ(result_["fault"], "right");
+}
+
+// It would need another name on such a server.
+TEST_F(TeamFault, BlamesNobodyBehindARelayForTheNameOfTheOther) {
+  if (!host_has_namespaces()) GTEST_SKIP() << "this host makes no namespaces";
+  play(team("--name hold"), server(""), {"--start-timeout", "3"});
+  EXPECT_EQ(result_["end_reason"], "refused") << played_.err;
+  EXPECT_TRUE(result_["fault"].is_null()) << played_.err;
+}
+
+// Otherwise its places may be those of others.
 TEST_F(TeamFault, BlamesNobodyForMissingPlayersElsewhere) {
-  play(team("", 10), server(""), {"--start-timeout", "2"});
+  play(team("", 10), server(""), {"--start-timeout", "2", "--sandbox=files"});
   expect_end("refused", 69, "10 of 11 players of the right team have joined within");
   EXPECT_TRUE(result_["fault"].is_null());
 }
