@@ -49,6 +49,16 @@ PLANS = [
        "compared": ["index", "round", "left", "right", "forfeit"]}
       for villain, more in (("filler", '\nside_disk = "16M"'), ("quitter", ""))),
 ]
+
+# Where it is installed: on a server that accepts any client and any monitor, strangers too.
+RCSSSERVER = os.environ.get("CLS_RCSSSERVER") or shutil.which("rcssserver")
+if RCSSSERVER:
+    PLANS.append({"format": "round-robin", "cycles": 20, "sides": ["mock", "thief", "run"],
+                  "more": f'mode = "synch"\nserver = "{RCSSSERVER}"',
+                  "faults": ["kill_run", "kill_match", "kill_guard", "kill_keeper",
+                             "kill_run_and_matches", "interrupt_run", "interrupt_twice", "squat"],
+                  "compared": ["index", "round", "left", "right", "end_reason", "cycles", "forfeit"]})
+
 COMPARED = ["index", "round", "stage", "left", "right", "seed", "end_reason", "score", "penalty_score",
             "cycles", "forfeit", "winner", "game log"]
 

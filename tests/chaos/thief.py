@@ -78,6 +78,7 @@ def messages(teams, ports):
     """What a stranger must not be granted, and the beginning of the reply that grants it."""
     for port in ports:
         yield port, b"(dispinit version 4)", b"(server_param"
+    yield ports[0] + 1, b"(init (version 18))", b"(init"  # a trainer
     # A server in namespaces is that of this side alone: whoever joins there takes its own places.
     for team in [] if IN_NAMESPACES else teams:
         name = team.encode()
