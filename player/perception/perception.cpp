@@ -20,12 +20,12 @@ namespace {
 constexpr int kMaxLostCycles = 1000;
 static_assert(kMaxLostCycles >= kNever);
 
-/// Copy-on-write access: parameters are shared by copies of a world model.
+/// Copy-on-write access: parameters are shared by copies of a world model, and by all new ones.
 MatchParameters& mutable_parameters(WorldModel& world) {
-  auto copy = std::make_shared<MatchParameters>(*world.parameters);
-  MatchParameters& out = *copy;
-  world.parameters = std::move(copy);
-  return out;
+  if (world.parameters.use_count() > 1) {
+    world.parameters = std::make_shared<MatchParameters>(*world.parameters);
+  }
+  return const_cast<MatchParameters&>(*world.parameters);
 }
 
 void age_self(SelfState& self, int cycles) {

@@ -17,10 +17,13 @@ const PlayerState* find(const PlayerList& list, int PlayerState::*member, int va
 
 }  // namespace
 
-WorldModel::WorldModel()
-    : parameters(std::make_shared<const MatchParameters>()),
-      formations(built_in_formations()),
-      planner(std::make_shared<const PlannerParameters>()) {}
+// All agents begin with the same defaults, whose tables take a while to make.
+WorldModel::WorldModel() : formations(built_in_formations()) {
+  static const auto default_parameters = std::make_shared<const MatchParameters>();
+  static const auto default_planner = std::make_shared<const PlannerParameters>();
+  parameters = default_parameters;
+  planner = default_planner;
+}
 
 const PlayerState* WorldModel::teammate(int number) const {
   return find(teammates, &PlayerState::unum, number);

@@ -191,6 +191,29 @@ TEST(TeamLines, StayInOwnHalf) {
   EXPECT_DOUBLE_EQ(world.lines.their_defense, 0.0);
 }
 
+// New worlds share the defaults, and copies what was announced until then.
+TEST(MatchParameters, ChangeInTheirWorldOnly) {
+  const auto announce = [](WorldModel& world, double most) {
+    soccer::ServerParams params;
+    params.max_dash_power = most;
+    on_server_param(world, params);
+  };
+  WorldModel one;
+  announce(one, 50.0);
+  EXPECT_EQ(WorldModel().server().max_dash_power, 100.0);
+
+  const WorldModel copy = one;
+  announce(one, 40.0);
+  EXPECT_EQ(one.server().max_dash_power, 40.0);
+  EXPECT_EQ(copy.server().max_dash_power, 50.0);
+
+  // Nobody else reads them now: no third copy is made.
+  const MatchParameters* place = one.parameters.get();
+  announce(one, 30.0);
+  EXPECT_EQ(one.parameters.get(), place);
+  EXPECT_EQ(one.server().max_dash_power, 30.0);
+}
+
 TEST(PlayerTypes, AreKnownForTeammatesAndDefaultForOpponents) {
   WorldModel world = known_world();
   soccer::PlayerType quick;
