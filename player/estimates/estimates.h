@@ -34,14 +34,21 @@ constexpr int kInterceptHorizon = FullRun::kCycles;
 using BallPath = std::array<Vec2, kInterceptHorizon + 1>;
 BallPath ball_path(const WorldModel& world);
 
-/// Adds the agent's intercept plans to the table: straight dashes in eight directions, and turns
-/// followed by forward or backward dashes, with their stamina cost
-/// (docs/spec/proxy-behavior.md 3.6).
-void plan_self_intercept(const WorldModel& world, const BallPath& path, InterceptTable& table);
+/// Adds the agent's intercept plans of at most `most_steps` steps to the table: straight dashes in
+/// eight directions, and turns followed by forward or backward dashes, with their stamina cost
+/// (docs/spec/proxy-behavior.md 3.6). `most_steps` is at most kInterceptHorizon.
+void plan_self_intercept(const WorldModel& world, const BallPath& path, int most_steps,
+                         InterceptTable& table);
+
+/// The agent's own plans of an intercept table.
+enum class OwnPlans {
+  kAll,
+  kFirst,  ///< those that take no longer than the first other player; steps of others are kNever
+};
 
 /// Sets `world.intercept` and every player's ball_reach_steps. The table is empty before kick-off,
 /// after the match, and without a valid own or ball position.
-void update_intercept_table(WorldModel& world);
+void update_intercept_table(WorldModel& world, OwnPlans own = OwnPlans::kAll);
 
 /// Sets `world.lines` (docs/spec/proxy-behavior.md 3.7) from players, ball and intercept table.
 void update_team_lines(WorldModel& world);

@@ -127,7 +127,7 @@ BallPath ball_path(const WorldModel& world) {
   return path;
 }
 
-void update_intercept_table(WorldModel& world) {
+void update_intercept_table(WorldModel& world, OwnPlans own) {
   InterceptTable& table = world.intercept;
   table.plans.clear();
   std::array<Rank, 2> teammates{kNoPlayer, kNoPlayer};
@@ -140,14 +140,18 @@ void update_intercept_table(WorldModel& world) {
     }
   } else {
     const BallPath path = ball_path(world);
-    if (!world.sideline) plan_self_intercept(world, path, table);
-
     opponents = rank(world, world.opponents, world.kickable_opponent_id, kMaxOpponentAge, path);
 
     BallPath resting;
     resting.fill(world.ball.position);
     teammates = rank(world, world.teammates, world.kickable_teammate_id, kMaxTeammateAge,
                      world.kickable_opponent() ? resting : path);
+
+    const int others = std::min(std::get<0>(teammates[0]), std::get<0>(opponents[0]));
+    const int most = own == OwnPlans::kAll ? kInterceptHorizon : others;
+    if (!world.sideline) {
+      plan_self_intercept(world, path, std::min(most, kInterceptHorizon), table);
+    }
   }
 
   std::tie(table.first_teammate_steps, table.first_teammate_id) = teammates[0];

@@ -150,6 +150,7 @@ struct Coasting {
 struct Search {
   const WorldModel& world;
   const BallPath& path;
+  const int most_steps;
   InterceptTable& table;
   Control control;
   double forward_rate = 0.0;  ///< dash rates
@@ -165,8 +166,8 @@ struct Search {
   std::array<Coasting, kMaxTurns + 1> coasting;   ///< by number of turns
   std::array<DashCourse, kMaxTurns + 1> courses;  ///< by number of preceding turns
 
-  Search(const WorldModel& w, const BallPath& p, InterceptTable& t)
-      : world(w), path(p), table(t), control(w) {
+  Search(const WorldModel& w, const BallPath& p, int most, InterceptTable& t)
+      : world(w), path(p), most_steps(most), table(t), control(w) {
     const soccer::PlayerType& type = world.self_type();
     forward_rate = dash_rate(world.server(), 0.0);
     backward_rate = dash_rate(world.server(), 180.0);
@@ -180,7 +181,7 @@ struct Search {
 
     double speed = 0.0;
     fading[0] = 1.0;
-    for (std::size_t i = 1; i < run.size(); ++i) {
+    for (std::size_t i = 1; i <= static_cast<std::size_t>(most_steps); ++i) {
       speed = std::min(speed + push, type.player_speed_max);
       run[i] = run[i - 1] + speed;
       fading[i] = fading[i - 1] * type.player_decay;
@@ -311,8 +312,8 @@ struct Search {
   /// Dashes in one direction relative to the body, without turning.
   void omni(double direction, Vec2 heading) {
     const double rate = dash_rate(world.server(), direction);
-    const int last =
-        last_chance(heading, rate, direction == 0.0 ? kInterceptHorizon : kSideDashHorizon);
+    const int horizon = direction == 0.0 ? kInterceptHorizon : kSideDashHorizon;
+    const int last = last_chance(heading, rate, std::min(horizon, most_steps));
     Runner runner(world);
     DashCourse& course = course_after(0);
     int found = 0;
@@ -364,7 +365,7 @@ struct Search {
     const double rate = std::max(forward_rate, backward_rate);
     AimList out;
     base::FixedList<Vec2, AimList::capacity()> near;
-    for (int step = 1; step <= kInterceptHorizon; ++step) {
+    for (int step = 1; step <= most_steps; ++step) {
       const Vec2 offset = offsets[static_cast<std::size_t>(step)];
       const double far = farthest(step, rate);
       if (offset.squared_length() > far * far) continue;
@@ -447,7 +448,7 @@ struct Search {
 
   void turning_while_dashing() {
     int found = 0;
-    for (int step = 1; step <= kInterceptHorizon && found < kPlansPerDirection; ++step) {
+    for (int step = 1; step <= most_steps && found < kPlansPerDirection; ++step) {
       if (turn_while_dashing(step)) ++found;
     }
   }
@@ -462,15 +463,17 @@ struct Search {
 
 }  // namespace
 
-void plan_self_intercept(const WorldModel& world, const BallPath& path, InterceptTable& table) {
+void plan_self_intercept(const WorldModel& world, const BallPath& path, int most_steps,
+                         InterceptTable& table) {
   table.plans.clear();
   table.self_steps = table.self_exhausting_steps = kNever;
   if (world.self.kickable) {
     table.self_steps = 0;
     return;
   }
+  if (most_steps == 0) return;
 
-  Search search(world, path, table);
+  Search search(world, path, most_steps, table);
   search.dashing_without_turn();
   const Search::AimList aims = search.aims();
   search.turning(aims, false);

@@ -7,6 +7,7 @@
 
 #include "base/index.h"
 #include "player/estimates/estimates.h"
+#include "player/perception/partial_update.h"
 #include "player/tracking/tracking.h"
 #include "player/world/places.h"
 #include "soccer/directions.h"
@@ -173,21 +174,43 @@ int goalie_of(const PlayerList& players, int known) {
   return found != players.end() ? found->unum : known;
 }
 
-/// Sets kickable without the safety margin when the ball is inside the kickable area and waiting is
-/// worse: late intercept, near opponent, or the ball leaves the pitch.
+/// True if the ball is seen inside the kickable area, but within the safety margin.
+bool barely_kickable(const WorldModel& world) {
+  if (world.self.kickable || world.ball.seen_pos_count != 0 || world.ball.ghost_count != 0) {
+    return false;
+  }
+  return world.ball.dist_from_self <= world.self_type().kickable_area(world.server().ball_size);
+}
+
+/// Sets kickable of a barely kickable ball where waiting is worse: late intercept, near opponent,
+/// or the ball leaves the pitch. Needs all own intercept plans.
 void relax_kickable(WorldModel& world) {
   const InterceptTable& table = world.intercept;
-  SelfState& self = world.self;
-  if (self.kickable || world.ball.seen_pos_count != 0 || world.ball.ghost_count != 0) return;
-
-  const double area = world.self_type().kickable_area(world.server().ball_size);
-  if (world.ball.dist_from_self > area) return;
-
   constexpr int kLateIntercept = 10;
   const int own = table.best_self_steps();
   const BallPath path = ball_path(world);
   const bool leaves = outside_pitch(path[base::index(std::min(own, kInterceptHorizon))]);
-  self.kickable = own >= kLateIntercept || table.first_opponent_steps + 2 <= own || leaves;
+  world.self.kickable = own >= kLateIntercept || table.first_opponent_steps + 2 <= own || leaves;
+}
+
+void update_derived(WorldModel& world, OwnPlans own) {
+  ++world.game.set_play_count;
+  update_ball(world);
+  update_players(world);
+
+  if (world.goalie) world.our_goalie_unum = world.unum;
+  world.our_goalie_unum = goalie_of(world.teammates, world.our_goalie_unum);
+  world.their_goalie_unum = goalie_of(world.opponents, world.their_goalie_unum);
+
+  update_last_kicker(world);
+  update_kickable_players(world);
+  update_action_probabilities(world);
+
+  const bool relaxes = barely_kickable(world);
+  update_intercept_table(world, relaxes ? OwnPlans::kAll : own);
+  if (relaxes) relax_kickable(world);
+  if (world.intercept.first_opponent_steps > 0) world.self.foul_probability = 0.0;
+  update_team_lines(world);
 }
 
 }  // namespace
@@ -337,23 +360,8 @@ void record_sent_commands(WorldModel& world, const std::vector<soccer::PlayerCom
   }
 }
 
-void update_derived(WorldModel& world) {
-  ++world.game.set_play_count;
-  update_ball(world);
-  update_players(world);
+void update_derived(WorldModel& world) { update_derived(world, OwnPlans::kAll); }
 
-  if (world.goalie) world.our_goalie_unum = world.unum;
-  world.our_goalie_unum = goalie_of(world.teammates, world.our_goalie_unum);
-  world.their_goalie_unum = goalie_of(world.opponents, world.their_goalie_unum);
-
-  update_last_kicker(world);
-  update_kickable_players(world);
-  update_action_probabilities(world);
-
-  update_intercept_table(world);
-  relax_kickable(world);
-  if (world.intercept.first_opponent_steps > 0) world.self.foul_probability = 0.0;
-  update_team_lines(world);
-}
+void update_derived_for_looking(WorldModel& world) { update_derived(world, OwnPlans::kFirst); }
 
 }  // namespace cls::player

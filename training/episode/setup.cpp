@@ -252,6 +252,7 @@ void prepare_senses(Setup& setup) {
   for (const int slot : setup.cast.agents) {
     if (setup.fidelity == Fidelity::kWorldModel) {
       setup.perceivers.push_back(make_perceiver(setup.prepared, slot));
+      setup.perceivers.back().decides = false;
     } else {
       setup.observes[soccer::side_of_slot(slot)] = true;
     }

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "player/looking/looking.h"
+#include "player/perception/partial_update.h"
 #include "player/perception/perception.h"
 #include "simulator/senses/body_sense.h"
 #include "simulator/sessions/connection.h"
@@ -74,6 +75,14 @@ void look(const simulator::VisionModel& vision, const simulator::World& world, s
   agent.see_rounds = 0;
 }
 
+void complete(Perceiver& agent) {
+  if (agent.decides) {
+    update_derived(agent.world);
+  } else {
+    update_derived_for_looking(agent.world);
+  }
+}
+
 void read_changed_types(const simulator::World& world, Perceiver& agent) {
   for (const simulator::Player& player : world.players) {
     if (player.type == 0) continue;
@@ -112,7 +121,7 @@ void begin_perception(const simulator::VisionModel& vision, const simulator::Wor
   hear_referee(events, agent, buffers);
   sense(world, slot, agent, buffers);
   look(vision, world, slot, agent, buffers);
-  update_derived(agent.world);
+  complete(agent);
 }
 
 void perceive(const simulator::VisionModel& vision, simulator::World& world,
@@ -127,7 +136,7 @@ void perceive(const simulator::VisionModel& vision, simulator::World& world,
   if (++agent.see_rounds >= view_interval(player.view)) {
     look(vision, world, slot, agent, buffers);
   }
-  update_derived(agent.world);
+  complete(agent);
 }
 
 bool choose_commands(Perceiver& agent, const soccer::PlayerCommand& body) {

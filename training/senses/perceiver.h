@@ -21,7 +21,8 @@ namespace cls::training {
 struct Perceiver {
   player::WorldModel world;
   player::ViewMemory view;
-  int see_rounds = 0;                           ///< since the last see message
+  bool decides = true;  ///< by the skills of agents in matches; false: the caller of the pool does
+  int see_rounds = 0;   ///< since the last see message
   simulator::PendingMessages said;              ///< by players, not heard yet
   std::vector<soccer::PlayerCommand> commands;  ///< of the current cycle
   SenseChoice chosen;                           ///< for the current cycle

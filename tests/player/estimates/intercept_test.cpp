@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "player/perception/partial_update.h"
 #include "player/world/motion.h"
 #include "soccer/random.h"
 #include "tests/player/estimates/known_world.h"
@@ -224,6 +225,73 @@ TEST(InterceptTable, ChasingTakesLongerThanMeetingBall) {
   update_derived(world);
   EXPECT_LT(world.opponents[1].ball_reach_steps, 8);
   EXPECT_GT(world.opponents[0].ball_reach_steps, 15);
+}
+
+/// The agent, the ball and players around it at random, some not seen for a while.
+WorldModel random_world(soccer::RandomStream& random) {
+  WorldModel world = known_world();
+  world.leg_dashes = true;
+  const auto near = [&](double most) {
+    return soccer::polar_degrees(random.uniform(0.0, most), random.uniform(-180.0, 180.0));
+  };
+  world.self.position = near(25.0);
+  world.self.body = AngleDeg(random.uniform(-180.0, 180.0));
+  world.self.velocity = near(0.5);
+  world.ball.position = world.self.position + near(random.unit() < 0.3 ? 1.2 : 15.0);
+  world.ball.velocity = near(2.0);
+  const int players = random.integer(8);
+  for (int unum = 1; unum <= players; ++unum) {
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      add(world, side, unum, world.ball.position + near(30.0), random.integer(12)).body =
+          AngleDeg(random.uniform(-180.0, 180.0));
+    }
+  }
+  return world;
+}
+
+/// What looking and the team lines read.
+void expect_same_besides_own_plans(const WorldModel& all, const WorldModel& first) {
+  const auto reached = [](const WorldModel& world) {
+    return std::min(world.intercept.our_steps(), world.intercept.first_opponent_steps);
+  };
+  EXPECT_EQ(reached(first), reached(all));
+  EXPECT_EQ(first.intercept.first_teammate_steps, all.intercept.first_teammate_steps);
+  EXPECT_EQ(first.intercept.first_opponent_steps, all.intercept.first_opponent_steps);
+  EXPECT_EQ(first.intercept.second_opponent_id, all.intercept.second_opponent_id);
+  EXPECT_EQ(first.self.kickable, all.self.kickable);
+  EXPECT_EQ(first.self.foul_probability, all.self.foul_probability);
+  EXPECT_EQ(first.lines.offside, all.lines.offside);
+  EXPECT_EQ(first.lines.offside_count, all.lines.offside_count);
+}
+
+TEST(InterceptTable, HasFirstOwnPlansOnlyForLooking) {
+  soccer::RandomStream random(6, "first plans");
+  int fewer = 0;
+  int reaching = 0;
+
+  for (int i = 0; i < 1000; ++i) {
+    WorldModel all = random_world(random);
+    WorldModel first = all;
+    update_derived(all);
+    update_derived_for_looking(first);
+    SCOPED_TRACE(i);
+    expect_same_besides_own_plans(all, first);
+
+    const InterceptTable& table = all.intercept;
+    const int others = std::min(table.first_teammate_steps, table.first_opponent_steps);
+    const auto within = std::ranges::count_if(
+        table.plans, [&](const InterceptPlan& plan) { return plan.steps() <= others; });
+    if (first.intercept.plans.size() < table.plans.size()) {
+      EXPECT_EQ(first.intercept.plans.size(), static_cast<std::size_t>(within));
+      ++fewer;
+    }
+    const int own = first.intercept.best_self_steps();
+    EXPECT_EQ(own,
+              own == kNever && table.best_self_steps() > others ? kNever : table.best_self_steps());
+    if (own > 0 && own < kNever) ++reaching;
+  }
+  EXPECT_GT(fewer, 300);
+  EXPECT_GT(reaching, 100);
 }
 
 }  // namespace
