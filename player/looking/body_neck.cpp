@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/index.h"
+#include "player/looking/neck_search.h"
 #include "player/world/candidates.h"
 #include "player/world/motion.h"
 #include "soccer/interval.h"
@@ -94,11 +95,12 @@ bool emergency(const WorldModel& world, const ViewMemory& view, CommandSlots& sl
 bool look_around(const WorldModel& world, const ViewMemory& view, CommandSlots& slots) {
   constexpr double kStep = 5.0;
   const double half = view_angle(world.server(), slots.next_view_width()) / 2.0;
+  const SectorSums ages = sector_sums(view.ages);
   Highest<AngleDeg> best{-1.0, world.self.body};
 
   for (double offset = -180.0; offset < 180.0; offset += kStep) {
     const AngleDeg direction = world.self.body + offset;
-    best.offer(view.age_around(direction, half), direction);
+    best.offer(sum_of(ages, sectors_around(direction, half)), direction);
   }
 
   const double relative = (best.value - world.self.body).degrees();

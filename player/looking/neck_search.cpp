@@ -34,39 +34,47 @@ double pitch_ahead(Vec2 from, Vec2 direction) {
 
 }  // namespace
 
+SectorSums sector_sums(const std::array<int, ViewMemory::kSectors>& values) {
+  SectorSums sums{};
+  for (std::size_t i = 0; i + 1 < sums.size(); ++i)
+    sums[i + 1] = sums[i] + values[i % values.size()];
+  return sums;
+}
+
 NeckSearch::NeckSearch(const WorldModel& world, const ViewMemory& view, const CommandSlots& slots)
-    : half_view_(view_angle(world.server(), slots.next_view_width()) / 2.0),
+    : world_(world),
+      view_(view),
+      here_(slots.next_position()),
+      half_view_(view_angle(world.server(), slots.next_view_width()) / 2.0),
       neck_now_(world.self.neck.degrees()),
-      body_(slots.next_body()) {
+      body_(slots.next_body()) {}
+
+bool NeckSearch::knows_all_players() const {
+  return world_.teammates.size() >= soccer::kPlayersPerTeam - 1 &&
+         world_.opponents.size() >= soccer::kPlayersPerTeam;
+}
+
+SectorSums NeckSearch::field_sums() const {
   // Ignore directions in which the pitch ends within this distance.
   constexpr double kWorthwhile = 8.0;
-  const Vec2 here = slots.next_position();
   const auto& directions = sector_directions();
 
   std::array<int, ViewMemory::kSectors> field;
   for (std::size_t i = 0; i < field.size(); ++i) {
-    const bool worthwhile = pitch_ahead(here, directions[i]) >= kWorthwhile;
-    field[i] = worthwhile ? std::min(view.ages[i], 100) : 0;
+    const bool worthwhile = pitch_ahead(here_, directions[i]) >= kWorthwhile;
+    field[i] = worthwhile ? std::min(view_.ages[i], 100) : 0;
   }
 
-  for (std::size_t i = 0; i + 1 < field_before_.size(); ++i) {
-    field_before_[i + 1] = field_before_[i] + field[i % field.size()];
-  }
-
-  all_players_ = world.teammates.size() >= soccer::kPlayersPerTeam - 1 &&
-                 world.opponents.size() >= soccer::kPlayersPerTeam;
-  if (!all_players_) return;
-  add_players(world, world.teammates, here, true);
-  add_players(world, world.opponents, here, false);
+  return sector_sums(field);
 }
 
-void NeckSearch::add_players(const WorldModel& world, const PlayerList& list, Vec2 here,
-                             bool ours) {
-  const bool attack = world.self.kickable || world.kickable_teammate() ||
-                      world.intercept.first_teammate_steps < world.intercept.first_opponent_steps;
+void NeckSearch::add_players(const PlayerList& list, bool ours, WeightedDirections& out) const {
+  const InterceptTable& table = world_.intercept;
+  const bool attack = world_.self.kickable || world_.kickable_teammate() ||
+                      table.first_teammate_steps < table.first_opponent_steps;
 
   base::FixedList<Vec2, PlayerList::capacity()> relatives;
-  for (const PlayerState& player : list) relatives.push_back(player.position - here);
+  for (const PlayerState& player : list) relatives.push_back(player.position - here_);
   std::array<double, PlayerList::capacity()> degrees;
   soccer::directions(relatives.begin(), relatives.size(), degrees.data());
 
@@ -74,25 +82,20 @@ void NeckSearch::add_players(const WorldModel& world, const PlayerList& list, Ve
     const PlayerState& player = list[i];
     const double age = std::min(player.seen_pos_count, 100) + 1.0;
     double weight = age * age * math::exp(-relatives[i].squared_length() / 800.0);
-    if (ours && attack && player.position.x > here.x) weight *= 4.0;
-    players_.push_back({(AngleDeg(degrees[i]) - body_).degrees(), weight});
+    if (ours && attack && player.position.x > here_.x) weight *= 4.0;
+    out.push_back({(AngleDeg(degrees[i]) - body_).degrees(), weight});
   }
 }
 
-double NeckSearch::player_score(double neck) const {
+double NeckSearch::player_score(const WeightedDirections& players, double neck) const {
   double score = 0.0;
-  for (const WeightedDirection& player : players_) {
+  for (const WeightedDirection& player : players) {
     // Both are between -180 and 180 degrees.
     const double apart = std::fabs(player.relative - neck);
     const double margin = half_view_ - (apart > 180.0 ? 360.0 - apart : apart);
     if (margin > 0.0) score += player.weight * (1.0 + margin / 90.0);
   }
   return score;
-}
-
-double NeckSearch::field_score(double neck) const {
-  const SectorRange range = sectors_around(body_ + neck, half_view_);
-  return field_before_[range.first + range.count] - field_before_[range.first];
 }
 
 template <typename Score>
@@ -121,11 +124,19 @@ double NeckSearch::best(double low, double high, const Score& score) const {
 }
 
 double NeckSearch::best_field(double low, double high) const {
-  return best(low, high, [this](double neck) { return field_score(neck); });
+  const SectorSums sums = field_sums();
+  return best(low, high, [&](double neck) {
+    return static_cast<double>(sum_of(sums, sectors_around(body_ + neck, half_view_)));
+  });
 }
 
 double NeckSearch::best_players(double low, double high) const {
-  return best(low, high, [this](double neck) { return player_score(neck); });
+  WeightedDirections players;
+  if (knows_all_players()) {
+    add_players(world_.teammates, true, players);
+    add_players(world_.opponents, false, players);
+  }
+  return best(low, high, [&](double neck) { return player_score(players, neck); });
 }
 
 }  // namespace cls::player

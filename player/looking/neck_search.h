@@ -10,12 +10,22 @@
 
 namespace cls::player {
 
-/// Created once per decision; searches ranges of neck angles, degrees relative to the next body.
+/// Sums of the values of the direction sectors before each one, twice around.
+using SectorSums = std::array<int, 2 * ViewMemory::kSectors + 1>;
+SectorSums sector_sums(const std::array<int, ViewMemory::kSectors>& values);
+
+/// Sum of the values of a range of sectors.
+inline int sum_of(const SectorSums& sums, SectorRange range) {
+  return sums[range.first + range.count] - sums[range.first];
+}
+
+/// Searches ranges of neck angles, degrees relative to the next body. What a search needs of the
+/// world is computed by it: most decisions need one. The arguments must outlive the object.
 class NeckSearch {
  public:
   NeckSearch(const WorldModel& world, const ViewMemory& view, const CommandSlots& slots);
 
-  bool knows_all_players() const { return all_players_; }
+  bool knows_all_players() const;
   /// Angle in [low, high] with the largest sum of direction ages over the pitch.
   double best_field(double low, double high) const;
   /// Angle in [low, high] that shows the most and longest unseen players.
@@ -26,20 +36,20 @@ class NeckSearch {
     double relative;  ///< degrees relative to the next body
     double weight;
   };
+  using WeightedDirections = base::FixedList<WeightedDirection, 2 * PlayerList::capacity()>;
 
   template <typename Score>
   double best(double low, double high, const Score& score) const;
-  void add_players(const WorldModel& world, const PlayerList& list, Vec2 here, bool ours);
-  double player_score(double neck) const;
-  double field_score(double neck) const;
+  SectorSums field_sums() const;
+  void add_players(const PlayerList& list, bool ours, WeightedDirections& out) const;
+  double player_score(const WeightedDirections& players, double neck) const;
 
+  const WorldModel& world_;
+  const ViewMemory& view_;
+  Vec2 here_;  ///< in the next cycle
   double half_view_;
   double neck_now_;
   AngleDeg body_;
-  bool all_players_ = false;
-  base::FixedList<WeightedDirection, 44> players_;
-  /// Sum of the scores of the direction sectors before each one, twice around.
-  std::array<int, 2 * ViewMemory::kSectors + 1> field_before_{};
 };
 
 }  // namespace cls::player

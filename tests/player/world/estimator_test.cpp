@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "player/looking/neck_search.h"
 #include "player/tracking/assignment.h"
 #include "player/tracking/observed_object.h"
 #include "player/world/gaussian.h"
@@ -388,6 +389,20 @@ TEST(ViewMemory, DirectionThatIsNotANumberHasNoSectors) {
   EXPECT_EQ(view.age_around(AngleDeg(0.0), std::nan("")), 0);
   EXPECT_EQ(ViewMemory::sector_of(AngleDeg(std::nan(""))), 0);
   EXPECT_GT(view.age_around(AngleDeg(0.0), 30.0), 0);
+}
+
+TEST(ViewMemory, SumsOfSectorsAreThoseOfAges) {
+  soccer::RandomStream random(3, "ages");
+  ViewMemory view;
+  for (int& age : view.ages) age = random.integer(1000);
+  const SectorSums sums = sector_sums(view.ages);
+
+  for (int i = 0; i < 2000; ++i) {
+    const AngleDeg direction(random.uniform(-180.0, 180.0));
+    const double half = random.uniform(0.0, 200.0);
+    ASSERT_EQ(sum_of(sums, sectors_around(direction, half)), view.age_around(direction, half))
+        << direction.degrees() << ' ' << half;
+  }
 }
 
 }  // namespace
