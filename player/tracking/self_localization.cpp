@@ -66,17 +66,18 @@ struct SeeContext {
                                                  pose.face + world.self.focus_direction.degrees());
   }
 
-  DistanceRange landmark_range(double printed, Vec2 landmark, const Pose& pose) const {
+  /// With the focus point at `from`.
+  DistanceRange landmark_range(double printed, Vec2 landmark, Vec2 from) const {
     if (world.self.focus_distance <= 0.0) return distances.range(printed);
-    return distances.range(printed, soccer::distance(focus(pose), landmark), focus_error);
+    return distances.range(printed, soccer::distance(from, landmark), focus_error);
   }
 
   /// Variance of the distance of a landmark with Gaussian noise.
-  double landmark_variance(double distance, Vec2 landmark, const Pose& pose) const {
+  double landmark_variance(double distance, Vec2 landmark, Vec2 from) const {
     const soccer::PlayerType& type = world.self_type();
     return gaussian_distance_variance(type.land_dist_noise_rate, distance,
                                       type.land_focus_dist_noise_rate,
-                                      soccer::distance(focus(pose), landmark));
+                                      soccer::distance(from, landmark));
   }
 
   double printed_middle(double printed) const {
@@ -112,9 +113,10 @@ SeenLandmarkList seen_landmarks(const SeeContext& context, const soccer::See& se
   return out;
 }
 
-/// Adds the direction and distance intervals of a flag or goal in global direction `degrees`.
+/// Adds the direction and distance intervals of a flag or goal in global direction `degrees`, with
+/// the focus point at `focus`.
 void add_landmark(const SeeContext& context, const SeenLandmark& mark, double degrees,
-                  const Pose& at, SlabList& slabs) {
+                  const Pose& at, Vec2 focus, SlabList& slabs) {
   const double distance = mark.offset.length();
   constexpr double kMinDistance = 0.3;  // the linearization is invalid here
   if (distance < kMinDistance) return;
@@ -131,10 +133,10 @@ void add_landmark(const SeeContext& context, const SeenLandmark& mark, double de
   if (context.world.self.gaussian_see) {
     const double off = seen.distance - distance;
     slabs.push_back(
-        {{-e.x, -e.y, 0.0}, off, off, context.landmark_variance(distance, mark.landmark, at)});
+        {{-e.x, -e.y, 0.0}, off, off, context.landmark_variance(distance, mark.landmark, focus)});
     return;
   }
-  const DistanceRange range = context.landmark_range(seen.distance, mark.landmark, at);
+  const DistanceRange range = context.landmark_range(seen.distance, mark.landmark, focus);
   slabs.push_back(
       {{-e.x, -e.y, 0.0}, range.low - distance - kSlack, range.high - distance + kSlack});
 }
@@ -195,8 +197,9 @@ SlabList slabs_at(const SeeContext& context, const soccer::See& see, const Pose&
   soccer::directions(offsets.begin(), offsets.size(), degrees.data());
 
   SlabList slabs;
+  const Vec2 focus = context.focus(at);
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    add_landmark(context, landmarks[i], degrees[i], at, slabs);
+    add_landmark(context, landmarks[i], degrees[i], at, focus, slabs);
   }
   for (const Observation& seen : see.objects) {
     if (seen.kind == ObservedKind::kLine) add_line(context, seen, at, slabs);
