@@ -83,8 +83,8 @@ proxy::RpcStatus PageTeam::answer(proto::Rpc rpc, const google::protobuf::Messag
 
   const std::string_view state =
       writer_.write(static_cast<const protos::State&>(request), proto::StateForm::kWhole);
-  const int code =
-      cls_decide(side_ == Side::kLeft ? 0 : 1, static_cast<int>(rpc), state.data(), state.size());
+  const int code = cls_decide(static_cast<int>(soccer::side_index(side_)), static_cast<int>(rpc),
+                              state.data(), state.size());
   const std::string& bytes = shared().reply;
   if (code != proto::kStatusOk) return proxy::rpc_status(rpc, code, bytes);
   if (reply.ParseFromString(bytes)) return {};

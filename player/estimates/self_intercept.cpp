@@ -461,6 +461,20 @@ struct Search {
   }
 };
 
+// Plans of equal rank keep the order of the search, which std::sort leaves to the library; and
+// std::stable_sort allocates.
+void rank_plans(InterceptTable& table) {
+  const auto before = [](const InterceptPlan& a, const InterceptPlan& b) {
+    const auto rank = [](const InterceptPlan& plan) {
+      return std::tuple(plan.steps(), plan.turns, -plan.stamina);
+    };
+    return rank(a) < rank(b);
+  };
+  for (auto next = table.plans.begin(); next != table.plans.end(); ++next) {
+    std::rotate(std::upper_bound(table.plans.begin(), next, *next, before), next, next + 1);
+  }
+}
+
 }  // namespace
 
 void plan_self_intercept(const WorldModel& world, const BallPath& path, int most_steps,
@@ -480,10 +494,7 @@ void plan_self_intercept(const WorldModel& world, const BallPath& path, int most
   search.turning(aims, true);
   if (world.leg_dashes) search.turning_while_dashing();
 
-  std::ranges::sort(table.plans, {}, [](const InterceptPlan& plan) {
-    return std::tuple(plan.steps(), plan.turns, -plan.stamina);
-  });
-
+  rank_plans(table);
   for (const InterceptPlan& plan : table.plans) {
     int& steps = plan.exhausting ? table.self_exhausting_steps : table.self_steps;
     steps = std::min(steps, plan.steps());

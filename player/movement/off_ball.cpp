@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/index.h"
 #include "player/movement/movement_parameters.h"
@@ -191,8 +192,9 @@ std::optional<Mark> find_mark(const WorldModel& world, const TeamPoints& home,
     attackers.push_back(&opponent);
   }
 
+  // Those at the same distance keep the order of the list that they point into.
   std::ranges::sort(attackers, {}, [](const PlayerState* attacker) {
-    return distance(attacker->position, kOwnGoal);
+    return std::pair(distance(attacker->position, kOwnGoal), attacker);
   });
 
   std::array<bool, soccer::kPlayersPerTeam> taken{};

@@ -97,6 +97,7 @@ const std::map<std::string, Library>& libraries() {
          "tournament", "match", ""}}},
       {"bench", {below_cli_and("tests"), {}}},
       {"packaging", {}},
+      {"cmake", {}},
       {"tests", {everything(), {}}},
   };
 
