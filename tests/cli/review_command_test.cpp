@@ -148,7 +148,8 @@ TEST_F(ReviewCommand, WritesMomentsAsScenarios) {
   ASSERT_EQ(written.exit_code, kIncomplete) << written.err;
 
   std::vector<std::string> files;
-  for (const json& decision : json::parse(written.out)["decisions"]) {
+  const json document = json::parse(written.out);
+  for (const json& decision : document["decisions"]) {
     if (decision["better"].is_null()) continue;
     files.push_back("match-start.rcg.gz-" + decision["cycle"].dump() + "-player-" +
                     decision["unum"].dump() + ".json");
