@@ -44,12 +44,15 @@ void Replays::add(const LoadedMatch& loaded, analysis::MatchStatistics statistic
   });
 
   const std::size_t match = matches_.size();
+  std::set<std::size_t> saved_frames;
   for (const review::Decision& one : all) {
     auto saved = saved_.find(loaded.logs.game, one);
-    if (saved) candidates_.push_back({match, one, review::judge(*std::move(saved), match), {}});
+    if (!saved) continue;
+    saved_frames.insert(one.frame);
+    candidates_.push_back({match, one, review::judge(*std::move(saved), match), {}});
   }
   for (const review::Decision& one : review::costliest(std::move(all), options_.decisions)) {
-    if (!saved_.find(loaded.logs.game, one)) candidates_.push_back({match, one, {}, {}});
+    if (!saved_frames.contains(one.frame)) candidates_.push_back({match, one, {}, {}});
   }
 
   PlayedMatch& played = matches_.emplace_back();
@@ -77,8 +80,8 @@ int Replays::play() {
   base::parallel_for(
       open.size(), options_.jobs, [&](std::size_t i) { play(*open[i]); },
       [&](std::size_t count) { progress.update(count); });
-  assemble();
   if (!open.empty()) save();
+  assemble();
   return save_error_.empty() ? kOk : print_error(kCannotCreate, "{}", save_error_);
 }
 
@@ -169,7 +172,6 @@ void Replays::play(Candidate& candidate) {
     return;
   }
   candidate.verdict = review::judge(*std::move(played), candidate.match);
-  assemble();
   save();
 }
 
@@ -196,6 +198,7 @@ void Replays::assemble() {
 // After each decision, so that a killed command loses none.
 void Replays::save() {
   if (options_.save.empty() || !save_error_.empty()) return;
+  assemble();
   const auto written = base::write_file(options_.save, to_json(review_).dump(1) + "\n");
   if (!written) save_error_ = written.error().message;
 }
