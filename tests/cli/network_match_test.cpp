@@ -153,12 +153,13 @@ TEST_F(NetworkMatch, StartsAgentsInSequence) {
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "team/killed"));
 }
 
+// In a network of its own a team finds the usual ports free.
 TEST_F(NetworkMatch, ReportsOwnerOfPortInUse) {
   const PortLock lock;
   script("team/start", "exit 1");
   Command owner({built("cls_fake_process"), "bind-udp", "6001", "print", "bound", "hang"});
   if (!owner.wait_for_output("bound")) GTEST_SKIP() << "port 6001 is in use by another process";
-  play("team:" + (folder_.path() / "team").string(), server(""));
+  play("team:" + (folder_.path() / "team").string(), server(""), {"--no-sandbox"});
   expect_end("refused", 75, "UDP port 600");
   EXPECT_THAT(played_.err, HasSubstr("is taken by "));
 }
