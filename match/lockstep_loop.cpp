@@ -140,6 +140,7 @@ void LockstepLoop::wait_for_external_clients() {
   });
   if (!waited) return;
 
+  if (!done) server_.count_missed_cycle();
   missed_by_external_ = done ? 0 : missed_by_external_ + 1;
   if (missed_by_external_ <= options_.max_missed) return;
   guard_.end(

@@ -154,8 +154,9 @@ void record_errors(const MatchSetup& setup, const Match& match, MatchResult& res
 
 // Adds what only the whole match shows.
 void add_late_warnings(const fs::path& folder, MatchResult& result, MatchObserver& observer) {
-  std::vector<std::string> late = action_warnings(result.left);
-  for (const auto& lines : {action_warnings(result.right), output_warnings(result, folder)}) {
+  std::vector<std::string> late = missed_cycle_warnings(result);
+  for (const auto& lines : {action_warnings(result.left), action_warnings(result.right),
+                            output_warnings(result, folder)}) {
     late.insert(late.end(), lines.begin(), lines.end());
   }
   for (const std::string& line : late) {

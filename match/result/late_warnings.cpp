@@ -46,6 +46,14 @@ std::vector<std::string> action_warnings(const TeamResult& team) {
                       sum.useless, sum.lists, sum.empty, most_failed(team))};
 }
 
+std::vector<std::string> missed_cycle_warnings(const MatchResult& result) {
+  if (result.server_missed_cycles == 0) return {};
+  return {fmt::format(
+      "the soccer server did not wait for all clients in {} of {} cycles: a slow program "
+      "or a busy host; those players did nothing",
+      result.server_missed_cycles, result.cycles)};
+}
+
 bool is_reported(const MatchResult& result, const std::string& exception) {
   const auto reports = [&exception](const TeamResult& team) {
     return team.errors.first && team.errors.first->message.find(exception) != std::string::npos;

@@ -12,6 +12,9 @@ namespace cls::match {
 /// A side most of whose replies led to no executed action.
 std::vector<std::string> action_warnings(const TeamResult& team);
 
+/// Cycles in which the server did not wait any longer for all clients; none when there are none.
+std::vector<std::string> missed_cycle_warnings(const MatchResult& result);
+
 /// True if the first failed call of a side reports this exception.
 bool is_reported(const MatchResult& result, const std::string& exception);
 

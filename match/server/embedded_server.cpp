@@ -224,6 +224,7 @@ void EmbeddedServer::add_result(MatchResult& result,
   result.cycles = world.clock.time;
   result.steps = steps_;
   result.server_version = base::kVersion;
+  result.server_missed_cycles = missed_cycles_;
   if (events_ != nullptr) result.goals = events_->goals();
 }
 

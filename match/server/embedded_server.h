@@ -57,6 +57,8 @@ class EmbeddedServer : public Server {
   void step(const Arrange& after_step = {});
   /// True when all external clients have ended their turn; waits for them up to `limit`.
   bool wait_for_commands(std::chrono::milliseconds limit);
+  /// Counts a step for whose commands nobody waited any longer.
+  void count_missed_cycle() { ++missed_cycles_; }
   /// The world after the last step.
   const simulator::World& world() const { return server_->world(); }
   /// Completes the logs.
@@ -101,6 +103,7 @@ class EmbeddedServer : public Server {
   std::vector<std::string> warnings_;
   bool playing_ = false;
   std::int64_t steps_ = 0;
+  std::int64_t missed_cycles_ = 0;
   struct Branch {
     std::int64_t steps;
     std::uint64_t seed;

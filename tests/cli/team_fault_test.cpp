@@ -63,6 +63,19 @@ TEST_F(TeamFault, ReportsHangDuringMatch) {
   expect_end("stalled", 1, "no new cycle for 1 s");
 }
 
+// On a busy host others may miss cycles, too.
+TEST_F(TeamFault, WarnsOfCyclesThatATeamMissed) {
+  const std::string cls_server =
+      script("server", "exec " + cls_binary().string() + " server \"$@\"");
+  for (const std::string& server : {std::string("embedded"), cls_server}) {
+    SCOPED_TRACE(server);
+    play(team("--miss-cycle 10"), server, {"--cycles", "25", "--rpc-deadline", "500"});
+    expect_finished();
+    EXPECT_GE(result_["server"]["missed_cycles"], 1);
+    EXPECT_THAT(played_.err, HasSubstr("the soccer server did not wait for all clients in "));
+  }
+}
+
 // The cls agents have replied to every cycle, so the server gave up waiting for the others.
 TEST_F(TeamFault, BlamesTheTeamThatTheServerGaveUp) {
   play(team(""), server("--until-cycle 20 --give-up 1 --code 1"), {"--right-name", "Guests"});

@@ -16,18 +16,21 @@ using std::chrono::steady_clock;
 /// Plays until the server has sent nothing for 5 s.
 int play(const fakes::Flags& flags, soccer::UdpClients& clients, soccer::Channel& server) {
   std::string message;
+  int now = 0;
   while (clients.wait_until(steady_clock::now() + std::chrono::seconds(5))) {
     while (server.receive(message)) {
       int time = 0;
       if (message.starts_with("(error")) std::printf("%s\n", message.c_str());
       if (std::sscanf(message.c_str(), "(sense_body %d", &time) == 1) {
+        now = time;
         if (flags.has("exit-at-cycle") && time >= flags.number("exit-at-cycle")) {
           std::fprintf(stderr, "lost my boots\n");
           std::_Exit(flags.number("code", 4));
         }
         if (flags.has("hang-at-cycle") && time >= flags.number("hang-at-cycle")) fakes::hang();
       }
-      if (message == "(think)") server.send("(turn 10)(done)");
+      const bool misses = flags.has("miss-cycle") && now == flags.number("miss-cycle");
+      if (message == "(think)" && !misses) server.send("(turn 10)(done)");
     }
   }
   std::printf("server down\n");
