@@ -131,6 +131,17 @@ std::string with_unit(double value, const char* unit) {
   return fmt::format("{:.1f}{}{}", value, *unit != '\0' ? " " : "", unit);
 }
 
+// The difference that more matches decide first.
+std::string nearest_text(const Reference& reference) {
+  std::string text = "  no statistic differs beyond doubt in these matches";
+  if (reference.differences.empty()) return text + "\n";
+  const Difference& one = reference.differences.front();
+  return text + fmt::format("; nearest to it: {}, {} against {} ({:+.1f} to {:+.1f})\n",
+                            one.statistic, with_unit(one.team, one.unit),
+                            with_unit(one.reference, one.unit), one.difference.low,
+                            one.difference.high);
+}
+
 // The differences beyond doubt.
 std::string reference_text(const Reference& reference, std::size_t most) {
   Table table;
@@ -149,7 +160,7 @@ std::string reference_text(const Reference& reference, std::size_t most) {
   }
   const std::string title = fmt::format("\nfarthest from {} ({})\n", reference.team,
                                         base::counted(reference.matches, "match", "matches"));
-  if (rows == 0) return title + "  no statistic differs beyond doubt in these matches\n";
+  if (rows == 0) return title + nearest_text(reference);
   return title + table.format_text(2);
 }
 

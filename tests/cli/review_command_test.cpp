@@ -241,6 +241,8 @@ TEST_F(ReviewCommand, ComparesWithAReference) {
   const CommandResult text = review({"own", "--side", "left", "--reference", "other"});
   EXPECT_EQ(text.exit_code, 0) << text.err;
   EXPECT_THAT(text.out, HasSubstr(" (2 matches)\n"));
+  EXPECT_THAT(review({"own", "--side", "left", "--reference", "own"}).out,
+              HasSubstr("  no statistic differs beyond doubt in these matches; nearest to it: "));
 
   const json document =
       json::parse(review({"own", "--side", "left", "--reference", "other", "--json"}).out);
