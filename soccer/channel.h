@@ -28,6 +28,13 @@ class Channel {
   /// negative level stops compression. Requires can_compress().
   virtual void compress(int /*level*/) {}
 
+  /// Asks the peer to send values in place of text (soccer/messages/values.h) where it can. False
+  /// over a network, which carries text only, and nothing changes.
+  virtual bool ask_for_values() { return false; }
+
+  /// True if the peer has asked for values.
+  virtual bool peer_reads_values() const { return false; }
+
   /// Arrival time of the last received message; the epoch of the clock for channels in memory.
   virtual std::chrono::steady_clock::time_point received_at() const { return {}; }
 };

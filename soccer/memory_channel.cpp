@@ -49,6 +49,7 @@ class Mailbox {
 
 struct Link {
   Mailbox directions[2];
+  bool reads_values[2] = {false, false};  ///< by end
   bool open = true;
 };
 
@@ -66,6 +67,9 @@ class MemoryChannel : public Channel {
   }
 
   bool receive(std::string& message) override { return link_->directions[1 - out_].take(message); }
+
+  bool ask_for_values() override { return link_->reads_values[out_] = true; }
+  bool peer_reads_values() const override { return link_->reads_values[1 - out_]; }
 
  private:
   std::shared_ptr<Link> link_;

@@ -15,6 +15,7 @@
 #include "proxy/messages/state_message.h"
 #include "proxy/planner/planner_messages.h"
 #include "soccer/commands/connection_request.h"
+#include "soccer/messages/values.h"
 #include "soccer/protocol/message_kind.h"
 #include "soccer/protocol/reply_code.h"
 
@@ -66,10 +67,18 @@ bool is_counted(const soccer::PlayerCommand& command, soccer::PlayMode mode) {
          (std::holds_alternative<soccer::Tackle>(command) && !player::clock_stopped(mode));
 }
 
+// As values or as text.
+template <typename Message>
+bool read_senses(ServerConnection& server, Message& out) {
+  const bool read_as_values = server.reads_values && soccer::read_values(server.message, out);
+  return read_as_values || read(server, out);
+}
+
 }  // namespace
 
 PlayerAgent::PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions options)
     : Agent(std::move(channel)), options_(std::move(options)) {
+  server_.reads_values = server_.channel->ask_for_values();
   if (options_.formations != nullptr) world_.formations = options_.formations;
   if (options_.planner != nullptr) world_.planner = options_.planner;
 }
@@ -94,10 +103,10 @@ void PlayerAgent::perceive() {
 void PlayerAgent::handle_message() {
   switch (soccer::message_kind(server_.message)) {
     case soccer::MessageKind::kSenseBody:
-      if (read(server_, sense_)) handle_sense_body();
+      if (read_senses(server_, sense_)) handle_sense_body();
       break;
     case soccer::MessageKind::kSee:
-      if (!read(server_, see_)) break;
+      if (!read_senses(server_, see_)) break;
       on_see(world_, see_);
       if (see_.time == world_.game.time.cycle) timer_.on_see(server_.channel->received_at());
       break;

@@ -43,8 +43,9 @@ struct ServerConnection {
 
   std::unique_ptr<soccer::Channel> channel;
   bool accepted = false;
-  int known_types = 0;  ///< player types received
-  std::string refusal;  ///< the (error ...) that rejected the init command; empty: none
+  int known_types = 0;        ///< player types received
+  bool reads_values = false;  ///< the server is in this process: see and sense_body may be values
+  std::string refusal;        ///< the (error ...) that rejected the init command; empty: none
   ServerErrors errors;
 
   std::string message;   ///< received last

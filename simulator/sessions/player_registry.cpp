@@ -10,6 +10,7 @@
 #include "simulator/senses/exact_view.h"
 #include "simulator/world/roster.h"
 #include "soccer/messages/sense_body.h"
+#include "soccer/messages/values.h"
 
 namespace cls::simulator {
 namespace {
@@ -248,7 +249,12 @@ void PlayerRegistry::send_senses(World& world) {
 
 void PlayerRegistry::send_sense_body(const World& world, PlayerSession& player) {
   text_.clear();
-  soccer::format(sense_body(world, player.slot()), player.version, text_);
+  soccer::SenseBody sense = sense_body(world, player.slot());
+  if (player.channel->peer_reads_values() && make_as_sent(sense, player.version)) {
+    soccer::write_values(sense, text_);
+  } else {
+    soccer::format(sense, player.version, text_);
+  }
   player.send(text_);
 }
 
@@ -278,7 +284,11 @@ void PlayerRegistry::send_see(const World& world, PlayerSession& player) {
   if (!player.own_name.empty()) use_own_names(world, player.slot(), player.own_name, see_);
 
   text_.clear();
-  soccer::format(see_, text_);
+  if (player.channel->peer_reads_values() && make_as_sent(see_)) {
+    soccer::write_values(see_, text_);
+  } else {
+    soccer::format(see_, text_);
+  }
   player.send(text_);
 }
 

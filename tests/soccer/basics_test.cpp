@@ -160,6 +160,14 @@ TEST(Landmarks, MatchRcssserver) {
   EXPECT_FALSE(landmark_index("f x"));
 }
 
+TEST(MemoryChannel, KnowsWhichEndReadsValues) {
+  auto [server, client] = make_memory_channel();
+  EXPECT_FALSE(server->peer_reads_values());
+  EXPECT_TRUE(client->ask_for_values());
+  EXPECT_TRUE(server->peer_reads_values());
+  EXPECT_FALSE(client->peer_reads_values());
+}
+
 TEST(MemoryChannel, PreservesOrderAndDetectsClosedPeer) {
   auto [server, client] = make_memory_channel();
   EXPECT_TRUE(server->send("one"));
