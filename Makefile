@@ -90,6 +90,7 @@ bench:
 	@cmake --build --preset release -j $(JOBS) --target cls cls_bench cls_python_package cls_training_shared
 	@build/bin/cls_bench --benchmark_filter=-rpc_ceiling
 	@bench/training.py
+	@bench/commands.py
 	@bench/matches.py
 	@if command -v node >/dev/null; then bench/engine.mjs; fi
 

@@ -7,7 +7,8 @@
 Prints a table, medians over the rounds:
     cycles/s    of the match
     CPU s       of all processes: cls, servers and Playmakers
-    of cls      CPU seconds of cls itself, with its agents and mocks
+    of cls      CPU seconds of cls itself, with its agents, its mocks and the embedded server
+    server      CPU seconds of rcssserver; 0: the server is embedded
     peak MB     memory of the largest process
     reply us    time in which half of the decisions of the right side were received
 Unless the row says how they are asked, mocks are called as functions, without gRPC. Matches with
@@ -16,6 +17,8 @@ second and CPU time of gRPC alone, with the smallest Playmaker (rpc_ceiling of c
 binary), and which share of it matches reach. Environment, each optional:
     CLS_BENCH_BASE      as --base
     CLS_BENCH_CYCLES    as --cycles
+    CLS_RCSSSERVER      rcssserver, else the one in PATH
+    CLS_BENCH_TEAMS     folders of two teams with start.sh, with a space between them
     CLS_UPSTREAM_PYTHON command of a Playmaker of the upstream project, with {port}:
                         "cd sample && python3 server.py --rpc-port {port}"
 """
@@ -33,7 +36,7 @@ import threading
 import urllib.request
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-HEAD = f"{'cycles/s':>9} {'CPU s':>7} {'of cls':>7} {'peak MB':>8} {'reply us':>9}"
+HEAD = f"{'cycles/s':>9} {'CPU s':>7} {'of cls':>7} {'server':>7} {'peak MB':>8} {'reply us':>9}"
 NAME_WIDTH = 54
 SIMPLE = "mock:simple"  # plays the same in every build
 # The row of RPC alone that bounds a match: the same transport and calls.
@@ -81,8 +84,14 @@ def rows():
            no_grpc)
     yield (f"{SIMPLE}, upstream Python sample", [SIMPLE, f"run:{sample}"],
            None if sample else "CLS_UPSTREAM_PYTHON is not set")
-    yield (f"{SIMPLE} both on rcssserver", [SIMPLE, SIMPLE, "--server", server or ""],
-           None if server else "no rcssserver")
+    no_server = None if server else "no rcssserver"
+    yield f"{SIMPLE} both on rcssserver", [SIMPLE, SIMPLE, "--server", server or ""], no_server
+    yield ("mock:planner both on rcssserver",
+           ["mock:planner", "mock:planner", "--server", server or ""], no_server)
+    teams = [f"team:{folder}" for folder in os.environ.get("CLS_BENCH_TEAMS", "").split()]
+    no_teams = None if len(teams) == 2 else "CLS_BENCH_TEAMS is not set"
+    yield "teams on the embedded server", teams, no_teams
+    yield "teams on rcssserver", [*teams, "--server", server or ""], no_teams or no_server
 
 
 def known_arguments(binary, arguments):
@@ -130,9 +139,10 @@ def match(binary, arguments, cycles):
     result = json.loads(text)
     cpu = usage.ru_utime + usage.ru_stime
     others = sum(process["cpu_seconds"] for process in result["processes"])
-    replies = [player["rpc_us"]["p50"] for player in result["right"]["players"]]
-    return (result["cycles_per_second"], cpu, cpu - others, usage.ru_maxrss / 1024,
-            statistics.median(replies))
+    replies = [player["rpc_us"]["p50"] for player in result["right"]["players"]
+               if "rpc_us" in player] or [0.0]  # none of a team of programs
+    return (result["cycles_per_second"], cpu, cpu - others, result["server"]["cpu_seconds"] or 0.0,
+            usage.ru_maxrss / 1024, statistics.median(replies))
 
 
 def measure(arguments_of, args):
@@ -150,7 +160,7 @@ def measure(arguments_of, args):
 def cell(figures):
     if not figures:
         return f"{'-':>{len(HEAD)}}"
-    return "{:9.0f} {:7.1f} {:7.1f} {:8.0f} {:9.0f}".format(*figures)
+    return "{:9.0f} {:7.1f} {:7.1f} {:7.1f} {:8.0f} {:9.0f}".format(*figures)
 
 
 def ratio(figures, binaries):
@@ -197,7 +207,7 @@ def print_ceilings(binaries, args, played):
         medians = {binary: [statistics.median(column) for column in zip(*values)]
                    for binary, values in by_binary.items()}
         cells = "".join(f" |{'-':>{len(HEAD)}}" if binary not in medians else
-                        f" |{{:9.0f}} {{:7.1f}}{'':26}".format(*medians[binary])
+                        f" |{{:9.0f}} {{:7.1f}}{'':{len(HEAD) - 17}}".format(*medians[binary])
                         for binary in binaries)
         print(f"{name:{NAME_WIDTH}}{cells}{ratio(medians, binaries)}", flush=True)
         match_name = LIMITED_BY.get(name)

@@ -2,7 +2,7 @@
 
     python3 -m cls_gym.bench                              the usual tasks, sizes and threads
     python3 -m cls_gym.bench cls/HFO-2v2-v0 --num-envs 64 --actions skills
-    python3 -m cls_gym.bench --obs world_model --json
+    python3 -m cls_gym.bench --obs world_model --opponent planner --json
 
 World steps with random actions of a fixed seed, features `ego` and the action set that the examples
 train with, masks included: through VectorEnv (`python`) and through the engine alone (`engine`):
@@ -18,7 +18,7 @@ import json
 import statistics
 import sys
 import time
-from typing import Any, Callable, Dict, List, NamedTuple, Sequence
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence
 
 import numpy as np
 
@@ -35,6 +35,7 @@ class Case(NamedTuple):
     obs: str
     num_envs: int
     threads: int
+    opponent: Optional[str] = None  # the task's
 
 
 class Speed(NamedTuple):
@@ -95,8 +96,10 @@ def _reset(envs: cls_gym.VectorEnv, count: int) -> float:
 
 def measure(case: Case, rounds: int, seconds: float) -> Dict[str, Any]:
     """One row of the table."""
+    opponent = {} if case.opponent is None else {"opponent": case.opponent}
     envs = cls_gym.VectorEnv(case.task, case.num_envs, obs=case.obs, threads=case.threads,
-                             features="ego", actions=case.actions, autoreset_mode="same_step")
+                             features="ego", actions=case.actions, autoreset_mode="same_step",
+                             **opponent)
     actions = random_actions(envs, 64)
     envs.reset(seed=1)
     speed, steps = _python(envs, actions, 8), 8
@@ -142,6 +145,8 @@ def _options(arguments: Sequence[str]) -> argparse.Namespace:
                         help="action set (default: low_discrete, with masks)")
     parser.add_argument("--obs", choices=("full_state", "world_model"), default="full_state",
                         help="what agents know (default: full_state)")
+    parser.add_argument("--opponent", metavar="WHO",
+                        help="who plays the other team, such as planner (default: the task's)")
     parser.add_argument("--num-envs", type=int, nargs="+", default=[1, 64, 1024], metavar="N",
                         help="numbers of worlds (default: 1 64 1024)")
     parser.add_argument("--threads", type=int, nargs="+", default=[1, 2], metavar="T",
@@ -155,7 +160,7 @@ def _options(arguments: Sequence[str]) -> argparse.Namespace:
 
 def main(arguments: Sequence[str]) -> int:
     options = _options(arguments)
-    cases = [Case(task, options.actions, options.obs, num_envs, threads)
+    cases = [Case(task, options.actions, options.obs, num_envs, threads, options.opponent)
              for task in options.tasks for num_envs in options.num_envs
              for threads in options.threads if threads <= num_envs]
     rows = []
