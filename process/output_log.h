@@ -27,6 +27,8 @@ class OutputLog {
             std::function<void(std::string_view)> on_line = {});
 
   void add(std::string_view bytes);
+  /// Calls `on_line` no more.
+  void stop_calls() { on_line_ = nullptr; }
   /// End of output: handles an incomplete last line, and writes what was held back.
   void finish();
 

@@ -88,7 +88,12 @@ void ChildRecord::ask(const KeeperRequest& request) {
 Child::Child(std::shared_ptr<ProcessHostCore> core, std::shared_ptr<ChildRecord> record)
     : core_(std::move(core)), record_(std::move(record)) {}
 
-Child::~Child() { end(kDroppedGrace); }
+// Who has the child is who hears its lines, and may be gone when the last ones come.
+Child::~Child() {
+  const std::lock_guard lock(core_->mutex);
+  record_->log.stop_calls();
+  record_->ask({KeeperRequest::Kind::kEnd, std::chrono::duration<double>(kDroppedGrace).count()});
+}
 
 const CommandPlan& Child::plan() const { return record_->plan; }
 

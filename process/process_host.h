@@ -74,8 +74,8 @@ class Child {
 /// destructor terminates all children and waits for them (3 s at most).
 class ProcessHost {
  public:
-  /// Called on the host's thread with every line of a child's output. Must return quickly and must
-  /// not call the host or a child.
+  /// Called on the host's thread with every line of a child's output, until the Child is destroyed.
+  /// Must return quickly and must not call the host or a child.
   using OnLine = std::function<void(std::string_view)>;
 
   static constexpr std::size_t kLogLimit = 10 << 20;  ///< bytes of one log

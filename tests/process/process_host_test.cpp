@@ -382,6 +382,21 @@ TEST(ProcessHost, CallsBackForEachLine) {
   EXPECT_EQ(lines.load(), 1000);
 }
 
+// A soccer server that was slow to end printed into a match that was gone.
+TEST(ProcessHost, CallsNobodyBackOnceTheChildIsDropped) {
+  MarkedHost processes;
+  std::atomic<int> lines = 0;
+  auto child = processes.start(
+      fake({"ignore-term", "print", "first", "sleep", "0.4", "print", "second", "hang"}),
+      [&lines](std::string_view) { ++lines; });
+  ASSERT_TRUE(saw_line(*child, "first"));
+  child.reset();
+  const int before = lines;
+  EXPECT_TRUE(processes.nothing_left(20s));
+  EXPECT_TRUE(processes.host.end_all(0ms));
+  EXPECT_EQ(lines, before);
+}
+
 TEST(ProcessHost, KillsProgramWithItsKeeper) {
   MarkedHost processes;
   const auto child = processes.start_fake({"grandchild", "print", "up", "hang"});
