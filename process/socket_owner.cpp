@@ -74,6 +74,23 @@ pid_t parent_of(pid_t pid) {
 
 }  // namespace
 
+/// The starter and all that it has started. Reading it takes milliseconds: once for all sockets
+/// that are looked for.
+struct SocketOwners::Family {
+  // The keeper above a process, the starter, or the process itself if its parent is not known.
+  pid_t top_of(pid_t pid, pid_t guard) const {
+    auto entry = parents.find(pid);
+    while (entry != parents.end() && entry->second != guard && entry->second != 0) {
+      pid = entry->second;
+      entry = parents.find(pid);
+    }
+    return pid;
+  }
+
+  std::map<pid_t, pid_t> parents;  ///< 0: of the starter
+  std::map<pid_t, std::set<unsigned long>> sockets;
+};
+
 std::string missing_socket_owners() {
   const auto socket = base::UdpSocket::bind(*base::parse_ip_address("127.0.0.1", 0));
   const std::set<unsigned long> own = sockets_of(::getpid());
@@ -107,12 +124,12 @@ void SocketOwners::remember(unsigned long inode, const SocketOwner& owner) {
 SocketOwner SocketOwners::owner_of(const base::SocketAddress& address) {
   const auto sockets = sockets_at(bound_sockets(Protocol::kUdp), hex_host(address), address.port());
   if (sockets.empty()) return {};  // a flood of such requests must cost nothing
-  if (sockets.size() != 1) return find(inodes_of(sockets));
+  if (sockets.size() != 1) return find(inodes_of(sockets), family());
   const SocketEntry& socket = sockets.front();
   const auto known = known_.find(socket.inode);
   if (known != known_.end()) return known->second;
 
-  SocketOwner owner = find({socket.inode});
+  SocketOwner owner = find({socket.inode}, family());
   if (owner.pid == 0 && socket.user != ::geteuid()) owner.kind = SocketOwner::Kind::kOutside;
   if (owner.pid == 0 && socket.user == ::geteuid()) owner = find_outside(socket.inode);
   remember(socket.inode, owner);
@@ -125,6 +142,7 @@ std::vector<SocketOwner> SocketOwners::peers_of(pid_t server) {
   const std::vector<SocketEntry> sockets = bound_sockets(Protocol::kUdp);
 
   std::vector<SocketOwner> owners;
+  std::optional<Family> holders;
   for (const SocketEntry& socket : sockets) {
     if (socket.peer_port == 0 || !own.contains(socket.inode)) continue;
     if (!on_loopback(socket.peer_host)) continue;
@@ -133,47 +151,46 @@ std::vector<SocketOwner> SocketOwners::peers_of(pid_t server) {
         std::string_view(socket.peer_host).substr(socket.peer_host.size() - kAnyV4.size());
     const auto inodes = inodes_of(sockets_at(sockets, host, socket.peer_port));
     const auto known = inodes.size() == 1 ? known_.find(inodes.front()) : known_.end();
-    owners.push_back(known != known_.end() ? known->second : find(inodes));
+    if (known == known_.end() && !holders) holders = family();
+    owners.push_back(known != known_.end() ? known->second : find(inodes, *holders));
     if (inodes.size() == 1) remember(inodes.front(), owners.back());
   }
   return owners;
 }
 
-// The starter and all that it has started, with their parents.
-std::map<pid_t, pid_t> SocketOwners::family() const {
-  std::map<pid_t, pid_t> parents = {{starter_, 0}};
-  for (const ProcessEntry& entry : descendants_of(starter_)) parents[entry.pid] = entry.parent;
-  return parents;
+SocketOwners::Family SocketOwners::family() const {
+  Family family;
+  family.parents[starter_] = 0;
+  for (const ProcessEntry& entry : descendants_of(starter_)) {
+    family.parents[entry.pid] = entry.parent;
+  }
+  for (const auto& [pid, parent] : family.parents) family.sockets[pid] = sockets_of(pid);
+  return family;
 }
 
 SocketOwner SocketOwners::find_outside(unsigned long inode) const {
-  const std::map<pid_t, pid_t> parents = family();
+  const Family family = this->family();
   for (const int pid : all_pids()) {
-    if (parents.contains(pid) || !sockets_of(pid).contains(inode)) continue;
+    if (family.parents.contains(pid) || !sockets_of(pid).contains(inode)) continue;
     return {SocketOwner::Kind::kOutside, "", pid, short_name(pid)};
   }
   return {};
 }
 
 // Each socket must be held, and all holders must be of one program.
-SocketOwner SocketOwners::find(const std::vector<unsigned long>& inodes) const {
-  std::map<pid_t, pid_t> parents = family();
+SocketOwner SocketOwners::find(const std::vector<unsigned long>& inodes,
+                               const Family& family) const {
   std::set<unsigned long> missing(inodes.begin(), inodes.end());
   std::set<pid_t> keepers;  // or the starter
   SocketOwner owner;
 
-  for (const auto& [pid, parent] : parents) {
-    const std::set<unsigned long> held = sockets_of(pid);
+  for (const auto& [pid, held] : family.sockets) {
     const auto holds = [&held](unsigned long inode) { return held.contains(inode); };
     if (std::ranges::none_of(inodes, holds)) continue;
     std::erase_if(missing, holds);
     owner.pid = pid;
 
-    pid_t top = pid;
-    while (parents.contains(top) && parents[top] != guard_ && parents[top] != 0) {
-      top = parents[top];
-    }
-    keepers.insert(top);
+    keepers.insert(family.top_of(pid, guard_));
   }
 
   if (owner.pid == 0) return owner;

@@ -54,8 +54,9 @@ class SocketOwners {
  private:
   SocketOwners(pid_t guard, pid_t starter) : guard_(guard), starter_(starter) {}
 
-  std::map<pid_t, pid_t> family() const;
-  SocketOwner find(const std::vector<unsigned long>& inodes) const;
+  struct Family;
+  Family family() const;
+  SocketOwner find(const std::vector<unsigned long>& inodes, const Family& family) const;
   SocketOwner find_outside(unsigned long inode) const;
   void remember(unsigned long inode, const SocketOwner& owner);
 

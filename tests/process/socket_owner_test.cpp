@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <optional>
 #include <string>
 #include <thread>
@@ -136,6 +137,33 @@ TEST_F(SocketOwnersTest, KnowPeersOfAServer) {
   const std::vector<SocketOwner> peers = owners_.peers_of(::getpid());
   ASSERT_EQ(peers.size(), 1U);
   EXPECT_TRUE(peers.front().program.starts_with("left team"));
+}
+
+double cpu_seconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+// When both teams join at once, cls looked at all processes for each of their players, and stood
+// still for seconds on a busy host.
+TEST_F(SocketOwnersTest, LookAtProcessesOnceForAllPeers) {
+  std::vector<base::UdpSocket> sockets;
+  const auto seconds_for_new = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      auto peer = base::UdpSocket::bind(loopback(0));
+      auto server = base::UdpSocket::bind(loopback(0));
+      EXPECT_TRUE(server->connect(loopback(peer->local_port())));
+      sockets.push_back(*std::move(peer));
+      sockets.push_back(*std::move(server));
+    }
+
+    const double before = cpu_seconds();
+    EXPECT_EQ(owners_.peers_of(::getpid()).size(), sockets.size() / 2);
+    return cpu_seconds() - before;
+  };
+  const double one = seconds_for_new(1);
+  EXPECT_LT(seconds_for_new(100), 20 * one);
 }
 
 TEST_F(SocketOwnersTest, NeedAGuardOfTheirParent) {
