@@ -50,6 +50,11 @@ inline std::uint32_t digits_value(std::uint64_t bytes, int count, bool& ok) {
 
 constexpr std::array<double, 8> kTenths = {1e0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
 
+/// Half of the numbers of a game log.
+inline bool is_one_digit(const char* at) {
+  return *at >= '0' && *at <= '9' && (at[1] == ' ' || at[1] == ')');
+}
+
 /// Numbers of any form: exponents, many digits. Slow and exact.
 bool scan_any_number(const char*& at, float& value);
 bool scan_any_integer(const char*& at, std::int32_t& value);
@@ -58,6 +63,11 @@ bool scan_any_integer(const char*& at, std::int32_t& value);
 
 /// A decimal number.
 inline bool scan_number(const char*& at, float& value) {
+  if (detail::is_one_digit(at)) {
+    value = static_cast<float>(*at++ - '0');
+    return true;
+  }
+
   const char* start = at + (*at == '-' ? 1 : 0);
   const std::uint64_t bytes = detail::load8(start);
   const int whole = detail::count_digit_like(bytes);
@@ -89,6 +99,11 @@ inline bool scan_number(const char*& at, float& value) {
 
 /// A decimal integer.
 inline bool scan_integer(const char*& at, std::int32_t& value) {
+  if (detail::is_one_digit(at)) {
+    value = *at++ - '0';
+    return true;
+  }
+
   const std::uint64_t bytes = detail::load8(at);
   const int length = detail::count_digit_like(bytes);
   if (length == 8 || length == 0) return detail::scan_any_integer(at, value);

@@ -49,6 +49,25 @@ TEST(ScanNumber, ReadsNumbersOfShowLines) {
   EXPECT_EQ(scan("2.5e+06)").value, 2.5e6F);
 }
 
+TEST(ScanNumber, ReadsOneDigitBeforeAnyEnd) {
+  for (int digit = 0; digit <= 9; ++digit) {
+    for (const char* end : {" ", ")", "  8", "))", "}", ",", "(", "p", "\n"}) {
+      std::string text = std::to_string(digit) + end;
+      const Scanned result = scan(text);
+      EXPECT_TRUE(result.ok) << text;
+      EXPECT_EQ(result.value, static_cast<float>(digit)) << text;
+      EXPECT_EQ(result.length, 1u) << text;
+
+      text.append(kLookAhead, '\n');
+      const char* at = text.data();
+      std::int32_t integer = -1;
+      EXPECT_TRUE(scan_integer(at, integer)) << text;
+      EXPECT_EQ(integer, digit) << text;
+      EXPECT_EQ(at, text.data() + 1) << text;
+    }
+  }
+}
+
 TEST(ScanNumber, PreservesNegativeZero) {
   EXPECT_TRUE(std::signbit(scan("-0 ").value));
   EXPECT_FALSE(std::signbit(scan("0 ").value));
