@@ -268,6 +268,7 @@ void NetworkAgents::leave() { stop(); }
 void NetworkAgents::terminate() {
   if (stage_ != Stage::kIdle) worker().wait_for(kTerminateGrace + kKillMargin);
   for (const auto* started : playmaker_processes()) started->child().end(kTerminateGrace);
+  worker().wait();  // the result is read next: what the thread writes may not be read meanwhile
 }
 
 }  // namespace cls::match

@@ -23,8 +23,10 @@ constexpr milliseconds kCoachRetry{200};
 constexpr std::chrono::microseconds kReplyTimeout{300};
 
 // True when a server replies at the port. No soccer server knows the command (hello), so each
-// replies with an error and does nothing else. A closed port fails immediately.
-bool server_replies(soccer::UdpClients& clients, int port, steady_clock::time_point deadline) {
+// replies with an error and does nothing else. A closed port fails immediately. `keep_waiting` is
+// asked after each request without a reply.
+bool server_replies(soccer::UdpClients& clients, int port, steady_clock::time_point deadline,
+                    const ShouldContinue& keep_waiting) {
   const std::unique_ptr<soccer::Channel> probe = clients.connect(port);
   std::string reply;
   while (probe != nullptr && steady_clock::now() < deadline && probe->send("(hello)")) {
@@ -32,6 +34,7 @@ bool server_replies(soccer::UdpClients& clients, int port, steady_clock::time_po
     while (steady_clock::now() < next && clients.wait_until(next)) {
       if (probe->receive(reply)) return true;
     }
+    if (!keep_waiting()) break;
   }
   return false;
 }
@@ -46,7 +49,7 @@ bool lacks_team(const std::string& error) {
 bool wait_for_server(soccer::UdpClients& clients, const ShouldContinue& should_continue) {
   while (should_continue()) {
     const auto next = steady_clock::now() + kProbeInterval;
-    if (server_replies(clients, 0, next)) return true;
+    if (server_replies(clients, 0, next, should_continue)) return true;
     // A closed port fails immediately: wait for the rest of the interval.
     while (should_continue() && steady_clock::now() < next) clients.wait_until(next);
   }
@@ -85,7 +88,7 @@ base::Result<void> TeamDriver::connect_all(const ShouldContinue& should_continue
 
 base::Result<void> TeamDriver::connect_coach(const Serve& serve) {
   const auto deadline = steady_clock::now() + kCoachTimeout;
-  if (!server_replies(clients_, options_.coach_port, deadline)) {
+  if (!server_replies(clients_, options_.coach_port, deadline, serve)) {
     return base::Error{"no soccer server accepts coaches at port " +
                        std::to_string(options_.coach_port)};
   }

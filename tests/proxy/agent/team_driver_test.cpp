@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
+#include <optional>
 #include <thread>
 
 #include "base/io/byte_sink.h"
@@ -172,6 +174,27 @@ TEST(TeamDriver, EndsWhenServerStopsSending) {
   server.wait();
   left.thread.join();
   EXPECT_EQ(left.end, DriveResult::kServerUnresponsive);
+}
+
+// A match that has ended waits for the thread of its agents.
+TEST(TeamDriver, StopsWaitingForASilentPortOfCoaches) {
+  const Server server(short_match(100000));
+  auto silent = std::move(*base::UdpSocket::bind(*base::parse_ip_address("127.0.0.1", 0)));
+  std::optional<steady_clock::time_point> asked;
+  const ShouldContinue go_on = [&] {
+    std::array<char, 100> bytes;
+    std::size_t size = 0;
+    base::SocketAddress sender;
+    if (!asked && silent.receive(bytes, size, sender) == 0) asked = steady_clock::now();
+    return !asked;
+  };
+
+  DriverOptions driving = Side::quick();
+  driving.coach_port = silent.local_port();
+  Side left("left", server.port, false, driving);
+  left.join(go_on);
+  ASSERT_TRUE(asked);
+  EXPECT_LT(steady_clock::now() - *asked, milliseconds(1000));
 }
 
 // A client of the same host may reconnect as a player that is connected, before the kick-off.
