@@ -26,6 +26,7 @@
 
 #include "base/system/unique_fd.h"
 #include "process/confinement.h"
+#include "process/connection_trap.h"
 #include "process/landlock.h"
 #include "process/pipe.h"
 
@@ -98,6 +99,7 @@ std::optional<LaunchStep> prepare(const CommandPlan& plan, int ruleset, pid_t pa
     ::fcntl(kFirstPassedFd + static_cast<int>(i), F_SETFD, 0);
   }
   reset_signals();
+  report_connections(plan);
   if (plan.files && !enforce_ruleset(ruleset)) return LaunchStep::kFiles;
   if (plan.confined && !confine()) return LaunchStep::kConfinement;
   return std::nullopt;

@@ -66,6 +66,23 @@ base::Result<void> ExternalServer::open_relay(
   return {};
 }
 
+// The server gets sockets in the networks of the sides, so that nothing passes the relays in play.
+base::Result<void> ExternalServer::trap_connections() {
+  if (relays_[soccer::Side::kLeft] == nullptr && relays_[soccer::Side::kRight] == nullptr)
+    return {};
+  const auto socket_for = [this](const base::SocketAddress& peer) {
+    std::optional<base::UdpSocket> socket;
+    for (const soccer::Side side : soccer::kBothSides) {
+      if (!socket && relays_[side] != nullptr) socket = relays_[side]->hand_over(peer);
+    }
+    return socket;
+  };
+
+  TRY_INIT(trap_, process::ConnectionTrap::create(socket_for));
+  trap_->add_to(*plan_.server);
+  return {};
+}
+
 bool ExternalServer::has_open_port() const {
   const std::vector<int> ports = process::ports_of(process::Protocol::kUdp, child_->status().pid);
   return std::ranges::find(ports, plan_.ports.player) != ports.end();
@@ -79,6 +96,7 @@ std::optional<MatchEnd> ExternalServer::start(const std::function<bool()>& keep_
     return std::nullopt;
   }
 
+  if (const auto trapped = trap_connections(); !trapped) return refused(trapped.error().message);
   auto child =
       host_->start(*plan_.server, [this](std::string_view line) { output_.read_line(line); });
   if (!child) return refused(child.error().message);

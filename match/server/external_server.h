@@ -13,6 +13,7 @@
 #include "match/server/match_plan.h"
 #include "match/server/match_server.h"
 #include "match/server/server_relay.h"
+#include "process/connection_trap.h"
 #include "process/namespaces.h"
 #include "process/process_host.h"
 #include "process/socket_owner.h"
@@ -65,6 +66,7 @@ class ExternalServer : public Server {
   void add_result(MatchResult& result, const std::vector<AgentProgress>& agents) const override;
 
  private:
+  base::Result<void> trap_connections();
   bool has_open_port() const;
   int server_process() const;
   void look_for_intruder();
@@ -91,6 +93,7 @@ class ExternalServer : public Server {
   std::shared_ptr<process::Child> child_;  ///< null: not started by cls
   ClaimedNames names_;
   soccer::PerSide<std::unique_ptr<ServerRelay>> relays_;  ///< null: the side needs none
+  std::unique_ptr<process::ConnectionTrap> trap_;         ///< null: no side has a relay
 };
 
 /// Writes the events of a match that has ended, from its result and from the server's game log in

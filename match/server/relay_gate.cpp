@@ -76,4 +76,16 @@ std::optional<Refusal> refusal_of(RelayedPort port, std::string_view request, so
                                        : refusal_of_coach(request, side, names);
 }
 
+bool gets_own_port(RelayedPort port, std::string_view request) {
+  constexpr double kFirstVersion = 8.0;
+  if (port == RelayedPort::kCoaches) {
+    soccer::CoachInit init;
+    return !soccer::parse(request, init) && init.version >= kFirstVersion;
+  }
+  soccer::GameRequest parsed;
+  if (soccer::parse(request, parsed)) return false;
+  const auto* init = std::get_if<soccer::PlayerInit>(&parsed);
+  return init != nullptr && init->version >= kFirstVersion;
+}
+
 }  // namespace cls::match

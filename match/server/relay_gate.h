@@ -44,4 +44,8 @@ struct Refusal {
 std::optional<Refusal> refusal_of(RelayedPort port, std::string_view request, soccer::Side side,
                                   ClaimedNames& names);
 
+/// Whether the server takes commands of the client only at the port that it opens for it. `request`
+/// is one that passes; of a player who comes back it is not known.
+bool gets_own_port(RelayedPort port, std::string_view request);
+
 }  // namespace cls::match

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -17,6 +18,7 @@
 #include <utility>
 
 #include "base/index.h"
+#include "base/system/time_slice.h"
 #include "match/server/client_binding.h"
 
 namespace cls::match {
@@ -28,6 +30,8 @@ using base::UdpSocket;
 // Of a team's 11 players and its coach some are started twice, or connect again.
 constexpr std::size_t kMaxClients = 64;
 constexpr int kReceiveBuffer = 1 << 20;  // bytes; as agents of cls have
+// Of the thread: server and clients wait for each other's datagrams, and have more to do than it.
+constexpr std::chrono::microseconds kTimeSlice{100};
 
 // A full buffer loses a datagram, as networks do.
 bool is_gone(int error) { return error != 0 && error != EAGAIN && error != ENOBUFS; }
@@ -64,6 +68,21 @@ class ServerRelay::Traffic {
     return {};
   }
 
+  std::optional<UdpSocket> hand_over(const SocketAddress& sender) {
+    const std::scoped_lock lock(clients_mutex_);
+    for (auto& [id, client] : clients_) {
+      if (client.outside.local_port() != sender.port()) continue;
+      // Another host may have a socket with that port.
+      if (!sender.same_host(client.entrance->server)) return std::nullopt;
+      if (!client.expects_port || !client.gets_own_port) return std::nullopt;
+      auto socket = open_port(client);
+      if (!socket) return std::nullopt;
+      client.expects_port = false;
+      return *std::move(socket);
+    }
+    return std::nullopt;
+  }
+
   std::vector<std::string> take_warnings() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(warnings_, {});
@@ -86,6 +105,7 @@ class ServerRelay::Traffic {
     std::optional<UdpSocket> inside;  ///< toward the client, once the server has a port for it
     SocketAddress server_port;        ///< that port, with `inside`
     bool expects_port = true;         ///< the server may answer its last request from a new port
+    bool gets_own_port = false;       ///< and takes commands at that port only
   };
 
   using Clients = std::map<std::uint32_t, Client>;
@@ -116,6 +136,7 @@ class ServerRelay::Traffic {
   }
 
   void run() {
+    base::set_time_slice(kTimeSlice);
     std::array<epoll_event, 2 * kMaxClients + 4> ready;
     while (true) {
       const int count = ::epoll_wait(epoll_.get(), ready.data(), ready.size(), -1);
@@ -129,6 +150,7 @@ class ServerRelay::Traffic {
 
   // One batch of datagrams: a client that floods delays the others by no more than that.
   void handle(std::uint64_t mark) {
+    const std::scoped_lock lock(clients_mutex_);
     const std::uint64_t kind = mark & ~std::uint64_t{UINT32_MAX};
     const auto id = static_cast<std::uint32_t>(mark);
     if (kind == kEntrance) return receive_requests(*entrances_[id]);
@@ -141,9 +163,9 @@ class ServerRelay::Traffic {
   }
 
   void receive_requests(Entrance& entrance) {
-    incoming_.receive(entrance.socket);
-    for (std::size_t i = 0; i < incoming_.size(); ++i) {
-      handle_request(entrance, incoming_.sender(i), incoming_.bytes(i));
+    requests_.receive(entrance.socket);
+    for (std::size_t i = 0; i < requests_.size(); ++i) {
+      handle_request(entrance, requests_.sender(i), requests_.bytes(i));
     }
   }
 
@@ -157,7 +179,10 @@ class ServerRelay::Traffic {
 
     if (client == clients_.end()) client = add(entrance, sender);
     if (client == clients_.end()) return;
-    client->second.expects_port = client->second.expects_port || !refusal;
+    if (!refusal) {
+      client->second.expects_port = true;
+      client->second.gets_own_port = gets_own_port(entrance.port, request);
+    }
     const std::string_view passed = bytes.substr(0, request.size() + 1);
     if (is_gone(client->second.outside.send(passed, false, &entrance.server))) {
       clients_.erase(client);
@@ -208,49 +233,49 @@ class ServerRelay::Traffic {
     return false;
   }
 
-  // False: the server has closed its port, or the client.
+  // False: the server has closed its port, or the client. One datagram: there are seldom more.
   bool pass_to_server(Client& client) {
-    if (is_gone(incoming_.receive(*client.inside))) return false;
-    for (std::size_t i = 0; i < incoming_.size(); ++i) {
-      if (is_gone(client.outside.send(incoming_.bytes(i), false, &client.server_port))) {
-        return false;
-      }
-    }
-    return true;
+    const int error = receive(*client.inside);
+    if (error != 0) return !is_gone(error);
+    return !is_gone(client.outside.send(datagram(), false, &client.server_port));
   }
 
   // The same.
   bool pass_to_client(Clients::value_type& entry) {
     auto& [id, client] = entry;
-    if (is_gone(incoming_.receive(client.outside))) return false;
-    for (std::size_t i = 0; i < incoming_.size(); ++i) {
-      const SocketAddress& sender = incoming_.sender(i);
-      if (!sender.same_host(client.entrance->server)) continue;
-      if (sender.port() == client.entrance->server.port()) {
-        client.entrance->socket.send(incoming_.bytes(i), false, &client.address);
-      } else if (is_port_of(client, sender) || open_port(id, client, sender)) {
-        outgoing_.add(incoming_.bytes(i), false);
-      }
+    const int error = receive(client.outside);
+    if (error != 0) return !is_gone(error);
+    if (!sender_.same_host(client.entrance->server)) return true;
+    if (sender_.port() == client.entrance->server.port()) {
+      client.entrance->socket.send(datagram(), false, &client.address);
+      return true;
     }
-    return !client.inside || outgoing_.send(*client.inside);
+    if (!is_port_of(client, sender_) && !open_port(id, client, sender_)) return true;
+    return client.inside->send(datagram(), false) != ECONNREFUSED;
   }
+
+  int receive(UdpSocket& socket) { return socket.receive(buffer_, size_, sender_); }
+  std::string_view datagram() const { return {buffer_.data(), size_}; }
 
   static bool is_port_of(const Client& client, const SocketAddress& sender) {
     return client.inside && client.server_port.port() == sender.port();
   }
 
-  // The server has accepted the client: from now on it has a port of its own, here and there.
-  bool open_port(std::uint32_t id, Client& client, const SocketAddress& sender) {
-    if (!client.expects_port) return false;
-    if (client.inside) outgoing_.send(*client.inside);
+  std::optional<UdpSocket> open_port(const Client& client) const {
     SocketAddress local = client.entrance->local;
     local.set_port(0);
     auto socket = route_.bind(local);
-    if (!socket || !socket->connect(client.address) || !watch(socket->fd(), kInside | id)) {
-      return false;
-    }
-
+    if (!socket || !socket->connect(client.address)) return std::nullopt;
     socket->set_receive_buffer(kReceiveBuffer);
+    return *std::move(socket);
+  }
+
+  // The server has accepted the client: from now on it has a port of its own, here and there.
+  bool open_port(std::uint32_t id, Client& client, const SocketAddress& sender) {
+    if (!client.expects_port) return false;
+    auto socket = open_port(client);
+    if (!socket || !watch(socket->fd(), kInside | id)) return false;
+
     client.inside = *std::move(socket);
     client.server_port = sender;
     client.expects_port = false;
@@ -263,10 +288,13 @@ class ServerRelay::Traffic {
   base::UniqueFd epoll_;
   base::UniqueFd wake_;
   std::array<std::optional<Entrance>, 2> entrances_;
+  std::mutex clients_mutex_;  ///< of them, their sockets, and route_
   Clients clients_;
   std::uint32_t next_id_ = 0;
-  base::IncomingDatagrams incoming_;
-  base::OutgoingDatagrams outgoing_;
+  base::IncomingDatagrams requests_;
+  std::array<char, base::IncomingDatagrams::kMaxBytes> buffer_;
+  std::size_t size_ = 0;  ///< of the datagram in the buffer
+  SocketAddress sender_;
   std::mutex mutex_;
   std::vector<std::string> warnings_;
   std::thread thread_;
@@ -281,6 +309,10 @@ base::Result<std::unique_ptr<ServerRelay>> ServerRelay::create(RelayRoute route,
   auto traffic = std::make_unique<Traffic>(std::move(route), names);
   TRY(traffic->start());
   return std::unique_ptr<ServerRelay>(new ServerRelay(std::move(traffic)));
+}
+
+std::optional<base::UdpSocket> ServerRelay::hand_over(const base::SocketAddress& sender) {
+  return traffic_->hand_over(sender);
 }
 
 std::vector<std::string> ServerRelay::take_warnings() { return traffic_->take_warnings(); }

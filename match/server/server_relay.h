@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,18 @@ struct RelayRoute {
 
 /// Listens in the network of a side, and passes its players and its coach on to the server: each
 /// client has a socket of its own toward the server, and sees a port of its own as it would see the
-/// server's. Nothing else passes (refusal_of). Runs in a thread of its own until it is destroyed.
+/// server's. A server that can take sockets of that network needs the relay for requests only.
+/// Nothing else passes (refusal_of). Runs in a thread of its own until it is destroyed.
 class ServerRelay {
  public:
   /// `names` must outlive the relay. Errors name the port that cannot be opened.
   static base::Result<std::unique_ptr<ServerRelay>> create(RelayRoute route, ClaimedNames& names);
   ~ServerRelay();
+
+  /// A socket in the network of the side, connected to the client whose request the server has got
+  /// from `sender`, a socket of this relay: with it the server reaches the client itself. Nothing:
+  /// the relay must pass the messages of this client, or has no such client. Any thread.
+  std::optional<base::UdpSocket> hand_over(const base::SocketAddress& sender);
 
   /// Lines about intrusions since the last call.
   std::vector<std::string> take_warnings();

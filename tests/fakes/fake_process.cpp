@@ -7,10 +7,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <functional>
@@ -90,6 +92,22 @@ int open_port(int type, int port, bool shared = false) {
   }
   if (type == SOCK_STREAM) ::listen(fd, 16);
   return fd;
+}
+
+// From a connected socket.
+void send_udp(Script& script) {
+  const int port = script.number();
+  const std::string text = script.word();
+  const int fd = ::socket(AF_INET, SOCK_DGRAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  if (::connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) {
+    return say("connect: " + std::string(std::strerror(errno)));
+  }
+  const bool sent = ::send(fd, text.data(), text.size(), 0) >= 0;
+  say(sent ? "sent" : "send: " + std::string(std::strerror(errno)));
 }
 
 // By a thread with descriptors of its own, which /proc/PID/fd does not show.
@@ -214,6 +232,7 @@ const std::map<std::string, Action>& actions() {
       {"listen-tcp", [](Script& script) { open_port(SOCK_STREAM, script.number()); }},
       {"bind-udp", [](Script& script) { open_port(SOCK_DGRAM, script.number()); }},
       {"share-udp", [](Script& script) { open_port(SOCK_DGRAM, script.number(), true); }},
+      {"send-udp", [](Script& script) { send_udp(script); }},
       {"hide-udp", [](Script& script) { open_hidden_port(script.number()); }},
       {"in-orphan", [](Script&) { become_orphan(); }},
       {"close", [](Script& script) { ::close(script.number()); }},

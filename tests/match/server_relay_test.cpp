@@ -7,6 +7,7 @@
 
 #include <array>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -15,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/system/time_slice.h"
 #include "tests/support/udp_client.h"
 
 namespace cls::match {
@@ -31,6 +33,22 @@ constexpr std::chrono::milliseconds kSilence{150};
 
 SocketAddress loopback(int port) { return *base::parse_ip_address("127.0.0.1", port); }
 
+/// The next datagram without its NUL; empty if none comes.
+std::string received(UdpSocket& socket, SocketAddress& sender,
+                     std::chrono::milliseconds longest = std::chrono::seconds(10)) {
+  pollfd ready{socket.fd(), POLLIN, 0};
+  if (::poll(&ready, 1, static_cast<int>(longest.count())) != 1) return {};
+  std::array<char, 9000> buffer;
+  std::size_t size = 0;
+  if (socket.receive(buffer, size, sender) != 0) return {};
+  return std::string(buffer.data(), size).c_str();
+}
+
+std::string received(UdpSocket& socket) {
+  SocketAddress sender;
+  return received(socket, sender);
+}
+
 /// A socket of a server, and who has sent to it last.
 class ServerSocket {
  public:
@@ -39,12 +57,7 @@ class ServerSocket {
 
   /// The next datagram without its NUL; empty if none comes.
   std::string wait(std::chrono::milliseconds longest = std::chrono::seconds(10)) {
-    pollfd ready{socket_.fd(), POLLIN, 0};
-    if (::poll(&ready, 1, static_cast<int>(longest.count())) != 1) return {};
-    std::array<char, 9000> buffer;
-    std::size_t size = 0;
-    if (socket_.receive(buffer, size, peer_) != 0) return {};
-    return std::string(buffer.data(), size).c_str();
+    return received(socket_, peer_, longest);
   }
   void send(std::string_view message) { socket_.send(message, true, &peer_); }
   void send_to(const SocketAddress& peer, std::string_view message) {
@@ -230,6 +243,48 @@ TEST_F(ServerRelayTest, AcceptsNoMessagesOfOtherPortsThanThoseOfTheServer) {
   EXPECT_EQ(client.wait(), "(hear 100 referee kick_off_l)");
 }
 
+// A server that takes the socket has the client at its own end; the relay passes nothing more.
+TEST_F(ServerRelayTest, HandsClientsOverToTheServer) {
+  tests::UdpClient client(player_port_);
+  client.send("(init Lions (version 18))");
+  EXPECT_EQ(players_.wait(), "(init Lions (version 18))");
+  const auto elsewhere = base::parse_ip_address("127.0.0.2", players_.peer().port());
+  EXPECT_FALSE(relay_->hand_over(*elsewhere));
+  auto direct = relay_->hand_over(players_.peer());
+  ASSERT_TRUE(direct);
+  EXPECT_FALSE(relay_->hand_over(players_.peer())) << "again for the same request";
+
+  direct->send("(init l 1 before_kick_off)", true);
+  EXPECT_EQ(client.wait(), "(init l 1 before_kick_off)");
+  EXPECT_EQ(client.server_port(), direct->local_port());
+  client.send("(turn 10)");
+  EXPECT_EQ(received(*direct), "(turn 10)");
+  EXPECT_FALSE(relay_->hand_over(loopback(free_port())));
+}
+
+// The server knows them by the address of the relay, which passes all that they send.
+TEST_F(ServerRelayTest, KeepsClientsThatSendToThePortOfTheServer) {
+  tests::UdpClient client(player_port_);
+  for (const char* request : {"(init Lions (version 7))", "(init Lions)", "(reconnect Lions 1)"}) {
+    client.set_server_port(player_port_);
+    client.send(request);
+    EXPECT_EQ(players_.wait(), request);
+    EXPECT_FALSE(relay_->hand_over(players_.peer())) << request;
+  }
+}
+
+TEST_F(ServerRelayTest, HandsTheCoachOver) {
+  EXPECT_TRUE(names_.claim(Side::kLeft, "Lions"));
+  tests::UdpClient coach(coach_port_);
+  coach.send("(init Lions Mary (version 18))");
+  EXPECT_EQ(coaches_.wait(), "(init Lions Mary (version 18))");
+  const auto direct = relay_->hand_over(coaches_.peer());
+  ASSERT_TRUE(direct);
+  coach.send("(init Lions (version 5))");
+  EXPECT_EQ(coaches_.wait(), "(init Lions (version 5))");
+  EXPECT_FALSE(relay_->hand_over(coaches_.peer()));
+}
+
 bool is_free(int port) { return static_cast<bool>(UdpSocket::bind(loopback(port))); }
 
 // A server learns of a lost client, and a client of the end of a server, by a closed port.
@@ -275,6 +330,21 @@ TEST_F(ServerRelayTest, HoldsAsManyClientsAsATeamNeeds) {
   connect(last, last_own, "(init Lions (version 18))");
   own.send("(think)");
   EXPECT_EQ(client.wait(), "(think)");
+}
+
+// Otherwise each datagram waits for programs that compute: a match on a busy host took twice as
+// long.
+TEST_F(ServerRelayTest, RunsBeforeProgramsThatCompute) {
+  if (base::time_slice_of(0).count() == 0) GTEST_SKIP() << "this kernel has no slices of threads";
+  bool found = false;
+  for (int i = 0; i < 500 && !found; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task")) {
+      const auto slice = base::time_slice_of(std::stoi(thread.path().filename()));
+      found = found || slice == std::chrono::microseconds(100);
+    }
+  }
+  EXPECT_TRUE(found);
 }
 
 TEST_F(ServerRelayTest, EndsWithItsPorts) {
