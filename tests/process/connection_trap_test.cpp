@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sys/utsname.h>
 
 #include <array>
 #include <atomic>
-#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/process/test_guard.h"
@@ -26,6 +30,15 @@ class ConnectionTrapTest : public testing::Test {
       return peer.port() == asked_port_ ? connected_to(other_) : std::nullopt;
     });
     if (created) trap_ = *std::move(created);
+  }
+
+  void SetUp() override {
+    utsname system{};
+    int major = 0;
+    int minor = 0;
+    ::uname(&system);
+    std::sscanf(system.release, "%d.%d", &major, &minor);
+    if (std::pair(major, minor) < std::pair(5, 19)) GTEST_SKIP() << "needs Linux 5.19";
   }
 
   static UdpSocket bound() { return *UdpSocket::bind(*base::parse_ip_address("127.0.0.1", 0)); }
