@@ -8,8 +8,8 @@ option(CLS_UNITY "compile several sources as one where a library allows it" OFF)
 # headers or sources use). PCH names precompiled headers (cmake/PrecompiledHeaders.cmake). COLD code,
 # in which no match spends its time, is optimized less, but for its files that are HOT: there the
 # optimizer takes a third of the time of a build. UNITY and ALONE: see cls_unity(). NATIVE are files
-# that need sockets, threads, gRPC or what else browsers lack: a build for WebAssembly leaves them out,
-# and the libraries that it does not have.
+# that need sockets, threads, gRPC or what else browsers lack, or that nothing there needs: a build for
+# WebAssembly leaves them out, and the libraries that it does not have.
 function(cls_library target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "COLD;UNITY" "PCH"
     "SOURCES;LINK;ALONE;HOT;NATIVE")

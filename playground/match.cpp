@@ -102,6 +102,10 @@ Result<void> Match::add_team(Side side, const MatchSetup& setup, const std::stri
   proxy::TeamOptions options;
   options.name = soccer::TeamName(name);
   added.team = std::make_unique<proxy::Team>(options, *added.playmaker);
+  if (setup.decisions) {
+    added.decisions = std::make_unique<match::DecisionStream>(side, name);
+    added.team->listen_to_decisions(*added.decisions);
+  }
   return {};
 }
 
@@ -133,7 +137,11 @@ bool Match::play(int steps) {
 
 void Match::play_step() {
   server_->run_cycle();
-  for (const Side side : soccer::kBothSides) sides_[side].team->run_cycle();
+  for (const Side side : soccer::kBothSides) {
+    TeamSide& playing = sides_[side];
+    playing.team->run_cycle();
+    if (playing.decisions) playing.decisions->end_cycle(playing.decision_bytes);
+  }
 
   for (const Side side : soccer::kBothSides) {
     const proxy::Team& team = *sides_[side].team;
@@ -148,10 +156,19 @@ void Match::play_step() {
 void Match::finish() {
   server_->finish();
   over_ = true;
-  for (const Side side : soccer::kBothSides) sides_[side].team->leave();
+  for (const Side side : soccer::kBothSides) end_team(sides_[side]);
+}
+
+void Match::end_team(TeamSide& side) {
+  side.team->leave();
+  if (side.decisions) side.decisions->end(side.decision_bytes);
 }
 
 std::string Match::take_view() { return with_view_ ? view_.take(over_) : std::string(); }
+
+std::string Match::take_decisions(Side side) {
+  return std::exchange(sides_[side].decision_bytes, {});
+}
 
 std::vector<std::string> Match::take_warnings() {
   std::vector<std::string> all;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "match/hooks/decision_stream.h"
 #include "mock-server/service/request_handler.h"
 #include "playground/log_buffer.h"
 #include "playground/setup.h"
@@ -41,6 +42,9 @@ class Match {
   std::string take_game_log() { return game_log_.take(); }
   std::string take_text_log() { return text_log_.take(); }
   std::string take_view();
+  /// The bytes since the last call of the stream of a side's decisions (docs/formats/decisions.md),
+  /// if the setup asks for it.
+  std::string take_decisions(soccer::Side side);
 
   bool over() const { return over_; }
   /// Why a team could not play on; empty: none.
@@ -56,6 +60,8 @@ class Match {
     std::unique_ptr<mock_server::RequestHandler> mock;
     std::unique_ptr<proxy::Playmaker> playmaker;
     std::unique_ptr<proxy::Team> team;
+    std::unique_ptr<match::DecisionStream> decisions;  ///< null: not recorded
+    std::string decision_bytes;                        ///< not taken yet
   };
 
   explicit Match(bool with_view) : with_view_(with_view) {}
@@ -65,6 +71,7 @@ class Match {
                               proxy::FallibleHandler function);
   base::Result<void> connect(soccer::Side side);
   void play_step();
+  void end_team(TeamSide& side);
   void finish();
 
   bool with_view_;

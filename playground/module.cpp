@@ -11,9 +11,11 @@
 #include <string_view>
 
 #include "base/text/json.h"
+#include "league/matches/fixture.h"
 #include "mock-server/behavior/behavior.h"
 #include "mock-server/service/request_handler.h"
 #include "playground/match.h"
+#include "playground/verdict.h"
 #include "proto/state_writer.h"
 #include "proto/status_name.h"
 #include "soccer/play_mode.h"
@@ -177,6 +179,18 @@ CLS_EXPORT(output) const char* output() { return shared().output.data(); }
 /// The messages of the wire, as playground/web/messages.js reads them.
 CLS_EXPORT(message_schema) std::size_t message_schema() { return give(wire_schema().dump()); }
 
+/// The seed of a pair of matches, counted from 1, in `cls compare --seed SEED`.
+CLS_EXPORT(pair_seed) double pair_seed(double seed, int pair) {
+  return static_cast<double>(league::pairing_seed(static_cast<std::uint64_t>(seed), pair));
+}
+
+/// The verdict on the pairs in input_buffer() (verdict.h); 0 and an error as output.
+CLS_EXPORT(judge_pairs) int judge_pairs() {
+  const auto verdict = verdict_json(shared().input);
+  give(verdict ? *verdict : verdict.error().message);
+  return verdict ? 1 : 0;
+}
+
 /// Starts a match from the setup in input_buffer(): its number, or 0 and an error as output.
 CLS_EXPORT(create_match) int create_match() {
   const auto setup = parse_setup(shared().input);
@@ -205,6 +219,12 @@ CLS_EXPORT(take_text_log) std::size_t take_text_log(int number) {
 
 CLS_EXPORT(take_view) std::size_t take_view(int number) {
   return give(shared().matches.at(number).match->take_view());
+}
+
+/// Of the left side (0) or the right one (1).
+CLS_EXPORT(take_decisions) std::size_t take_decisions(int number, int side) {
+  return give(
+      shared().matches.at(number).match->take_decisions(side == 0 ? Side::kLeft : Side::kRight));
 }
 
 /// The state of the match as JSON: cycle, mode, over, left and right with name and score, failure,

@@ -54,7 +54,7 @@ Result<MatchSetup> parse_setup(std::string_view json) {
   TRY_INIT(const auto document, base::JsonDocument::parse("match", std::string(json)));
   const JsonValue root(document);
   TRY(root.expect_keys(
-      {"left", "right", "leftName", "rightName", "seed", "cycles", "set", "view"}));
+      {"left", "right", "leftName", "rightName", "seed", "cycles", "set", "view", "decisions"}));
 
   MatchSetup setup;
   for (const auto& [key, name_key, side] : {std::tuple("left", "leftName", Side::kLeft),
@@ -71,6 +71,9 @@ Result<MatchSetup> parse_setup(std::string_view json) {
   TRY_INIT(setup.settings, settings_of(root));
   if (root.has("view")) {
     TRY_INIT(setup.view, root["view"].boolean());
+  }
+  if (root.has("decisions")) {
+    TRY_INIT(setup.decisions, root["decisions"].boolean());
   }
   return setup;
 }

@@ -25,11 +25,12 @@ struct MatchSetup {
   std::optional<int> cycles;          ///< end of the match in game time
   std::vector<std::string> settings;  ///< "server::NAME=VALUE", "player::NAME=VALUE"
   bool view = false;                  ///< with the stream of the viewer
+  bool decisions = false;             ///< with those of all players, for the decision debugger
 };
 
 /// Reads an object with the members left and right, and as options leftName, rightName, seed (0 to
-/// 2^53 - 1), cycles (1 and more), set (an array of settings) and view (a boolean). The error names
-/// the member.
+/// 2^53 - 1), cycles (1 and more), set (an array of settings), view and decisions (booleans). The
+/// error names the member.
 base::Result<MatchSetup> parse_setup(std::string_view json);
 
 /// The names of both teams. The error names the side whose name is not valid.

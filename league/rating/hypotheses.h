@@ -17,6 +17,11 @@ struct Hypotheses {
   double beta = 0.05;
 };
 
+/// What a comparison of two teams asks unless told otherwise: H0 is a gain of `kUsualElo0` Elo at
+/// most, H1 one of `kUsualElo1` at least.
+inline constexpr double kUsualElo0 = 0.0;
+inline constexpr double kUsualElo1 = 40.0;
+
 enum class Decision { kOpen, kH0, kH1 };
 
 inline constexpr auto kDecisions = base::enum_names<Decision>("open", "H0", "H1");

@@ -2,46 +2,36 @@
 // of `cls watch` (viewer/decisions).
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "base/io/byte_sink.h"
+#include "match/hooks/decision_stream.h"
 #include "match/hooks/side_hooks.h"
 #include "match/terms/endpoint.h"
-#include "viewer/decisions/decision_writer.h"
 
 namespace cls::match {
-
-/// Texts and drawings of a team beyond this are left out.
-constexpr std::size_t kMaxDrawings = std::size_t{64} << 20;
 
 /// Records one side.
 class WorldModelsOfSide : public SideDecisions {
  public:
   WorldModelsOfSide(soccer::Side side, std::string team, std::filesystem::path file)
-      : side_(side), team_(std::move(team)), file_(std::move(file)) {}
+      : stream_(side, std::move(team)), file_(std::move(file)) {}
 
-  void on_decision(const proxy::Decision& decision) override;
-  void end_cycle() override { write(); }
+  void on_decision(const proxy::Decision& decision) override { stream_.on_decision(decision); }
+  void end_cycle() override;
   /// Writes the remaining decisions. Returns the error, or an empty string.
   std::string close();
 
  private:
   void write();
 
-  soccer::Side side_;
-  std::string team_;
+  DecisionStream stream_;
   std::filesystem::path file_;
   std::unique_ptr<base::ByteSink> sink_;
-  viewer::DecisionWriter writer_;
-  std::array<std::vector<viewer::DecisionSample>, soccer::kPlayersPerTeam> waiting_;
-  std::string bytes_;
-  std::size_t room_ = kMaxDrawings;
+  std::string bytes_;  ///< not written yet
   std::string error_;
 };
 

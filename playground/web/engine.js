@@ -31,7 +31,7 @@ export class Engine {
 
   /**
    * Starts a match.
-   * @param setup {left, right, leftName, rightName, seed, cycles, set, view}
+   * @param setup {left, right, leftName, rightName, seed, cycles, set, view, decisions}
    * @param deciders for each side null or a function of (rpc name, bytes of a State) that returns the
    *   bytes of the reply, or undefined for a call that the team does not implement
    */
@@ -48,9 +48,27 @@ export class Engine {
     return JSON.parse(this.text('message_schema'));
   }
 
+  /** The seed of a pair of matches, counted from 1, in `cls compare --seed SEED`. */
+  pairSeed(seed, pair) {
+    return this.#exports.pair_seed(seed, pair);
+  }
+
+  /**
+   * The verdict of `cls compare` after pairs of matches, one on each side: the test stops at its decision.
+   * @param points of each pair: 2 for a match that NEW won, 1 for a draw, 0
+   * @returns {{pairs, decision, outcomes, score, elo, eloInterval, superiority, forH1, forH0, needed, elo0, elo1}}
+   */
+  verdict(points) {
+    this.#write(this.#encoder.encode(JSON.stringify(points)), this.#exports.input_buffer);
+    const judged = this.#exports.judge_pairs();
+    const text = this.#decoder.decode(this.#output(this.#exports.output_size()));
+    if (judged === 0) throw new Error(text);
+    return JSON.parse(text);
+  }
+
   /** For Match: calls an export whose result is an output. */
-  bytes(name, number) {
-    return this.#output(this.#exports[name](number)).slice();
+  bytes(name, ...numbers) {
+    return this.#output(this.#exports[name](...numbers)).slice();
   }
 
   text(name, number) {
@@ -169,6 +187,11 @@ export class Match {
 
   takeView() {
     return this.#engine.bytes('take_view', this.#number);
+  }
+
+  /** The bytes since the last call of the decisions of the left side (0) or the right one (1). */
+  takeDecisions(side) {
+    return this.#engine.bytes('take_decisions', this.#number, side);
   }
 
   /** {cycle, mode, over, left: {name, score}, right, failure, warnings: those since the last call} */

@@ -32,6 +32,8 @@ export interface MatchSetup {
   set?: string[];
   /** With the stream of the viewer (docs/formats/view.md). */
   view?: boolean;
+  /** With the decisions of all players, for the decision debugger (docs/formats/decisions.md). */
+  decisions?: boolean;
 }
 
 export interface TeamStatus {
@@ -72,6 +74,8 @@ export interface Match {
   takeGameLog(): Uint8Array;
   takeTextLog(): Uint8Array;
   takeView(): Uint8Array;
+  /** Of the left side (0) or the right one (1). */
+  takeDecisions(side: 0 | 1): Uint8Array;
   status(): MatchStatus;
   /** Gives the memory of the match back; no call may follow. */
   close(): void;

@@ -12,6 +12,8 @@
 #include "tests/support/error_of.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
+#include "viewer/decisions/decision_files.h"
+#include "viewer/decisions/decision_reader.h"
 
 namespace cls::playground {
 namespace {
@@ -35,7 +37,15 @@ MatchSetup setup_of(const std::string& left, const std::string& right) {
 struct Logs {
   std::string game;
   std::string text;
+  soccer::PerSide<std::string> decisions;  // if the setup asks for them, without latencies
 };
+
+// A recording without what differs from run to run.
+std::string comparable(const std::string& stream) {
+  const auto decisions = viewer::without_latencies(stream);
+  EXPECT_TRUE(decisions) << decisions.error().message;
+  return decisions ? *decisions : "";
+}
 
 // What `cls match` writes for the same setup.
 Logs logs_of_cls_match(const MatchSetup& setup) {
@@ -47,6 +57,7 @@ Logs logs_of_cls_match(const MatchSetup& setup) {
   options.seed = setup.seed;
   options.cycles = setup.cycles;
   options.folder = folder.path() / "match";
+  options.record_world_models = setup.decisions;
   for (const std::string& setting : setup.settings) {
     EXPECT_TRUE(match::apply_setting(options, setting));
   }
@@ -55,8 +66,14 @@ Logs logs_of_cls_match(const MatchSetup& setup) {
   const std::atomic<int> no_signal{0};
   const auto result = match::run_match(options, no_observer, no_signal);
   EXPECT_TRUE(result) << result.error().message;
-  return {tests::read_file(options.folder / "match.rcg"),
-          tests::read_file(options.folder / "match.rcl")};
+  Logs logs = {tests::read_file(options.folder / "match.rcg"),
+               tests::read_file(options.folder / "match.rcl"),
+               {}};
+  if (setup.decisions) {
+    logs.decisions = {comparable(tests::read_file(options.folder / viewer::kLeftWorldModelsFile)),
+                      comparable(tests::read_file(options.folder / viewer::kRightWorldModelsFile))};
+  }
+  return logs;
 }
 
 // The logs of a match, taken in pieces.
@@ -67,6 +84,9 @@ Logs logs_of(Match& match) {
     plays = match.play(7);
     logs.game += match.take_game_log();
     logs.text += match.take_text_log();
+    for (const soccer::Side side : soccer::kBothSides) {
+      logs.decisions[side] += match.take_decisions(side);
+    }
   }
   return logs;
 }
@@ -93,6 +113,29 @@ TEST(PlaygroundMatch, HasTheBytesOfAMatchWithNamesAndSettings) {
   setup.names = {"Blue", "Red"};
   setup.settings = {"server::half_time=5", "server::game_log_version=5", "player::pt_max=2"};
   expect_same_bytes(setup);
+}
+
+TEST(PlaygroundMatch, HasTheDecisionsThatAMatchRecords) {
+  MatchSetup setup = setup_of("mock:planner", "mock:simple");
+  setup.cycles = 60;
+  setup.decisions = true;
+  auto match = Match::create(setup);
+  ASSERT_TRUE(match) << match.error().message;
+  const Logs logs = logs_of(**match);
+  const Logs expected = logs_of_cls_match(setup);
+
+  for (const soccer::Side side : soccer::kBothSides) {
+    EXPECT_GT(logs.decisions[side].size(), 10'000U);
+    EXPECT_TRUE(comparable(logs.decisions[side]) == expected.decisions[side]);
+  }
+}
+
+TEST(PlaygroundMatch, HasNoDecisionsUnlessTheSetupAsksForThem) {
+  MatchSetup setup = setup_of("mock:simple", "mock:simple");
+  setup.cycles = 3;
+  auto match = Match::create(setup);
+  ASSERT_TRUE(match);
+  EXPECT_EQ(logs_of(**match).decisions.left, "");
 }
 
 TEST(PlaygroundMatch, ChangesNothingWhenItIsOver) {

@@ -16,7 +16,7 @@ using tests::error_of;
 TEST(PlaygroundSetup, ReadsAllMembers) {
   const auto setup = parse_setup(
       R"({"left": "mock:planner", "right": "function", "leftName": "A", "rightName": "B",)"
-      R"( "seed": 9007199254740991, "cycles": 300, "set": ["server::wind_none=on"], "view": true})");
+      R"( "seed": 9007199254740991, "cycles": 300, "set": ["server::wind_none=on"], "view": true, "decisions": true})");
 
   ASSERT_TRUE(setup) << setup.error().message;
   EXPECT_EQ(setup->sides.left, "mock:planner");
@@ -27,6 +27,7 @@ TEST(PlaygroundSetup, ReadsAllMembers) {
   EXPECT_EQ(setup->cycles, 300);
   EXPECT_THAT(setup->settings, ElementsAre("server::wind_none=on"));
   EXPECT_TRUE(setup->view);
+  EXPECT_TRUE(setup->decisions);
 }
 
 TEST(PlaygroundSetup, HasDefaultsForAllButTheSides) {
@@ -35,6 +36,7 @@ TEST(PlaygroundSetup, HasDefaultsForAllButTheSides) {
   EXPECT_EQ(setup->seed, 0U);
   EXPECT_FALSE(setup->cycles);
   EXPECT_FALSE(setup->view);
+  EXPECT_FALSE(setup->decisions);
 }
 
 TEST(PlaygroundSetup, NamesTheMemberThatIsWrong) {

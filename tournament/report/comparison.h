@@ -37,8 +37,8 @@ inline constexpr int kMaxValue = 8;
 struct TestSettings {
   TestKind kind = TestKind::kBetting;
   Measure measure = Measure::kPoints;
-  double elo0 = 0.0;
-  double elo1 = 40.0;
+  double elo0 = league::kUsualElo0;
+  double elo1 = league::kUsualElo1;
   double goals0 = 0.0;
   double goals1 = 0.5;
   int max_goals = 3;  ///< a goal difference above it counts as this

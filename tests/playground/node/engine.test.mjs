@@ -139,3 +139,32 @@ test('a reply that is not a message is the fault of its team', async () => {
   playOut(match);
   assert.match(match.status().failure, /GetPlayerActions: the reply does not parse/);
 });
+
+test('decisions are a stream for each side, if the setup asks for them', async () => {
+  const engine = await makeEngine();
+  const setup = { left: 'mock:simple', right: 'mock:hold', cycles: 5 };
+  const match = engine.start({ ...setup, decisions: true });
+  playOut(match);
+  for (const side of [0, 1]) {
+    const stream = Buffer.from(match.takeDecisions(side)).toString('latin1');
+    assert.match(stream, new RegExp(`cls\\.decisions/1.*"side":"${['left', 'right'][side]}"`));
+    assert.match(stream.slice(-60), /"crc32":"[0-9a-f]{8}"/);
+    assert.equal(match.takeDecisions(side).length, 0);
+  }
+  const without = engine.start(setup);
+  playOut(without);
+  assert.equal(without.takeDecisions(0).length, 0);
+});
+
+test('pairs have the seeds and the verdict of cls compare', async () => {
+  const engine = await makeEngine();
+  const seeds = [1, 2, 3].map((pair) => engine.pairSeed(7, pair));
+  assert.equal(new Set(seeds).size, 3);
+  assert.ok(seeds.every((seed) => Number.isInteger(seed) && seed >= 0 && seed < 2 ** 31), `${seeds}`);
+  assert.equal(engine.verdict([]).decision, 'open');
+  const verdict = engine.verdict([4, 4, 4, 4, 4, 4, 4, 4]);
+  assert.equal(verdict.decision, 'H1');
+  assert.equal(verdict.pairs, 6);
+  assert.deepEqual(verdict.outcomes, [0, 0, 0, 0, 6]);
+  assert.throws(() => engine.verdict([5]), /\/0/);
+});
