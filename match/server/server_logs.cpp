@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/io/background_sink.h"
+#include "base/io/disk_space.h"
 #include "gamelog/rcg/rcg_writer.h"
 
 namespace cls::match {
