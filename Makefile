@@ -24,7 +24,7 @@ help:
 	@echo 'make full          long forms: 20 whole matches, packages, all tests under ASan, UBSan and TSan'
 	@echo 'make languages     teams and projects of every language at length: all templates, the tutorial'
 	@echo 'make web-test      the replay page in Chromium (needs node 18, npm, chromium)'
-	@echo 'make playground    the engine for browsers and Node, build-playground/bin/cls.wasm (needs emscripten)'
+	@echo 'make playground    the engine for browsers and Node, and its page, in build-playground/ (needs emscripten)'
 	@echo 'make npm           the npm package cls-match, in build-playground/ (needs node, npm)'
 	@echo 'make site          the documentation as a site with search, in build/site/ (needs mkdocs)'
 	@echo 'make pictures      every picture of README and docs (after make web-test)'
@@ -77,6 +77,7 @@ pictures: build
 web-test:
 	@tests/viewer/web/run
 	@CLS_NEED_BROWSER=1 tests/viewer/browser/run
+	@tests/playground/browser/run $(CURDIR)/build/bin/cls $(CURDIR)/build-playground/page || test $$? -eq 77
 
 # Quarter of an hour on two cores; later only what has changed.
 playground:

@@ -1,0 +1,55 @@
+// Bundles the page: build.mjs WASM OUTPUT TOOLS. OUTPUT is a folder of static files for any web server; TOOLS gets what
+// package.json lists.
+import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { fileURLToPath } from 'node:url';
+
+const here = fileURLToPath(new URL('.', import.meta.url));
+const [wasm, output, tools] = process.argv.slice(2);
+const { build } = installed();
+const kCommon = { bundle: true, minify: true, format: 'iife', target: ['chrome109', 'firefox115', 'safari16.4'], legalComments: 'none', write: false };
+
+/** The bundler, of the packages in TOOLS, which are installed again when the list has changed. */
+function installed() {
+  const lock = readFileSync(`${here}package-lock.json`);
+  const known = `${tools}/package-lock.json`;
+  if (!existsSync(`${tools}/node_modules`) || !existsSync(known) || !lock.equals(readFileSync(known))) {
+    mkdirSync(tools, { recursive: true });
+    rmSync(`${tools}/node_modules`, { recursive: true, force: true });
+    for (const name of ['package.json', 'package-lock.json']) copyFileSync(here + name, `${tools}/${name}`);
+    execFileSync('npm', ['ci', '--silent', '--no-audit', '--no-fund', '--ignore-scripts'], { cwd: tools, stdio: 'inherit' });
+  }
+  return createRequire(`${tools}/package.json`)('esbuild');
+}
+
+/** The text of a bundle. */
+async function bundle(file, options = {}) {
+  const { outputFiles } = await build({ ...kCommon, entryPoints: [`${here}src/${file}`], nodePaths: [`${tools}/node_modules`], ...options });
+  return outputFiles[0].text;
+}
+
+// Files as texts, and bundles within bundles.
+const texts = {
+  name: 'texts',
+  setup({ onResolve, onLoad }) {
+    onResolve({ filter: /\?text$/ }, ({ path, resolveDir }) => ({ path: new URL(path.slice(0, -5), `file://${resolveDir}/`).pathname, namespace: 'text' }));
+    onLoad({ filter: /./, namespace: 'text' }, ({ path }) => ({ contents: readFileSync(path, 'utf8'), loader: 'text' }));
+    onResolve({ filter: /^bundled:/ }, ({ path }) => ({ path: path.slice(8), namespace: 'bundle' }));
+    onLoad({ filter: /./, namespace: 'bundle' }, async ({ path }) => ({ contents: await bundle(path), loader: 'text' }));
+  },
+};
+
+rmSync(output, { recursive: true, force: true });
+mkdirSync(output, { recursive: true });
+const save = (name, text) => writeFileSync(`${output}/${name}`, text);
+
+save('page.js', await bundle('main.js', { plugins: [texts] }));
+save('field.js', await bundle('field.js'));
+const sandbox = (await bundle('sandbox.js', { plugins: [texts] })).replaceAll('</script', '<\\/script');
+const hash = createHash('sha256').update(sandbox).digest('base64');
+save('sandbox.html', readFileSync(`${here}sandbox.html`, 'utf8').replace('HASH', `sha256-${hash}`).replace('PROGRAM', () => sandbox));
+for (const name of ['index.html', 'field.html', 'page.css', 'field-in-page.css']) copyFileSync(here + name, `${output}/${name}`);
+copyFileSync(`${here}../../viewer/web/style.css`, `${output}/field.css`);
+copyFileSync(wasm, `${output}/cls.wasm`);

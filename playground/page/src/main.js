@@ -1,0 +1,357 @@
+// The page: watch, write, improve and share matches. It joins the parts and keeps what they have in common.
+import { element, setText } from '../../../viewer/web/src/dom.js';
+import { saveFile } from '../../../viewer/web/src/export.js';
+import { Engine } from '../../web/engine.js';
+import { compare, VerdictPanel } from './comparison.js';
+import { Editor } from './editor.js';
+import { FieldFrame } from './field_frame.js';
+import { playMatch, Sandbox } from './matches.js';
+import { Output } from './output.js';
+import { fragmentOf, hasMatch, matchOf } from './share_link.js';
+import { Storage } from './storage.js';
+import { CodeError, kTemplate, reachableFiles } from './team_files.js';
+import { zipOf } from './zip.js';
+
+const kMocks = [
+  ['mock:planner', 'planner'], ['mock:simple', 'simple'], ['mock', 'basic'],
+  ['mock:example', 'example'], ['mock:hold', 'hold'], ['mock:random', 'random'],
+];
+const kFirstMatch = { left: 'mock:planner', right: 'mock:simple', seed: 7, cycles: null };
+const kMine = 'mine';
+const kKept = 'kept';
+
+const byId = (id) => document.getElementById(id);
+
+class Playground {
+  constructor() {
+    this.storage = new Storage();
+    this.team = this.storage.team ?? { name: 'mine', files: { ...kTemplate } };
+    /** Another team in JavaScript: a kept version, or one of a link. @type {import('./share_link.js').Team | null} */
+    this.kept = this.storage.kept;
+    this.form = byId('match-form').elements;
+    this.output = new Output(byId('output'), (file, line, text) => this.editor.mark(file, line, text));
+    this.field = new FieldFrame(byId('field'));
+    this.editor = new Editor(byId('files'), byId('editor'), { onEdit: () => this.#onEdit(), onRun: () => this.playChosen() });
+    this.verdict = new VerdictPanel();
+    byId('verdict').append(this.verdict.root);
+    this.playing = null; // an AbortController
+    this.logs = null;
+    this.#listen();
+    this.#showTeam();
+    this.#choose(kFirstMatch);
+    this.#showSides();
+  }
+
+  /** Loads the engine, then plays: the first match, or that of a link once the visitor asks for it. */
+  async start() {
+    try {
+      const response = await fetch('cls.wasm');
+      if (!response.ok) throw new Error(`${response.status}`);
+      this.bytes = new Uint8Array(await response.arrayBuffer());
+    } catch {
+      return this.#showResult('The engine (cls.wasm) cannot be read. This page needs a web server: python3 -m http.server in its folder is one.', true);
+    }
+    this.sandbox = new Sandbox(this.bytes);
+    if (hasMatch(location.hash)) await this.#openLink(location.hash);
+    else this.playChosen();
+  }
+
+  #listen() {
+    for (const button of document.querySelectorAll('.steps button')) button.onclick = () => this.openStep(button.dataset.step);
+    byId('match-form').onsubmit = (event) => {
+      event.preventDefault();
+      this.playChosen();
+    };
+    byId('share').onclick = () => this.share();
+    byId('share-close').onclick = () => byId('share-dialog').close();
+    byId('copy-link').onclick = () => this.#copyLink();
+    byId('team-name').onchange = ({ target }) => this.#rename(target);
+    byId('reset').onclick = () => this.#reset();
+    byId('download-team').onclick = () => this.#downloadTeam();
+    byId('compare-form').onsubmit = (event) => {
+      event.preventDefault();
+      this.compareTeams();
+    };
+    byId('stop').onclick = () => this.comparing?.abort();
+    byId('keep').onclick = () => this.#keep();
+    byId('save-game-log').onclick = () => saveFile(new Blob(this.logs.game), 'match.rcg');
+    byId('save-text-log').onclick = () => saveFile(new Blob(this.logs.text), 'match.rcl');
+    byId('compare-form').elements.workers.value = Math.max(1, Math.min(64, navigator.hardwareConcurrency || 2));
+    window.addEventListener('hashchange', () => hasMatch(location.hash) && this.#openLink(location.hash));
+    window.addEventListener('storage', () => this.#followTheme());
+    this.#followTheme();
+  }
+
+  /** The viewer keeps the theme; the page has the same. */
+  #followTheme() {
+    const { theme } = this.storage.viewerSettings;
+    if (theme === 'dark' || theme === 'light') document.documentElement.dataset.theme = theme;
+    else delete document.documentElement.dataset.theme;
+  }
+
+  /** @param {string} step watch, write or improve */
+  openStep(step) {
+    document.body.dataset.step = step;
+    for (const button of document.querySelectorAll('.steps button')) button.setAttribute('aria-pressed', String(button.dataset.step === step));
+    byId('write').hidden = step !== 'write';
+    byId('improve').hidden = step !== 'improve';
+    if (step === 'write' && this.form.left.value !== kMine && this.form.right.value !== kMine) {
+      this.form.left.value = kMine;
+      this.form.right.value = 'mock:simple';
+    }
+  }
+
+  #showTeam() {
+    byId('team-name').value = this.team.name;
+    this.editor.setFiles(this.team.files);
+  }
+
+  /** The teams to choose from, as options of all lists. */
+  #showSides() {
+    const own = [[kMine, `${this.team.name} (your code)`]];
+    if (this.kept) own.push([kKept, `${this.kept.name} (kept)`]);
+    const fill = (select, choices) => {
+      const { value } = select;
+      select.replaceChildren(...choices.map(([side, label]) => element('option', { value: side }, label)));
+      select.value = choices.some(([side]) => side === value) ? value : choices[0][0];
+    };
+    fill(this.form.left, [...own, ...kMocks]);
+    fill(this.form.right, [...own, ...kMocks]);
+    fill(byId('compare-form').elements.base, [...own.slice(1), ...kMocks]);
+  }
+
+  /** Sets the form. @param {{left: any, right: any, seed: number, cycles: number | null}} match whose sides are texts */
+  #choose({ left, right, seed, cycles }) {
+    this.#showSides();
+    for (const [select, side] of [[this.form.left, left], [this.form.right, right]]) {
+      if (![...select.options].some(({ value }) => value === side)) select.append(element('option', { value: side }, side));
+      select.value = side;
+    }
+    this.form.seed.value = seed;
+    const length = String(cycles ?? '');
+    if (![...this.form.cycles.options].some(({ value }) => value === length)) this.form.cycles.append(element('option', { value: length }, `${length} cycles`));
+    this.form.cycles.value = length;
+  }
+
+  /** What the form says, with the teams themselves. @returns {import('./share_link.js').SharedMatch} */
+  chosenMatch() {
+    const { left, right, seed, cycles } = this.form;
+    return { left: this.#sideOf(left.value), right: this.#sideOf(right.value), seed: Number(seed.value), cycles: cycles.value === '' ? null : Number(cycles.value) };
+  }
+
+  #sideOf(value) {
+    if (value === kMine) return { name: this.team.name, files: reachableFiles(this.editor.files) };
+    return value === kKept ? this.kept : value;
+  }
+
+  playChosen() {
+    if (!this.sandbox || !byId('match-form').reportValidity()) return;
+    this.play(this.chosenMatch());
+  }
+
+  /** Plays a match in the viewer. @param {import('./share_link.js').SharedMatch} match */
+  async play(match) {
+    this.playing?.abort();
+    const playing = new AbortController();
+    this.playing = playing;
+    this.logs = null;
+    byId('banner').hidden = true;
+    byId('result-links').hidden = true;
+    this.output.clear();
+    this.editor.clearMarks();
+    this.#showResult('The teams line up.');
+    this.field.open('The match in the replay viewer');
+    const began = performance.now();
+    const onPiece = ({ status, lines, view }) => {
+      this.output.add(lines);
+      this.output.addWarnings(status.warnings);
+      this.field.push(view);
+      this.#showResult(`${scoreText(status)}, played to cycle ${status.cycle}`);
+    };
+    try {
+      const coded = typeof match.left !== 'string' || typeof match.right !== 'string';
+      const done = await playMatch(this.sandbox, { ...match, view: true, logs: true, decisions: coded }, onPiece, playing.signal);
+      if (coded) this.field.addDecisions(done.decisions);
+      else this.field.endWithoutDecisions('The page records decisions where a team in JavaScript plays');
+      await this.#finish(done, performance.now() - began);
+    } catch (error) {
+      if (!playing.signal.aborted) this.#showProblem(error);
+    }
+  }
+
+  async #finish({ status, lines, game, text }, milliseconds) {
+    this.output.add(lines);
+    this.output.addWarnings(status.warnings);
+    this.logs = { game, text };
+    byId('result-links').hidden = false;
+    const speed = Math.round(status.cycle / (milliseconds / 1000));
+    if (status.failure !== '') return this.#showProblem(new Error(status.failure));
+    this.#showResult(`${scoreText(status)}, ${status.cycle} cycles at ${speed} a second`);
+    byId('result').dataset.hash = await hashOf(game);
+  }
+
+  #showResult(text, bad = false) {
+    const result = byId('result');
+    setText(result, text);
+    result.classList.toggle('problem', bad);
+    delete result.dataset.hash;
+  }
+
+  /** What went wrong, with its line in the editor where there is one. */
+  #showProblem(error) {
+    this.field.fail();
+    const text = error instanceof Error ? error.message : String(error);
+    this.#showResult(text, true);
+    const place = error instanceof CodeError ? error : /\((?<file>[\w.-]+\.js):(?<line>\d+)\)/.exec(text)?.groups;
+    this.output.addProblem(text, place ? { file: place.file, line: Number(place.line) } : null);
+    if (place && document.body.dataset.step === 'write') this.editor.mark(place.file, Number(place.line), text);
+  }
+
+  #onEdit() {
+    if (!this.borrowed) this.storage.team = { name: this.team.name, files: this.editor.files };
+  }
+
+  #rename(input) {
+    if (!input.checkValidity() || input.value === '') input.value = this.team.name;
+    this.team.name = input.value;
+    this.#onEdit();
+    this.#showSides();
+  }
+
+  #reset() {
+    const question = this.borrowed ? 'Leave the code of the link and return to your own?' : 'Throw your code away and start again with the first version?';
+    if (!window.confirm(question)) return;
+    this.team = (this.borrowed && this.storage.team) || { name: 'mine', files: { ...kTemplate } };
+    this.borrowed = false;
+    this.#showTeam();
+    this.#onEdit();
+    this.#showSides();
+  }
+
+  #downloadTeam() {
+    const files = Object.fromEntries(Object.entries(this.editor.files).map(([name, text]) => [`src/${name}`, text]));
+    saveFile(zipOf(files), `${this.team.name}.zip`);
+    this.output.add([{ level: 'info', side: '', text: `Unpack ${this.team.name}.zip in a project of: cls new javascript ${this.team.name}` }]);
+  }
+
+  #keep() {
+    this.kept = { name: 'kept', files: this.editor.files };
+    this.storage.kept = this.kept;
+    this.#showSides();
+    byId('compare-form').elements.base.value = kKept;
+  }
+
+  async compareTeams() {
+    if (!this.sandbox || this.comparing) return;
+    const { base, cycles, workers } = byId('compare-form').elements;
+    const names = { candidate: this.team.name, base: base.selectedOptions[0].textContent.replace(/ \(.*/, '') };
+    const task = {
+      sandbox: this.sandbox, workers: Number(workers.value), seed: Number(this.form.seed.value),
+      cycles: cycles.value === '' ? null : Number(cycles.value), candidate: this.#sideOf(kMine), base: this.#sideOf(base.value),
+    };
+    this.comparing = new AbortController();
+    this.playing?.abort();
+    byId('compare').disabled = true;
+    byId('stop').disabled = false;
+    byId('compare-problem').hidden = true;
+    let played = 0;
+    try {
+      task.engine = await (this.engine ??= Engine.create(this.bytes));
+      let verdict = task.engine.verdict([]);
+      this.verdict.show(verdict, { played, running: true, ...names });
+      await compare(task, (now, matches) => {
+        [verdict, played] = [now, matches];
+        this.verdict.show(verdict, { played, running: true, ...names });
+      }, this.comparing.signal).catch((error) => this.#tellComparison(error));
+      this.verdict.show(verdict, { played, running: false, ...names });
+    } finally {
+      this.comparing = null;
+      byId('compare').disabled = false;
+      byId('stop').disabled = true;
+    }
+  }
+
+  #tellComparison(error) {
+    if (this.comparing.signal.aborted) return;
+    byId('compare-problem').hidden = false;
+    setText(byId('compare-problem'), error.message);
+  }
+
+  async share() {
+    if (!byId('match-form').reportValidity()) return;
+    const address = location.href.replace(/#.*$/, '') + await fragmentOf(this.chosenMatch());
+    byId('share-link').value = address;
+    setText(byId('copy-state'), '');
+    byId('share-dialog').showModal();
+    byId('share-link').select();
+  }
+
+  async #copyLink() {
+    byId('share-link').select();
+    try {
+      await navigator.clipboard.writeText(byId('share-link').value);
+      setText(byId('copy-state'), 'Copied');
+    } catch {
+      setText(byId('copy-state'), 'Copy the selected text');
+    }
+  }
+
+  /** Shows what a link has. Nothing of it runs until the visitor says so. */
+  async #openLink(hash) {
+    this.playing?.abort();
+    let match;
+    try {
+      match = await matchOf(hash);
+    } catch (error) {
+      return this.#showBanner(`This link is broken: ${error.message}.`, 'Play another match', () => {
+        history.replaceState(null, '', location.pathname + location.search);
+        this.playChosen();
+      });
+    }
+    this.#borrow(match);
+    const names = [match.left, match.right].map((side) => (typeof side === 'string' ? side.replace(/^mock:?/, '') || 'basic' : side.name));
+    const coded = typeof match.left !== 'string' || typeof match.right !== 'string';
+    const text = `A shared match: ${names.join(' against ')}, seed ${match.seed}. ${coded ? 'It has code of the person who made the link: it runs when you press the button, without access to your data or the network.' : ''}`;
+    this.#showBanner(text, 'Play this match', () => this.playChosen());
+    this.#showResult('Nothing is played yet.');
+    byId('field').replaceChildren();
+  }
+
+  /** The teams of a link, in place of the own ones until the page is opened again without it. */
+  #borrow({ left, right, seed, cycles }) {
+    const teams = [left, right].filter((side) => typeof side !== 'string');
+    if (teams.length > 0) {
+      this.borrowed = true;
+      this.team = { name: teams[0].name, files: { ...kTemplate, ...teams[0].files } };
+      this.kept = teams[1] ?? this.kept;
+      this.#showTeam();
+    }
+    const value = (side) => (typeof side === 'string' ? side : side === teams[0] ? kMine : kKept);
+    this.#choose({ left: value(left), right: value(right), seed, cycles });
+  }
+
+  #showBanner(text, label, run) {
+    const button = element('button', { type: 'button', class: 'button text primary-text', onclick: () => {
+      byId('banner').hidden = true;
+      run();
+    } }, label);
+    byId('banner').replaceChildren(element('span', {}, text), button);
+    byId('banner').hidden = false;
+  }
+}
+
+function scoreText({ left, right }) {
+  return `${left.name} ${left.score} : ${right.score} ${right.name}`;
+}
+
+/** SHA-256 of match.rcg, where the browser has it. */
+async function hashOf(pieces) {
+  if (!crypto.subtle) return '';
+  const digest = await crypto.subtle.digest('SHA-256', await new Blob(pieces).arrayBuffer());
+  return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+const playground = new Playground();
+// For scripts and tests.
+Object.assign(window, { clsPlayground: playground });
+playground.start();

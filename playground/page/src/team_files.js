@@ -1,0 +1,97 @@
+// The files of a team in the page: those of a project of `cls new NAME javascript`, and what they import.
+import { javascriptLanguage } from '@codemirror/lang-javascript';
+import actions from '../../../examples/javascript/src/actions.js?text';
+import situation from '../../../examples/javascript/src/situation.js?text';
+import decide from '../../../examples/minimal/decide.js?text';
+
+export const kMainFile = 'decide.js';
+export const kTemplate = Object.freeze({ [kMainFile]: decide, 'actions.js': actions, 'situation.js': situation });
+const kLargestFile = 200_000; // characters
+
+/** What is wrong with a team's code, and where. */
+export class CodeError extends Error {
+  constructor(file, line, text) {
+    super(`${text} (${file}:${line})`);
+    this.file = file;
+    this.line = line;
+    this.text = text;
+  }
+}
+
+/** True for files as the page has them: texts by name, with the one that decides. */
+export function areTeamFiles(files) {
+  return typeof files?.[kMainFile] === 'string'
+    && Object.entries(files).every(([name, text]) => name in kTemplate && typeof text === 'string' && text.length <= kLargestFile);
+}
+
+/** The modules that the team consists of, each after those that it imports, as team_modules.js loads them.
+ * Throws a CodeError. */
+export function modulesOf(files) {
+  const modules = [];
+  const open = new Set();
+  const add = (name, from, line) => {
+    if (modules.some((module) => module.name === name)) return;
+    if (open.has(name)) throw new CodeError(from, line, `${name} imports itself through other modules`);
+    open.add(name);
+    const pieces = piecesOf(name, files);
+    for (const piece of pieces) if (typeof piece !== 'string') add(piece.module, name, piece.line);
+    modules.push({ name, pieces });
+  };
+  add(kMainFile, kMainFile, 1);
+  return modules;
+}
+
+/** The files that the team needs. */
+export function reachableFiles(files) {
+  try {
+    return Object.fromEntries(modulesOf(files).map(({ name }) => [name, files[name]]).reverse());
+  } catch {
+    return { ...files };
+  }
+}
+
+function piecesOf(name, files) {
+  const text = files[name];
+  const pieces = [];
+  let at = 0;
+  for (const { from, to } of importsOf(text)) {
+    const specifier = text.slice(from + 1, to - 1);
+    const module = specifier.replace(/^\.\//, '');
+    const line = lineAt(text, from);
+    if (!specifier.startsWith('./') || !(module in files)) {
+      const known = Object.keys(files).filter((file) => file !== name).map((file) => `'./${file}'`).join(' and ');
+      throw new CodeError(name, line, `no module '${specifier}' here; there are ${known}`);
+    }
+    pieces.push(text.slice(at, from + 1), { module, line });
+    at = to - 1;
+  }
+  pieces.push(text.slice(at));
+  return pieces;
+}
+
+/** The places of the texts behind `from` and `import`. */
+function importsOf(text) {
+  const found = [];
+  const tree = javascriptLanguage.parser.parse(text);
+  for (let node = tree.topNode.firstChild; node; node = node.nextSibling) {
+    if (node.name !== 'ImportDeclaration' && node.name !== 'ExportDeclaration') continue;
+    const source = node.getChild('String');
+    if (source) found.push({ from: source.from, to: source.to });
+  }
+  return found;
+}
+
+/** The line of the first thing that is not JavaScript, or 0. */
+export function syntaxErrorLine(text) {
+  let line = 0;
+  javascriptLanguage.parser.parse(text).iterate({
+    enter(node) {
+      if (line === 0 && node.type.isError) line = lineAt(text, node.from);
+    },
+  });
+  return line;
+}
+
+export function lineAt(text, at) {
+  return text.slice(0, at).split('\n').length;
+}
