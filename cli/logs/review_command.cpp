@@ -85,20 +85,22 @@ int read_logs(const std::vector<std::string>& logs, std::vector<LoadedMatch>& ma
   return exit_code;
 }
 
-// The team of --team or --side; else the one that plays most of the matches, on the left of the
-// first if both do.
+// The team of --team or --side; else the one that plays longest, on the left of the first match if
+// both do: a folder may have the scenarios of `cls test`, too.
 std::string choose_team(const ReviewArguments& arguments, const std::vector<LoadedMatch>& matches) {
   if (!arguments.team.empty()) return arguments.team;
   const Side wanted = soccer::parse_side(arguments.side).value_or(Side::kLeft);
   std::string team = name_of(matches.front().record, wanted);
   if (!arguments.side.empty()) return team;
 
-  std::map<std::string, int> played;
+  std::map<std::string, std::size_t> frames;
   for (const LoadedMatch& match : matches) {
-    for (const Side side : soccer::kBothSides) ++played[name_of(match.record, side)];
+    for (const Side side : soccer::kBothSides) {
+      frames[name_of(match.record, side)] += match.record.frames();
+    }
   }
-  for (const auto& [name, count] : played) {
-    if (count > played[team]) team = name;
+  for (const auto& [name, count] : frames) {
+    if (count > frames[team]) team = name;
   }
   return team;
 }
@@ -244,8 +246,7 @@ void add_review_command(Command& app) {
   auto [command, arguments] = app.command("review", kReviewDescription, run_review_command);
   command.group = kResultCommands;
   command.option("LOG", arguments.logs, "game logs, folders or patterns").required();
-  command.option("--team NAME", arguments.team,
-                 "the team (default: the one that plays most of the matches)");
+  command.option("--team NAME", arguments.team, "the team (default: the one that plays longest)");
   command.option("--side SIDE", arguments.side,
                  "left or right: the team of that side in the first match");
 

@@ -300,7 +300,10 @@ void Team::count_reply(PlayerAgent& agent, const Reply& reply) {
   const int reconnects = client_of(reply.agent).reconnects();
   if (reconnects == statistics.reconnects) return;
   statistics.reconnects = reconnects;
-  warn_once("connection to the Playmaker lost; players registered again at cycle " +
+  const int errors = client_of(reply.agent).errors_before_reconnect();
+  const std::string why = errors == 0 ? "connection to the Playmaker lost"
+                                      : std::to_string(errors) + " errors of a player in a row";
+  warn_once(why + "; players registered again at cycle " +
             std::to_string(agent.world().game.time.cycle));
 }
 

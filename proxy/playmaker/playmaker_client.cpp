@@ -158,7 +158,10 @@ bool PlaymakerClient::handle_handshake_reply(Playmaker& playmaker, Reply& reply)
 bool PlaymakerClient::handle_decision_reply(Playmaker& playmaker, const Reply& reply) {
   switch (reply.status.outcome) {
     case RpcOutcome::kOk:
-      if (registration_ == Registration::kReregistered) ++reconnects_;
+      if (registration_ == Registration::kReregistered) {
+        ++reconnects_;
+        errors_before_reconnect_ = errors_ >= kMaxErrors ? errors_ : 0;
+      }
       registration_ = Registration::kRegistered;
       errors_ = 0;
       max_errors_ = kMaxErrors;

@@ -57,6 +57,8 @@ class PlaymakerClient {
 
   /// Number of re-registrations followed by a successful decision.
   int reconnects() const { return reconnects_; }
+  /// Errors in a row that led to the last of them; 0: the connection was lost.
+  int errors_before_reconnect() const { return errors_before_reconnect_; }
   /// Warnings since the last call of this function; empty: none.
   std::string take_warning() { return std::exchange(warning_, {}); }
 
@@ -92,6 +94,7 @@ class PlaymakerClient {
   int errors_ = 0;                               ///< consecutive, since the last registration
   int max_errors_;
   int reconnects_ = 0;
+  int errors_before_reconnect_ = 0;
   std::string warning_;
 
   protos::State* state_ = nullptr;

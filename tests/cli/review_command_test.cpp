@@ -57,6 +57,21 @@ TEST_F(ReviewCommand, CountsGoalsAndChancesOfATeam) {
   EXPECT_EQ(winner.out, review({"match-start.rcg.gz", "--side", "left"}).out);
 }
 
+// A folder of matches has those of scenarios, too.
+TEST_F(ReviewCommand, TakesTheTeamThatPlaysLongest) {
+  const auto play = [&](const std::string& name, const std::string& cycles,
+                        const std::string& dir) {
+    Command match({cls_binary(), "match", "mock", "mock:hold", "--cycles", cycles, "--seed", "1",
+                   "--left-name", name, "--right-name", "other" + name, "--dir", dir},
+                  {}, folder_.path());
+    ASSERT_EQ(match.finish().exit_code, 0);
+  };
+  play("SHORT", "20", "1");
+  play("SHORT", "20", "2");
+  play("LONG", "200", "3");
+  EXPECT_THAT(review({"1", "2", "3"}).out, HasSubstr("LONG: 1 match, "));
+}
+
 TEST_F(ReviewCommand, PlaysDecisionsAgain) {
   const std::vector<std::string> words = {
       "match-start.rcg.gz", "--replay-decisions", "2", "--seeds", "4", "--cycles", "10", "--json"};

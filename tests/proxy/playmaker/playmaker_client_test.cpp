@@ -2,6 +2,7 @@
 // decisions.
 #include "proxy/playmaker/playmaker_client.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -147,6 +148,20 @@ TEST(PlaymakerClient, ReregistersAfterThreeConsecutiveErrorsThenAfterSix) {
   EXPECT_EQ(calls_of(playmaker, "Register 7"), 3);
   EXPECT_EQ(game.statistics(7).missed, 10);
   EXPECT_EQ(game.statistics(7).reconnects, 0) << "no successful decision since";
+}
+
+TEST(PlaymakerClient, SaysThatErrorsLedToTheRegistration) {
+  FakePlaymaker playmaker;
+  playmaker.decide = [](int, const protos::State& state, protos::PlayerActions&) {
+    return state.world_model().cycle() <= 3 ? failure(RpcOutcome::kError) : RpcStatus{};
+  };
+  Game game(playmaker);
+  game.play_to(6);
+
+  EXPECT_EQ(game.statistics(7).reconnects, 1);
+  EXPECT_THAT(
+      game.team.take_warnings(),
+      testing::Contains("3 errors of a player in a row; players registered again at cycle 4"));
 }
 
 TEST(PlaymakerClient, DoesNotReregisterAfterOccasionalErrors) {
