@@ -1,6 +1,7 @@
 // `cls train spec`: what can be trained.
 #include <fmt/format.h>
 
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -47,8 +48,17 @@ struct Description {
   base::Json document;
 };
 
+// "cls/HFO-2v1-v0" and "HFO-2v1" are names of cls_gym for a task with these options.
+std::string task_of_short_name(const std::string& name) {
+  static const std::regex pattern("(cls/)?HFO-[0-9]+v[0-9]+(-v[0-9]+)?");
+  std::smatch parts;
+  if (!std::regex_match(name, parts, pattern)) return name;
+  return parts[1].str() + "HalfFieldOffense" + parts[2].str();
+}
+
 // A task by its id, with or without "cls/" and "-v0".
-const training::Task* find_task(const std::string& name) {
+const training::Task* find_task(const std::string& given) {
+  const std::string name = task_of_short_name(given);
   for (const training::Task& task : training::tasks()) {
     if (name == task.id || name == training::full_id(task)) return &task;
   }

@@ -68,6 +68,7 @@ TEST_F(CommandOutput, JsonIsOneDocumentOfItsSchema) {
       {{"new", "go", "ada"}, "cls.new/1"},
       {{"train", "spec"}, "cls.training.catalog/1"},
       {{"train", "spec", "ego"}, "cls.training.catalog/1"},
+      {{"train", "spec", "cls/HFO-2v1-v0"}, "cls.training.catalog/1"},
       {{"completion", "bash"}, "cls.completion/1"},
       {{"help", "topics"}, "cls.topics/1"},
       {{"help", "testing"}, "cls.topic/1"},

@@ -1,6 +1,6 @@
 """PPO of RLlib: both attackers of 2v1 share a policy with action masks.
 
-    pip install 'FILE[rllib]'; python3 rllib_ppo.py [ITERATIONS]
+    pip install 'FILE[rllib]'; python3 rllib_ppo.py [ITERATIONS, default 20]
 """
 import sys
 
@@ -25,7 +25,7 @@ config = (
               gamma=0.99, entropy_coeff=0.01)
     .debugging(seed=1))
 algorithm = config.build_algo()
-for number in range(int(sys.argv[1]) if len(sys.argv) > 1 else 40):
+for number in range(int(sys.argv[1]) if len(sys.argv) > 1 else 20):
     result = algorithm.train()["env_runners"]
     print(f"{number + 1:3d}  reward {result.get('episode_return_mean', float('nan')):6.2f}  "
           f"cycles {result.get('episode_len_mean', float('nan')) * 4:5.0f}")
