@@ -117,11 +117,10 @@ std::string Child::log_error() const {
 double Child::cpu_seconds() const {
   std::unique_lock lock(core_->mutex);
   const std::uint64_t answers = record_->usage_answers;
-  if (record_->control && send_request(record_->control.get(), {KeeperRequest::Kind::kUsage})) {
-    core_->changed.wait_for(lock, kUsageTimeout, [&] {
-      return record_->usage_answers > answers || record_->status.gone;
-    });
-  }
+  // A keeper that has ended cannot be asked, but its last report may wait to be read.
+  if (record_->control) send_request(record_->control.get(), {KeeperRequest::Kind::kUsage});
+  core_->changed.wait_for(lock, kUsageTimeout,
+                          [&] { return record_->usage_answers > answers || record_->status.gone; });
   return record_->cpu_seconds;
 }
 
