@@ -185,7 +185,7 @@ SocketOwner SocketOwners::find(const std::vector<unsigned long>& inodes,
   SocketOwner owner;
 
   for (const auto& [pid, held] : family.sockets) {
-    const auto holds = [&held](unsigned long inode) { return held.contains(inode); };
+    const auto holds = [&held = held](unsigned long inode) { return held.contains(inode); };
     if (std::ranges::none_of(inodes, holds)) continue;
     std::erase_if(missing, holds);
     owner.pid = pid;

@@ -77,7 +77,8 @@ RpcTimeout PlaymakerClient::time_left() const {
   return std::max(kMinTimeout, std::chrono::ceil<RpcTimeout>(deadline_ - Clock::now()));
 }
 
-void PlaymakerClient::reregister() {
+void PlaymakerClient::reregister(int errors) {
+  errors_before_reconnect_ = errors;
   registration_ = Registration::kReregistering;
   handshake_.emplace(registration_request_, parameters_);
 }
@@ -94,7 +95,7 @@ void PlaymakerClient::request_decision(Playmaker& playmaker, protos::State& stat
   if (limits.timeout != kNoTimeout) deadline_ = Clock::now() + limits.timeout;
   if (playmaker.take_connection_loss(agent_)) {
     note_connection_loss();
-    reregister();
+    reregister(0);
   }
   begin_call(playmaker);
 }
@@ -131,7 +132,7 @@ bool PlaymakerClient::handle_handshake_reply(Playmaker& playmaker, Reply& reply)
   append_once(warning_, handshake_->warning());
   if (next == Handshake::Next::kFailed) {
     // After a deadline the handshake continues in the next cycle, otherwise it starts again.
-    if (reply.status.outcome != RpcOutcome::kDeadline) reregister();
+    if (reply.status.outcome != RpcOutcome::kDeadline) reregister(errors_before_reconnect_);
     return true;
   }
 
@@ -158,17 +159,14 @@ bool PlaymakerClient::handle_handshake_reply(Playmaker& playmaker, Reply& reply)
 bool PlaymakerClient::handle_decision_reply(Playmaker& playmaker, const Reply& reply) {
   switch (reply.status.outcome) {
     case RpcOutcome::kOk:
-      if (registration_ == Registration::kReregistered) {
-        ++reconnects_;
-        errors_before_reconnect_ = errors_ >= kMaxErrors ? errors_ : 0;
-      }
+      if (registration_ == Registration::kReregistered) ++reconnects_;
       registration_ = Registration::kRegistered;
       errors_ = 0;
       max_errors_ = kMaxErrors;
       return true;
 
     case RpcOutcome::kUnavailable: {
-      reregister();
+      reregister(0);
       const bool lost = playmaker.take_connection_loss(agent_);
       if (!lost || std::exchange(retried_, true) || !has_time()) return true;
       note_connection_loss();
@@ -180,7 +178,7 @@ bool PlaymakerClient::handle_decision_reply(Playmaker& playmaker, const Reply& r
     case RpcOutcome::kError:
       if (++errors_ < max_errors_) return true;
       max_errors_ *= 2;
-      reregister();
+      reregister(errors_);
       return true;
 
     default:

@@ -57,7 +57,7 @@ class PlaymakerClient {
 
   /// Number of re-registrations followed by a successful decision.
   int reconnects() const { return reconnects_; }
-  /// Errors in a row that led to the last of them; 0: the connection was lost.
+  /// Errors in a row that led to the last re-registration; 0: the connection was lost.
   int errors_before_reconnect() const { return errors_before_reconnect_; }
   /// Warnings since the last call of this function; empty: none.
   std::string take_warning() { return std::exchange(warning_, {}); }
@@ -76,7 +76,7 @@ class PlaymakerClient {
   void note_outcome(const Reply& reply);
   void begin_call(Playmaker& playmaker);
   void begin_handshake_call(Playmaker& playmaker);
-  void reregister();
+  void reregister(int errors);
   void note_connection_loss();
   bool handle_handshake_reply(Playmaker& playmaker, Reply& reply);
   bool handle_decision_reply(Playmaker& playmaker, const Reply& reply);
