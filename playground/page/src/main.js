@@ -9,7 +9,7 @@ import { playMatch, Sandbox } from './matches.js';
 import { Output } from './output.js';
 import { fragmentOf, hasMatch, matchOf } from './share_link.js';
 import { Storage } from './storage.js';
-import { CodeError, kTemplate, reachableFiles } from './team_files.js';
+import { CodeError, kTemplate, placeIn, reachableFiles } from './team_files.js';
 import { zipOf } from './zip.js';
 
 const kMocks = [
@@ -202,9 +202,9 @@ class Playground {
     this.field.fail();
     const text = error instanceof Error ? error.message : String(error);
     this.#showResult(text, true);
-    const place = error instanceof CodeError ? error : /\((?<file>[\w.-]+\.js):(?<line>\d+)\)/.exec(text)?.groups;
-    this.output.addProblem(text, place ? { file: place.file, line: Number(place.line) } : null);
-    if (place && document.body.dataset.step === 'write') this.editor.mark(place.file, Number(place.line), text);
+    const place = error instanceof CodeError ? error : placeIn(text);
+    this.output.addProblem(text, place);
+    if (place && document.body.dataset.step === 'write') this.editor.mark(place.file, place.line, text);
   }
 
   #onEdit() {

@@ -1,5 +1,6 @@
 // What went wrong and what the teams printed, below the editor.
 import { element } from '../../../viewer/web/src/dom.js';
+import { placeIn } from './team_files.js';
 
 const kMostRows = 500;
 const kHints = [
@@ -27,10 +28,7 @@ export class Output {
 
   /** @param {string[]} warnings of the engine */
   addWarnings(warnings) {
-    for (const text of warnings) {
-      const place = /\(([\w.-]+\.js):(\d+)\)/.exec(text);
-      this.addProblem(text, place ? { file: place[1], line: Number(place[2]) } : null);
-    }
+    for (const text of warnings) this.addProblem(text, placeIn(text));
   }
 
   /** @param {string} text @param {{file: string, line: number} | null} place */

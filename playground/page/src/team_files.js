@@ -18,6 +18,12 @@ export class CodeError extends Error {
   }
 }
 
+/** The first place that a text names as "(FILE:LINE)". @param {string} text @returns {{file: string, line: number} | null} */
+export function placeIn(text) {
+  const place = /\(([\w.-]+\.js):(\d+)\)/.exec(text);
+  return place && { file: place[1], line: Number(place[2]) };
+}
+
 /** True for files as the page has them: texts by name, with the one that decides. */
 export function areTeamFiles(files) {
   return typeof files?.[kMainFile] === 'string'
