@@ -72,6 +72,7 @@ struct CommandPlan {
   std::shared_ptr<const Namespaces> namespaces = nullptr;
   /// Descriptors of cls that it inherits, as kFirstPassedFd and the following.
   std::vector<int> passed = {};
+  bool connections_trapped = false;  ///< the last of `passed` is that of a ConnectionTrap
 
   bool operator==(const CommandPlan&) const = default;
 };

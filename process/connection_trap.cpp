@@ -25,9 +25,6 @@
 namespace cls::process {
 namespace {
 
-// In the environment of a plan: the last of its passed descriptors is that of a trap.
-constexpr const char* kMark = "CLS_CONNECTION_TRAP";
-
 constexpr std::uint32_t word(std::size_t offset) { return static_cast<std::uint32_t>(offset); }
 
 std::optional<base::SocketAddress> peer_of(const seccomp_notif& call) {
@@ -78,7 +75,7 @@ ConnectionTrap::~ConnectionTrap() {
 
 void ConnectionTrap::add_to(CommandPlan& plan) const {
   plan.passed.push_back(child_end_.get());
-  plan.environment.push_back({kMark, "1"});
+  plan.connections_trapped = true;
 }
 
 void ConnectionTrap::run() {
@@ -122,9 +119,7 @@ void ConnectionTrap::decide() const {
 }
 
 void report_connections(const CommandPlan& plan) {
-  const bool trapped =
-      std::ranges::any_of(plan.environment, [](const auto& one) { return one.name == kMark; });
-  if (!trapped || plan.passed.empty()) return;
+  if (!plan.connections_trapped || plan.passed.empty()) return;
   const base::UniqueFd child_end(kFirstPassedFd + static_cast<int>(plan.passed.size()) - 1);
 
   std::array<sock_filter, 6> steps = {{

@@ -163,6 +163,7 @@ std::string encode(const CommandPlan& plan) {
   add(bytes, std::to_string(plan.limits.processes));
   add(bytes, plan.empty_environment ? "1" : "0");
   add(bytes, plan.confined ? "1" : "0");
+  add(bytes, plan.connections_trapped ? "1" : "0");
   add(bytes, std::to_string(plan.passed.size()));
   add(bytes, plan.files ? "1" : "0");
 
@@ -203,6 +204,7 @@ std::optional<CommandPlan> decode_plan(std::string_view bytes) {
   plan.limits.processes = fields.number();
   plan.empty_environment = fields.number() != 0;
   plan.confined = fields.number() != 0;
+  plan.connections_trapped = fields.number() != 0;
   plan.passed.resize(static_cast<std::size_t>(std::max(0, fields.number())), -1);
   if (fields.number() != 0) {
     FileAccess& files = plan.files.emplace();

@@ -57,6 +57,7 @@ TEST(CommandPlan, DecodesWhatWasEncoded) {
   plan.environment = {{"A", "1=2"}, {"B", ""}, {"C", std::nullopt}};
   plan.cpus = {3, 5};
   plan.limits = {5ULL << 30, 7};
+  plan.connections_trapped = true;
   plan.empty_environment = true;
   plan.files = {{"/usr", "/bin"}, {"/tmp/a b"}};
   const auto decoded = decode_plan(encode(plan));
