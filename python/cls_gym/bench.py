@@ -96,7 +96,7 @@ def _reset(envs: cls_gym.VectorEnv, count: int) -> float:
 
 def measure(case: Case, rounds: int, seconds: float) -> Dict[str, Any]:
     """One row of the table."""
-    opponent = {} if case.opponent is None else {"opponent": case.opponent}
+    opponent: Dict[str, Any] = {} if case.opponent is None else {"opponent": case.opponent}
     envs = cls_gym.VectorEnv(case.task, case.num_envs, obs=case.obs, threads=case.threads,
                              features="ego", actions=case.actions, autoreset_mode="same_step",
                              **opponent)
