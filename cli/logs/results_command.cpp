@@ -11,6 +11,7 @@
 #include "analysis/results/results_text.h"
 #include "base/system/parallel.h"
 #include "base/text/enum_names.h"
+#include "cli/logs/counted_logs.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/log_progress.h"
@@ -60,7 +61,7 @@ int run_results_command(const ResultsArguments& arguments) {
                        arguments.format);
   }
 
-  const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);
+  const gamelog::FoundLogs found = find_counted_logs(arguments.logs);
   int exit_code = report_missing(found);
   std::vector<analysis::MatchSummary> summaries;
   for (ReadResult& result : read_all(found.matches, arguments.jobs)) {

@@ -12,6 +12,7 @@
 
 #include "analysis/statistics/match_statistics.h"
 #include "base/text/suggestion.h"
+#include "cli/logs/counted_logs.h"
 #include "cli/logs/review_replays.h"
 #include "cli/support/commands.h"
 #include "cli/support/interrupt.h"
@@ -65,7 +66,7 @@ const std::string& name_of(const gamelog::MatchRecord& record, Side side) {
 
 // Reads the logs; those that cannot be read are reported and left out.
 int read_logs(const std::vector<std::string>& logs, std::vector<LoadedMatch>& matches) {
-  const gamelog::FoundLogs found = gamelog::find_logs(logs);
+  const gamelog::FoundLogs found = find_counted_logs(logs);
   int exit_code = report_missing(found);
   LogProgress progress(found.matches.size());
   for (std::size_t i = 0; i < found.matches.size(); ++i) {

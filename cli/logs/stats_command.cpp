@@ -9,6 +9,7 @@
 #include "analysis/statistics/read_statistics.h"
 #include "base/system/parallel.h"
 #include "base/text/enum_names.h"
+#include "cli/logs/counted_logs.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "cli/terminal/log_progress.h"
@@ -61,7 +62,7 @@ int run_stats_command(const StatsArguments& arguments) {
                        arguments.format);
   }
 
-  const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);
+  const gamelog::FoundLogs found = find_counted_logs(arguments.logs);
   int exit_code = report_missing(found);
   const analysis::StatisticsOutput output = read_all(found.matches, *format, arguments);
   for (const analysis::LogProblem& problem : output.problems) {

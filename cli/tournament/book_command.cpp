@@ -12,6 +12,7 @@
 #include "analysis/situations/make_book.h"
 #include "base/text/counted.h"
 #include "base/text/json.h"
+#include "cli/logs/counted_logs.h"
 #include "cli/logs/output_file.h"
 #include "cli/support/commands.h"
 #include "cli/support/interrupt.h"
@@ -46,7 +47,7 @@ struct BookArguments {
 // error line.
 template <typename Add>
 int for_each_log(const std::vector<std::string>& arguments, Add add) {
-  const gamelog::FoundLogs found = gamelog::find_logs(arguments);
+  const gamelog::FoundLogs found = find_counted_logs(arguments);
   for (const std::string& missing : found.missing) {
     print_error(0, "{}: no game log", missing);
   }

@@ -16,6 +16,7 @@
 #include "cli/terminal/log_progress.h"
 #include "cli/tournament/tournament_session.h"
 #include "gamelog/files/log_files.h"
+#include "league/matches/playing.h"
 #include "tournament/config/start_times.h"
 #include "tournament/report/report_model.h"
 #include "tournament/store/folder.h"
@@ -54,35 +55,7 @@ fs::path stage_folder(const Fixture& fixture) {
   return fs::path(text.substr(0, comma)) / text.substr(comma + 2);
 }
 
-/// A match that was played, with its logs.
-struct Playing {
-  int match = 0;          ///< number
-  fs::path stage;         ///< folder in the archive
-  std::string folder;     ///< in the tournament
-  std::string began;      ///< UTC
-  bool annulled = false;  ///< by decision: another playing counts, or none
-};
-
 constexpr const char* kAnnulledFolder = "annulled";
-
-// What was played of a match: what counts, and what was annulled or replayed by decision.
-std::vector<Playing> playings_of(const ScheduledMatch& match) {
-  std::vector<Playing> playings;
-  const fs::path stage = stage_folder(match.fixture);
-  const auto add = [&](const std::string& folder, const std::string& began, bool annulled) {
-    if (folder.empty()) return;
-    const auto same = [&folder](const Playing& one) { return one.folder == folder; };
-    if (std::ranges::any_of(playings, same)) return;
-    const fs::path place = annulled ? kAnnulledFolder / stage : stage;
-    playings.push_back({match.fixture.index, place, folder, began, annulled});
-  };
-
-  if (match.outcome && match.outcome->finished()) {
-    add(match.outcome->folder, match.outcome->started, match.outcome->annulled);
-  }
-  for (const MatchDecision& decision : match.history) add(decision.folder, decision.began, true);
-  return playings;
-}
 
 struct Archive {
   int written = 0;
@@ -117,19 +90,20 @@ base::Result<LeagueLogs> logs_of(const fs::path& folder, const Playing& playing)
   return read_league_logs(place, parse_utc_time(playing.began));
 }
 
-bool add_playing(const fs::path& folder, const Playing& playing, const fs::path& out,
-                 Archive& archive) {
+bool add_playing(const fs::path& folder, const Fixture& fixture, const Playing& playing,
+                 const fs::path& out, Archive& archive) {
   const auto logs = logs_of(folder, playing);
   if (!logs) {
-    archive.problems.push_back(fmt::format("match {}: {}", playing.match, logs.error().message));
+    archive.problems.push_back(fmt::format("match {}: {}", fixture.index, logs.error().message));
     return true;
   }
 
-  const fs::path stem = out / playing.stage / logs->name;
+  const fs::path root = playing.annulled ? out / kAnnulledFolder : out;
+  const fs::path stem = root / stage_folder(fixture) / logs->name;
   const fs::path game = stem.string() + ".rcg.gz";
   const fs::path text = stem.string() + ".rcl.gz";
   archive.files.push_back(
-      {{"match", playing.match}, {"rcg", game.string()}, {"annulled", playing.annulled}});
+      {{"match", fixture.index}, {"rcg", game.string()}, {"annulled", playing.annulled}});
   archive.files.back()["rcl"] = logs->rcl.empty() ? Json(nullptr) : Json(text.string());
   std::error_code code;
   if (fs::exists(game, code)) {
@@ -139,7 +113,7 @@ bool add_playing(const fs::path& folder, const Playing& playing, const fs::path&
 
   auto created = base::create_folders(stem.parent_path());
   // Commands that read the archive count no annulled match.
-  if (created && playing.annulled) created = gamelog::set_apart(out / kAnnulledFolder);
+  if (created && playing.annulled) created = gamelog::set_apart(root);
   if (!created) {
     archive.problems.push_back(created.error().message);
     return false;
@@ -175,7 +149,7 @@ int run_archive(const ArchiveArguments& arguments) {
           fmt::format("match {}: its logs were not retained (keep_logs)", match.fixture.index));
     }
     whole = std::ranges::all_of(playings_of(match), [&](const Playing& playing) {
-      return add_playing(arguments.folder, playing, out, archive);
+      return add_playing(arguments.folder, match.fixture, playing, out, archive);
     });
     if (!whole) break;
   }
