@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -201,11 +202,12 @@ int run_challenge_validate(const ChallengeArguments& arguments) {
   return problems.empty() ? kOk : kFailed;
 }
 
-Result<analysis::StpScore> score_of(const ChallengeArguments& arguments, const std::string& name) {
+Result<analysis::StpScore> score_of(const ChallengeArguments& arguments, const std::string& name,
+                                    const std::string& table) {
   TRY_INIT(const std::int64_t last, last_row(path_of(arguments.tests, name)));
   const std::string path = path_of(arguments.submission, name);
   TRY_INIT(const auto prediction, read_prediction(path, StpColumns::kAllPlaces));
-  auto truth = base::open_source(path_of(arguments.truth, name));
+  auto truth = base::open_source(table);
   if (!truth) return truth.error();
   auto score = analysis::score_stp_prediction(prediction, **truth, last);
   if (!score) return Error{fmt::format("{}: {}", path, score.error().message)};
@@ -214,13 +216,23 @@ Result<analysis::StpScore> score_of(const ChallengeArguments& arguments, const s
 
 base::Json number(double value) { return std::isnan(value) ? base::Json() : base::Json(value); }
 
+// The tables of whole matches by the name of their test: those of a tournament lie in sub-folders.
+Result<std::map<std::string, std::string>> tables_by_test(const std::string& folder) {
+  TRY_INIT(const auto names, tables_of(folder));
+  std::map<std::string, std::string> tables;
+  for (const std::string& name : names) tables.emplace(flat(name), path_of(folder, name));
+  return tables;
+}
+
 int run_challenge_score(const ChallengeArguments& arguments) {
   TRY_INIT_OR(kNoInput, const auto predictions, tables_of(arguments.submission));
+  TRY_INIT_OR(kNoInput, const auto tables, tables_by_test(arguments.truth));
   analysis::StpScore sum;
   auto matches = base::Json::array();
   for (const std::string& name : predictions) {
-    if (!fs::exists(path_of(arguments.truth, name))) continue;
-    TRY_INIT_OR(kBadData, const auto score, score_of(arguments, name));
+    const auto table = tables.find(flat(name));
+    if (table == tables.end()) continue;
+    TRY_INIT_OR(kBadData, const auto score, score_of(arguments, name, table->second));
     sum.average += score.average;
     sum.endpoint += score.endpoint;
     matches.push_back({{"name", name},
