@@ -17,9 +17,10 @@ class FixtureList;
 /// Teams of one element share a rank, best first.
 using Ranks = std::vector<std::vector<int>>;
 
-/// A table of a competition: of a group, of all teams, or the ranking of a knockout.
+/// A table of a competition: of a group, of all teams, of a knockout, or the ranking after all
+/// stages, which counts the matches of all of them.
 struct RankedTable {
-  std::string title;  ///< "", "group A", "knock-out"
+  std::string title;  ///< "", "group A", "knock-out", "ranking"
   std::vector<Standing> standings;
   bool average = false;  ///< its teams have played different numbers of matches
 };

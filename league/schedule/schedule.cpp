@@ -1,7 +1,11 @@
 // One call for all formats, see formats.cpp.
 #include "league/schedule/schedule.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
+#include <span>
+#include <vector>
 
 #include "league/schedule/fixture_list.h"
 
@@ -12,6 +16,16 @@ Progress run_format(FixtureList& list) {
   const FormatRules& rules = rules_of(list.competition());
   if (!rules.later && !list.so_far().empty()) return {};
   return rules.schedule(list);
+}
+
+// The matches that are in no table of a group.
+std::vector<ScheduledMatch> outside_of(std::span<const RankedTable> groups,
+                                       std::span<const ScheduledMatch> matches) {
+  std::vector<ScheduledMatch> others;
+  std::ranges::copy_if(matches, std::back_inserter(others), [&](const ScheduledMatch& match) {
+    return std::ranges::find(groups, match.fixture.stage, &RankedTable::title) == groups.end();
+  });
+  return others;
 }
 
 }  // namespace
@@ -46,10 +60,14 @@ std::vector<RankedTable> tables(const Competition& competition,
   const bool ranked = !progress.ranks.empty();
   if (!progress.tables.empty() && !ranked) return std::move(progress.tables);
 
-  std::vector<Standing> table = standings(seeding(competition), so_far,
+  const bool stages = competition.format == Format::kStages;
+  const auto played = stages ? std::vector<ScheduledMatch>(so_far.begin(), so_far.end())
+                             : outside_of(progress.tables, so_far);
+  std::vector<Standing> table = standings(seeding(competition), played,
                                           tie_breakers_of(competition), byes(competition, so_far));
   if (ranked) table = order_by_rank(progress.ranks, table);
-  progress.tables.push_back({ranked ? "knock-out" : "", std::move(table)});
+  const char* title = stages ? "ranking" : "knock-out";
+  progress.tables.push_back({ranked ? title : "", std::move(table)});
   return std::move(progress.tables);
 }
 
