@@ -16,6 +16,7 @@
 #include "tournament/site/spectator_page.h"
 #include "tournament/site/spectator_view.h"
 #include "tournament/site/tournament_site.h"
+#include "tournament/store/pauses_file.h"
 #include "tournament/store/store.h"
 
 namespace cls::tournament {
@@ -66,6 +67,32 @@ TEST(SpectatorView, ShowsScheduleResultsAndTables) {
   EXPECT_EQ(page.statistics.size(), 2U);
 }
 
+TEST(SpectatorView, TellsWhenTheNextMatchesStart) {
+  TournamentState state = played(Format::kRoundRobin, 2);
+  for (ScheduledMatch& match : state.matches) match.outcome.reset();
+  EXPECT_EQ(spectator_view(state, "cup").next[0].start, "") << "without start_times";
+
+  state.config.execution.concurrency = 1;
+  state.config.report.slot_minutes = 20;
+  state.config.report.start_times = {"2037-07-15 09:00"};
+  const SpectatorPage page = spectator_view(state, "cup");
+  EXPECT_EQ(page.next[0].start, "2037-07-15 09:00");
+  EXPECT_THAT(spectator_page(page, "x"), HasSubstr(">2037-07-15 09:20 · round 1<"));
+}
+
+TEST(SpectatorView, TellsOfATechnicalTimeOut) {
+  TournamentState state = played(Format::kRoundRobin, 2);
+  state.matches.back().outcome.reset();
+  const tests::TemporaryFolder folder;
+  ASSERT_TRUE(begin_pause(folder.path(), "SECRET-reason"));
+  const std::string now = spectator_now(spectator_view(state, folder.path()), "x");
+  EXPECT_THAT(now, HasSubstr("Technical time-out since 20"));
+  EXPECT_THAT(now, Not(HasSubstr("SECRET"))) << "written for the organizers";
+
+  ASSERT_TRUE(end_pause(folder.path()));
+  EXPECT_EQ(spectator_view(state, folder.path()).pause, "");
+}
+
 // Ranks over all groups of a stage that is being played say nothing yet.
 TEST(SpectatorView, ShowsTheTablesOfTheStageThatIsPlayed) {
   TournamentState state;
@@ -93,10 +120,10 @@ TEST(SpectatorView, NamesAWinnerWhereOneTeamIsFirst) {
   EXPECT_EQ(spectator_view(played(Format::kRoundRobin, 3, drawn), "cup").winner, "");
 }
 
-TEST(SpectatorView, ShowsTheLadderOfAKnockout) {
+TEST(SpectatorView, ShowsTheBracketOfAKnockout) {
   const SpectatorPage page = spectator_view(played(Format::kKnockout, 4), "cup");
   EXPECT_TRUE(page.over);
-  EXPECT_THAT(page.ladder, HasSubstr("class=\"won\""));
+  EXPECT_THAT(page.bracket, HasSubstr("class=\"won\""));
 }
 
 // Deciding matches of a final and of the third place are played in turn.
@@ -163,8 +190,8 @@ TEST(SpectatorPage, ShowsNamesAsText) {
 
 TEST(SpectatorPage, HasRelativeAddressesOnly) {
   SpectatorPage page;
-  page.running = {{1, "", "A", "B", "", true}};
-  page.results = {{"final", {{2, "final", "A", "B", "1:0", true}}}};
+  page.running = {{1, "", "A", "B", "", "", true}};
+  page.results = {{"final", {{2, "final", "A", "B", "", "1:0", true}}}};
   const std::string html = spectator_page(page, "x");
   EXPECT_THAT(html, HasSubstr("href=\"match/1/\""));
   EXPECT_THAT(html, HasSubstr("href=\"match/2/\""));

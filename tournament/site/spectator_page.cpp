@@ -79,7 +79,7 @@ th:first-child, td:first-child { padding-left: 0.1rem; }
 thead th { color: var(--muted); font-size: 0.82rem; border-bottom-color: var(--line); white-space: nowrap; }
 td.w, th.w { text-align: left; overflow-wrap: break-word; }
 .standings td.w { width: 100%; min-width: 5.5rem; font-weight: 600; overflow-wrap: anywhere; }
-#ladder .bracket:not(:has(.joins)) { flex-wrap: wrap; gap: 0.6rem 0; }
+#bracket .bracket:not(:has(.joins)) { flex-wrap: wrap; gap: 0.6rem 0; }
 .matches { list-style: none; margin: 0; padding: 0; }
 .matches li { display: grid; grid-template-columns: minmax(0, 1fr) minmax(2.8rem, max-content) minmax(0, 1fr); gap: 0 0.5rem; align-items: baseline; padding: 0.28rem 0; border-bottom: 1px solid var(--faint); }
 .matches .name { overflow-wrap: anywhere; line-height: 1.25; font-size: 0.88em; }
@@ -91,6 +91,7 @@ td.w, th.w { text-align: left; overflow-wrap: break-word; }
 summary { cursor: pointer; padding: 0.3rem 0; font-weight: 600; }
 details > .tables, details > .matches { margin: 0.3rem 0 0.8rem; }
 footer { padding: 0 1rem 1rem; text-align: center; color: var(--muted); font-size: 0.85rem; }
+.pause { margin: 0 0 0.5rem; font-weight: 650; }
 .winner { margin: 0; font-size: 1.4rem; font-weight: 700; overflow-wrap: anywhere; }
 @media (max-width: 899px) {
   .column { display: contents; }
@@ -171,6 +172,7 @@ std::string now_content(const SpectatorPage& page) {
   if (!page.winner.empty()) {
     return "<h2>Winner</h2>\n" + text_element("p", page.winner, "winner");
   }
+  if (!page.pause.empty()) text += text_element("p", page.pause, "pause");
   if (page.running.empty()) {
     return text + text_element("p",
                                page.over ? "All matches have been played."
@@ -193,8 +195,11 @@ std::string list_item(const SpectatorMatch& match) {
       "<li><span class=\"name\">{}</span><span class=\"score\">{}</span>"
       "<span class=\"name\">{}</span>",
       base::escape_xml(match.left), score, base::escape_xml(match.right));
-  if (!match.occasion.empty()) {
-    text += fmt::format("<span class=\"occasion\">{}</span>", base::escape_xml(match.occasion));
+  std::string occasion = match.start;
+  if (!occasion.empty() && !match.occasion.empty()) occasion += " · ";
+  occasion += match.occasion;
+  if (!occasion.empty()) {
+    text += fmt::format("<span class=\"occasion\">{}</span>", base::escape_xml(occasion));
   }
   return text + "</li>\n";
 }
@@ -286,9 +291,10 @@ std::string spectator_page(const SpectatorPage& page, const std::string& rest) {
   const std::string statistics =
       page.statistics.empty() ? "" : "<h2>Statistics</h2>\n" + table_boxes(page.statistics, "");
   text += "<div class=\"column\">\n" + part("now", "Now", now_content(page)) + "</div>\n";
-  text += "<div class=\"column\">\n" + part("tables", "Tables", tables_content(page)) +
-          part("ladder", "Ladder", page.ladder.empty() ? "" : "<h2>Ladder</h2>\n" + page.ladder) +
-          "</div>\n";
+  text +=
+      "<div class=\"column\">\n" + part("tables", "Tables", tables_content(page)) +
+      part("bracket", "Bracket", page.bracket.empty() ? "" : "<h2>Bracket</h2>\n" + page.bracket) +
+      "</div>\n";
   text += "<div class=\"column\">\n" + part("next", "Next", next_content(page)) +
           part("results", "Results", results_content(page)) +
           part("statistics", "Statistics", statistics) + "</div>\n";

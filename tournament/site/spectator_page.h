@@ -15,6 +15,7 @@ struct SpectatorMatch {
   std::string occasion;  ///< "first round, group A"; may be empty
   std::string left;
   std::string right;
+  std::string start;  ///< "2027-07-15 09:00", expected; empty: unknown, or it has begun
   std::string score;  ///< "2:1", "0:3 (forfeit)"; empty before the match
   bool has_page = false;
   std::optional<viewer::Glance> glance = {};  ///< of a match that is played now
@@ -32,12 +33,13 @@ struct SpectatorPage {
   std::string status;  ///< "12 of 40 matches played"
   bool over = false;
   std::string winner;  ///< of the tournament, once it is over
+  std::string pause;   ///< "Technical time-out since 2027-07-15 09:10"; empty: there is none
   std::vector<SpectatorMatch> running;
   std::vector<SpectatorMatch> next;  ///< in the order of the schedule
   int further = 0;                   ///< planned matches beyond `next`
   std::vector<std::string> tables;   ///< <table> elements of what is played now
   std::vector<SpectatorGroup<std::string>> earlier_tables;
-  std::string ladder;                                   ///< HTML of bracket_html(), may be empty
+  std::string bracket;                                  ///< HTML of bracket_html(), may be empty
   std::vector<SpectatorGroup<SpectatorMatch>> results;  ///< the latest first
   std::vector<std::string> statistics;                  ///< <table> elements
 };

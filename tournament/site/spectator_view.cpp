@@ -7,8 +7,11 @@
 #include <utility>
 
 #include "league/matches/stage_name.h"
+#include "tournament/config/start_times.h"
 #include "tournament/report/report_bracket.h"
 #include "tournament/report/report_tables.h"
+#include "tournament/slots/timetable.h"
+#include "tournament/store/pauses_file.h"
 
 namespace cls::tournament {
 namespace {
@@ -22,8 +25,12 @@ std::string stage_of(const TournamentConfig& config, const std::string& title) {
 
 SpectatorMatch spectator_match(const TournamentConfig& config, const ScheduledMatch& match) {
   const auto name = [&config](int team) { return config.competition.team(team); };
-  SpectatorMatch shown{match.fixture.index, stage_text(match.fixture), name(match.fixture.left),
-                       name(match.fixture.right), ""};
+  SpectatorMatch shown{match.fixture.index,
+                       stage_text(match.fixture),
+                       name(match.fixture.left),
+                       name(match.fixture.right),
+                       "",
+                       ""};
   if (match.outcome) {
     shown.score = match.outcome->invalid() ? "no result" : score_text(config, match);
   }
@@ -42,7 +49,7 @@ TournamentConfig with_columns(TournamentConfig config, bool average) {
 class Viewer {
  public:
   Viewer(const TournamentState& state, const std::filesystem::path& folder)
-      : state_(state), report_(make_report(state.config, state.matches, folder)) {}
+      : state_(state), folder_(folder), report_(make_report(state.config, state.matches, folder)) {}
 
   SpectatorPage page() {
     page_.title = report_.name;
@@ -51,10 +58,11 @@ class Viewer {
         fmt::format("{} of {} matches played", report_.counts.done(), report_.counts.scheduled);
     const std::vector<std::string> first = first_teams(report_);
     if (page_.over && first.size() == 1) page_.winner = first.front();
+    add_pause();
     add_schedule();
     add_results();
     add_tables();
-    if (!report_.bracket.empty()) page_.ladder = bracket_html(report_);
+    if (!report_.bracket.empty()) page_.bracket = bracket_html(report_);
     add_statistics();
     return std::move(page_);
   }
@@ -64,6 +72,14 @@ class Viewer {
     return std::ranges::binary_search(state_.running, match.fixture.index);
   }
 
+  // Without its reason, which is written for the organizers.
+  void add_pause() {
+    const auto pauses = read_pauses(folder_);
+    if (!pauses || !is_paused(*pauses)) return;
+    const std::time_t begin = parse_utc_time(pauses->back().begin);
+    page_.pause = "Technical time-out since " + local_time_text(begin);
+  }
+
   void add_schedule() {
     for (const ScheduledMatch& match : state_.matches) {
       if (match.outcome) continue;
@@ -71,6 +87,8 @@ class Viewer {
         page_.running.push_back(spectator_match(state_.config, match));
       } else if (page_.next.size() < kMaxNext) {
         page_.next.push_back(spectator_match(state_.config, match));
+        const PlannedStart* start = find_start(report_.timetable, match.fixture.index);
+        if (start != nullptr) page_.next.back().start = local_time_text(start->time);
       } else {
         ++page_.further;
       }
@@ -136,6 +154,7 @@ class Viewer {
   std::string facts_table() const;
 
   const TournamentState& state_;
+  const std::filesystem::path& folder_;
   Report report_;
   SpectatorPage page_;
 };

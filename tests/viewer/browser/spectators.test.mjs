@@ -151,13 +151,13 @@ test('a running match opens live, a played one as a replay, and both lead back',
   played.kill('SIGTERM');
 });
 
-test('a tournament that is over shows its ladder and its winner', {skip: kSkip}, async () => {
+test('a tournament that is over shows its bracket and its winner', {skip: kSkip}, async () => {
   const {url, ended} = await runningCup('over', 4, 2);
   await ended;
   await new Promise((resolve) => setTimeout(resolve, 2500));
   const {page, context} = await openPage(browser, url, /^http:\/\/127\.0\.0\.1:/);
   assert.match(await page.locator('#status').innerText(), /^(\d+) of \1 matches played$/);
-  assert.equal(await page.locator('#ladder .won').count() > 0, true);
+  assert.equal(await page.locator('#bracket .won').count() > 0, true);
   assert.match(await page.locator('#statistics').innerText(), /goals a match/);
   await context.close();
   await checkSizes(url, 'over');
