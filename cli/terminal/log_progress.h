@@ -4,12 +4,13 @@
 #include <chrono>
 #include <cstddef>
 #include <mutex>
+#include <string>
 
 #include "cli/terminal/terminal.h"
 
 namespace cls::cli {
 
-/// Shown only on a terminal and for more than one part.
+/// Shown for more than one part: a bar on a terminal, elsewhere a line each half minute.
 class LogProgress {
  public:
   explicit LogProgress(std::size_t parts, const char* parts_name = "logs");
@@ -20,13 +21,16 @@ class LogProgress {
  private:
   using Clock = std::chrono::steady_clock;
 
+  std::string status(std::size_t count, double elapsed) const;
+
   std::size_t parts_;
   const char* parts_name_;
+  bool on_terminal_;
   bool shown_;
   std::mutex mutex_;
   TerminalLine line_;
   Clock::time_point start_ = Clock::now();
-  Clock::time_point last_shown_{};
+  Clock::time_point last_shown_ = on_terminal_ ? Clock::time_point() : start_;
 };
 
 }  // namespace cls::cli
