@@ -16,10 +16,9 @@ export function drawChoices(scene) {
     if (choice.target && index !== replayed.best) drawChoicePath(scene, replayed, from, choice.target, false);
   });
   const best = replayed.choices[replayed.best];
-  if (best.target) {
-    drawChoicePath(scene, replayed, from, best.target, true);
-    drawChoiceLabel(scene, best.target, `${best.text} ${signed(best.mean - replayed.choices[0].mean)}`);
-  }
+  if (best.target) drawChoicePath(scene, replayed, from, best.target, true);
+  // To hold the ball, and to clear it, has no aim: then the ball itself bears the label.
+  drawChoiceLabel(scene, best.target ?? from, `${best.text} ${signed(best.mean - replayed.choices[0].mean)}`);
   context.restore();
 }
 
