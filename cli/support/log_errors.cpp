@@ -9,6 +9,7 @@
 
 #include "base/io/standard_streams.h"
 #include "cli/support/print_error.h"
+#include "tournament/dataset/dataset.h"
 
 namespace cls::cli {
 namespace {
@@ -30,7 +31,12 @@ void report_errors(std::string_view path, const gamelog::ParseErrors& errors) {
 
 int report_missing(const gamelog::FoundLogs& found) {
   for (const std::string& missing : found.missing) {
-    print_error(0, "{}: no such log", missing);
+    if (tournament::is_dataset(missing)) {
+      print_error(0, "{0}: a data set, which has no logs; cls convert {0} --tables DIR reads it",
+                  missing);
+    } else {
+      print_error(0, "{}: no such log", missing);
+    }
   }
   return found.missing.empty() ? kOk : kNoInput;
 }

@@ -115,6 +115,10 @@ TEST_F(Dataset, IsVerifiedByHashesAndByPlayingAgain) {
   EXPECT_EQ(verified.exit_code, 0) << verified.err;
   EXPECT_EQ(json::parse(verified.out)["played_again"], 2);
   EXPECT_TRUE(json::parse(verified.out)["problems"].empty());
+  for (const char* command : {"stats", "results", "review"}) {
+    EXPECT_THAT(cls({command, "data"}).err,
+                HasSubstr("a data set, which has no logs; cls convert data --tables DIR reads it"));
+  }
 
   // Without the folder of the work, the specification is enough.
   fs::remove_all(folder_.path() / "data/work");
