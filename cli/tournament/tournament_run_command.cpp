@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "base/text/suggestion.h"
 #include "cli/support/commands.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
@@ -51,6 +54,23 @@ std::size_t matches_to_play(const TournamentConfig& config,
   return open > 0 ? open : next_fixtures(config.competition, matches).size();
 }
 
+// A mistyped name begins another tournament where the working directory has a configuration.
+void suggest_begun_one(const fs::path& folder) {
+  if (holds_plan(folder)) return;
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  const fs::path named = whole.has_filename() ? whole : whole.parent_path();
+  std::vector<std::string> begun;
+  std::error_code code;
+  for (fs::directory_iterator at(named.parent_path(), code), end; !code && at != end;
+       at.increment(code)) {
+    if (holds_plan(at->path())) begun.push_back(at->path().filename().string());
+  }
+
+  const std::string hint =
+      base::did_you_mean(named.filename().string(), {begun.begin(), begun.end()});
+  if (!hint.empty()) fmt::print(stderr, "cls: {}: a new tournament{}\n", folder.string(), hint);
+}
+
 int exit_code_of(const RunSummary& summary) {
   switch (summary.end) {
     case RunEnd::kComplete:
@@ -77,6 +97,7 @@ int run_tournament_command(const TournamentRunArguments& arguments) {
     const std::size_t to_play = matches_to_play(chosen.config, matches);
     return Outlook{static_cast<double>(to_play), fmt::format("{} matches to play", to_play)};
   };
+  if (!session.quiet) suggest_begun_one(folder);
   const OpenedFolder opened = begin_session(folder, chosen.config, session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
 

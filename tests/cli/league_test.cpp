@@ -17,6 +17,7 @@ namespace {
 
 using json = base::Json;
 using testing::HasSubstr;
+using testing::Not;
 
 class League : public testing::Test, protected ClsFolder {
  protected:
@@ -127,6 +128,39 @@ TEST_F(League, DecideExplainsWhatIsMissing) {
   EXPECT_EQ(decide({"--award", "0:0", "--penalties", "3:2", "--reason", "x"}).exit_code, 0);
   EXPECT_EQ(run({"tournament", "run", "cup"}).exit_code, 0);
   EXPECT_NE(run({"tournament", "decide", "cup"}).out.find("awarded 0:0"), std::string::npos);
+}
+
+TEST_F(League, ResultsCountNoAnnulledMatch) {
+  write("cup/cls.toml",
+        "[tournament]\ncycles = 1\nkeep_logs = \"all\"\n[teams.RED]\nendpoint = \"mock\"\n"
+        "[teams.BLUE]\nendpoint = \"mock\"\n");
+  ASSERT_EQ(run({"tournament", "run", "cup"}).exit_code, 0);
+  const auto results = [this](const std::string& logs) { return run({"results", logs, "--json"}); };
+  const std::size_t played = json::parse(results("cup").out)["matches"].size();
+  ASSERT_EQ(played, 2U);
+  ASSERT_THAT(
+      run({"tournament", "decide", "cup", "--match", "1", "--annul", "--reason", "a protest"}),
+      Exits(0));
+
+  for (const char* logs : {"cup", "cup/", "cup/matches", "."}) {
+    const CommandResult counted = results(logs);
+    EXPECT_EQ(json::parse(counted.out)["matches"].size(), 1U) << logs;
+    EXPECT_THAT(counted.err, HasSubstr("1 match left out: annulled")) << logs;
+  }
+  EXPECT_EQ(run({"stats", "cup", "--format", "csv"}).err, results("cup").err);
+  const CommandResult named = results("cup/matches/000001-RED-vs-BLUE");
+  EXPECT_EQ(json::parse(named.out)["matches"].size(), 1U) << "asked for by name";
+}
+
+TEST_F(League, RunNamesATournamentThatWasPerhapsMeant) {
+  write("cls.toml",
+        "[tournament]\ncycles = 1\n[teams.RED]\nendpoint = \"mock\"\n"
+        "[teams.BLUE]\nendpoint = \"mock\"\n");
+  const CommandResult first = run({"tournament", "run", "spring"});
+  EXPECT_THAT(first.err, Not(HasSubstr("a new tournament")));
+  EXPECT_THAT(run({"tournament", "run", "sprin"}).err,
+              HasSubstr("cls: sprin: a new tournament; did you mean 'spring'?"));
+  EXPECT_THAT(run({"tournament", "run", "spring"}).err, Not(HasSubstr("a new tournament")));
 }
 
 // Only a wrong use of the command is a usage error.
