@@ -102,7 +102,9 @@ int run_train_spec(const TrainArguments& arguments) {
   } else if (format == "markdown") {
     fmt::print("{}", training::format_markdown(description->tables));
   } else {
-    fmt::print("{}", training::format_text(description->tables, stdout_width()));
+    // Cut on a terminal only: in a pipe or file the whole line is wanted.
+    const std::size_t width = stdout_is_terminal() ? stdout_width() : 0;
+    fmt::print("{}", training::format_text(description->tables, width));
   }
 
   return kOk;

@@ -214,15 +214,21 @@ fs::path without_endings(const fs::path& file) {
   return name;
 }
 
-// The logs of a folder, or the matches of a data set.
-base::Result<gamelog::FoundLogs> logs_of(const std::string& in) {
+// The logs of a folder, or the matches of a data set; `problems` gets a line for each match of a
+// data set that cannot be read.
+base::Result<gamelog::FoundLogs> logs_of(const std::string& in,
+                                         std::vector<std::string>& problems) {
   if (!tournament::is_dataset(in)) return gamelog::find_logs({in});
   TRY_INIT(const auto matches, tournament::read_dataset_matches(in));
   gamelog::FoundLogs found;
   for (const tournament::DatasetMatch& match : matches) {
     if (match.files.empty()) continue;
-    TRY_INIT(const auto log, tournament::find_dataset_file(in, match.files.front()));
-    found.matches.push_back({log.string(), ""});
+    const auto log = tournament::find_dataset_file(in, match.files.front());
+    if (log) {
+      found.matches.push_back({log->string(), ""});
+    } else {
+      problems.push_back(fmt::format("{}: {}", in, log.error().message));
+    }
   }
   return found;
 }
@@ -356,9 +362,11 @@ int write_match_table(MatchTable table, const TableRequest& request, TableCounts
 }
 
 int write_match_files(MatchFiles files, const TableRequest& request, TableCounts& counts) {
-  TRY_INIT_OR(kBadData, const auto found, logs_of(request.in));
+  std::vector<std::string> problems;
+  TRY_INIT_OR(kBadData, const auto found, logs_of(request.in, problems));
   std::vector<Job> jobs = plan_jobs(found, request);
   int exit_code = report_missing(found);
+  for (const std::string& problem : problems) exit_code = print_error(kBadData, problem);
   if (exit_code == kOk && jobs.empty()) {
     return print_error(kNoInput, "{}: no game log (rcg)", request.in);
   }

@@ -201,7 +201,10 @@ TEST_F(Dataset, ReadsRegularFilesInsideOfItOnly) {
     std::ofstream(list) << changed;
     const std::string line = path + ": " + why;
     EXPECT_THAT(cls({"dataset", "verify", "data", "--sample", "0"}), Exits(65, HasSubstr(line)));
+    fs::remove_all(folder_.path() / "out");
     EXPECT_THAT(cls({"convert", "data", "--tables", "out"}), Exits(65, HasSubstr(line)));
+    EXPECT_TRUE(fs::exists(folder_.path() / "out/shards/000/000002.tracking.csv"))
+        << "the others are written";
   }
 }
 
