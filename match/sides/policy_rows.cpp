@@ -26,10 +26,16 @@ using training::PointOfView;
 constexpr int kMaxTeammates = 10;
 constexpr int kMaxOpponents = 11;
 
+// Options are more than the command of the body that a row can ask for.
+bool fits_a_row(const training::FeatureSet& set) { return !set.needs_options; }
+bool fits_a_row(const training::ActionSet& set) { return !set.options; }
+
 template <typename Sets>
 std::vector<std::string> versioned_names(const Sets& sets) {
   std::vector<std::string> names;
-  for (const auto* set : sets) names.push_back(fmt::format("{}/{}", set->name, set->version));
+  for (const auto* set : sets) {
+    if (fits_a_row(*set)) names.push_back(fmt::format("{}/{}", set->name, set->version));
+  }
   return names;
 }
 
@@ -37,7 +43,7 @@ std::vector<std::string> versioned_names(const Sets& sets) {
 template <typename Sets>
 auto find_versioned(const Sets& sets, std::string_view name) {
   const auto found = std::ranges::find_if(sets, [name](const auto* set) {
-    return name == fmt::format("{}/{}", set->name, set->version);
+    return fits_a_row(*set) && name == fmt::format("{}/{}", set->name, set->version);
   });
   return found == sets.end() ? nullptr : *found;
 }

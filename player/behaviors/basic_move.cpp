@@ -67,51 +67,124 @@ double normal_dash_power(const WorldModel& world, bool& recovering) {
   return std::min(max, running_pace(world) * parameters.run_power * income);
 }
 
-bool basic_move(ActionContext& c) {
-  const WorldModel& world = c.world;
-  CommandSlots& slots = c.slots;
-  NeckPlan& neck = c.neck;
-  if (basic_tackle(world, slots, world.planner->tackle_chance)) {
-    neck.kind = NeckPlan::Kind::kBall;
-    return true;
-  }
+namespace {
 
+bool tackle(ActionContext& c) {
+  if (!basic_tackle(c.world, c.slots, c.world.planner->tackle_chance)) return false;
+  c.neck.kind = NeckPlan::Kind::kBall;
+  return true;
+}
+
+bool may_intercept(const WorldModel& world, const ActionMemory& memory) {
+  return world.intercept.best_self_steps() < kNever && !must_leave_ball(world, memory);
+}
+
+/// True if the ball is the agent's to get.
+bool should_intercept(const WorldModel& world, const ActionMemory& memory) {
   const InterceptTable& table = world.intercept;
   const int self = table.best_self_steps();
   const bool ours_to_get =
       self <= 3 || (self <= table.first_teammate_steps && self < table.first_opponent_steps + 3);
-  if (!world.kickable_teammate() && ours_to_get && self < kNever &&
-      !must_leave_ball(world, c.memory)) {
-    neck.kind = NeckPlan::Kind::kOffensiveIntercept;
-    return intercept(world, slots, true, kOpponentGoal);
-  }
+  return !world.kickable_teammate() && ours_to_get && may_intercept(world, memory);
+}
 
-  if (const std::optional<Vec2> block = block_point(world)) {
-    neck.kind = NeckPlan::Kind::kBall;
-    const double max = world.server().max_dash_power;
-    if (go_to_point(world, slots, *block, 0.4, max, {3, 20.0, true})) return true;
-    return turn_to_ball(world, slots) || slots.has_body();
-  }
+bool run_to_ball(ActionContext& c) {
+  c.neck.kind = NeckPlan::Kind::kOffensiveIntercept;
+  return intercept(c.world, c.slots, true, kOpponentGoal);
+}
+
+/// Runs to where an opponent with the ball is met.
+bool run_to_opponent(ActionContext& c, Vec2 point) {
+  c.neck.kind = NeckPlan::Kind::kBall;
+  const double max = c.world.server().max_dash_power;
+  if (go_to_point(c.world, c.slots, point, 0.4, max, {3, 20.0, true})) return true;
+  return turn_to_ball(c.world, c.slots) || c.slots.has_body();
+}
+
+bool run_to_support(ActionContext& c, Vec2 point) {
+  c.neck.kind = NeckPlan::Kind::kBallOrScan;
+  const double power = safe_dash_power(c.world, c.world.server().max_dash_power);
+  if (!go_to_point(c.world, c.slots, point, 1.0, power)) turn_to_ball(c.world, c.slots);
+  return c.slots.has_body();
+}
+
+bool run_to_place(ActionContext& c, Vec2 place, bool marks) {
+  const WorldModel& world = c.world;
+  const double usual_threshold = std::max(1.0, 0.1 * world.ball.dist_from_self);
+  const double threshold = marks ? 0.5 : usual_threshold / std::min(1.0, running_pace(world));
+  const double usual = normal_dash_power(world, c.memory.recovering);
+  const double power = marks ? world.server().max_dash_power : usual;
+
+  if (!go_to_point(world, c.slots, place, threshold, power)) turn_to_ball(world, c.slots);
+  const bool duel = world.kickable_opponent() && world.ball.dist_from_self < 18.0;
+  c.neck.kind = duel ? NeckPlan::Kind::kBall : NeckPlan::Kind::kBallOrScan;
+  return c.slots.has_body();
+}
+
+/// Where the opponent with the ball, or the one who gets it first, will be in a cycle.
+std::optional<Vec2> place_of_their_holder(const WorldModel& world) {
+  const int holder = world.kickable_opponent_id != 0 ? world.kickable_opponent_id
+                                                     : world.intercept.first_opponent_id;
+  const PlayerState* opponent = world.player_by_id(holder);
+  if (opponent == nullptr) return std::nullopt;
+  return opponent->position + opponent->velocity;
+}
+
+}  // namespace
+
+bool basic_move(ActionContext& c) {
+  const WorldModel& world = c.world;
+  if (tackle(c)) return true;
+  if (should_intercept(world, c.memory)) return run_to_ball(c);
+  if (const std::optional<Vec2> block = block_point(world)) return run_to_opponent(c, *block);
 
   const TeamPoints homes = home_positions(world);
-  if (const std::optional<Vec2> support = support_point(world, homes)) {
-    neck.kind = NeckPlan::Kind::kBallOrScan;
-    const double power = safe_dash_power(world, world.server().max_dash_power);
-    if (!go_to_point(world, slots, *support, 1.0, power)) turn_to_ball(world, slots);
-    return slots.has_body();
-  }
-
+  if (const auto support = support_point(world, homes)) return run_to_support(c, *support);
   const std::optional<Mark> mark = find_mark(world, homes, marking_in_open_play(world));
-  const Vec2 home = mark ? mark->point : homes[base::index(world.unum - 1)];
-  const double usual_threshold = std::max(1.0, 0.1 * world.ball.dist_from_self);
-  const double threshold = mark ? 0.5 : usual_threshold / std::min(1.0, running_pace(world));
-  const double usual = normal_dash_power(world, c.memory.recovering);
-  const double power = mark ? world.server().max_dash_power : usual;
+  return run_to_place(c, mark ? mark->point : homes[base::index(world.unum - 1)], mark.has_value());
+}
 
-  if (!go_to_point(world, slots, home, threshold, power)) turn_to_ball(world, slots);
-  const bool duel = world.kickable_opponent() && world.ball.dist_from_self < 18.0;
-  neck.kind = duel ? NeckPlan::Kind::kBall : NeckPlan::Kind::kBallOrScan;
-  return slots.has_body();
+Moves moves_of(const WorldModel& world, const ActionMemory& memory) {
+  Moves moves;
+  CommandSlots unused(world);
+  const TeamPoints homes = home_positions(world);
+  const std::optional<Mark> mark = find_mark(world, homes, marking_in_open_play(world));
+
+  moves.may_tackle = basic_tackle(world, unused, world.planner->tackle_chance);
+  moves.may_intercept = may_intercept(world, memory);
+  moves.press = place_of_their_holder(world);
+  moves.block = block_point(world);
+  moves.support = support_point(world, homes);
+  if (mark) moves.mark = mark->point;
+  moves.home = homes[base::index(world.unum - 1)];
+
+  moves.usual = moves.may_tackle                  ? MoveKind::kTackle
+                : should_intercept(world, memory) ? MoveKind::kIntercept
+                : moves.block                     ? MoveKind::kBlock
+                : moves.support                   ? MoveKind::kSupport
+                : moves.mark                      ? MoveKind::kMark
+                                                  : MoveKind::kHome;
+  return moves;
+}
+
+bool make_move(ActionContext& c, const Moves& moves, MoveKind kind, Vec2 shift) {
+  switch (kind) {
+    case MoveKind::kTackle:
+      return tackle(c);
+    case MoveKind::kIntercept:
+      return moves.may_intercept && run_to_ball(c);
+    case MoveKind::kPress:
+      return moves.press && run_to_opponent(c, *moves.press);
+    case MoveKind::kBlock:
+      return moves.block && run_to_opponent(c, *moves.block);
+    case MoveKind::kSupport:
+      return moves.support && run_to_support(c, *moves.support);
+    case MoveKind::kMark:
+      return moves.mark && run_to_place(c, *moves.mark, true);
+    case MoveKind::kHome:
+      break;
+  }
+  return run_to_place(c, moves.home + shift, false);
 }
 
 }  // namespace cls::player

@@ -1,6 +1,9 @@
 // Behaviors: whole roles of a player, one function per Helios or Bhv action of the interface.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "player/commands/command_slots.h"
 #include "player/looking/looking.h"
 #include "player/planner/action_context.h"
@@ -12,6 +15,35 @@ namespace cls::player {
 
 /// Tackles, intercepts, blocks, supports, marks, or goes to the home position. True unless frozen.
 bool basic_move(ActionContext& context);
+
+/// The ways of moving without the ball. basic_move() makes the first that the situation asks for,
+/// in this order, but never presses.
+enum class MoveKind : std::uint8_t {
+  kTackle,
+  kIntercept,
+  kPress,  ///< runs to the opponent with the ball, or the one who gets it first
+  kBlock,
+  kSupport,
+  kMark,
+  kHome,
+};
+
+/// The ways that the situation offers, and where they lead; empty: not offered.
+struct Moves {
+  MoveKind usual = MoveKind::kHome;  ///< that of basic_move()
+  bool may_tackle = false;
+  bool may_intercept = false;
+  std::optional<Vec2> press;
+  std::optional<Vec2> block;
+  std::optional<Vec2> support;
+  std::optional<Vec2> mark;
+  Vec2 home;
+};
+Moves moves_of(const WorldModel& world, const ActionMemory& memory);
+
+/// Moves in that way as basic_move() does; home may be shifted, meters. False without effect for a
+/// way that is not offered.
+bool make_move(ActionContext& context, const Moves& moves, MoveKind kind, Vec2 shift = {});
 
 /// Factor of the dash power on the way to home positions. 1 for a player with as much stamina and
 /// capacity left as an even pace until the end of the half needs, more for one with a surplus.

@@ -114,22 +114,8 @@ Highest<Vec2> widest_gap(const WorldModel& world) {
   return best;
 }
 
-/// Near their goal without a better action: shoots into the widest gap.
-bool shoot_into_gap(ActionContext& c) {
-  const WorldModel& world = c.world;
-  const PlannerParameters& parameters = *world.planner;
-  if (distance(world.ball.position, kOpponentGoal) > parameters.late_shot_range) return false;
-
-  const bool pressed = world.intercept.first_opponent_steps <= 2;
-  const auto [degrees, target] = widest_gap(world);
-  if (degrees < (pressed ? parameters.late_shot_gap_pressed : parameters.late_shot_gap)) {
-    return false;
-  }
-
-  const double max = world.server().ball_speed_max;
-  c.neck = {NeckPlan::Kind::kPoint, target};
-  return (!pressed && smart_kick(world, c.slots, target, max, 0.9 * max, 2)) ||
-         kick_one_step(world, c.slots, target, max, true);
+bool opponent_is_at_ball(const WorldModel& world) {
+  return world.intercept.first_opponent_steps <= 2;
 }
 
 /// Free space of a hard pass: lateral distance of the nearest opponent in meters, reduced with its
@@ -160,15 +146,44 @@ bool is_pressed(const WorldModel& world) {
   });
 }
 
-/// Under pressure, or after holding for long: the pass with the most free space.
-bool lay_off(ActionContext& c) {
-  const WorldModel& world = c.world;
-  const int since = c.memory.ball_since;
-
+/// Under pressure, or after holding for long.
+bool wants_lay_off(const WorldModel& world, int ball_since) {
   const bool long_held =
-      since >= 0 && world.game.time.cycle - since >= world.planner->lay_off_cycles;
-  if (!long_held && !is_pressed(world)) return false;
+      ball_since >= 0 && world.game.time.cycle - ball_since >= world.planner->lay_off_cycles;
+  return long_held || is_pressed(world);
+}
 
+bool hold(ActionContext& c) {
+  const WorldModel& world = c.world;
+  if (world.game.mode != PlayMode::kPlayOn) return false;
+  if (hold_kind(world, c.memory.ball_since) == HoldKind::kShoot && shoot_into_gap(c)) return true;
+  if (wants_lay_off(world, c.memory.ball_since) && lay_off(c)) return true;
+  return keep_ball(c);
+}
+
+}  // namespace
+
+std::optional<Gap> gap_in_range(const WorldModel& world) {
+  if (distance(world.ball.position, kOpponentGoal) > world.planner->late_shot_range) {
+    return std::nullopt;
+  }
+  const auto [degrees, target] = widest_gap(world);
+  return degrees > 0.0 ? std::optional(Gap{degrees, target}) : std::nullopt;
+}
+
+bool shoot_into_gap(ActionContext& c) {
+  const WorldModel& world = c.world;
+  const std::optional<Gap> gap = gap_in_range(world);
+  if (!gap) return false;
+
+  const double max = world.server().ball_speed_max;
+  c.neck = {NeckPlan::Kind::kPoint, gap->target};
+  return (!opponent_is_at_ball(world) &&
+          smart_kick(world, c.slots, gap->target, max, 0.9 * max, 2)) ||
+         kick_one_step(world, c.slots, gap->target, max, true);
+}
+
+const PlayerState* lay_off_receiver(const WorldModel& world) {
   Highest<const PlayerState*> best{world.planner->lay_off_room};
   for (const PlayerState& teammate : world.teammates) {
     if (teammate.pos_count > 8 || teammate.ghost() || teammate.goalie ||
@@ -178,18 +193,21 @@ bool lay_off(ActionContext& c) {
     }
     best.offer(lane_room(world, teammate.position), &teammate);
   }
+  return best.value;
+}
 
-  if (best.value == nullptr) return false;
+bool lay_off(ActionContext& c) {
+  const WorldModel& world = c.world;
+  const PlayerState* receiver = lay_off_receiver(world);
+  if (receiver == nullptr) return false;
   constexpr double kArrival = 1.3;
-  const double speed = kArrival + best.value->dist_from_ball * (1.0 - world.server().ball_decay);
-  return pass(c, {.target = best.value->unum,
-                  .target_point = best.value->position,
+  const double speed = kArrival + receiver->dist_from_ball * (1.0 - world.server().ball_decay);
+  return pass(c, {.target = receiver->unum,
+                  .target_point = receiver->position,
                   .first_speed = std::min(world.server().ball_speed_max, speed)});
 }
 
-bool hold(ActionContext& c) {
-  if (c.world.game.mode != PlayMode::kPlayOn) return false;
-  if (shoot_into_gap(c) || lay_off(c)) return true;
+bool keep_ball(ActionContext& c) {
   c.neck.kind = NeckPlan::Kind::kScan;
   const Vec2 here = c.world.self.position;
   const bool in_own_goal_mouth = here.x < -44.5 && std::fabs(here.y) < 8.0;
@@ -197,12 +215,18 @@ bool hold(ActionContext& c) {
   return hold_ball(c.world, c.slots, false, {});
 }
 
-}  // namespace
+HoldKind hold_kind(const WorldModel& world, int ball_since) {
+  const PlannerParameters& parameters = *world.planner;
+  if (const std::optional<Gap> gap = gap_in_range(world)) {
+    const bool pressed = opponent_is_at_ball(world);
+    const double least = pressed ? parameters.late_shot_gap_pressed : parameters.late_shot_gap;
+    if (gap->degrees >= least) return HoldKind::kShoot;
+  }
+  const bool lays_off = wants_lay_off(world, ball_since) && lay_off_receiver(world) != nullptr;
+  return lays_off ? HoldKind::kLayOff : HoldKind::kKeep;
+}
 
-bool execute_plan(ActionContext& c, const Plan& plan, int node) {
-  if (!c.world.self.kickable || plan.empty()) return false;
-
-  const PlanAction& action = plan.at(plan.first_of(node)).action;
+bool execute_action(ActionContext& c, const PlanAction& action) {
   switch (action.category) {
     case PlanCategory::kPass:
       return pass(c, action);
@@ -213,6 +237,11 @@ bool execute_plan(ActionContext& c, const Plan& plan, int node) {
     default:
       return hold(c);
   }
+}
+
+bool execute_plan(ActionContext& c, const Plan& plan, int node) {
+  if (!c.world.self.kickable || plan.empty()) return false;
+  return execute_action(c, plan.at(plan.first_of(node)).action);
 }
 
 bool execute_plan_or_hold(ActionContext& c, const Plan& plan, int node) {
@@ -241,8 +270,7 @@ bool kick_outlet(ActionContext& c) {
   return kick_one_step(world, c.slots, outlet->target, outlet->speed, true);
 }
 
-bool kick_out_of_danger(ActionContext& c) {
-  const WorldModel& world = c.world;
+bool is_ball_in_danger(const WorldModel& world) {
   const PlannerParameters& parameters = *world.planner;
   if (world.game.mode != PlayMode::kPlayOn ||
       distance(world.ball.position, kOwnGoal) > parameters.outlet_range) {
@@ -250,12 +278,13 @@ bool kick_out_of_danger(ActionContext& c) {
   }
 
   constexpr int kMaxAge = 10;
-  const bool pressed = std::ranges::any_of(world.opponents, [&](const PlayerState& opponent) {
+  return std::ranges::any_of(world.opponents, [&](const PlayerState& opponent) {
     return opponent.dist_from_ball < parameters.outlet_pressure && !opponent.ghost() &&
            opponent.pos_count <= kMaxAge;
   });
-  return pressed && kick_outlet(c);
 }
+
+bool kick_out_of_danger(ActionContext& c) { return is_ball_in_danger(c.world) && kick_outlet(c); }
 
 bool execute_default_plan(ActionContext& c) {
   if (!c.world.self.kickable) return false;

@@ -28,7 +28,8 @@ class ActionError(EngineError, ValueError):
 #: What every environment takes and gives to the engine (training/c_api/cls_training.h).
 KEYWORDS = ("obs", "features", "actions", "offense", "defense", "agents", "num_agents",
             "goalie_agent", "teammates", "opponent", "frame_skip", "max_cycles", "reward",
-            "options", "types", "threads", "state", "start", "until", "look", "say")
+            "options", "types", "threads", "state", "start", "until", "look", "say",
+            "expert")
 #: Where an action mask is.
 MASKS = ("info", "observation", "appended")
 _HINTS = {"id": "did you mean task?", "num_envs": "VectorEnv has it",

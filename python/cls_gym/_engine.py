@@ -18,7 +18,7 @@ from cls_gym.spec import ActionSet, Feature, Sense, Spec
 
 LIBRARY = "libcls_training.so"
 VARIABLE = "CLS_TRAINING_LIBRARY"
-ABI = 3
+ABI = 4
 
 _SMALL_BUFFER = -9
 
@@ -42,7 +42,8 @@ _ARRAYS: Dict[str, Tuple[type, str]] = {
     "state": (np.float32, "NS"), "reward_terms": (np.float32, "NR"),
     "final_observations": (np.float32, "NAF"), "final_state": (np.float32, "NS"),
     "was_reset": (np.bool_, "N"), "cycles": (np.int32, "N"), "score": (np.int32, "N2"),
-    "illegal": (np.int32, "NA"), "seeds": (np.uint64, "N"), "opponent": (np.int32, "N")}
+    "illegal": (np.int32, "NA"), "seeds": (np.uint64, "N"), "opponent": (np.int32, "N"),
+    "expert": (np.int32, "NE")}
 _INPUTS = ("action_ids", "action_values", "next_seeds")
 
 
@@ -205,7 +206,8 @@ class Pool:
     def _allocate(self, n: int) -> None:
         spec, a = self.spec, len(self.spec.agents)
         k = len(spec.actions.names)
-        sizes = {"N": n, "A": a, "I": a if k else 0, "F": len(spec.features), "K": k,
+        experts = a if spec.document["expert"] != "none" else 0
+        sizes = {"N": n, "A": a, "E": experts, "I": a if k else 0, "F": len(spec.features), "K": k,
                  "V": len(spec.actions.values), "S": len(spec.state_features),
                  "R": len(spec.reward_terms), "2": 2}
         arrays: Dict[str, Any] = {name: np.zeros([sizes[one] for one in shape], kind)

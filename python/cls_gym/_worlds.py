@@ -106,6 +106,8 @@ class Worlds:
             ("status", pool.status), ("cycles", pool.cycles), ("score", pool.score),
             ("illegal", self._per_agent(pool.illegal)), ("seed", pool.seeds),
             ("reward_terms", pool.reward_terms), ("opponent", pool.opponent)]
+        if pool.expert.size:
+            self.columns.append(("expert", self._per_agent(pool.expert)))
         self._masks_in_infos = self.mask_place == "info"
         if self._masks_in_infos and self.masks is not None:
             self.columns.append((self.mask_name, self.masks))

@@ -30,7 +30,8 @@ class Env(BaseEnv):  # type: ignore[misc]
     info: `status` (index of `statuses`), `cycles` since the start of the episode, `score` (left,
     right), `illegal` actions of the episode, `seed` of the episode, `reward_terms`
     (`spec_of_task.reward_terms` names them), `opponent` of the episode (index in
-    `spec_of_task.opponents`; -1: none) and, where the action set has ids, `action_mask`: what
+    `spec_of_task.opponents`; -1: none), with `expert="planner"` the `expert`'s choice (int32[A], or a
+    number; -1: nothing to choose) and, where the action set has ids, `action_mask`: what
     action_space.sample() takes. It is int8[K] or int8[A, K], 1 where an id has an effect now, 0
     after the end; where actions are tuples it is (`id_mask`, None, ...), and `id_mask` that array,
     which action_space.sample() takes, too.

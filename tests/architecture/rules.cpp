@@ -53,7 +53,7 @@ const std::map<std::string, Library>& libraries() {
       {"player",
        {{"base", "soccer"},
         {"simple_team", "formation", "world", "estimates", "tracking", "perception", "commands",
-         "looking", "movement", "ball_skills", "planner", "behaviors"}}},
+         "looking", "movement", "ball_skills", "planner", "behaviors", "options"}}},
       {"proxy",
        {{"base", "soccer", "proto", "player"},
         {"messages", "playmaker", "connection", "coach", "planner", "actions", "agent"}}},

@@ -46,6 +46,7 @@ BoundPool::BoundPool(const std::string& config) {
 
   const std::size_t rows = worlds * agents;
   const std::size_t values = value_columns.size();
+  const std::size_t experts = setup.expert ? rows : 0;
   constexpr std::size_t terms = training::kRewardTerms;
   buffers.struct_size = sizeof buffers;
 #define CLS_TRAINING_ARRAY(type, name, count, needed) buffers.name = sized(name, count);

@@ -42,13 +42,20 @@ TEST(TrainingTasks, ObservationsStayWithinTheirBounds) {
       const auto& sets = training::feature_sets();
       const training::FeatureSet* features = sets[turn++ % sets.size()];
       if (features->left_only && task.agents != training::Agents::kLeft) continue;
+      if (features->needs_options) features = &training::kEgo2Features;
       const base::Json config = {{"task", task.id},
                                  {"actions", actions->name},
                                  {"features", features->name},
+                                 {"obs", actions->options ? "world_model" : "full_state"},
                                  {"autoreset", "same_step"}};
       play_randomly(config.dump());
     }
   }
+}
+
+TEST(TrainingTasks, ObservationsOfATeamStayWithinTheirBounds) {
+  play_randomly(R"({"task": "Match", "obs": "world_model", "actions": "options",)"
+                R"( "features": "team", "agents": "both", "autoreset": "same_step"})");
 }
 
 TEST(TrainingTasks, BothTeamsCanBeAgents) {

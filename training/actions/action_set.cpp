@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/index.h"
+#include "player/options/options.h"
 
 namespace cls::training {
 namespace {
@@ -38,7 +39,7 @@ std::vector<int> ActionSet::offsets() const {
   return firsts;
 }
 
-Legality::Legality(const ActionSet& set) {
+Legality::Legality(const ActionSet& set) : options_(set.options) {
   for (std::size_t id = 0; id < set.actions.size(); ++id) {
     const Condition legal = set.actions[id].legal;
     const auto known = std::ranges::find(conditions_, legal);
@@ -53,6 +54,11 @@ Legality::Legality(const ActionSet& set) {
 }
 
 void Legality::fill(const PointOfView& view, std::uint8_t* mask) const {
+  if (options_) {
+    std::ranges::copy(view.options->legal, mask);
+    return;
+  }
+
   std::array<std::uint8_t, kMaxConditions> holds;
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     holds[i] = conditions_[i] == nullptr || conditions_[i](view) ? 1 : 0;
@@ -61,9 +67,9 @@ void Legality::fill(const PointOfView& view, std::uint8_t* mask) const {
 }
 
 const std::vector<const ActionSet*>& action_sets() {
-  static const std::vector<const ActionSet*> sets = {&low_actions(),      &low_all_actions(),
-                                                     &low_flat_actions(), &low_discrete_actions(),
-                                                     &hfo_actions(),      &skill_actions()};
+  static const std::vector<const ActionSet*> sets = {
+      &low_actions(), &low_all_actions(), &low_flat_actions(), &low_discrete_actions(),
+      &hfo_actions(), &skill_actions(),   &option_actions()};
   return sets;
 }
 

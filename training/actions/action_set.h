@@ -34,6 +34,9 @@ struct ActionSet {
   std::vector<Action> actions{};  ///< empty for a box
   Columns box{};                  ///< empty for a list of actions
   PlayerCommand (*choose)(const PointOfView& view, const float* values) = nullptr;
+  /// The ids are those of player/options: `command` and `legal` are null, PointOfView::options says
+  /// what is legal, and the agent is a player of a match who decides by play_option().
+  bool options = false;
 
   int id_count() const { return static_cast<int>(actions.size()); }
   /// All values of a step: those of the box, or the parameters of all actions one after the other.
@@ -58,6 +61,7 @@ class Legality {
     std::size_t count;
   };
 
+  bool options_ = false;
   std::vector<Condition> conditions_;  ///< null: always
   std::vector<Run> runs_;
 };
@@ -69,6 +73,7 @@ const ActionSet& low_flat_actions();
 const ActionSet& low_discrete_actions();
 const ActionSet& hfo_actions();
 const ActionSet& skill_actions();
+const ActionSet& option_actions();
 
 const std::vector<const ActionSet*>& action_sets();
 

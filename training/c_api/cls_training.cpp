@@ -209,6 +209,7 @@ Outcome bind(Pool& pool, const cls_training_buffers& in) {
   const std::uint64_t values = setup.value_count();
   const std::uint64_t states = setup.state_columns.size();
   constexpr std::uint64_t terms = kRewardTerms;
+  const std::uint64_t experts = setup.expert ? rows : 0;
   const bool resets = pool.config().autoreset != Autoreset::kDisabled;
 
   Buffers out;

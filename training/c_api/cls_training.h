@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 // Changes when a function, a struct or a meaning below changes.
-#define CLS_TRAINING_ABI 3
+#define CLS_TRAINING_ABI 4
 
 enum {
   CLS_TRAINING_OK = 0,
@@ -101,11 +101,11 @@ CLS_TRAINING_API int cls_training_catalog(char* out, size_t capacity, size_t* le
 //   "obs"         "full_state" (default): the exact world, without messages; "world_model": what
 //                 cls agents estimate from the messages of the server. Scripted players, rewards
 //                 and `state` use the exact world with either.
-//   "features"    feature set: "hfo_low", "hfo_high" or "ego" (version 1), or with its version, as
-//                 "ego/2". Default: the task's.
+//   "features"    feature set: "hfo_low", "hfo_high", "ego" (version 1), or "team" with the actions
+//                 "options"; or with its version, as "ego/2". Default: the task's.
 //   "state"       version of the full state, 1 (default) or 2.
-//   "actions"     action set: "low", "low_all", "low_flat", "low_discrete", "hfo"
-//                 or "skills". Default: the task's.
+//   "actions"     action set: "low", "low_all", "low_flat", "low_discrete", "hfo",
+//                 "skills", or "options" with "obs": "world_model". Default: the task's.
 //   "offense"     players of the left (attacking) team, where the task lets one choose.
 //   "defense"     players of the right team, including its goalie.
 //   "agents"      whose actions the caller chooses: "offense" (left), "defense" (right) or "both".
@@ -124,12 +124,16 @@ CLS_TRAINING_API int cls_training_catalog(char* out, size_t capacity, size_t* le
 //   "frame_skip"  cycles per step, 1..100; rewards are summed, an end ends the step. Default 1.
 //   "until"       "cycles" (default), or "decision": a step ends before frame_skip cycles when an
 //                 agent knows that it can kick the ball, another player has it, or the play mode
-//                 has changed. The actions hold until then; `cycles` says how many were played.
+//                 has changed; with the actions "options" when it has a choice with the ball
+//                 instead of knowing that it can kick it. The actions hold until then; `cycles`
+//                 says how many were played.
 //   "max_cycles"  length of an episode in cycles; 0: the task's.
 //   "reward"      {"TERM": weight, ...}: replaces the task's weights. Terms are in the catalog.
 //   "start"       "task" (default): the task places ball and players; "book:FILE": each episode of
 //                 Match starts at a situation of a book (docs/formats/book.md) that its seed draws,
 //                 with score 0:0 and the types that "types" says.
+//   "expert"      "none" (default), or "planner", with the actions "options": `expert` is what the
+//                 planner of cls would choose from the agent's own world model.
 //   "look"        true: agents choose neck, view and focus; needs "obs": "world_model" and an
 //   action
 //                 set with ids. Observations then end with what an agent knows of them. Default:
@@ -153,7 +157,8 @@ CLS_TRAINING_API int cls_training_create(const char* config_json, uint64_t* pool
 //    "state": {"size": S, "items": [{"name", "unit", "low", "high"}, ...]},
 //    "reward_terms": [{"name", "weight", "summary"}, ...]   (R of them),
 //    "teammates": [NAME, ...], "opponents": [NAME, ...], "start",
-//    "max_cycles", "frame_skip", "until", "autoreset", "options": {...}, "statuses": [...]}
+//    "max_cycles", "frame_skip", "until", "expert", "autoreset", "options": {...}, "statuses":
+//    [...]}
 // K is 0 for action sets without ids (a box), V is 0 for those without values (discrete ids).
 CLS_TRAINING_API int cls_training_spec(uint64_t pool, char* out, size_t capacity, size_t* length);
 
@@ -203,6 +208,8 @@ typedef struct {
   cls_training_buffer seeds;     // uint64 [N]: seed of the running episode
   cls_training_buffer opponent;  // int32 [N]: the opponents of the episode, an index in the spec's
                                  // "opponents"; -1: none, or agents on both teams
+  cls_training_buffer expert;    // int32 [N, A] with "expert", otherwise empty: the id that the
+                                 // expert would choose for the agent; -1: nothing to choose
 } cls_training_buffers;
 
 // Binds the arrays; replaces earlier ones. Nothing is written until the next reset or step.

@@ -69,7 +69,9 @@ Episode::Episode(std::shared_ptr<const Setup> setup)
     : setup_(std::move(setup)),
       world_(setup_->prepared),
       perceivers_(setup_->perceivers),
-      estimated_(perceivers_.size()) {
+      estimated_(perceivers_.size()),
+      memories_(setup_->actions->options ? perceivers_.size() : 0),
+      tables_(memories_.size()) {
   others_.players = setup_->match_players;
 }
 
@@ -140,6 +142,10 @@ void Episode::perceive_frame(const StartFrame& frame) {
     }
   }
 
+  for (std::size_t agent = 0; agent < tables_.size(); ++agent) {
+    if (alive(agent)) play_option(agent, player::kAutoOption, true);
+  }
+
   clear_contacts();
   send_commands();
   execute_commands(nullptr);
@@ -147,6 +153,7 @@ void Episode::perceive_frame(const StartFrame& frame) {
   show(frame, setup_->cast, world_);
   simulator::finish_step(world_, events_);
   perceive_step();
+  find_agent_options();
   events_.clear();
 }
 
@@ -159,6 +166,7 @@ void Episode::begin() {
 
   begin_others(*setup_, world_, events_, senses_, others_);
   perceivers_ = setup_->perceivers;
+  for (player::ActionMemory& memory : memories_) memory = {};
   for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
     begin_perception(*setup_->vision, world_, events_, setup_->cast.agents[agent],
                      perceivers_[agent], senses_);
@@ -191,6 +199,17 @@ void Episode::fill_scenes() {
   for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
     fill_scene(perceivers_[agent].world, setup_->cast, estimated_[agent]);
   }
+  find_agent_options();
+}
+
+void Episode::find_agent_options() {
+  for (std::size_t agent = 0; agent < tables_.size(); ++agent) {
+    if (alive(agent)) {
+      find_options(perceivers_[agent].world, memories_[agent], tables_[agent]);
+    } else {
+      tables_[agent].choice = player::OptionTable::Choice::kNothing;
+    }
+  }
 }
 
 double Episode::time_left() const {
@@ -206,12 +225,17 @@ int Episode::agent_in(int slot) const {
 PointOfView Episode::view_of(int slot, bool last_action_worked) const {
   const Side side = soccer::side_of_slot(slot);
   const int agent = has_world_models() ? agent_in(slot) : -1;
-  return {agent >= 0 ? estimated_[base::index(agent)] : scenes_[side],
-          setup_->cast,
-          seat_of(side, slot),
-          setup_->task->stage(side),
-          last_action_worked,
-          time_left()};
+  PointOfView view{agent >= 0 ? estimated_[base::index(agent)] : scenes_[side],
+                   setup_->cast,
+                   seat_of(side, slot),
+                   setup_->task->stage(side),
+                   last_action_worked,
+                   time_left()};
+  if (agent >= 0 && !tables_.empty()) {
+    view.world = &perceivers_[base::index(agent)].world;
+    view.options = &tables_[base::index(agent)];
+  }
+  return view;
 }
 
 void Episode::step(const AgentActions& actions, simulator::MatchRecorder* recorder) {
@@ -219,21 +243,26 @@ void Episode::step(const AgentActions& actions, simulator::MatchRecorder* record
   for (int i = 0; i < setup_->frame_skip && !ended(); ++i) {
     const int holder = memory_.holder;
     const soccer::PlayMode mode = world_.mode;
-    choose_commands(actions, nullptr);
+    choose_commands(actions, nullptr, i == 0);
     play_cycle(recorder);
     if (setup_->until == Until::kDecision && has_decision(holder, mode)) break;
   }
 }
 
 void Episode::step_with(const Guest& guest) {
-  choose_commands({}, &guest);
+  choose_commands({}, &guest, true);
   play_cycle(nullptr);
 }
 
 // Whether another player has the ball or the mode is another one than before the cycle, or an agent
-// knows that it can kick.
+// knows that it can kick; of those with options, that it has a choice then.
 bool Episode::has_decision(int holder, soccer::PlayMode mode) const {
   if (memory_.holder != holder || world_.mode != mode) return true;
+  if (!tables_.empty()) {
+    return std::ranges::any_of(tables_, [](const player::OptionTable& table) {
+      return table.choice == player::OptionTable::Choice::kWithBall;
+    });
+  }
   return std::ranges::any_of(setup_->cast.agents, [this](int slot) {
     const PointOfView view = view_of(slot, true);
     return world_.player(slot).enabled && can_kick(view.scene, view.self);
@@ -272,11 +301,33 @@ PlayerCommand Episode::command_of(std::size_t agent, const AgentActions& actions
   return action.command(view, clipped.data());
 }
 
-void Episode::choose_commands(const AgentActions& actions, const Guest* guest) {
+// A choice holds for all cycles of a step, as far as it is legal in them; whether it was legal
+// counts in the first one.
+void Episode::play_option(std::size_t agent, int id, bool first) {
+  const player::OptionTable& table = tables_[agent];
+  agents_[agent].last_action_worked = table.legal[base::index(id)];
+  if (first && !agents_[agent].last_action_worked) ++agents_[agent].illegal;
+
+  Perceiver& senses = perceivers_[agent];
+  decide_with([&](player::ActionContext& context) { player::play_option(context, table, id); },
+              senses, memories_[agent]);
+  for (const PlayerCommand& command : senses.commands) {
+    if (const auto* dash = std::get_if<soccer::Dash>(&command)) {
+      add_effort(dash->power, rewards_[agent]);
+    }
+  }
+}
+
+// `first`: the first cycle of a step.
+void Episode::choose_commands(const AgentActions& actions, const Guest* guest, bool first) {
   const Cast& cast = setup_->cast;
   for (std::size_t agent = 0; agent < cast.agents.size(); ++agent) {
     const int slot = cast.agents[agent];
     if (!world_.player(slot).enabled) continue;
+    if (!tables_.empty()) {
+      play_option(agent, actions.ids[agent], first);
+      continue;
+    }
     PlayerCommand& command = commands_[base::index(slot)];
     command = command_of(agent, actions);
     if (setup_->senses.any()) {
@@ -339,7 +390,7 @@ void Episode::send_commands() {
       round_numbers(commands_[base::index(slot)]);
     }
   }
-  for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
+  for (std::size_t agent = 0; agent < perceivers_.size() && tables_.empty(); ++agent) {
     const auto slot = base::index(setup_->cast.agents[agent]);
     if (!training::choose_commands(perceivers_[agent], commands_[slot])) {
       agents_[agent].last_action_worked = false;
@@ -462,6 +513,11 @@ void Episode::observe(float* out) const {
       fill_senses(perceivers_[agent], setup_->senses, out + first);
     }
   }
+}
+
+int Episode::expert(std::size_t agent) const {
+  if (tables_.empty() || !alive(agent)) return -1;
+  return planner_option(perceivers_[agent].world, tables_[agent], planner_options());
 }
 
 void Episode::mask(std::size_t agent, std::uint8_t* out) const {

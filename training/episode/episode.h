@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "player/options/options.h"
 #include "simulator/sessions/match_recorder.h"
 #include "simulator/world/event.h"
 #include "training/episode/others.h"
@@ -78,6 +79,9 @@ class Episode {
 
   /// Writes the features of all agents, one after the other; zeros for those who are not alive.
   void observe(float* out) const;
+  /// The id that the planner of cls would choose from the agent's world model; -1 where there is
+  /// nothing to choose. For agents with options.
+  int expert(std::size_t agent) const;
   /// Writes 1 for each id that has an effect now.
   void mask(std::size_t agent, std::uint8_t* out) const;
   void state(float* out) const;
@@ -96,6 +100,8 @@ class Episode {
   void play_cycle(simulator::MatchRecorder* recorder);
   void draw_types(soccer::RandomStream& random);
   bool has_world_models() const { return !perceivers_.empty(); }
+  void find_agent_options();
+  void play_option(std::size_t agent, int id, bool first);
   /// Index of the agent in `slot`; -1 for other players.
   int agent_in(int slot) const;
   void send_commands();
@@ -106,7 +112,7 @@ class Episode {
                                std::optional<TeamSituation>& situation);
   PlayerCommand command_of(std::size_t agent, const AgentActions& actions);
   PointOfView view_of(int slot, bool last_action_worked) const;
-  void choose_commands(const AgentActions& actions, const Guest* guest);
+  void choose_commands(const AgentActions& actions, const Guest* guest, bool first);
   void return_to_formation();
   void execute_commands(simulator::MatchRecorder* recorder);
   void fill_scenes();
@@ -120,9 +126,11 @@ class Episode {
   OptionValues options_{};
   Status status_ = Status::kInGame;
   bool started_ = false;
-  soccer::PerSide<Scene> scenes_;      ///< exact
-  std::vector<Perceiver> perceivers_;  ///< of the agents; may be empty
-  std::vector<Scene> estimated_;       ///< by agent, from their world models
+  soccer::PerSide<Scene> scenes_;               ///< exact
+  std::vector<Perceiver> perceivers_;           ///< of the agents; may be empty
+  std::vector<Scene> estimated_;                ///< by agent, from their world models
+  std::vector<player::ActionMemory> memories_;  ///< of agents with options, else empty
+  std::vector<player::OptionTable> tables_;     ///< what they may choose now
   Others others_;
   std::array<Agent, soccer::kPlayersOnPitch> agents_{};  ///< in the order of the cast
   std::array<RewardValues, soccer::kPlayersOnPitch> rewards_{};

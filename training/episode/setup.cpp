@@ -104,6 +104,7 @@ Result<void> choose_cast(const SetupChoices& choices, Setup& setup) {
 // Choices of senses are messages to a server, and numbers beside an id.
 Result<void> choose_senses(const SetupChoices& choices, Setup& setup) {
   setup.senses = choices.senses;
+  setup.expert = choices.expert == Expert::kPlanner;
   setup.sense_heads = sense_heads(choices.senses);
   if (!choices.senses.any()) return {};
 
@@ -123,6 +124,24 @@ Result<void> choose_senses(const SetupChoices& choices, Setup& setup) {
   return {};
 }
 
+// Options are what a player of a match chooses, from its own world model.
+Result<void> choose_options(const SetupChoices& choices, const Setup& setup) {
+  if (setup.features->needs_options && !setup.actions->options) {
+    return Error{fmt::format("the feature set '{}' needs the actions 'options', not '{}'",
+                             setup.features->name, setup.actions->name)};
+  }
+  if (setup.expert && !setup.actions->options) {
+    return Error{fmt::format("'expert' = 'planner' needs the actions 'options', not '{}'",
+                             setup.actions->name)};
+  }
+  if (!setup.actions->options) return {};
+  if (choices.fidelity != Fidelity::kWorldModel) {
+    return Error{"the actions 'options' need 'obs' = 'world_model'"};
+  }
+  if (setup.senses.any()) return Error{"the actions 'options' look and speak by themselves"};
+  return {};
+}
+
 Result<void> choose_sets(const SetupChoices& choices, Setup& setup) {
   const Task& task = *setup.task;
   const auto or_usual = [](const std::string& name, std::string_view usual) {
@@ -132,6 +151,7 @@ Result<void> choose_sets(const SetupChoices& choices, Setup& setup) {
   TRY_INIT(setup.features, choose_features(or_usual(choices.features, task.features)));
   TRY_INIT(setup.actions, choose_actions(or_usual(choices.actions, task.actions)));
   TRY(choose_senses(choices, setup));
+  TRY(choose_options(choices, setup));
 
   const auto has_agents = [&](Side side) {
     return std::ranges::find(setup.cast.agents, side, soccer::side_of_slot) !=
@@ -252,7 +272,7 @@ void prepare_senses(Setup& setup) {
   for (const int slot : setup.cast.agents) {
     if (setup.fidelity == Fidelity::kWorldModel) {
       setup.perceivers.push_back(make_perceiver(setup.prepared, slot));
-      setup.perceivers.back().decides = false;
+      setup.perceivers.back().decides = setup.actions->options;
     } else {
       setup.observes[soccer::side_of_slot(slot)] = true;
     }

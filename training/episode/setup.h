@@ -36,6 +36,10 @@ enum class Until : unsigned char {
 };
 constexpr auto kUntilNames = base::enum_names<Until>("cycles", "decision");
 
+/// Who says in each step what it would choose for an agent.
+enum class Expert : unsigned char { kNone, kPlanner };
+constexpr auto kExpertNames = base::enum_names<Expert>("none", "planner");
+
 /// From which the player types of all pools are drawn.
 constexpr std::uint64_t kTypesSeed = 1;
 
@@ -60,6 +64,7 @@ struct SetupChoices {
   std::array<double, kRewardTerms> weights{};
   bool random_types = false;
   SenseOptions senses;
+  Expert expert = Expert::kNone;
 };
 
 /// Immutable; shared by the episodes of a pool and by their copies.
@@ -75,6 +80,7 @@ struct Setup {
   const ActionSet* actions = nullptr;
   Columns feature_columns;  ///< of an agent; the widest if the teams differ in size
   SenseOptions senses;
+  bool expert = false;  ///< Episode::expert() is asked in each step
   std::vector<SenseHead> sense_heads;
   std::size_t sense_column_count = 0;  ///< the last of feature_columns
   Columns value_columns;

@@ -8,8 +8,8 @@
 namespace cls::training {
 
 const std::vector<const FeatureSet*>& feature_sets() {
-  static const std::vector<const FeatureSet*> sets = {&kEgoFeatures, &kHfoLowFeatures,
-                                                      &kHfoHighFeatures, &kEgo2Features};
+  static const std::vector<const FeatureSet*> sets = {
+      &kEgoFeatures, &kHfoLowFeatures, &kHfoHighFeatures, &kEgo2Features, &kTeamFeatures};
   return sets;
 }
 

@@ -15,6 +15,7 @@ struct FeatureSet {
   std::string_view summary;
   bool left_only = false;       ///< meaningless for the right team, and refused for it
   bool needs_openings = false;  ///< reads PointOfView::openings
+  bool needs_options = false;   ///< reads PointOfView::world and options
   /// Columns for so many teammates (without the agent) and opponents.
   Columns (*columns)(int teammates, int opponents) = nullptr;
   /// Writes as many numbers as there are columns. Does not allocate.
@@ -26,6 +27,7 @@ extern const FeatureSet kEgoFeatures;
 extern const FeatureSet kEgo2Features;
 extern const FeatureSet kHfoLowFeatures;
 extern const FeatureSet kHfoHighFeatures;
+extern const FeatureSet kTeamFeatures;
 
 const std::vector<const FeatureSet*>& feature_sets();
 

@@ -3,6 +3,7 @@
 
 #include "player/behaviors/automatic_play.h"
 #include "player/behaviors/behaviors.h"
+#include "player/options/options.h"
 #include "player/perception/perception.h"
 #include "player/planner/plan_execution.h"
 
@@ -11,27 +12,14 @@ namespace {
 
 using player::ActionContext;
 
-bool in_play(const player::GameState& game) {
-  return !game.goalie_catch &&
-         (game.mode == soccer::PlayMode::kPlayOn || game.mode == soccer::PlayMode::kDropBall);
-}
-
 void play_by_planner(ActionContext& context) {
-  const player::WorldModel& world = context.world;
-  if (soccer::is_penalty_mode(world.game.mode)) {
-    play_penalty(context);
-  } else if (!in_play(world.game)) {
-    play_set_play(context);
-  } else if (world.goalie) {
-    play_goalie(context);
-  } else if (!world.self.kickable) {
+  if (play_without_choice(context)) return;
+  if (!context.world.self.kickable) {
     basic_move(context);
-  } else if (must_leave_ball(world, context.memory)) {
-    leave_ball(context);
-  } else if (!shoot_and_look(context) && !world.self.frozen()) {
-    const player::Plan& plan = plan_of_decision(context, planner_options());
-    if (!kick_out_of_danger(context)) execute_plan_or_hold(context, plan, plan.best);
+    return;
   }
+  const player::Plan& plan = plan_of_decision(context, planner_options());
+  if (!kick_out_of_danger(context)) execute_plan_or_hold(context, plan, plan.best);
 }
 
 }  // namespace
@@ -63,26 +51,26 @@ void decide(Driver driver, MatchPlayer& player) {
       [driver](ActionContext& context) {
         if (driver == Driver::kMock) {
           play_as_simple_team(context);
-        } else if (!play_automatically(context, {})) {
+        } else {
           play_by_planner(context);
         }
       },
       player);
 }
 
-void decide_with(const std::function<void(ActionContext&)>& choose, MatchPlayer& player) {
-  const player::WorldModel& world = player.senses.world;
-  player::CommandSlots slots(world);
+void decide_with(const std::function<void(ActionContext&)>& choose, Perceiver& senses,
+                 player::ActionMemory& memory) {
+  player::CommandSlots slots(senses.world);
   player::NeckPlan neck;
   player::ActionReport report;
   player::PlanChoice choice;
-  ActionContext context{world, player.memory, slots, neck, report, choice};
+  ActionContext context{senses.world, memory, slots, neck, report, choice};
 
   begin_decision(context);
   choose(context);
   finish_decision(context);
-  slots.compose(player.senses.commands);
-  record_sent_commands(player.senses.world, player.senses.commands);
+  slots.compose(senses.commands);
+  record_sent_commands(senses.world, senses.commands);
 }
 
 }  // namespace cls::training

@@ -50,7 +50,12 @@ void decide(Driver driver, MatchPlayer& player);
 player::PlannerOptions planner_options();
 
 /// Decides by `choose`, which fills the slots of the context, instead of a driver.
-void decide_with(const std::function<void(player::ActionContext&)>& choose, MatchPlayer& player);
+void decide_with(const std::function<void(player::ActionContext&)>& choose, Perceiver& senses,
+                 player::ActionMemory& memory);
+inline void decide_with(const std::function<void(player::ActionContext&)>& choose,
+                        MatchPlayer& player) {
+  decide_with(choose, player.senses, player.memory);
+}
 
 /// One decision of a player of the mock Playmaker's simple team, between player::begin_decision()
 /// and player::finish_decision().

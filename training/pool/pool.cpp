@@ -191,6 +191,7 @@ void Pool::fill_views(std::size_t env, float* observations, float* state) {
     const std::size_t row = env * agents + agent;
     if (buffers_.alive != nullptr) buffers_.alive[row] = episode.alive(agent) ? 1 : 0;
     if (buffers_.action_masks != nullptr) episode.mask(agent, buffers_.action_masks + row * ids);
+    if (buffers_.expert != nullptr) buffers_.expert[row] = episode.expert(agent);
   }
 
   if (state != nullptr) episode.state(state + env * setup().state_columns.size());

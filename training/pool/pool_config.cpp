@@ -23,7 +23,7 @@ const Names kKeys = {"task",       "num_envs", "threads",      "obs",       "fea
                      "actions",    "offense",  "defense",      "agents",    "num_agents",
                      "teammates",  "opponent", "goalie_agent", "autoreset", "frame_skip",
                      "max_cycles", "reward",   "options",      "types",     "state",
-                     "start",      "until",    "look",         "say"};
+                     "start",      "until",    "look",         "say",       "expert"};
 constexpr auto kRandomTypesNames = base::enum_names<bool>("default", "random");
 
 constexpr int kMaxEnvs = 65536;
@@ -164,6 +164,7 @@ void read_choices(Reader& in, SetupChoices& choices) {
   in.integer("state", 1, kStateVersions, choices.state);
   in.flag("look", choices.senses.look);
   in.flag("say", choices.senses.say);
+  in.choice("expert", kExpertNames, choices.expert);
   in.choice("types", kRandomTypesNames, choices.random_types);
 }
 

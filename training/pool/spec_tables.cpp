@@ -147,7 +147,7 @@ std::vector<SpecTable> tables_of(const ActionSet& set) {
     table.add_columns({"action", "has an effect"});
     for (std::size_t id = 0; id < set.actions.size(); ++id) {
       add_row(table, id, set.actions[id].name,
-              set.actions[id].legal == nullptr ? "always" : "where the mask is 1");
+              set.actions[id].legal != nullptr || set.options ? "where the mask is 1" : "always");
     }
     all.push_back({heading, note, std::move(table)});
   }

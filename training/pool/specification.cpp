@@ -193,6 +193,7 @@ Json specification(const Pool& pool) {
           {"max_cycles", setup.max_cycles},
           {"frame_skip", setup.frame_skip},
           {"until", kUntilNames.name(setup.until)},
+          {"expert", kExpertNames.name(setup.expert ? Expert::kPlanner : Expert::kNone)},
           {"autoreset", kAutoresetNames.name(pool.config().autoreset)},
           {"options", options},
           {"statuses", status_list()}};

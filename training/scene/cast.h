@@ -10,6 +10,11 @@
 #include "soccer/pitch.h"
 #include "training/scene/scene.h"
 
+namespace cls::player {
+struct OptionTable;
+struct WorldModel;
+}  // namespace cls::player
+
 namespace cls::training {
 
 /// Slots (soccer::slot_of) of an episode; constant for all episodes of a pool.
@@ -39,6 +44,9 @@ struct PointOfView {
   bool last_action_worked = true;
   double time_left = 1.0;              ///< share of the episode
   const Openings* openings = nullptr;  ///< of the scene, for feature sets that need them
+  /// The agent's estimates and what it may choose now; for options, otherwise null.
+  const player::WorldModel* world = nullptr;
+  const player::OptionTable* options = nullptr;
 
   const ScenePlayer& me() const { return scene.player(self); }
   int teammate_count() const { return static_cast<int>(cast.team(scene.side).size()) - 1; }

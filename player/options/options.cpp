@@ -1,0 +1,265 @@
+// Sorts the planner's candidates into classes, and executes what is chosen.
+#include "player/options/options.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/index.h"
+#include "player/ball_skills/ball_skills.h"
+#include "player/behaviors/automatic_play.h"
+#include "player/planner/generators.h"
+#include "player/planner/plan_execution.h"
+#include "player/world/places.h"
+
+namespace cls::player {
+namespace {
+
+bool in_open_play(const WorldModel& world) {
+  return !world.game.goalie_catch &&
+         (world.game.mode == PlayMode::kPlayOn || world.game.mode == PlayMode::kDropBall);
+}
+
+/// Index among the players of the team without the agent; -1 if the number is not one of them.
+int receiver_of(const WorldModel& world, int unum) {
+  if (unum < 1 || unum > soccer::kPlayersPerTeam || unum == world.unum) return -1;
+  return unum - 1 - (unum > world.unum ? 1 : 0);
+}
+
+PassKind pass_kind(PlanTag tag) {
+  switch (tag) {
+    case PlanTag::kStrictLead:
+      return PassKind::kAhead;
+    case PlanTag::kStrictThrough:
+      return PassKind::kThrough;
+    case PlanTag::kCross:
+      return PassKind::kCross;
+    default:
+      return PassKind::kFeet;
+  }
+}
+
+/// The class of a dribble or a pass; -1 for other actions.
+int class_of(const WorldModel& world, const PlanAction& action) {
+  if (action.category == PlanCategory::kDribble) {
+    const double direction = AngleDeg::of(action.target_point - world.ball.position).degrees();
+    const int turn =
+        static_cast<int>(std::lround((direction + 180.0) * kDribbleDirections / 360.0));
+    return kDribbleOption + turn % kDribbleDirections;
+  }
+  if (action.category != PlanCategory::kPass) return -1;
+  const int receiver = receiver_of(world, action.target);
+  return receiver < 0 ? -1 : pass_option(receiver, pass_kind(action.tag));
+}
+
+/// Which candidate stands for its class: the one with more room, as far as room counts, and of
+/// those the one that leads farther ahead.
+double preference(const OptionTarget& target) {
+  constexpr double kEnoughRoom = 4.0;
+  constexpr double kRoomWeight = 4.0;
+  return kRoomWeight * std::min(target.room, kEnoughRoom) + target.action.target_point.x;
+}
+
+void find_targets(const PlannerField& field, OptionTable& out) {
+  std::vector<PlanAction> actions;
+  add_passes(field, actions);
+  add_crosses(field, actions);
+  add_short_dribbles(field, actions);
+  add_self_passes(field, actions);
+
+  for (const PlanAction& action : actions) {
+    const int id = class_of(field.world, action);
+    if (id < 0) continue;
+    const OptionTarget target{id, action, nearest_opponent(field, action.target_point)};
+    const auto known = std::ranges::find(out.targets, id, &OptionTarget::id);
+    if (known == out.targets.end()) {
+      out.targets.push_back(target);
+    } else if (preference(target) > preference(*known)) {
+      *known = target;
+    }
+  }
+  std::ranges::sort(out.targets, {}, &OptionTarget::id);
+}
+
+void find_ball_options(const WorldModel& world, OptionTable& out) {
+  out.choice = OptionTable::Choice::kWithBall;
+  find_targets(PlannerField(world, out.held(world)), out);
+
+  const std::optional<Gap> gap = gap_in_range(world);
+  const bool play_on = world.game.mode == PlayMode::kPlayOn;
+  out.shot_gap = gap && play_on ? gap->degrees : 0.0;
+  out.legal[kShootOption] = out.shot_gap > 0.0;
+  out.legal[kHoldOption] = true;
+  out.legal[kLayOffOption] = play_on && lay_off_receiver(world) != nullptr;
+  out.legal[kClearOption] = true;
+  for (const OptionTarget& target : out.targets) out.legal[base::index(target.id)] = true;
+}
+
+void find_moves(const WorldModel& world, const ActionMemory& memory, OptionTable& out) {
+  out.choice = OptionTable::Choice::kWithoutBall;
+  out.moves = moves_of(world, memory);
+  const auto allow = [&out](MoveKind kind, bool offered) {
+    out.legal[base::index(move_option(kind))] = offered;
+  };
+
+  out.legal[kAutoOption] = true;
+  allow(MoveKind::kTackle, out.moves.may_tackle);
+  allow(MoveKind::kIntercept, out.moves.may_intercept);
+  allow(MoveKind::kPress, out.moves.press.has_value());
+  allow(MoveKind::kBlock, out.moves.block.has_value());
+  allow(MoveKind::kSupport, out.moves.support.has_value());
+  allow(MoveKind::kMark, out.moves.mark.has_value());
+  std::fill(out.legal.begin() + kHomeOption, out.legal.end(), true);
+}
+
+bool play_with_ball(ActionContext& c, const OptionTable& table, int id) {
+  if (const OptionTarget* target = table.target(id)) return execute_action(c, target->action);
+  switch (id) {
+    case kShootOption:
+      return shoot_into_gap(c);
+    case kLayOffOption:
+      return lay_off(c);
+    case kClearOption:
+      return kick_outlet(c);
+    default:
+      return c.world.game.mode == PlayMode::kPlayOn && keep_ball(c);
+  }
+}
+
+/// Of a move, a home position that is shifted included.
+bool play_move(ActionContext& c, const OptionTable& table, int id) {
+  if (id < kShiftedHomeOption) {
+    return make_move(c, table.moves, static_cast<MoveKind>(id - kMoveOption));
+  }
+  const int shift = id - kShiftedHomeOption;
+  const double direction = 360.0 / kShiftDirections * (shift % kShiftDirections) - 180.0;
+  const double meters = kShifts[base::index(shift / kShiftDirections)];
+  return make_move(c, table.moves, MoveKind::kHome, soccer::polar_degrees(meters, direction));
+}
+
+/// A decision whose commands are not used.
+struct Trial {
+  Trial(const WorldModel& world, const ActionMemory& before)
+      : memory(before), slots(world), context{world, memory, slots, neck, report, choice} {}
+  Trial(const Trial&) = delete;
+  Trial& operator=(const Trial&) = delete;
+
+  ActionMemory memory;
+  CommandSlots slots;
+  NeckPlan neck;
+  ActionReport report;
+  PlanChoice choice;
+  ActionContext context;
+};
+
+/// Of a decision that has begun.
+void find_options_in(Trial& trial, OptionTable& out) {
+  const WorldModel& world = trial.context.world;
+  out.choice = OptionTable::Choice::kNothing;
+  out.legal.fill(false);
+  out.ball_since = trial.memory.ball_since;
+  out.shot_gap = 0.0;
+  out.targets.clear();
+  out.moves = {};
+
+  // What is played in set plays and by a goalie is not tried: it may be a plan, too.
+  if (!in_open_play(world) || world.goalie || play_without_choice(trial.context)) {
+    out.legal[kAutoOption] = true;
+  } else if (world.self.kickable) {
+    find_ball_options(world, out);
+  } else {
+    find_moves(world, trial.memory, out);
+  }
+}
+
+}  // namespace
+
+std::string option_name(int id) {
+  constexpr std::array kWithBall = {"auto", "shoot", "hold", "lay_off", "clear"};
+  constexpr std::array kPasses = {"feet", "ahead", "through", "cross"};
+  constexpr std::array kMoves = {"tackle",  "intercept", "press", "block",
+                                 "support", "mark",      "home"};
+
+  if (id < kDribbleOption) return kWithBall[base::index(id)];
+  if (id < kPassOption) return "dribble_" + std::to_string(id - kDribbleOption);
+  if (id < kMoveOption) {
+    const int pass = id - kPassOption;
+    return "pass_" + std::to_string(pass / kPassKinds + 1) + "_" +
+           kPasses[base::index(pass % kPassKinds)];
+  }
+  if (id < kShiftedHomeOption) return kMoves[base::index(id - kMoveOption)];
+  const int shift = id - kShiftedHomeOption;
+  return "home_" +
+         std::to_string(static_cast<int>(kShifts[base::index(shift / kShiftDirections)])) + "_" +
+         std::to_string(shift % kShiftDirections);
+}
+
+const OptionTarget* OptionTable::target(int id) const {
+  const auto found = std::ranges::lower_bound(targets, id, {}, &OptionTarget::id);
+  return found != targets.end() && found->id == id ? &*found : nullptr;
+}
+
+bool play_without_choice(ActionContext& c) {
+  const WorldModel& world = c.world;
+  if (play_automatically(c, {})) return true;
+  if (soccer::is_penalty_mode(world.game.mode)) {
+    play_penalty(c);
+  } else if (!in_open_play(world)) {
+    play_set_play(c);
+  } else if (world.goalie) {
+    play_goalie(c);
+  } else if (world.self.kickable && must_leave_ball(world, c.memory)) {
+    leave_ball(c);
+  } else {
+    return world.self.kickable && shoot_and_look(c);
+  }
+  return true;
+}
+
+void find_options(const WorldModel& world, const ActionMemory& memory, OptionTable& out) {
+  Trial trial(world, memory);
+  begin_decision(trial.context);
+  find_options_in(trial, out);
+}
+
+void find_options(const ActionContext& begun, OptionTable& out) {
+  Trial trial(begun.world, begun.memory);
+  find_options_in(trial, out);
+}
+
+int planner_option(const WorldModel& world, const OptionTable& table,
+                   const PlannerOptions& options) {
+  if (table.choice == OptionTable::Choice::kNothing) return -1;
+  if (table.choice == OptionTable::Choice::kWithoutBall) return move_option(table.moves.usual);
+  if (is_ball_in_danger(world)) return kClearOption;
+
+  const PlannerField field(world, table.held(world));
+  const Plan plan = make_plan(field, options);
+  const PlanAction& action = plan.at(plan.first_of(plan.best)).action;
+  if (const int id = class_of(world, action); id >= 0) return id;
+  if (world.game.mode != PlayMode::kPlayOn) return kHoldOption;
+
+  switch (hold_kind(world, table.ball_since)) {
+    case HoldKind::kShoot:
+      return kShootOption;
+    case HoldKind::kLayOff:
+      return kLayOffOption;
+    case HoldKind::kKeep:
+      break;
+  }
+  return kHoldOption;
+}
+
+void play_option(ActionContext& c, const OptionTable& table, int id) {
+  if (play_without_choice(c)) return;
+  const bool legal = id >= 0 && id < kOptionCount && table.legal[base::index(id)];
+
+  if (c.world.self.kickable) {
+    if (legal && play_with_ball(c, table, id)) return;
+    c.neck.kind = NeckPlan::Kind::kScan;
+    hold_ball(c.world, c.slots, false, {});
+  } else if (!legal || id == kAutoOption || !play_move(c, table, id)) {
+    basic_move(c);
+  }
+}
+
+}  // namespace cls::player
