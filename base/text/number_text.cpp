@@ -251,7 +251,7 @@ double rounded_to_text(double value) {
   std::array<char, kMaxNumberLength> text;
   const char* end = write_g(value, text.data());
   double rounded = value;
-  parse_number_prefix({text.data(), end}, rounded);
+  parse_number_prefix({text.data(), static_cast<std::size_t>(end - text.data())}, rounded);
   return rounded;
 }
 
