@@ -34,7 +34,12 @@ Result<simulator::MatchConfig> config_of(const MatchSetup& setup) {
   // Players must not notice how logs are stored.
   config.server.game_log_compression = config.server.text_log_compression = 0;
   config.seed = setup.seed;
-  config.cycle_limit = setup.cycles;
+  if (setup.book == nullptr) {
+    config.cycle_limit = setup.cycles;
+  } else {
+    config.types = analysis::log_of(*setup.book, setup.seed, setup.situations).types;
+    config.player.player_types = static_cast<int>(config.types.size());
+  }
   return config;
 }
 
@@ -56,6 +61,7 @@ Result<std::unique_ptr<Match>> Match::create(const MatchSetup& setup, Functions 
     const proxy::RpcStatus status = match->sides_[side].team->register_agents();
     if (!status.ok()) return Error{fmt::format("{}: {}", names[side], status.message)};
   }
+  if (setup.book != nullptr) match->begin_situations(setup);
   return match;
 }
 
@@ -127,16 +133,32 @@ Result<void> Match::connect(Side side) {
                             open(simulator::ListeningPort::kOnlineCoaches), serve);
 }
 
+void Match::begin_situations(const MatchSetup& setup) {
+  book_ = setup.book;
+  situations_.emplace(*book_, setup.seed, setup.situations, *setup.cycles);
+  server_->modify_world([this](simulator::World& world, simulator::Events& events) {
+    situations_->begin(world, events);
+  });
+}
+
 bool Match::play(int steps) {
   for (int i = 0; i < steps && !over_; ++i) {
     play_step();
-    if (server_->finished() || !failure_.empty()) finish();
+    if (is_over()) finish();
   }
   return !over_;
 }
 
+bool Match::is_over() const {
+  return server_->finished() || !failure_.empty() || (situations_ && situations_->over());
+}
+
 void Match::play_step() {
-  server_->run_cycle();
+  server_->run_cycle([this](simulator::World& world, simulator::Events& events) {
+    if (!situations_ || situations_->over()) return;
+    situations_->after_step(world);
+    if (situations_->ended()) situations_->next(world, events);
+  });
   for (const Side side : soccer::kBothSides) {
     TeamSide& playing = sides_[side];
     playing.team->run_cycle();

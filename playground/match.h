@@ -2,11 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/situations/book.h"
 #include "base/result.h"
 #include "match/hooks/decision_stream.h"
+#include "match/hooks/situation_play.h"
 #include "mock-server/service/request_handler.h"
 #include "playground/log_buffer.h"
 #include "playground/setup.h"
@@ -24,8 +27,8 @@ inline constexpr int kMaxMissed = 20;
 /// Decisions of the teams that are functions; of other sides unused.
 using Functions = soccer::PerSide<proxy::FallibleHandler>;
 
-/// Plays what `cls match` plays with the same sides, names, seed, cycles and settings: game log and
-/// text log have the same bytes. All code runs on the caller's thread.
+/// Plays what `cls match` plays with the same sides, names, seed, cycles, settings and situations:
+/// game log and text log have the same bytes. All code runs on the caller's thread.
 class Match {
  public:
   /// Both teams are connected and registered. The error names the member of the setup that is
@@ -70,7 +73,9 @@ class Match {
   base::Result<void> add_team(soccer::Side side, const MatchSetup& setup, const std::string& name,
                               proxy::FallibleHandler function);
   base::Result<void> connect(soccer::Side side);
+  void begin_situations(const MatchSetup& setup);
   void play_step();
+  bool is_over() const;
   void end_team(TeamSide& side);
   void finish();
 
@@ -80,6 +85,8 @@ class Match {
   LogBuffer text_log_;
   std::unique_ptr<simulator::LockstepServer> server_;
   soccer::PerSide<TeamSide> sides_;
+  std::shared_ptr<const analysis::Book> book_;
+  std::optional<match::SituationPlay> situations_;  ///< of the book
   std::string failure_;
   bool over_ = false;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/situations/book_file.h"
 #include "base/text/json_document.h"
 
 namespace cls::playground {
@@ -18,6 +19,7 @@ using soccer::Side;
 
 constexpr double kLargestSeed = 9007199254740991.0;  // the largest whole number of JavaScript
 constexpr int kMostCycles = 1'000'000;
+constexpr int kMostSituations = 1000;
 
 Result<std::string> text_member(const JsonValue& root, std::string_view key) {
   if (!root.has(key)) return std::string();
@@ -43,6 +45,14 @@ Result<std::vector<std::string>> settings_of(const JsonValue& root) {
   return settings;
 }
 
+Result<std::shared_ptr<const analysis::Book>> book_of(const JsonValue& root) {
+  if (!root.has("book")) return std::shared_ptr<const analysis::Book>();
+  TRY_INIT(const std::string text, root["book"].string());
+  auto book = analysis::parse_book(text);
+  if (!book) return root["book"].error(book.error().message);
+  return std::make_shared<const analysis::Book>(*std::move(book));
+}
+
 std::string default_name(std::string_view side) {
   const std::size_t colon = side.find(':');
   return soccer::team_name_from(colon == std::string_view::npos ? side : side.substr(colon + 1));
@@ -53,8 +63,8 @@ std::string default_name(std::string_view side) {
 Result<MatchSetup> parse_setup(std::string_view json) {
   TRY_INIT(const auto document, base::JsonDocument::parse("match", std::string(json)));
   const JsonValue root(document);
-  TRY(root.expect_keys(
-      {"left", "right", "leftName", "rightName", "seed", "cycles", "set", "view", "decisions"}));
+  TRY(root.expect_keys({"left", "right", "leftName", "rightName", "seed", "cycles", "set", "book",
+                        "situations", "view", "decisions"}));
 
   MatchSetup setup;
   for (const auto& [key, name_key, side] : {std::tuple("left", "leftName", Side::kLeft),
@@ -69,6 +79,13 @@ Result<MatchSetup> parse_setup(std::string_view json) {
     TRY_INIT(setup.cycles, root["cycles"].integer(1, kMostCycles));
   }
   TRY_INIT(setup.settings, settings_of(root));
+  TRY_INIT(setup.book, book_of(root));
+  if (setup.book != nullptr) {
+    for (const char* key : {"situations", "cycles"}) {
+      if (!root.has(key)) return root.error(fmt::format("'book' needs '{}'", key));
+    }
+    TRY_INIT(setup.situations, root["situations"].integer(1, kMostSituations));
+  }
   if (root.has("view")) {
     TRY_INIT(setup.view, root["view"].boolean());
   }

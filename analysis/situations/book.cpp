@@ -48,4 +48,8 @@ std::vector<const Situation*> situations_of(const Book& book, std::uint64_t seed
   return result;
 }
 
+const BookLog& log_of(const Book& book, std::uint64_t seed, int count) {
+  return book.logs[base::index(situations_of(book, seed, count).front()->log)];
+}
+
 }  // namespace cls::analysis

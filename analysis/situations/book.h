@@ -85,4 +85,7 @@ inline constexpr std::size_t kMaxSituations = 20'000;
 /// pure function.
 std::vector<const Situation*> situations_of(const Book& book, std::uint64_t seed, int count);
 
+/// The log of these situations, whose player types the match has.
+const BookLog& log_of(const Book& book, std::uint64_t seed, int count);
+
 }  // namespace cls::analysis

@@ -8,7 +8,6 @@
 #include <variant>
 
 #include "analysis/situations/book_file.h"
-#include "base/index.h"
 #include "base/system/host.h"
 #include "base/text/enum_names.h"
 #include "match/terms/match_settings.h"
@@ -114,9 +113,7 @@ simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t 
   config.decisive_lead = options.adjudicate;
 
   if (options.loaded_book != nullptr) {
-    const analysis::Book& book = *options.loaded_book;
-    const auto situations = analysis::situations_of(book, seed, options.situations);
-    config.types = book.logs[base::index(situations.front()->log)].types;
+    config.types = analysis::log_of(*options.loaded_book, seed, options.situations).types;
     config.player.player_types = static_cast<int>(config.types.size());
   }
   return config;

@@ -31,7 +31,7 @@ export class Engine {
 
   /**
    * Starts a match.
-   * @param setup {left, right, leftName, rightName, seed, cycles, set, view, decisions}
+   * @param setup {left, right, leftName, rightName, seed, cycles, set, book, situations, view, decisions}
    * @param deciders for each side null or a function of (rpc name, bytes of a State) that returns the
    *   bytes of the reply, or undefined for a call that the team does not implement
    */

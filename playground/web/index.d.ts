@@ -26,8 +26,14 @@ export interface MatchSetup {
   rightName?: string;
   /** 0 to 2^53 - 1, by default 0. Equal seeds and teams give equal bytes. */
   seed?: number;
-  /** End of the match in game time; by default two halves. */
+  /** End of the match in game time; by default two halves. With a book the length of each situation. */
   cycles?: number;
+  /**
+   * The text of a book of situations (docs/formats/book.md), not compressed, that are played in place of a whole match.
+   * It needs `situations`, their number, and `cycles`.
+   */
+  book?: string;
+  situations?: number;
   /** Settings such as 'server::half_time=100' and 'player::pt_max=2'. */
   set?: string[];
   /** With the stream of the viewer (docs/formats/view.md). */

@@ -32,8 +32,8 @@ Folders below_cli_and(const std::string& another) {
 
 /// What a match without threads, sockets and files consists of.
 Folders below_playground() {
-  return {"base",  "soccer",      "proto",     "gamelog", "league", "player",
-          "proxy", "mock-server", "simulator", "viewer",  "match"};
+  return {"base",  "soccer",      "proto",     "gamelog",  "league", "player",
+          "proxy", "mock-server", "simulator", "analysis", "viewer", "match"};
 }
 
 Folders everything() {

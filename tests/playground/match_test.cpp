@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "analysis/situations/book.h"
 #include "match/run_match.h"
 #include "proto/status_name.h"
 #include "tests/support/error_of.h"
@@ -61,6 +65,11 @@ Logs logs_of_cls_match(const MatchSetup& setup) {
   for (const std::string& setting : setup.settings) {
     EXPECT_TRUE(match::apply_setting(options, setting));
   }
+  if (setup.book != nullptr) {
+    options.book = "given";
+    options.loaded_book = setup.book;
+    options.situations = setup.situations;
+  }
 
   match::MatchObserver no_observer;
   const std::atomic<int> no_signal{0};
@@ -112,6 +121,42 @@ TEST(PlaygroundMatch, HasTheBytesOfAMatchWithNamesAndSettings) {
   MatchSetup setup = setup_of("mock:simple", "mock");
   setup.names = {"Blue", "Red"};
   setup.settings = {"server::half_time=5", "server::game_log_version=5", "player::pt_max=2"};
+  expect_same_bytes(setup);
+}
+
+// Two attacks: the ball rolls toward the right goal in front of a row of players of each side.
+std::shared_ptr<const analysis::Book> attacks() {
+  constexpr int kWarmUp = 2;
+  analysis::Book book;
+  book.warm_up = kWarmUp;
+  book.logs.push_back({"match.rcg", {"a", "b"}, std::vector<soccer::PlayerType>(2)});
+  book.logs[0].types[1].player_speed_max = 0.9;
+  for (int i = 0; i < 2; ++i) {
+    analysis::Situation situation;
+    for (std::size_t slot = 0; slot < situation.players.size(); ++slot) {
+      situation.players[slot] = {slot == 4 ? 1 : 0, 3000.0, 0.9, 0.8, 100'000.0};
+    }
+    for (int step = 0; step <= kWarmUp; ++step) {
+      analysis::BookFrame frame;
+      frame.ball = {30.0 + i + 0.5 * step, 0.0};
+      frame.ball_velocity = {0.5, 0.0};
+      for (std::size_t slot = 0; slot < frame.players.size(); ++slot) {
+        const bool left = slot < soccer::kPlayersPerTeam;
+        const double row = static_cast<double>(slot % soccer::kPlayersPerTeam) - 5.0;
+        frame.players[slot] = {{left ? 28.0 : 40.0, 3.0 * row}, {}, left ? 0.0 : 180.0};
+      }
+      situation.frames.push_back(frame);
+    }
+    book.situations.push_back(situation);
+  }
+  return std::make_shared<const analysis::Book>(std::move(book));
+}
+
+TEST(PlaygroundMatch, HasTheBytesOfAMatchOfSituations) {
+  MatchSetup setup = setup_of("mock:planner", "mock:simple");
+  setup.book = attacks();
+  setup.situations = 2;
+  setup.cycles = 40;
   expect_same_bytes(setup);
 }
 

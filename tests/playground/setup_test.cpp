@@ -4,6 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include "analysis/situations/book_file.h"
+#include "base/io/byte_sink.h"
+#include "base/text/json.h"
 #include "tests/support/error_of.h"
 
 namespace cls::playground {
@@ -49,6 +54,27 @@ TEST(PlaygroundSetup, NamesTheMemberThatIsWrong) {
   EXPECT_THAT(error(R"({"left": "mock", "right": "mock", "set": "server::coach=on"})"),
               HasSubstr("/set: must be an array"));
   EXPECT_THAT(error("{"), HasSubstr("match"));
+}
+
+TEST(PlaygroundSetup, ReadsABookOfSituations) {
+  const auto error = [](const char* json) { return error_of(parse_setup(json)); };
+  EXPECT_THAT(error(R"({"left": "mock", "right": "mock", "book": "{}", "cycles": 9})"),
+              HasSubstr("/book: line 1: 'format' is missing"));
+
+  analysis::Book book;
+  book.logs.push_back({"match.rcg", {"a", "b"}, std::vector<soccer::PlayerType>(1)});
+  book.situations.emplace_back().frames.resize(1);
+  base::StringSink text;
+  analysis::write_book(book, text);
+  base::Json json = {{"left", "mock"}, {"right", "mock"}, {"book", text.bytes()}};
+  EXPECT_THAT(error_of(parse_setup(json.dump())), HasSubstr("'book' needs 'situations'"));
+  json["situations"] = 1;
+  EXPECT_THAT(error_of(parse_setup(json.dump())), HasSubstr("'book' needs 'cycles'"));
+  json["cycles"] = 30;
+  const auto setup = parse_setup(json.dump());
+  ASSERT_TRUE(setup) << setup.error().message;
+  EXPECT_EQ(setup->book->situations.size(), 1U);
+  EXPECT_EQ(setup->situations, 1);
 }
 
 TEST(PlaygroundSetup, NamesTeamsAsAMatchDoes) {
