@@ -116,6 +116,9 @@ Result<void> read_files(const JsonValue& json, const std::filesystem::path& fold
   if (!endpoint.planner_file.empty()) {
     endpoint.planner_file = (folder / endpoint.planner_file).string();
   }
+  if (endpoint.has_policy_file()) {
+    endpoint.policy_file = (folder / endpoint.policy_file).string();
+  }
   const bool mock = endpoint.kind == match::Endpoint::Kind::kMock;
   if (mock && mock_server::is_script_name(endpoint.behavior)) {
     endpoint.behavior = (folder / endpoint.behavior).string();

@@ -53,6 +53,8 @@ constexpr const char* kMatchDescription =
     "  HOST:PORT+step   the same; player n connects to PORT + n\n"
     "  run:COMMAND      a Playmaker that cls starts; {port} is filled in\n"
     "  team:DIR         an external team: DIR/start or DIR/start.sh\n"
+    "  policy:FILE      a trained policy (docs/training.md); policy:planner,\n"
+    "                   policy:random: its options chosen by the planner, or at random\n"
     "  mix:1=SIDE;2-11=SIDE;coach=SIDE    several Playmakers in one team\n"
     "  each:run:COMMAND                   a process for each player and the coach\n"
     "  planner:FILE=SIDE                  other parameters of the planner\n"

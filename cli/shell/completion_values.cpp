@@ -68,6 +68,7 @@ void add_sides(const ValueContext& context, Completion& completion) {
   constexpr std::pair<const char*, PathKind> kPathForms[] = {{"mock:", PathKind::kFiles},
                                                              {"unix:", PathKind::kFiles},
                                                              {"planner:", PathKind::kFiles},
+                                                             {"policy:", PathKind::kFiles},
                                                              {"team:", PathKind::kFolders}};
 
   for (const auto& [prefix, kind] : kPathForms) {
@@ -86,6 +87,7 @@ void add_sides(const ValueContext& context, Completion& completion) {
                                    {"run:", "COMMAND that starts a Playmaker"},
                                    {"each:run:", "COMMAND, a process for each agent"},
                                    {"team:", "DIR of an external team"},
+                                   {"policy:", "FILE of a trained policy"},
                                    {"planner:", "FILE=SIDE with other parameters"}}) {
     completion.candidates.push_back({form, note});
   }

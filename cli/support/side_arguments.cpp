@@ -157,8 +157,9 @@ int read_playmaker(const std::string& label, const std::string& text,
 
   return print_error(
       kUsage,
-      label + (side.has_playmaker() ? "mix: and each: have several Playmakers; check each of them"
-                                    : "team:DIR has no Playmaker"));
+      label + (!side.policy_file.empty() ? "a policy is not a Playmaker; play it with cls match"
+               : side.has_playmaker() ? "mix: and each: have several Playmakers; check each of them"
+                                      : "team:DIR has no Playmaker"));
 }
 
 int read_side_files(match::Endpoint& side) {

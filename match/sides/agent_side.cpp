@@ -15,6 +15,7 @@
 #include "proxy/playmaker/direct_playmaker.h"
 #include "proxy/playmaker/grpc_playmaker.h"
 #include "proxy/playmaker/mixed_playmaker.h"
+#include "training/policy/policy_player.h"
 
 namespace cls::match {
 namespace {
@@ -102,6 +103,12 @@ proxy::TeamOptions team_options(const SideSetup& setup, const Endpoint& endpoint
   }
 
   team.planner = endpoint.planner;
+  if (endpoint.policy != nullptr) {
+    team.make_own_play = [policy = endpoint.policy]() -> proxy::OwnPlay {
+      const auto player = std::make_shared<training::PolicyPlayer>(policy);
+      return [player](player::ActionContext& context) { player->play(context); };
+    };
+  }
   team.protocol = options.protocol;
   team.on_late = options.on_late;
   team.decision_timeout = reply_timeout(options).value_or(proxy::kNoTimeout);

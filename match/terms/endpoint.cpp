@@ -19,6 +19,7 @@
 #include "proto/rpc.h"
 #include "soccer/protocol/team_name.h"
 #include "soccer/protocol/team_names.h"
+#include "training/policy/policy.h"
 
 namespace cls::match {
 namespace {
@@ -31,6 +32,7 @@ constexpr std::size_t kMaxSocketPath = 107;
 constexpr std::string_view kPlannerForm = "planner:";
 constexpr std::string_view kEachForm = "each:";
 constexpr int kMaxPortStep = 13;
+constexpr std::string_view kCoachOfPolicies = "planner";
 
 Error wrong(std::string_view side, std::string_view what) {
   return Error{fmt::format("side '{}': {}", side, what)};
@@ -63,8 +65,8 @@ Error unknown_form(std::string_view text) {
   }
   message +=
       " (a side is mock, mock:BEHAVIOR, mock:FILE.json, HOST:PORT, HOST:PORT+step, "
-      "tls:HOST:PORT, unix:PATH, run:COMMAND, team:DIR, mix:AGENTS=SIDE;..., each:run:COMMAND or "
-      "planner:FILE=SIDE)";
+      "tls:HOST:PORT, unix:PATH, run:COMMAND, team:DIR, policy:FILE, mix:AGENTS=SIDE;..., "
+      "each:run:COMMAND or planner:FILE=SIDE)";
   return Error{std::move(message)};
 }
 
@@ -115,6 +117,7 @@ Result<Endpoint> parse_mixed(std::string_view text) {
     if (!parsed->planner_file.empty()) {
       return wrong(text, "planner:FILE= applies to the whole team; write it before mix:");
     }
+    if (!parsed->policy_file.empty()) return wrong(text, "a policy plays for a whole team");
     if (!parsed->parts.empty()) return wrong(text, fmt::format("'{}' cannot be a part", part.side));
 
     parsed->label = part.label;
@@ -209,6 +212,7 @@ std::string described_team(const Endpoint& endpoint) {
   using std::filesystem::path;
   switch (endpoint.kind) {
     case Endpoint::Kind::kMock:
+      if (!endpoint.policy_file.empty()) return path(endpoint.policy_file).stem().string();
       return endpoint.behavior.empty() ? "mock" : path(endpoint.behavior).stem().string();
     case Endpoint::Kind::kAddress:
       return fmt::format("{}_{}", endpoint.host, endpoint.port);
@@ -235,6 +239,7 @@ struct SimpleForm {
 
 constexpr SimpleForm kSimpleForms[] = {
     {"mock:", Endpoint::Kind::kMock, &Endpoint::behavior, "behavior"},
+    {"policy:", Endpoint::Kind::kMock, &Endpoint::policy_file, "file"},
     {"unix:", Endpoint::Kind::kUnixSocket, &Endpoint::path, "path"},
     {"team:", Endpoint::Kind::kTeam, &Endpoint::path, "folder"},
 };
@@ -253,6 +258,7 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
     if ((endpoint.*form.member).empty()) {
       return wrong(text, fmt::format("no {} after the colon", form.what));
     }
+    if (!endpoint.policy_file.empty()) endpoint.behavior = kCoachOfPolicies;
     if (form.kind == Kind::kUnixSocket && endpoint.path.size() > kMaxSocketPath) {
       return wrong(text, fmt::format("the path of a socket has at most {} bytes, this one {}",
                                      kMaxSocketPath, endpoint.path.size()));
@@ -294,7 +300,12 @@ bool Endpoint::starts_programs() const {
 
 bool Endpoint::is_built_in() const {
   const bool mixed = kind == Kind::kMixed && std::ranges::all_of(parts, &Endpoint::is_built_in);
-  return (kind == Kind::kMock || mixed) && planner_file.empty() && !has_script(*this);
+  return (kind == Kind::kMock || mixed) && planner_file.empty() && !has_policy_file() &&
+         !has_script(*this);
+}
+
+bool Endpoint::has_policy_file() const {
+  return !policy_file.empty() && !training::is_built_in_policy(policy_file);
 }
 
 Result<void> load_files(Endpoint& endpoint) {
@@ -303,6 +314,9 @@ Result<void> load_files(Endpoint& endpoint) {
   if (!endpoint.planner_file.empty() && endpoint.planner == nullptr) {
     TRY_INIT(auto parameters, read_planner_file(endpoint.planner_file));
     endpoint.planner = std::move(parameters);
+  }
+  if (!endpoint.policy_file.empty() && endpoint.policy == nullptr) {
+    TRY_INIT(endpoint.policy, training::read_policy(endpoint.policy_file));
   }
   if (!has_script(endpoint)) return {};
 
@@ -317,6 +331,8 @@ std::string missing_file(const Endpoint& endpoint) {
   }
   const std::string& planner = endpoint.planner_file;
   if (!planner.empty() && base::absence(planner)) return planner;
+  const std::string& policy = endpoint.policy_file;
+  if (endpoint.has_policy_file() && base::absence(policy)) return policy;
   return has_script(endpoint) && base::absence(endpoint.behavior) ? endpoint.behavior : "";
 }
 

@@ -16,13 +16,17 @@ struct Script;
 namespace cls::player {
 struct PlannerParameters;
 }
+namespace cls::training {
+struct Policy;
+}
 
 namespace cls::match {
 
 /// A parsed SIDE argument.
 struct Endpoint {
   enum class Kind {
-    kMock,        ///< `mock`, `mock:NAME`, `mock:FILE.json`: the bundled Playmaker, in process
+    kMock,        ///< `mock`, `mock:NAME`, `mock:FILE.json`: the bundled Playmaker, in process.
+                  ///< `policy:FILE`: for the coach alone; the players follow a policy
     kAddress,     ///< `HOST:PORT`, `HOST:PORT+step`, `tls:HOST:PORT`: a running Playmaker
     kUnixSocket,  ///< `unix:PATH`: a running Playmaker on a local socket
     kRun,         ///< `run:COMMAND`: a Playmaker that cls starts
@@ -51,11 +55,18 @@ struct Endpoint {
   std::string planner_file;
   /// The content of `planner_file`, once it is read; null: the defaults.
   std::shared_ptr<const player::PlannerParameters> planner;
+  /// kMock: the FILE of `policy:FILE`, or the name of a built-in policy; empty: none.
+  std::string policy_file;
+  std::shared_ptr<const training::Policy> policy;  ///< once it is read
 
   /// True for a side of cls agents with a Playmaker.
   bool has_playmaker() const { return kind != Kind::kTeam; }
   /// True for one Playmaker that decides for all agents.
-  bool has_one_playmaker() const { return has_playmaker() && kind != Kind::kMixed; }
+  bool has_one_playmaker() const {
+    return has_playmaker() && kind != Kind::kMixed && policy_file.empty();
+  }
+  /// True if `policy_file` is a file, not the name of a built-in policy.
+  bool has_policy_file() const;
   /// True for a side for which cls starts programs.
   bool starts_programs() const;
   /// True for a side that needs nothing but `cls` itself: no program, no other host, no file.
@@ -65,8 +76,8 @@ struct Endpoint {
 /// Parses a SIDE. The error quotes the text and lists what is allowed.
 base::Result<Endpoint> parse_endpoint(std::string_view text);
 
-/// Reads the files that cls itself needs for a side: scripts of a mock or of mock parts, and
-/// parameters of the planner. Errors name file and line.
+/// Reads the files that cls itself needs for a side: scripts of a mock or of mock parts, policies
+/// and parameters of the planner. Errors name file and line.
 base::Result<void> load_files(Endpoint& endpoint);
 
 /// The first of these files that does not exist; empty: none.

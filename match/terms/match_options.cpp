@@ -246,6 +246,8 @@ void check_playmakers(const MatchOptions& options, Errors& errors) {
     errors.require(
         options.trainer->planner_file.empty(),
         fmt::format("--trainer '{}': a trainer does not use the planner", options.trainer->text));
+    errors.require(options.trainer->policy_file.empty(),
+                   fmt::format("--trainer '{}': a trainer has no policy", options.trainer->text));
     sides.push_back(&*options.trainer);
   }
 

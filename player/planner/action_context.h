@@ -44,6 +44,7 @@ enum class DecidedBy : std::uint8_t {
   kForceKick,
   kHeardPass,
   kNoReply,  ///< the proxy, without a reply
+  kOwnPlay,  ///< the player itself, by a policy; no Playmaker was asked
 };
 
 /// How the latest decision was executed.

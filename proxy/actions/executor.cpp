@@ -165,6 +165,18 @@ void execute(const protos::PlayerActions& reply, const player::WorldModel& world
   execute(reply, world, memory, slots, report, choice);
 }
 
+void execute_own_play(const OwnPlay& play, const player::WorldModel& world,
+                      player::ActionMemory& memory, player::CommandSlots& slots,
+                      player::ActionReport& report) {
+  player::NeckPlan neck;
+  player::PlanChoice choice;
+  player::ActionContext context{world, memory, slots, neck, report, choice};
+  player::begin_decision(context);
+  memory.trace.by = player::DecidedBy::kOwnPlay;
+  play(context);
+  player::finish_decision(context);
+}
+
 void execute_without_reply(const player::WorldModel& world, player::ActionMemory& memory,
                            player::CommandSlots& slots, player::ActionReport& report) {
   player::NeckPlan neck;

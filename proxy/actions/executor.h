@@ -1,6 +1,8 @@
 // Executes a Playmaker's reply as this cycle's commands.
 #pragma once
 
+#include <functional>
+
 #include "player/commands/command_slots.h"
 #include "player/planner/action_context.h"
 #include "player/world/world_model.h"
@@ -26,6 +28,15 @@ void execute(const protos::PlayerActions& reply, const player::WorldModel& world
 void execute(const protos::PlayerActions& reply, const player::WorldModel& world,
              player::ActionMemory& memory, player::CommandSlots& slots,
              player::ActionReport& report);
+
+/// What a player does instead of a list, automatic play included: between begin_decision() and
+/// finish_decision().
+using OwnPlay = std::function<void(player::ActionContext& context)>;
+
+/// One decision by it.
+void execute_own_play(const OwnPlay& play, const player::WorldModel& world,
+                      player::ActionMemory& memory, player::CommandSlots& slots,
+                      player::ActionReport& report);
 
 /// Automatic play for missed decisions (OnLate::kDefault). Replaces `out`: clear the ball,
 /// intercept it when first, otherwise move to the home position; look at the ball.

@@ -81,6 +81,7 @@ PlayerAgent::PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions 
   server_.reads_values = server_.channel->ask_for_values();
   if (options_.formations != nullptr) world_.formations = options_.formations;
   if (options_.planner != nullptr) world_.planner = options_.planner;
+  if (options_.make_own_play) own_play_ = options_.make_own_play();
 }
 
 bool PlayerAgent::connect() {
@@ -269,7 +270,9 @@ bool PlayerAgent::act(const protos::PlayerActions& actions) {
   choice_ = {};
   player::CommandSlots slots(world);
 
-  if (world.self.kickable && requests_choice(actions)) {
+  if (has_own_play()) {
+    execute_own_play(own_play_, world, memory_, slots, statistics_.actions);
+  } else if (world.self.kickable && requests_choice(actions)) {
     // This attempt is repeated with the choice.
     choice_.chooser = player::PlanChoice::Chooser::kPlaymaker;
     player::ActionMemory memory = memory_;

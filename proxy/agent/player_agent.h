@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "player/perception/perception.h"
 #include "player/planner/action_context.h"
 #include "proto/playmaker.pb.h"
+#include "proxy/actions/executor.h"
 #include "proxy/agent/full_state_use.h"
 #include "proxy/agent/on_late.h"
 #include "proxy/connection/agent.h"
@@ -35,6 +37,8 @@ struct PlayerOptions {
   std::shared_ptr<const player::FormationSet> formations;    ///< null: built-in
   std::shared_ptr<const player::PlannerParameters> planner;  ///< null: the defaults
   FullStateUse full_state = FullStateUse::kReference;
+  /// Makes the play of one player, which replaces the lists of the Playmaker. Empty: the lists.
+  std::function<OwnPlay()> make_own_play;
 };
 
 struct AgentOptions : PlayerOptions {
@@ -58,6 +62,8 @@ class PlayerAgent : public Agent {
   /// `now` is used in real time only.
   bool decision_due(Instant now = {}) const { return !deciding() && timer_.due(now); }
   const DecisionTimer& timer() const { return timer_; }
+  /// True if lists of the Playmaker are not executed.
+  bool has_own_play() const { return own_play_ != nullptr; }
   bool deciding() const { return phase_ != Phase::kIdle; }
   /// Completes the world model for the due decision and returns the world of the decision, which
   /// is rotated in a shoot-out, and exact with FullStateUse::kOverride. Once per decision; valid
@@ -109,6 +115,7 @@ class PlayerAgent : public Agent {
   bool has_full_state() const;
 
   AgentOptions options_;
+  OwnPlay own_play_;  ///< may be empty
   player::ActionMemory memory_;
   DecisionTimer timer_;
   Phase phase_ = Phase::kIdle;

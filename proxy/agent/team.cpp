@@ -279,7 +279,7 @@ void Team::execute(Reply reply) {
     request_planner_choice(agent, reply);
     return;
   }
-  report_decision(agent, actions, reply.status, reply.latency);
+  report_decision(agent, agent.has_own_play() ? nullptr : actions, reply.status, reply.latency);
   warn_of_actions(agent);
   warn_of_server(agent.server().errors);
 }

@@ -1,5 +1,7 @@
 """Trained policies as files: a small network in NumPy, with what it sees and does.
 
+Policies that choose among options are files of another kind: cls_gym.network.
+
 A file is an .npz archive: weight0, bias0, weight1, ... float32 and `about`, a JSON text with
 schema "cls.policy/1", task, features, feature_version, actions, action_version, teammates and
 opponents. A policy plays only with the sets and versions that it was trained with.
@@ -13,12 +15,12 @@ from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
+from cls_gym.network import MAGIC, PolicyError
+
+__all__ = ["Policy", "PolicyError", "describe", "from_torch", "load", "misfit"]
+
 SCHEMA = "cls.policy/1"
 Layer = Tuple[np.ndarray, np.ndarray]
-
-
-class PolicyError(ValueError):
-    """A file that is not a policy, or one for other features or actions."""
 
 
 class Policy:
@@ -118,10 +120,16 @@ def _count(names: List[str], team: str) -> int:
 def load(path: Union[str, pathlib.Path]) -> Policy:
     """Reads a file. Raises PolicyError if it is none."""
     try:
+        with open(path, "rb") as file:
+            if file.read(len(MAGIC)) == MAGIC:
+                raise PolicyError(f"{path}: is of cls.policy/2: cls_gym.network.load reads it, and "
+                                  "cls match policy:FILE plays it")
         with np.load(path, allow_pickle=False) as archive:
             about = json.loads(str(archive["about"]))
             count = sum(name.startswith("weight") for name in archive.files)
             layers = [(archive[f"weight{i}"], archive[f"bias{i}"]) for i in range(count)]
+    except PolicyError:
+        raise
     except OSError as error:
         raise PolicyError(f"{path}: cannot read: {error.strerror or error}") from error
     except Exception as error:  # an untrusted file may be damaged in any way

@@ -3,7 +3,7 @@ import unittest
 
 import gym_support  # noqa: F401  first: may hide gymnasium
 import numpy as np
-from gym_support import ACTION_SETS, differences, seeded_actions
+from gym_support import ACTION_SETS, differences, of_set, seeded_actions
 
 import cls_gym
 
@@ -14,7 +14,7 @@ class Masks(unittest.TestCase):
     def test_they_fit_sample_in_every_action_set(self):
         for actions in ACTION_SETS:
             for task in (HFO, "cls/HFO-2v1-v0"):
-                with self.subTest(f"{task} {actions}"), cls_gym.Env(task, actions=actions) as env:
+                with self.subTest(f"{task} {actions}"), cls_gym.Env(task, **of_set(actions)) as env:
                     _, info = env.reset(seed=1)
                     env.action_space.seed(1)
                     for _ in range(40):
@@ -25,7 +25,7 @@ class Masks(unittest.TestCase):
                         if terminated or truncated:
                             _, info = env.reset()
                 with self.subTest(f"vector {task} {actions}"), \
-                        cls_gym.VectorEnv(task, 3, actions=actions) as envs:
+                        cls_gym.VectorEnv(task, 3, **of_set(actions)) as envs:
                     _, infos = envs.reset(seed=1)
                     envs.action_space.seed(1)
                     for _ in range(40):

@@ -12,7 +12,7 @@ import warnings
 
 import gym_support  # first: may hide gymnasium
 import numpy as np
-from gym_support import ACTION_SETS, differences, seeded_actions
+from gym_support import ACTION_SETS, differences, of_set, seeded_actions
 
 import cls_gym
 from cls_gym import _config, _engine, _history
@@ -75,7 +75,7 @@ class Snapshots(unittest.TestCase):
         self.assertEqual(differences(play_on(env), rest), [])
 
     def test_every_action_set_and_what_players_know_travel(self):
-        for config in ([{"actions": one} for one in ACTION_SETS]
+        for config in ([of_set(one) for one in ACTION_SETS]
                        + [{"actions": "hfo", "obs": "world_model"}]):
             with self.subTest(config):
                 env = self.begun("cls/HFO-2v1-v0", **config)

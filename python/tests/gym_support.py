@@ -14,6 +14,11 @@ TASKS = [f"cls/{task['id']}-v{task['version']}" for task in cls_gym.catalog()["t
 ACTION_SETS = [entry.get("name") or entry.get("set") for entry in cls_gym.catalog()["action_sets"]]
 
 
+def of_set(actions):
+    """Keywords of an environment with this action set."""
+    return {"actions": actions, **({"obs": "world_model"} if actions == "options" else {})}
+
+
 def seeded_actions(space, seed, count):
     """Random actions that depend on the seed alone."""
     space.seed(seed)

@@ -10,7 +10,7 @@ import warnings
 
 import gym_support  # first: may hide gymnasium
 import numpy as np
-from gym_support import ACTION_SETS, FULL, TASKS, differences, seeded_actions
+from gym_support import ACTION_SETS, FULL, TASKS, differences, of_set, seeded_actions
 
 import cls_gym
 
@@ -33,7 +33,7 @@ class Conventions(unittest.TestCase):
 
     def test_every_action_set_follows_them(self):
         for actions in ACTION_SETS:
-            with self.subTest(actions), cls_gym.Env(HFO, actions=actions) as env:
+            with self.subTest(actions), cls_gym.Env(HFO, **of_set(actions)) as env:
                 self.check(env, 120)
 
     def check(self, env, steps):

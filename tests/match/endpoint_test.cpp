@@ -59,7 +59,7 @@ TEST(Endpoint, ReportsErrorAndAllForms) {
   EXPECT_EQ(error_of("moc"),
             "unknown side 'moc'; did you mean 'mock'? (a side is mock, mock:BEHAVIOR, "
             "mock:FILE.json, HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
-            "run:COMMAND, team:DIR, mix:AGENTS=SIDE;..., each:run:COMMAND or "
+            "run:COMMAND, team:DIR, policy:FILE, mix:AGENTS=SIDE;..., each:run:COMMAND or "
             "planner:FILE=SIDE)");
   EXPECT_THAT(error_of("brain"), HasSubstr("unknown side 'brain' (a side is"));
   EXPECT_THAT(error_of("localhost"), HasSubstr("did you mean 'localhost:50051'?"));

@@ -33,7 +33,8 @@ void check_conditions(ErrorList& errors, const Conditions& conditions) {
 bool plays_elsewhere(const match::Endpoint& endpoint) {
   if (endpoint.kind == match::Endpoint::Kind::kTeam) return endpoint.parts.empty();
   return endpoint.kind == match::Endpoint::Kind::kMock &&
-         endpoint.behavior.find('.') == std::string::npos && endpoint.planner_file.empty();
+         endpoint.behavior.find('.') == std::string::npos && endpoint.planner_file.empty() &&
+         !endpoint.has_policy_file();
 }
 
 void check_hosts(ErrorList& errors, const TournamentConfig& config) {

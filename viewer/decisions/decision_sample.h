@@ -37,6 +37,7 @@ enum class DecisionMaker : std::uint8_t {
   kForceKick,
   kHeardPass,
   kNoReply,
+  kOwnPlay,
 };
 
 struct DecisionSample {

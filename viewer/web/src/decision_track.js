@@ -156,6 +156,7 @@ const kMakers = [
   'The proxy decided before the list was tried: a forced kick.',
   'The proxy decided before the list was tried: a pass that a teammate announced.',
   'The proxy decided without a reply.',
+  'The player decided by its policy; no Playmaker was asked.',
 ];
 
 /** @param {number} maker @returns {string} who chose the command */

@@ -1,0 +1,93 @@
+// From a world model to features, scores and an option.
+#include "training/policy/policy_player.h"
+
+#include <utility>
+
+#include "base/index.h"
+#include "soccer/random.h"
+#include "training/npc/driver.h"
+#include "training/scene/estimated_scene.h"
+
+namespace cls::training {
+namespace {
+
+using player::OptionTable;
+
+std::vector<int> slots_of(Side side) {
+  std::vector<int> slots;
+  for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
+    slots.push_back(soccer::slot_of(side, unum));
+  }
+  return slots;
+}
+
+/// kAutoOption is what other policies and players do without choosing.
+bool may_choose(const OptionTable& table, int id) {
+  return id != player::kAutoOption && table.legal[base::index(id)];
+}
+
+}  // namespace
+
+int best_option(const OptionTable& table, const float* scores) {
+  int best = player::kAutoOption;
+  for (int id = 0; id < player::kOptionCount; ++id) {
+    if (!may_choose(table, id)) continue;
+    if (best == player::kAutoOption || scores[id] > scores[best]) best = id;
+  }
+  return best;
+}
+
+PolicyPlayer::PolicyPlayer(std::shared_ptr<const Policy> policy) : policy_(std::move(policy)) {
+  everybody_.left = slots_of(Side::kLeft);
+  everybody_.right = slots_of(Side::kRight);
+  features_.resize(base::index(policy_->network.features()));
+  memory_.resize(base::index(policy_->network.memory()));
+}
+
+bool PolicyPlayer::decides() const {
+  if (table_.choice == OptionTable::Choice::kWithBall) return true;
+  return table_.choice == OptionTable::Choice::kWithoutBall &&
+         policy_->decides == PolicyDecides::kAll;
+}
+
+void PolicyPlayer::play(player::ActionContext& context) {
+  find_options(context, table_);
+  play_option(context, table_, decides() ? choose(context) : player::kAutoOption);
+}
+
+int PolicyPlayer::choose(const player::ActionContext& context) {
+  switch (policy_->kind) {
+    case PolicyKind::kPlanner:
+      return planner_option(context.world, table_, planner_options());
+    case PolicyKind::kRandom:
+      return choose_randomly(context.world);
+    case PolicyKind::kNetwork:
+      break;
+  }
+  return choose_by_network(context.world);
+}
+
+int PolicyPlayer::choose_by_network(const player::WorldModel& world) {
+  fill_scene(world, everybody_, scene_);
+  const Seat self = seat_of(world.our_side, soccer::slot_of(world.our_side, world.unum));
+  PointOfView view{scene_, everybody_, self, {-soccer::kHalfLength, soccer::kHalfLength}};
+  view.world = &world;
+  view.options = &table_;
+  policy_->features->fill(view, features_.data());
+  return best_option(table_, policy_->network.run(features_.data(), memory_.data(), workspace_));
+}
+
+int PolicyPlayer::choose_randomly(const player::WorldModel& world) const {
+  const player::GameTime now = world.game.time;
+  soccer::RandomStream stream(static_cast<std::uint64_t>(world.unum), "random policy",
+                              static_cast<std::uint64_t>(now.cycle),
+                              static_cast<std::uint64_t>(now.stopped));
+  base::FixedList<int, player::kOptionCount> legal;
+  for (int id = 0; id < player::kOptionCount; ++id) {
+    if (may_choose(table_, id)) legal.push_back(id);
+  }
+  return legal.empty() ? player::kAutoOption
+                       : legal[base::index(stream.integer(static_cast<int>(legal.size())))];
+}
+
+}  // namespace cls::training
