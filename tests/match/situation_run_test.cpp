@@ -149,6 +149,15 @@ TEST_F(SituationRunTest, PlaysAllSituationsWithTheirCycles) {
   EXPECT_DOUBLE_EQ(result.value, sum / 4);
 }
 
+TEST_F(SituationRunTest, PlaysAsManyCyclesWithoutWarmUp) {
+  analysis::Book book = rolling_ball();
+  book.warm_up = 0;
+  for (analysis::Situation& situation : book.situations) situation.frames.resize(1);
+  arrange(std::move(book), 2);
+  EXPECT_EQ(play(1000), 2 * kCycles);
+  EXPECT_EQ(run_->result().situations.at(1).cycles, kCycles);
+}
+
 TEST_F(SituationRunTest, EndsASituationWithAGoal) {
   analysis::Book book = rolling_ball();
   for (analysis::Situation& situation : book.situations) {
