@@ -30,12 +30,20 @@ async function bundle(file, options = {}) {
   return outputFiles[0].text;
 }
 
-// Files as texts, and bundles within bundles.
+/** What the tutorial changes in decide.js: the lines below this mark in docs/tutorial.md, in a fence. */
+function changeOfTutorial() {
+  const tutorial = readFileSync(`${here}../../docs/tutorial.md`, 'utf8');
+  return /<!-- change: javascript src\/decide\.js -->\n```js\n([^]*?)```\n/.exec(tutorial)[1];
+}
+
+// Files as texts, the change of the tutorial, and bundles within bundles.
 const texts = {
   name: 'texts',
   setup({ onResolve, onLoad }) {
     onResolve({ filter: /\?text$/ }, ({ path, resolveDir }) => ({ path: new URL(path.slice(0, -5), `file://${resolveDir}/`).pathname, namespace: 'text' }));
     onLoad({ filter: /./, namespace: 'text' }, ({ path }) => ({ contents: readFileSync(path, 'utf8'), loader: 'text' }));
+    onResolve({ filter: /^tutorial:change$/ }, ({ path }) => ({ path, namespace: 'tutorial' }));
+    onLoad({ filter: /./, namespace: 'tutorial' }, () => ({ contents: changeOfTutorial(), loader: 'text' }));
     onResolve({ filter: /^bundled:/ }, ({ path }) => ({ path: path.slice(8), namespace: 'bundle' }));
     onLoad({ filter: /./, namespace: 'bundle' }, async ({ path }) => ({ contents: await bundle(path), loader: 'text' }));
   },

@@ -79,6 +79,22 @@ export class Editor {
     }
   }
 
+  /** Replaces a file by a text, and selects what differs: one step back for the visitor. @param {string} file @param {string} text */
+  replace(file, text) {
+    this.open(file);
+    const before = this.view.state.doc.toString();
+    let from = 0;
+    while (from < text.length && before[from] === text[from]) ++from;
+    let rest = 0;
+    while (rest < Math.min(text.length, before.length) - from && before.at(-1 - rest) === text.at(-1 - rest)) ++rest;
+    const insert = text.slice(from, text.length - rest);
+    const line = text.lastIndexOf('\n', from - 1) + 1;
+    this.view.dispatch({
+      changes: { from, to: before.length - rest, insert }, selection: { anchor: from, head: from + insert.length },
+      effects: EditorView.scrollIntoView(line, { y: 'center' }),
+    });
+  }
+
   /** Shows a line and marks it. @param {string} file @param {number} line from 1 @param {string} message */
   mark(file, line, message) {
     this.open(file);

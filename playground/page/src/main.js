@@ -1,4 +1,4 @@
-// The page: watch, write, improve and share matches. It joins the parts and keeps what they have in common.
+// The page: watch, learn, write, improve and share matches. It joins the parts and keeps what they have in common.
 import { element, setText } from '../../../viewer/web/src/dom.js';
 import { saveFile } from '../../../viewer/web/src/export.js';
 import { Engine } from '../../web/engine.js';
@@ -8,8 +8,10 @@ import { FieldFrame } from './field_frame.js';
 import { playMatch, Sandbox } from './matches.js';
 import { Output } from './output.js';
 import { fragmentOf, hasMatch, matchOf } from './share_link.js';
+import { kTutorialMatch } from './lessons.js';
 import { Storage } from './storage.js';
-import { CodeError, kTemplate, placeIn, reachableFiles } from './team_files.js';
+import { CodeError, kMainFile, kTemplate, placeIn, reachableFiles } from './team_files.js';
+import { hasLesson, lessonOf, Tutorial } from './tutorial.js';
 import { zipOf } from './zip.js';
 
 const kMocks = [
@@ -34,6 +36,16 @@ class Playground {
     this.editor = new Editor(byId('files'), byId('editor'), { onEdit: () => this.#onEdit(), onRun: () => this.playChosen() });
     this.verdict = new VerdictPanel();
     byId('verdict').append(this.verdict.root);
+    this.tutorial = new Tutorial(byId('learn'), {
+      done: this.storage.lessons,
+      documentation: document.querySelector('meta[name=documentation]').content,
+      onOpen: () => this.#showLesson(),
+      onTry: () => this.#tryLesson(),
+      onEdit: (edit) => this.#editForLesson(edit),
+      onDone: (ids) => {
+        this.storage.lessons = ids;
+      },
+    });
     this.playing = null; // an AbortController
     this.logs = null;
     this.#listen();
@@ -44,6 +56,8 @@ class Playground {
 
   /** Loads the engine, then plays: the first match, or that of a link once the visitor asks for it. */
   async start() {
+    const learns = hasLesson(location.hash);
+    if (learns) this.#openLesson(location.hash);
     try {
       const response = await fetch('cls.wasm');
       if (!response.ok) throw new Error(`${response.status}`);
@@ -53,7 +67,7 @@ class Playground {
     }
     this.sandbox = new Sandbox(this.bytes);
     if (hasMatch(location.hash)) await this.#openLink(location.hash);
-    else this.playChosen();
+    else if (!learns || this.early) this.playChosen();
   }
 
   #listen() {
@@ -77,7 +91,10 @@ class Playground {
     byId('save-game-log').onclick = () => saveFile(new Blob(this.logs.game), 'match.rcg');
     byId('save-text-log').onclick = () => saveFile(new Blob(this.logs.text), 'match.rcl');
     byId('compare-form').elements.workers.value = Math.max(1, Math.min(64, navigator.hardwareConcurrency || 2));
-    window.addEventListener('hashchange', () => hasMatch(location.hash) && this.#openLink(location.hash));
+    window.addEventListener('hashchange', () => {
+      if (hasMatch(location.hash)) this.#openLink(location.hash);
+      if (hasLesson(location.hash)) this.#openLesson(location.hash);
+    });
     window.addEventListener('storage', () => this.#followTheme());
     this.#followTheme();
   }
@@ -89,16 +106,59 @@ class Playground {
     else delete document.documentElement.dataset.theme;
   }
 
-  /** @param {string} step watch, write or improve */
+  /** @param {string} step watch, learn, write or improve */
   openStep(step) {
     document.body.dataset.step = step;
+    const side = step === 'learn' ? this.tutorial.lesson.side : step;
+    if (step === 'learn') history.replaceState(null, '', this.tutorial.fragment);
+    else if (hasLesson(location.hash)) history.replaceState(null, '', location.pathname + location.search);
     for (const button of document.querySelectorAll('.steps button')) button.setAttribute('aria-pressed', String(button.dataset.step === step));
-    byId('write').hidden = step !== 'write';
-    byId('improve').hidden = step !== 'improve';
+    byId('learn').hidden = step !== 'learn';
+    byId('write').hidden = side !== 'write';
+    byId('improve').hidden = side !== 'improve';
     if (step === 'write' && this.form.left.value !== kMine && this.form.right.value !== kMine) {
       this.form.left.value = kMine;
       this.form.right.value = 'mock:simple';
     }
+  }
+
+  /** The step that a link names. */
+  #openLesson(hash) {
+    const lesson = lessonOf(hash);
+    if (!lesson) return this.#showBanner('This link is broken: the tutorial has no such step.', 'Open the tutorial', () => this.openStep('learn'));
+    byId('banner').hidden = true;
+    this.tutorial.open(lesson);
+    if (!this.playing) this.#showResult('Nothing is played yet.');
+  }
+
+  /** The match and the opponent of the step. */
+  #showLesson() {
+    const { attempt } = this.tutorial.lesson;
+    if (attempt.kind === 'match') this.#choose({ left: kMine, ...kTutorialMatch });
+    if (attempt.kind === 'compare') {
+      byId('compare-form').elements.cycles.value = attempt.cycles;
+      if (!this.kept) this.#keep(kTemplate);
+      byId('compare-form').elements.base.value = kKept;
+    }
+    this.openStep('learn');
+  }
+
+  #tryLesson() {
+    const { attempt } = this.tutorial.lesson;
+    if (attempt.kind === 'match') {
+      this.#showLesson();
+      this.playChosen();
+    }
+    if (attempt.kind === 'compare') this.compareTeams();
+    if (attempt.kind === 'download') this.#downloadTeam();
+  }
+
+  #editForLesson({ edit, keep }) {
+    const code = this.editor.files[kMainFile];
+    const changed = edit(code);
+    if (changed === code) return this.tutorial.refuse('Your code has no place for this: Start again gives the first version.');
+    if (keep) this.#keep();
+    this.editor.replace(kMainFile, changed);
   }
 
   #showTeam() {
@@ -109,7 +169,7 @@ class Playground {
   /** The teams to choose from, as options of all lists. */
   #showSides() {
     const own = [[kMine, `${this.team.name} (your code)`]];
-    if (this.kept) own.push([kKept, `${this.kept.name} (kept)`]);
+    if (this.kept) own.push([kKept, this.kept.name === kKept ? 'the kept version' : `${this.kept.name} (kept)`]);
     const fill = (select, choices) => {
       const { value } = select;
       select.replaceChildren(...choices.map(([side, label]) => element('option', { value: side }, label)));
@@ -145,7 +205,8 @@ class Playground {
   }
 
   playChosen() {
-    if (!this.sandbox || !byId('match-form').reportValidity()) return;
+    this.early = !this.sandbox; // start() then plays
+    if (this.early || !byId('match-form').reportValidity()) return;
     this.play(this.chosenMatch());
   }
 
@@ -162,9 +223,11 @@ class Playground {
     this.#showResult('The teams line up.');
     this.field.open('The match in the replay viewer');
     const began = performance.now();
+    const warnings = [];
     const onPiece = ({ status, lines, view }) => {
       this.output.add(lines);
       this.output.addWarnings(status.warnings);
+      warnings.push(...status.warnings);
       this.field.push(view);
       this.#showResult(`${scoreText(status)}, played to cycle ${status.cycle}`);
     };
@@ -174,6 +237,7 @@ class Playground {
       if (coded) this.field.addDecisions(done.decisions);
       else this.field.endWithoutDecisions('The page records decisions where a team in JavaScript plays');
       await this.#finish(done, performance.now() - began);
+      this.tutorial.hear({ kind: 'match', match, status: done.status, warnings: [...warnings, ...done.status.warnings] });
     } catch (error) {
       if (!playing.signal.aborted) this.#showProblem(error);
     }
@@ -231,11 +295,13 @@ class Playground {
   #downloadTeam() {
     const files = Object.fromEntries(Object.entries(this.editor.files).map(([name, text]) => [`src/${name}`, text]));
     saveFile(zipOf(files), `${this.team.name}.zip`);
+    this.tutorial.hear({ kind: 'download' });
     this.output.add([{ level: 'info', side: '', text: `Unpack ${this.team.name}.zip in a project of: cls new javascript ${this.team.name}` }]);
   }
 
-  #keep() {
-    this.kept = { name: 'kept', files: this.editor.files };
+  /** Keeps a version to compare with. */
+  #keep(files = this.editor.files) {
+    this.kept = { name: kKept, files };
     this.storage.kept = this.kept;
     this.#showSides();
     byId('compare-form').elements.base.value = kKept;
@@ -264,6 +330,7 @@ class Playground {
         this.verdict.show(verdict, { played, running: true, ...names });
       }, this.comparing.signal).catch((error) => this.#tellComparison(error));
       this.verdict.show(verdict, { played, running: false, ...names });
+      if (verdict.decision !== 'open') this.tutorial.hear({ kind: 'verdict', decision: verdict.decision, withKept: task.base === this.kept });
     } finally {
       this.comparing = null;
       byId('compare').disabled = false;

@@ -1,4 +1,4 @@
-// The visitor's team in the browser's storage, which may be forbidden. Code of links is not kept there.
+// The visitor's team and steps in the browser's storage, which may be forbidden. Code of links is not kept there.
 import { areTeamFiles } from './team_files.js';
 
 const kViewerKey = 'cls-viewer'; // of viewer/web/src/settings.js
@@ -39,6 +39,16 @@ export class Storage {
 
   set kept(team) {
     this.#write('cls-kept-team', team);
+  }
+
+  /** The steps of the tutorial that are done. @returns {string[]} */
+  get lessons() {
+    const ids = this.#read('cls-lessons');
+    return Array.isArray(ids) ? ids : [];
+  }
+
+  set lessons(ids) {
+    this.#write('cls-lessons', ids);
   }
 
   get viewerSettings() {

@@ -71,7 +71,7 @@ test('the page fits any window, in each step', async () => {
   const { page, context } = await site.open();
   await whenShown(page);
   const outside = [];
-  for (const step of ['watch', 'write', 'improve']) {
+  for (const step of ['watch', 'learn', 'write', 'improve']) {
     await page.click(`.steps [data-step=${step}]`);
     for (const width of kWidths) {
       await page.setViewportSize({ width, height: width < 700 ? 800 : Math.round(width * 0.6) });
@@ -88,7 +88,7 @@ test('axe finds nothing, in each step, dark and light', async () => {
   for (const colorScheme of ['dark', 'light']) {
     const { page, context } = await site.open('', { colorScheme });
     await whenShown(page);
-    for (const step of ['watch', 'write', 'improve']) {
+    for (const step of ['watch', 'learn', 'write', 'improve']) {
       await page.click(`.steps [data-step=${step}]`);
       assert.deepEqual(await accessibilityViolations(page, { exclude: ['iframe'] }), [], `${step}, ${colorScheme}`);
     }

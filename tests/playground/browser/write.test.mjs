@@ -167,20 +167,28 @@ test('a team reaches neither network nor storage', async () => {
   await context.close();
 });
 
-test('pairs of matches play on all cores until the verdict of cls compare', async () => {
-  const { page, problems, context } = await site.open();
-  await whenShown(page);
+test('pairs of matches play on all cores until the verdict of cls compare, which the tutorial hears', async () => {
+  const { page, problems, context } = await atWrite();
+  const code = await codeOf(page);
+  // The players of the kept version stay where they are: a team that kicks at the goal beats them soon.
+  await writeCode(page, HOLD);
   await page.click('.steps [data-step=improve]');
-  // The players of hold stay where they are: a team that kicks at the goal beats them soon.
-  await page.selectOption('#compare-form [name=base]', 'mock:hold');
+  await page.click('#keep');
+  await page.evaluate((text) => window.clsPlayground.editor.replace('decide.js', text), code);
+
+  await page.click('.steps [data-step=learn]');
+  await page.click('[data-lesson=is-it-better]');
+  assert.equal(await page.inputValue('#compare-form [name=base]'), 'kept');
+  assert.equal(await page.inputValue('#compare-form [name=cycles]'), '3000');
   await page.evaluate(() => document.querySelector('#compare-form [name=cycles]').append(new Option('500 cycles', '500')));
   await page.selectOption('#compare-form [name=cycles]', '500');
-  await page.click('#compare');
+  await page.locator('#learn').getByRole('button', { name: 'Compare' }).click();
   const headline = page.locator('.verdict');
-  await headline.filter({ hasText: /Mine is better than hold/ }).waitFor({ timeout: 2 * LONG });
+  await headline.filter({ hasText: /Mine is better than the kept version/ }).waitFor({ timeout: 2 * LONG });
   assert.equal(await page.locator('.verdict-panel').getAttribute('data-decision'), 'H1');
   assert.match(await page.locator('.verdict-panel').textContent(), /\+\d+ Elo .*6 pairs, 1[2-4] matches/);
   assert.ok(await page.locator('#stop').isDisabled());
+  await page.locator('.lesson-state').filter({ hasText: 'Done. Your team is better' }).waitFor();
   assert.deepEqual(problems, []);
   await context.close();
 });
