@@ -2,11 +2,12 @@
 // package.json lists.
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { fileURLToPath } from 'node:url';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
+const root = `${here}../../`;
 const [wasm, output, tools] = process.argv.slice(2);
 const { build } = installed();
 const kCommon = { bundle: true, minify: true, format: 'iife', target: ['chrome109', 'firefox115', 'safari16.4'], legalComments: 'none', write: false };
@@ -32,8 +33,44 @@ async function bundle(file, options = {}) {
 
 /** What the tutorial changes in decide.js: the lines below this mark in docs/tutorial.md, in a fence. */
 function changeOfTutorial() {
-  const tutorial = readFileSync(`${here}../../docs/tutorial.md`, 'utf8');
+  const tutorial = readFileSync(`${root}docs/tutorial.md`, 'utf8');
   return /<!-- change: javascript src\/decide\.js -->\n```js\n([^]*?)```\n/.exec(tutorial)[1];
+}
+
+/** The files around a team in the project that the page saves, by path. */
+function projectFiles() {
+  const text = (path) => readFileSync(`${root}${path}`, 'utf8');
+  const files = Object.fromEntries(['run', 'package.json', 'src/main.js', 'src/service.js'].map((path) => [path, text(`examples/javascript/${path}`)]));
+  for (const name of ['playmaker.proto', 'team_playmaker.proto']) files[`proto/${name}`] = text(`proto/${name}`);
+  for (const name of readdirSync(`${root}examples/project/tests`)) files[`tests/${name}`] = text(`examples/project/tests/${name}`);
+  return { ...files, 'cls.toml': text('examples/project/cls.toml'), '.gitignore': text('examples/project/gitignore') };
+}
+
+const sourceHash = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
+
+/** A replay page up to its match, as viewer/page/page.cpp writes it. */
+async function replayStart(program) {
+  const version = /^project\(cls VERSION ([0-9.]+)/m.exec(readFileSync(`${root}CMakeLists.txt`, 'utf8'))[1];
+  const script = (await bundle(program)).replaceAll('</script', '<\\/script');
+  const style = readFileSync(`${root}viewer/web/style.css`, 'utf8');
+  const settings = JSON.stringify({ schema: 'cls.page/1', cls: version, at: null, players: [], live: null });
+  const policy = `default-src 'none'; script-src ${sourceHash(script)}; style-src ${sourceHash(style)}; img-src data: blob:; base-uri 'none'; form-action 'none'`;
+  return `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="${policy}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="generator" content="cls ${version}">
+<title>@TITLE@</title>
+<style>${style}</style>
+</head>
+<body>
+<noscript><p>This page shows a match with JavaScript, which is switched off.</p></noscript>
+<div id="app"></div>
+<script type="application/json" id="settings">${settings}</script>
+<script>${script}</script>
+`;
 }
 
 // Files as texts, the change of the tutorial, and bundles within bundles.
@@ -56,8 +93,9 @@ const save = (name, text) => writeFileSync(`${output}/${name}`, text);
 save('page.js', await bundle('main.js', { plugins: [texts] }));
 save('field.js', await bundle('field.js'));
 const sandbox = (await bundle('sandbox.js', { plugins: [texts] })).replaceAll('</script', '<\\/script');
-const hash = createHash('sha256').update(sandbox).digest('base64');
-save('sandbox.html', readFileSync(`${here}sandbox.html`, 'utf8').replace('HASH', `sha256-${hash}`).replace('PROGRAM', () => sandbox));
+save('sandbox.html', readFileSync(`${here}sandbox.html`, 'utf8').replace("'HASH'", sourceHash(sandbox)).replace('PROGRAM', () => sandbox));
+save('project.json', JSON.stringify(projectFiles()));
+save('replay.json', JSON.stringify({ viewer: await replayStart('replay.js'), debugger: await replayStart('replay_debugger.js') }));
 for (const name of ['index.html', 'field.html', 'page.css', 'field-in-page.css']) copyFileSync(here + name, `${output}/${name}`);
-copyFileSync(`${here}../../viewer/web/style.css`, `${output}/field.css`);
+copyFileSync(`${root}viewer/web/style.css`, `${output}/field.css`);
 copyFileSync(wasm, `${output}/cls.wasm`);

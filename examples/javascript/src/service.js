@@ -4,7 +4,7 @@ import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import grpc from '@grpc/grpc-js';
 import loader from '@grpc/proto-loader';
-import { decide, decideAsCoach, decideAsTrainer } from './decide.js';
+import * as decisions from './decide.js';
 
 const COACH = 12;
 const TRAINER = 13;
@@ -35,14 +35,15 @@ export function gameMethods(withCoach) {
     SendPlayerType: () => ({}),
     SendInitMessage: () => ({}),
     SendByeCommand: () => ({}),
-    GetPlayerActions: (state) => decide(state),
+    GetPlayerActions: (state) => decisions.decide(state),
     GetCoachActions: (state) => {
-      if (!withCoach) {
-        throw { code: grpc.status.UNIMPLEMENTED, message: 'started without --coach' };
+      if (!withCoach || !decisions.decideAsCoach) {
+        const message = withCoach ? 'decide.js exports no decideAsCoach' : 'started without --coach';
+        throw { code: grpc.status.UNIMPLEMENTED, message };
       }
-      return decideAsCoach(state);
+      return decisions.decideAsCoach(state);
     },
-    GetTrainerActions: (state) => decideAsTrainer(state),
+    GetTrainerActions: (state) => decisions.decideAsTrainer(state),
     GetBestPlannerAction: bestPlannerAction,
   };
 }

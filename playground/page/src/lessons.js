@@ -28,7 +28,7 @@ const kMistake = "  if (state.world_model.cycle === 5) throw new Error('no plan'
 /** True for the match of the tutorial, with code of the visitor's on the left side. */
 function isTutorialMatch({ kind, match }) {
   return kind === 'match' && typeof match.left !== 'string'
-    && Object.entries(kTutorialMatch).every(([key, value]) => match[key] === value);
+    && Object.entries(kTutorialMatch).every(([key, value]) => match[key] === value) && match.set.length === 0;
 }
 
 const scoreOf = ({ left, right }) => `${left.score} : ${right.score}`;

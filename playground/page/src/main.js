@@ -5,14 +5,16 @@ import { Engine } from '../../web/engine.js';
 import { compare, VerdictPanel } from './comparison.js';
 import { Editor } from './editor.js';
 import { FieldFrame } from './field_frame.js';
-import { playMatch, Sandbox } from './matches.js';
-import { Output } from './output.js';
-import { fragmentOf, hasMatch, matchOf } from './share_link.js';
 import { kTutorialMatch } from './lessons.js';
+import { playMatch, Sandbox } from './matches.js';
+import { MatchForm } from './match_form.js';
+import { Output } from './output.js';
+import { projectOf } from './project.js';
+import { replayPage } from './replay_page.js';
+import { fragmentOf, hasMatch, matchOf } from './share_link.js';
 import { Storage } from './storage.js';
 import { CodeError, kMainFile, kTemplate, placeIn, reachableFiles } from './team_files.js';
 import { hasLesson, lessonOf, Tutorial } from './tutorial.js';
-import { zipOf } from './zip.js';
 
 const kMocks = [
   ['mock:planner', 'planner'], ['mock:simple', 'simple'], ['mock', 'basic'],
@@ -30,7 +32,7 @@ class Playground {
     this.team = this.storage.team ?? { name: 'mine', files: { ...kTemplate } };
     /** Another team in JavaScript: a kept version, or one of a link. @type {import('./share_link.js').Team | null} */
     this.kept = this.storage.kept;
-    this.form = byId('match-form').elements;
+    this.form = new MatchForm(byId('match-form'), { onPlay: () => this.playChosen() });
     this.output = new Output(byId('output'), (file, line, text) => this.editor.mark(file, line, text));
     this.field = new FieldFrame(byId('field'));
     this.editor = new Editor(byId('files'), byId('editor'), { onEdit: () => this.#onEdit(), onRun: () => this.playChosen() });
@@ -47,11 +49,11 @@ class Playground {
       },
     });
     this.playing = null; // an AbortController
-    this.logs = null;
+    this.played = null; // the match that has been played: its setup, logs and what the viewer shows
     this.#listen();
     this.#showTeam();
-    this.#choose(kFirstMatch);
     this.#showSides();
+    this.form.choose(kFirstMatch);
   }
 
   /** Loads the engine, then plays: the first match, or that of a link once the visitor asks for it. */
@@ -72,10 +74,6 @@ class Playground {
 
   #listen() {
     for (const button of document.querySelectorAll('.steps button')) button.onclick = () => this.openStep(button.dataset.step);
-    byId('match-form').onsubmit = (event) => {
-      event.preventDefault();
-      this.playChosen();
-    };
     byId('share').onclick = () => this.share();
     byId('share-close').onclick = () => byId('share-dialog').close();
     byId('copy-link').onclick = () => this.#copyLink();
@@ -88,8 +86,10 @@ class Playground {
     };
     byId('stop').onclick = () => this.comparing?.abort();
     byId('keep').onclick = () => this.#keep();
-    byId('save-game-log').onclick = () => saveFile(new Blob(this.logs.game), 'match.rcg');
-    byId('save-text-log').onclick = () => saveFile(new Blob(this.logs.text), 'match.rcl');
+    byId('save-game-log').onclick = () => saveFile(new Blob(this.played.game), 'match.rcg');
+    byId('save-text-log').onclick = () => saveFile(new Blob(this.played.text), 'match.rcl');
+    byId('save-replay').onclick = () => this.#saveReplay();
+    byId('save-project').onclick = () => this.#saveProject(this.played.match);
     byId('compare-form').elements.workers.value = Math.max(1, Math.min(64, navigator.hardwareConcurrency || 2));
     window.addEventListener('hashchange', () => {
       if (hasMatch(location.hash)) this.#openLink(location.hash);
@@ -116,10 +116,8 @@ class Playground {
     byId('learn').hidden = step !== 'learn';
     byId('write').hidden = side !== 'write';
     byId('improve').hidden = side !== 'improve';
-    if (step === 'write' && this.form.left.value !== kMine && this.form.right.value !== kMine) {
-      this.form.left.value = kMine;
-      this.form.right.value = 'mock:simple';
-    }
+    const { left, right } = this.form.chosen;
+    if (step === 'write' && left !== kMine && right !== kMine) this.form.setSides(kMine, 'mock:simple');
   }
 
   /** The step that a link names. */
@@ -134,7 +132,7 @@ class Playground {
   /** The match and the opponent of the step. */
   #showLesson() {
     const { attempt } = this.tutorial.lesson;
-    if (attempt.kind === 'match') this.#choose({ left: kMine, ...kTutorialMatch });
+    if (attempt.kind === 'match') this.form.choose({ left: kMine, ...kTutorialMatch });
     if (attempt.kind === 'compare') {
       byId('compare-form').elements.cycles.value = attempt.cycles;
       if (!this.kept) this.#keep(kTemplate);
@@ -170,33 +168,18 @@ class Playground {
   #showSides() {
     const own = [[kMine, `${this.team.name} (your code)`]];
     if (this.kept) own.push([kKept, this.kept.name === kKept ? 'the kept version' : `${this.kept.name} (kept)`]);
-    const fill = (select, choices) => {
-      const { value } = select;
-      select.replaceChildren(...choices.map(([side, label]) => element('option', { value: side }, label)));
-      select.value = choices.some(([side]) => side === value) ? value : choices[0][0];
-    };
-    fill(this.form.left, [...own, ...kMocks]);
-    fill(this.form.right, [...own, ...kMocks]);
-    fill(byId('compare-form').elements.base, [...own.slice(1), ...kMocks]);
-  }
-
-  /** Sets the form. @param {{left: any, right: any, seed: number, cycles: number | null}} match whose sides are texts */
-  #choose({ left, right, seed, cycles }) {
-    this.#showSides();
-    for (const [select, side] of [[this.form.left, left], [this.form.right, right]]) {
-      if (![...select.options].some(({ value }) => value === side)) select.append(element('option', { value: side }, side));
-      select.value = side;
-    }
-    this.form.seed.value = seed;
-    const length = String(cycles ?? '');
-    if (![...this.form.cycles.options].some(({ value }) => value === length)) this.form.cycles.append(element('option', { value: length }, `${length} cycles`));
-    this.form.cycles.value = length;
+    this.form.setTeams([...own, ...kMocks]);
+    const { base } = byId('compare-form').elements;
+    const chosen = base.value;
+    const others = [...own.slice(1), ...kMocks];
+    base.replaceChildren(...others.map(([side, label]) => element('option', { value: side }, label)));
+    base.value = others.some(([side]) => side === chosen) ? chosen : others[0][0];
   }
 
   /** What the form says, with the teams themselves. @returns {import('./share_link.js').SharedMatch} */
   chosenMatch() {
-    const { left, right, seed, cycles } = this.form;
-    return { left: this.#sideOf(left.value), right: this.#sideOf(right.value), seed: Number(seed.value), cycles: cycles.value === '' ? null : Number(cycles.value) };
+    const match = this.form.chosen;
+    return { ...match, left: this.#sideOf(match.left), right: this.#sideOf(match.right) };
   }
 
   #sideOf(value) {
@@ -206,7 +189,7 @@ class Playground {
 
   playChosen() {
     this.early = !this.sandbox; // start() then plays
-    if (this.early || !byId('match-form').reportValidity()) return;
+    if (this.early || !this.form.isValid()) return;
     this.play(this.chosenMatch());
   }
 
@@ -215,7 +198,7 @@ class Playground {
     this.playing?.abort();
     const playing = new AbortController();
     this.playing = playing;
-    this.logs = null;
+    this.played = null;
     byId('banner').hidden = true;
     byId('result-links').hidden = true;
     this.output.clear();
@@ -224,18 +207,21 @@ class Playground {
     this.field.open('The match in the replay viewer');
     const began = performance.now();
     const warnings = [];
+    const shown = [];
     const onPiece = ({ status, lines, view }) => {
       this.output.add(lines);
       this.output.addWarnings(status.warnings);
       warnings.push(...status.warnings);
       this.field.push(view);
+      shown.push(view);
       this.#showResult(`${scoreText(status)}, played to cycle ${status.cycle}`);
     };
     try {
-      const coded = typeof match.left !== 'string' || typeof match.right !== 'string';
+      const coded = isCoded(match);
       const done = await playMatch(this.sandbox, { ...match, view: true, logs: true, decisions: coded }, onPiece, playing.signal);
       if (coded) this.field.addDecisions(done.decisions);
       else this.field.endWithoutDecisions('The page records decisions where a team in JavaScript plays');
+      this.played = { match, status: done.status, game: done.game, text: done.text, view: shown, decisions: done.decisions ?? null };
       await this.#finish(done, performance.now() - began);
       this.tutorial.hear({ kind: 'match', match, status: done.status, warnings: [...warnings, ...done.status.warnings] });
     } catch (error) {
@@ -243,11 +229,11 @@ class Playground {
     }
   }
 
-  async #finish({ status, lines, game, text }, milliseconds) {
+  async #finish({ status, lines, game }, milliseconds) {
     this.output.add(lines);
     this.output.addWarnings(status.warnings);
-    this.logs = { game, text };
     byId('result-links').hidden = false;
+    byId('save-project').hidden = !isCoded(this.played.match);
     const speed = Math.round(status.cycle / (milliseconds / 1000));
     if (status.failure !== '') return this.#showProblem(new Error(status.failure));
     this.#showResult(`${scoreText(status)}, ${status.cycle} cycles at ${speed} a second`);
@@ -292,11 +278,25 @@ class Playground {
     this.#showSides();
   }
 
+  /** The visitor's team as a project, for the match of the form if the team plays in it. */
   #downloadTeam() {
-    const files = Object.fromEntries(Object.entries(this.editor.files).map(([name, text]) => [`src/${name}`, text]));
-    saveFile(zipOf(files), `${this.team.name}.zip`);
+    const match = this.chosenMatch();
+    const { left, right } = this.form.chosen;
+    return this.#saveProject(left === kMine || right === kMine ? match : { ...match, left: this.#sideOf(kMine) });
+  }
+
+  /** @param {import('./share_link.js').SharedMatch} match in which a team in JavaScript plays */
+  async #saveProject(match) {
+    const around = await (await fetch('project.json')).json();
+    const { name } = [match.left, match.right].find((side) => typeof side !== 'string');
+    saveFile(projectOf(match, around), `${name}.zip`);
     this.tutorial.hear({ kind: 'download' });
-    this.output.add([{ level: 'info', side: '', text: `Unpack ${this.team.name}.zip in a project of: cls new javascript ${this.team.name}` }]);
+  }
+
+  async #saveReplay() {
+    const { status, view, decisions } = this.played;
+    const starts = await (await fetch('replay.json')).json();
+    saveFile(await replayPage(starts, { title: scoreText(status), view, decisions }), 'match.html');
   }
 
   /** Keeps a version to compare with. */
@@ -312,7 +312,7 @@ class Playground {
     const { base, cycles, workers } = byId('compare-form').elements;
     const names = { candidate: this.team.name, base: base.selectedOptions[0].textContent.replace(/ \(.*/, '') };
     const task = {
-      sandbox: this.sandbox, workers: Number(workers.value), seed: Number(this.form.seed.value),
+      sandbox: this.sandbox, workers: Number(workers.value), seed: this.form.chosen.seed,
       cycles: cycles.value === '' ? null : Number(cycles.value), candidate: this.#sideOf(kMine), base: this.#sideOf(base.value),
     };
     this.comparing = new AbortController();
@@ -345,7 +345,7 @@ class Playground {
   }
 
   async share() {
-    if (!byId('match-form').reportValidity()) return;
+    if (!this.form.isValid()) return;
     const address = location.href.replace(/#.*$/, '') + await fragmentOf(this.chosenMatch());
     byId('share-link').value = address;
     setText(byId('copy-state'), '');
@@ -377,24 +377,25 @@ class Playground {
     }
     this.#borrow(match);
     const names = [match.left, match.right].map((side) => (typeof side === 'string' ? side.replace(/^mock:?/, '') || 'basic' : side.name));
-    const coded = typeof match.left !== 'string' || typeof match.right !== 'string';
-    const text = `A shared match: ${names.join(' against ')}, seed ${match.seed}. ${coded ? 'It has code of the person who made the link: it runs when you press the button, without access to your data or the network.' : ''}`;
+    const coded = isCoded(match);
+    const text = `A shared match: ${names.join(' against ')}, seed ${match.seed}${match.book === null ? '' : ', a situation'}${match.set.length > 0 ? ', with settings' : ''}. ${coded ? 'It has code of the person who made the link: it runs when you press the button, without access to your data or the network.' : ''}`;
     this.#showBanner(text, 'Play this match', () => this.playChosen());
     this.#showResult('Nothing is played yet.');
     byId('field').replaceChildren();
   }
 
   /** The teams of a link, in place of the own ones until the page is opened again without it. */
-  #borrow({ left, right, seed, cycles }) {
+  #borrow({ left, right, ...rest }) {
     const teams = [left, right].filter((side) => typeof side !== 'string');
     if (teams.length > 0) {
       this.borrowed = true;
       this.team = { name: teams[0].name, files: { ...kTemplate, ...teams[0].files } };
       this.kept = teams[1] ?? this.kept;
       this.#showTeam();
+      this.#showSides();
     }
     const value = (side) => (typeof side === 'string' ? side : side === teams[0] ? kMine : kKept);
-    this.#choose({ left: value(left), right: value(right), seed, cycles });
+    this.form.choose({ left: value(left), right: value(right), ...rest });
   }
 
   #showBanner(text, label, run) {
@@ -405,6 +406,11 @@ class Playground {
     byId('banner').replaceChildren(element('span', {}, text), button);
     byId('banner').hidden = false;
   }
+}
+
+/** True if a team in JavaScript plays. */
+function isCoded({ left, right }) {
+  return typeof left !== 'string' || typeof right !== 'string';
 }
 
 function scoreText({ left, right }) {

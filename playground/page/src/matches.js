@@ -97,9 +97,9 @@ function sideOf(side) {
  * @returns {Promise<any>} status, lines, game, text and decisions; rejects with a MatchProblem or a CodeError
  */
 export async function playMatch(sandbox, match, onPiece, signal) {
-  const { left, right, seed, cycles, view = false, decisions = false, logs = false } = match;
+  const { left, right, seed, cycles, set = [], book = null, view = false, decisions = false, logs = false } = match;
   const sides = { left: sideOf(left), right: sideOf(right) };
-  const setup = { seed, view, ...(decisions && { decisions }), ...(cycles && { cycles }) };
+  const setup = { seed, view, set, ...(decisions && { decisions }), ...(cycles && { cycles }), ...(book && { book, situations: 1 }) };
   if (typeof left !== 'string') setup.leftName = left.name;
   if (typeof right !== 'string') setup.rightName = right.name;
 

@@ -1,7 +1,7 @@
 // Links: the same match for everyone, nothing of a stranger's runs unasked, broken ones say so.
 import assert from 'node:assert/strict';
 import test, { after, before } from 'node:test';
-import { resultMatches, startSite, whenShown, writeCode } from './site.mjs';
+import { playedHash, startSite, whenShown, writeCode } from './site.mjs';
 
 const LONG = 500_000;
 const CODE = `export function decide(state) {
@@ -17,12 +17,6 @@ before(async () => {
   site = await startSite();
 });
 after(() => site?.close());
-
-async function playedHash(page) {
-  await resultMatches(page, /cycles at/, LONG);
-  await page.waitForFunction(() => document.getElementById('result').dataset.hash);
-  return page.locator('#result').getAttribute('data-hash');
-}
 
 /** A link to a short match with code, and the hash of its log. */
 async function makeLink() {
@@ -92,7 +86,10 @@ test('a broken link says what is wrong with it, and the page plays on', async ()
   const cases = [
     ['#m=', /cut or changed/], ['#m=AAAA', /cut or changed/], ['#m=!!', /cut or changed/],
     [(await packed({ v: 1, ...sides })).slice(0, -6), /cut or changed/],
-    [await packed({ v: 2, ...sides }), /newer version/],
+    [await packed({ v: 3, ...sides }), /newer version/],
+    [await packed({ v: 2, ...sides, set: ['server::half_time=1\nx'] }), /settings/],
+    [await packed({ v: 2, ...sides, set: 'server::half_time=1' }), /settings/],
+    [await packed({ v: 2, ...sides, cycles: 50, book: 'no book' }), /situation/],
     [await packed({ v: 1, left: 'mock', seed: 1 }), /no two teams/],
     [await packed({ v: 1, ...sides, left: { name: '<b>', files: { 'decide.js': '' } } }), /no two teams/],
     [await packed({ v: 1, ...sides, left: { name: 'a', files: { 'decide.js': '', 'other.js': '' } } }), /no two teams/],

@@ -62,6 +62,13 @@ export async function resultMatches(page, pattern, timeout = 120_000) {
   return page.locator('#result').textContent();
 }
 
+/** Waits for the end of a match. @returns {Promise<string>} SHA-256 of its game log */
+export async function playedHash(page) {
+  await resultMatches(page, /cycles at/, 500_000);
+  await page.waitForFunction(() => document.getElementById('result').dataset.hash);
+  return page.locator('#result').getAttribute('data-hash');
+}
+
 /** Replaces the text of the open file as a visitor does by pasting. */
 export async function writeCode(page, text) {
   await page.evaluate((code) => {

@@ -1,12 +1,10 @@
 // The first contact: a match within seconds, with the bytes of cls match, in any window, for any visitor.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { createHash } from 'node:crypto';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import os from 'node:os';
-import path from 'node:path';
 import test, { after, before } from 'node:test';
 import { accessibilityViolations, kWidths } from '../../viewer/browser/browser.mjs';
+import { hashOfCls, sha256 } from './cls_match.mjs';
 import { fieldOf, resultMatches, startSite, viewerFrame, whenShown } from './site.mjs';
 
 const FIRST_MS = 5000; // on a host that does nothing else
@@ -37,18 +35,6 @@ test('a match plays within five seconds, without errors, violations and foreign 
   await context.close();
 });
 
-/** SHA-256 of the game log of cls match. */
-function hashOfCls(left, right, options) {
-  const folder = mkdtempSync(path.join(os.tmpdir(), 'cls-page-'));
-  try {
-    const match = path.join(folder, 'match');
-    execFileSync(process.env.CLS, ['match', left, right, ...options, '--dir', match], { stdio: ['ignore', 'ignore', 'pipe'] });
-    return createHash('sha256').update(readFileSync(path.join(match, 'match.rcg'))).digest('hex');
-  } finally {
-    rmSync(folder, { recursive: true });
-  }
-}
-
 test('the match has the bytes of cls match, and its log is a file', async () => {
   const { page, context } = await site.open();
   await whenShown(page);
@@ -59,11 +45,11 @@ test('the match has the bytes of cls match, and its log is a file', async () => 
   assert.match(await resultMatches(page, /cycles at/, 400_000), /^simple_l \d+ : \d+ simple_r, 1000 cycles/);
   await page.waitForFunction(() => document.getElementById('result').dataset.hash);
   const hash = await page.locator('#result').getAttribute('data-hash');
-  assert.equal(hash, hashOfCls('mock:simple', 'mock:simple', ['--seed', '21', '--cycles', '1000']));
+  assert.equal(hash, hashOfCls(['mock:simple', 'mock:simple', '--seed', '21', '--cycles', '1000']));
 
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-game-log')]);
   assert.equal(download.suggestedFilename(), 'match.rcg');
-  assert.equal(createHash('sha256').update(readFileSync(await download.path())).digest('hex'), hash);
+  assert.equal(sha256(readFileSync(await download.path())), hash);
   await context.close();
 });
 

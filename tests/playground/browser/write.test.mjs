@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import test, { after, before } from 'node:test';
+import { expectNothingReached } from './spy.mjs';
 import { fieldOf, resultMatches, startSite, viewerFrame, whenShown, writeCode } from './site.mjs';
 
 const LONG = 500_000; // ms, on a host that does other things, too
@@ -49,15 +50,18 @@ test('the first team plays, and beats simple after one edit', async () => {
   await context.close();
 });
 
-test('the code and its name last for the next visit, and download as files of a project', async () => {
+test('the code and its name last for the next visit, and download as a project', async () => {
   const { page, context } = await atWrite();
   await page.fill('#team-name', 'Blue');
   await page.locator('#team-name').blur();
   await writeCode(page, `// mine\n${await codeOf(page)}`);
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#download-team')]);
   assert.equal(download.suggestedFilename(), 'Blue.zip');
-  const names = execFileSync('python3', ['-c', 'import sys, zipfile; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; print(" ".join(z.namelist()), z.read("src/decide.js")[:7])', await download.path()], { encoding: 'utf8' });
-  assert.equal(names, "src/decide.js src/actions.js src/situation.js b'// mine'\n");
+  const names = execFileSync('python3', ['-c', 'import sys, zipfile; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; print(" ".join(z.namelist()), z.read("src/decide.js")[:7], "teams.Blue" in str(z.read("cls.toml")))', await download.path()], { encoding: 'utf8' });
+  for (const name of ['README.md', 'run', 'cls.toml', 'proto/playmaker.proto', 'src/main.js', 'src/actions.js', 'src/situation.js', 'tests/scores.json']) {
+    assert.ok(names.split(' ').includes(name), `${name} in ${names}`);
+  }
+  assert.match(names, /b'\/\/ mine' True\n$/);
 
   await page.reload();
   await whenShown(page);
@@ -122,48 +126,9 @@ test('a team that floods the console is cut short', async () => {
   await context.close();
 });
 
-const SPY = `
-const tried = {};
-const tell = (name, what) => { tried[name] = String(what).slice(0, 60); };
-const attempt = (name, run) => {
-  try {
-    Promise.resolve(run()).then((value) => tell(name, 'REACHED ' + value), (error) => tell(name, 'refused ' + error.name));
-  } catch (error) {
-    tell(name, 'refused ' + error.name);
-  }
-};
-attempt('fetch', () => fetch('SITE/spy-fetch'));
-attempt('foreign', () => fetch('http://192.0.2.1/spy', { mode: 'no-cors' }));
-attempt('request', () => { const r = new XMLHttpRequest(); r.open('GET', 'SITE/spy-xhr', false); r.send(); return r.status; });
-attempt('socket', () => new Promise((resolve, reject) => { const s = new WebSocket('ws://HOST/spy-socket'); s.onopen = resolve; s.onerror = () => reject(new Error('x')); }));
-attempt('scripts', () => importScripts('SITE/spy-scripts.js'));
-attempt('module', () => import('SITE/spy-module.js'));
-attempt('database', () => new Promise((resolve, reject) => { const o = indexedDB.open('spy'); o.onsuccess = resolve; o.onerror = () => reject(o.error); }));
-attempt('caches', () => caches.open('spy'));
-attempt('storage', () => localStorage.getItem('cls-team'));
-attempt('files', () => navigator.storage.getDirectory());
-attempt('worker', () => new Promise((resolve, reject) => { const w = new Worker('SITE/spy-worker.js'); w.onerror = () => reject(new Error('x')); w.onmessage = resolve; setTimeout(() => reject(new Error('silent')), 1000); }));
-postMessage({ kind: 'done', status: { failure: '' } });
-let told = false;
-export function decide(state) {
-  if (!told && state.world_model.cycle >= 3) {
-    told = true;
-    console.log('TRIED ' + JSON.stringify(tried));
-  }
-  return { actions: [] };
-}
-${AFTER}`;
-
 test('a team reaches neither network nor storage', async () => {
   const { page, context } = await atWrite();
-  const url = site.url.replace(/\/$/, '');
-  await writeCode(page, SPY.replaceAll('SITE', url).replaceAll('HOST', new URL(url).host));
-  await page.click('#play');
-  await page.waitForFunction(() => /TRIED/.test(document.getElementById('output').textContent), null, { timeout: LONG });
-  const tried = JSON.parse(/TRIED (\{.*?\})/.exec(await output(page))[1]);
-  const names = ['caches', 'database', 'fetch', 'files', 'foreign', 'module', 'request', 'scripts', 'socket', 'storage', 'worker'];
-  for (const name of names) assert.match(tried[name] ?? '', /^refused/, `${name}: ${tried[name]}`);
-  assert.deepEqual(site.requests.filter((request) => request.includes('spy')), []);
+  await expectNothingReached(page, site);
   await context.close();
 });
 

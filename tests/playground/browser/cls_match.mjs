@@ -1,0 +1,20 @@
+// Matches of the program, to compare those of the page with.
+import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+
+export const sha256 = (bytes) => createHash('sha256').update(bytes).digest('hex');
+
+/** SHA-256 of the game log of `cls match`. @param {string[]} words of the command behind `match` @param {string} folder to work in */
+export function hashOfCls(words, folder = '.') {
+  const parent = mkdtempSync(path.join(os.tmpdir(), 'cls-page-'));
+  try {
+    const match = path.join(parent, 'match');
+    execFileSync(process.env.CLS, ['match', ...words, '--dir', match], { cwd: folder, stdio: ['ignore', 'ignore', 'pipe'] });
+    return sha256(readFileSync(path.join(match, 'match.rcg')));
+  } finally {
+    rmSync(parent, { recursive: true });
+  }
+}
