@@ -1,4 +1,4 @@
-// The page of the playground in Chromium, from a static server on loopback.
+// The page of the playground in a browser, from a static server on loopback.
 import fs from 'node:fs';
 import http from 'node:http';
 import path from 'node:path';
@@ -21,10 +21,10 @@ export async function serve(folder) {
   return { url: `http://127.0.0.1:${server.address().port}/`, requests, close: () => server.close() };
 }
 
-/** Chromium and the site; `open` gives a page with a storage of its own. */
-export async function startSite(folder = process.env.CLS_PAGE) {
+/** A browser, Chromium by default, and the site; `open` gives a page with a storage of its own. */
+export async function startSite(folder = process.env.CLS_PAGE, start = launch) {
   const site = await serve(folder);
-  const browser = await launch();
+  const browser = await start();
   return {
     ...site,
     browser,

@@ -2,8 +2,14 @@
 import fs from 'node:fs';
 import {createRequire} from 'node:module';
 
-const {chromium} = createRequire(import.meta.url)('playwright-core');
+const {chromium, firefox} = createRequire(import.meta.url)('playwright-core');
 const kAxe = fs.readFileSync(createRequire(import.meta.url).resolve('axe-core'), 'utf8');
+
+/** Starts $FIREFOX, a Firefox as distributions have it: the driver speaks WebDriver BiDi with it, which has no color schemes, and tells
+ * nothing of workers. */
+export function launchFirefox() {
+  return firefox.launch({channel: 'moz-firefox', executablePath: process.env.FIREFOX});
+}
 
 /** Starts $CHROMIUM. */
 export function launch() {
