@@ -4,10 +4,13 @@
     packaging/site/build.py build/site           exit code 77: skipped, because mkdocs is missing
     packaging/site/build.py --check build/site   only checks the links
 
-The site needs neither network nor server, its search included.
+The site needs neither network nor server, its search included. Where `make playground` has built the page that plays
+matches, the site has it, too, in playground/, and the tutorial links to its steps; the page needs a web server.
+--page DIR takes it from another folder.
 """
 from __future__ import annotations
 
+import argparse
 import html.parser
 import json
 import os
@@ -40,6 +43,8 @@ NAVIGATION = [
     {"Inside": ["docs/server.md", "docs/network.md", "docs/reliability.md", "docs/security.md", "docs/architecture.md", "docs/glossary.md", "docs/formats",
                 "docs/spec", "CHANGELOG.md"]},
 ]
+PAGE = ROOT / "build-playground/page"
+STEP = "<!-- a step of the page -->"
 LINK = re.compile(r"(!?\[[^\]\n]*\])\(([^)\s]+)\)")
 
 
@@ -61,10 +66,11 @@ def split_target(page: str, target: str) -> tuple[str, str]:
 
 
 class Stage:
-    """A folder with the sources of the site, laid out as the repository."""
+    """A folder with the sources of the site, laid out as the repository; with links to steps of the page if the site has it."""
 
-    def __init__(self, folder: pathlib.Path) -> None:
+    def __init__(self, folder: pathlib.Path, with_page: bool) -> None:
         self.folder = folder
+        self.with_page = with_page
         self.tracked = tracked_files()
         self.folders = {str(parent) for name in self.tracked for parent in pathlib.PurePosixPath(name).parents} - {"."}
         self.done: set[str] = set()
@@ -80,6 +86,8 @@ class Stage:
             shutil.copyfile(ROOT / name, to)
             return
         text = (ROOT / name).read_text(encoding="utf-8")
+        if self.with_page:
+            text = with_step_links(name, text)
         to.write_text(readable(self.follow_links(name, text)), encoding="utf-8")
 
     def add_folder(self, name: str) -> str:
@@ -119,6 +127,19 @@ class Stage:
             if not fenced:
                 lines[i] = LINK.sub(follow, line)
         return "\n".join(lines)
+
+
+def with_step_links(page: str, text: str) -> str:
+    """A link in the place of each mark of a step, which has the name of its heading."""
+    to_page = posixpath.relpath("playground/index.html", posixpath.dirname(page))
+    lines = text.split("\n")
+    heading = ""
+    for i, line in enumerate(lines):
+        if line.startswith("## "):
+            heading = github_slug(line[3:], "-")
+        elif line == STEP:
+            lines[i] = f'<p class="step"><a href="{to_page}#learn={heading}">Try this step in the browser</a></p>\n'
+    return "\n".join(lines)
 
 
 def readable(text: str) -> str:
@@ -185,10 +206,23 @@ def write_site(stage: Stage, out: pathlib.Path) -> None:
     config = mkdocs.config.load_config(
         config_file=str(config_file), site_name="cls", docs_dir=str(stage.folder), site_dir=str(out), use_directory_urls=False,
         theme={"name": None, "custom_dir": str(ROOT / "packaging/site/theme")}, plugins=[], nav=expanded(NAVIGATION, stage),
+        extra={"page": stage.with_page},
         markdown_extensions=["tables", "fenced_code", "sane_lists", {"toc": {"slugify": github_slug, "permalink": True}}])
     mkdocs.commands.build.build(config)
     for path in out.rglob("*.html"):  # keys scroll wide code, too
         path.write_text(path.read_text(encoding="utf-8").replace("<pre>", '<pre tabindex="0">'), encoding="utf-8")
+
+
+def add_page(page: pathlib.Path, site: pathlib.Path) -> None:
+    """Copies the page that plays matches, and tells it where the tutorial is."""
+    shutil.rmtree(site / "playground", ignore_errors=True)
+    shutil.copytree(page, site / "playground")
+    index = site / "playground/index.html"
+    text = index.read_text(encoding="utf-8")
+    filled = text.replace('<meta name="documentation" content="">', '<meta name="documentation" content="../docs/">')
+    if filled == text:
+        raise SystemExit(f"{page / 'index.html'} has no place for the address of the documentation: make playground")
+    index.write_text(filled, encoding="utf-8")
 
 
 class Sections(html.parser.HTMLParser):
@@ -270,22 +304,32 @@ def dead_links(site: pathlib.Path) -> list[str]:
             to = to / "index.html" if to.is_dir() else to
             if not to.is_file():
                 dead.append(f"{name}: {target}: no such file")
-            elif anchor and to in pages and anchor not in pages[to].anchors:
+            elif anchor and "=" not in anchor and to in pages and anchor not in pages[to].anchors:
                 dead.append(f"{name}: {target}: no such heading")
     return dead
 
 
 def main() -> int:
-    words = [word for word in sys.argv[1:] if word != "--check"]
-    out = pathlib.Path(words[0] if words else "build/site").resolve()
-    if "--check" in sys.argv:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("site", nargs="?", default="build/site", type=pathlib.Path)
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--page", default=PAGE, type=pathlib.Path)
+    arguments = parser.parse_args()
+    out = arguments.site.resolve()
+    if arguments.check:
         return report(out, dead_links(out))
+
+    has_page = (arguments.page / "index.html").is_file()
     with tempfile.TemporaryDirectory() as folder:
-        stage = Stage(pathlib.Path(folder) / "pages")
+        stage = Stage(pathlib.Path(folder) / "pages", has_page)
         for name in first_pages(stage.tracked):
             stage.add(name)
         write_site(stage, out)
     write_search_index(out)
+    if has_page:
+        add_page(arguments.page, out)
+    else:
+        print(f"the site has no page that plays matches: no {arguments.page} (make playground)")
     return report(out, stage.broken + dead_links(out))
 
 
