@@ -139,7 +139,12 @@ void print_last_output(const MatchResult& result) {
     return std::ranges::any_of(
         known, [&line](const std::string& text) { return line.find(text) != std::string::npos; });
   });
-  for (std::size_t i = lines.size() - std::min(kLines, lines.size()); i < lines.size(); ++i) {
+  std::size_t first = lines.size() - std::min(kLines, lines.size());
+  // Marks of a compiler or an exception below a line that is not shown.
+  while (first < lines.size() && lines[first].find_first_not_of(" ^~") == std::string::npos) {
+    ++first;
+  }
+  for (std::size_t i = first; i < lines.size(); ++i) {
     fmt::print(stderr, "  {}: {}\n", result.failure->process, lines[i]);
   }
 }

@@ -122,6 +122,18 @@ TEST_F(RunSide, RefusesImmediatelyAfterExitAtStart) {
   expect_last_words("cannot load the formation", "exit code 5");
 }
 
+// Of six lines the last five are printed.
+TEST_F(RunSide, ShowsNoMarkBelowALineThatItDoesNotShow) {
+  const CommandResult played = run(
+      arguments(
+          "run:printf 'import team\n    ^^^^\nFile 11\n  a = b)\n       ^\nNo\n' {port}; exit 1",
+          {}),
+      environment());
+  EXPECT_THAT(played.err, testing::Not(HasSubstr("^^^^")));
+  EXPECT_THAT(played.err, HasSubstr("File 11"));
+  EXPECT_THAT(played.err, HasSubstr("Playmaker:        ^"));
+}
+
 TEST_F(RunSide, NamesTheLimitThatEndedTheProgram) {
   const auto busy =
       run(arguments("run:while :; do :; done # {port}", {"--max-cpu", "1"}), environment());
