@@ -1,4 +1,4 @@
-# Text files as part of a library.
+# Files as part of a library.
 
 # cls_embed(<output.cpp> FUNCTION <namespaced name> TYPE <struct> HEADER <header> BASE <folder>
 #   FILES <file...>)
@@ -15,5 +15,20 @@ function(cls_embed output)
             -P "${script}"
     DEPENDS ${arg_FILES} "${script}"
     COMMENT "embedding ${arg_BASE}"
+    VERBATIM)
+endfunction()
+
+# cls_embed_bytes(<output.cpp> FUNCTION <namespaced name> HEADER <header> FILE <file>)
+# Generates the definition of `std::string_view FUNCTION()`, which HEADER declares: the bytes of the
+# file.
+function(cls_embed_bytes output)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "FUNCTION;HEADER;FILE" "")
+  set(script "${CMAKE_SOURCE_DIR}/cmake/EmbedBytes.cmake")
+  add_custom_command(
+    OUTPUT "${output}"
+    COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${output}" "-DFUNCTION=${arg_FUNCTION}"
+            "-DHEADER=${arg_HEADER}" "-DFILE=${arg_FILE}" -P "${script}"
+    DEPENDS "${arg_FILE}" "${script}"
+    COMMENT "embedding ${arg_FILE}"
     VERBATIM)
 endfunction()

@@ -75,7 +75,10 @@ void add_sides(const ValueContext& context, Completion& completion) {
     if (context.word.starts_with(prefix)) add_paths(completion, kind, prefix);
   }
 
-  if (context.word.starts_with("mock:")) return add_behaviors(completion, "mock:");
+  if (context.word.starts_with("mock:")) {
+    completion.candidates.push_back({"mock:learned", "the team that learned from the planner"});
+    return add_behaviors(completion, "mock:");
+  }
   if (completion.paths != PathKind::kNone) return;
 
   add_teams(completion);

@@ -12,6 +12,7 @@
 #include "base/text/number_text.h"
 #include "base/text/suggestion.h"
 #include "match/terms/host_name.h"
+#include "match/terms/learned_policy.h"
 #include "match/terms/mixed_side.h"
 #include "match/terms/planner_file.h"
 #include "match/terms/run_command.h"
@@ -33,6 +34,7 @@ constexpr std::string_view kPlannerForm = "planner:";
 constexpr std::string_view kEachForm = "each:";
 constexpr int kMaxPortStep = 13;
 constexpr std::string_view kCoachOfPolicies = "planner";
+constexpr std::string_view kLearned = "learned";
 
 Error wrong(std::string_view side, std::string_view what) {
   return Error{fmt::format("side '{}': {}", side, what)};
@@ -229,6 +231,12 @@ std::string described_team(const Endpoint& endpoint) {
   return name.empty() ? "mix" : name;
 }
 
+Result<std::shared_ptr<const training::Policy>> policy_of(const std::string& name) {
+  if (name != kLearned) return training::read_policy(name);
+  TRY_INIT(auto policy, training::parse_policy(learned_policy(), "mock:learned"));
+  return std::make_shared<const training::Policy>(std::move(policy));
+}
+
 /// A form that is a name or a path after a prefix.
 struct SimpleForm {
   std::string_view prefix;
@@ -250,6 +258,12 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
   using Kind = Endpoint::Kind;
   constexpr std::string_view kTls = "tls:";
   if (text == "mock") return endpoint_of_kind(Kind::kMock, text);
+  if (text == "mock:learned") {
+    Endpoint endpoint = endpoint_of_kind(Kind::kMock, text);
+    endpoint.behavior = kCoachOfPolicies;
+    endpoint.policy_file = kLearned;
+    return endpoint;
+  }
 
   for (const SimpleForm& form : kSimpleForms) {
     if (!text.starts_with(form.prefix)) continue;
@@ -305,7 +319,8 @@ bool Endpoint::is_built_in() const {
 }
 
 bool Endpoint::has_policy_file() const {
-  return !policy_file.empty() && !training::is_built_in_policy(policy_file);
+  return !policy_file.empty() && policy_file != kLearned &&
+         !training::is_built_in_policy(policy_file);
 }
 
 Result<void> load_files(Endpoint& endpoint) {
@@ -316,7 +331,7 @@ Result<void> load_files(Endpoint& endpoint) {
     endpoint.planner = std::move(parameters);
   }
   if (!endpoint.policy_file.empty() && endpoint.policy == nullptr) {
-    TRY_INIT(endpoint.policy, training::read_policy(endpoint.policy_file));
+    TRY_INIT(endpoint.policy, policy_of(endpoint.policy_file));
   }
   if (!has_script(endpoint)) return {};
 

@@ -26,7 +26,8 @@ namespace cls::match {
 struct Endpoint {
   enum class Kind {
     kMock,        ///< `mock`, `mock:NAME`, `mock:FILE.json`: the bundled Playmaker, in process.
-                  ///< `policy:FILE`: for the coach alone; the players follow a policy
+                  ///< `policy:FILE`, `mock:learned`: for the coach alone; the players follow a
+                  ///< policy
     kAddress,     ///< `HOST:PORT`, `HOST:PORT+step`, `tls:HOST:PORT`: a running Playmaker
     kUnixSocket,  ///< `unix:PATH`: a running Playmaker on a local socket
     kRun,         ///< `run:COMMAND`: a Playmaker that cls starts
@@ -55,7 +56,8 @@ struct Endpoint {
   std::string planner_file;
   /// The content of `planner_file`, once it is read; null: the defaults.
   std::shared_ptr<const player::PlannerParameters> planner;
-  /// kMock: the FILE of `policy:FILE`, or the name of a built-in policy; empty: none.
+  /// kMock: the FILE of `policy:FILE`, or the name of a built-in policy ("learned" of
+  /// `mock:learned`); empty: none.
   std::string policy_file;
   std::shared_ptr<const training::Policy> policy;  ///< once it is read
 

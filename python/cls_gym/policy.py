@@ -15,7 +15,7 @@ from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from cls_gym.network import MAGIC, PolicyError
+from cls_gym.network import MAGIC, Network, PolicyError, Step
 
 __all__ = ["Policy", "PolicyError", "describe", "from_torch", "load", "misfit"]
 
@@ -48,6 +48,18 @@ class Policy:
         if masks is not None:
             scores = np.where(masks != 0, scores, -np.inf)
         return np.asarray(scores.argmax(axis=-1))
+
+    def network(self) -> Network:
+        """The same policy as steps of cls.policy/2, for `cls match policy:FILE`: of the actions
+        options it plays there without Python."""
+        steps, last = [], len(self.layers) - 1
+        for number, (weight, bias) in enumerate(self.layers):
+            steps.append(Step(f"layer{number}", "dense",
+                              [f"layer{number - 1}" if number else "features"],
+                              width=weight.shape[1],
+                              activation="tanh" if number < last else "none",
+                              weights=[weight, bias]))
+        return Network(steps, dict(self.about))
 
     def save(self, path: Union[str, pathlib.Path]) -> None:
         """Writes the file."""

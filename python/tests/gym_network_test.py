@@ -87,6 +87,18 @@ class Networks(unittest.TestCase):
             with self.assertRaisesRegex(PolicyError, "cls_gym.network.load reads it"):
                 policy.load(path)
 
+    def test_a_policy_of_layers_becomes_steps(self):
+        random = np.random.default_rng(2)
+        layers = [(random.normal(0, 0.05, (FEATURES, 12)), random.normal(0, 1, 12)),
+                  (random.normal(0, 1, (12, 84)), random.normal(0, 1, 84))]
+        plain = policy.Policy(layers, about())
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "plain.policy")
+            plain.network().save(path)
+            again = network.load(path)
+        np.testing.assert_allclose(again.scores(observations()), plain.scores(observations()),
+                                   atol=1e-5)
+
     def test_damaged_files_are_refused(self):
         content = (FIXTURES / "all_kinds.policy").read_bytes()
         with tempfile.TemporaryDirectory() as folder:

@@ -45,6 +45,14 @@ TEST_F(PolicySide, PlaysWhatItsFileSays) {
   EXPECT_TRUE(game_log("policy:planner") == game_log("policy:planner")) << "reproducible";
 }
 
+TEST_F(PolicySide, TheLearnedTeamNeedsNoFile) {
+  const std::string log = game_log("mock:learned");
+  EXPECT_TRUE(game_log("mock:learned") == log) << "reproducible";
+  const std::string file = (source_folder() / "match/terms/learned.policy").string();
+  EXPECT_TRUE(game_log("policy:" + file) == log);
+  EXPECT_FALSE(game_log("policy:planner") == log);
+}
+
 TEST_F(PolicySide, IsNamedAfterItsFile) {
   const CommandResult result = run({"match", file_, "mock", "--cycles", "5", "--dir", "named"});
   EXPECT_THAT(result, Exits(0));

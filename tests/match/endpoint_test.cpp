@@ -55,6 +55,27 @@ TEST(Endpoint, ParsesEveryForm) {
   EXPECT_FALSE(team->has_playmaker());
 }
 
+TEST(Endpoint, PoliciesAreSidesOfCls) {
+  const auto file = parse_endpoint("policy:team/mine.policy");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->policy_file, "team/mine.policy");
+  EXPECT_TRUE(file->has_policy_file());
+  EXPECT_FALSE(file->is_built_in());
+  EXPECT_FALSE(file->has_one_playmaker());
+  EXPECT_EQ(default_team_name(*file), "mine");
+
+  for (const char* text : {"policy:planner", "policy:random", "mock:learned"}) {
+    auto built_in = parse_endpoint(text);
+    ASSERT_TRUE(built_in) << text;
+    EXPECT_FALSE(built_in->has_policy_file()) << text;
+    EXPECT_TRUE(built_in->is_built_in()) << text;
+    const auto loaded = load_files(*built_in);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_TRUE(built_in->policy != nullptr) << text;
+  }
+  EXPECT_EQ(default_team_name(*parse_endpoint("mock:learned")), "learned");
+}
+
 TEST(Endpoint, ReportsErrorAndAllForms) {
   EXPECT_EQ(error_of("moc"),
             "unknown side 'moc'; did you mean 'mock'? (a side is mock, mock:BEHAVIOR, "
