@@ -56,7 +56,7 @@ test('half time and parameters are those of cls match, and go with a link', asyn
   assert.equal(hash, hashOfCls(words));
 
   const other = await opened(await sharedLink(page));
-  assert.match(await other.page.locator('#banner').textContent(), /seed 7, with settings/);
+  await other.page.locator('#banner').filter({ hasText: 'seed 7, with settings' }).waitFor();
   await other.page.locator('#banner').getByRole('button').click();
   assert.equal(await playedHash(other.page), hash);
   assert.deepEqual([...problems, ...other.problems], []);
@@ -98,7 +98,7 @@ test('a situation of a book is that of cls match, and goes with a link', async (
   const link = await sharedLink(page);
   assert.ok(link.length < 20_000, `${link.length} characters`);
   const other = await opened(link);
-  assert.match(await other.page.locator('#banner').textContent(), /seed 7, a situation/);
+  await other.page.locator('#banner').filter({ hasText: 'seed 7, a situation' }).waitFor();
   await other.page.locator('#banner').getByRole('button').click();
   assert.equal(await playedHash(other.page), hash);
 
@@ -140,15 +140,17 @@ for entry in archive.infolist():
 
 test('a project plays the match of the page under cls match', { skip }, async () => {
   const { page, problems, context } = await opened();
+  await page.click('.steps [data-step=improve]');
+  await page.click('#keep');
   await page.click('.steps [data-step=write]');
-  await page.selectOption('[name=right]', 'mock:hold');
+  await page.selectOption('[name=right]', 'kept'); // its folder is opponent
   const hash = await playCode(page);
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-project')]);
   assert.equal(download.suggestedFilename(), 'Blue.zip');
 
   const project = path.join(folder, 'Blue');
   execFileSync('python3', ['-c', UNZIP, await download.path(), project]);
-  symlinkSync(packages, path.join(project, 'node_modules'));
+  for (const team of [project, path.join(project, 'opponent')]) symlinkSync(packages, path.join(team, 'node_modules'));
   const [, command] = /^cls match (.*)$/m.exec(readFileSync(path.join(project, 'README.md'), 'utf8'));
   const words = [...command.matchAll(/'([^']*)'|\S+/g)].map(([word, inner]) => inner ?? word);
   assert.equal(hash, hashOfCls(words, project));
