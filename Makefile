@@ -93,7 +93,7 @@ bench:
 	@bench/training.py
 	@bench/commands.py
 	@bench/matches.py
-	@if command -v node >/dev/null; then bench/engine.mjs; fi
+	@if command -v node >/dev/null; then bench/engine.mjs; bench/page.mjs; fi
 
 asan tsan:
 	@cmake --preset $@

@@ -3,7 +3,7 @@
 // engine weighs: bench/engine.mjs [CLS [WASM]]. The native program uses two threads, the engine one.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { loadavg, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
@@ -47,4 +47,4 @@ for (const side of ['mock:planner', 'mock:simple']) {
 const bytes = readFileSync(wasm);
 const mega = (size) => `${(size / 1e6).toFixed(2)} MB`;
 console.log(`cls.wasm ${mega(bytes.length)}, gzip ${mega(gzipSync(bytes, { level: 9 }).length)}, `
-  + `brotli ${mega(brotliCompressSync(bytes).length)}`);
+  + `brotli ${mega(brotliCompressSync(bytes).length)}; load ${loadavg()[0].toFixed(1)}`);

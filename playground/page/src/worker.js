@@ -68,7 +68,8 @@ async function play(module, port, { setup, sides, logs }) {
   }
   const result = { kind: 'done', status: match.status(), lines: lines.take(), game: bytes.game, text: bytes.text };
   if (setup.decisions) result.decisions = [match.takeDecisions(0), match.takeDecisions(1)];
-  post(result);
+  // Without a copy: logs and decisions of a whole match are what the page needs most memory for.
+  post(result, [...bytes.game, ...bytes.text, ...(result.decisions ?? [])].map(({ buffer }) => buffer));
 }
 
 function playPiece(match) {
