@@ -7,7 +7,7 @@ const kKey = 'm=';
 const kLargestText = 1_000_000; // characters when inflated
 const kNamePattern = /^[A-Za-z0-9_+-]{1,15}$/;
 const kMockPattern = /^mock(:[a-z]+(:\d{1,9})?)?$/;
-const kSettingPattern = /^(server|player)::\w+=[^\n]{1,100}$/;
+const kSettingPattern = /^(server|player)::\w+=[\w.+~/-]{1,100}$/; // nothing that a shell would read in a project's README
 const kMostSettings = 100;
 
 /**

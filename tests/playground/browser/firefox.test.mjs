@@ -4,7 +4,7 @@ import test, { after, before } from 'node:test';
 import { launchFirefox } from '../../viewer/browser/browser.mjs';
 import { hashOfCls } from './cls_match.mjs';
 import { expectNothingReached } from './spy.mjs';
-import { fieldOf, playedHash, resultMatches, startSite, viewerFrame, whenShown, writeCode } from './site.mjs';
+import { fieldOf, playedHash, resultMatches, sharedLink, startSite, viewerFrame, whenShown, writeCode } from './site.mjs';
 
 const LONG = 500_000; // ms, on a host that does other things, too
 const skip = process.env.FIREFOX ? false : 'no Firefox (apt-get install firefox-esr)';
@@ -46,8 +46,7 @@ async function passOn(site, hash, seed) {
   await page.fill('[name=seed]', String(seed));
   await page.click('#play');
   const next = await playedHash(page);
-  await page.click('#share');
-  const link = new URL(await page.inputValue('#share-link')).hash;
+  const link = (await sharedLink(page)).hash;
   assert.deepEqual(problems, []);
   await context.close();
   return { played, next, link };
@@ -69,8 +68,7 @@ test('a link of one browser is the same match in the other', { skip }, async () 
   await writeCode(page, CODE);
   await page.click('#play');
   const inFirefox = await playedHash(page);
-  await page.click('#share');
-  const link = new URL(await page.inputValue('#share-link')).hash;
+  const link = (await sharedLink(page)).hash;
   await context.close();
 
   const first = await passOn(chromium, link, 99);

@@ -7,7 +7,7 @@ import path from 'node:path';
 import test, { after, before } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { hashOfCls, sha256 } from './cls_match.mjs';
-import { playedHash, resultMatches, startSite, whenShown, writeCode } from './site.mjs';
+import { playedHash, resultMatches, sharedLink, startSite, whenShown, writeCode } from './site.mjs';
 
 const packages = fileURLToPath(new URL('../../../examples/javascript/node_modules', import.meta.url));
 const skip = existsSync(`${packages}/@grpc/proto-loader`) ? false : 'no packages of examples/javascript (examples/javascript/run build)';
@@ -36,13 +36,6 @@ async function opened(hash = '') {
   return one;
 }
 
-async function sharedLink(page) {
-  await page.click('#share');
-  const { hash } = new URL(await page.inputValue('#share-link'));
-  await page.click('#share-close');
-  return hash;
-}
-
 test('half time and parameters are those of cls match, and go with a link', async () => {
   const { page, problems, context } = await opened();
   await page.click('.more summary');
@@ -55,7 +48,7 @@ test('half time and parameters are those of cls match, and go with a link', asyn
   const words = ['mock:simple', 'mock:simple', '--seed', '7', '--half-time', '8', '--set', 'server::kick_rand=0', '--set', 'player::pt_max=2'];
   assert.equal(hash, hashOfCls(words));
 
-  const other = await opened(await sharedLink(page));
+  const other = await opened((await sharedLink(page)).hash);
   await other.page.locator('#banner').filter({ hasText: 'seed 7, with settings' }).waitFor();
   await other.page.locator('#banner').getByRole('button').click();
   assert.equal(await playedHash(other.page), hash);
@@ -95,7 +88,7 @@ test('a situation of a book is that of cls match, and goes with a link', async (
   execFileSync('python3', ['-c', 'import sys; open(sys.argv[1], "w").write(sys.argv[2])', file, book]);
   assert.equal(hash, hashOfCls(['mock:simple', 'mock:simple', '--seed', '7', '--book', file, '--situations', '1', '--cycles', '40']));
 
-  const link = await sharedLink(page);
+  const link = (await sharedLink(page)).hash;
   assert.ok(link.length < 20_000, `${link.length} characters`);
   const other = await opened(link);
   await other.page.locator('#banner').filter({ hasText: 'seed 7, a situation' }).waitFor();

@@ -1,7 +1,7 @@
 // Links: the same match for everyone, nothing of a stranger's runs unasked, broken ones say so.
 import assert from 'node:assert/strict';
 import test, { after, before } from 'node:test';
-import { playedHash, startSite, whenShown, writeCode } from './site.mjs';
+import { playedHash, sharedLink, startSite, whenShown, writeCode } from './site.mjs';
 
 const LONG = 500_000;
 const CODE = `export function decide(state) {
@@ -30,8 +30,7 @@ async function makeLink() {
   await page.selectOption('#match-form [name=cycles]', '60');
   await page.click('#play');
   const hash = await playedHash(page);
-  await page.click('#share');
-  const link = await page.inputValue('#share-link');
+  const link = (await sharedLink(page)).href;
   await context.close();
   return { link, hash };
 }
@@ -89,6 +88,7 @@ test('a broken link says what is wrong with it, and the page plays on', async ()
     [await packed({ v: 3, ...sides }), /newer version/],
     [await packed({ v: 2, ...sides, set: ['server::half_time=1\nx'] }), /settings/],
     [await packed({ v: 2, ...sides, set: 'server::half_time=1' }), /settings/],
+    [await packed({ v: 2, ...sides, set: ["server::half_time=1'; touch x '"] }), /settings/],
     [await packed({ v: 2, ...sides, cycles: 50, book: 'no book' }), /situation/],
     [await packed({ v: 1, left: 'mock', seed: 1 }), /no two teams/],
     [await packed({ v: 1, ...sides, left: { name: '<b>', files: { 'decide.js': '' } } }), /no two teams/],

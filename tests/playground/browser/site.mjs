@@ -69,6 +69,15 @@ export async function playedHash(page) {
   return page.locator('#result').getAttribute('data-hash');
 }
 
+/** The address that the dialog gives. @returns {Promise<URL>} */
+export async function sharedLink(page) {
+  await page.click('#share');
+  await page.locator('#share-dialog[open]').waitFor();
+  const link = new URL(await page.inputValue('#share-link'));
+  await page.click('#share-close');
+  return link;
+}
+
 /** Replaces the text of the open file as a visitor does by pasting. */
 export async function writeCode(page, text) {
   await page.evaluate((code) => {
