@@ -1,6 +1,7 @@
 // Rows for Playmakers are the observations of training, to the bit.
 #include "match/sides/policy_rows.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -87,6 +88,15 @@ TEST(PolicyRows, AreTheObservationsOfTraining) {
       }
     }
   }
+}
+
+// A choice among options is more than a command of the body.
+TEST(PolicyRows, DoNotOfferOptions) {
+  const auto codec = make_policy_rows();
+  EXPECT_THAT(codec->action_sets(), testing::Not(testing::Contains("options/1")));
+  EXPECT_THAT(codec->feature_sets(), testing::Not(testing::Contains("team/1")));
+  const auto chosen = codec->choose({"ego/1", "options/1", 10, 11});
+  EXPECT_EQ(chosen.error().message, "the action set 'options/1', which was not offered");
 }
 
 TEST(PolicyRows, WithFewerPlayersShowTheNearest) {
