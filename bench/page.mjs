@@ -13,8 +13,8 @@ const root = fileURLToPath(new URL('..', import.meta.url));
 const [page = `${root}build-playground/page`] = process.argv.slice(2);
 const kRounds = 3;
 const kLongMs = 600_000;
-/** Not loaded before the visitor saves something. */
-const kOnDemand = ['project.json', 'replay.json'];
+/** Loaded when the visitor saves something or plays a team in Python. */
+const kOnDemand = /^(project|replay|pyodide|python)/;
 
 function skip(why) {
   console.log(`page skipped: ${why}`);
@@ -98,7 +98,7 @@ most = Math.max(most, memory());
 
 const sizes = Object.fromEntries(readdirSync(page).map((name) => [name, gzipSync(readFileSync(`${page}/${name}`), { level: 9 }).length]));
 const sum = (names) => (names.reduce((bytes, name) => bytes + sizes[name], 0) / 1e6).toFixed(2);
-console.log(`page: ${sum(Object.keys(sizes).filter((name) => !kOnDemand.includes(name)))} MB with gzip, of them cls.wasm ${sum(['cls.wasm'])} MB, and ${sum(kOnDemand)} MB on demand`);
+console.log(`page: ${sum(Object.keys(sizes).filter((name) => !kOnDemand.test(name)))} MB with gzip, of them cls.wasm ${sum(['cls.wasm'])} MB, and ${sum(Object.keys(sizes).filter((name) => kOnDemand.test(name)))} MB on demand`);
 console.log(`first picture of a match: ${best(cold)} s, again ${best(warm)} s (best of ${kRounds})`);
 console.log(`a whole match: ${result}`);
 console.log(`memory at most ${(most - empty).toFixed(0)} MB, beside ${empty.toFixed(0)} MB of an empty page; load ${loadavg()[0].toFixed(1)}`);

@@ -31,19 +31,27 @@ async function bundle(file, options = {}) {
   return outputFiles[0].text;
 }
 
-/** What the tutorial changes in decide.js: the lines below this mark in docs/tutorial.md, in a fence. */
-function changeOfTutorial() {
+/** What the tutorial changes in the file that decides, by language: the lines below a mark in docs/tutorial.md, in a fence. */
+function changesOfTutorial() {
   const tutorial = readFileSync(`${root}docs/tutorial.md`, 'utf8');
-  return /<!-- change: javascript src\/decide\.js -->\n```js\n([^]*?)```\n/.exec(tutorial)[1];
+  const changes = tutorial.matchAll(/<!-- change: (\w+) [^\n]* -->\n```\w+\n([^]*?)```\n/g);
+  return JSON.stringify(Object.fromEntries(Array.from(changes, ([, language, text]) => [language, text])));
 }
 
-/** The files around a team in the project that the page saves, by path. */
+/** The files around a team in the project that the page saves, by language and path. */
 function projectFiles() {
   const text = (path) => readFileSync(`${root}${path}`, 'utf8');
-  const files = Object.fromEntries(['run', 'package.json', 'src/main.js', 'src/service.js'].map((path) => [path, text(`examples/javascript/${path}`)]));
-  for (const name of ['playmaker.proto', 'team_playmaker.proto']) files[`proto/${name}`] = text(`proto/${name}`);
-  for (const name of readdirSync(`${root}examples/project/tests`)) files[`tests/${name}`] = text(`examples/project/tests/${name}`);
-  return { ...files, 'cls.toml': text('examples/project/cls.toml'), '.gitignore': text('examples/project/gitignore') };
+  const folder = (from, to, pattern) => Object.fromEntries(readdirSync(`${root}${from}`).filter((name) => pattern.test(name))
+    .map((name) => [`${to}/${name}`, text(`${from}/${name}`)]));
+  const all = {
+    ...folder('proto', 'proto', /playmaker\.proto$/), ...folder('examples/project/tests', 'tests', /\.json$/),
+    'cls.toml': text('examples/project/cls.toml'), '.gitignore': text('examples/project/gitignore'),
+  };
+  const own = (language, paths) => Object.fromEntries(paths.map((path) => [path, text(`examples/${language}/${path}`)]));
+  return {
+    javascript: { ...all, ...own('javascript', ['run', 'package.json', 'src/main.js', 'src/service.js']) },
+    python: { ...all, ...own('python', ['run', 'playmaker.py']), ...folder('python/cls_playmaker', 'package/cls_playmaker', /^(?!.*_pb2).*\.py$/) },
+  };
 }
 
 const sourceHash = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
@@ -79,10 +87,10 @@ const texts = {
   setup({ onResolve, onLoad }) {
     onResolve({ filter: /\?text$/ }, ({ path, resolveDir }) => ({ path: new URL(path.slice(0, -5), `file://${resolveDir}/`).pathname, namespace: 'text' }));
     onLoad({ filter: /./, namespace: 'text' }, ({ path }) => ({ contents: readFileSync(path, 'utf8'), loader: 'text' }));
-    onResolve({ filter: /^tutorial:change$/ }, ({ path }) => ({ path, namespace: 'tutorial' }));
-    onLoad({ filter: /./, namespace: 'tutorial' }, () => ({ contents: changeOfTutorial(), loader: 'text' }));
+    onResolve({ filter: /^tutorial:changes$/ }, ({ path }) => ({ path, namespace: 'tutorial' }));
+    onLoad({ filter: /./, namespace: 'tutorial' }, () => ({ contents: changesOfTutorial(), loader: 'json' }));
     onResolve({ filter: /^bundled:/ }, ({ path }) => ({ path: path.slice(8), namespace: 'bundle' }));
-    onLoad({ filter: /./, namespace: 'bundle' }, async ({ path }) => ({ contents: await bundle(path), loader: 'text' }));
+    onLoad({ filter: /./, namespace: 'bundle' }, async ({ path }) => ({ contents: await bundle(path, { plugins: [texts] }), loader: 'text' }));
   },
 };
 
@@ -99,3 +107,6 @@ save('replay.json', JSON.stringify({ viewer: await replayStart('replay.js'), deb
 for (const name of ['index.html', 'field.html', 'page.css', 'field-in-page.css']) copyFileSync(here + name, `${output}/${name}`);
 copyFileSync(`${root}viewer/web/style.css`, `${output}/field.css`);
 copyFileSync(wasm, `${output}/cls.wasm`);
+for (const name of ['pyodide.mjs', 'pyodide.asm.mjs', 'pyodide.asm.wasm', 'python_stdlib.zip', 'pyodide-lock.json']) {
+  copyFileSync(`${tools}/node_modules/pyodide/${name}`, `${output}/${name}`);
+}

@@ -7,8 +7,10 @@ const DECISIONS = {
   GetCoachActions: ['decideAsCoach', 'protos.CoachActions'],
 };
 
-/** For Engine.start(): calls the functions of a team with objects, and gives their replies as bytes. */
+/** For Engine.start(): calls the functions of a team with objects, and gives their replies as bytes. A team with a function
+ * `answer` has the bytes of a State as they are. */
 export function makeDecider(team, messages) {
+  if (team.answer) return (rpc, state) => team.answer(rpc, state);
   return (rpc, state) => {
     const [name, type] = DECISIONS[rpc];
     if (team[name] === undefined) return undefined;
@@ -28,6 +30,6 @@ export function startMatch(engine, { left, right, ...setup }) {
 }
 
 function check(team, side) {
-  if (typeof team === 'string' || typeof team?.decide === 'function') return;
+  if (typeof team === 'string' || typeof (team?.decide ?? team?.answer) === 'function') return;
   throw new TypeError(`${side} must be a side such as 'mock:planner', or an object with a function decide`);
 }

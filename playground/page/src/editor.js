@@ -1,5 +1,6 @@
 // The editor of the team's files: a tab for each file, lines with problems marked.
 import { javascript } from '@codemirror/lang-javascript';
+import { python } from '@codemirror/lang-python';
 import { HighlightStyle, syntaxHighlighting } from '@codemirror/language';
 import { setDiagnostics } from '@codemirror/lint';
 import { EditorState, Prec } from '@codemirror/state';
@@ -7,7 +8,7 @@ import { keymap } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 import { EditorView, basicSetup } from 'codemirror';
 import { element, setAttribute } from '../../../viewer/web/src/dom.js';
-import { kMainFile } from './team_files.js';
+import { mainFileOf } from './team_files.js';
 
 const kNonce = 'cls-editor'; // of the policy of index.html: CodeMirror adds its style sheet
 
@@ -38,7 +39,7 @@ export class Editor {
   constructor(tabs, place, { onEdit, onRun }) {
     this.tabs = tabs;
     this.extensions = [
-      basicSetup, javascript(), kTheme, syntaxHighlighting(kHighlighting), EditorView.cspNonce.of(kNonce),
+      basicSetup, kTheme, syntaxHighlighting(kHighlighting), EditorView.cspNonce.of(kNonce),
       EditorView.contentAttributes.of({ tabindex: '0', 'aria-label': "The team's code" }),
       EditorView.updateListener.of((update) => {
         if (!update.docChanged) return;
@@ -49,17 +50,17 @@ export class Editor {
     ];
     this.view = new EditorView({ parent: place, extensions: this.extensions });
     this.states = new Map();
-    this.file = kMainFile;
+    this.file = '';
     tabs.addEventListener('keydown', (event) => this.#moveTab(event));
   }
 
   /** @param {Record<string, string>} files */
   setFiles(files) {
-    this.states = new Map(Object.entries(files).map(([name, doc]) => [name, EditorState.create({ doc, extensions: this.extensions })]));
+    this.states = new Map(Object.entries(files).map(([name, doc]) => [name, EditorState.create({ doc, extensions: [this.extensions, name.endsWith('.py') ? python() : javascript()] })]));
     this.tabs.replaceChildren(...[...this.states.keys()].map((name) => element('button', {
       type: 'button', role: 'tab', 'aria-controls': 'editor', 'data-file': name, onclick: () => this.open(name),
     }, name)));
-    this.open(kMainFile);
+    this.open(mainFileOf(files));
   }
 
   /** @returns {Record<string, string>} */

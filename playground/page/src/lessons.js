@@ -1,11 +1,15 @@
 // The steps of the tutorial in the page, as data. The `id` of a step is its heading in docs/tutorial.md, which links to it.
-import change from 'tutorial:change';
+import changes from 'tutorial:changes';
+import { placeIn } from './team_files.js';
 
 /** The match of the tutorial, against the visitor's team. @type {Omit<import('./share_link.js').SharedMatch, 'left'>} */
 export const kTutorialMatch = Object.freeze({ right: 'mock', seed: 4, cycles: 1500 });
-const kKick = /^.*smartKick\(.*$/m;
-const kBegin = /^export function decide\(state\) \{$/m;
-const kMistake = "  if (state.world_model.cycle === 5) throw new Error('no plan');";
+const kKick = /^.*smart_?kick\(.*$/im;
+const kBegin = /^(export function decide\(state\) \{|def decide\(.*:)$/m;
+const kMistakes = {
+  javascript: "  if (state.world_model.cycle === 5) throw new Error('no plan');",
+  python: "    if state.world_model.cycle == 5: raise ValueError('no plan')",
+};
 
 /**
  * What the page tells a step.
@@ -18,7 +22,7 @@ const kMistake = "  if (state.world_model.cycle === 5) throw new Error('no plan'
  * @property {string} title
  * @property {'write' | 'improve'} side what is below the text
  * @property {string[]} text paragraphs; `code` in backticks
- * @property {{label: string, keep?: boolean, edit: (code: string) => string}[]} [edits] of decide.js, with `keep` after the
+ * @property {{label: string, keep?: boolean, edit: (code: string, language: import('./team_files.js').Language) => string}[]} [edits] of the file that decides, with `keep` after the
  *   version before it was kept; the same text: not possible
  * @property {{label: string, kind: 'match' | 'compare' | 'download', cycles?: number}} attempt the match of the tutorial, a
  *   comparison of matches of `cycles` with the kept version, or the download of the project
@@ -56,10 +60,10 @@ export const kLessons = Object.freeze([
     title: 'The first change that wins',
     side: 'write',
     text: [
-      'Shoot only if neither goalie nor defenders reach the ball, and else let the planner choose a pass or a dribble: in `decide`, replace `actions.smartKick(…)` by `actions.shoot(), actions.planAttack()`. The button does it, and keeps your version to compare with it later.',
+      'Shoot only if neither goalie nor defenders reach the ball, and else let the planner choose a pass or a dribble: in `decide`, replace the kick, `actions.smartKick(…)`, by `actions.shoot(), actions.planAttack()` (in Python `smart_kick` by `plan_attack`). The button does it, and keeps your version to compare with it later.',
       'Then play the same match again. The same seed and the same decisions give the same match, so what differs is your change.',
     ],
-    edits: [{ label: 'Make the change', keep: true, edit: (code) => code.replace(kKick, () => change.trimEnd()) }],
+    edits: [{ label: 'Make the change', keep: true, edit: (code, language) => code.replace(kKick, () => changes[language].trimEnd()) }],
     attempt: { label: 'Play the match again', kind: 'match' },
     check(event) {
       if (!isTutorialMatch(event)) return null;
@@ -92,14 +96,14 @@ export const kLessons = Object.freeze([
       'Then take it back, and whenever a decision puzzles you: choose a player on the field, and the tab *Decision* shows what it knew, what your code asked for, and what came of it.',
     ],
     edits: [
-      { label: 'Add a mistake', edit: (code) => (code.includes(kMistake) ? code : code.replace(kBegin, (line) => `${line}\n${kMistake}`)) },
-      { label: 'Take it back', edit: (code) => code.replace(`${kMistake}\n`, '') },
+      { label: 'Add a mistake', edit: (code, language) => (code.includes(kMistakes[language]) ? code : code.replace(kBegin, (line) => `${line}\n${kMistakes[language]}`)) },
+      { label: 'Take it back', edit: (code, language) => code.replace(`${kMistakes[language]}\n`, '') },
     ],
     attempt: { label: 'Play the match', kind: 'match' },
     check(event) {
       if (!isTutorialMatch(event)) return null;
-      const place = [...event.warnings, event.status.failure].map((text) => /\(([\w.-]+\.js):(\d+)\)/.exec(text)).find(Boolean);
-      if (place) return { done: true, text: `The mistake is found: ${place[1]}, line ${place[2]}.` };
+      const place = [...event.warnings, event.status.failure].map((text) => placeIn(text)).find(Boolean);
+      if (place) return { done: true, text: `The mistake is found: ${place.file}, line ${place.line}.` };
       return { done: false, text: 'No decision has failed in this match.' };
     },
   },

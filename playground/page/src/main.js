@@ -13,7 +13,7 @@ import { projectOf } from './project.js';
 import { replayPage } from './replay_page.js';
 import { fragmentOf, hasMatch, matchOf } from './share_link.js';
 import { Storage } from './storage.js';
-import { CodeError, kMainFile, kTemplate, placeIn, reachableFiles } from './team_files.js';
+import { CodeError, kTemplates, languageOf, mainFileOf, placeIn, reachableFiles } from './team_files.js';
 import { hasLesson, lessonOf, Tutorial } from './tutorial.js';
 
 const kMocks = [
@@ -29,7 +29,7 @@ const byId = (id) => document.getElementById(id);
 class Playground {
   constructor() {
     this.storage = new Storage();
-    this.team = this.storage.team ?? { name: 'mine', files: { ...kTemplate } };
+    this.team = this.storage.team ?? firstTeam(this.storage.language);
     /** Another team in JavaScript: a kept version, or one of a link. @type {import('./share_link.js').Team | null} */
     this.kept = this.storage.kept;
     this.form = new MatchForm(byId('match-form'), { onPlay: () => this.playChosen() });
@@ -78,6 +78,7 @@ class Playground {
     byId('share-close').onclick = () => byId('share-dialog').close();
     byId('copy-link').onclick = () => this.#copyLink();
     byId('team-name').onchange = ({ target }) => this.#rename(target);
+    byId('language').onchange = ({ target }) => this.#chooseLanguage(target.value);
     byId('reset').onclick = () => this.#reset();
     byId('download-team').onclick = () => this.#downloadTeam();
     byId('compare-form').onsubmit = (event) => {
@@ -135,7 +136,7 @@ class Playground {
     if (attempt.kind === 'match') this.form.choose({ left: kMine, ...kTutorialMatch });
     if (attempt.kind === 'compare') {
       byId('compare-form').elements.cycles.value = attempt.cycles;
-      if (!this.kept) this.#keep(kTemplate);
+      if (!this.kept) this.#keep(firstTeam(languageOf(this.team.files)).files);
       byId('compare-form').elements.base.value = kKept;
     }
     this.openStep('learn');
@@ -152,15 +153,17 @@ class Playground {
   }
 
   #editForLesson({ edit, keep }) {
-    const code = this.editor.files[kMainFile];
-    const changed = edit(code);
-    if (changed === code) return this.tutorial.refuse('Your code has no place for this: Start again gives the first version.');
+    const { files } = this.editor;
+    const file = mainFileOf(files);
+    const changed = edit(files[file], languageOf(files));
+    if (changed === files[file]) return this.tutorial.refuse('Your code has no place for this: Start again gives the first version.');
     if (keep) this.#keep();
-    this.editor.replace(kMainFile, changed);
+    this.editor.replace(file, changed);
   }
 
   #showTeam() {
     byId('team-name').value = this.team.name;
+    byId('language').value = languageOf(this.team.files);
     this.editor.setFiles(this.team.files);
   }
 
@@ -203,7 +206,8 @@ class Playground {
     byId('result-links').hidden = true;
     this.output.clear();
     this.editor.clearMarks();
-    this.#showResult('The teams line up.');
+    const inPython = [match.left, match.right].some((side) => typeof side !== 'string' && languageOf(side.files) === 'python');
+    this.#showResult(inPython ? 'Python is loading.' : 'The teams line up.');
     this.field.open('The match in the replay viewer');
     const began = performance.now();
     const warnings = [];
@@ -268,10 +272,19 @@ class Playground {
     this.#showSides();
   }
 
+  /** The visitor has a team in each language. */
+  #chooseLanguage(language) {
+    this.team = this.storage.teamIn(language) ?? firstTeam(language);
+    this.borrowed = false;
+    this.storage.language = language;
+    this.#showTeam();
+    this.#showSides();
+  }
+
   #reset() {
     const question = this.borrowed ? 'Leave the code of the link and return to your own?' : 'Throw your code away and start again with the first version?';
     if (!window.confirm(question)) return;
-    this.team = (this.borrowed && this.storage.team) || { name: 'mine', files: { ...kTemplate } };
+    this.team = (this.borrowed && this.storage.team) || firstTeam(languageOf(this.team.files));
     this.borrowed = false;
     this.#showTeam();
     this.#onEdit();
@@ -285,7 +298,7 @@ class Playground {
     return this.#saveProject(left === kMine || right === kMine ? match : { ...match, left: this.#sideOf(kMine) });
   }
 
-  /** @param {import('./share_link.js').SharedMatch} match in which a team in JavaScript plays */
+  /** @param {import('./share_link.js').SharedMatch} match in which a team with code of its own plays */
   async #saveProject(match) {
     const around = await (await fetch('project.json')).json();
     const { name } = [match.left, match.right].find((side) => typeof side !== 'string');
@@ -389,7 +402,7 @@ class Playground {
     const teams = [left, right].filter((side) => typeof side !== 'string');
     if (teams.length > 0) {
       this.borrowed = true;
-      this.team = { name: teams[0].name, files: { ...kTemplate, ...teams[0].files } };
+      this.team = { name: teams[0].name, files: { ...kTemplates[languageOf(teams[0].files)], ...teams[0].files } };
       this.kept = teams[1] ?? this.kept;
       this.#showTeam();
       this.#showSides();
@@ -408,7 +421,10 @@ class Playground {
   }
 }
 
-/** True if a team in JavaScript plays. */
+/** @param {import('./team_files.js').Language} language */
+const firstTeam = (language) => ({ name: 'mine', files: { ...kTemplates[language] } });
+
+/** True if a team with code of its own plays. */
 function isCoded({ left, right }) {
   return typeof left !== 'string' || typeof right !== 'string';
 }

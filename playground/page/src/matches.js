@@ -1,8 +1,9 @@
 // Matches in the sandboxed frame: starts them, follows them, and ends those whose teams do not come back.
 import { element } from '../../../viewer/web/src/dom.js';
-import { CodeError, kMainFile, modulesOf, syntaxErrorLine } from './team_files.js';
+import { CodeError, languageOf, mainFileOf, modulesOf, syntaxErrorLine } from './team_files.js';
 
 const kSilentMs = 5000; // a decision takes this long at most
+const kLoadMs = 60_000; // and the interpreter of Python, which is no fault of a team
 const kMatchMs = 300_000; // and a match this long
 const kCheckMs = 250;
 const kEndMs = 2000; // until the frame says that it has ended a worker
@@ -85,7 +86,25 @@ export class Sandbox {
 
 /** The sides as the worker gets them: names of bundled teams, or modules. Throws a CodeError. */
 function sideOf(side) {
-  return typeof side === 'string' ? side : { modules: modulesOf(side.files) };
+  if (typeof side === 'string') return side;
+  return languageOf(side.files) === 'python' ? { python: side.files } : { modules: modulesOf(side.files) };
+}
+
+const kRuntimeFiles = ['pyodide.mjs', 'pyodide.asm.mjs', 'pyodide.asm.wasm', 'python_stdlib.zip', 'pyodide-lock.json'];
+let runtime = null; // of Python: loaded for the first team that needs it
+
+/** The files of Pyodide by name, if a team is in Python. */
+async function runtimeFor(sides) {
+  if (!Object.values(sides).some((side) => side.python)) return null;
+  runtime ??= Promise.all(kRuntimeFiles.map(async (name) => {
+    const response = await fetch(name);
+    if (!response.ok) throw new MatchProblem(`Python cannot be read: ${name}: ${response.status}.`);
+    return [name, new Uint8Array(await response.arrayBuffer())];
+  })).then(Object.fromEntries);
+  return runtime.catch((error) => {
+    runtime = null;
+    throw error;
+  });
 }
 
 /**
@@ -103,6 +122,7 @@ export async function playMatch(sandbox, match, onPiece, signal) {
   if (typeof left !== 'string') setup.leftName = left.name;
   if (typeof right !== 'string') setup.rightName = right.name;
 
+  const python = await runtimeFor(sides);
   const fault = {};
   const { number, port } = await sandbox.start((message) => fault.died?.(message));
   const guard = new Guard(match);
@@ -114,7 +134,7 @@ export async function playMatch(sandbox, match, onPiece, signal) {
       guard.watch(reject);
       port.onmessage = ({ data }) => {
         guard.hear(data);
-        if (data.kind === 'waiting') port.postMessage({ setup, sides, logs });
+        if (data.kind === 'waiting') port.postMessage({ setup, sides, logs, runtime: python });
         if (data.kind === 'piece') onPiece(data);
         if (data.kind === 'done') resolve(data);
         if (data.kind === 'failed') reject(problemOf(data.message, match, guard.side));
@@ -134,7 +154,7 @@ function deathText(message, guard) {
 
 /** A module that does not parse has no line in all browsers: the page finds it. */
 function problemOf(message, match, side) {
-  const place = /\(([\w.-]+\.js)(?::(\d+))?\)$/.exec(message);
+  const place = /\(([\w.-]+\.(?:js|py))(?::(\d+))?\)$/.exec(message);
   if (!place) return new MatchProblem(message, side);
   const files = match[side]?.files ?? {};
   const text = message.slice(0, place.index).trim();
@@ -143,7 +163,7 @@ function problemOf(message, match, side) {
     const line = syntaxErrorLine(code);
     if (line > 0) return new CodeError(file, line, text);
   }
-  return new CodeError(kMainFile, 1, text);
+  return new CodeError(mainFileOf(files), 1, text);
 }
 
 /** Ends a match whose worker is silent, or that takes too long. */
@@ -155,10 +175,12 @@ class Guard {
     this.cycle = 0;
     this.began = performance.now();
     this.heard = this.began;
+    this.patience = kSilentMs;
   }
 
   hear({ kind, side, unum, cycle, status }) {
     this.heard = performance.now();
+    this.patience = kind === 'loading' ? kLoadMs : kSilentMs;
     if (kind === 'alive') Object.assign(this, { side, unum, cycle });
     if (kind === 'piece') this.cycle = status.cycle;
   }
@@ -169,8 +191,8 @@ class Guard {
       const now = performance.now();
       const asleep = now - checked > 4 * kCheckMs; // this page, not the worker
       checked = now;
-      if (asleep) this.heard = Math.max(this.heard, now - kSilentMs / 2);
-      else if (now - this.heard > kSilentMs) reject(new MatchProblem(this.#silentText(), this.#suspect()));
+      if (asleep) this.heard = Math.max(this.heard, now - this.patience / 2);
+      else if (now - this.heard > this.patience) reject(new MatchProblem(this.#silentText(), this.#suspect()));
       else if (now - this.began > kMatchMs) reject(new MatchProblem(`The match was ended: it has taken ${kMatchMs / 60_000} minutes.`));
     }, kCheckMs);
   }

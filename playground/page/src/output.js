@@ -5,7 +5,7 @@ import { placeIn } from './team_files.js';
 const kMostRows = 500;
 const kHints = [
   'Ctrl+Enter plays. Problems and what your team prints with console.log appear here.',
-  'A first edit: with the ball, actions.planAttack() in place of actions.smartKick(GOAL, 3, 0.1, 3). The tab Decision beside the field shows what a player asked for and what came of it.',
+  'A first edit: with the ball, actions.planAttack() in place of actions.smartKick(GOAL, 3, 0.1, 3), in Python plan_attack in place of smart_kick. The tab Decision beside the field shows what a player asked for and what came of it.',
 ];
 
 export class Output {

@@ -1,8 +1,14 @@
 // A team as the project that `cls match` plays: its files and a Playmaker around them.
+import { languageOf, mainFileOf } from './team_files.js';
 import { zipOf } from './zip.js';
 
 const kOpponent = 'opponent';
 const kBook = 'situation.book';
+/** What differs between languages: their names, the tools that a project needs, and the folder of the team's files. */
+const kLanguages = {
+  javascript: { name: 'JavaScript', tools: 'Node.js 18 and npm', folder: 'src/' },
+  python: { name: 'Python', tools: 'Python 3.9 with grpcio (Debian: python3-grpcio and protobuf-compiler-grpc)', folder: '' },
+};
 
 /** @param {string} word of a command */
 const quoted = (word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word}'`);
@@ -25,10 +31,11 @@ export function commandOf(match) {
 }
 
 function readmeOf(team, command) {
+  const { name, tools, folder } = kLanguages[languageOf(team.files)];
   return `# ${team.name}
 
-A team for RoboCup 2D soccer simulation in JavaScript, from the page of \`cls\` that plays matches in the browser.
-\`src/decide.js\` has its decisions. It needs \`cls\`, Node.js 18 and npm:
+A team for RoboCup 2D soccer simulation in ${name}, from the page of \`cls\` that plays matches in the browser.
+\`${folder}${mainFileOf(team.files)}\` has its decisions. It needs \`cls\` and ${tools}:
 
 \`\`\`sh
 ./run build
@@ -42,9 +49,9 @@ The second command plays the match of the page, with the same bytes in \`match.r
 }
 
 /**
- * The project of a match in which a team in JavaScript plays; if both sides do, the second one is in a folder of its own.
- * @param {import('./share_link.js').SharedMatch} match @param {Record<string, string>} around the files around a team, by
- *   path; @NAME@ stands for its name
+ * The project of a match in which a team with code of its own plays; if both are such teams, the second one is in a folder.
+ * @param {import('./share_link.js').SharedMatch} match @param {Record<string, Record<string, string>>} around the files
+ *   around a team, by language and path; @NAME@ stands for its name
  * @returns {Blob} a ZIP archive
  */
 export function projectOf(match, around) {
@@ -52,8 +59,9 @@ export function projectOf(match, around) {
   const files = { 'README.md': readmeOf(teams[0], commandOf(match)) };
   teams.forEach((team, i) => {
     const folder = i === 0 ? '' : `${kOpponent}/`;
-    for (const [path, text] of Object.entries(around)) files[folder + path] = text.replaceAll('@NAME@', team.name);
-    for (const [name, text] of Object.entries(team.files)) files[`${folder}src/${name}`] = text;
+    const language = languageOf(team.files);
+    for (const [path, text] of Object.entries(around[language])) files[folder + path] = text.replaceAll('@NAME@', team.name);
+    for (const [name, text] of Object.entries(team.files)) files[folder + kLanguages[language].folder + name] = text;
   });
   if (match.book !== null) files[kBook] = match.book;
   return zipOf(files, (path) => /(^|\/)run$/.test(path));

@@ -11,7 +11,7 @@ const kSettingPattern = /^(server|player)::\w+=[\w.+~/-]{1,100}$/; // nothing th
 const kMostSettings = 100;
 
 /**
- * @typedef {{name: string, files: Record<string, string>}} Team a team in JavaScript
+ * @typedef {{name: string, files: Record<string, string>}} Team a team with code of its own
  *
  * A match: `cycles` is its end in game time, or null for two halves; `set` has settings such as server::half_time=100. With
  * `book`, the text of a book with one situation, this situation is played for `cycles`.

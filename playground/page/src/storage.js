@@ -1,6 +1,7 @@
 // The visitor's team and steps in the browser's storage, which may be forbidden. Code of links is not kept there.
-import { areTeamFiles } from './team_files.js';
+import { areTeamFiles, languageOf } from './team_files.js';
 
+const kTeamKeys = { javascript: 'cls-team', python: 'cls-team-python' };
 const kViewerKey = 'cls-viewer'; // of viewer/web/src/settings.js
 
 export class Storage {
@@ -25,12 +26,28 @@ export class Storage {
     return typeof team?.name === 'string' && areTeamFiles(team.files) ? team : null;
   }
 
+  /** The visitor's team in a language, or null. @param {import('./team_files.js').Language} language */
+  teamIn(language) {
+    const team = this.#team(kTeamKeys[language]);
+    return team && languageOf(team.files) === language ? team : null;
+  }
+
+  /** The team of the language that was used last. */
   get team() {
-    return this.#team('cls-team');
+    return this.teamIn(this.language);
   }
 
   set team(team) {
-    this.#write('cls-team', team);
+    this.language = languageOf(team.files);
+    this.#write(kTeamKeys[this.language], team);
+  }
+
+  get language() {
+    return this.#read('cls-language') === 'python' ? 'python' : 'javascript';
+  }
+
+  set language(language) {
+    this.#write('cls-language', language);
   }
 
   get kept() {

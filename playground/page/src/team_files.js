@@ -3,10 +3,30 @@ import { javascriptLanguage } from '@codemirror/lang-javascript';
 import actions from '../../../examples/javascript/src/actions.js?text';
 import situation from '../../../examples/javascript/src/situation.js?text';
 import decide from '../../../examples/minimal/decide.js?text';
+import pythonDecide from '../../../examples/minimal/decide.py?text';
+import pythonActions from '../../../examples/python/actions.py?text';
+import pythonSituation from '../../../examples/python/situation.py?text';
 
-export const kMainFile = 'decide.js';
-export const kTemplate = Object.freeze({ [kMainFile]: decide, 'actions.js': actions, 'situation.js': situation });
+/** @typedef {'javascript' | 'python'} Language */
+
+const kJavascriptMain = 'decide.js';
+const kPythonMain = 'decide.py';
+/** The first version of a team, by language. */
+export const kTemplates = Object.freeze({
+  javascript: { [kJavascriptMain]: decide, 'actions.js': actions, 'situation.js': situation },
+  python: { [kPythonMain]: pythonDecide, 'actions.py': pythonActions, 'situation.py': pythonSituation },
+});
 const kLargestFile = 200_000; // characters
+
+/** @param {Record<string, string>} files @returns {Language} */
+export function languageOf(files) {
+  return kPythonMain in files ? 'python' : 'javascript';
+}
+
+/** The file that decides. @param {Record<string, string>} files */
+export function mainFileOf(files) {
+  return kPythonMain in files ? kPythonMain : kJavascriptMain;
+}
 
 /** What is wrong with a team's code, and where. */
 export class CodeError extends Error {
@@ -20,17 +40,18 @@ export class CodeError extends Error {
 
 /** The first place that a text names as "(FILE:LINE)". @param {string} text @returns {{file: string, line: number} | null} */
 export function placeIn(text) {
-  const place = /\(([\w.-]+\.js):(\d+)\)/.exec(text);
+  const place = /\(([\w.-]+\.(?:js|py)):(\d+)\)/.exec(text);
   return place && { file: place[1], line: Number(place[2]) };
 }
 
 /** True for files as the page has them: texts by name, with the one that decides. */
 export function areTeamFiles(files) {
-  return typeof files?.[kMainFile] === 'string'
-    && Object.entries(files).every(([name, text]) => name in kTemplate && typeof text === 'string' && text.length <= kLargestFile);
+  if (typeof files !== 'object' || files === null || typeof files[mainFileOf(files)] !== 'string') return false;
+  const template = kTemplates[languageOf(files)];
+  return Object.entries(files).every(([name, text]) => Object.hasOwn(template, name) && typeof text === 'string' && text.length <= kLargestFile);
 }
 
-/** The modules that the team consists of, each after those that it imports, as team_modules.js loads them.
+/** The modules that a team in JavaScript consists of, each after those that it imports, as team_modules.js loads them.
  * Throws a CodeError. */
 export function modulesOf(files) {
   const modules = [];
@@ -43,12 +64,13 @@ export function modulesOf(files) {
     for (const piece of pieces) if (typeof piece !== 'string') add(piece.module, name, piece.line);
     modules.push({ name, pieces });
   };
-  add(kMainFile, kMainFile, 1);
+  add(kJavascriptMain, kJavascriptMain, 1);
   return modules;
 }
 
 /** The files that the team needs. */
 export function reachableFiles(files) {
+  if (languageOf(files) === 'python') return { ...files };
   try {
     return Object.fromEntries(modulesOf(files).map(({ name }) => [name, files[name]]).reverse());
   } catch {

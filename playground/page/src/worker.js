@@ -2,6 +2,7 @@
 import { Engine } from '../../web/engine.js';
 import { startMatch } from '../../web/teams.js';
 import { captureConsole } from './console.js';
+import { loadPythonTeam } from './python_team.js';
 import { loadTeam } from './team_modules.js';
 
 const kPieceMs = 80; // between two reports
@@ -29,7 +30,7 @@ class Activity {
     const now = performance.now();
     if (now - this.last < kAliveMs) return;
     this.last = now;
-    const { cycle = 0, self } = state.world_model ?? {}; // a coach is not on the field
+    const { cycle = 0, self } = state?.world_model ?? {}; // a coach is not on the field; Python has bytes
     this.port.postMessage({ kind: 'alive', side, unum: self?.uniform_number ?? 0, cycle });
   }
 
@@ -40,15 +41,29 @@ class Activity {
   }
 }
 
-async function play(module, port, { setup, sides, logs }) {
+/** The team of a side: the name of a bundled one, or what decides. */
+async function teamOf(side, { sides, runtime }, engine, activity) {
+  const given = sides[side];
+  if (typeof given === 'string') return given;
+  activity.loads(side);
+  if (given.modules) return watched(await loadTeam(given.modules), side, activity);
+  activity.port.postMessage({ kind: 'loading' });
+  const { answer } = await loadPythonTeam(given.python, runtime, engine.schema(), () => activity.loads(side));
+  return {
+    answer(rpc, state) {
+      activity.decides(side, null);
+      return answer(rpc, state);
+    },
+  };
+}
+
+async function play(module, port, task) {
+  const { setup, logs } = task;
   const engine = await Engine.create(module);
   const activity = new Activity(port);
   const lines = captureConsole(() => activity.side);
   const teams = {};
-  for (const side of ['left', 'right']) {
-    if (typeof sides[side] !== 'string') activity.loads(side);
-    teams[side] = typeof sides[side] === 'string' ? sides[side] : watched(await loadTeam(sides[side].modules), side, activity);
-  }
+  for (const side of ['left', 'right']) teams[side] = await teamOf(side, task, engine, activity);
   activity.side = '';
   const match = startMatch(engine, { ...setup, ...teams });
   const post = port.postMessage.bind(port);

@@ -18,3 +18,23 @@ export function hashOfCls(words, folder = '.') {
     rmSync(parent, { recursive: true });
   }
 }
+
+// With the permissions, as other programs do it.
+const UNZIP = `
+import os, sys, zipfile
+archive = zipfile.ZipFile(sys.argv[1])
+archive.extractall(sys.argv[2])
+for entry in archive.infolist():
+    os.chmod(os.path.join(sys.argv[2], entry.filename), entry.external_attr >> 16 & 0o777)
+`;
+
+/** Unpacks a project. */
+export function unzip(archive, folder) {
+  execFileSync('python3', ['-c', UNZIP, archive, folder]);
+}
+
+/** The words behind `cls match` in the README of a project. @param {string} text */
+export function wordsOfReadme(text) {
+  const [, command] = /^cls match (.*)$/m.exec(text);
+  return Array.from(command.matchAll(/'([^']*)'|\S+/g), ([word, inner]) => inner ?? word);
+}

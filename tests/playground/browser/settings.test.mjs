@@ -6,7 +6,7 @@ import os from 'node:os';
 import path from 'node:path';
 import test, { after, before } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { hashOfCls, sha256 } from './cls_match.mjs';
+import { hashOfCls, sha256, unzip, wordsOfReadme } from './cls_match.mjs';
 import { playedHash, resultMatches, sharedLink, startSite, whenShown, writeCode } from './site.mjs';
 
 const packages = fileURLToPath(new URL('../../../examples/javascript/node_modules', import.meta.url));
@@ -122,15 +122,6 @@ async function playCode(page) {
   return playedHash(page);
 }
 
-// With the permissions, as other programs do it.
-const UNZIP = `
-import os, sys, zipfile
-archive = zipfile.ZipFile(sys.argv[1])
-archive.extractall(sys.argv[2])
-for entry in archive.infolist():
-    os.chmod(os.path.join(sys.argv[2], entry.filename), entry.external_attr >> 16 & 0o777)
-`;
-
 test('a project plays the match of the page under cls match', { skip }, async () => {
   const { page, problems, context } = await opened();
   await page.click('.steps [data-step=improve]');
@@ -142,10 +133,9 @@ test('a project plays the match of the page under cls match', { skip }, async ()
   assert.equal(download.suggestedFilename(), 'Blue.zip');
 
   const project = path.join(folder, 'Blue');
-  execFileSync('python3', ['-c', UNZIP, await download.path(), project]);
+  unzip(await download.path(), project);
   for (const team of [project, path.join(project, 'opponent')]) symlinkSync(packages, path.join(team, 'node_modules'));
-  const [, command] = /^cls match (.*)$/m.exec(readFileSync(path.join(project, 'README.md'), 'utf8'));
-  const words = [...command.matchAll(/'([^']*)'|\S+/g)].map(([word, inner]) => inner ?? word);
+  const words = wordsOfReadme(readFileSync(path.join(project, 'README.md'), 'utf8'));
   assert.equal(hash, hashOfCls(words, project));
 
   // The side of cls.toml, and its scenarios.
