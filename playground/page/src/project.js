@@ -30,7 +30,9 @@ export function commandOf(match) {
   return ['cls', 'match', ...sides, ...names, ...optionsOf(match)].map((word) => quoted(String(word))).join(' ');
 }
 
-function readmeOf(team, command) {
+function readmeOf(teams, command) {
+  const [team] = teams;
+  const builds = ['./run build', `${kOpponent}/run build`].slice(0, teams.length);
   const { name, tools, folder } = kLanguages[languageOf(team.files)];
   return `# ${team.name}
 
@@ -38,13 +40,13 @@ A team for RoboCup 2D soccer simulation in ${name}, from the page of \`cls\` tha
 \`${folder}${mainFileOf(team.files)}\` has its decisions. It needs \`cls\` and ${tools}:
 
 \`\`\`sh
-./run build
+${builds.join('\n')}
 ${command}
 cls watch runs
 cls test tests/
 \`\`\`
 
-The second command plays the match of the page, with the same bytes in \`match.rcg\` and \`match.rcl\`.
+\`cls match\` plays the match of the page, with the same bytes in \`match.rcg\` and \`match.rcl\`.
 `;
 }
 
@@ -56,7 +58,7 @@ The second command plays the match of the page, with the same bytes in \`match.r
  */
 export function projectOf(match, around) {
   const teams = [match.left, match.right].filter((side) => typeof side !== 'string');
-  const files = { 'README.md': readmeOf(teams[0], commandOf(match)) };
+  const files = { 'README.md': readmeOf(teams, commandOf(match)) };
   teams.forEach((team, i) => {
     const folder = i === 0 ? '' : `${kOpponent}/`;
     const language = languageOf(team.files);

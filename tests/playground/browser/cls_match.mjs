@@ -19,13 +19,15 @@ export function hashOfCls(words, folder = '.') {
   }
 }
 
-// With the permissions, as other programs do it.
+// With permissions and times, as other programs do it: ./run looks at both.
 const UNZIP = `
-import os, sys, zipfile
+import os, sys, time, zipfile
 archive = zipfile.ZipFile(sys.argv[1])
 archive.extractall(sys.argv[2])
 for entry in archive.infolist():
-    os.chmod(os.path.join(sys.argv[2], entry.filename), entry.external_attr >> 16 & 0o777)
+    file = os.path.join(sys.argv[2], entry.filename)
+    os.chmod(file, entry.external_attr >> 16 & 0o777)
+    os.utime(file, (time.mktime(entry.date_time + (0, 0, -1)),) * 2)
 `;
 
 /** Unpacks a project. */
