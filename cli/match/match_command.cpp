@@ -102,7 +102,8 @@ class WatchedMatch : public ProgressLine {
 };
 
 int exit_code_of(const MatchResult& result) {
-  if (result.valid() && !result.write_error.empty()) return kWriteFailed;
+  const bool unknown = result.end_reason == EndReason::kServerFailed;
+  if ((result.valid() || unknown) && !result.write_error.empty()) return kWriteFailed;
   if (result.end_reason == EndReason::kRefused && result.try_again) return kTryAgain;
   if (result.end_reason == EndReason::kInterrupted) return signal_exit_code(result.signal);
   return row_of(result.end_reason).exit_code;

@@ -266,17 +266,17 @@ std::vector<ProcessResult> ExternalServer::wait_gone() {
   return {result_of(*child_)};
 }
 
-// Without a log, only the agents know the score.
-void ExternalServer::report_missing_log(MatchResult& result, bool has_agents,
-                                        const std::string& why) const {
+// What agents have heard counts for nothing: any program in their network can send to them in the
+// name of the server. So there is no result without a log that has it.
+void ExternalServer::report_unknown(MatchResult& result, bool has_agents,
+                                    const std::string& why) const {
   if (!plan_.server || !result.valid()) return;
-  if (has_agents) {
-    result.warnings.push_back(
-        fmt::format("score and cycles are those that the cls agents heard: {}", why));
-    return;
-  }
   result.end_reason = EndReason::kServerFailed;
-  result.message = fmt::format("the result is unknown: {}", why);
+  result.message = "the result is unknown: " + why;
+  if (has_agents) {
+    result.message +=
+        fmt::format("; the cls agents heard {} : {}", result.left.score, result.right.score);
+  }
   result.left.score = result.right.score = 0;
 }
 
@@ -292,8 +292,8 @@ void ExternalServer::report_write_error(MatchResult& result) const {
   result.write_error = "the soccer server could not write its logs: " + why;
 }
 
-// Such a log knows the result, whatever agents have heard: programs of a side may be able to send
-// to them in the name of the server. Only `cls server` says whether it could write.
+// Such a log knows the result, whatever agents have heard. Only `cls server` says whether it could
+// write.
 bool ExternalServer::has_written_whole_log() const {
   if (child_ == nullptr || !binds_clients()) return false;
   const process::Child::Status status = child_->status();
@@ -301,41 +301,23 @@ bool ExternalServer::has_written_whole_log() const {
   return !status.exit->by_signal && status.exit->number != kServerWriteError;
 }
 
-// True if the log ends before the match: the disk was full, or the file too large. The players are
-// a cycle ahead of the log when a match ends at its cycle limit.
+// True if the log ends before the match: the disk was full, the file too large, or agents believed
+// somebody that it is over. The players are a cycle ahead of the log when a match ends at its cycle
+// limit.
 bool ExternalServer::is_cut(int cycles, bool over, const std::vector<AgentProgress>& agents) const {
-  const bool at_limit = options_.cycles && cycles >= *options_.cycles;
+  const bool at_limit = options_.cycles && cycles + 1 >= *options_.cycles;
+  if (!over && !at_limit) return true;
   if (has_written_whole_log()) return false;
-  if (agents.empty()) return output_.status().game_over && !over && !at_limit;
   return std::ranges::any_of(agents, [cycles](const AgentProgress& seen) {
     return seen.progress.match.cycle > cycles + 1;
   });
 }
 
-// `result` has what the agents heard. They do not hear the score of a shoot-out.
-void ExternalServer::report_cut_log(MatchResult& result, int cycles, bool has_agents) const {
-  const bool shoot_out =
-      result.left.score == result.right.score && options_.server.penalty_shoot_outs;
-  std::string line =
-      has_agents
-          ? fmt::format("{} ends at cycle {} of {}", kGameLogFile, cycles, result.cycles)
-          : fmt::format("{} ends at cycle {}, before the end of the match", kGameLogFile, cycles);
-  if (!result.write_error.empty()) line += fmt::format(" ({})", result.write_error);
-
-  if (!has_agents || shoot_out) {
-    result.end_reason = EndReason::kServerFailed;
-    result.message = "the result is unknown: " + line;
-    return;
-  }
-  result.write_error = line + "; score and cycles are those that the cls agents heard";
-}
-
 void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgress>& agents) const {
   const auto record = gamelog::read_rcg_file((folder_ / kGameLogFile).string());
-  if (!record) return report_missing_log(result, !agents.empty(), record.error().message);
+  if (!record) return report_unknown(result, !agents.empty(), record.error().message);
   if (record->frames() == 0) {
-    const bool agents_know = !agents.empty() && !has_written_whole_log();
-    return report_missing_log(result, agents_know, "the game log contains no cycle");
+    return report_unknown(result, !agents.empty(), "the game log contains no cycle");
   }
 
   const analysis::MatchSummary summary = analysis::summarize(*record, nullptr);
@@ -349,7 +331,10 @@ void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgre
 
   const bool over = !record->mode.empty() && record->mode.back() == soccer::PlayMode::kTimeOver;
   if (result.valid() && is_cut(last_cycle(*record, summary.cycles), over, agents)) {
-    return report_cut_log(result, summary.cycles, !agents.empty());
+    std::string why = fmt::format("{} ends at cycle {}", kGameLogFile, summary.cycles);
+    if (!agents.empty()) why += fmt::format(" of {}", result.cycles);
+    if (!result.write_error.empty()) why += fmt::format(" ({})", result.write_error);
+    return report_unknown(result, !agents.empty(), why);
   }
 
   for (const soccer::Side side : soccer::kBothSides) {

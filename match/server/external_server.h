@@ -73,11 +73,10 @@ class ExternalServer : public Server {
   MatchEnd refused(std::string message) const;
   void read_log(MatchResult& result, const std::vector<AgentProgress>& agents) const;
   static void warn_of_other_scores(MatchResult& result, const std::vector<AgentProgress>& agents);
-  void report_missing_log(MatchResult& result, bool has_agents, const std::string& why) const;
+  void report_unknown(MatchResult& result, bool has_agents, const std::string& why) const;
   void report_write_error(MatchResult& result) const;
   bool has_written_whole_log() const;
   bool is_cut(int cycles, bool over, const std::vector<AgentProgress>& agents) const;
-  void report_cut_log(MatchResult& result, int cycles, bool has_agents) const;
 
   const MatchOptions& options_;
   MatchPlan plan_;
