@@ -12,8 +12,10 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "analysis/situations/book_file.h"
+#include "base/index.h"
 #include "base/io/byte_sink.h"
 #include "base/io/gzip_sink.h"
 #include "base/system/unique_fd.h"
@@ -37,6 +39,7 @@
 #include "tournament/config/config_file.h"
 #include "tournament/store/match_document.h"
 #include "tournament/tuning/tune_config.h"
+#include "training/policy/policy.h"
 
 namespace cls::tests {
 namespace {
@@ -205,6 +208,25 @@ void check_book(const std::string& text) {
   require(!analysis::situations_of(*book, 1, kMany).empty());
 }
 
+// A header and, behind a line of "--", weights as they are in the file.
+void check_policy(const std::string& text) {
+  constexpr std::string_view kBorder = "\n--\n";
+  const std::size_t end = text.find(kBorder);
+  const std::string header = text.substr(0, end);
+  std::string bytes = "CLSPOL2\n";
+  for (std::size_t i = 0; i < 4; ++i) bytes += static_cast<char>(header.size() >> (8 * i) & 0xff);
+  bytes += header;
+  if (end != std::string::npos) bytes += text.substr(end + kBorder.size());
+
+  const auto policy = training::parse_policy(bytes, "fuzz.policy");
+  if (!policy) return require(!policy.error().message.empty());
+  const training::Network& network = policy->network;
+  const std::vector<float> features(base::index(network.features()), 1.0F);
+  std::vector<float> memory(base::index(network.memory()));
+  training::Network::Workspace workspace;
+  require(network.run(features.data(), memory.data(), workspace) != nullptr);
+}
+
 // Lines of schedules, rows of the store, results of matches.
 void check_record(const std::string& text) {
   using namespace tournament;
@@ -261,6 +283,8 @@ void check_user_file(std::string_view input) {
       return check_book(text);
     case 'e':
       return check_record(text);
+    case 'y':
+      return check_policy(text);
     default:
       return;
   }
