@@ -17,6 +17,7 @@
 #include "cli/tournament/tournament_session.h"
 #include "league/schedule/schedule.h"
 #include "league/schedule/schedule_check.h"
+#include "tournament/config/config_file.h"
 #include "tournament/report/report_document.h"
 #include "tournament/report/report_text.h"
 #include "tournament/run/tournament_run.h"
@@ -56,11 +57,11 @@ std::size_t matches_to_play(const TournamentConfig& config,
 
 // A mistyped name begins another tournament where the working directory has a configuration.
 void suggest_begun_one(const fs::path& folder) {
-  if (holds_plan(folder)) return;
+  std::error_code code;
+  if (holds_plan(folder) || fs::exists(folder / kConfigFile, code)) return;
   const fs::path whole = fs::absolute(folder).lexically_normal();
   const fs::path named = whole.has_filename() ? whole : whole.parent_path();
   std::vector<std::string> begun;
-  std::error_code code;
   for (fs::directory_iterator at(named.parent_path(), code), end; !code && at != end;
        at.increment(code)) {
     if (holds_plan(at->path())) begun.push_back(at->path().filename().string());

@@ -129,7 +129,7 @@ TEST_F(RunSide, ShowsNoMarkBelowALineThatItDoesNotShow) {
           "run:printf 'import team\n    ^^^^\nFile 11\n  a = b)\n       ^\nNo\n' {port}; exit 1",
           {}),
       environment());
-  EXPECT_THAT(played.err, testing::Not(HasSubstr("^^^^")));
+  EXPECT_THAT(played.err, testing::Not(HasSubstr("Playmaker:     ^^^^")));
   EXPECT_THAT(played.err, HasSubstr("File 11"));
   EXPECT_THAT(played.err, HasSubstr("Playmaker:        ^"));
 }
