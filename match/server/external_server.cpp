@@ -250,6 +250,7 @@ std::optional<MatchEnd> ExternalServer::failure(bool playing) {
 void ExternalServer::finish(FinalState state, const std::atomic<int>& signal) {
   if (child_ == nullptr) return;
 
+  left_over_ = state == FinalState::kOver;
   const auto until = Clock::now() + kExitTimeout;
   while (state == FinalState::kOver && !child_->wait_exit(kLogPollInterval) &&
          Clock::now() < until) {
@@ -306,8 +307,9 @@ bool ExternalServer::has_written_whole_log() const {
 // limit.
 bool ExternalServer::is_cut(int cycles, bool over, const std::vector<AgentProgress>& agents) const {
   const bool at_limit = options_.cycles && cycles + 1 >= *options_.cycles;
-  if (!over && !at_limit) return true;
+  if (left_over_ && !over && !at_limit) return true;
   if (has_written_whole_log()) return false;
+  if (agents.empty()) return output_.status().game_over && !over && !at_limit;
   return std::ranges::any_of(agents, [cycles](const AgentProgress& seen) {
     return seen.progress.match.cycle > cycles + 1;
   });

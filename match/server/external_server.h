@@ -89,6 +89,7 @@ class ExternalServer : public Server {
   std::optional<Intruder> intruder_;
   std::vector<std::string> warnings_;
   GameLogFollower log_;
+  bool left_over_ = false;  ///< the match was over, as far as it knows, when it left the server
   std::shared_ptr<process::Child> child_;  ///< null: not started by cls
   ClaimedNames names_;
   soccer::PerSide<std::unique_ptr<ServerRelay>> relays_;  ///< null: the side needs none
