@@ -34,7 +34,8 @@ constexpr std::string_view kPlannerForm = "planner:";
 constexpr std::string_view kEachForm = "each:";
 constexpr int kMaxPortStep = 13;
 constexpr std::string_view kCoachOfPolicies = "planner";
-constexpr std::string_view kLearned = "learned";
+constexpr std::string_view kLearnedSide = "mock:learned";
+constexpr std::string_view kLearned = "learned";  // its policy_file
 
 Error wrong(std::string_view side, std::string_view what) {
   return Error{fmt::format("side '{}': {}", side, what)};
@@ -233,7 +234,7 @@ std::string described_team(const Endpoint& endpoint) {
 
 Result<std::shared_ptr<const training::Policy>> policy_of(const std::string& name) {
   if (name != kLearned) return training::read_policy(name);
-  TRY_INIT(auto policy, training::parse_policy(learned_policy(), "mock:learned"));
+  TRY_INIT(auto policy, training::parse_policy(learned_policy(), std::string(kLearnedSide)));
   return std::make_shared<const training::Policy>(std::move(policy));
 }
 
@@ -258,7 +259,7 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
   using Kind = Endpoint::Kind;
   constexpr std::string_view kTls = "tls:";
   if (text == "mock") return endpoint_of_kind(Kind::kMock, text);
-  if (text == "mock:learned") {
+  if (text == kLearnedSide) {
     Endpoint endpoint = endpoint_of_kind(Kind::kMock, text);
     endpoint.behavior = kCoachOfPolicies;
     endpoint.policy_file = kLearned;
