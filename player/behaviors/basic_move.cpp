@@ -20,6 +20,15 @@ namespace {
 
 constexpr PaceParameters kNumbers = kBehaviors.pace;
 
+/// True if opponents attack with a ball that is behind the agent, a defender or midfielder.
+bool has_been_passed(const WorldModel& world, Vec2 ball) {
+  const InterceptTable& table = world.intercept;
+  const bool is_back = world.unum >= 2 && world.unum <= 8;
+  const bool they_attack =
+      world.kickable_opponent() || table.first_opponent_steps < table.our_steps();
+  return is_back && they_attack && ball.x < std::min(kNumbers.chase_x, world.self.position.x);
+}
+
 }  // namespace
 
 double running_pace(const WorldModel& world) {
@@ -53,6 +62,8 @@ double normal_dash_power(const WorldModel& world, bool& recovering) {
       ball.x < world.lines.our_defense + kNumbers.behind_line) {
     return max;
   }
+  const bool chases = self.stamina > parameters.chase_stamina * stamina_max;
+  if (chases && has_been_passed(world, ball)) return max;
   if (recovering) return std::max(0.0, income - kNumbers.rest);
   if (world.kickable_teammate() && world.ball.dist_from_self < kNumbers.close_ball) {
     return std::min(max, parameters.run_power_near * income);

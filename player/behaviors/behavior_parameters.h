@@ -21,6 +21,7 @@ struct PaceParameters {
   double fastest = 1.3;
   double rest = 25.0;          ///< below the income of stamina while recovering
   double behind_line = 20.0;   ///< full power behind our line, with the ball less far ahead, meters
+  double chase_x = 10.0;       ///< passed players run back while the ball is behind this x
   double close_ball = 20.0;    ///< power near a teammate with the ball, meters
   double attack_x = 25.0;      ///< saves stamina with a safe ball beyond this x
   double attack_ahead = 10.0;  ///< and so far ahead of the agent, meters
@@ -41,6 +42,10 @@ struct GoalieParameters {
   double way = 0.12;            ///< cost per meter from the agent
   double line = 0.05;           ///< cost per meter from the usual line
   double run_speed = 0.8;       ///< on short distances, meters per cycle
+  double sweep_from = 30.0;     ///< a sweeping goalie comes out from this distance of the ball
+  double sweep_to = 75.0;       ///< and is farthest out from this one, meters
+  double sweep_x = -12.0;       ///< it gets balls behind this x
+  int sweep_lead = 3;           ///< if it is there so many cycles before opponents
 };
 
 struct BehaviorParameters {

@@ -14,6 +14,7 @@
 #include "player/world/candidates.h"
 #include "player/world/motion.h"
 #include "player/world/places.h"
+#include "player/world/planner_parameters.h"
 
 namespace cls::player {
 namespace {
@@ -98,6 +99,16 @@ bool can_catch(const WorldModel& world) {
   return shot && distance(ball_after(world, 1), self_after(world, 1)) > world.ball.dist_from_self;
 }
 
+/// True if the goalie may run out of its area for a ball behind our defense.
+bool should_sweep(const WorldModel& world, Vec2 meeting) {
+  constexpr GoalieParameters kNumbers = kBehaviors.goalie;
+  const InterceptTable& table = world.intercept;
+  const int self = table.best_self_steps();
+  return world.planner->sweep > 0.0 && meeting.x < kNumbers.sweep_x &&
+         self <= table.first_teammate_steps &&
+         self <= table.first_opponent_steps - kNumbers.sweep_lead;
+}
+
 bool should_come_out(const WorldModel& world) {
   const InterceptTable& table = world.intercept;
   const int self = table.best_self_steps();
@@ -112,7 +123,7 @@ bool should_come_out(const WorldModel& world) {
   constexpr int kDuel = 1;
   if (in_mouth && self <= (world.kickable_opponent() ? kDuel : opponent + 1)) return true;
   if (shot_at_us(world)) return true;
-  if (!in_own_penalty_area(meeting, 0.5)) return false;
+  if (!in_own_penalty_area(meeting, 0.5)) return should_sweep(world, meeting);
   // Stay if a teammate gets the ball in time.
   if (table.first_teammate_steps < self && table.first_teammate_steps < opponent) return false;
 

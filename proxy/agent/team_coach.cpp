@@ -19,6 +19,7 @@ base::Result<void> Team::connect_coach(soccer::CoachRole role, const OpenChannel
   options.team_name = trainer ? soccer::TeamName() : options_.name;
   options.protocol = options_.protocol;
   options.graphic = options_.graphic;
+  if (!trainer) options.planner = options_.planner;
 
   auto coach = std::make_unique<CoachAgent>(std::move(channel), options);
   if (const base::Result<void> entered = connect_agent(*coach, serve); !entered) {

@@ -26,7 +26,9 @@ std::string name_of(std::string_view command) {
 }  // namespace
 
 CoachAgent::CoachAgent(std::unique_ptr<soccer::Channel> channel, CoachOptions options)
-    : Agent(std::move(channel)), options_(std::move(options)) {}
+    : Agent(std::move(channel)), options_(std::move(options)) {
+  if (options_.planner != nullptr) world_.planner = options_.planner;
+}
 
 bool CoachAgent::connect() {
   // Version 19 is the same for coaches and trainers, and servers may not know it.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "player/world/planner_parameters.h"
 #include "proto/playmaker.pb.h"
 #include "proxy/coach/coach_actions.h"
 #include "proxy/coach/coach_memory.h"
@@ -28,7 +29,8 @@ struct CoachOptions {
   soccer::CoachRole role = soccer::CoachRole::kOnlineCoach;
   soccer::TeamName team_name;  ///< of an online coach; a trainer receives the left team's
   int protocol = soccer::kDefaultProtocolVersion;
-  std::shared_ptr<const TeamGraphic> graphic = nullptr;  ///< null: none
+  std::shared_ptr<const TeamGraphic> graphic = nullptr;                ///< null: none
+  std::shared_ptr<const player::PlannerParameters> planner = nullptr;  ///< null: the defaults
 };
 
 /// Communicates with the server through its channel only. Sequence: connect(); perceive() until

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/index.h"
+#include "player/world/planner_parameters.h"
 
 namespace cls::proxy {
 namespace {
@@ -18,7 +19,9 @@ constexpr int kMinStoppedSteps = 10;
 constexpr int kLastCycles = 500;
 constexpr double kTired = 0.002;  // recovery lost
 // Order in which players get the fastest remaining type; the goalie is skipped.
-constexpr std::array<int, soccer::kPlayersPerTeam> kOrder = {11, 2, 3, 10, 9, 6, 4, 5, 7, 8, 1};
+using Order = std::array<int, soccer::kPlayersPerTeam>;
+constexpr Order kUsualOrder = {11, 2, 3, 10, 9, 6, 4, 5, 7, 8, 1};
+constexpr Order kFastBacksOrder = {4, 5, 2, 3, 11, 10, 9, 6, 7, 8, 1};
 
 /// Remaining uses of each type.
 using Pool = std::vector<int>;
@@ -68,7 +71,7 @@ void choose_lineup(const player::WorldModel& world, Commands& out) {
   if (world.teammate(goalie) != nullptr) out.push_back(soccer::ChangePlayerType{goalie, 0});
   --pool[0];
 
-  for (const int unum : kOrder) {
+  for (const int unum : world.planner->fast_backs != 0 ? kFastBacksOrder : kUsualOrder) {
     if (unum == goalie || world.teammate(unum) == nullptr) continue;
     const int type = fastest(parameters, pool);
     if (type < 0) return;
