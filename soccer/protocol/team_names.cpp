@@ -16,6 +16,17 @@ using base::Result;
 constexpr std::string_view kCharacters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_+";
 
+constexpr std::string_view kSeparators = "-_+";
+
+/// The end of a name that is too long; without the rest of a word, where a whole one follows it.
+std::string end_of(const std::string& name) {
+  const std::size_t cut = name.size() - TeamName::kMaxSize;
+  const bool in_word = kSeparators.find(name[cut - 1]) == std::string_view::npos;
+  const std::size_t separator = name.find_first_of(kSeparators, cut);
+  const bool word_follows = separator != std::string::npos && separator + 1 < name.size();
+  return name.substr(in_word && word_follows && separator > cut ? separator + 1 : cut);
+}
+
 }  // namespace
 
 Result<std::string> check_team_name(std::string_view name) {
@@ -33,7 +44,7 @@ Result<std::string> check_team_name(std::string_view name) {
 std::string team_name_from(std::string_view text) {
   std::string name;
   for (const char c : text) name += kCharacters.find(c) != std::string_view::npos ? c : '_';
-  if (name.size() > TeamName::kMaxSize) name = name.substr(name.size() - TeamName::kMaxSize);
+  if (name.size() > TeamName::kMaxSize) name = end_of(name);
   return name.empty() ? "team" : name;
 }
 

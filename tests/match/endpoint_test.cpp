@@ -233,6 +233,8 @@ TEST(TeamNames, AreDerivedFromEndpoint) {
   EXPECT_EQ(name("localhost:50051"), "localhost_50051");
   EXPECT_EQ(name("10.11.12.13:50051"), "_11_12_13_50051");
   EXPECT_EQ(name("unix:/run/brain.sock"), "brain");
+  EXPECT_EQ(name("policy:policy-every-step.pol"), "every-step") << "without the rest of a word";
+  EXPECT_EQ(name("policy:averyveryverylongword.pol"), "eryverylongword");
   EXPECT_EQ(name("run:python3 -u examples/playmaker.py --port {port}"), "playmaker");
   EXPECT_EQ(name("run:cd brain && HOME=/x node server.js {port}"), "server");
   EXPECT_EQ(name("run:exec './my brain' {port}"), "my");
