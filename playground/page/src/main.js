@@ -169,7 +169,7 @@ class Playground {
 
   /** The teams to choose from, as options of all lists. */
   #showSides() {
-    const own = [[kMine, `${this.team.name} (your code)`]];
+    const own = [[kMine, `${this.team.name} (yours)`]];
     if (this.kept) own.push([kKept, this.kept.name === kKept ? 'the kept version' : `${this.kept.name} (kept)`]);
     this.form.setTeams([...own, ...kMocks]);
     const { base } = byId('compare-form').elements;
