@@ -48,10 +48,32 @@ struct GoalieParameters {
   int sweep_lead = 3;           ///< if it is there so many cycles before opponents
 };
 
+/// A goalie across the way of the ball. Source: shots of the teams of competitions at this goalie,
+/// played again.
+struct SaveParameters {
+  double line = -50.7;     ///< x of its place
+  double deepest = -52.0;  ///< least x beside the goal
+  double widest = 8.5;     ///< from the middle of the goal, meters
+  double inside_post = 0.5;
+  double range = 28.0;       ///< distance of the ball from our goal from which it slides, meters
+  double slides = 5.0;       ///< farther places it runs to, meters
+  double body_angle = 75.0;  ///< between body and way of the ball, toward the far post, degrees
+  double body_error = 25.0;  ///< turns first beyond this
+  double exact_body = 6.0;
+  double near_place = 0.3;       ///< meters
+  double direction_step = 15.0;  ///< of the dashes that are tried, degrees
+  double margin = 0.1;           ///< of the reach, meters
+  double before_line = 0.15;     ///< the ball must be met so far in front of the line
+  double tackle_chance = 0.05;   ///< of the last tackle
+  double shot_speed = 1.2;       ///< slower balls are intercepted as usual, meters per cycle
+  int look_ahead = 12;           ///< cycles until somebody has the ball
+};
+
 struct BehaviorParameters {
   CommunicationParameters communication;
   PaceParameters pace;
   GoalieParameters goalie;
+  SaveParameters save;
 };
 constexpr BehaviorParameters kBehaviors{};
 

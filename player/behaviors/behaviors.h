@@ -67,6 +67,9 @@ bool goalie_move(ActionContext& context);
 /// Clears the ball. False if it is not kickable.
 bool goalie_kick(ActionContext& context);
 
+/// Back pass rule: a ball last kicked by our team must not be caught, not even by its kicker after
+/// a pass to it.
+bool is_back_pass(const WorldModel& world);
 /// True for points at least `inset` meters inside our penalty area.
 bool in_own_penalty_area(Vec2 point, double inset = 0.0);
 

@@ -8,6 +8,7 @@
 
 #include "player/ball_skills/ball_skills.h"
 #include "player/behaviors/behavior_parameters.h"
+#include "player/behaviors/goalie_save.h"
 #include "player/looking/looking.h"
 #include "player/movement/movement.h"
 #include "player/planner/plan_execution.h"
@@ -20,12 +21,6 @@ namespace cls::player {
 namespace {
 
 constexpr double kGoalX = kOwnGoal.x;
-
-/// Where and when a rolling ball crosses our goal line between the posts.
-struct Shot {
-  double y = 0.0;
-  int cycles = 0;
-};
 
 std::optional<Shot> shot_at_us(const WorldModel& world) {
   const Vec2 velocity = world.ball.velocity;
@@ -47,13 +42,6 @@ std::optional<Shot> shot_at_us(const WorldModel& world) {
   }
 
   return std::nullopt;
-}
-
-/// Back pass rule: a ball last kicked by our team must not be caught, not even by its kicker after
-/// a pass to it.
-bool is_back_pass(const WorldModel& world) {
-  return world.server().back_passes && world.last_kick.side == world.our_side &&
-         world.last_kick.unum != 0;
 }
 
 /// True if the ball rolled past a teammate that has tackled since: that counts as a pass too.
@@ -109,6 +97,8 @@ bool should_sweep(const WorldModel& world, Vec2 meeting) {
          self <= table.first_opponent_steps - kNumbers.sweep_lead;
 }
 
+bool is_across(const WorldModel& world) { return world.planner->goalie_across != 0; }
+
 bool should_come_out(const WorldModel& world) {
   const InterceptTable& table = world.intercept;
   const int self = table.best_self_steps();
@@ -122,7 +112,12 @@ bool should_come_out(const WorldModel& world) {
   // Against an opponent with the ball, coming out opens the goal.
   constexpr int kDuel = 1;
   if (in_mouth && self <= (world.kickable_opponent() ? kDuel : opponent + 1)) return true;
-  if (shot_at_us(world)) return true;
+  if (const std::optional<Shot> shot = shot_at_us(world)) {
+    // A pass along the goal: the opponent who gets it shoots.
+    const bool pass =
+        is_across(world) && !world.kickable_opponent() && opponent < std::min(self, shot->cycles);
+    return !pass;
+  }
   if (!in_own_penalty_area(meeting, 0.5)) return should_sweep(world, meeting);
   // Stay if a teammate gets the ball in time.
   if (table.first_teammate_steps < self && table.first_teammate_steps < opponent) return false;
@@ -156,6 +151,8 @@ bool chase(ActionContext& c) {
 
   const int self = world.intercept.best_self_steps();
   const std::optional<Shot> shot = shot_at_us(world);
+  const bool fast = world.ball.velocity.length() > kBehaviors.save.shot_speed;
+  if (is_across(world) && shot && fast && save_shot(c, *shot)) return true;
   if (self < kNever && (!shot || self <= shot->cycles)) {
     return intercept(world, c.slots, false, {0.0, world.ball.position.y});
   }
@@ -201,13 +198,18 @@ bool wait_in_position(ActionContext& c, Vec2 ball) {
 
 bool go_to_position(ActionContext& c) {
   const WorldModel& world = c.world;
+  constexpr SaveParameters kSave = kBehaviors.save;
+  const int ahead = is_across(world) ? kSave.look_ahead : 5;
   const int steps =
-      std::min({5, world.intercept.first_opponent_steps, world.intercept.first_teammate_steps});
+      std::min({ahead, world.intercept.first_opponent_steps, world.intercept.first_teammate_steps});
   const Vec2 ball = ball_after(world, steps);
   const Vec2 position = goalie_position(world, ball);
   c.neck.kind = ball.x > 0.0 ? NeckPlan::Kind::kBallOrScan : NeckPlan::Kind::kBall;
 
   const double away = distance(position, world.self.position);
+  if (is_across(world) && away < kSave.slides && distance(ball, kOwnGoal) < kSave.range) {
+    return slide(c, position, ball);
+  }
   const bool hurry = ball.x < -20.0;
   const double threshold = hurry ? 0.4 : 1.0;
   if (away < threshold) return wait_in_position(c, ball);
@@ -240,6 +242,11 @@ bool wait(ActionContext& c) {
 }
 
 }  // namespace
+
+bool is_back_pass(const WorldModel& world) {
+  return world.server().back_passes && world.last_kick.side == world.our_side &&
+         world.last_kick.unum != 0;
+}
 
 bool in_own_penalty_area(Vec2 point, double inset) {
   return in_own_box(point, inset) && point.x > kGoalX - 1.0;

@@ -7,6 +7,7 @@
 
 #include "base/fixed_list.h"
 #include "player/behaviors/behavior_parameters.h"
+#include "player/behaviors/goalie_save.h"
 #include "player/world/candidates.h"
 #include "player/world/motion.h"
 #include "player/world/places.h"
@@ -125,6 +126,8 @@ Vec2 goalie_position(const WorldModel& world, Vec2 ball) {
     const double out = world.planner->sweep * std::clamp(away, 0.0, 1.0);
     return point_on_bisector(world, ball, std::max(line, -50.0 + out));
   }
+
+  if (world.planner->goalie_across != 0) return place_across(world, ball);
 
   static constexpr double kOnLine = -52.2;  // at the post against shots from the goal line
   static constexpr std::array<double, 5> kLines{-50.0, -51.3, -48.8, -47.5, kOnLine};

@@ -1,0 +1,153 @@
+// Place, moves and saves of a goalie across the way of the ball.
+#include "player/behaviors/goalie_save.h"
+
+#include <algorithm>
+
+#include "player/behaviors/behavior_parameters.h"
+#include "player/behaviors/behaviors.h"
+#include "player/estimates/estimates.h"
+#include "player/movement/movement.h"
+#include "player/world/motion.h"
+#include "player/world/places.h"
+#include "player/world/running.h"
+
+namespace cls::player {
+namespace {
+
+constexpr SaveParameters kNumbers = kBehaviors.save;
+
+/// Unit vector from the ball to the middle of the goal, as seen from there.
+Vec2 way_to_goal(const WorldModel& world, Vec2 ball) {
+  const double post = world.server().goal_width / 2.0 - kNumbers.inside_post;
+  const Vec2 left = soccer::with_length(Vec2{kOwnGoal.x, post} - ball, 1.0);
+  const Vec2 right = soccer::with_length(Vec2{kOwnGoal.x, -post} - ball, 1.0);
+  return soccer::with_length(left + right, 1.0);
+}
+
+/// A turn and dashes, and how near they bring the goalie to the ball.
+struct Run {
+  bool turns = false;      ///< first
+  double turn = 0.0;       ///< degrees
+  double direction = 0.0;  ///< of the dashes, relative to the body then, degrees
+  double missing = 1e9;    ///< meters
+  int cycle = 0;           ///< when it is nearest
+};
+
+/// Simulates runs to the ball of a shot.
+class SaveSearch {
+ public:
+  SaveSearch(const WorldModel& world, const Shot& shot)
+      : world_(world), type_(world.self_type()), cycles_(shot.cycles) {
+    const double power =
+        std::min(world.server().max_dash_power, world.self.stamina + type_.extra_stamina);
+    push_ = power * type_.dash_power_rate * world.self.effort;
+    most_turn_ =
+        world.server().maxmoment / (1.0 + type_.inertia_moment * world.self.velocity.length());
+  }
+
+  Run best() {
+    for (double direction = -180.0; direction < 180.0; direction += kNumbers.direction_step) {
+      offer({.direction = direction});
+    }
+    for (int cycle = 2; cycle <= cycles_; ++cycle) {
+      const Vec2 way = ball_after(world_, cycle) - self_after(world_, cycle);
+      offer({.turns = true, .turn = turn_to(way), .direction = 0.0});
+      offer({.turns = true, .turn = turn_to(-way), .direction = 180.0});
+    }
+    return best_;
+  }
+
+ private:
+  double turn_to(Vec2 way) const {
+    const double turn = (AngleDeg::of(way) - world_.self.body).degrees();
+    return std::clamp(turn, -most_turn_, most_turn_);
+  }
+
+  double reach(Vec2 ball) const {
+    constexpr double kBesideArea = 0.3;  // the ball is caught inside it
+    const double kick = type_.kickable_area(world_.server().ball_size);
+    const bool hands = in_own_penalty_area(ball, kBesideArea) && !is_back_pass(world_);
+    return (hands ? catch_reach(world_).sure : kick) - kNumbers.margin;
+  }
+
+  void offer(Run run) {
+    const double rate = dash_rate(world_.server(), run.direction);
+    const double heading = (world_.self.body + run.turn + run.direction).degrees();
+    const Vec2 push = soccer::polar_degrees(rate * push_, heading);
+    Vec2 position = world_.self.position;
+    Vec2 velocity = world_.self.velocity;
+
+    for (int cycle = 1; cycle <= cycles_; ++cycle) {
+      if (!run.turns || cycle > 1)
+        velocity = speed_limited(velocity + push, type_.player_speed_max);
+      position += velocity;
+      velocity *= type_.player_decay;
+
+      const Vec2 ball = ball_after(world_, cycle);
+      if (ball.x < kOwnGoal.x + kNumbers.before_line) return;
+      run.missing = std::max(0.0, distance(position, ball) - reach(ball));
+      run.cycle = cycle;
+      const bool earlier = run.missing == best_.missing && run.cycle < best_.cycle;
+      if (run.missing < best_.missing || earlier) best_ = run;
+      if (run.missing == 0.0) return;
+    }
+  }
+
+  const WorldModel& world_;
+  const soccer::PlayerType& type_;
+  int cycles_;
+  double push_ = 0.0;
+  double most_turn_ = 0.0;
+  Run best_;
+};
+
+}  // namespace
+
+Vec2 place_across(const WorldModel& world, Vec2 ball) {
+  constexpr double kFlat = -0.05;  // from beside the goal
+  const Vec2 way = way_to_goal(world, ball);
+  const double length = std::max(0.0, (kNumbers.line - ball.x) / std::min(way.x, kFlat));
+  const Vec2 place = ball + way * length;
+  return {std::max(place.x, kNumbers.deepest),
+          std::clamp(place.y, -kNumbers.widest, kNumbers.widest)};
+}
+
+bool slide(ActionContext& c, Vec2 place, Vec2 ball) {
+  const WorldModel& world = c.world;
+  const soccer::PlayerType& type = world.self_type();
+  const double to_far_post = ball.y < 0.0 ? -kNumbers.body_angle : kNumbers.body_angle;
+  const AngleDeg body = AngleDeg::of(way_to_goal(world, ball)) + to_far_post;
+  const AngleDeg error = body - world.self.body;
+
+  const double travel = 1.0 + type.player_decay;  // of two cycles, per speed
+  const Vec2 missing = place - (world.self.position + world.self.velocity * travel);
+  if (missing.length() < kNumbers.near_place || error.abs() > kNumbers.body_error) {
+    if (error.abs() > kNumbers.exact_body) return c.slots.turn(error.degrees());
+    return stop_dash(world, c.slots, true) || c.slots.turn(0.0);
+  }
+
+  constexpr double kLeastRate = 0.1;
+  const double direction = (AngleDeg::of(missing) - world.self.body).degrees();
+  const double rate = std::max(kLeastRate, dash_rate(world.server(), direction));
+  const double power =
+      missing.length() / travel / (rate * type.dash_power_rate * world.self.effort);
+  return c.slots.dash(std::min(power, world.server().max_dash_power), direction);
+}
+
+bool save_shot(ActionContext& c, const Shot& shot) {
+  const WorldModel& world = c.world;
+  const Vec2 next = ball_after(world, 1);
+  const bool leaves = distance(next, self_after(world, 1)) > world.ball.dist_from_self ||
+                      next.x < kOwnGoal.x + kNumbers.before_line;
+  if (leaves && world.self.catch_probability <= 0.0 &&
+      basic_tackle(world, c.slots, kNumbers.tackle_chance)) {
+    return true;
+  }
+
+  const Run run = SaveSearch(world, shot).best();
+  if (run.cycle == 0) return false;
+  if (run.turns) return c.slots.turn(run.turn);
+  return c.slots.dash(world.server().max_dash_power, run.direction);
+}
+
+}  // namespace cls::player
