@@ -42,10 +42,6 @@ struct GoalieParameters {
   double way = 0.12;            ///< cost per meter from the agent
   double line = 0.05;           ///< cost per meter from the usual line
   double run_speed = 0.8;       ///< on short distances, meters per cycle
-  double sweep_from = 30.0;     ///< a sweeping goalie comes out from this distance of the ball
-  double sweep_to = 75.0;       ///< and is farthest out from this one, meters
-  double sweep_x = -12.0;       ///< it gets balls behind this x
-  int sweep_lead = 3;           ///< if it is there so many cycles before opponents
 };
 
 /// A goalie across the way of the ball. Source: shots of the teams of competitions at this goalie,

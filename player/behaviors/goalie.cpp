@@ -87,16 +87,6 @@ bool can_catch(const WorldModel& world) {
   return shot && distance(ball_after(world, 1), self_after(world, 1)) > world.ball.dist_from_self;
 }
 
-/// True if the goalie may run out of its area for a ball behind our defense.
-bool should_sweep(const WorldModel& world, Vec2 meeting) {
-  constexpr GoalieParameters kNumbers = kBehaviors.goalie;
-  const InterceptTable& table = world.intercept;
-  const int self = table.best_self_steps();
-  return world.planner->sweep > 0.0 && meeting.x < kNumbers.sweep_x &&
-         self <= table.first_teammate_steps &&
-         self <= table.first_opponent_steps - kNumbers.sweep_lead;
-}
-
 bool is_across(const WorldModel& world) { return world.planner->goalie_across != 0; }
 
 bool should_come_out(const WorldModel& world) {
@@ -118,7 +108,7 @@ bool should_come_out(const WorldModel& world) {
         is_across(world) && !world.kickable_opponent() && opponent < std::min(self, shot->cycles);
     return !pass;
   }
-  if (!in_own_penalty_area(meeting, 0.5)) return should_sweep(world, meeting);
+  if (!in_own_penalty_area(meeting, 0.5)) return false;
   // Stay if a teammate gets the ball in time.
   if (table.first_teammate_steps < self && table.first_teammate_steps < opponent) return false;
 

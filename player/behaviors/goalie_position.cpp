@@ -120,13 +120,7 @@ Vec2 point_on_bisector(const WorldModel& world, Vec2 ball, double x) {
 Vec2 goalie_position(const WorldModel& world, Vec2 ball) {
   const double far = distance(ball, kOwnGoal);
   // The farther the ball, the farther out, but within reach of the line.
-  if (far > kShotRange) {
-    const double line = far > 40.0 ? -48.0 : -50.0;
-    const double away = (far - kNumbers.sweep_from) / (kNumbers.sweep_to - kNumbers.sweep_from);
-    const double out = world.planner->sweep * std::clamp(away, 0.0, 1.0);
-    return point_on_bisector(world, ball, std::max(line, -50.0 + out));
-  }
-
+  if (far > kShotRange) return point_on_bisector(world, ball, far > 40.0 ? -48.0 : -50.0);
   if (world.planner->goalie_across != 0) return place_across(world, ball);
 
   static constexpr double kOnLine = -52.2;  // at the post against shots from the goal line

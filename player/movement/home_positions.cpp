@@ -46,20 +46,6 @@ double shift_of(FormationKind kind, const PlannerParameters& parameters) {
   }
 }
 
-/// Moves defenders and midfielders to their depths behind a ball that opponents have.
-void keep_goal_side(const PlannerParameters& parameters, Vec2 ball, TeamPoints& points) {
-  constexpr double kDeepest = -46.0;
-  const auto limit = [&](int first, int last, double depth) {
-    if (depth <= 0.0) return;
-    for (int unum = first; unum <= last; ++unum) {
-      double& x = points[base::index(unum - 1)].x;
-      x = std::min(x, std::max(ball.x - depth, kDeepest));
-    }
-  };
-  limit(2, 5, parameters.guard_depth);
-  limit(6, 8, parameters.screen_depth);
-}
-
 /// Maximum x that is not offside.
 double farthest_x(const WorldModel& world) {
   if (before_play(world.game.mode)) return 0.0;
@@ -111,10 +97,6 @@ TeamPoints home_positions(const WorldModel& world) {
 
   if (const double shift = shift_of(kind, *world.planner); shift != 0.0) {
     for (std::size_t i = 1; i < points.size(); ++i) points[i].x += shift;
-  }
-
-  if (kind == FormationKind::kDefense) {
-    keep_goal_side(*world.planner, ball_of_interest(world), points);
   }
 
   const double max_x = farthest_x(world);

@@ -7,7 +7,6 @@
 
 #include "base/index.h"
 #include "player/movement/movement_parameters.h"
-#include "player/tracking/assignment.h"
 #include "player/world/candidates.h"
 #include "player/world/motion.h"
 #include "player/world/places.h"
@@ -73,103 +72,13 @@ bool their_attack(const WorldModel& world) {
          first_reach_point(world).x < world.planner->mark_ball_x;
 }
 
-/// Marking cost: weighted distance of a teammate's position and home position to the place.
-double marking_cost(const WorldModel& world, int unum, Vec2 home, Vec2 place) {
+/// Marking cost: weighted distance of a teammate's position and home position to the opponent.
+double marking_cost(const WorldModel& world, int unum, Vec2 home, Vec2 opponent) {
   constexpr double kHomeShare = 0.4;
   const PlayerState* teammate = unum == world.unum ? nullptr : world.teammate(unum);
   Vec2 here = unum == world.unum ? world.self.position : home;
   if (teammate != nullptr && teammate->pos_count <= kMaxMarkAge) here = teammate->position;
-  return (1.0 - kHomeShare) * distance(here, place) + kHomeShare * distance(home, place);
-}
-
-using Attackers = base::FixedList<const PlayerState*, 22>;
-
-/// Opponents to mark, nearest to our goal first.
-Attackers attackers_near_goal(const WorldModel& world, const MarkRules& rules) {
-  const Vec2 ball = first_reach_point(world);
-  Attackers attackers;
-  for (const PlayerState& opponent : world.opponents) {
-    constexpr double kHasBall = 2.5;
-    if (opponent.goalie || opponent.ghost() || opponent.pos_count > kMaxMarkAge) continue;
-    const bool near = distance(opponent.position, kOwnGoal) <= rules.near_goal;
-    if (!near) continue;  // nor is a place that is not a number
-    if (distance(opponent.position, ball) < kHasBall) continue;
-    attackers.push_back(&opponent);
-  }
-
-  // Those at the same distance keep the order of the list that they point into.
-  std::ranges::sort(attackers, {}, [](const PlayerState* attacker) {
-    return std::pair(distance(attacker->position, kOwnGoal), attacker);
-  });
-  return attackers;
-}
-
-double max_marking_cost(const MarkRules& rules, const PlayerState& attacker) {
-  constexpr double kNear = 35.0;
-  const bool near = distance(attacker.position, kOwnGoal) < kNear;
-  return near ? std::max(rules.max_cost, rules.max_cost_near_goal) : rules.max_cost;
-}
-
-/// Place of the marker of an attacker.
-Vec2 marking_place(const WorldModel& world, const MarkRules& rules, const PlayerState& attacker) {
-  const Vec2 there =
-      attacker.position + (attacker.velocity_valid() ? attacker.velocity * 2.0 : Vec2{});
-  const double lane = world.planner->mark_lane;
-  if (lane == 0.0) return there + soccer::with_length(kOwnGoal - there, rules.step);
-
-  const Vec2 to_goal = soccer::with_length(kOwnGoal - there, 1.0);
-  const Vec2 to_ball = soccer::with_length(first_reach_point(world) - there, 1.0);
-  const Vec2 between = to_goal * (1.0 - lane) + to_ball * lane;
-  return there + soccer::with_length(between, rules.step);
-}
-
-bool is_marker(const WorldModel& world, int unum) { return unum != world.our_goalie_unum; }
-
-/// Whom the agent marks if the attackers choose in their order; null: nobody.
-const PlayerState* marked_in_order(const WorldModel& world, const TeamPoints& home,
-                                   const MarkRules& rules, const Attackers& attackers) {
-  std::array<bool, soccer::kPlayersPerTeam> taken{};
-  for (const PlayerState* attacker : attackers) {
-    Lowest<int> marker{max_marking_cost(rules, *attacker)};
-    for (int unum = 2; unum <= soccer::kPlayersPerTeam; ++unum) {
-      const std::size_t i = base::index(unum - 1);
-      if (taken[i] || !is_marker(world, unum)) continue;
-      marker.offer(marking_cost(world, unum, home[i], attacker->position), unum);
-    }
-
-    if (marker.value == 0) continue;
-    taken[base::index(marker.value - 1)] = true;
-    if (marker.value == world.unum) return attacker;
-  }
-  return nullptr;
-}
-
-/// Whom the agent marks if all ways together, to the places of the markers, are the shortest; null:
-/// nobody.
-const PlayerState* marked_together(const WorldModel& world, const TeamPoints& home,
-                                   const MarkRules& rules, const Attackers& attackers) {
-  constexpr std::size_t kPlayers = soccer::kPlayersPerTeam;
-  constexpr double kNever = 1e6;
-  CostTable table;
-  table.rows = attackers.size();
-  table.columns = kPlayers + table.rows;  // those at the end: nobody marks the attacker
-
-  for (std::size_t row = 0; row < table.rows; ++row) {
-    const Vec2 place = marking_place(world, rules, *attackers[row]);
-    table.cost[row].fill(max_marking_cost(rules, *attackers[row]));
-    for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
-      const std::size_t i = base::index(unum - 1);
-      const bool may = unum > 1 && is_marker(world, unum);
-      const double cost = may ? marking_cost(world, unum, home[i], place) : kNever;
-      table.cost[row][i] = cost < kNever ? cost : kNever;
-    }
-  }
-
-  const auto marker = assign(table);
-  for (std::size_t row = 0; row < table.rows; ++row) {
-    if (marker[row] == base::index(world.unum - 1)) return attackers[row];
-  }
-  return nullptr;
+  return (1.0 - kHomeShare) * distance(here, opponent) + kHomeShare * distance(home, opponent);
 }
 
 // Support.
@@ -271,12 +180,43 @@ MarkRules marking_in_open_play(const WorldModel& world) {
 std::optional<Mark> find_mark(const WorldModel& world, const TeamPoints& home,
                               const MarkRules& rules) {
   if (!their_attack(world) || world.goalie) return std::nullopt;
-  const Attackers attackers = attackers_near_goal(world, rules);
-  const PlayerState* marked = world.planner->mark_together != 0
-                                  ? marked_together(world, home, rules, attackers)
-                                  : marked_in_order(world, home, rules, attackers);
-  if (marked == nullptr) return std::nullopt;
-  return Mark{marking_place(world, rules, *marked), marked};
+  const Vec2 ball = first_reach_point(world);
+
+  base::FixedList<const PlayerState*, 22> attackers;
+  for (const PlayerState& opponent : world.opponents) {
+    constexpr double kHasBall = 2.5;
+    if (opponent.goalie || opponent.ghost() || opponent.pos_count > kMaxMarkAge) continue;
+    if (distance(opponent.position, kOwnGoal) > rules.near_goal) continue;
+    if (distance(opponent.position, ball) < kHasBall) continue;
+    attackers.push_back(&opponent);
+  }
+
+  // Those at the same distance keep the order of the list that they point into.
+  std::ranges::sort(attackers, {}, [](const PlayerState* attacker) {
+    return std::pair(distance(attacker->position, kOwnGoal), attacker);
+  });
+
+  std::array<bool, soccer::kPlayersPerTeam> taken{};
+  for (const PlayerState* attacker : attackers) {
+    constexpr double kNear = 35.0;
+    const bool near = distance(attacker->position, kOwnGoal) < kNear;
+    Lowest<int> marker{near ? std::max(rules.max_cost, rules.max_cost_near_goal) : rules.max_cost};
+    for (int unum = 2; unum <= soccer::kPlayersPerTeam; ++unum) {
+      const std::size_t i = base::index(unum - 1);
+      if (taken[i] || unum == world.our_goalie_unum) continue;
+      marker.offer(marking_cost(world, unum, home[i], attacker->position), unum);
+    }
+
+    if (marker.value == 0) continue;
+    taken[base::index(marker.value - 1)] = true;
+    if (marker.value != world.unum) continue;
+
+    const Vec2 there =
+        attacker->position + (attacker->velocity_valid() ? attacker->velocity * 2.0 : Vec2{});
+    return Mark{there + soccer::with_length(kOwnGoal - there, rules.step), attacker};
+  }
+
+  return std::nullopt;
 }
 
 std::optional<Vec2> support_point(const WorldModel& world, const TeamPoints& home) {

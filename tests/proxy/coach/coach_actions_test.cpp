@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <set>
 
 #include "base/index.h"
+#include "player/world/planner_parameters.h"
 #include "proxy/coach/coach_actions.h"
 #include "proxy/coach/global_perception.h"
 #include "proxy/messages/state_message.h"
@@ -113,6 +115,24 @@ TEST(DoHeliosSubstitute, AssignsDistinctFastTypesBeforeKickOff) {
   EXPECT_EQ(match.coach().commands().at("change_player_type"), 11) << "once";
   EXPECT_EQ(match.coach().server().errors.warnings, 0)
       << match.coach().server().errors.first_warning;
+}
+
+TEST(DoHeliosSubstitute, GivesSideBacksTheFastestTypesIfTheParameterSaysSo) {
+  player::PlannerParameters parameters;
+  parameters.fast_backs = 1;
+  CoachedMatch match(CoachRole::kOnlineCoach, Side::kLeft, false, -1,
+                     std::make_shared<const player::PlannerParameters>(parameters));
+  for (int i = 0; i < 15; ++i) match.step_as_coach(substitute);
+  const auto& world = match.world();
+  const auto speed_of = [&](int unum) {
+    const soccer::PlayerType& type = world.type_of(world.player(Side::kLeft, unum));
+    return std::min(type.player_speed_max, type.real_speed_max(world.params().max_dash_power));
+  };
+
+  constexpr double kAlike = 0.01;  // meters per cycle
+  for (int unum : {2, 3, 6, 7, 8, 9, 10, 11}) {
+    EXPECT_GE(std::min(speed_of(4), speed_of(5)), speed_of(unum) - kAlike) << unum;
+  }
 }
 
 TEST(DoHeliosSubstitute, ReplacesTiredPlayersDuringStoppage) {

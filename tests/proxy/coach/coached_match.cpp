@@ -20,7 +20,8 @@ void let_in(simulator::LockstepServer& server, Agent& agent) {
 
 }  // namespace
 
-CoachedMatch::CoachedMatch(soccer::CoachRole role, soccer::Side side, bool noise, int half_time) {
+CoachedMatch::CoachedMatch(soccer::CoachRole role, soccer::Side side, bool noise, int half_time,
+                           std::shared_ptr<const player::PlannerParameters> planner) {
   simulator::MatchConfig config;
   config.seed = 5;
   config.server.auto_mode = true;
@@ -40,7 +41,7 @@ CoachedMatch::CoachedMatch(soccer::CoachRole role, soccer::Side side, bool noise
          i % soccer::kPlayersPerTeam == 0);
   }
 
-  join_coach(role, side);
+  join_coach(role, side, std::move(planner));
 }
 
 void CoachedMatch::join(std::unique_ptr<proxy::PlayerAgent>& player, soccer::Side side,
@@ -52,10 +53,12 @@ void CoachedMatch::join(std::unique_ptr<proxy::PlayerAgent>& player, soccer::Sid
   let_in(*server_, *player);
 }
 
-void CoachedMatch::join_coach(soccer::CoachRole role, soccer::Side side) {
+void CoachedMatch::join_coach(soccer::CoachRole role, soccer::Side side,
+                              std::shared_ptr<const player::PlannerParameters> planner) {
   const bool trainer = role == soccer::CoachRole::kTrainer;
   proxy::CoachOptions options;
   options.role = role;
+  options.planner = std::move(planner);
   if (!trainer) options.team_name = side == soccer::Side::kLeft ? "left" : "right";
   coach_ = std::make_unique<proxy::CoachAgent>(
       server_->connect(trainer ? simulator::ListeningPort::kTrainers

@@ -18,7 +18,8 @@ namespace cls::tests {
 class CoachedMatch {
  public:
   explicit CoachedMatch(soccer::CoachRole role, soccer::Side side = soccer::Side::kLeft,
-                        bool noise = false, int half_time = -1);
+                        bool noise = false, int half_time = -1,
+                        std::shared_ptr<const player::PlannerParameters> planner = nullptr);
 
   /// Fills the actions of a player in a step. Empty: stands still.
   std::function<void(const proxy::PlayerAgent&, protos::PlayerActions&)> play;
@@ -44,7 +45,8 @@ class CoachedMatch {
 
  private:
   void join(std::unique_ptr<proxy::PlayerAgent>& player, soccer::Side side, bool goalie);
-  void join_coach(soccer::CoachRole role, soccer::Side side);
+  void join_coach(soccer::CoachRole role, soccer::Side side,
+                  std::shared_ptr<const player::PlannerParameters> planner);
   void run(const std::function<void()>& decide);
 
   std::unique_ptr<simulator::LockstepServer> server_;
