@@ -58,7 +58,9 @@ struct SaveParameters {
   double exact_body = 6.0;
   double near_place = 0.3;       ///< meters
   double direction_step = 15.0;  ///< of the dashes that are tried, degrees
-  double margin = 0.1;           ///< of the reach, meters
+  double margin = 0.45;          ///< of the reach, meters
+  double turn = 0.2;             ///< cost, meters: the next look may want another one
+  double middle = 3.0;           ///< y of balls within which the body stays on its side, meters
   double before_line = 0.15;     ///< the ball must be met so far in front of the line
   double tackle_chance = 0.05;   ///< of the last tackle
   double shot_speed = 1.2;       ///< slower balls are intercepted as usual, meters per cycle

@@ -2,6 +2,7 @@
 #include "player/behaviors/goalie_save.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "player/behaviors/behavior_parameters.h"
 #include "player/behaviors/behaviors.h"
@@ -24,12 +25,21 @@ Vec2 way_to_goal(const WorldModel& world, Vec2 ball) {
   return soccer::with_length(left + right, 1.0);
 }
 
+/// Body direction while waiting: a dash forward goes to the far post, one backward to the near
+/// post.
+AngleDeg waiting_body(const WorldModel& world, Vec2 ball) {
+  const AngleDeg way = AngleDeg::of(way_to_goal(world, ball));
+  const bool in_middle = std::fabs(ball.y) < kNumbers.middle;
+  const bool left = in_middle ? (world.self.body - way).degrees() > 0.0 : ball.y >= 0.0;
+  return way + (left ? kNumbers.body_angle : -kNumbers.body_angle);
+}
+
 /// A turn and dashes, and how near they bring the goalie to the ball.
 struct Run {
   bool turns = false;      ///< first
   double turn = 0.0;       ///< degrees
   double direction = 0.0;  ///< of the dashes, relative to the body then, degrees
-  double missing = 1e9;    ///< meters
+  double missing = 1e9;    ///< meters, with the cost of the turn
   int cycle = 0;           ///< when it is nearest
 };
 
@@ -86,10 +96,10 @@ class SaveSearch {
       const Vec2 ball = ball_after(world_, cycle);
       if (ball.x < kOwnGoal.x + kNumbers.before_line) return;
       run.missing = std::max(0.0, distance(position, ball) - reach(ball));
+      if (run.turns) run.missing += kNumbers.turn;
       run.cycle = cycle;
       const bool earlier = run.missing == best_.missing && run.cycle < best_.cycle;
       if (run.missing < best_.missing || earlier) best_ = run;
-      if (run.missing == 0.0) return;
     }
   }
 
@@ -115,9 +125,7 @@ Vec2 place_across(const WorldModel& world, Vec2 ball) {
 bool slide(ActionContext& c, Vec2 place, Vec2 ball) {
   const WorldModel& world = c.world;
   const soccer::PlayerType& type = world.self_type();
-  const double to_far_post = ball.y < 0.0 ? -kNumbers.body_angle : kNumbers.body_angle;
-  const AngleDeg body = AngleDeg::of(way_to_goal(world, ball)) + to_far_post;
-  const AngleDeg error = body - world.self.body;
+  const AngleDeg error = waiting_body(world, ball) - world.self.body;
 
   const double travel = 1.0 + type.player_decay;  // of two cycles, per speed
   const Vec2 missing = place - (world.self.position + world.self.velocity * travel);
