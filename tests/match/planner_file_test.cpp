@@ -30,6 +30,15 @@ TEST(PlannerFile, SetsNamedParametersOnly) {
   EXPECT_EQ((*parameters)->goal_weight, player::PlannerParameters().goal_weight);
 }
 
+TEST(PlannerFile, IsTheExampleAgainstStrongTeams) {
+  const base::Result<std::string> text = base::read_file("examples/tuning/strong.toml");
+  ASSERT_TRUE(text) << text.error().message;
+  const auto parameters = parse_planner_file(*text, "strong.toml");
+  ASSERT_TRUE(parameters) << parameters.error().message;
+  EXPECT_EQ((*parameters)->goalie_across, 1);
+  EXPECT_EQ((*parameters)->fast_backs, 1);
+}
+
 TEST(PlannerFile, ReportsPlaceAndRemedyOfErrors) {
   EXPECT_EQ(error_of("x_weight = 1\npas_margin = 1\n"),
             "p.toml:2: unknown parameter 'pas_margin'; did you mean 'pass_margin'?");
