@@ -20,6 +20,7 @@
 #include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/text/number_text.h"
+#include "player/options/option_ids.h"
 #include "proxy/actions/debug_lines.h"
 #include "proxy/planner/planner_messages.h"
 #include "viewer/decisions/decision_texts.h"
@@ -116,6 +117,22 @@ std::string message_text(const pb::Message& message) {
 constexpr auto kCategories = base::enum_names<player::PlanCategory>(
     "hold", "dribble", "pass", "shoot", "clear", "move", "no_action");
 
+constexpr char mark(bool chosen) { return chosen ? '*' : '-'; }
+
+std::string weighed_text(const std::vector<player::WeighedOption>& options) {
+  std::string text;
+  for (const player::WeighedOption& option : options) {
+    const player::OptionAim& aim = option.aim;
+    text += fmt::format("{} {}", mark(option.chosen), player::option_text(option.id));
+    if (aim.receiver != 0) text += ' ' + std::to_string(aim.receiver);
+    if (aim.target) text += ' ' + point_text(aim.target->x, aim.target->y);
+    text += ' ' + base::decimal_text(100.0 * option.share, 1) + '%';
+    if (aim.room) text += " room " + number_text(*aim.room);
+    text += '\n';
+  }
+  return text;
+}
+
 constexpr int kDecimals = 2;
 
 // Letters of shapes, by how many numbers follow them.
@@ -171,6 +188,7 @@ std::string action_text(const protos::PlayerAction& action) {
 }
 
 std::string plan_text(const player::PlanChoice& choice) {
+  if (!choice.weighed.empty()) return weighed_text(choice.weighed);
   const player::Plan& plan = choice.plan;
   if (plan.nodes.size() < 2) return {};
 
@@ -190,10 +208,9 @@ std::string plan_text(const player::PlanChoice& choice) {
   if (candidates.size() > kMaxCandidates) candidates.resize(kMaxCandidates);
   for (const auto& [node, value] : candidates) {
     const player::PlanAction& action = plan.nodes[base::index(node)].action;
-    text +=
-        fmt::format("{} {} {} {} {}\n", node == chosen ? '*' : '-',
-                    kCategories.name(action.category), action.target,
-                    point_text(action.target_point.x, action.target_point.y), number_text(value));
+    text += fmt::format("{} {} {} {} {}\n", mark(node == chosen), kCategories.name(action.category),
+                        action.target, point_text(action.target_point.x, action.target_point.y),
+                        number_text(value));
   }
   return text;
 }

@@ -13,9 +13,11 @@ namespace cls::match {
 /// point, texts at most 120 bytes.
 std::string action_text(const protos::PlayerAction& action);
 
-/// A line for each action that the planner considered first, best first: "* pass strictLead 9
-/// (12.3, -4) 45.2", with the value of the best sequence that begins with it. `*` marks the chosen
-/// one. At most eight lines; empty without a plan.
+/// What the player considered; `*` marks what was chosen, empty: nothing. A line for each action
+/// that the planner considered first, best first, with the value of the best sequence that begins
+/// with it: "* pass 9 (12.3, -4) 45.2", at most eight lines. Or one for each option that a policy
+/// may choose, by id, with its probability, the receiver of a pass, and where known its target and
+/// the room around that: "* through pass 9 (12.3, -4) 45.2% room 3.1".
 std::string plan_text(const player::PlanChoice& choice);
 
 /// The `log` and `debug_client` actions of a reply in the lines of a debug log (docs/actions.md),

@@ -49,4 +49,8 @@ constexpr int move_option(MoveKind kind) { return kMoveOption + static_cast<int>
 /// "pass_7_through"; `id` must exist.
 std::string option_name(int id);
 
+/// For readers, without the receiver: "through pass", "dribble -45 deg", "home 4 m at 90 deg".
+/// `id` must exist.
+std::string option_text(int id);
+
 }  // namespace cls::player

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/index.h"
+#include "base/text/decimal_text.h"
 #include "player/ball_skills/ball_skills.h"
 #include "player/behaviors/automatic_play.h"
 #include "player/planner/generators.h"
@@ -125,15 +127,46 @@ bool play_with_ball(ActionContext& c, const OptionTable& table, int id) {
   }
 }
 
+/// A distance from the home position, in meters and degrees.
+struct HomeShift {
+  double meters = 0.0;
+  double direction = 0.0;
+
+  Vec2 vector() const { return soccer::polar_degrees(meters, direction); }
+};
+
+HomeShift home_shift(int id) {
+  const int shift = id - kShiftedHomeOption;
+  return {kShifts[base::index(shift / kShiftDirections)],
+          360.0 / kShiftDirections * (shift % kShiftDirections) - 180.0};
+}
+
 /// Of a move, a home position that is shifted included.
 bool play_move(ActionContext& c, const OptionTable& table, int id) {
   if (id < kShiftedHomeOption) {
     return make_move(c, table.moves, static_cast<MoveKind>(id - kMoveOption));
   }
-  const int shift = id - kShiftedHomeOption;
-  const double direction = 360.0 / kShiftDirections * (shift % kShiftDirections) - 180.0;
-  const double meters = kShifts[base::index(shift / kShiftDirections)];
-  return make_move(c, table.moves, MoveKind::kHome, soccer::polar_degrees(meters, direction));
+  return make_move(c, table.moves, MoveKind::kHome, home_shift(id).vector());
+}
+
+std::optional<Vec2> target_of_move(const Moves& moves, int id) {
+  if (id >= kShiftedHomeOption) return moves.home + home_shift(id).vector();
+  switch (static_cast<MoveKind>(id - kMoveOption)) {
+    case MoveKind::kPress:
+      return moves.press;
+    case MoveKind::kBlock:
+      return moves.block;
+    case MoveKind::kSupport:
+      return moves.support;
+    case MoveKind::kMark:
+      return moves.mark;
+    case MoveKind::kHome:
+      return moves.home;
+    case MoveKind::kTackle:
+    case MoveKind::kIntercept:
+      break;
+  }
+  return std::nullopt;
 }
 
 /// A decision whose commands are not used.
@@ -193,9 +226,45 @@ std::string option_name(int id) {
          std::to_string(shift % kShiftDirections);
 }
 
+std::string option_text(int id) {
+  constexpr std::array kPasses = {"pass to feet", "pass ahead", "through pass", "cross"};
+  if (id >= kDribbleOption && id < kPassOption) {
+    const double direction = 360.0 / kDribbleDirections * (id - kDribbleOption) - 180.0;
+    return "dribble " + base::decimal_text(direction, 1) + " deg";
+  }
+  if (id >= kPassOption && id < kMoveOption) {
+    return kPasses[base::index((id - kPassOption) % kPassKinds)];
+  }
+  if (id >= kShiftedHomeOption) {
+    const HomeShift shift = home_shift(id);
+    return "home " + base::decimal_text(shift.meters, 1) + " m at " +
+           base::decimal_text(shift.direction, 1) + " deg";
+  }
+  std::string text = option_name(id);
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
 const OptionTarget* OptionTable::target(int id) const {
   const auto found = std::ranges::lower_bound(targets, id, {}, &OptionTarget::id);
   return found != targets.end() && found->id == id ? &*found : nullptr;
+}
+
+OptionAim aim_of(const WorldModel& world, const OptionTable& table, int id) {
+  if (id >= kMoveOption) return {0, target_of_move(table.moves, id), std::nullopt};
+  if (const OptionTarget* target = table.target(id)) {
+    const int receiver = id < kPassOption ? 0 : target->action.target;
+    return {receiver, target->action.target_point, target->room};
+  }
+  if (id == kShootOption) {
+    if (const std::optional<Gap> gap = gap_in_range(world)) return {0, gap->target, std::nullopt};
+  }
+  if (id == kLayOffOption) {
+    if (const PlayerState* receiver = lay_off_receiver(world)) {
+      return {receiver->unum, receiver->position, std::nullopt};
+    }
+  }
+  return {};
 }
 
 bool play_without_choice(ActionContext& c) {

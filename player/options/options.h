@@ -42,6 +42,9 @@ struct OptionTable {
   }
 };
 
+/// Where a legal option leads.
+OptionAim aim_of(const WorldModel& world, const OptionTable& table, int id);
+
 /// Plays between begin_decision() and finish_decision() what nobody chooses: automatic play, set
 /// plays, the goalie. False without effect if there is something to choose.
 bool play_without_choice(ActionContext& context);

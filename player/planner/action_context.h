@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "player/commands/command_slots.h"
@@ -65,7 +66,22 @@ struct ActionMemory {
   DecisionTrace trace;
 };
 
-/// The plan of a decision, and the party that chooses its action.
+/// Where an option leads.
+struct OptionAim {
+  int receiver = 0;            ///< uniform number of a pass; 0: none
+  std::optional<Vec2> target;  ///< of the ball, without it of the agent; empty: not known before
+  std::optional<double> room;  ///< distance of the nearest opponent to the target, meters
+};
+
+/// An option as a policy weighed it.
+struct WeighedOption {
+  int id = 0;          ///< option_ids.h
+  double share = 0.0;  ///< probability, 0 to 1
+  bool chosen = false;
+  OptionAim aim;
+};
+
+/// The plan of a decision, and the party that chooses its action; or what a policy weighed.
 struct PlanChoice {
   enum class Chooser : unsigned char {
     kProxy,      ///< the proxy: best node of the plan
@@ -76,6 +92,7 @@ struct PlanChoice {
   Chooser chooser = Chooser::kProxy;
   int node = -1;  ///< index of the chosen node; negative: no reply from the Playmaker
   Plan plan;      ///< empty until it is needed
+  std::vector<WeighedOption> weighed;  ///< all legal options by id; empty: no policy had a choice
 };
 
 struct ActionContext {

@@ -167,9 +167,8 @@ void execute(const protos::PlayerActions& reply, const player::WorldModel& world
 
 void execute_own_play(const OwnPlay& play, const player::WorldModel& world,
                       player::ActionMemory& memory, player::CommandSlots& slots,
-                      player::ActionReport& report) {
+                      player::ActionReport& report, player::PlanChoice& choice) {
   player::NeckPlan neck;
-  player::PlanChoice choice;
   player::ActionContext context{world, memory, slots, neck, report, choice};
   player::begin_decision(context);
   memory.trace.by = player::DecidedBy::kOwnPlay;

@@ -33,10 +33,10 @@ void execute(const protos::PlayerActions& reply, const player::WorldModel& world
 /// finish_decision().
 using OwnPlay = std::function<void(player::ActionContext& context)>;
 
-/// One decision by it.
+/// One decision by it, with fresh `slots` and `choice`, in which it may leave what it considered.
 void execute_own_play(const OwnPlay& play, const player::WorldModel& world,
                       player::ActionMemory& memory, player::CommandSlots& slots,
-                      player::ActionReport& report);
+                      player::ActionReport& report, player::PlanChoice& choice);
 
 /// Automatic play for missed decisions (OnLate::kDefault). Replaces `out`: clear the ball,
 /// intercept it when first, otherwise move to the home position; look at the ball.

@@ -271,7 +271,7 @@ bool PlayerAgent::act(const protos::PlayerActions& actions) {
   player::CommandSlots slots(world);
 
   if (has_own_play()) {
-    execute_own_play(own_play_, world, memory_, slots, statistics_.actions);
+    execute_own_play(own_play_, world, memory_, slots, statistics_.actions, choice_);
   } else if (world.self.kickable && requests_choice(actions)) {
     // This attempt is repeated with the choice.
     choice_.chooser = player::PlanChoice::Chooser::kPlaymaker;

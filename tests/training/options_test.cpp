@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/index.h"
+#include "tests/support/known_pitch.h"
 #include "tests/training/stage.h"
 
 namespace cls::tests {
@@ -55,6 +56,54 @@ TEST(Options, KeepTheirNumbers) {
                                  {83, "home_10_7"}}) {
     EXPECT_EQ(actions[base::index(id)].name, name);
   }
+}
+
+TEST(Options, HaveTextsForReaders) {
+  EXPECT_EQ(player::option_text(player::kLayOffOption), "lay off");
+  EXPECT_EQ(player::option_text(player::kDribbleOption), "dribble -180 deg");
+  EXPECT_EQ(player::option_text(player::kDribbleOption + 9), "dribble 22.5 deg");
+  EXPECT_EQ(player::option_text(player::pass_option(7, player::PassKind::kThrough)),
+            "through pass");
+  EXPECT_EQ(player::option_text(player::move_option(player::MoveKind::kSupport)), "support");
+  EXPECT_EQ(player::option_text(player::kOptionCount - 1), "home 10 m at 135 deg");
+}
+
+TEST(Options, LeadToTheirTargets) {
+  KnownPitch pitch;
+  pitch.place_self({0.0, 0.0});
+  pitch.place_ball({0.4, 0.0});
+  pitch.add_teammate(9, {12.0, 8.0});
+  pitch.add_opponent(1, {50.0, 0.0});
+  pitch.add_opponent(2, {46.0, -30.0});
+  player::OptionTable table;
+  find_options(pitch.world, pitch.memory, table);
+  ASSERT_EQ(table.choice, player::OptionTable::Choice::kWithBall);
+
+  const auto to_9 = std::ranges::find_if(table.targets, [](const player::OptionTarget& target) {
+    return target.action.target == 9 && target.id >= player::kPassOption;
+  });
+  ASSERT_NE(to_9, table.targets.end());
+  const player::OptionAim pass = aim_of(pitch.world, table, to_9->id);
+  EXPECT_EQ(pass.receiver, 9);
+  EXPECT_EQ(pass.target, to_9->action.target_point);
+  EXPECT_EQ(pass.room, to_9->room);
+
+  const player::OptionAim ahead = aim_of(pitch.world, table, player::kDribbleOption + 8);
+  EXPECT_EQ(ahead.receiver, 0);
+  ASSERT_TRUE(ahead.target);
+  EXPECT_GT(ahead.target->x, 1.0);
+  EXPECT_FALSE(aim_of(pitch.world, table, player::kHoldOption).target);
+}
+
+TEST(Options, LeadWithoutTheBallToPlaces) {
+  KnownPitch pitch;
+  player::OptionTable table;
+  find_options(pitch.world, pitch.memory, table);
+  ASSERT_EQ(table.choice, player::OptionTable::Choice::kWithoutBall);
+  const auto target = [&](int id) { return *aim_of(pitch.world, table, id).target; };
+  EXPECT_EQ(target(player::kHomeOption), table.moves.home);
+  EXPECT_NEAR(target(player::kShiftedHomeOption).x, table.moves.home.x - 4.0, 1e-9);
+  EXPECT_FALSE(aim_of(pitch.world, table, player::kAutoOption).target);
 }
 
 TEST(Options, TheExpertChoosesWhatIsLegal) {

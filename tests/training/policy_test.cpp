@@ -146,5 +146,27 @@ TEST(PolicyPlayer, TakesTheBestLegalOption) {
   EXPECT_EQ(training::best_option(table, scores.data()), 7);
 }
 
+TEST(PolicyPlayer, WeighsTheLegalOptions) {
+  const player::WorldModel world;
+  player::OptionTable table;
+  table.choice = player::OptionTable::Choice::kWithBall;
+  table.legal[player::kHoldOption] = table.legal[player::kClearOption] = table.legal[7] = true;
+  table.targets.push_back({7, {.target_point = {3.0, 4.0}}, 2.5});
+  std::vector<float> scores(player::kOptionCount, 50.0F);
+  scores[player::kHoldOption] = scores[player::kClearOption] = -200.0F;
+  scores[7] = -199.0F;
+
+  const auto weighed = training::weigh_options(world, table, scores.data(), 7);
+  ASSERT_EQ(weighed.size(), 3U) << "what is not legal has no share";
+  EXPECT_EQ(weighed[0].id, player::kHoldOption);
+  EXPECT_EQ(weighed[2].id, 7);
+  EXPECT_TRUE(weighed[2].chosen && !weighed[0].chosen && !weighed[1].chosen);
+  EXPECT_NEAR(weighed[2].share, 0.57612, 1e-5);  // e / (e + 2)
+  EXPECT_NEAR(weighed[0].share, 0.21194, 1e-5);
+  EXPECT_EQ(weighed[2].aim.target, (soccer::Vec2{3.0, 4.0}));
+  EXPECT_EQ(weighed[2].aim.room, 2.5);
+  EXPECT_FALSE(weighed[1].aim.target);
+}
+
 }  // namespace
 }  // namespace cls::tests

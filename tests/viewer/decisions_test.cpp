@@ -9,6 +9,7 @@
 #include "base/index.h"
 #include "tests/support/error_of.h"
 #include "tests/support/files.h"
+#include "viewer/decisions/decision_plan.h"
 #include "viewer/decisions/decision_reader.h"
 #include "viewer/decisions/decision_writer.h"
 
@@ -247,6 +248,44 @@ TEST(Decisions, SurviveAnyChangeOfAByte) {
   }
   // Latencies, and the end's count, are not part of the checksum.
   EXPECT_LT(unchanged, 100);
+}
+
+TEST(DecisionPlan, HasTheOptionsOfAPolicyMostLikelyFirst) {
+  const auto actions = considered_actions(
+      "- shoot (52.5, -1.5) 8.1%\n- hold 20%\n- dribble -157.5 deg (-1.5, 2) 20% room 0.5\n"
+      "* through pass 9 (12.3, -4) 51.9% room 3.1\n");
+  ASSERT_EQ(actions.size(), 4U);
+  EXPECT_EQ(actions[0].name, "through pass");
+  EXPECT_EQ(actions[0].unum, 9);
+  EXPECT_TRUE(actions[0].chosen && actions[0].is_share && !actions[1].chosen);
+  EXPECT_EQ(actions[0].value, 51.9);
+  EXPECT_EQ(actions[0].target, (soccer::Vec2{12.3, -4.0}));
+  EXPECT_EQ(actions[0].room, 3.1);
+  EXPECT_EQ(actions[1].name, "hold");
+  EXPECT_FALSE(actions[1].target || actions[1].room || actions[1].unum != 0);
+  EXPECT_EQ(actions[2].name, "dribble -157.5 deg");
+  EXPECT_EQ(actions[2].unum, 0);
+  EXPECT_EQ(actions[3].value, 8.1);
+}
+
+TEST(DecisionPlan, HasWhatThePlannerConsidered) {
+  const auto actions = considered_actions("- pass 9 (12.3, -4) 45.2\n* hold 7 (1, 0) -30\n");
+  ASSERT_EQ(actions.size(), 2U);
+  EXPECT_EQ(actions[1].name, "hold");
+  EXPECT_EQ(actions[1].unum, 7);
+  EXPECT_EQ(actions[1].value, -30.0);
+  EXPECT_TRUE(actions[1].chosen);
+  EXPECT_FALSE(actions[0].is_share);
+}
+
+TEST(DecisionPlan, LeavesOutWhatIsNoLineOfIt) {
+  for (const char* text : {"", "\n", "*", "* ", "* hold", "hold 20%", "- hold twenty%", "- 20%",
+                           "* pass 9 (12.3) x"}) {
+    EXPECT_TRUE(considered_actions(text).empty()) << text;
+  }
+  const auto odd = considered_actions("* pass (1, 2, 3) 4%\n");
+  ASSERT_EQ(odd.size(), 1U);
+  EXPECT_FALSE(odd[0].target);
 }
 
 }  // namespace

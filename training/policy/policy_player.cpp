@@ -1,9 +1,11 @@
 // From a world model to features, scores and an option.
 #include "training/policy/policy_player.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/index.h"
+#include "soccer/math.h"
 #include "soccer/random.h"
 #include "training/npc/driver.h"
 #include "training/scene/estimated_scene.h"
@@ -12,6 +14,9 @@ namespace cls::training {
 namespace {
 
 using player::OptionTable;
+
+/// The score of an option that is never chosen.
+constexpr float kHopeless = -1000.0F;
 
 std::vector<int> slots_of(Side side) {
   std::vector<int> slots;
@@ -37,6 +42,21 @@ int best_option(const OptionTable& table, const float* scores) {
   return best;
 }
 
+std::vector<player::WeighedOption> weigh_options(const player::WorldModel& world,
+                                                 const OptionTable& table, const float* scores,
+                                                 int chosen) {
+  std::vector<player::WeighedOption> weighed;
+  double sum = 0.0;
+  for (int id = 0; id < player::kOptionCount; ++id) {
+    if (!may_choose(table, id)) continue;
+    const double above = static_cast<double>(scores[id]) - static_cast<double>(scores[chosen]);
+    weighed.push_back({id, soccer::math::exp(above), id == chosen, aim_of(world, table, id)});
+    sum += weighed.back().share;
+  }
+  for (player::WeighedOption& option : weighed) option.share /= sum;
+  return weighed;
+}
+
 PolicyPlayer::PolicyPlayer(std::shared_ptr<const Policy> policy) : policy_(std::move(policy)) {
   everybody_.left = slots_of(Side::kLeft);
   everybody_.right = slots_of(Side::kRight);
@@ -52,13 +72,20 @@ bool PolicyPlayer::decides() const {
 
 void PolicyPlayer::play(player::ActionContext& context) {
   find_options(context, table_);
-  play_option(context, table_, decides() ? choose(context) : player::kAutoOption);
+  int chosen = player::kAutoOption;
+  if (decides()) {
+    chosen = choose(context);
+    if (chosen >= 0 && may_choose(table_, chosen)) {
+      context.choice.weighed = weigh_options(context.world, table_, scores_.data(), chosen);
+    }
+  }
+  play_option(context, table_, chosen);
 }
 
 int PolicyPlayer::choose(const player::ActionContext& context) {
   switch (policy_->kind) {
     case PolicyKind::kPlanner:
-      return planner_option(context.world, table_, planner_options());
+      return choose_as_planner(context.world);
     case PolicyKind::kRandom:
       return choose_randomly(context.world);
     case PolicyKind::kNetwork:
@@ -74,10 +101,20 @@ int PolicyPlayer::choose_by_network(const player::WorldModel& world) {
   view.world = &world;
   view.options = &table_;
   policy_->features->fill(view, features_.data());
-  return best_option(table_, policy_->network.run(features_.data(), memory_.data(), workspace_));
+  const float* scores = policy_->network.run(features_.data(), memory_.data(), workspace_);
+  std::copy_n(scores, scores_.size(), scores_.begin());
+  return best_option(table_, scores);
 }
 
-int PolicyPlayer::choose_randomly(const player::WorldModel& world) const {
+int PolicyPlayer::choose_as_planner(const player::WorldModel& world) {
+  const int chosen = planner_option(world, table_, planner_options());
+  scores_.fill(kHopeless);
+  if (chosen >= 0) scores_[base::index(chosen)] = 0.0F;
+  return chosen;
+}
+
+int PolicyPlayer::choose_randomly(const player::WorldModel& world) {
+  scores_.fill(0.0F);
   const player::GameTime now = world.game.time;
   soccer::RandomStream stream(static_cast<std::uint64_t>(world.unum), "random policy",
                               static_cast<std::uint64_t>(now.cycle),

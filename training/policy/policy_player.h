@@ -1,6 +1,7 @@
 // A player of a match that follows a policy.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -20,18 +21,27 @@ class PolicyPlayer {
 
  private:
   bool decides() const;
+  // The option, and a score for each in scores_.
   int choose(const player::ActionContext& context);
   int choose_by_network(const player::WorldModel& world);
-  int choose_randomly(const player::WorldModel& world) const;
+  int choose_as_planner(const player::WorldModel& world);
+  int choose_randomly(const player::WorldModel& world);
 
   std::shared_ptr<const Policy> policy_;
   player::OptionTable table_;
   Cast everybody_;
   Scene scene_;
   std::vector<float> features_;
+  std::array<float, player::kOptionCount> scores_{};
   std::vector<float> memory_;
   Network::Workspace workspace_;
 };
+
+/// All legal options with the probabilities that scores mean: the softmax over them. `chosen` is
+/// one of them.
+std::vector<player::WeighedOption> weigh_options(const player::WorldModel& world,
+                                                 const player::OptionTable& table,
+                                                 const float* scores, int chosen);
 
 /// The legal option of the highest score; of equal ones the first.
 int best_option(const player::OptionTable& table, const float* scores);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text/enum_names.h"
 #include "soccer/geometry.h"
 #include "soccer/side.h"
 
@@ -39,6 +40,9 @@ enum class DecisionMaker : std::uint8_t {
   kNoReply,
   kOwnPlay,
 };
+constexpr auto kDecisionMakerNames =
+    base::enum_names<DecisionMaker>("actions", "preprocess", "sure_shot", "intention", "force_kick",
+                                    "heard_pass", "no_reply", "policy");
 
 struct DecisionSample {
   int cycle = 0;
@@ -69,7 +73,7 @@ struct DecisionSample {
   /// unimplemented, - not tried), a space, the action.
   std::string reply;
   std::string commands;  ///< as sent to the soccer server
-  std::string plan;      ///< a line per candidate of the planner; empty: none
+  std::string plan;      ///< what was considered: decision_plan.h; empty: nothing
   std::string drawings;  ///< a line per text or shape that the Playmaker shows; empty: none
   std::int64_t latency_us = 0;
 };

@@ -5,7 +5,7 @@ import os from 'node:os';
 import path from 'node:path';
 import test, {after, before} from 'node:test';
 import {pathToFileURL} from 'node:url';
-import {kDrawnFrame, kMissedFrame, kWorstFrame, sampleDecisionStream} from '../web/sample_decisions.mjs';
+import {kDrawnFrame, kMissedFrame, kPolicyFrame, kWorstFrame, sampleDecisionStream} from '../web/sample_decisions.mjs';
 import {sampleStream} from '../web/sample_match.mjs';
 import {accessibilityViolations, launch, openPage} from './browser.mjs';
 import {kInjections} from './injections.mjs';
@@ -85,6 +85,32 @@ test('draws the estimates where the decision has them', async () => {
   assert.ok(found.ghost > 20, `ball: ${found.ghost} pixels`);
   assert.ok(found.line > 3, `line: ${found.line} pixels`);
   assert.equal(found.nothing, 0);
+  await context.close();
+});
+
+test('shows and draws the options of a policy', async () => {
+  const {page, problems, context} = await open({hash: `#t=${kPolicyFrame}&p=l7&d=1`});
+  await loaded(page);
+  const text = await page.locator('.decision').innerText();
+  for (const part of ['Options of the policy, most likely first', 'dribble -45 deg (20, -20) 60% room 4.5', 'decided by its policy', '2 more']) assert.ok(text.includes(part), part);
+  assert.equal(await page.locator('.plan').first().locator('li').count(), 8);
+  assert.equal(await page.locator('.plan li[aria-current]').innerText(), 'dribble -45 deg (20, -20) 60% room 4.5');
+  await page.getByText('2 more').click();
+  assert.ok(await page.getByText('pass ahead 6 (0, 5) 1%').isVisible());
+  assert.deepEqual(problems, []);
+  const changed = await page.evaluate(() => {
+    const {viewer, page} = window.clsViewer;
+    const pixels = (track) => {
+      page.renderer.draw(viewer.clock, {theme: viewer.theme, layers: viewer.settings.layers, selected: viewer.selected, smooth: false, track});
+      return page.canvas.getContext('2d').getImageData(0, 0, page.canvas.width, page.canvas.height).data;
+    };
+    const [without, drawn] = [pixels(null), pixels(viewer.track)];
+    return [[20, -20], [30, 20], [20, 20]].map(([x, y]) => {
+      const at = 4 * (Math.round(viewer.camera.screenY(y)) * page.canvas.width + Math.round(viewer.camera.screenX(x)));
+      return [0, 1, 2].some((i) => without[at + i] !== drawn[at + i]);
+    });
+  });
+  assert.deepEqual(changed, [true, true, false]);
   await context.close();
 });
 

@@ -1,8 +1,9 @@
 // Recorded decisions: the decoder, how they belong to frames, and what the page says about them.
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import {consideredActions, consideredTitle} from '../../../viewer/web/src/decision_plan.js';
 import {DecisionStore} from '../../../viewer/web/src/decision_store.js';
-import {DecisionTrack, executedCommands, makerText, missText, plannedActions, requestedActions} from '../../../viewer/web/src/decision_track.js';
+import {DecisionTrack, executedCommands, makerText, missText, requestedActions} from '../../../viewer/web/src/decision_track.js';
 import {TeamDecisions} from '../../../viewer/web/src/decisions.js';
 import {DrawingFilter, drawingsOf, levelsIn} from '../../../viewer/web/src/drawings.js';
 import {scenarioOfMoment} from '../../../viewer/web/src/moment_scenario.js';
@@ -78,13 +79,33 @@ test('A decision reads as text', () => {
   const {decisions} = sampleTrack();
   assert.deepEqual(requestedActions(decisions.replies[3]).map(({outcome}) => outcome), ['not possible', 'executed', 'not tried: an earlier action succeeded']);
   assert.deepEqual(requestedActions(''), []);
-  assert.deepEqual(plannedActions(decisions.plans[kWorstFrame]), [{chosen: true, text: 'pass 9 (12, -4) 45.2'}, {chosen: false, text: 'dribble 7 (1, 1) 30'}]);
   assert.equal(missText(decisions.value('call', kMissedFrame)), 'no reply before the deadline');
   assert.equal(missText(0), '');
   assert.match(makerText(decisions.value('maker', kMissedFrame)), /without a reply/);
   assert.equal(makerText(99), '');
   assert.deepEqual(executedCommands(sampleRecord(), 6, 20), ['dash']);
   assert.deepEqual(executedCommands(sampleRecord(), 6, kFrames - 1), []);
+});
+
+test('A decision has what the planner considered', () => {
+  const track = sampleTrack();
+  assert.deepEqual(track.considered(kWorstFrame), [
+    {chosen: true, text: 'pass 9 (12, -4) 45.2', target: [12, -4], value: 45.2, isShare: false},
+    {chosen: false, text: 'dribble 7 (1, 1) 30', target: [1, 1], value: 30, isShare: false},
+  ]);
+  assert.deepEqual(track.considered(kWorstFrame + 1), []);
+  assert.match(consideredTitle(track.considered(kWorstFrame)), /^Planner/);
+});
+
+test('A decision has the options of a policy, most likely first', () => {
+  const considered = consideredActions('- shoot (52.5, 0) 8.1%\n- hold 20%\n- dribble -157.5 deg (-1.5, 2) 20% room 0.5\n* through pass 9 (12.3, -4) 51.9% room 3.1\nnot a line\n');
+  assert.deepEqual(considered.map(({chosen, value, target}) => [chosen, value, target]),
+    [[true, 51.9, [12.3, -4]], [false, 20, null], [false, 20, [-1.5, 2]], [false, 8.1, [52.5, 0]]]);
+  assert.ok(considered.every(({isShare}) => isShare));
+  assert.equal(considered[0].text, 'through pass 9 (12.3, -4) 51.9% room 3.1');
+  assert.match(consideredTitle(considered), /^Options of the policy/);
+  const [chosen] = consideredActions('- hold 50%\n* clear 50%\n');
+  assert.equal(chosen.text, 'clear 50%');
 });
 
 test('DecisionStore loads a side once, and says why it has nothing', async () => {

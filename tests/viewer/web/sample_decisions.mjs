@@ -22,6 +22,14 @@ export const kWorstFrame = 40;
 /** The frame of the missed decision. */
 export const kMissedFrame = 50;
 
+/** The frame of a choice of a policy among ten options. */
+export const kPolicyFrame = 60;
+const kPlans = {
+  [kWorstFrame]: '* pass 9 (12, -4) 45.2\n- dribble 7 (1, 1) 30\n',
+  [kPolicyFrame]: '- shoot (52.5, 0) 4%\n- hold 10%\n* dribble -45 deg (20, -20) 60% room 4.5\n- through pass 9 (30, 20) 19% room 3.1\n' +
+    Array.from({length: 6}, (_, i) => `- pass ahead ${i + 1} (0, ${i}) 1%\n`).join(''),
+};
+
 /** The frame that the Playmaker draws about. */
 export const kDrawnFrame = 45;
 const kSampleDrawings = '1024 C 10 5 3 #ff0000\n8 l -10 -5.25 0 0 blue\n65536 m 1 -2 (c white) run here\n65536 M plan 7.50, -0, 1234567\n32 r 1 2 3 4 \n';
@@ -32,7 +40,7 @@ function sampleDecision(columns, frame, text) {
   const at = (name, s = 0) => columns[name][s][frame];
   const missed = frame === kMissedFrame;
   const numbers = {
-    cycle: [at('time')], stopped: [at('stopped')], maker: [missed ? 6 : 0], call: [missed ? 1 : 0],
+    cycle: [at('time')], stopped: [at('stopped')], maker: [missed ? 6 : frame === kPolicyFrame ? 7 : 0], call: [missed ? 1 : 0],
     self_x: [at('x', 6) + 0.3], self_y: [at('y', 6) + 0.4], self_age: [0],
     ball_x: [at('ball_x') + (frame === kWorstFrame ? 9 : 1)], ball_y: [at('ball_y')], ball_age: [frame % 4],
     own_reach: [5], teammate_reach: [-1], opponent_reach: [12],
@@ -41,7 +49,7 @@ function sampleDecision(columns, frame, text) {
     other_id: [77], other_side: [-1], other_age: [3], other_x: [1], other_y: [2],
   };
   return {numbers, reply: missed ? '' : `f body_smart_kick target_point=(1, 2)\ne body_go_to_point target_point=(3, 4)\ns ${text}\n`,
-    commands: `(dash 100)(turn_neck ${frame})`, plan: frame === kWorstFrame ? '* pass 9 (12, -4) 45.2\n- dribble 7 (1, 1) 30\n' : '',
+    commands: `(dash 100)(turn_neck ${frame})`, plan: kPlans[frame] ?? '',
     drawings: frame === kDrawnFrame ? kSampleDrawings + `1 M ${text}\n` : '', latency: 1500 + frame};
 }
 

@@ -2,6 +2,7 @@
 import {DecisionStore} from './decision_store.js';
 import {readDecisions, sidesWithDecisions} from './decision_data.js';
 import {kExtensions} from './extensions.js';
+import {drawConsidered} from './layer_considered.js';
 import {drawEstimates} from './layer_estimates.js';
 import {DecisionPanel} from './panel_decision.js';
 
@@ -12,5 +13,8 @@ kExtensions.decisions = {
   makePanel(viewer) {
     return new DecisionPanel(viewer);
   },
-  draw: drawEstimates,
+  draw(scene) {
+    drawEstimates(scene);
+    drawConsidered(scene);
+  },
 };

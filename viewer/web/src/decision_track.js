@@ -1,4 +1,5 @@
 // The decisions of a player beside the frames of the match: which belongs to which, and how wrong the estimates were.
+import {consideredActions} from './decision_plan.js';
 import {kUnknownAge} from './decisions.js';
 import {drawingsOf, levelsIn} from './drawings.js';
 import {PlayerState} from './player_state.js';
@@ -35,6 +36,8 @@ export class DecisionTrack {
     this.slot = slot;
     this.decisions = decisions;
     this.levels = levelsIn(decisions.drawings);
+    /** @type {{decision: number, actions: import('./decision_plan.js').Considered[]}} */
+    this.latestPlan = {decision: kNone, actions: []};
     this.#align();
     this.ballErrors = Float32Array.from({length: decisions.count}, (_, i) => this.ballRow(i)?.error ?? NaN);
     this.selfErrors = Float32Array.from({length: decisions.count}, (_, i) => this.selfRow(i)?.error ?? NaN);
@@ -63,6 +66,12 @@ export class DecisionTrack {
   /** The decision about a frame; -1: none. */
   at(frame) {
     return this.decisionOfFrame[frame] ?? kNone;
+  }
+
+  /** What the player considered, best first. @returns {import('./decision_plan.js').Considered[]} */
+  considered(decision) {
+    if (this.latestPlan.decision !== decision) this.latestPlan = {decision, actions: consideredActions(this.decisions.plans[decision] ?? '')};
+    return [...this.latestPlan.actions];
   }
 
   /** @returns {EstimateRow | null} null: the frame of the decision is not in the log */
@@ -141,11 +150,6 @@ const kOutcomes = {e: 'executed', f: 'not possible', s: 'not tried: an earlier a
 /** The requested actions. @param {string} reply @returns {{outcome: string, letter: string, text: string}[]} */
 export function requestedActions(reply) {
   return reply.split('\n').filter((line) => line !== '').map((line) => ({letter: line[0], outcome: kOutcomes[line[0]] ?? 'unknown', text: line.slice(2)}));
-}
-
-/** Candidates of the planner, best first. @param {string} plan @returns {{chosen: boolean, text: string}[]} */
-export function plannedActions(plan) {
-  return plan.split('\n').filter((line) => line !== '').map((line) => ({chosen: line[0] === '*', text: line.slice(2)}));
 }
 
 const kMakers = [

@@ -27,7 +27,8 @@ export function signed(value) {
   return `${value < 0 ? '\u2212' : '+'}${Math.abs(value).toFixed(2)}`;
 }
 
-function drawChoicePath({context, camera, theme}, {slot}, from, to, best) {
+/** A line that ends in a disc. @param {import('./scene.js').Scene} scene */
+export function drawChoicePath({context, camera, theme}, {slot}, from, to, best) {
   context.strokeStyle = best ? theme.timeline.cursor : teamColors(theme, slot).fill;
   context.fillStyle = context.strokeStyle;
   context.globalAlpha = best ? 1 : 0.6;
@@ -42,7 +43,8 @@ function drawChoicePath({context, camera, theme}, {slot}, from, to, best) {
   context.globalAlpha = 1;
 }
 
-function drawChoiceLabel({context, camera, theme}, at, text) {
+/** @param {import('./scene.js').Scene} scene @param {number[]} at */
+export function drawChoiceLabel({context, camera, theme}, at, text) {
   const x = camera.screenX(at[0]);
   const y = camera.screenY(at[1]) - 12;
   context.setLineDash([]);

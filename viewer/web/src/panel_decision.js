@@ -1,6 +1,7 @@
 // The decision of the selected player: estimates beside the full state, request, reply, commands.
+import {consideredTitle} from './decision_plan.js';
 import {DecisionStrips} from './decision_strips.js';
-import {executedCommands, makerText, missText, plannedActions, requestedActions} from './decision_track.js';
+import {executedCommands, makerText, missText, requestedActions} from './decision_track.js';
 import {element, setText} from './dom.js';
 import {playerName} from './moment.js';
 import {scenarioOfMoment} from './moment_scenario.js';
@@ -9,6 +10,8 @@ import {cycleLabel} from './record.js';
 import {sideOfSlot, unumOfSlot} from './sides.js';
 
 const kEstimateColumns = ['', 'Estimated', 'Full state', 'Error', 'Age'];
+/** The others are behind a summary. */
+const kShownConsidered = 8;
 
 /** One word of a shell. @param {string} text */
 function shellQuoted(text) {
@@ -23,18 +26,21 @@ export class DecisionPanel {
     this.call = element('p', {class: 'player-state'});
     this.actions = element('ul', {class: 'actions'});
     this.maker = element('p', {class: 'hint'});
-    this.mirrored = element('p', {class: 'hint'}, 'Points of the reply are as the team sees them: it attacks to the right.');
+    this.mirrored = element('p', {class: 'hint'}, 'Points in texts are as the team sees them: it attacks to the right.');
     this.sent = element('p', {class: 'sent'});
     this.executed = element('p', {class: 'hint'});
-    this.planTitle = element('h3', {}, 'Planner, best sequence first');
+    this.planTitle = element('h3', {});
     this.plan = element('ol', {class: 'plan'});
+    this.otherTitle = element('summary', {});
+    this.otherPlan = element('ol', {class: 'plan'});
+    this.others = element('details', {}, this.otherTitle, this.otherPlan);
     this.rows = element('tbody', {});
     this.reach = element('p', {class: 'hint'});
     this.drawings = new DrawingsPanel(viewer, 'Texts and drawings of the Playmaker');
     this.strips = new DecisionStrips(viewer);
     this.worst = element('ul', {class: 'events worst'});
     this.body = element('div', {}, this.call, element('h3', {}, 'Requested actions'), this.actions, this.mirrored, this.maker,
-      element('h3', {}, 'Commands'), this.sent, this.executed, this.planTitle, this.plan, this.drawings.root,
+      element('h3', {}, 'Commands'), this.sent, this.executed, this.planTitle, this.plan, this.others, this.drawings.root,
       element('h3', {}, 'World model beside the full state'), this.#table(), this.reach,
       element('h3', {}, 'All decisions of the player'), this.strips.root,
       element('h3', {}, 'Largest errors near the ball'), this.worst,
@@ -111,9 +117,8 @@ export class DecisionPanel {
   #showNone() {
     setText(this.call, 'No decision in this frame.');
     this.actions.replaceChildren();
-    this.plan.replaceChildren();
+    this.#showConsidered([]);
     this.rows.replaceChildren();
-    this.planTitle.hidden = true;
     for (const text of [this.maker, this.sent, this.executed, this.reach]) setText(text, '');
   }
 
@@ -127,16 +132,27 @@ export class DecisionPanel {
     this.actions.replaceChildren(...actions.map(({letter, outcome, text}) => element('li', {class: `action ${letter === 'e' ? 'done' : ''}`},
       element('code', {}, text), element('span', {class: 'outcome'}, outcome))));
     if (actions.length === 0) this.actions.append(element('li', {class: 'hint'}, miss === '' ? 'The reply has no actions.' : 'No reply.'));
-    this.mirrored.hidden = sideOfSlot(track.slot) === 'left' || actions.length === 0;
+    const considered = track.considered(i);
+    this.mirrored.hidden = sideOfSlot(track.slot) === 'left' || actions.length + considered.length === 0;
     setText(this.maker, makerText(decisions.value('maker', i)));
     setText(this.sent, decisions.commands[i] || 'none');
     const executed = executedCommands(track.record, track.slot, this.viewer.frame);
     setText(this.executed, `Counted by the server until the next frame: ${executed.join(', ') || 'none'}.`);
-    const plan = plannedActions(decisions.plans[i]);
-    this.planTitle.hidden = plan.length === 0;
-    this.plan.replaceChildren(...plan.map(({chosen, text}) => element('li', chosen ? {'aria-current': 'true'} : {}, text)));
+    this.#showConsidered(considered);
     this.rows.replaceChildren(...track.rows(i).map(estimateRow));
     setText(this.reach, `Cycles to the ball: itself ${reachText(decisions, i, 'own_reach')}, a teammate ${reachText(decisions, i, 'teammate_reach')}, an opponent ${reachText(decisions, i, 'opponent_reach')}.`);
+  }
+
+  /** @param {import('./decision_plan.js').Considered[]} considered */
+  #showConsidered(considered) {
+    const item = ({chosen, text}) => element('li', chosen ? {'aria-current': 'true'} : {}, text);
+    const others = considered.slice(kShownConsidered);
+    this.planTitle.hidden = considered.length === 0;
+    setText(this.planTitle, consideredTitle(considered));
+    this.plan.replaceChildren(...considered.slice(0, kShownConsidered).map(item));
+    this.others.hidden = others.length === 0;
+    setText(this.otherTitle, `${others.length} more`);
+    this.otherPlan.replaceChildren(...others.map(item));
   }
 
   #showWorst(track) {
