@@ -16,6 +16,7 @@
 #include "base/text/suggestion.h"
 #include "base/text/table.h"
 #include "base/text/wrap_text.h"
+#include "cli/explain/decision_report.h"
 #include "cli/explain/formation_picture.h"
 #include "cli/explain/reference.h"
 #include "cli/explain/table_rows.h"
@@ -23,6 +24,8 @@
 #include "cli/support/print_error.h"
 #include "cli/terminal/json_stdout.h"
 #include "cli/terminal/terminal.h"
+#include "soccer/geometry.h"
+#include "soccer/side.h"
 
 namespace cls::cli {
 namespace {
@@ -45,6 +48,10 @@ constexpr const char* kExplainDescription =
     "  cls explain summary             all of these rows\n"
     "  cls explain formation           a picture of the home positions\n"
     "  cls explain formation offense --ball=20,10 --svg offense.svg\n"
+    "  cls explain decision match      what players chose, and what else was best\n"
+    "  cls explain decision match --at 371 --side left --player 9\n"
+    "                                  all that a player considered (cls match\n"
+    "                                  --record-world-models)\n"
     "  cls explain --search offside    names whose explanation has the text\n"
     "  cls explain --list              all names";
 
@@ -54,6 +61,7 @@ struct ExplainArguments {
   std::string search;
   std::string ball = "0,0";
   std::string svg;
+  DecisionQuestion decision;
   bool list = false;
   bool json = false;
 };
@@ -296,6 +304,15 @@ int explain_formation(const ExplainArguments& arguments) {
   return kOk;
 }
 
+int explain_decision_of(const ExplainArguments& arguments) {
+  if (arguments.names.size() != 2) {
+    return print_error(kUsage, "explain decision: name the folder of one match");
+  }
+  DecisionQuestion question = arguments.decision;
+  question.folder = arguments.names[1];
+  return explain_decision(question, arguments.json);
+}
+
 // Adds what `word` names; whether there is anything. A name of the interface names only the rows
 // with this label.
 bool find_word(const std::string& word, std::vector<const ReferenceEntry*>& entries,
@@ -321,6 +338,7 @@ int run_explain(const ExplainArguments& arguments) {
 
   const bool formation = arguments.names[0] == "formation" || arguments.names[0] == "formations";
   if (formation) return explain_formation(arguments);
+  if (arguments.names[0] == "decision") return explain_decision_of(arguments);
 
   std::vector<const ReferenceEntry*> entries;
   std::vector<const TableRow*> rows;
@@ -346,10 +364,15 @@ void add_explain_command(Command& app) {
   command.option(
       "NAME", arguments.names,
       "a name of the interface, or its last part; a row of a table; summary; formation, and\n"
-      "which one");
+      "which one; decision, and the folder of a match");
   command.flag("--list", arguments.list, "print all names");
   command.setting("--ball", arguments.ball, "where the ball is, of a formation").placeholder("X,Y");
   command.option("--svg", arguments.svg, "write the picture of a formation to this file");
+  command.option("--at", arguments.decision.cycle, "only decisions of this cycle")
+      .placeholder("CYCLE");
+  command.option("--side SIDE", arguments.decision.side, "only decisions of left or right");
+  command.option("--player", arguments.decision.unum, "only decisions of this player")
+      .range(1, soccer::kPlayersPerTeam);
   command.option("--search", arguments.search, "list the entries with a text").placeholder("WORDS");
   command.option("--export DIR", arguments.folder, "write the pages of docs/reference to a folder");
 

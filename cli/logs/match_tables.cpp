@@ -27,8 +27,8 @@
 #include "tournament/dataset/dataset.h"
 #include "viewer/decisions/decision_files.h"
 #include "viewer/decisions/decision_table.h"
-#include "viewer/page/encoding.h"
 #include "viewer/page/page.h"
+#include "viewer/page/page_decisions.h"
 
 namespace cls::cli {
 namespace {
@@ -279,16 +279,8 @@ base::Result<std::vector<viewer::TeamDecisions>> read_world_models(const Job& jo
     const bool of_match = log.filename() == kMatchStem && !fs::exists(path, code);
     if (of_match) path = log.parent_path() / file;
     if (!fs::exists(path, code)) continue;
-    if (const auto why = base::why_no_file(path)) {
-      return base::Error{fmt::format("{}: {}", path.string(), *why)};
-    }
-
-    const auto packed = base::read_file(path);
-    if (!packed) return base::Error{fmt::format("{}: not readable", path.string())};
-    const auto stream = viewer::gunzip(*packed, viewer::kMaxWorldModels);
-    auto team = stream ? viewer::read_decisions(*stream) : stream.error();
-    if (!team) return base::Error{fmt::format("{}: {}", path.string(), team.error().message)};
-    teams.push_back(*std::move(team));
+    TRY_INIT(auto team, viewer::read_recorded_decisions(path));
+    teams.push_back(std::move(team));
   }
 
   return teams;

@@ -93,7 +93,7 @@ int resolve_team_name(std::string& side, std::string& team_name, const std::stri
   TRY_STEP(read_project(*file, parsed));
 
   TRY_INIT_OR(kUsage, auto endpoint, endpoint_in(parsed.config, *file, side));
-  if (endpoint != side && team_name.empty()) team_name = side;
+  if (team_name.empty() && endpoint != side) team_name = side;
   side = std::move(endpoint);
   return kOk;
 }

@@ -16,8 +16,6 @@
 namespace cls::viewer {
 namespace {
 
-constexpr std::size_t kMaxDecisions = std::size_t{1} << 30;
-
 // Uniform numbers of the players of a side.
 std::vector<int> numbers_of(const std::vector<std::string>& players, soccer::Side side) {
   std::vector<int> numbers;
@@ -50,10 +48,15 @@ std::optional<MissedDecision> missed_of(std::string_view line) {
                         soccer::letter(*side) + std::to_string(unum), text("reason")};
 }
 
+base::Result<std::string> read_packed(const std::filesystem::path& file) {
+  if (auto packed = base::read_file(file)) return *std::move(packed);
+  return base::Error{file.string() + ": " + base::why_no_file(file).value_or("cannot be read")};
+}
+
 // Recorded decisions of a side, compressed, as far as they are chosen.
 base::Result<std::string> chosen_part(std::string packed, const std::vector<int>& numbers,
                                       const std::vector<CycleRange>& cycles) {
-  TRY_INIT(const auto stream, gunzip(packed, kMaxDecisions));
+  TRY_INIT(const auto stream, gunzip(packed, kMaxWorldModels));
   TRY_INIT(const auto players, select_players(stream, numbers));
   TRY_INIT(const auto selected, select_cycles(players, cycles));
 
@@ -62,6 +65,14 @@ base::Result<std::string> chosen_part(std::string packed, const std::vector<int>
 }
 
 }  // namespace
+
+base::Result<TeamDecisions> read_recorded_decisions(const std::filesystem::path& file) {
+  TRY_INIT(const auto packed, read_packed(file));
+  const auto stream = gunzip(packed, kMaxWorldModels);
+  auto team = stream ? read_decisions(*stream) : stream.error();
+  if (!team) return base::Error{file.string() + ": " + team.error().message};
+  return team;
+}
 
 std::vector<MissedDecision> read_missed_decisions(const std::filesystem::path& folder) {
   const std::string text = base::read_file(folder / kMissedFile).value_or("");
@@ -82,13 +93,8 @@ base::Result<std::vector<PageDecisions>> read_page_decisions(const std::filesyst
 
     std::error_code code;
     if (!std::filesystem::exists(folder / name, code) && !code) continue;
-    auto packed = base::read_file(folder / name);
-    if (!packed) {
-      const auto why = base::why_no_file(folder / name);
-      return base::Error{(folder / name).string() + ": " + why.value_or("cannot be read")};
-    }
-
-    auto chosen = chosen_part(*std::move(packed), numbers, choice.cycles);
+    TRY_INIT(auto packed, read_packed(folder / name));
+    auto chosen = chosen_part(std::move(packed), numbers, choice.cycles);
     if (!chosen) {
       return base::Error{(folder / name).string() + ": " + chosen.error().message};
     }

@@ -23,6 +23,9 @@ struct DecisionChoice {
 base::Result<std::vector<PageDecisions>> read_page_decisions(const std::filesystem::path& folder,
                                                              const DecisionChoice& choice);
 
+/// A file of recorded decisions as it lies in a match folder. The error names the file.
+base::Result<TeamDecisions> read_recorded_decisions(const std::filesystem::path& file);
+
 /// The missed decisions of a match folder (missed.jsonl). Lines that do not parse are left out.
 std::vector<MissedDecision> read_missed_decisions(const std::filesystem::path& folder);
 
