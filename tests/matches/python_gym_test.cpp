@@ -127,6 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
         Script{"PlaysHalfFieldOffenseByItsRules", "numpy", kNoNumpy, "gym_hfo_test.py"},
         Script{"ChoosesAmongOptions", "numpy", kNoNumpy, "gym_options_test.py"},
         Script{"ComputesPoliciesAsTheEngine", "numpy", kNoNumpy, "gym_network_test.py"},
+        Script{"ReadsOnnxFiles", "numpy", kNoNumpy, "gym_onnx_test.py"},
         Script{"LearnsATeam", "numpy", kNoNumpy, "gym_learn_team_test.py"},
         Script{"KeepsLeagues", "numpy", kNoNumpy, "gym_league_test.py"},
         Script{"ServesPolicies", "numpy, grpc", kNoGrpc, "gym_play_test.py"},
