@@ -5,8 +5,8 @@ import { DrawingStore } from '../../../viewer/web/src/drawing_store.js';
 import { DrawingFilter } from '../../../viewer/web/src/drawings.js';
 import { element, setText } from '../../../viewer/web/src/dom.js';
 import { kExtensions } from '../../../viewer/web/src/extensions.js';
+import { drawDecision } from '../../../viewer/web/src/layer_considered.js';
 import { drawDrawings } from '../../../viewer/web/src/layer_drawings.js';
-import { drawEstimates } from '../../../viewer/web/src/layer_estimates.js';
 import { Page } from '../../../viewer/web/src/page.js';
 import { DecisionPanel } from '../../../viewer/web/src/panel_decision.js';
 import { PlaymakerPanel } from '../../../viewer/web/src/panel_playmaker.js';
@@ -29,7 +29,7 @@ kExtensions.decisions = {
     return new DecisionStore(record, kSides, async (side) => new TeamDecisions((await decisions)[kSides.indexOf(side)]));
   },
   makePanel: (viewer) => new DecisionPanel(viewer),
-  draw: drawEstimates,
+  draw: drawDecision,
 };
 
 // Texts and drawings are in the decisions.

@@ -2,8 +2,7 @@
 import {DecisionStore} from './decision_store.js';
 import {readDecisions, sidesWithDecisions} from './decision_data.js';
 import {kExtensions} from './extensions.js';
-import {drawConsidered} from './layer_considered.js';
-import {drawEstimates} from './layer_estimates.js';
+import {drawDecision} from './layer_considered.js';
 import {DecisionPanel} from './panel_decision.js';
 
 kExtensions.decisions = {
@@ -13,8 +12,5 @@ kExtensions.decisions = {
   makePanel(viewer) {
     return new DecisionPanel(viewer);
   },
-  draw(scene) {
-    drawEstimates(scene);
-    drawConsidered(scene);
-  },
+  draw: drawDecision,
 };

@@ -1,5 +1,6 @@
-// Where what a player considered would have led: a line to each target, those of a policy with their probabilities.
+// The decision of a player: its estimates, and where what it considered would have led: a line to each target, those of a policy with probabilities.
 import {drawChoiceLabel, drawChoicePath} from './layer_choices.js';
+import {drawEstimates} from './layer_estimates.js';
 import {sideOfSlot} from './sides.js';
 
 /** Options of a policy with less have no line, in percent. */
@@ -8,7 +9,12 @@ const kLeastShare = 1;
 const kLeastLabel = 5;
 
 /** @param {import('./scene.js').Scene} scene */
-export function drawConsidered(scene) {
+export function drawDecision(scene) {
+  drawEstimates(scene);
+  drawConsidered(scene);
+}
+
+function drawConsidered(scene) {
   const {track, pose, context} = scene;
   const decision = track ? track.at(pose.frame) : -1;
   const from = track?.selfRow(decision)?.estimated;
