@@ -4,9 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <string>
+
 #include "base/io/whole_file.h"
 #include "match/terms/endpoint.h"
 #include "player/world/planner_parameters.h"
+#include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::match {
@@ -31,8 +35,9 @@ TEST(PlannerFile, SetsNamedParametersOnly) {
 }
 
 TEST(PlannerFile, IsTheExampleAgainstStrongTeams) {
-  const base::Result<std::string> text = base::read_file("examples/tuning/strong.toml");
-  ASSERT_TRUE(text) << text.error().message;
+  const std::optional<std::string> text =
+      base::read_file(tests::source_folder() / "examples/tuning/strong.toml");
+  ASSERT_TRUE(text);
   const auto parameters = parse_planner_file(*text, "strong.toml");
   ASSERT_TRUE(parameters) << parameters.error().message;
   EXPECT_EQ((*parameters)->goalie_across, 1);
