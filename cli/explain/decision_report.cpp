@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "base/io/whole_file.h"
 #include "base/text/decimal_text.h"
 #include "base/text/json.h"
+#include "base/text/printable.h"
 #include "base/text/table.h"
 #include "base/text/wrap_text.h"
 #include "cli/support/print_error.h"
@@ -125,8 +127,9 @@ void print(const Decision& decision) {
   const viewer::DecisionSample& sample = *decision.sample;
   fmt::print("{}, cycle {}, decided by {}\n", player_text(decision), clock_text(sample),
              viewer::kDecisionMakerNames.name(sample.maker));
-  fmt::print("  sent {}\n", base::wrap_text(sample.commands.empty() ? "nothing" : sample.commands,
-                                            stdout_width(), 7));
+  const std::string sent =
+      sample.commands.empty() ? std::string("nothing") : base::printable(sample.commands);
+  fmt::print("  sent {}\n", base::wrap_text(sent, stdout_width(), 7));
   if (!decision.considered.empty()) fmt::print("{}", candidates_text(decision));
 }
 

@@ -10,7 +10,7 @@
 #include "player/movement/movement.h"
 #include "player/world/motion.h"
 #include "player/world/places.h"
-#include "player/world/running.h"
+#include "soccer/interval.h"
 
 namespace cls::player {
 namespace {
@@ -48,11 +48,7 @@ class SaveSearch {
  public:
   SaveSearch(const WorldModel& world, const Shot& shot)
       : world_(world), type_(world.self_type()), cycles_(shot.cycles) {
-    const double power =
-        std::min(world.server().max_dash_power, world.self.stamina + type_.extra_stamina);
-    push_ = power * type_.dash_power_rate * world.self.effort;
-    most_turn_ =
-        world.server().maxmoment / (1.0 + type_.inertia_moment * world.self.velocity.length());
+    power_ = std::min(world.server().max_dash_power, world.self.stamina + type_.extra_stamina);
   }
 
   Run best() {
@@ -69,21 +65,19 @@ class SaveSearch {
 
  private:
   double turn_to(Vec2 way) const {
-    const double turn = (AngleDeg::of(way) - world_.self.body).degrees();
-    return std::clamp(turn, -most_turn_, most_turn_);
+    const double most = max_turn(world_);
+    return soccer::between((AngleDeg::of(way) - world_.self.body).degrees(), -most, most);
   }
 
   double reach(Vec2 ball) const {
     constexpr double kBesideArea = 0.3;  // the ball is caught inside it
-    const double kick = type_.kickable_area(world_.server().ball_size);
     const bool hands = in_own_penalty_area(ball, kBesideArea) && !is_back_pass(world_);
-    return (hands ? catch_reach(world_).sure : kick) - kNumbers.margin;
+    return (hands ? catch_reach(world_).sure : kickable_area(world_)) - kNumbers.margin;
   }
 
   void offer(Run run) {
-    const double rate = dash_rate(world_.server(), run.direction);
-    const double heading = (world_.self.body + run.turn + run.direction).degrees();
-    const Vec2 push = soccer::polar_degrees(rate * push_, heading);
+    const AngleDeg body = world_.self.body + run.turn;
+    const Vec2 push = dash_acceleration(world_, body, power_, run.direction);
     Vec2 position = world_.self.position;
     Vec2 velocity = world_.self.velocity;
 
@@ -106,8 +100,7 @@ class SaveSearch {
   const WorldModel& world_;
   const soccer::PlayerType& type_;
   int cycles_;
-  double push_ = 0.0;
-  double most_turn_ = 0.0;
+  double power_ = 0.0;
   Run best_;
 };
 
@@ -134,11 +127,10 @@ bool slide(ActionContext& c, Vec2 place, Vec2 ball) {
     return stop_dash(world, c.slots, true) || c.slots.turn(0.0);
   }
 
-  constexpr double kLeastRate = 0.1;
+  constexpr double kLeastPush = 1e-4;
   const double direction = (AngleDeg::of(missing) - world.self.body).degrees();
-  const double rate = std::max(kLeastRate, dash_rate(world.server(), direction));
-  const double power =
-      missing.length() / travel / (rate * type.dash_power_rate * world.self.effort);
+  const double per_power = dash_acceleration(world, 1.0, direction).length();
+  const double power = missing.length() / travel / std::max(kLeastPush, per_power);
   return c.slots.dash(std::min(power, world.server().max_dash_power), direction);
 }
 

@@ -18,13 +18,14 @@ constexpr std::string_view kCharacters =
 
 constexpr std::string_view kSeparators = "-_+";
 
-/// The end of a name that is too long; without the rest of a word, where a whole one follows it.
+/// The end of a name that is too long; without the rest of a word, where enough follows it.
 std::string end_of(const std::string& name) {
   const std::size_t cut = name.size() - TeamName::kMaxSize;
   const bool in_word = kSeparators.find(name[cut - 1]) == std::string_view::npos;
   const std::size_t separator = name.find_first_of(kSeparators, cut);
-  const bool word_follows = separator != std::string::npos && separator + 1 < name.size();
-  return name.substr(in_word && word_follows && separator > cut ? separator + 1 : cut);
+  constexpr std::size_t kEnough = TeamName::kMaxSize / 2;
+  const bool follows = separator != std::string::npos && name.size() - separator > kEnough;
+  return name.substr(in_word && follows && separator > cut ? separator + 1 : cut);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ using TeamNames = PerSide<std::string>;
 /// characters), otherwise an error.
 base::Result<std::string> check_team_name(std::string_view name);
 
-/// A valid name from any text: its end, with whole words where that is possible, and with _ for
+/// A valid name from any text: its end, with whole words where enough of it is left, and with _ for
 /// other characters. "team" for an empty text.
 std::string team_name_from(std::string_view text);
 

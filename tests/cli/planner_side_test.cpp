@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -33,6 +36,13 @@ class PlannerSide : public testing::Test, public cls::tests::ClsFolder {
   }
 };
 
+std::vector<std::string> fields_of(const std::string& line) {
+  std::istringstream in(line);
+  std::vector<std::string> fields;
+  for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
+  return fields;
+}
+
 // The planner is at work in the first seconds: other passes, another match.
 constexpr const char* kOther = "pass_margin = 1.5\nx_weight = 0.2\nshift_normal = -8\n";
 
@@ -50,6 +60,34 @@ TEST_F(PlannerSide, PlaysAnotherMatchWithOtherValues) {
   const std::string other = game_log("planner:other.toml=mock:planner");
   EXPECT_FALSE(other == plain);
   EXPECT_TRUE(game_log("planner:other.toml=mock:planner") == other) << "reproducible";
+}
+
+// The coach gives the types that the usual order gives to 11 and 2 to the side backs.
+TEST_F(PlannerSide, TellsTheCoachWhoGetsFastTypes) {
+  write("backs.toml", "fast_backs = 1\n");
+  const auto types = [&](const std::string& left) {
+    game_log(left);
+    const CommandResult table = run({"convert", "match/match.rcg", "-", "--to", "tracking"});
+    std::istringstream lines(table.out);
+    std::string head;
+    std::string last;
+    std::getline(lines, head);
+    for (std::string line; std::getline(lines, line);) last = line;
+    const auto names = fields_of(head);
+    const auto values = fields_of(last);
+    std::map<std::string, std::string> out;
+    for (std::size_t i = 0; i < std::min(names.size(), values.size()); ++i) {
+      out[names[i]] = values[i];
+    }
+    return out;
+  };
+
+  auto usual = types("mock:planner");
+  auto backs = types("planner:backs.toml=mock:planner");
+  ASSERT_NE(usual["l11_t"], "");
+  EXPECT_EQ(backs["l4_t"], usual["l11_t"]);
+  EXPECT_EQ(backs["l5_t"], usual["l2_t"]);
+  EXPECT_NE(usual["l4_t"], usual["l11_t"]);
 }
 
 // The parameters belong to the agents, wherever their Playmaker runs.

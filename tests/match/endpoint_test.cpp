@@ -235,6 +235,7 @@ TEST(TeamNames, AreDerivedFromEndpoint) {
   EXPECT_EQ(name("unix:/run/brain.sock"), "brain");
   EXPECT_EQ(name("policy:policy-every-step.pol"), "every-step") << "without the rest of a word";
   EXPECT_EQ(name("policy:averyveryverylongword.pol"), "eryverylongword");
+  EXPECT_EQ(name("policy:mycheckpoint_0001.pol"), "checkpoint_0001") << "too little without it";
   EXPECT_EQ(name("run:python3 -u examples/playmaker.py --port {port}"), "playmaker");
   EXPECT_EQ(name("run:cd brain && HOME=/x node server.js {port}"), "server");
   EXPECT_EQ(name("run:exec './my brain' {port}"), "my");

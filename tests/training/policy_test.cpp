@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "base/index.h"
 #include "soccer/math.h"
@@ -166,6 +167,11 @@ TEST(PolicyPlayer, WeighsTheLegalOptions) {
   EXPECT_EQ(weighed[2].aim.target, (soccer::Vec2{3.0, 4.0}));
   EXPECT_EQ(weighed[2].aim.room, 2.5);
   EXPECT_FALSE(weighed[1].aim.target);
+
+  scores[7] = std::numeric_limits<float>::infinity();
+  const auto infinite = training::weigh_options(world, table, scores.data(), 7);
+  EXPECT_EQ(infinite[2].share, 1.0);
+  EXPECT_EQ(infinite[0].share, 0.0);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "training/policy/policy_player.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/index.h"
@@ -53,7 +54,11 @@ std::vector<player::WeighedOption> weigh_options(const player::WorldModel& world
     weighed.push_back({id, soccer::math::exp(above), id == chosen, aim_of(world, table, id)});
     sum += weighed.back().share;
   }
-  for (player::WeighedOption& option : weighed) option.share /= sum;
+  // Scores of a foreign network may be infinite: the choice stays.
+  const bool finite = sum > 0.0 && std::isfinite(sum);
+  for (player::WeighedOption& option : weighed) {
+    option.share = finite ? option.share / sum : option.chosen ? 1.0 : 0.0;
+  }
   return weighed;
 }
 

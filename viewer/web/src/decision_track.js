@@ -71,7 +71,7 @@ export class DecisionTrack {
   /** What the player considered, best first. @returns {import('./decision_plan.js').Considered[]} */
   considered(decision) {
     if (this.latestPlan.decision !== decision) this.latestPlan = {decision, actions: consideredActions(this.decisions.plans[decision] ?? '')};
-    return [...this.latestPlan.actions];
+    return this.latestPlan.actions;
   }
 
   /** @returns {EstimateRow | null} null: the frame of the decision is not in the log */

@@ -5,7 +5,7 @@ import {sideOfSlot} from './sides.js';
 
 /** Options of a policy with less have no line, in percent. */
 const kLeastShare = 1;
-/** And with less no label. */
+/** Options of a policy with less have no label, in percent. */
 const kLeastLabel = 5;
 
 /** @param {import('./scene.js').Scene} scene */
@@ -17,8 +17,9 @@ export function drawDecision(scene) {
 function drawConsidered(scene) {
   const {track, pose, context} = scene;
   const decision = track ? track.at(pose.frame) : -1;
-  const from = track?.selfRow(decision)?.estimated;
-  if (!track || !from) return;
+  if (!track || decision < 0) return;
+  const from = track.selfRow(decision)?.estimated;
+  if (!from) return;
   const direction = sideOfSlot(track.slot) === 'left' ? 1 : -1;
   const drawn = track.considered(decision).filter(({chosen, target, isShare, value}) => target && (chosen || !isShare || value >= kLeastShare));
   context.save();
