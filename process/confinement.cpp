@@ -5,7 +5,9 @@
 #include <linux/capability.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
+#include <sched.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -29,6 +31,7 @@ enum class Allowed : std::uint8_t {
   kFirstTwoAreZero,     ///< setpriority(PRIO_PROCESS, pid, ...)
   kOneThenZero,         ///< ioprio_set(IOPRIO_WHO_PROCESS, pid, ...)
   kFirstIsZeroOrReads,  ///< prlimit64(pid, resource, new limit, ...): or no new limit
+  kNoRealTime,          ///< sched_setscheduler(pid, policy, ...): as the first, see add_rule()
 };
 
 struct Rule {
@@ -42,7 +45,7 @@ constexpr std::array<Rule, 9> kRules = {{
     {SYS_setpriority, 97, Allowed::kFirstTwoAreZero},
     {SYS_ioprio_set, 289, Allowed::kOneThenZero},
     {SYS_sched_setaffinity, 241, Allowed::kFirstIsZero},
-    {SYS_sched_setscheduler, 156, Allowed::kFirstIsZero},
+    {SYS_sched_setscheduler, 156, Allowed::kNoRealTime},
     {SYS_sched_setparam, 154, Allowed::kFirstIsZero},
     {SYS_sched_setattr, 351, Allowed::kFirstIsZero},
     {SYS_migrate_pages, 294, Allowed::kFirstIsZero},
@@ -77,6 +80,7 @@ class Filter {
 
  private:
   static constexpr std::uint32_t kRefused = SECCOMP_RET_ERRNO | EPERM;
+  static constexpr std::uint32_t kPretended = SECCOMP_RET_ERRNO;  // 0: success, without the call
 
   static constexpr std::uint32_t low_half(std::size_t argument) {
     return static_cast<std::uint32_t>(offsetof(seccomp_data, args) + 8 * argument);
@@ -98,6 +102,16 @@ class Filter {
     add({BPF_LD | BPF_W | BPF_ABS, 0, 0, static_cast<std::uint32_t>(offset)});
   }
 
+  /// A policy of real time has no effect, and no error either: programs whose threads ask for it
+  /// give up otherwise. The flag that children do not inherit it may be set, too.
+  constexpr void add_pretended_real_time() {
+    load(low_half(1));
+    add({BPF_ALU | BPF_AND | BPF_K, 0, 0, ~std::uint32_t{SCHED_RESET_ON_FORK}});
+    add(jump(BPF_JEQ, SCHED_FIFO, 1, 0));
+    add(jump(BPF_JEQ, SCHED_RR, 0, 1));
+    add(verdict(kPretended));
+  }
+
   /// Each check is a load and a jump past the refusal or to it; a call that passes all is allowed.
   constexpr void add_rule(std::uint32_t call, Allowed allowed) {
     const std::size_t skip = add(jump(BPF_JEQ, call, 0, 0));
@@ -105,6 +119,7 @@ class Filter {
     const bool io_priority = allowed == Allowed::kOneThenZero;
     const bool reads = allowed == Allowed::kFirstIsZeroOrReads;
 
+    if (allowed == Allowed::kNoRealTime) add_pretended_real_time();
     load(low_half(0));
     if (reads) {
       add(jump(BPF_JEQ, 0, 4, 0));
@@ -139,6 +154,12 @@ bool drop_capabilities() {
   return ::syscall(SYS_capset, &header, none.data()) == 0;
 }
 
+// Some hosts let all users have real-time priorities, or raise usual ones.
+bool drop_priorities() {
+  const rlimit none{0, 0};
+  return ::setrlimit(RLIMIT_RTPRIO, &none) == 0 && ::setrlimit(RLIMIT_NICE, &none) == 0;
+}
+
 }  // namespace
 
 bool can_confine() {
@@ -147,7 +168,8 @@ bool can_confine() {
 }
 
 bool confine() {
-  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || !drop_capabilities()) return false;
+  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return false;
+  if (!drop_priorities() || !drop_capabilities()) return false;
   const sock_fprog program = kFilter.program();
   // Without this flag old kernels make all programs slower, against attacks that do not matter
   // here.

@@ -2,8 +2,10 @@
 #include "process/confinement.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 #include <sched.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -80,6 +82,57 @@ TEST_F(Confinement, AllowsChangesOfItself) {
         "ionice -c 3 true", "prlimit --core=0 true", "prlimit --pid $PPID --core"}) {
     EXPECT_EQ(exit_code_of(command), 0) << command << ": " << output();
   }
+}
+
+/// In a confined process: 0 if a thread that asks for real time is started, without getting it.
+int start_real_time_thread() {
+  if (!confine()) return 2;
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setinheritsched(&attributes, PTHREAD_EXPLICIT_SCHED);
+  pthread_attr_setschedpolicy(&attributes, SCHED_FIFO);
+  sched_param parameters{};
+  parameters.sched_priority = 1;
+  pthread_attr_setschedparam(&attributes, &parameters);
+
+  int policy = -1;
+  const auto look = [](void* out) -> void* {
+    *static_cast<int*>(out) = ::sched_getscheduler(0);
+    return nullptr;
+  };
+  pthread_t thread{};
+  if (pthread_create(&thread, &attributes, look, &policy) != 0) return 3;
+  pthread_join(thread, nullptr);
+  return policy == SCHED_OTHER ? 0 : 4;
+}
+
+// Players of Oxsy 2023 end if their threads may not ask.
+TEST_F(Confinement, LetsThreadsAskForRealTimeInVain) {
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(start_real_time_thread());
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 0);
+}
+
+TEST_F(Confinement, TakesPrioritiesThatAHostGivesToAll) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const rlimit given{5, 5};
+    for (const auto resource : {RLIMIT_RTPRIO, RLIMIT_NICE}) {
+      if (::setrlimit(resource, &given) != 0) ::_exit(1);  // only root can give them
+    }
+    rlimit real_time{1, 1};
+    rlimit nice{1, 1};
+    if (!confine() || ::getrlimit(RLIMIT_RTPRIO, &real_time) != 0) ::_exit(2);
+    if (::getrlimit(RLIMIT_NICE, &nice) != 0) ::_exit(2);
+    ::_exit(real_time.rlim_max == 0 && nice.rlim_max == 0 ? 0 : 3);
+  }
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  if (code == 1) GTEST_SKIP() << "only root can raise the limits";
+  EXPECT_EQ(code, 0);
 }
 
 TEST_F(Confinement, DropsCapabilitiesAlsoAsRoot) {
