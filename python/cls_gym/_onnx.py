@@ -5,22 +5,27 @@ An ONNX file is a message of protocol buffers: fields of a number, a kind and a 
 from __future__ import annotations
 
 import dataclasses
+import math
 import pathlib
 import struct
 from typing import Any, Dict, Iterator, List, Tuple, Union
 
 import numpy as np
 
+from cls_gym.network import MAX_WEIGHTS
+
 Value = Union[int, bytes]
 Fields = Dict[int, List[Value]]
 # By TensorProto.DataType: the type of raw bytes, and the field of numbers that are not raw.
 _TYPES: Dict[int, Tuple[str, int]] = {1: ("<f4", 4), 6: ("<i4", 5), 7: ("<i8", 7), 9: ("?", 5),
                                       10: ("<f2", 5), 11: ("<f8", 10)}
+_BFLOAT16 = 16
 _EXTERNAL = 1
+_MAX_DIMENSIONS = 8
 
 
 class OnnxError(ValueError):
-    """A file that is not an ONNX model, or damaged."""
+    """A file that is not an ONNX model, or weights that cannot be read."""
 
 
 @dataclasses.dataclass
@@ -56,33 +61,74 @@ class Tensor:
         """Raises OnnxError for types that are not numbers, and for data that does not fit."""
         kind = _integer(self.fields, 2)
         if kind not in _TYPES:
-            raise OnnxError(f"weights of data type {kind} are not read")
+            name = "bfloat16" if kind == _BFLOAT16 else f"data type {kind}"
+            raise OnnxError(f"weights of {name} are not read")
         dtype, field = _TYPES[kind]
-        shape = [_signed(one) for one in _integers(self.fields.get(1, []))]
-        raw = self._raw()
-        if raw is not None:
-            flat = np.frombuffer(raw, dtype)
+        shape = self._shape()
+        if _integer(self.fields, 14) == _EXTERNAL:
+            flat = np.frombuffer(self._beside(math.prod(shape) * np.dtype(dtype).itemsize), dtype)
+        elif 9 in self.fields:
+            flat = np.frombuffer(_bytes(self.fields[9][-1]), dtype)
         elif field in (5, 7):
-            integers = [_signed(one) for one in _integers(self.fields.get(field, []))]
-            flat = np.array(integers, "<u2").view(dtype) if kind == 10 else np.array(integers, dtype)
+            flat = _of_integers(_integers(self.fields.get(field, [])), kind, dtype)
         else:
             flat = np.frombuffer(b"".join(_bytes(one) for one in self.fields.get(field, [])), dtype)
+        if flat.size != math.prod(shape):
+            raise OnnxError(f"weights {tuple(shape)} of {flat.size} numbers")
         return flat.reshape(shape)
 
-    def _raw(self) -> Union[bytes, None]:
-        if _integer(self.fields, 14) != _EXTERNAL:
-            return _bytes(self.fields[9][-1]) if 9 in self.fields else None
+    def _shape(self) -> List[int]:
+        shape = [_signed(one) for one in _integers(self.fields.get(1, []))]
+        if len(shape) > _MAX_DIMENSIONS:
+            raise OnnxError(f"weights of {len(shape)} dimensions")
+        if min(shape, default=0) < 0:
+            raise OnnxError(f"weights {tuple(shape)} of a negative size")
+        if math.prod(shape) > MAX_WEIGHTS:
+            raise OnnxError(f"weights {tuple(shape)}, and a match takes at most {MAX_WEIGHTS}")
+        return shape
+
+    def _beside(self, size: int) -> bytes:
+        """Bytes of a file in the model's folder, which no link may leave."""
         about = {_text(entry, 1): _text(entry, 2) for entry in _messages(self.fields, 13)}
-        place = pathlib.PurePosixPath(about["location"])
-        if place.is_absolute() or ".." in place.parts:
-            raise OnnxError(f"weights in {place}, which is outside of the model's folder")
-        with open(self.folder / place, "rb") as file:
-            file.seek(int(about.get("offset", "0")))
-            return file.read(int(about.get("length", "-1")))
+        location = about.get("location", "")
+        try:
+            place = pathlib.PurePosixPath(location)
+            folder = self.folder.resolve()
+            if place.is_absolute() or ".." in place.parts or \
+                    folder not in (folder / place).resolve().parents:
+                raise OnnxError("is outside of the model's folder")
+            file = (folder / place).resolve(strict=True)
+            if not file.is_file():  # to open a pipe may take forever
+                raise OnnxError("is not a file")
+            return _part(file, int(about.get("offset", "0")), int(about.get("length", size)), size)
+        except OSError as error:
+            raise OnnxError(f"weights in {location!r}: {error.strerror or error}") from error
+        except (RuntimeError, ValueError) as error:  # a loop of links; numbers that are not numbers
+            raise OnnxError(f"weights in {location!r}: {error}") from error
+
+
+def _part(file: pathlib.Path, offset: int, length: int, size: int) -> bytes:
+    if length != size or not 0 <= offset <= file.stat().st_size - size:
+        raise OnnxError(f"has no {length} bytes from byte {offset} on for weights of {size} bytes")
+    with open(file, "rb") as opened:
+        opened.seek(offset)
+        return opened.read(size)
+
+
+def _of_integers(numbers: List[int], kind: int, dtype: str) -> np.ndarray:
+    """Numbers of weights that are not raw; those of two bytes are written as their bits."""
+    wide = np.array([_signed(one) for one in numbers], np.int64)
+    if dtype == "?":
+        return wide.astype(bool)
+    narrow = "<u2" if dtype == "<f2" else dtype
+    limits = np.iinfo(narrow)
+    if not ((wide >= limits.min) & (wide <= limits.max)).all():
+        raise OnnxError(f"weights of data type {kind} are out of its range")
+    return wide.astype(narrow).view(dtype)
 
 
 def read(path: Union[str, pathlib.Path]) -> Graph:
-    """The graph of a file. Raises OnnxError; OSError if the file cannot be read."""
+    """The graph of a file. Raises OnnxError; OSError if the file cannot be read; MemoryError."""
     where = pathlib.Path(path)
     content = where.read_bytes()
     try:
@@ -90,6 +136,8 @@ def read(path: Union[str, pathlib.Path]) -> Graph:
         if not graph:
             raise ValueError("it has no graph")
         return _graph(_fields(graph), where.parent)
+    except MemoryError:
+        raise
     except Exception as error:  # an untrusted file may be damaged in any way
         raise OnnxError(f"is not an ONNX model: {error}") from error
 
@@ -98,9 +146,13 @@ def _graph(fields: Fields, folder: pathlib.Path) -> Graph:
     weights = {_text(one, 8): Tensor(one, folder) for one in _messages(fields, 5)}
     nodes = [_node(one, folder) for one in _messages(fields, 1)]
     inputs = {_text(one, 1): _last_dimension(one) for one in _messages(fields, 11)}
-    return Graph(nodes, weights, {name: size for name, size in inputs.items()
-                                  if name not in weights},
-                 [_text(one, 1) for one in _messages(fields, 12)])
+    inputs = {name: size for name, size in inputs.items() if name not in weights}
+    given = set(weights) | set(inputs)
+    for name in (name for node in nodes for name in node.outputs if name):
+        if name in given:
+            raise ValueError(f"it computes {name!r} twice")
+        given.add(name)
+    return Graph(nodes, weights, inputs, [_text(one, 1) for one in _messages(fields, 12)])
 
 
 def _node(fields: Fields, folder: pathlib.Path) -> Node:
@@ -115,11 +167,11 @@ def _attribute(fields: Fields, folder: pathlib.Path) -> Any:
     """A float, an integer, a tensor or a list of integers; None for others."""
     kind = _integer(fields, 20)
     if kind == 1:
-        return struct.unpack("<f", _bytes(fields[2][-1]))[0]
+        return struct.unpack("<f", _bytes(fields.get(2, [bytes(4)])[-1]))[0]
     if kind == 2:
         return _signed(_integer(fields, 3))
     if kind == 4:
-        return Tensor(_messages(fields, 5)[-1], folder)
+        return Tensor((_messages(fields, 5) or [{}])[-1], folder)
     return [_signed(one) for one in _integers(fields.get(8, []))] if kind == 7 else None
 
 
@@ -127,8 +179,8 @@ def _last_dimension(value: Fields) -> int:
     for kind in _messages(value, 2):
         for tensor in _messages(kind, 1):
             for shape in _messages(tensor, 2):
-                sizes = [_integer(one, 1) for one in _messages(shape, 1)]
-                return sizes[-1] if sizes else 0
+                sizes = [_signed(_integer(one, 1)) for one in _messages(shape, 1)]
+                return max(sizes[-1], 0) if sizes else 0
     return 0
 
 
@@ -159,11 +211,13 @@ def _walk(data: bytes) -> Iterator[Tuple[int, Value]]:
 def _varint(data: bytes, at: int) -> Tuple[int, int]:
     value = 0
     for shift in range(0, 70, 7):
+        if at >= len(data):
+            raise ValueError("it is cut off")
         byte = data[at]
         value |= (byte & 0x7F) << shift
         at += 1
         if byte < 0x80:
-            return value, at
+            return value & (1 << 64) - 1, at
     raise ValueError("a number has no end")
 
 

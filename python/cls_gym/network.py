@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import math
 import pathlib
 import struct
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
@@ -19,6 +20,10 @@ SCHEMA = "cls.policy/2"
 MAGIC = b"CLSPOL2\n"
 KINDS = ("columns", "norm", "dense", "pool", "concat", "flatten", "gru")
 ACTIVATIONS = ("none", "relu", "tanh")
+# Of the networks that a match plays, as training/policy/network.h has them.
+MAX_STEPS = 100
+MAX_NUMBERS = 1 << 16  # of a result
+MAX_WEIGHTS = 1 << 24
 Memory = Dict[str, np.ndarray]
 
 
@@ -195,7 +200,10 @@ def _gru(step: Step, x: np.ndarray, memory: Memory, product: Product) -> np.ndar
 
 
 def shapes(steps: Sequence[Step], features: int) -> List[List[Tuple[int, ...]]]:
-    """Of the weights of each step. Raises PolicyError for steps that do not fit each other."""
+    """Of the weights of each step. Raises PolicyError for steps that do not fit each other, and for
+    more than a match plays."""
+    if not 1 <= len(steps) <= MAX_STEPS:
+        raise PolicyError(f"has {len(steps)} steps, and a match plays 1 to {MAX_STEPS}")
     sizes: Dict[str, Tuple[int, int]] = {"features": (1, features)}
     wanted: List[List[Tuple[int, ...]]] = []
     for number, step in enumerate(steps, 1):
@@ -214,6 +222,12 @@ def shapes(steps: Sequence[Step], features: int) -> List[List[Tuple[int, ...]]]:
             "concat": (max(sizes[name][0] for name in step.of),
                        sum(sizes[name][1] for name in step.of)),
             "flatten": (1, rows * width), "gru": (1, step.width)}.get(step.kind, (rows, width))
+        if min(sizes[step.name]) < 1 or math.prod(sizes[step.name]) > MAX_NUMBERS:
+            raise PolicyError(f"step {number}: makes {' x '.join(map(str, sizes[step.name]))} "
+                              f"numbers, and a match takes 1 to {MAX_NUMBERS}")
+    count = sum(math.prod(shape) for of_one in wanted for shape in of_one)
+    if count > MAX_WEIGHTS:
+        raise PolicyError(f"has {count} weights, and a match takes at most {MAX_WEIGHTS}")
     return wanted
 
 

@@ -13,17 +13,19 @@ import argparse
 import dataclasses
 import pathlib
 import sys
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Set, Union
 
 import numpy as np
 
 import cls_gym
 from cls_gym._onnx import Graph, Node, OnnxError, Tensor, read
-from cls_gym.network import Network, PolicyError, Step
+from cls_gym.network import MAX_NUMBERS, MAX_WEIGHTS, Network, PolicyError, Step, shapes
 from cls_gym.policy import describe
 
 DECIDES = ("ball", "all")
 Result = Union[str, np.ndarray]  # the name of a step, or fixed numbers
+_MOST_BUILT = 8 * MAX_WEIGHTS  # numbers of layers, those included that others replace
+_LONGEST = 1000  # characters of a message, in which names of the file may stand
 
 
 def from_onnx(path: Union[str, pathlib.Path], about: Dict[str, Any],
@@ -48,9 +50,17 @@ def from_onnx(path: Union[str, pathlib.Path], about: Dict[str, Any],
             raise PolicyError(f"each of the outputs {', '.join(found)} has a number per action: "
                               "name one")
         return Network(next(iter(found.values())), about)
+    except MemoryError as error:
+        raise PolicyError(_printable(f"{path}: takes more memory than there is")) from error
     except (OnnxError, OSError, PolicyError) as error:
         why = error.strerror if isinstance(error, OSError) and error.strerror else error
-        raise PolicyError(f"{path}: {why}") from error
+        raise PolicyError(_printable(f"{path}: {str(why)[:_LONGEST]}")) from error
+
+
+def _printable(text: str) -> str:
+    """One line without control characters, which names of an untrusted file may have."""
+    return "".join(one if one.isprintable() else one.encode("unicode_escape").decode()
+                   for one in text)
 
 
 def _steps_to(graph: Graph, output: str, about: Dict[str, Any]) -> List[Step]:
@@ -61,6 +71,7 @@ def _steps_to(graph: Graph, output: str, about: Dict[str, Any]) -> List[Step]:
     if width != count:
         raise PolicyError(f"output {output!r} has {width} numbers, and there are {count} actions")
     steps = converter.steps_to(result)
+    shapes(steps, len(about["feature_names"]))
     if not all(np.isfinite(np.asarray(one, np.float32)).all()
                for step in steps for one in step.weights):
         raise PolicyError(f"output {output!r} has weights that are not finite numbers")
@@ -73,26 +84,45 @@ class _Converter:
 
     def __init__(self, graph: Graph, features: int) -> None:
         self._graph = graph
-        self._makers = {name: node for node in graph.nodes for name in node.outputs if name}
+        self._makers = {node.outputs[0]: node for node in graph.nodes if any(node.outputs[:1])}
+        self._built = 0
         self._results: Dict[str, Result] = {}
         self._steps: Dict[str, Step] = {}
         self._widths = {"features": features}
 
     def output(self, name: str) -> str:
         """The step that computes an output, or what is before its Softmax."""
-        node = self._makers.get(name)
-        if node is None:
-            raise PolicyError(f"no node computes an output {name!r}; outputs: "
-                              f"{', '.join(self._graph.outputs)}")
-        if node.op in ("Softmax", "LogSoftmax"):
+        node, seen = self._maker(name), {name}
+        while node.op in ("Softmax", "LogSoftmax"):
             _demand(node, node.attributes.get("axis", -1) in (-1, 1), "is not along the actions")
-            return self.output(node.inputs[0])
-        for one in self._needed(name):
+            _demand(node, bool(node.inputs), "has no input")
+            name = node.inputs[0]
+            _demand(node, name not in seen, "reads what follows from it")
+            seen.add(name)
+            node = self._maker(name)
+        nodes = self._needed(name)
+        self._demand_one_input(nodes)
+        for one in nodes:
             self._convert(one)
         result = self._results[name]
         if isinstance(result, np.ndarray) or result == "features":
             raise PolicyError(f"output {name!r} is not computed from the features")
         return result
+
+    def _maker(self, output: str) -> Node:
+        if output in self._makers:
+            return self._makers[output]
+        for node in self._graph.nodes:
+            _demand(node, output not in node.outputs, f"its output {output!r} is not read")
+        raise PolicyError(f"no node computes an output {output!r}; outputs: "
+                          f"{', '.join(self._graph.outputs)}")
+
+    def _demand_one_input(self, nodes: List[Node]) -> None:
+        read = {name for node in nodes for name in node.inputs}
+        names = [repr(name) for name in self._graph.inputs if name in read]
+        if len(names) > 1:
+            count = "two" if len(names) == 2 else len(names)
+            raise PolicyError(f"reads {count} inputs, {', '.join(names[:-1])} and {names[-1]}")
 
     def steps_to(self, result: str) -> List[Step]:
         """Those that `result` needs, renamed by kind and number."""
@@ -101,18 +131,20 @@ class _Converter:
             if name in needed:
                 needed.update(self._steps[name].of)
         names = {"features": "features"}
+        counts = {"dense": 0, "norm": 0, "concat": 0}
         steps: List[Step] = []
         for name, step in self._steps.items():
             if name in needed:
-                same = sum(one.kind == step.kind for one in steps)
-                names[name] = f"{step.kind}{same + 1}"
+                counts[step.kind] += 1
+                names[name] = f"{step.kind}{counts[step.kind]}"
                 steps.append(dataclasses.replace(step, name=names[name],
                                                  of=[names[one] for one in step.of]))
         return steps
 
     def _needed(self, output: str) -> List[Node]:
         """The nodes that an output depends on, in the order of the file."""
-        found, waiting = set(), [output]
+        found: Set[int] = set()
+        waiting = [output]
         while waiting:
             node = self._makers.get(waiting.pop())
             if node is not None and id(node) not in found:
@@ -126,15 +158,20 @@ class _Converter:
             raise PolicyError(f"{_title(node)}: is not one of {', '.join(sorted(_HANDLERS))}")
         try:
             self._results[node.outputs[0]] = handler(self, node)
-        except PolicyError:
+        except (MemoryError, PolicyError):
             raise
-        except (IndexError, KeyError, TypeError, ValueError, OSError) as error:
-            raise PolicyError(f"{_title(node)}: is damaged: {error}") from error
+        except OnnxError as error:
+            raise PolicyError(f"{_title(node)}: {error}") from error
+        except Exception as error:  # an untrusted file may be damaged in any way
+            why = str(error) or type(error).__name__
+            raise PolicyError(f"{_title(node)}: is damaged: {why}") from error
 
     # For the handlers.
 
-    def result(self, name: str) -> Result:
-        """What a name of the graph stands for."""
+    def result(self, node: Node, index: int = 0) -> Result:
+        """What an input of a node stands for."""
+        _demand(node, index < len(node.inputs), f"has no input {index + 1}")
+        name = node.inputs[index]
         if name not in self._results:
             self._results[name] = self._first_result(name)
         return self._results[name]
@@ -143,7 +180,7 @@ class _Converter:
         if name in self._graph.weights:
             return self._graph.weights[name].array()
         if name not in self._graph.inputs:
-            raise PolicyError(f"nothing computes {name!r}")
+            raise PolicyError(f"nothing computes {name!r} before it is read")
         size, features = self._graph.inputs[name], self._widths["features"]
         if size not in (0, features):
             raise PolicyError(f"input {name!r} has {size} numbers, and there are {features} "
@@ -152,14 +189,14 @@ class _Converter:
 
     def fixed(self, node: Node, index: int) -> np.ndarray:
         """An input that is a number of the file."""
-        numbers = self.result(node.inputs[index])
+        numbers = self.result(node, index)
         if isinstance(numbers, str):
             raise PolicyError(f"{_title(node)}: input {index + 1} is not fixed")
         return numbers
 
     def moving(self, node: Node, index: int = 0) -> str:
         """The step of an input that follows from the features."""
-        step = self.result(node.inputs[index])
+        step = self.result(node, index)
         if isinstance(step, np.ndarray):
             raise PolicyError(f"{_title(node)}: input {index + 1} is fixed")
         return step
@@ -171,9 +208,14 @@ class _Converter:
         """A step; None for the features."""
         return self._steps.get(name)
 
-    def add(self, kind: str, of: List[str], width: int, weights: Sequence[np.ndarray] = (),
-            activation: str = "none") -> str:
-        """A new step, by its name."""
+    def add(self, node: Node, kind: str, of: List[str], width: int,
+            weights: Sequence[np.ndarray] = (), activation: str = "none") -> str:
+        """A new step, by its name. Raises PolicyError for more than a match takes."""
+        _demand(node, 1 <= width <= MAX_NUMBERS,
+                f"makes {width} numbers, and a match takes 1 to {MAX_NUMBERS}")
+        self._built += sum(one.size for one in weights)
+        _demand(node, self._built <= _MOST_BUILT,
+                f"layers up to here have more than {_MOST_BUILT} weights")
         name = f"{kind} {len(self._steps)}"
         self._steps[name] = Step(name, kind, of, width=width if kind == "dense" else 0,
                                  activation=activation, weights=weights)
@@ -184,7 +226,7 @@ class _Converter:
         _demand(node, weight.ndim == 2 and len(weight) == self.width(of),
                 f"weights {weight.shape} do not fit {self.width(of)} numbers")
         width = weight.shape[1]
-        return self.add("dense", [of], width, [weight, _row(node, bias, width)])
+        return self.add(node, "dense", [of], width, [weight, _row(node, bias, width)])
 
 
 def _title(node: Node) -> str:
@@ -220,14 +262,14 @@ def _matmul(c: _Converter, node: Node) -> Result:
 
 def _arithmetic(c: _Converter, node: Node) -> Result:
     """x + n, x - n, n - x, x * n, x / n: of a layer without an activation in that layer."""
-    flipped = isinstance(c.result(node.inputs[0]), np.ndarray)
+    flipped = isinstance(c.result(node), np.ndarray)
     of, numbers = c.moving(node, int(flipped)), c.fixed(node, int(not flipped))
     _demand(node, not (flipped and node.op == "Div"), "divides by what follows from the features")
     row = _row(node, numbers, c.width(of)).astype(np.float64)
     one, zero = np.ones_like(row), np.zeros_like(row)
     scale, shift = {"Add": (one, row), "Mul": (row, zero), "Div": (one / row, zero),
                     "Sub": (-one, row) if flipped else (one, -row)}[node.op]
-    return _scaled(c, of, scale, shift)
+    return _scaled(c, node, of, scale, shift)
 
 
 def _batch_normalization(c: _Converter, node: Node) -> Result:
@@ -236,37 +278,44 @@ def _batch_normalization(c: _Converter, node: Node) -> Result:
     factor, shift, mean, variance = (
         _row(node, c.fixed(node, i), c.width(of)).astype(np.float64) for i in range(1, 5))
     scale = factor / np.sqrt(variance + node.attributes.get("epsilon", 1e-5))
-    return _scaled(c, of, scale, shift - mean * scale)
+    return _scaled(c, node, of, scale, shift - mean * scale)
 
 
-def _scaled(c: _Converter, of: str, scale: np.ndarray, shift: np.ndarray) -> str:
+def _scaled(c: _Converter, node: Node, of: str, scale: np.ndarray, shift: np.ndarray) -> str:
     layer = c.last(of)
     if layer is None or layer.kind != "dense" or layer.activation != "none":
-        return c.add("norm", [of], c.width(of), [scale, shift])
+        return c.add(node, "norm", [of], c.width(of), [scale, shift])
     weight, bias = layer.weights
-    return c.add("dense", list(layer.of), layer.width, [weight * scale, bias * scale + shift])
+    return c.add(node, "dense", list(layer.of), layer.width,
+                 [weight * scale, bias * scale + shift])
 
 
 def _activation(c: _Converter, node: Node) -> Result:
     layer = c.last(c.moving(node))
     if layer is None or layer.kind != "dense" or layer.activation != "none":
         raise PolicyError(f"{_title(node)}: does not follow a Gemm or MatMul")
-    return c.add("dense", list(layer.of), layer.width, layer.weights, node.op.lower())
+    return c.add(node, "dense", list(layer.of), layer.width, layer.weights, node.op.lower())
 
 
 def _concat(c: _Converter, node: Node) -> Result:
-    _demand(node, node.attributes["axis"] in (-1, 1), "is not along the numbers of a row")
+    _demand(node, node.attributes.get("axis") in (-1, 1), "is not along the numbers of a row")
     of = [c.moving(node, i) for i in range(len(node.inputs))]
-    return c.add("concat", of, sum(map(c.width, of)))
+    return c.add(node, "concat", of, sum(map(c.width, of)))
 
 
 def _same(c: _Converter, node: Node) -> Result:
-    return c.result(node.inputs[0])
+    return c.result(node)
 
 
 def _cast(c: _Converter, node: Node) -> Result:
-    _demand(node, node.attributes["to"] in (1, 10, 11), "is not to floating-point numbers")
-    return c.result(node.inputs[0])
+    _demand(node, node.attributes.get("to") in (1, 11), "is not to float or double")
+    return c.result(node)
+
+
+def _dropout(c: _Converter, node: Node) -> Result:
+    training = len(node.inputs) > 2 and node.inputs[2] and c.fixed(node, 2).any()
+    _demand(node, not training, "is that of training")
+    return c.result(node)
 
 
 def _flatten(c: _Converter, node: Node) -> Result:
@@ -275,7 +324,7 @@ def _flatten(c: _Converter, node: Node) -> Result:
 
 
 def _reshape(c: _Converter, node: Node) -> Result:
-    if isinstance(c.result(node.inputs[0]), np.ndarray):
+    if isinstance(c.result(node), np.ndarray):
         return c.fixed(node, 0).reshape(c.fixed(node, 1))
     shape, width = c.fixed(node, 1).tolist(), c.width(c.moving(node))
     _demand(node, len(shape) == 2 and shape[0] in (-1, 0, 1) and shape[1] in (-1, 0, width),
@@ -288,14 +337,14 @@ def _transpose(c: _Converter, node: Node) -> Result:
 
 
 def _constant(_: _Converter, node: Node) -> Result:
-    value = next(iter(node.attributes.values()))
+    value = next(iter(node.attributes.values()), None)
     _demand(node, value is not None, "has a value that is not read")
     return value.array() if isinstance(value, Tensor) else np.array(value)
 
 
 _HANDLERS: Dict[str, Callable[[_Converter, Node], Result]] = {
     "Add": _arithmetic, "BatchNormalization": _batch_normalization, "Cast": _cast,
-    "Concat": _concat, "Constant": _constant, "Div": _arithmetic, "Dropout": _same,
+    "Concat": _concat, "Constant": _constant, "Div": _arithmetic, "Dropout": _dropout,
     "Flatten": _flatten, "Gemm": _gemm, "Identity": _same, "MatMul": _matmul,
     "Mul": _arithmetic, "Relu": _activation, "Reshape": _reshape, "Sub": _arithmetic,
     "Tanh": _activation, "Transpose": _transpose}

@@ -5,12 +5,14 @@
 import contextlib
 import importlib
 import io
+import os
 import pathlib
 import struct
 import sys
 import tempfile
 import unittest
 import warnings
+from unittest import mock
 
 from gym_support import differences  # noqa: F401  first: may hide gymnasium
 import numpy as np
@@ -19,7 +21,8 @@ from cls_gym import network, onnx_import
 from cls_gym.network import PolicyError
 from cls_gym.onnx_import import from_onnx
 
-FIXTURES = pathlib.Path(__file__).resolve().parents[2] / "fixtures/policies"
+SOURCES = pathlib.Path(__file__).resolve().parents[2]
+FIXTURES = SOURCES / "fixtures/policies"
 EXPORTS = {"torch_script.onnx": False, "torch_dynamo.onnx": True}  # whether by the newer exporter
 FEATURES, ACTIONS = 6, 4
 ABOUT = {"feature_names": [f"f{i}" for i in range(FEATURES)],
@@ -74,15 +77,33 @@ def attribute(name, value):
     return field(1, name) + b"".join(field(8, one) for one in value) + field(20, 7)
 
 
-def node(op, inputs, output, **attributes):
-    return field(1, b"".join(field(1, one) for one in inputs) + field(2, output)
-                 + field(3, f"{output}_node") + field(4, op)
+def node(op, inputs, *outputs, **attributes):
+    return field(1, b"".join(field(1, one) for one in inputs)
+                 + b"".join(field(2, one) for one in outputs)
+                 + field(3, f"{outputs[0]}_node") + field(4, op)
                  + b"".join(field(5, attribute(*one)) for one in attributes.items()))
 
 
 def port(number, name, size):
     shape = field(2, field(1, field(2, "batch")) + field(1, field(1, size)))
     return field(number, field(1, name) + field(2, field(1, field(1, 1) + shape)))
+
+
+def typed(name, shape, kind, content):
+    """A tensor of any type; content: its field of numbers."""
+    return b"".join(field(1, one) for one in shape) + field(2, kind) + field(8, name) + content
+
+
+def beside(name, shape, **where):
+    """A tensor whose numbers lie in another file."""
+    return typed(name, shape, 1, field(14, 1) + b"".join(
+        field(13, field(1, key) + field(2, str(value))) for key, value in where.items()))
+
+
+def joined(content, tensors=(), inputs=()):
+    """With more of them: a second graph field continues the first one, they are one message."""
+    return content + field(7, b"".join(field(5, one) for one in tensors)
+                           + b"".join(port(11, *one) for one in inputs))
 
 
 def model(nodes, weights, outputs=("scores",), size=FEATURES, raw=True):
@@ -127,7 +148,7 @@ class OnnxFiles(unittest.TestCase):
     def refusal(self, content, **options):
         with self.assertRaises(PolicyError) as caught:
             self.read(content, **options)
-        self.assertNotIn("\n", str(caught.exception))
+        self.assertTrue(str(caught.exception).isprintable())
         return str(caught.exception)
 
 
@@ -197,18 +218,36 @@ class Networks(OnnxFiles):
         data = weights.pop("w1")
         (self.folder / "model.onnx.data").write_bytes(b"1234" + data.tobytes())
 
-        def beside(location):
-            where = [("location", location), ("offset", "4"), ("length", str(data.nbytes))]
-            outside = b"".join(field(1, size) for size in data.shape) + field(2, 1) + field(8, "w1")
-            outside += b"".join(field(13, field(1, key) + field(2, value)) for key, value in where)
-            whole = model(nodes, weights)
-            # A second graph field continues the first one: they are the same message in two parts.
-            return whole + field(7, field(5, outside + field(14, 1)))
+        def placed(location, offset=4, length=data.nbytes):
+            return joined(model(nodes, weights), [beside("w1", data.shape, location=location,
+                                                         offset=offset, length=length)])
 
-        self.check(self.read(beside("model.onnx.data")), expected)
-        for location in ("../model.onnx.data", str(self.folder / "model.onnx.data")):
-            self.assertIn("outside of the model's folder", self.refusal(beside(location)))
-        self.assertIn("No such file", self.refusal(beside("absent")))
+        self.check(self.read(placed("model.onnx.data")), expected)
+        os.mkfifo(self.folder / "pipe")
+        (self.folder / "link").symlink_to(FIXTURES / "torch_onnx.npz")
+        (self.folder / "loop").symlink_to("loop")
+        outside = "is outside of the model's folder"
+        for location, said in (("../model.onnx.data", outside), ("link", outside), ("", outside),
+                               (str(self.folder / "model.onnx.data"), outside),
+                               ("pipe", "is not a file"), ("absent", "No such file"),
+                               ("loop", ""), ("a\0b", "")):
+            refusal = self.refusal(placed(location))
+            self.assertIn(f"Gemm 'sum_node': weights in {location!r}: ", refusal)
+            self.assertIn(said, refusal)
+            self.assertNotIn("is damaged", refusal)
+        for offset, length in ((1 << 70, data.nbytes), (-4, data.nbytes), (5, data.nbytes),
+                               (4, 1 << 70), (4, -1), ("four", data.nbytes)):
+            self.assertIn("weights in 'model.onnx.data': ",
+                          self.refusal(placed("model.onnx.data", offset, length)))
+
+    def test_other_outputs_of_a_node_do_not_hinder(self):
+        nodes, weights, expected = layers()
+        nodes[2:2] = [node("Dropout", ["hidden"], "kept", "mask")]
+        nodes[3] = node("MatMul", ["kept", "w2"], "product")
+        content = model(nodes, weights, outputs=["mask", "scores"])
+        self.check(self.read(content), expected)
+        self.assertIn("Dropout 'kept_node': its output 'mask' is not read",
+                      self.refusal(content, output="mask"))
 
 
 class Refusals(OnnxFiles):
@@ -230,7 +269,9 @@ class Refusals(OnnxFiles):
                 (node("Add", ["seen", "b1"], "sum"), "do not fit 6 numbers"),
                 (node("Reshape", ["seen", "shape"], "sum"), "changes rows"),
                 (node("Add", ["seen", "absent"], "sum"), "nothing computes 'absent'"),
-                (node("Gemm", ["seen"], "sum"), "is damaged")):
+                (node("Cast", ["seen"], "sum", to=10), "is not to float or double"),
+                (node("Dropout", ["seen", "", "shape"], "sum", "mask"), "is that of training"),
+                (node("Gemm", ["seen"], "sum"), "Gemm 'sum_node': has no input 2")):
             changed = dict(weights, shape=np.array([-1, 2]))
             self.assertIn(said, self.refusal(model([other] + nodes[1:], changed)))
 
@@ -241,6 +282,86 @@ class Refusals(OnnxFiles):
         weights.update(w2=numbers(5, 3), b2=numbers(3))
         self.assertIn("output 'scores' has 3 numbers, and there are 4 actions",
                       self.refusal(model(nodes, weights)))
+
+    def test_networks_with_another_input_are_refused(self):
+        nodes, weights, expected = layers()
+        content = joined(model(nodes, weights), inputs=[("action_masks", ACTIONS)])
+        self.check(self.read(content), expected)  # nothing reads it
+        for size in (0, ACTIONS, FEATURES):
+            for others, said in (
+                    (["action_masks"], "reads two inputs, 'seen' and 'action_masks'"),
+                    (["action_masks", "h"], "reads 3 inputs, 'seen', 'action_masks' and 'h'")):
+                nodes[0] = node("Concat", ["seen", *others], "sum", axis=1)
+                content = joined(model(nodes, weights), inputs=[(one, size) for one in others])
+                self.assertTrue(self.refusal(content).endswith(f"model.onnx: {said}"))
+
+    def test_networks_of_sizes_that_no_match_takes_are_refused(self):
+        doubled = [node("Concat", [f"x{i}"] * 2, f"x{i + 1}", axis=1) for i in range(60)]
+        doubled[0] = node("Concat", ["seen", "seen"], "x1", axis=1)
+        weights = {"w": numbers(FEATURES, 0), "v": numbers(0, ACTIONS)}
+        for nodes, said in (
+                (doubled + [node("Identity", ["x60"], "scores")],
+                 "Concat 'x14_node': makes 98304 numbers, and a match takes 1 to 65536"),
+                ([node("MatMul", ["seen", "w"], "empty"), node("MatMul", ["empty", "v"], "scores")],
+                 "MatMul 'empty_node': makes 0 numbers, and a match takes 1 to 65536")):
+            self.assertIn(f"model.onnx: {said}", self.refusal(model(nodes, weights)))
+        self.assertEqual(len(self.read(self.chain(100, FEATURES)).steps), 100)
+        self.assertIn("has 101 steps, and a match plays 1 to 100",
+                      self.refusal(self.chain(101, FEATURES)))
+
+    def test_networks_of_more_weights_than_a_match_takes_are_refused(self):
+        self.assertIn("has 16804868 weights, and a match takes at most 16777216",
+                      self.refusal(self.chain(18, 1024)))
+        layer = [network.Step("layer", "dense", ["features"], width=4096)]
+        self.assertEqual(network.shapes(layer, 4095), [[(4095, 4096), (4096,)]])  # as many as fit
+        with self.assertRaisesRegex(PolicyError, "has 16781312 weights"):
+            network.shapes(layer, 4096)
+        nodes, weights, _ = layers()
+        del weights["w1"]
+        self.assertIn("Gemm 'sum_node': weights (8192, 4096), and a match takes at most 16777216",
+                      self.refusal(joined(model(nodes, weights),
+                                          [typed("w1", (8192, 4096), 1, b"")])))
+        with mock.patch.object(onnx_import, "_MOST_BUILT", 30 * 100):
+            self.assertEqual(len(self.read(self.chain(50, 5)).steps), 50)
+            self.assertIn("layers up to here have more than 3000 weights",
+                          self.refusal(self.chain(51, 8)))
+
+    def test_the_limits_are_those_of_the_engine(self):
+        header = (SOURCES / "training/policy/network.h").read_text()
+        for name, value in (("kMaxSteps", str(network.MAX_STEPS)), ("kMaxNumbers", "1 << 16"),
+                            ("kMaxWeights", "1 << 24")):
+            self.assertRegex(header, rf"\b{name} = {value};")
+        self.assertEqual((network.MAX_NUMBERS, network.MAX_WEIGHTS), (1 << 16, 1 << 24))
+
+    def chain(self, count, width):
+        """As many layers, which share their weights."""
+        names = ["seen", *(f"h{i}" for i in range(1, count)), "scores"]
+        weights = {"first": numbers(FEATURES, width), "w": numbers(width, width) / width,
+                   "last": numbers(width, ACTIONS)}
+        which = ["first", *["w"] * (count - 2), "last"]
+        return model([node("MatMul", [names[i], which[i]], names[i + 1]) for i in range(count)],
+                     weights)
+
+    def test_weights_of_other_types_or_sizes_are_refused(self):
+        nodes, weights, _ = layers()
+        del weights["b1"]
+        for shape, kind, content, said in (
+                ((5,), 16, field(9, bytes(10)), "weights of bfloat16 are not read"),
+                ((5,), 8, b"", "weights of data type 8 are not read"),
+                ((5,), 1, field(9, bytes(16)), "weights (5,) of 4 numbers"),
+                ((1 << 62, 4), 1, b"", "and a match takes at most"),
+                ((-1,), 1, field(9, bytes(20)), "weights (-1,) of a negative size"),
+                ((1,) * 70, 1, field(9, bytes(4)), "weights of 70 dimensions"),
+                ((1,), 6, field(5, 1 << 40), "out of its range"),
+                ((1,), 10, field(5, -1), "out of its range"),
+                ((1,), 10, field(5, 1 << 16), "out of its range")):
+            refusal = self.refusal(joined(model(nodes, weights),
+                                          [typed("b1", shape, kind, content)]))
+            self.assertIn("Gemm 'sum_node': weights", refusal)
+            self.assertIn(said, refusal)
+        for kind, content, value in ((6, field(5, -3), -3), (10, field(5, 0x3800), 0.5)):
+            net = self.read(joined(model(nodes, weights), [typed("b1", (1,), kind, content)]))
+            np.testing.assert_array_equal(net.steps[0].weights[1], np.full(5, value))
 
     def test_weights_must_be_finite(self):
         nodes, weights, _ = layers()
@@ -260,6 +381,47 @@ class Refusals(OnnxFiles):
             changed[at] ^= 1 << at % 8
             with contextlib.suppress(PolicyError):
                 self.read(bytes(changed))
+
+    def test_graphs_without_sense_are_refused(self):
+        nodes, weights, _ = layers()
+        tail = nodes[1:]
+        loop = [node("Softmax", [f"x{1 - i}"], f"x{i}") for i in (0, 1)]
+        chain = [node("Softmax", [f"x{i}"], f"x{i + 1}") for i in range(5000)]
+        for wrong, output, said in (
+                ([node("Constant", [], "sum"), *tail], "scores", "has a value that is not read"),
+                ([node("Softmax", [], "scores")], "scores", "has no input"),
+                ([node("Softmax", ["scores"], "scores")], "scores", "reads what follows from it"),
+                (loop, "x1", "reads what follows from it"),
+                (chain, "x5000", "no node computes an output 'x0'"),
+                ([node("Relu", ["scores"], "scores")], "scores",
+                 "nothing computes 'scores' before"),
+                ([*nodes, nodes[0]], "scores", "it computes 'sum' twice"),
+                ([node("Concat", ["seen"], "sum"), *tail], "scores", "not along the numbers"),
+                ([node("Cast", ["seen"], "sum"), *tail], "scores", "is not to float or double"),
+                ([node("Gemm", ["seen", "w1"], "sum", transB=1, alpha=[1, 2]), *tail], "scores",
+                 "is damaged"),
+                ([node("Gemm", ["seen", "w1", "b1"], "", "sum"), *tail], "scores",
+                 "nothing computes 'sum'")):
+            self.assertIn(said, self.refusal(model(wrong, weights, outputs=[output])))
+
+    def test_a_want_of_memory_is_told(self):
+        content = model(*layers()[:2])
+        for failing in ("read", "_steps_to"):
+            with mock.patch.object(onnx_import, failing, side_effect=MemoryError):
+                self.assertIn("takes more memory than there is", self.refusal(content))
+        with mock.patch.dict(onnx_import._HANDLERS, Gemm=mock.Mock(side_effect=MemoryError)):
+            self.assertIn("takes more memory than there is", self.refusal(content))
+
+    def test_names_of_a_file_are_printed_without_control_characters(self):
+        hostile = "\x1b[31m\r\u202e\n"
+        nodes, weights, _ = layers()
+        nodes[1] = node(hostile, ["sum"], "hidden")
+        content = model(nodes, weights, outputs=["scores", hostile])
+        shown = r"\x1b[31m\r\u202e\n"
+        self.assertIn(f"model.onnx: {shown} 'hidden_node': is not one of", self.refusal(content))
+        self.assertIn(f"outputs: scores, {shown}", self.refusal(content, output="none"))
+        nodes[1] = node("x" * 5000, ["sum"], "hidden")
+        self.assertLess(len(self.refusal(model(nodes, weights))), 1100)
 
 
 class Frameworks(OnnxFiles):
