@@ -31,7 +31,8 @@ enum class Allowed : std::uint8_t {
   kFirstTwoAreZero,     ///< setpriority(PRIO_PROCESS, pid, ...)
   kOneThenZero,         ///< ioprio_set(IOPRIO_WHO_PROCESS, pid, ...)
   kFirstIsZeroOrReads,  ///< prlimit64(pid, resource, new limit, ...): or no new limit
-  kNoRealTime,          ///< sched_setscheduler(pid, policy, ...): as the first, see add_rule()
+  kOwnOrInVain,         ///< sched_setparam(pid, ...): others are told that it succeeded
+  kUsualOrInVain,       ///< sched_setscheduler(pid, policy, ...): so are those who want real time
 };
 
 struct Rule {
@@ -45,8 +46,8 @@ constexpr std::array<Rule, 9> kRules = {{
     {SYS_setpriority, 97, Allowed::kFirstTwoAreZero},
     {SYS_ioprio_set, 289, Allowed::kOneThenZero},
     {SYS_sched_setaffinity, 241, Allowed::kFirstIsZero},
-    {SYS_sched_setscheduler, 156, Allowed::kNoRealTime},
-    {SYS_sched_setparam, 154, Allowed::kFirstIsZero},
+    {SYS_sched_setscheduler, 156, Allowed::kUsualOrInVain},
+    {SYS_sched_setparam, 154, Allowed::kOwnOrInVain},
     {SYS_sched_setattr, 351, Allowed::kFirstIsZero},
     {SYS_migrate_pages, 294, Allowed::kFirstIsZero},
     {SYS_move_pages, 317, Allowed::kFirstIsZero},
@@ -102,8 +103,8 @@ class Filter {
     add({BPF_LD | BPF_W | BPF_ABS, 0, 0, static_cast<std::uint32_t>(offset)});
   }
 
-  /// A policy of real time has no effect, and no error either: programs whose threads ask for it
-  /// give up otherwise. The flag that children do not inherit it may be set, too.
+  /// A policy of real time has no effect, and no error either. The flag that children do not
+  /// inherit it may be set, too.
   constexpr void add_pretended_real_time() {
     load(low_half(1));
     add({BPF_ALU | BPF_AND | BPF_K, 0, 0, ~std::uint32_t{SCHED_RESET_ON_FORK}});
@@ -119,7 +120,9 @@ class Filter {
     const bool io_priority = allowed == Allowed::kOneThenZero;
     const bool reads = allowed == Allowed::kFirstIsZeroOrReads;
 
-    if (allowed == Allowed::kNoRealTime) add_pretended_real_time();
+    const bool in_vain = allowed == Allowed::kOwnOrInVain || allowed == Allowed::kUsualOrInVain;
+
+    if (allowed == Allowed::kUsualOrInVain) add_pretended_real_time();
     load(low_half(0));
     if (reads) {
       add(jump(BPF_JEQ, 0, 4, 0));
@@ -133,7 +136,8 @@ class Filter {
     add(jump(BPF_JEQ, 0, 0, 1));
 
     add(verdict(SECCOMP_RET_ALLOW));
-    add(verdict(kRefused));
+    // pthread_create() schedules a new thread by its number, and fails with it.
+    add(verdict(in_vain ? kPretended : kRefused));
     steps_[skip].jf = static_cast<std::uint8_t>(size_ - skip - 1);
   }
 

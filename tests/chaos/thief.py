@@ -55,12 +55,19 @@ def other_programs():
             pass
 
 
+def set_scheduler(pid):
+    """An error if it had no effect, which no error tells."""
+    os.sched_setscheduler(pid, os.SCHED_IDLE, os.sched_param(0))
+    if os.sched_getscheduler(pid) != os.SCHED_IDLE:
+        raise PermissionError
+
+
 def attack_process(pid):
     attempts = [
         ("a limit", lambda: resource.prlimit(pid, resource.RLIMIT_CPU, (1, 1))),
         ("a priority", lambda: os.setpriority(os.PRIO_PROCESS, pid, 19)),
         ("cores", lambda: os.sched_setaffinity(pid, {0})),
-        ("a scheduler", lambda: os.sched_setscheduler(pid, os.SCHED_IDLE, os.sched_param(0))),
+        ("a scheduler", lambda: set_scheduler(pid)),
         ("memory", lambda: os.close(os.open(f"/proc/{pid}/mem", os.O_RDWR))),
         ("variables", lambda: pathlib.Path(f"/proc/{pid}/environ").read_bytes()),
     ]

@@ -110,18 +110,19 @@ TEST_F(Sandbox, ClosesOtherProcesses) {
   if (!process::can_confine()) GTEST_SKIP() << "this kernel has no seccomp";
   Command victim({"/bin/sleep", "600"});
   const std::string pid = std::to_string(victim.pid());
-  add_team("guests",
-           "for other in $PPID " + pid +
-               "; do\n"
-               "(prlimit --pid $other --core=0:0 || echo closed) >> limits\n"
-               "(renice -n 19 -p $other || echo closed) >> priority\n"
-               "(taskset -cp 0 $other || echo closed) >> cores\n"
-               "(chrt -b -p 0 $other || echo closed) >> scheduling\n"
-               "(ionice -c 3 -p $other || echo closed) >> disk\n"
-               "(head -c 1 /proc/$other/environ || echo closed) >> variables\n"
-               "(head -c 1 /proc/$other/maps || echo closed) >> memory\n"
-               "done\n"
-               "grep -q 'CapPrm:.0000000000000000' /proc/self/status && echo none > caps");
+  add_team(
+      "guests",
+      "for other in $PPID " + pid +
+          "; do\n"
+          "(prlimit --pid $other --core=0:0 || echo closed) >> limits\n"
+          "(renice -n 19 -p $other || echo closed) >> priority\n"
+          "(taskset -cp 0 $other || echo closed) >> cores\n"
+          "(chrt -b -p 0 $other; chrt -p $other | grep -q BATCH || echo closed) >> scheduling\n"
+          "(ionice -c 3 -p $other || echo closed) >> disk\n"
+          "(head -c 1 /proc/$other/environ || echo closed) >> variables\n"
+          "(head -c 1 /proc/$other/maps || echo closed) >> memory\n"
+          "done\n"
+          "grep -q 'CapPrm:.0000000000000000' /proc/self/status && echo none > caps");
   EXPECT_THAT(play(), Exits(0));
 
   for (const char* name : {"limits", "priority", "cores", "scheduling", "disk"}) {

@@ -46,12 +46,8 @@ class Confinement : public testing::Test {
 
 /// Changes of process P. Each is possible for a program of the same user that is not confined.
 const std::vector<std::string>& changes() {
-  static const std::vector<std::string> all = {"prlimit --pid P --core=0:0",
-                                               "renice -n 19 -p P",
-                                               "taskset -cp 0 P",
-                                               "chrt -b -p 0 P",
-                                               "chrt -i -p 0 P",
-                                               "ionice -c 3 -p P"};
+  static const std::vector<std::string> all = {"prlimit --pid P --core=0:0", "renice -n 19 -p P",
+                                               "taskset -cp 0 P", "ionice -c 3 -p P"};
   return all;
 }
 
@@ -84,15 +80,23 @@ TEST_F(Confinement, AllowsChangesOfItself) {
   }
 }
 
-/// In a confined process: 0 if a thread that asks for real time is started, without getting it.
-int start_real_time_thread() {
+TEST_F(Confinement, SchedulesOtherProcessesInVain) {
+  const std::string change = "sleep 60 & chrt -b -p 0 $!; chrt -p $!; kill $!";
+  EXPECT_EQ(exit_code_of(change, false), 0) << output();
+  EXPECT_NE(output().find("SCHED_BATCH"), std::string::npos) << output();
+  EXPECT_EQ(exit_code_of(change), 0) << output();
+  EXPECT_NE(output().find("SCHED_OTHER"), std::string::npos) << output();
+}
+
+/// In a confined process: 0 if a thread with that policy is started and is scheduled as usual.
+int start_thread(int wanted, int priority) {
   if (!confine()) return 2;
   pthread_attr_t attributes;
   pthread_attr_init(&attributes);
   pthread_attr_setinheritsched(&attributes, PTHREAD_EXPLICIT_SCHED);
-  pthread_attr_setschedpolicy(&attributes, SCHED_FIFO);
+  pthread_attr_setschedpolicy(&attributes, wanted);
   sched_param parameters{};
-  parameters.sched_priority = 1;
+  parameters.sched_priority = priority;
   pthread_attr_setschedparam(&attributes, &parameters);
 
   int policy = -1;
@@ -106,13 +110,15 @@ int start_real_time_thread() {
   return policy == SCHED_OTHER ? 0 : 4;
 }
 
-// Players of Oxsy 2023 end if their threads may not ask.
-TEST_F(Confinement, LetsThreadsAskForRealTimeInVain) {
-  const pid_t child = ::fork();
-  if (child == 0) ::_exit(start_real_time_thread());
-  int status = -1;
-  ASSERT_EQ(::waitpid(child, &status, 0), child);
-  EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 0);
+// Players of Oxsy 2023 end if they cannot start a thread with a policy of its own.
+TEST_F(Confinement, LetsProgramsStartThreadsWithAPolicy) {
+  for (const int policy : {SCHED_OTHER, SCHED_FIFO, SCHED_RR}) {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(start_thread(policy, policy == SCHED_OTHER ? 0 : 1));
+    int status = -1;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 0) << policy;
+  }
 }
 
 TEST_F(Confinement, TakesPrioritiesThatAHostGivesToAll) {
