@@ -119,7 +119,6 @@ class Filter {
     const bool priority = allowed == Allowed::kFirstTwoAreZero;
     const bool io_priority = allowed == Allowed::kOneThenZero;
     const bool reads = allowed == Allowed::kFirstIsZeroOrReads;
-
     const bool in_vain = allowed == Allowed::kOwnOrInVain || allowed == Allowed::kUsualOrInVain;
 
     if (allowed == Allowed::kUsualOrInVain) add_pretended_real_time();

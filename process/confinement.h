@@ -12,8 +12,7 @@ bool can_confine();
 /// nodes may be changed of the caller itself only (pid 0), not of a process or thread by its
 /// number. Priorities cannot rise. Calls that schedule a thread by its number, or in real time, say
 /// that they succeeded and have no effect, because pthread_create() fails with them.
-/// Async-signal-safe, for use between fork and exec. False with errno set
-/// on failure.
+/// Async-signal-safe, for use between fork and exec. False with errno set on failure.
 bool confine();
 
 }  // namespace cls::process

@@ -68,6 +68,7 @@ bool names_one(const DecisionQuestion& question) {
 std::vector<Decision> find_decisions(const DecisionQuestion& question,
                                      const std::vector<viewer::TeamDecisions>& teams) {
   std::vector<Decision> found;
+
   for (const viewer::TeamDecisions& team : teams) {
     int unum = 0;
     for (const auto& samples : team.players) {
@@ -80,6 +81,7 @@ std::vector<Decision> find_decisions(const DecisionQuestion& question,
       }
     }
   }
+
   std::ranges::stable_sort(found, {}, [](const Decision& decision) {
     return std::pair(decision.sample->cycle, decision.sample->stopped);
   });
@@ -141,6 +143,7 @@ std::string list_text(const std::vector<Decision>& decisions) {
   table.add_column("", Table::Align::kRight);
   table.add_column("best of the others");
   table.add_column("", Table::Align::kRight);
+
   for (const Decision& decision : decisions) {
     std::vector<std::string> row = {clock_text(*decision.sample), player_text(decision)};
     for (const bool chosen : {true, false}) {
@@ -199,9 +202,6 @@ std::string what_is_missing(const DecisionQuestion& question) {
 }  // namespace
 
 int explain_decision(const DecisionQuestion& question, bool json) {
-  if (!question.side.empty() && !soccer::parse_side(question.side)) {
-    return print_error(kUsage, "--side '{}': must be left or right", question.side);
-  }
   std::vector<viewer::TeamDecisions> teams;
   TRY_STEP(read_teams(question, teams));
 

@@ -370,7 +370,8 @@ void add_explain_command(Command& app) {
   command.option("--svg", arguments.svg, "write the picture of a formation to this file");
   command.option("--at", arguments.decision.cycle, "only decisions of this cycle")
       .placeholder("CYCLE");
-  command.option("--side SIDE", arguments.decision.side, "only decisions of left or right");
+  command.option("--side SIDE", arguments.decision.side, "only decisions of left or right")
+      .one_of({"left", "right"});
   command.option("--player", arguments.decision.unum, "only decisions of this player")
       .range(1, soccer::kPlayersPerTeam);
   command.option("--search", arguments.search, "list the entries with a text").placeholder("WORDS");

@@ -178,9 +178,6 @@ int compare_with_reference(const ReviewArguments& arguments,
 
 // What is wrong with the arguments: kOk, or an exit code after an error line.
 int check_arguments(const ReviewArguments& arguments) {
-  if (!arguments.side.empty() && !soccer::parse_side(arguments.side)) {
-    return print_error(kUsage, "--side '{}': must be left or right", arguments.side);
-  }
   const std::string& continued_by = arguments.replays.continued_by;
   const auto driver = training::kDriverNames.parse(continued_by);
   if (!driver || !training::perceives(*driver)) {
@@ -248,8 +245,10 @@ void add_review_command(Command& app) {
   command.group = kResultCommands;
   command.option("LOG", arguments.logs, "game logs, folders or patterns").required();
   command.option("--team NAME", arguments.team, "the team (default: the one that plays longest)");
-  command.option("--side SIDE", arguments.side,
-                 "left or right: the team of that side in the first match");
+  command
+      .option("--side SIDE", arguments.side,
+              "left or right: the team of that side in the first match")
+      .one_of({"left", "right"});
 
   command.option("--reference LOG", arguments.reference,
                  "matches of a team to compare with, best against the same opponent; repeatable");

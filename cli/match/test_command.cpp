@@ -288,7 +288,8 @@ void add_test_command(Command& app) {
       .option("--replay FILE", a.replay,
               "send a recording of `cls match --record-rpc` to the Playmaker ENDPOINT")
       .of_group(kDebuggingGroup);
-  command.option("--side SIDE", a.side, "side of the recording for --replay: left or right");
+  command.option("--side SIDE", a.side, "side of the recording for --replay: left or right")
+      .one_of({"left", "right"});
   command.option("--at", a.at, "with --replay: only decisions of this cycle")
       .of_group(kDebuggingGroup);
   command.option("--player", a.player, "with --replay: only calls of this player")

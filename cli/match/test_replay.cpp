@@ -34,10 +34,8 @@ int resolve(const TestArguments& arguments, match::ReplayOptions& options) {
     TRY_OR(kCannotCreate, base::create_folders(options.folder));
   }
 
-  if (arguments.side.empty()) return kOk;
   options.side = soccer::parse_side(arguments.side);
-  if (options.side) return kOk;
-  return print_error(kUsage, "--side '{}': must be left or right", arguments.side);
+  return kOk;
 }
 
 }  // namespace

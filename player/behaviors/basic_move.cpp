@@ -22,11 +22,9 @@ constexpr PaceParameters kNumbers = kBehaviors.pace;
 
 /// True if opponents attack with a ball that is behind the agent, a defender or midfielder.
 bool has_been_passed(const WorldModel& world, Vec2 ball) {
-  const InterceptTable& table = world.intercept;
   const bool is_back = world.unum >= 2 && world.unum <= 8;
-  const bool they_attack =
-      world.kickable_opponent() || table.first_opponent_steps < table.our_steps();
-  return is_back && they_attack && ball.x < std::min(kNumbers.chase_x, world.self.position.x);
+  return is_back && opponents_are_first(world) &&
+         ball.x < std::min(kNumbers.chase_x, world.self.position.x);
 }
 
 }  // namespace

@@ -26,11 +26,10 @@ std::optional<Shot> shot_at_us(const WorldModel& world) {
   const Vec2 velocity = world.ball.velocity;
   if (!world.ball.velocity_valid() || velocity.x > -0.1) return std::nullopt;
 
-  constexpr int kMaxCycles = 40;
   const double half_mouth = world.server().goal_width / 2.0 + 1.5;
   Vec2 before = world.ball.position;
 
-  for (int cycle = 1; cycle <= kMaxCycles; ++cycle) {
+  for (int cycle = 1; cycle <= kMaxShotCycles; ++cycle) {
     const Vec2 now = ball_after(world, cycle);
     if (now.x <= kGoalX) {
       const double share = (before.x - kGoalX) / std::max(1e-9, before.x - now.x);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/fixed_list.h"
 #include "player/behaviors/behavior_parameters.h"
 #include "player/behaviors/behaviors.h"
 #include "player/estimates/estimates.h"
@@ -27,7 +28,7 @@ Vec2 way_to_goal(const WorldModel& world, Vec2 ball) {
 
 /// Body direction while waiting: a dash forward goes to the far post, one backward to the near
 /// post.
-AngleDeg waiting_body(const WorldModel& world, Vec2 ball) {
+AngleDeg body_across(const WorldModel& world, Vec2 ball) {
   const AngleDeg way = AngleDeg::of(way_to_goal(world, ball));
   const bool in_middle = std::fabs(ball.y) < kNumbers.middle;
   const bool left = in_middle ? (world.self.body - way).degrees() > 0.0 : ball.y >= 0.0;
@@ -49,6 +50,13 @@ class SaveSearch {
   SaveSearch(const WorldModel& world, const Shot& shot)
       : world_(world), type_(world.self_type()), cycles_(shot.cycles) {
     power_ = std::min(world.server().max_dash_power, world.self.stamina + type_.extra_stamina);
+    kick_ = kickable_area(world) - kNumbers.margin;
+    hands_ = is_back_pass(world) ? kick_ : catch_reach(world).sure - kNumbers.margin;
+
+    for (int cycle = 1; cycle <= cycles_; ++cycle) {
+      const Vec2 ball = ball_after(world, cycle);
+      if (ball.x < kOwnGoal.x + kNumbers.before_line || !balls_.push_back(ball)) break;
+    }
   }
 
   Run best() {
@@ -71,8 +79,7 @@ class SaveSearch {
 
   double reach(Vec2 ball) const {
     constexpr double kBesideArea = 0.3;  // the ball is caught inside it
-    const bool hands = in_own_penalty_area(ball, kBesideArea) && !is_back_pass(world_);
-    return (hands ? catch_reach(world_).sure : kickable_area(world_)) - kNumbers.margin;
+    return in_own_penalty_area(ball, kBesideArea) ? hands_ : kick_;
   }
 
   void offer(Run run) {
@@ -81,17 +88,16 @@ class SaveSearch {
     Vec2 position = world_.self.position;
     Vec2 velocity = world_.self.velocity;
 
-    for (int cycle = 1; cycle <= cycles_; ++cycle) {
-      if (!run.turns || cycle > 1)
-        velocity = speed_limited(velocity + push, type_.player_speed_max);
+    run.cycle = 0;
+    for (const Vec2& ball : balls_) {
+      const bool turning = run.turns && run.cycle == 0;
+      if (!turning) velocity = speed_limited(velocity + push, type_.player_speed_max);
       position += velocity;
       velocity *= type_.player_decay;
 
-      const Vec2 ball = ball_after(world_, cycle);
-      if (ball.x < kOwnGoal.x + kNumbers.before_line) return;
+      ++run.cycle;
       run.missing = std::max(0.0, distance(position, ball) - reach(ball));
       if (run.turns) run.missing += kNumbers.turn;
-      run.cycle = cycle;
       const bool earlier = run.missing == best_.missing && run.cycle < best_.cycle;
       if (run.missing < best_.missing || earlier) best_ = run;
     }
@@ -101,6 +107,9 @@ class SaveSearch {
   const soccer::PlayerType& type_;
   int cycles_;
   double power_ = 0.0;
+  double kick_ = 0.0;                            ///< reach, meters
+  double hands_ = 0.0;                           ///< in the own area
+  base::FixedList<Vec2, kMaxShotCycles> balls_;  ///< from the next cycle on, in front of the line
   Run best_;
 };
 
@@ -118,7 +127,7 @@ Vec2 place_across(const WorldModel& world, Vec2 ball) {
 bool slide(ActionContext& c, Vec2 place, Vec2 ball) {
   const WorldModel& world = c.world;
   const soccer::PlayerType& type = world.self_type();
-  const AngleDeg error = waiting_body(world, ball) - world.self.body;
+  const AngleDeg error = body_across(world, ball) - world.self.body;
 
   const double travel = 1.0 + type.player_decay;  // of two cycles, per speed
   const Vec2 missing = place - (world.self.position + world.self.velocity * travel);

@@ -6,6 +6,8 @@
 
 namespace cls::player {
 
+constexpr int kMaxShotCycles = 40;  ///< balls that take longer are no danger
+
 /// A rolling ball that crosses our goal line between the posts.
 struct Shot {
   double y = 0.0;

@@ -64,11 +64,8 @@ int cycles_to_block(const WorldModel& world, const soccer::PlayerType& type, Vec
 constexpr int kMaxMarkAge = 12;
 
 bool their_attack(const WorldModel& world) {
-  const InterceptTable& table = world.intercept;
-  const bool opponents_first =
-      world.kickable_opponent() || table.first_opponent_steps < table.our_steps();
   const bool their_set_play = is_set_play_of(world.game, world.their_side());
-  return (opponents_first || their_set_play) &&
+  return (opponents_are_first(world) || their_set_play) &&
          first_reach_point(world).x < world.planner->mark_ball_x;
 }
 
@@ -147,6 +144,11 @@ double support_score(const WorldModel& world, const TeamPoints& home, Vec2 ball,
 }
 
 }  // namespace
+
+bool opponents_are_first(const WorldModel& world) {
+  const InterceptTable& table = world.intercept;
+  return world.kickable_opponent() || table.first_opponent_steps < table.our_steps();
+}
 
 std::optional<Vec2> block_point(const WorldModel& world) {
   const std::optional<Possession> possession = possession_of_opponents(world);

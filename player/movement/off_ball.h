@@ -8,6 +8,9 @@
 
 namespace cls::player {
 
+/// True if an opponent has the ball or gets it before our team.
+bool opponents_are_first(const WorldModel& world);
+
 /// Earliest point at which the agent blocks an opponent dribbling toward our goal. Empty if no
 /// opponent has or gets the ball, a teammate blocks earlier, or it takes too long.
 std::optional<Vec2> block_point(const WorldModel& world);
