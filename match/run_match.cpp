@@ -13,6 +13,7 @@
 #include "base/io/disk_space.h"
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
+#include "match/hooks/choice_recorder.h"
 #include "match/hooks/debug_action_log.h"
 #include "match/hooks/debug_clients.h"
 #include "match/hooks/match_saver.h"
@@ -100,6 +101,11 @@ FolderHook world_model_recorder(const MatchSetup& setup) {
   return std::make_unique<WorldModelRecorder>(setup.folder, setup.names);
 }
 
+FolderHook choice_recorder(const MatchSetup& setup) {
+  if (!setup.options.record_choices) return nullptr;
+  return std::make_unique<ChoiceRecorder>(setup.folder);
+}
+
 FolderHook situation_run(const MatchSetup& setup) {
   const MatchOptions& options = setup.options;
   if (options.loaded_book == nullptr) return nullptr;
@@ -119,10 +125,10 @@ Result<FolderHook> rpc_recorder(const MatchSetup& setup) {
 }
 
 /// In the order of their calls; null: not wanted.
-constexpr std::array<Result<FolderHook> (*)(const MatchSetup&), 8> kFolderHooks = {
-    wanted<situation_run>,        wanted<debug_actions>, wanted<missed_log>,
-    wanted<resume_check>,         wanted<match_saver>,   rpc_recorder,
-    wanted<world_model_recorder>, wanted<debug_clients>};
+constexpr std::array<Result<FolderHook> (*)(const MatchSetup&), 9> kFolderHooks = {
+    wanted<situation_run>,        wanted<debug_actions>,   wanted<missed_log>,
+    wanted<resume_check>,         wanted<match_saver>,     rpc_recorder,
+    wanted<world_model_recorder>, wanted<choice_recorder>, wanted<debug_clients>};
 
 /// Those that the options ask for.
 Result<FolderHookList> make_hooks(const MatchSetup& setup) {

@@ -213,6 +213,8 @@ void check_hooks(const MatchOptions& options, Errors& errors) {
                  "--record-rpc needs a side with a Playmaker");
   errors.require(agents || !options.record_world_models,
                  "--record-world-models needs a side with a Playmaker");
+  errors.require(agents || !options.record_choices,
+                 "--record-choices needs a side with a Playmaker");
 
   const bool built_in = options.formations.left == nullptr && options.formations.right == nullptr &&
                         options.left.planner_file.empty() && options.right.planner_file.empty();

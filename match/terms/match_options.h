@@ -99,6 +99,7 @@ struct MatchOptions {
 
   std::filesystem::path record_rpc;  ///< file for all requests and replies; empty: none
   bool record_world_models = false;  ///< what agents estimate, for the decision debugger
+  bool record_choices = false;       ///< with the ball, for programs that learn them
   std::optional<int> save_at;        ///< game time at which `save_file` is written
   std::filesystem::path save_file;
   std::filesystem::path resume;                      ///< file of the match to continue

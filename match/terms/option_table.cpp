@@ -393,6 +393,10 @@ std::vector<Row> debugging_rows() {
            "record what each player estimates, receives and sends; cls watch then shows it beside "
            "the full state (docs/watching.md)")
           .in_toml("true"),
+      flag("record_choices", &Options::record_choices,
+           "record what players with the ball observed and chose, for learning programs "
+           "(docs/formats/choices.md)")
+          .in_toml("true"),
       Row{{"save_at",
            "CYCLE FILE",
            "save the match in FILE when game time reaches CYCLE (docs/matches.md)",

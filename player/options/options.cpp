@@ -9,7 +9,8 @@
 #include "base/text/decimal_text.h"
 #include "player/ball_skills/ball_skills.h"
 #include "player/behaviors/automatic_play.h"
-#include "player/planner/generators.h"
+#include "player/options/option_classes.h"
+#include "player/options/played_options.h"
 #include "player/planner/plan_execution.h"
 #include "player/world/places.h"
 
@@ -21,38 +22,6 @@ bool in_open_play(const WorldModel& world) {
          (world.game.mode == PlayMode::kPlayOn || world.game.mode == PlayMode::kDropBall);
 }
 
-/// Index among the players of the team without the agent; -1 if the number is not one of them.
-int receiver_of(const WorldModel& world, int unum) {
-  if (unum < 1 || unum > soccer::kPlayersPerTeam || unum == world.unum) return -1;
-  return unum - 1 - (unum > world.unum ? 1 : 0);
-}
-
-PassKind pass_kind(PlanTag tag) {
-  switch (tag) {
-    case PlanTag::kStrictLead:
-      return PassKind::kAhead;
-    case PlanTag::kStrictThrough:
-      return PassKind::kThrough;
-    case PlanTag::kCross:
-      return PassKind::kCross;
-    default:
-      return PassKind::kFeet;
-  }
-}
-
-/// The class of a dribble or a pass; -1 for other actions.
-int class_of(const WorldModel& world, const PlanAction& action) {
-  if (action.category == PlanCategory::kDribble) {
-    const double direction = AngleDeg::of(action.target_point - world.ball.position).degrees();
-    const int turn =
-        static_cast<int>(std::lround((direction + 180.0) * kDribbleDirections / 360.0));
-    return kDribbleOption + turn % kDribbleDirections;
-  }
-  if (action.category != PlanCategory::kPass) return -1;
-  const int receiver = receiver_of(world, action.target);
-  return receiver < 0 ? -1 : pass_option(receiver, pass_kind(action.tag));
-}
-
 /// Which candidate stands for its class: the one with more room, as far as room counts, and of
 /// those the one that leads farther ahead.
 double preference(const OptionTarget& target) {
@@ -62,14 +31,8 @@ double preference(const OptionTarget& target) {
 }
 
 void find_targets(const PlannerField& field, OptionTable& out) {
-  std::vector<PlanAction> actions;
-  add_passes(field, actions);
-  add_crosses(field, actions);
-  add_short_dribbles(field, actions);
-  add_self_passes(field, actions);
-
-  for (const PlanAction& action : actions) {
-    const int id = class_of(field.world, action);
+  for (const PlanAction& action : ball_candidates(field)) {
+    const int id = option_class(field.world, action);
     if (id < 0) continue;
     const OptionTarget target{id, action, nearest_opponent(field, action.target_point)};
     const auto known = std::ranges::find(out.targets, id, &OptionTarget::id);
@@ -303,19 +266,7 @@ int planner_option(const WorldModel& world, const OptionTable& table,
 
   const PlannerField field(world, table.held(world));
   const Plan plan = make_plan(field, options);
-  const PlanAction& action = plan.at(plan.first_of(plan.best)).action;
-  if (const int id = class_of(world, action); id >= 0) return id;
-  if (world.game.mode != PlayMode::kPlayOn) return kHoldOption;
-
-  switch (hold_kind(world, table.ball_since)) {
-    case HoldKind::kShoot:
-      return kShootOption;
-    case HoldKind::kLayOff:
-      return kLayOffOption;
-    case HoldKind::kKeep:
-      break;
-  }
-  return kHoldOption;
+  return option_of_plan(world, table, plan, plan.best);
 }
 
 void play_option(ActionContext& c, const OptionTable& table, int id) {

@@ -23,6 +23,8 @@ struct Decision {
 class DecisionListener {
  public:
   virtual ~DecisionListener() = default;
+  /// The world of a decision is complete (`decision_world()`), the Playmaker has not been asked.
+  virtual void before_decision(const PlayerAgent& /*agent*/) {}
   virtual void on_decision(const Decision& decision) = 0;
 };
 

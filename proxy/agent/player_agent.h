@@ -84,6 +84,8 @@ class PlayerAgent : public Agent {
   /// Sends (bye).
   void leave();
 
+  /// What the player remembers: during a decision from those before it.
+  const player::ActionMemory& memory() const { return memory_; }
   /// How the latest decision was executed, the plan that it needed (empty: none), and what was
   /// sent.
   const player::DecisionTrace& trace() const { return memory_.trace; }

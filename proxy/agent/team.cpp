@@ -165,6 +165,7 @@ int Team::begin_decisions(Instant now) {
 
     agent->state(now);
     watch.lap(times_.state);
+    for (DecisionListener* listener : decision_listeners_) listener->before_decision(*agent);
     request_decision(*agent, agent->unum(), decision_timeout(*agent, now),
                      agent->timer().synchronous());
     watch.lap(times_.begin);

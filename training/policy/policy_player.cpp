@@ -9,7 +9,6 @@
 #include "soccer/math.h"
 #include "soccer/random.h"
 #include "training/npc/driver.h"
-#include "training/scene/estimated_scene.h"
 
 namespace cls::training {
 namespace {
@@ -18,14 +17,6 @@ using player::OptionTable;
 
 /// The score of an option that is never chosen.
 constexpr float kHopeless = -1000.0F;
-
-std::vector<int> slots_of(Side side) {
-  std::vector<int> slots;
-  for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
-    slots.push_back(soccer::slot_of(side, unum));
-  }
-  return slots;
-}
 
 /// kAutoOption is what other policies and players do without choosing.
 bool may_choose(const OptionTable& table, int id) {
@@ -63,9 +54,7 @@ std::vector<player::WeighedOption> weigh_options(const player::WorldModel& world
 }
 
 PolicyPlayer::PolicyPlayer(std::shared_ptr<const Policy> policy) : policy_(std::move(policy)) {
-  everybody_.left = slots_of(Side::kLeft);
-  everybody_.right = slots_of(Side::kRight);
-  features_.resize(base::index(policy_->network.features()));
+  if (policy_->features != nullptr) features_.emplace(*policy_->features);
   memory_.resize(base::index(policy_->network.memory()));
 }
 
@@ -100,13 +89,8 @@ int PolicyPlayer::choose(const player::ActionContext& context) {
 }
 
 int PolicyPlayer::choose_by_network(const player::WorldModel& world) {
-  fill_scene(world, everybody_, scene_);
-  const Seat self = seat_of(world.our_side, soccer::slot_of(world.our_side, world.unum));
-  PointOfView view{scene_, everybody_, self, {-soccer::kHalfLength, soccer::kHalfLength}};
-  view.world = &world;
-  view.options = &table_;
-  policy_->features->fill(view, features_.data());
-  const float* scores = policy_->network.run(features_.data(), memory_.data(), workspace_);
+  const float* features = features_->of(world, table_).data();
+  const float* scores = policy_->network.run(features, memory_.data(), workspace_);
   std::copy_n(scores, scores_.size(), scores_.begin());
   return best_option(table_, scores);
 }

@@ -3,11 +3,12 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "player/options/options.h"
+#include "training/policy/player_features.h"
 #include "training/policy/policy.h"
-#include "training/scene/cast.h"
 
 namespace cls::training {
 
@@ -29,9 +30,7 @@ class PolicyPlayer {
 
   std::shared_ptr<const Policy> policy_;
   player::OptionTable table_;
-  Cast everybody_;
-  Scene scene_;
-  std::vector<float> features_;
+  std::optional<PlayerFeatures> features_;  ///< of a network
   std::array<float, player::kOptionCount> scores_{};
   std::vector<float> memory_;
   Network::Workspace workspace_;
