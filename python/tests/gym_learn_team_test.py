@@ -2,6 +2,7 @@
 import argparse
 import contextlib
 import io
+import os
 import pathlib
 import sys
 import tempfile
@@ -12,7 +13,8 @@ import numpy as np
 
 from cls_gym import network
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "examples/training"))
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(SOURCE / "examples/training"))
 import learn_team  # noqa: E402
 
 
@@ -46,7 +48,7 @@ class Stages(unittest.TestCase):
             out = pathlib.Path(folder, "team.policy")
             matches = dict(opponent="self", matches=10, worlds=5, cycles=250)
             planner = argparse.Namespace(out=pathlib.Path(folder, "planner"), policy="planner",
-                                         seed=5, **matches)
+                                         expert="planner", seed=5, **matches)
             learn_team.record(planner)
             files = sorted(planner.out.iterdir())
             self.assertEqual([one.name for one in files],
@@ -70,9 +72,92 @@ class Stages(unittest.TestCase):
             np.testing.assert_allclose(net.scores(observed[:5]), exact, rtol=1e-3, atol=1e-4)
 
             learn_team.record(argparse.Namespace(out=pathlib.Path(folder, "round1"), seed=5,
-                                                 policy=str(out), **matches))
+                                                 policy=str(out), expert="planner", **matches))
             own = learn_team.read([planner.out, pathlib.Path(folder, "round1")])
             self.assertGreater(len(own[3]), len(expert))
+
+
+class Improvement(unittest.TestCase):
+    def test_advantages_are_the_errors_of_the_critic_to_come(self):
+        experience = learn_team.Experience(None, 1.0, None)
+        for worlds, rewards in (([0, 1], [0, 0]), ([0], [1, 0]), ([1], [0, -1])):
+            experience.see(np.array(worlds))
+            experience.pay(np.array(rewards))
+        advantage, target = experience.advantages(np.array([0.5, 0.25, 0.0, 0.0]), 0.5, 1.0)
+        np.testing.assert_allclose(target, [0.5, -0.5, 1.0, -1.0])
+        np.testing.assert_allclose(advantage, target - [0.5, 0.25, 0.0, 0.0])
+
+    def test_makes_what_earns_more_likely(self):
+        random = np.random.default_rng(1)
+        zeros, ones = np.zeros(learn_team.FEATURES), np.ones(learn_team.FEATURES)
+        net = learn_team.make_network({}, zeros, ones, random)
+        first = learn_team.writable(network.Network(net.steps, {}))
+        observed = random.normal(size=(64, learn_team.FEATURES)).astype(np.float32)
+        masks = np.zeros((64, learn_team.OPTIONS), bool)
+        masks[:, 1:5] = True
+        played = learn_team.probabilities(learn_team.forward(net, observed)["scores"][:, 0], masks)
+        chosen = np.arange(64) % 4 + 1
+        earned = (chosen == 3).astype(float)
+        settings = argparse.Namespace(epochs=3, temperature=1.0, near=0.0, rate=0.001)
+        moved = learn_team.fit_policy(net, first, (observed, masks, chosen, played), earned,
+                                      settings, random)
+        now = learn_team.probabilities(learn_team.forward(net, observed)["scores"][:, 0], masks)
+        self.assertGreater(moved, 0)
+        self.assertGreater((now - played)[:, 3].mean(), 0.01)
+
+    def test_goes_on_where_it_stopped(self):
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()):
+            files = {}
+            for name, stops in (("whole", (2,)), ("halves", (1, 2))):
+                out = pathlib.Path(folder, name + ".policy")
+                for updates in stops:
+                    learn_team.improve(argparse.Namespace(
+                        policy=str(SOURCE / "match/terms/learned.policy"), out=out, seed=1,
+                        updates=updates, matches=2, worlds=2, cycles=250, opponent="planner",
+                        epochs=2, rate=0.0001, temperature=0.5, near=0.1, advance=0.005))
+                files[name] = out.read_bytes()
+            self.assertEqual(files["whole"], files["halves"])
+            self.assertNotEqual(files["whole"],
+                                (SOURCE / "match/terms/learned.policy").read_bytes())
+
+
+@unittest.skipUnless("CLS_BINARY" in os.environ, "no cls to play matches with: set CLS_BINARY")
+class Playmakers(unittest.TestCase):
+    def record(self, folder, **settings):
+        options = dict(out=pathlib.Path(folder, "data"), expert="playmaker:mock:example",
+                       policy="planner", opponent="self", matches=3, cycles=1500, seed=7,
+                       cls=os.environ["CLS_BINARY"])
+        options.update(settings)
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            learn_team.record(argparse.Namespace(**options))
+        return options["out"], said.getvalue()
+
+    def test_are_cloned(self):
+        with tempfile.TemporaryDirectory() as folder:
+            data, said = self.record(folder)
+            self.assertIn("choices; like no option: ", said)
+            self.assertEqual(self.record(folder)[1], "", "nothing is left to do")
+            match, observed, masks, expert = learn_team.read([data])
+            self.assertEqual(set(match), {7, 8, 9})
+            self.assertTrue(masks[np.arange(len(expert)), expert].all())
+
+            out = pathlib.Path(folder, "mine.policy")
+            with contextlib.redirect_stdout(io.StringIO()):
+                learn_team.clone(argparse.Namespace(data=[data], out=out, seed=1, epochs=20,
+                                                    rate=0.001, decay=0.02))
+            held = match == 9
+            top1, _, _ = learn_team.agreement(network.load(out), observed[held], masks[held],
+                                              expert[held])
+            by_chance = float((1 / masks[held].sum(1)).mean())
+            self.assertGreater(held.sum(), 50)
+            self.assertGreater(top1, 2 * by_chance)
+
+    def test_are_not_asked_about_the_play_of_others(self):
+        for wrong in (dict(policy="random"), dict(expert="nobody"), dict(expert="playmaker:")):
+            with tempfile.TemporaryDirectory() as folder, self.assertRaises(SystemExit) as refused:
+                self.record(folder, **wrong)
+            self.assertIn("--expert is planner, or playmaker:SIDE", str(refused.exception))
 
 
 if __name__ == "__main__":
