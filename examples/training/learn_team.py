@@ -1,24 +1,26 @@
 """A team that learns its decisions with the ball from the planner of cls, then from its own mistakes.
 
-    python3 examples/training/learn_team.py record --out data/planner --matches 64
-    python3 examples/training/learn_team.py clone --data data/planner --out cloned.policy
-    python3 examples/training/learn_team.py record --out data/round1 --matches 32 --policy cloned.policy
-    python3 examples/training/learn_team.py clone --data data/planner data/round1 --out dagger.policy
-    python3 examples/training/learn_team.py improve --policy dagger.policy --out improved.policy
-    python3 examples/training/learn_team.py play --policy dagger.policy --opponent planner
+    L=examples/training/learn_team.py
+    python3 $L record --out data/planner --matches 64
+    python3 $L clone --data data/planner --out cloned.policy
+    python3 $L record --out data/round1 --matches 32 --policy cloned.policy
+    python3 $L clone --data data/planner data/round1 --out dagger.policy
+    python3 $L improve --policy dagger.policy --out improved.policy
+    python3 $L play --policy dagger.policy --opponent planner
     cls match policy:dagger.policy mock
 
 `record` plays matches in the engine and stores what the players with the ball observed, and what the
 planner would have chosen for them: where the planner plays (behavior cloning), or where a policy does
-(DAgger). With --expert playmaker:SIDE it plays matches of `cls match` instead and stores what that side
-chose, whatever language it is written in:
+(DAgger). With --expert playmaker:SIDE it plays matches of `cls match` instead and stores what that
+side chose, whatever language it is written in:
 
-    python3 examples/training/learn_team.py record --out data/mine --expert 'playmaker:run:./run --port {port}'
+    python3 $L record --out data/mine --expert 'playmaker:run:./run --port {port}'
 
-`clone` fits a network to it. `improve` goes on by reinforcement learning: proximal policy optimization,
-which stays near the policy that it began with. `play` is a match of the policy, of the planner's choices
-(--policy planner) or of random ones (--policy random) in the engine. Each stage can be stopped and
-started again: `record` and `improve` go on where they stopped. It needs NumPy. docs/learned-team.md has the figures.
+`clone` fits a network to it. `improve` goes on by reinforcement learning: proximal policy
+optimization, which stays near the policy that it began with. `play` is a match of the policy, of the
+planner's choices (--policy planner) or of random ones (--policy random) in the engine. Each stage can
+be stopped and started again: `record` and `improve` go on where they stopped. It needs NumPy.
+docs/learned-team.md has the figures.
 """
 from __future__ import annotations
 
@@ -375,7 +377,7 @@ class Experience:
     def __init__(self, net: Network, temperature: float, random: np.random.Generator) -> None:
         self.net, self.temperature, self.random = net, temperature, random
         self.seen: List[Tuple[np.ndarray, ...]] = []
-        self.earned: List[np.ndarray] = []
+        self.world: List[np.ndarray] = []  # of each choice
         self.last: Dict[int, int] = {}  # of each world, the index of its latest choice
         self.gains: List[float] = []
 
@@ -391,7 +393,7 @@ class Experience:
         return np.asarray(chosen)
 
     def see(self, world: np.ndarray, *_: np.ndarray) -> None:
-        self.earned.append(world)
+        self.world.append(world)
         for one in world:
             self.last[int(one)] = len(self.gains)
             self.gains.append(0.0)
@@ -404,7 +406,7 @@ class Experience:
                    ) -> Tuple[np.ndarray, np.ndarray]:
         """Generalized advantage estimates, and what the critic should have said. keep: of the value
         from one choice of the team to the next; trace: weight of later estimates."""
-        world, gains = np.concatenate(self.earned), np.array(self.gains)
+        world, gains = np.concatenate(self.world), np.array(self.gains)
         result = np.zeros(len(gains))
         for one in np.unique(world):
             later, after = 0.0, 0.0
@@ -460,13 +462,29 @@ def fit_policy(net: Network, first: Network, rows_of: Tuple[np.ndarray, ...],
     return moved
 
 
+def play_and_judge(envs: cls_gym.VectorEnv, net: Network, critic: Network, update: int,
+                   options: argparse.Namespace, random: np.random.Generator
+                   ) -> Tuple[Tuple[np.ndarray, ...], np.ndarray, np.ndarray, np.ndarray]:
+    """The choices of an update's matches, their advantages, what the critic should have said, and
+    the goal differences."""
+    goals, rows_of, judged = [], [], []
+    for number in range(0, options.matches, options.worlds):
+        experience = Experience(net, options.temperature, random)
+        goals.append(play(envs, experience.choose, options.seed + update * options.matches + number,
+                          experience.see, experience.pay))
+        rows_of.append(tuple(np.concatenate(one) for one in zip(*experience.seen)))
+        judged.append(experience.advantages(values_of(critic, rows_of[-1][0]), 0.98, 0.95))
+    advantage, target = (np.concatenate(one) for one in zip(*judged))
+    return (tuple(np.concatenate(one) for one in zip(*rows_of)), advantage, target,
+            np.concatenate(goals))
+
+
 def improve(options: argparse.Namespace) -> None:
     """Reinforcement learning from goals. An update is so many matches, in which choices are drawn."""
     if options.opponent == "self":
         raise SystemExit("improve plays one team: --opponent planner, mock or scripted")
     first = writable(network.load(options.policy))
-    curve_file = options.out.with_suffix(".curve.json")
-    critic_file = options.out.with_suffix(".critic")
+    curve_file, critic_file = (options.out.with_suffix(one) for one in (".curve.json", ".critic"))
     curve = json.loads(curve_file.read_text()) if curve_file.exists() else []
     net = writable(network.load(options.out if curve else options.policy))
     critic = (writable(network.load(critic_file)) if curve
@@ -474,31 +492,20 @@ def improve(options: argparse.Namespace) -> None:
     reward = {"goal": 1.0, "advance": options.advance}
     with worlds(options.worlds, options.opponent, options.cycles, "none", reward) as envs:
         for update in range(len(curve), options.updates):
-            random = np.random.default_rng([options.seed, update])
-            began, goals, parts, wanted = time.process_time(), [], [], []
-            for number in range(0, options.matches, options.worlds):
-                seed = options.seed + update * options.matches + number
-                experience = Experience(net, options.temperature, random)
-                goals.append(play(envs, experience.choose, seed, experience.see, experience.pay))
-                rows_of = tuple(np.concatenate(one) for one in zip(*experience.seen))
-                wanted.append(experience.advantages(values_of(critic, rows_of[0]), 0.98, 0.95))
-                parts.append(rows_of)
-            rows_of = tuple(np.concatenate(one) for one in zip(*parts))
-            advantage, target = (np.concatenate(one) for one in zip(*wanted))
+            random, began = np.random.default_rng([options.seed, update]), time.process_time()
+            rows_of, advantage, target, goals = play_and_judge(envs, net, critic, update, options,
+                                                               random)
             # The first matches teach the critic alone: before, it knows nothing.
             moved = (fit_policy(net, first, rows_of, advantage, options, random)
                      if update > 0 else 0.0)
             fit_critic(critic, rows_of[0], target, 4, random)
-            all_goals = np.concatenate(goals)
-            curve.append({"update": update, "matches": len(all_goals),
-                          "goals": [int(one) for one in all_goals], "moved": moved,
-                          "explained": float(1 - (target - values_of(critic, rows_of[0])).var()
-                                             / target.var()),
+            curve.append({"update": update, "matches": len(goals), "moved": moved,
+                          "goals": [int(one) for one in goals],
                           "cpu": time.process_time() - began})
             critic.save(critic_file)
             net.save(options.out)
             curve_file.write_text(json.dumps(curve))
-            print(f"update {update}: goals {all_goals.mean():+.2f} of drawn choices, moved "
+            print(f"update {update}: goals {goals.mean():+.2f} of drawn choices, moved "
                   f"{moved:.4f}, {curve[-1]['cpu']:.0f} s of CPU", flush=True)
 
 
