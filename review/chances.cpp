@@ -28,11 +28,6 @@ struct Attack {
   bool own_goal = false;
 };
 
-std::string third_of(double x) {
-  if (x < -analysis::kThirdBorder) return "own third";
-  return x < analysis::kThirdBorder ? "middle" : "their third";
-}
-
 bool is_of(const Event& event, Side side) {
   return event.slot != soccer::kNoPlayer && analysis::side_of(event.slot) == side;
 }
@@ -63,7 +58,7 @@ std::string origin_of(const MatchStatistics& match, const std::vector<Event>& ev
   }
   if (last == nullptr) return "kick-off";
 
-  const std::string where = third_of(soccer::sign(loser) * last->from.x);
+  const std::string where = analysis::third_name(soccer::sign(loser) * last->from.x);
   if (has_mark(*last, "clearance")) return fmt::format("clearance from {}", where);
   const char* kind = last->kind == EventKind::kPass    ? "pass"
                      : last->kind == EventKind::kCarry ? "dribble"

@@ -19,19 +19,6 @@ using soccer::Side;
 
 constexpr std::uint32_t kSequence = 2;  // frames between kicks of one decision, at most
 
-// The value kDecisionHorizon cycles after a frame, or of the first goal until then.
-double value_after(const Flow& flow, std::size_t begin, Side side) {
-  const gamelog::MatchRecord& record = *flow.record;
-  std::size_t frame = begin;
-  while (frame + 1 < record.frames() &&
-         record.time[frame] < record.time[begin] + kDecisionHorizon) {
-    ++frame;
-    const int goals = lead_at(record, frame) - lead_at(record, begin);
-    if (goals != 0) return std::clamp(goals * soccer::sign(side), -1, 1);
-  }
-  return state_value(view_of(flow, frame), side);
-}
-
 // Names the kicks of a match by what the statistics take them for.
 class Kinds {
  public:
@@ -63,6 +50,18 @@ bool continues(const Touch& last, const Touch& next) {
 
 }  // namespace
 
+double value_after(const Flow& flow, std::size_t frame, std::size_t last, Side side) {
+  const gamelog::MatchRecord& record = *flow.record;
+  const std::size_t begin = frame;
+  while (frame < last && frame + 1 < record.frames() &&
+         record.time[frame] < record.time[begin] + kDecisionHorizon) {
+    ++frame;
+    const int goals = lead_at(record, frame) - lead_at(record, begin);
+    if (goals != 0) return std::clamp(goals * soccer::sign(side), -1, 1);
+  }
+  return state_value(view_of(flow, frame), side);
+}
+
 std::vector<Decision> find_decisions(const MatchStatistics& match, Side side) {
   const Flow& flow = match.flow;
   const gamelog::MatchRecord& record = *flow.record;
@@ -89,7 +88,7 @@ std::vector<Decision> find_decisions(const MatchStatistics& match, Side side) {
     decision.slot = touch.slot;
     kinds.name(next - 1, decision);
     decision.before = state_value(view_of(flow, decision.frame), side);
-    decision.after = value_after(flow, decision.frame, side);
+    decision.after = value_after(flow, decision.frame, record.frames(), side);
     decisions.push_back(decision);
   }
 

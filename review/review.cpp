@@ -39,6 +39,12 @@ std::vector<std::vector<Chance>> chances_of(const Review& review,
   return all;
 }
 
+std::vector<LossClass> loss_classes(const Review& review) {
+  std::vector<std::vector<Loss>> losses;
+  for (const ReviewedMatch& match : review.matches) losses.push_back(match.losses);
+  return classes_of(losses);
+}
+
 Json estimate_json(const Estimate& estimate) {
   return {{"value", estimate.value}, {"low", estimate.low}, {"high", estimate.high}};
 }
@@ -64,6 +70,18 @@ Json chances_json(const std::vector<Chance>& chances) {
                     {"worth", chance.worth},
                     {"origin", chance.origin},
                     {"finish", chance.finish}});
+  }
+  return list;
+}
+
+Json losses_json(const Review& review) {
+  Json list = Json::array();
+  for (const LossClass& one : loss_classes(review)) {
+    list.push_back({{"name", one.name},
+                    {"decisions", one.decisions},
+                    {"goals", estimate_json(one.goals)},
+                    {"match", one.worst.match},
+                    {"cycle", one.worst.cycle}});
   }
   return list;
 }
@@ -164,6 +182,28 @@ std::string reference_text(const Reference& reference, std::size_t most) {
   return title + table.format_text(2);
 }
 
+// What all decisions lost, as goals a match.
+std::string losses_text(const Review& review, std::size_t most) {
+  const std::vector<LossClass> classes = loss_classes(review);
+  if (classes.empty()) return {};
+
+  const auto matches = static_cast<double>(review.matches.size());
+  Table table;
+  table.add_column("goals", Table::Align::kRight);
+  table.add_column("95 %");
+  table.add_column("times", Table::Align::kRight);
+  table.add_columns({"what", "seen in, at cycle"});
+  for (std::size_t i = 0; i < std::min(most, classes.size()); ++i) {
+    const LossClass& one = classes[i];
+    const Estimate a_match = {one.goals.value / matches, one.goals.low / matches,
+                              one.goals.high / matches};
+    table.add_row({decimals(a_match.value), signed_text(a_match), fmt::to_string(one.decisions),
+                   one.name, place_text(review, one.worst)});
+  }
+  return "\nlost from a decision with the ball to the next one (goals a match)\n" +
+         table.format_text(2);
+}
+
 std::string decisions_text(const Review& review, std::size_t most) {
   Table table;
   table.add_column("goals", Table::Align::kRight);
@@ -207,7 +247,7 @@ Json to_json(const Review& review) {
                        {"opponent", match.opponent},
                        {"goals", match.goals},
                        {"goals_against", match.goals_against},
-                       {"decisions", match.decisions},
+                       {"decisions", match.losses.size()},
                        {"against", chances_json(match.chances.against)},
                        {"wasted", chances_json(match.chances.wasted)}});
   }
@@ -235,6 +275,7 @@ Json to_json(const Review& review) {
           {"cycles", review.terms.cycles},
           {"interrupted", review.interrupted},
           {"matches", matches},
+          {"losses", losses_json(review)},
           {"reference", review.reference ? reference_json(*review.reference) : Json()},
           {"decisions", decisions},
           {"kinds", kinds},
@@ -254,6 +295,7 @@ std::string to_text(const Review& review, std::size_t most) {
       classes_text(review, "goals against, by finish", &Chances::against, &Chance::finish, most);
   text += classes_text(review, "chances wasted, by finish (expected goals)", &Chances::wasted,
                        &Chance::finish, most);
+  text += losses_text(review, most);
   if (review.reference) text += reference_text(*review.reference, most);
   if (review.decisions.empty() && review.skipped.empty()) return text;
 

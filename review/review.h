@@ -8,6 +8,7 @@
 
 #include "base/text/json.h"
 #include "review/chances.h"
+#include "review/losses.h"
 #include "review/reference.h"
 #include "review/verdict.h"
 
@@ -22,7 +23,7 @@ struct ReviewedMatch {
   int goals = 0;
   int goals_against = 0;
   Chances chances;
-  std::size_t decisions = 0;  ///< with the ball in live play
+  std::vector<Loss> losses;  ///< of each decision with the ball in live play
 };
 
 /// How the team differs from another one.

@@ -11,6 +11,12 @@ namespace cls::analysis {
 /// Borders of the thirds: -17.5 and +17.5 m.
 constexpr double kThirdBorder = soccer::kPitchLength / 6;
 
+/// The third of the pitch where x is.
+inline const char* third_name(double x) {
+  if (x < -kThirdBorder) return "own third";
+  return x < kThirdBorder ? "middle" : "their third";
+}
+
 /// True inside the opponent's penalty area.
 inline bool in_opponent_box(soccer::Vec2 seen) {
   return seen.x > soccer::kHalfLength - soccer::kPenaltyAreaLength &&

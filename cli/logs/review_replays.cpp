@@ -38,7 +38,7 @@ int Replays::continue_saved() {
 void Replays::add(const LoadedMatch& loaded, analysis::MatchStatistics statistics,
                   soccer::Side side) {
   std::vector<review::Decision> all = review::find_decisions(statistics, side);
-  review_.matches.back().decisions = all.size();
+  review_.matches.back().losses = review::losses_of(statistics, all, side);
   std::erase_if(all, [&](const review::Decision& one) {
     return !review::has_warm_up(statistics.flow, one.frame);
   });

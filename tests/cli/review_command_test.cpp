@@ -49,6 +49,8 @@ TEST_F(ReviewCommand, CountsGoalsAndChancesOfATeam) {
   EXPECT_THAT(loser.out, HasSubstr("HELIOS_R: 1 match, 0.00 : 1.00 goals a match\n"));
   EXPECT_THAT(loser.out, HasSubstr("\ngoals against, by how the ball was lost\n"));
   EXPECT_THAT(loser.out, HasSubstr("match-start.rcg.gz 169\n"));
+  EXPECT_THAT(loser.out,
+              HasSubstr("\nlost from a decision with the ball to the next one (goals a match)\n"));
   EXPECT_THAT(loser.out, Not(HasSubstr("decisions that cost most")));
 
   const CommandResult winner = review({"match-start.rcg.gz"});
@@ -81,6 +83,10 @@ TEST_F(ReviewCommand, PlaysDecisionsAgain) {
 
   const json document = json::parse(first.out);
   EXPECT_EQ(document["schema"], "cls.review/1");
+  std::size_t decisions = 0;
+  for (const json& one : document["losses"]) decisions += one["decisions"].get<std::size_t>();
+  EXPECT_GT(decisions, 0U);
+  EXPECT_EQ(document["matches"][0]["decisions"], decisions);
   EXPECT_EQ(document["seeds"], 4);
   EXPECT_EQ(document["interrupted"], false);
   ASSERT_EQ(document["decisions"].size() + document["skipped"].size(), 2U);
