@@ -12,7 +12,7 @@ namespace cls::analysis {
 namespace {
 
 constexpr auto kClassNames =
-    base::enum_names<SituationClass>("attack", "defense", "set_play", "turnover");
+    base::enum_names<SituationClass>("attack", "defense", "set_play", "turnover", "build_up");
 
 }  // namespace
 

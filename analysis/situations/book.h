@@ -22,8 +22,13 @@ enum class SituationClass : std::uint8_t {
   kDefense,   ///< the opponents have the ball in its third
   kSetPlay,   ///< a team is about to take a free kick, kick-in, corner kick or goal kick
   kTurnover,  ///< a team has just lost the ball
+  kBuildUp,   ///< a team has the ball in its own third or the middle
 };
-inline constexpr std::size_t kSituationClasses = 4;
+inline constexpr std::size_t kSituationClasses = 5;
+
+/// Those of a book if nobody chooses.
+inline constexpr std::array kDefaultClasses = {SituationClass::kAttack, SituationClass::kDefense,
+                                               SituationClass::kSetPlay, SituationClass::kTurnover};
 
 std::string_view name(SituationClass kind);
 std::optional<SituationClass> parse_situation_class(std::string_view text);

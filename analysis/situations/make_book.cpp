@@ -63,7 +63,7 @@ class Moments {
 
     if (side > 0 && x > kThirdBorder) return SituationClass::kAttack;
     if (side < 0 && x < -kThirdBorder) return SituationClass::kDefense;
-    return std::nullopt;
+    return SituationClass::kBuildUp;
   }
 
   /// Index of a team's goalie among its players; -1: it has none.
@@ -172,7 +172,7 @@ std::string BookMaker::add(const MatchRecord& record, std::string name) {
 
   for (std::size_t frame = 0; frame < record.frames(); ++frame) {
     const auto kind = moments.class_at(frame);
-    if (!kind) continue;
+    if (!kind || std::ranges::find(options_.classes, *kind) == options_.classes.end()) continue;
     int& before = last[base::index(*kind)];
     if (record.time[frame] < before + options_.spacing) continue;
     before = record.time[frame];
@@ -195,13 +195,14 @@ std::size_t BookMaker::moments(SituationClass kind) const {
 }
 
 Book BookMaker::make() {
-  std::size_t each = base::index(options_.count) / kSituationClasses;
-  for (const auto& list : found_) each = std::min(each, list.size());
+  std::size_t each = base::index(options_.count) / options_.classes.size();
+  for (const SituationClass kind : options_.classes) each = std::min(each, moments(kind));
   book_.seed = options_.seed;
   book_.warm_up = options_.warm_up;
 
   soccer::RandomStream draw(options_.seed, "book");
   for (auto& list : found_) {
+    if (list.empty()) continue;
     draw.shuffle(std::span<Situation>(list));
 
     // Matches take turns: by the number of the moment within its match.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "analysis/situations/book.h"
 #include "gamelog/record/match_record.h"
@@ -10,7 +11,8 @@
 namespace cls::analysis {
 
 struct BookOptions {
-  int count = 400;   ///< situations of the whole book, in equal parts of each class
+  int count = 400;  ///< situations of the whole book, in equal parts of each class
+  std::vector<SituationClass> classes{kDefaultClasses.begin(), kDefaultClasses.end()};
   int warm_up = 10;  ///< steps before each moment
   int spacing = 50;  ///< minimum cycles between two moments of a class
   std::uint64_t seed = 1;

@@ -30,10 +30,13 @@ namespace {
 using namespace match;
 using base::Json;
 
+constexpr const char* kClassesText = "attack, defense, set_play, turnover or build_up";
+
 struct BookArguments {
   std::vector<std::string> logs;
   std::string book;
   std::string out;
+  std::vector<std::string> classes;
   analysis::BookOptions options;
   int cycles = kFitCycles;
   double ridge = analysis::BookFitter::kDefaultRidge;
@@ -96,6 +99,7 @@ int print_book(const analysis::Book& book, const std::string& file, bool json) {
   std::string classes;
   const Json counts = counts_of(book);
   for (const auto& [kind, count] : counts.items()) {
+    if (count == 0) continue;
     if (!classes.empty()) classes += ", ";
     classes += fmt::format("{} {}", kind, count.get<int>());
   }
@@ -105,9 +109,26 @@ int print_book(const analysis::Book& book, const std::string& file, bool json) {
   return kOk;
 }
 
+// Those of --classes, once each; without it those of every book.
+base::Result<std::vector<analysis::SituationClass>> chosen_classes(const BookArguments& arguments) {
+  if (arguments.classes.empty()) return arguments.options.classes;
+  std::vector<analysis::SituationClass> chosen;
+  for (const std::string& text : arguments.classes) {
+    const auto kind = analysis::parse_situation_class(text);
+    if (!kind) {
+      return base::Error{fmt::format("--classes '{}': must be {}", text, kClassesText)};
+    }
+    if (std::ranges::find(chosen, *kind) == chosen.end()) chosen.push_back(*kind);
+  }
+  return chosen;
+}
+
 int run_book_make(const BookArguments& arguments) {
   TRY_STEP(report_failure(why_not_replaced(arguments.out, arguments.force)));
-  analysis::BookMaker maker(arguments.options);
+  analysis::BookOptions options = arguments.options;
+  TRY_INIT_OR(kUsage, const auto classes, chosen_classes(arguments));
+  options.classes = classes;
+  analysis::BookMaker maker(options);
   const int read = for_each_log(arguments.logs, [&](const auto& record, const std::string& file) {
     const std::filesystem::path path(file);
     const auto folder = path.parent_path().filename();
@@ -115,8 +136,7 @@ int run_book_make(const BookArguments& arguments) {
   });
   if (read != kOk) return read;
 
-  for (std::size_t i = 0; i < analysis::kSituationClasses; ++i) {
-    const auto kind = static_cast<analysis::SituationClass>(i);
+  for (const analysis::SituationClass kind : options.classes) {
     if (maker.moments(kind) > 0) continue;
     return print_error(kBadData, "the matches have no moment of the class {}; add logs",
                        name(kind));
@@ -128,11 +148,11 @@ int run_book_make(const BookArguments& arguments) {
     return true;
   });
   if (failure) return report_failure(failure);
-  const auto wanted = static_cast<std::size_t>(arguments.options.count) /
-                      analysis::kSituationClasses * analysis::kSituationClasses;
+  const std::size_t wanted =
+      static_cast<std::size_t>(options.count) / options.classes.size() * options.classes.size();
   if (book.situations.size() < wanted) {
-    print_error(0, "--count {}: the rarest class has fewer moments; the book has {}",
-                arguments.options.count, base::counted(book.situations.size(), "situation"));
+    print_error(0, "--count {}: the rarest class has fewer moments; the book has {}", options.count,
+                base::counted(book.situations.size(), "situation"));
   }
 
   return print_book(book, arguments.out, arguments.json);
@@ -239,10 +259,11 @@ void add_book_make(Command& book) {
       "\n"
       "  cls book make cup/matches --out moments.book.gz\n"
       "  cls book make a.rcg.gz b.rcg.gz --out small.book --count 80 --seed 7\n"
+      "  cls book make runs --out build-up.book --classes build_up\n"
       "\n"
-      "A situation is the exact world of a moment and the steps before it. The classes\n"
-      "are attack, defense, set_play and turnover, as many of each. The same logs in\n"
-      "the same order, options and seed give the same file (docs/formats/book.md).",
+      "A situation is the exact world of a moment and the steps before it; a book has\n"
+      "as many of each class as of the others. The same logs in the same order, options\n"
+      "and seed give the same file (docs/formats/book.md).",
       run_book_make);
   add_logs_argument(command, arguments);
   command.option("--out FILE", arguments.out, "the book; compressed if it ends in .gz")
@@ -252,6 +273,12 @@ void add_book_make(Command& book) {
   command.setting("--count", arguments.options.count, "situations")
       .range(static_cast<int>(analysis::kSituationClasses),
              static_cast<int>(analysis::kMaxSituations));
+
+  command
+      .option("--classes A,B,...", arguments.classes,
+              fmt::format("{} (default: all but build_up)", kClassesText))
+      .split_at(',')
+      .takes(1);
 
   command.setting("--warm-up", arguments.options.warm_up, "steps before each moment")
       .range(3, analysis::kMaxWarmUp);

@@ -66,7 +66,7 @@ TEST(BookFile, ReadsWhatItWrites) {
   const auto read = parse_book(text);
   ASSERT_TRUE(read.ok()) << read.error().message;
   EXPECT_EQ(written(*read), text);
-  EXPECT_EQ(read->situations.size(), 8);
+  EXPECT_EQ(read->situations.size(), 2 * kSituationClasses);
   EXPECT_EQ(read->logs[1].types.size(), 2);
   const Situation& situation = read->situations[2];
   EXPECT_EQ(situation.kind, SituationClass::kSetPlay);
@@ -111,8 +111,9 @@ TEST(SituationsOfBook, AreThoseOfOneLogAndOfAllClasses) {
   const Book book = small_book(5);
   std::set<int> logs;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const auto drawn = situations_of(book, seed, 4);
-    ASSERT_EQ(drawn.size(), 4);
+    constexpr int kDrawn = kSituationClasses;
+    const auto drawn = situations_of(book, seed, kDrawn);
+    ASSERT_EQ(drawn.size(), kDrawn);
 
     std::set<SituationClass> kinds;
     for (const Situation* one : drawn) {
@@ -123,7 +124,7 @@ TEST(SituationsOfBook, AreThoseOfOneLogAndOfAllClasses) {
     EXPECT_EQ(kinds.size(), kSituationClasses);
 
     logs.insert(drawn.front()->log);
-    EXPECT_EQ(situations_of(book, seed, 4), drawn);
+    EXPECT_EQ(situations_of(book, seed, kDrawn), drawn);
   }
 
   EXPECT_EQ(logs.size(), 2);
@@ -133,12 +134,12 @@ TEST(SituationsOfBook, AreDistinctAndLimitedToThoseOfTheLog) {
   const Book book = small_book(2);
   const auto drawn = situations_of(book, 3, 100);
   EXPECT_EQ(std::set<const Situation*>(drawn.begin(), drawn.end()).size(), drawn.size());
-  EXPECT_EQ(drawn.size(), 8);
+  EXPECT_EQ(drawn.size(), 2 * kSituationClasses);
 }
 
-// A match in which the ball is kicked about: by number 9 of the side that has it, 35 m from the
-// middle, for 100 cycles each.
-gamelog::MatchRecord ping_pong(int cycles) {
+// A match in which the ball is kicked about: by number 9 of the side that has it, `x` meters from
+// the middle, for 100 cycles each.
+gamelog::MatchRecord ping_pong(int cycles, double x = 35.0) {
   gamelog::MatchRecord record;
   record.types.resize(1);
   gamelog::RecordBuilder builder(record);
@@ -160,7 +161,7 @@ gamelog::MatchRecord ping_pong(int cycles) {
     frame.time = time;
     const bool left = time / 100 % 2 == 0;
     const std::size_t kicker = left ? 8 : 19;
-    frame.ball_position = {left ? 35.0 : -35.0, 0.5 * (time % 2)};
+    frame.ball_position = {left ? x : -x, 0.5 * (time % 2)};
     for (const std::size_t slot : {8U, 19U}) frame.players[slot].state &= ~gamelog::kStateKick;
     gamelog::PlayerFrame& player = frame.players[kicker];
     player.state |= gamelog::kStateKick;
@@ -199,6 +200,19 @@ TEST(BookMaker, FindsMomentsOfEachClassAndBalancesThem) {
   EXPECT_GE(counts.size(), 3);
 
   for (const auto& [kind, count] : counts) EXPECT_EQ(count, counts.begin()->second) << name(kind);
+}
+
+TEST(BookMaker, TakesTheClassesThatAreChosen) {
+  BookMaker maker({.count = 6, .classes = {SituationClass::kBuildUp}, .warm_up = 5});
+  ASSERT_EQ(maker.add(ping_pong(2000, 10.0), "a.rcg"), "");
+  EXPECT_EQ(maker.moments(SituationClass::kTurnover), 0);
+
+  const Book book = maker.make();
+  EXPECT_EQ(book.situations.size(), 6);
+  for (const Situation& one : book.situations) {
+    EXPECT_EQ(one.kind, SituationClass::kBuildUp);
+    EXPECT_EQ(one.mode, soccer::PlayMode::kPlayOn);
+  }
 }
 
 TEST(BookMaker, GivesTheSameBytesForTheSameSeed) {
