@@ -35,8 +35,8 @@ struct Decision {
 /// The cycles after a decision in which its consequences are looked for.
 inline constexpr int kDecisionHorizon = 50;
 
-/// What a frame is worth to a side at the first of: kDecisionHorizon cycles later, the frame `last`,
-/// a goal (1 or -1).
+/// What a frame is worth to a side at the first of: kDecisionHorizon cycles later, the frame
+/// `last`, a goal (1 or -1).
 double value_after(const analysis::Flow& flow, std::size_t frame, std::size_t last,
                    soccer::Side side);
 
