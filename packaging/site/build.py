@@ -36,7 +36,7 @@ except ImportError:
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 NAVIGATION = [
-    {"Start": [{"Overview": "README.md"}, "docs/install.md", "docs/tutorial.md", "docs/playmaker-guide.md", "docs/cookbook.md", "docs/cookbook-csharp.md", "docs/cookbook-javascript.md", "docs/migrating.md", "docs/troubleshooting.md"]},
+    {"Start": [{"Overview": "README.md"}, "docs/install.md", "docs/tutorial.md", "docs/tutorial-2.md", "docs/playmaker-guide.md", "docs/cookbook.md", "docs/cookbook-csharp.md", "docs/cookbook-javascript.md", "docs/migrating.md", "docs/troubleshooting.md"]},
     {"Play": ["docs/matches.md", "docs/watching.md", "docs/reports.md", "docs/review.md", "docs/testing.md", "docs/tournaments.md", "docs/league.md", "docs/tuning.md", "docs/training.md",
               "docs/playground.md", "docs/checks.md", "docs/doctor.md", "docs/cli.md"]},
     {"Interface": ["docs/wire.md", "docs/actions.md", "docs/world-model.md", "docs/formations.md", "docs/mock.md", "docs/strength.md", "docs/reference"]},

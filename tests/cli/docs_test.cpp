@@ -190,7 +190,7 @@ std::string help_of(const std::vector<std::string>& words) {
   static std::map<std::string, std::string> known;
   std::vector<std::string> command = {cls_binary(), words[1]};
   const bool nested = words[1] == "check" || words[1] == "tournament" || words[1] == "tune" ||
-                      words[1] == "dataset";
+                      words[1] == "dataset" || words[1] == "book";
   if (nested && words.size() > 2) command.push_back(words[2]);
   command.push_back("--help");
   const std::string key = joined(command);

@@ -1,5 +1,6 @@
 // The example team in every language whose tools are on the host: the same replies to recorded
 // States, the same match with either service, and a project of `cls new` that passes its tests.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -23,6 +24,7 @@ namespace cls::tests {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::HasSubstr;
 using Words = std::vector<std::string>;
 constexpr std::chrono::seconds kLong{1500};
 
@@ -85,12 +87,28 @@ class Languages : public testing::TestWithParam<Language> {
     return read_file(dir / "match.rcg");
   }
 
-  // The minimal project of `cls new`.
-  fs::path new_project() const {
+  fs::path new_project(const std::string& name, const std::string& team_template) const {
     const CommandResult written = run_in(
-        folder_.path(), {cls_binary(), "new", GetParam().name, "ada", "--template", "minimal"});
+        folder_.path(), {cls_binary(), "new", GetParam().name, name, "--template", team_template});
     EXPECT_EQ(written.exit_code, 0) << written.err;
-    return folder_.path() / "ada";
+    return folder_.path() / name;
+  }
+
+  // The goals of the left and the right side in a match that is played in a project, after a build.
+  std::pair<int, int> goals(const fs::path& project, const Words& match) const {
+    build(project);
+    Words command = {cls_binary(), "match", "--json"};
+    command.insert(command.end(), match.begin(), match.end());
+    const CommandResult played = run_in(project, command, environment());
+    EXPECT_EQ(played.exit_code, 0) << played.err;
+    const auto result = base::Json::parse_or_discarded(played.out);
+    return {result["left"]["score"].get<int>(), result["right"]["score"].get<int>()};
+  }
+
+  // Runs a command of a page as its reader does.
+  static CommandResult follow(const fs::path& project, const std::string& command) {
+    const std::string path = cls_binary().parent_path().string() + ":" + std::getenv("PATH");
+    return run_in(project, {"sh", "-c", command}, {"PATH=" + path});
   }
 
   TemporaryFolder folder_;
@@ -161,68 +179,81 @@ TEST(LanguagesOfPip, PythonRepliesToRecordedStates) {
   EXPECT_EQ(tested.exit_code, 0) << tested.out << tested.err;
 }
 
-// The lines below `<!-- change: LANGUAGE FILE -->` in docs/tutorial.md, and the file.
-std::pair<std::string, std::vector<std::string>> change_of_tutorial(const std::string& language) {
-  std::istringstream page(read_file(source_folder() / "docs/tutorial.md"));
+constexpr const char* kFirstChapter = "docs/tutorial.md";
+constexpr const char* kSecondChapter = "docs/tutorial-2.md";
+
+// The lines below `<!-- change: LANGUAGE FILE -->` in a page, and the file.
+std::pair<std::string, std::vector<std::string>> change_of(const std::string& page,
+                                                           const std::string& language) {
+  std::istringstream text(read_file(source_folder() / page));
   const std::string mark = "<!-- change: " + language + " ";
   std::pair<std::string, std::vector<std::string>> change;
-  for (std::string line; std::getline(page, line);) {
+  for (std::string line; std::getline(text, line);) {
     if (!line.starts_with(mark)) continue;
 
     change.first = line.substr(mark.size(), line.size() - mark.size() - 4);
-    std::getline(page, line);  // ```LANGUAGE
-    while (std::getline(page, line) && line != "```") change.second.push_back(line);
+    std::getline(text, line);  // ```LANGUAGE
+    while (std::getline(text, line) && line != "```") change.second.push_back(line);
   }
   return change;
 }
 
-// Replaces the line of the kick.
-void replace_kick(const std::vector<std::string>& change, const fs::path& file) {
+// Puts the change in the place of the one line that `replaces` it; returns how many there are.
+template <typename Replaces>
+int replace_line(const std::vector<std::string>& change, const fs::path& file, Replaces replaces) {
   std::vector<std::string> lines;
+  int found = 0;
   std::istringstream text(read_file(file));
   for (std::string line; std::getline(text, line);) {
     lines.push_back(line);
-    const bool kicks = line.find("smart_kick(") != std::string::npos ||
-                       line.find("smartKick(") != std::string::npos ||
-                       line.find("SmartKick(") != std::string::npos;
-    if (!kicks) continue;
+    if (!replaces(line)) continue;
+    ++found;
     lines.pop_back();
     lines.insert(lines.end(), change.begin(), change.end());
   }
   std::ofstream out(file);
   for (const std::string& line : lines) out << line << "\n";
+  return found;
+}
+
+// Replaces the line of the kick.
+void replace_kick(const std::vector<std::string>& change, const fs::path& file) {
+  const int found = replace_line(change, file, [](const std::string& line) {
+    return line.find("smart_kick(") != std::string::npos ||
+           line.find("smartKick(") != std::string::npos ||
+           line.find("SmartKick(") != std::string::npos;
+  });
+  EXPECT_EQ(found, 1) << file;
+}
+
+// Adds lines below the first line of the change, which is in the file.
+void add_lines(const std::vector<std::string>& change, const fs::path& file) {
+  ASSERT_GT(change.size(), 1U);
+  const int found =
+      replace_line(change, file, [&](const std::string& line) { return line == change.front(); });
+  EXPECT_EQ(found, 1) << file;
 }
 
 TEST_P(Languages, FirstChangeOfTheTutorialWins) {
   if (GetParam().name != "python" && !is_long_form()) {
     GTEST_SKIP() << GetParam().name << ": builds and plays twice: make languages";
   }
-  const auto [file, change] = change_of_tutorial(GetParam().name);
+  const auto [file, change] = change_of(kFirstChapter, GetParam().name);
   ASSERT_FALSE(change.empty());
 
-  const fs::path project = new_project();
-  const auto goals = [&](const std::string& dir) {
-    build(project);
-    const CommandResult played = run_in(project,
-                                        {cls_binary(), "match", "ada", "mock", "--cycles", "1500",
-                                         "--seed", "4", "--dir", dir, "--json"},
-                                        environment());
-    EXPECT_EQ(played.exit_code, 0) << played.err;
-    const auto result = base::Json::parse_or_discarded(played.out);
-    return std::pair(result["left"]["score"].get<int>(), result["right"]["score"].get<int>());
-  };
-
-  EXPECT_EQ(goals("first"), std::pair(0, 0));
+  const fs::path project = new_project("ada", "minimal");
+  const Words match = {"ada", "mock", "--cycles", "1500", "--seed", "4", "--dir"};
+  EXPECT_EQ(goals(project, joined(match, {"first"})), std::pair(0, 0));
   replace_kick(change, project / file);
-  EXPECT_EQ(goals("second"), std::pair(2, 0));
+  EXPECT_EQ(goals(project, joined(match, {"second"})), std::pair(2, 0));
 
   const CommandResult tested = run_in(project, {cls_binary(), "test", "tests/"}, environment());
   EXPECT_EQ(tested.exit_code, 0) << tested.out;
 }
 
-// The shell commands below a heading of the tutorial.
-std::vector<std::string> commands_of_tutorial(const std::string& heading) {
-  std::istringstream page(read_file(source_folder() / "docs/tutorial.md"));
+// The shell commands below a heading of a page.
+std::vector<std::string> commands_of(const std::string& name, const std::string& heading) {
+  std::istringstream page(read_file(source_folder() / name));
   std::vector<std::string> commands;
   bool below = false;
   bool shell = false;
@@ -240,29 +271,79 @@ std::vector<std::string> commands_of_tutorial(const std::string& heading) {
 // The page as a reader follows it, each command twice: what it calls better is better.
 TEST_P(Languages, TutorialEndsWithItsVerdict) {
   if (!is_long_form()) GTEST_SKIP() << "plays up to 40 half matches: make languages";
-  const fs::path project = new_project();
+  const fs::path project = new_project("ada", "minimal");
   build(project);
-  const auto follow = [&](const std::string& command) {
-    const std::string path = cls_binary().parent_path().string() + ":" + std::getenv("PATH");
-    return run_in(project, {"sh", "-c", command}, {"PATH=" + path});
-  };
 
-  const std::vector<std::string> keep = commands_of_tutorial("The first change that wins");
+  const Words keep = commands_of(kFirstChapter, "The first change that wins");
   ASSERT_EQ(keep.size(), 2U);
   for (const std::string& command : {keep[0], keep[0], keep[1], keep[1]}) {
-    const CommandResult result = follow(command);
+    const CommandResult result = follow(project, command);
     EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.out << result.err;
   }
 
-  const auto [file, change] = change_of_tutorial(GetParam().name);
+  const auto [file, change] = change_of(kFirstChapter, GetParam().name);
   replace_kick(change, project / file);
   EXPECT_NE(read_file(project / file), read_file(folder_.path() / "old" / file));
   EXPECT_FALSE(fs::exists(folder_.path() / "old/runs"));
 
-  const std::vector<std::string> compare = commands_of_tutorial("Is it better?");
+  const Words compare = commands_of(kFirstChapter, "Is it better?");
   ASSERT_EQ(compare.size(), 1U);
-  const CommandResult verdict = follow(compare[0]);
+  const CommandResult verdict = follow(project, compare[0]);
   EXPECT_EQ(verdict.exit_code, 0) << verdict.out << verdict.err;
+}
+
+// What the page of the second chapter says of one half match: without its change, and with it.
+TEST_P(Languages, SecondChapterConcedesLess) {
+  if (GetParam().name != "python" && !is_long_form()) {
+    GTEST_SKIP() << GetParam().name << ": builds and plays twice: make languages";
+  }
+  const auto [file, change] = change_of(kSecondChapter, GetParam().name);
+
+  const fs::path project = new_project("grace", "team");
+  const Words match = {"grace", "mock:planner", "--cycles", "3000", "--seed", "1", "--dir"};
+  EXPECT_EQ(goals(project, joined(match, {"games/1"})), std::pair(0, 3));
+  add_lines(change, project / file);
+  EXPECT_EQ(goals(project, joined(match, {"after/1"})), std::pair(0, 1));
+}
+
+// The output that a page shows below a heading.
+std::string shown_output(const std::string& name, const std::string& heading) {
+  const std::string page = read_file(source_folder() / name);
+  const std::size_t begin = page.find("\n```\n", page.find("\n## " + heading + "\n")) + 5;
+  return page.substr(begin, page.find("```\n", begin) - begin);
+}
+
+// The page as a reader follows it from its first match on.
+TEST_P(Languages, SecondChapterIsWhatItsReaderSees) {
+  if (!is_long_form()) GTEST_SKIP() << "plays for minutes: make languages";
+  const fs::path project = new_project("grace", "team");
+  build(project);
+  const auto output_below = [&](const std::string& heading, const std::string& begin) {
+    std::string out;
+    for (const std::string& command : commands_of(kSecondChapter, heading)) {
+      if (!command.starts_with(begin)) continue;
+      const CommandResult result = follow(project, command);
+      EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.out << result.err;
+      out += result.out;
+    }
+    return out;
+  };
+
+  const auto shows = [&](const std::string& heading) {
+    EXPECT_THAT(output_below(heading, "cls review"),
+                HasSubstr(shown_output(kSecondChapter, heading)));
+  };
+  output_below("A team with rules of its own", "for seed");
+  shows("Where does it lose?");
+  shows("What would have been better?");
+
+  output_below("The change", "[ -e");
+  const auto [file, change] = change_of(kSecondChapter, GetParam().name);
+  add_lines(change, project / file);
+  output_below("Is it mended?", "for seed");
+  shows("Is it mended?");
+  output_below("A verdict", "cls book");
+  output_below("A verdict", "cls compare");
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, Languages, testing::ValuesIn(languages()),
