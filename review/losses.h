@@ -34,8 +34,8 @@ struct LossClass {
   Place worst;     ///< where most was lost
 };
 
-/// By goals, highest first; `losses` by match. Each loss ends where the next begins, so they do not
-/// depend on each other and their variances add up.
+/// By goals, highest first; `losses` by match. Each loss ends where the next begins at the latest,
+/// so the interval takes them as independent: their variances add up.
 std::vector<LossClass> classes_of(const std::vector<std::vector<Loss>>& losses);
 
 }  // namespace cls::review
