@@ -10,6 +10,7 @@
 #include "analysis/situations/book_file.h"
 #include "analysis/situations/book_fit.h"
 #include "analysis/situations/make_book.h"
+#include "base/index.h"
 #include "base/text/counted.h"
 #include "base/text/json.h"
 #include "cli/logs/counted_logs.h"
@@ -29,8 +30,6 @@ namespace {
 
 using namespace match;
 using base::Json;
-
-constexpr const char* kClassesText = "attack, defense, set_play, turnover or build_up";
 
 struct BookArguments {
   std::vector<std::string> logs;
@@ -109,6 +108,16 @@ int print_book(const analysis::Book& book, const std::string& file, bool json) {
   return kOk;
 }
 
+// "attack, defense, ..."
+std::string all_classes() {
+  std::string names;
+  for (std::size_t i = 0; i < analysis::kSituationClasses; ++i) {
+    if (i > 0) names += ", ";
+    names += name(static_cast<analysis::SituationClass>(i));
+  }
+  return names;
+}
+
 // Those of --classes, once each; without it those of every book.
 base::Result<std::vector<analysis::SituationClass>> chosen_classes(const BookArguments& arguments) {
   if (arguments.classes.empty()) return arguments.options.classes;
@@ -116,9 +125,15 @@ base::Result<std::vector<analysis::SituationClass>> chosen_classes(const BookArg
   for (const std::string& text : arguments.classes) {
     const auto kind = analysis::parse_situation_class(text);
     if (!kind) {
-      return base::Error{fmt::format("--classes '{}': must be {}", text, kClassesText)};
+      return base::Error{fmt::format("--classes '{}': must be one of {}", text, all_classes())};
     }
     if (std::ranges::find(chosen, *kind) == chosen.end()) chosen.push_back(*kind);
+  }
+
+  const int count = arguments.options.count;
+  if (base::index(count) < chosen.size()) {
+    return base::Error{fmt::format("--count {}: less than one situation of each of {} classes",
+                                   count, chosen.size())};
   }
   return chosen;
 }
@@ -271,12 +286,12 @@ void add_book_make(Command& book) {
       .required();
 
   command.setting("--count", arguments.options.count, "situations")
-      .range(static_cast<int>(analysis::kSituationClasses),
+      .range(static_cast<int>(analysis::kDefaultClasses.size()),
              static_cast<int>(analysis::kMaxSituations));
 
   command
       .option("--classes A,B,...", arguments.classes,
-              fmt::format("{} (default: all but build_up)", kClassesText))
+              fmt::format("of {} (default: all but build_up)", all_classes()))
       .split_at(',')
       .takes(1);
 

@@ -39,8 +39,11 @@ TEST_F(BookCommand, TakesTheClassesThatAreChosen) {
   const CommandResult shown = cls({"book", "show", "one.book"});
   EXPECT_THAT(shown.out, HasSubstr("(build_up "));
   EXPECT_THAT(cls({"book", "make", "m", "--classes", "attack,rest", "--out", "two.book"}),
-              Exits(2, HasSubstr("--classes 'rest': must be attack, defense, set_play, turnover or "
-                                 "build_up\n")));
+              Exits(2, HasSubstr("--classes 'rest': must be one of attack, defense, set_play, "
+                                 "turnover, build_up\n")));
+  EXPECT_THAT(cls({"book", "make", "m", "--classes", "attack,defense,set_play,turnover,build_up",
+                   "--count", "4", "--out", "two.book"}),
+              Exits(2, HasSubstr("--count 4: less than one situation of each of 5 classes\n")));
 }
 
 }  // namespace
