@@ -306,11 +306,25 @@ TEST_P(Languages, SecondChapterConcedesLess) {
   EXPECT_EQ(goals(project, joined(match, {"after/1"})), std::pair(0, 1));
 }
 
-// The output that a page shows below a heading.
+// The output that a page shows below a heading: the first block there without a language.
 std::string shown_output(const std::string& name, const std::string& heading) {
-  const std::string page = read_file(source_folder() / name);
-  const std::size_t begin = page.find("\n```\n", page.find("\n## " + heading + "\n")) + 5;
-  return page.substr(begin, page.find("```\n", begin) - begin);
+  std::istringstream page(read_file(source_folder() / name));
+  std::string output;
+  bool below = false;
+  enum { kText, kCode, kOutput } inside = kText;
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with("## ")) below = line == "## " + heading;
+    if (!below) continue;
+
+    if (line == "```" && inside == kOutput) return output;
+    if (inside == kOutput) output += line + "\n";
+    if (line == "```") {
+      inside = inside == kText ? kOutput : kText;
+    } else if (line.starts_with("```")) {
+      inside = kCode;
+    }
+  }
+  return "no output below " + heading;
 }
 
 // The page as a reader follows it from its first match on.
