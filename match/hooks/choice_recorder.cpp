@@ -101,9 +101,7 @@ std::string ChoicesOfSide::close() {
   std::ranges::stable_sort(choices_, {}, [](const RecordedChoice& choice) {
     return std::tuple(choice.cycle, choice.unum);
   });
-  const std::size_t features =
-      training::kTeamFeatures.columns(soccer::kPlayersPerTeam - 1, soccer::kPlayersPerTeam).size();
-  const auto written = base::write_file(file_, npy_text(choices_, features));
+  const auto written = base::write_file(file_, npy_text(choices_, features_.count()));
   return written ? std::string() : written.error().message;
 }
 

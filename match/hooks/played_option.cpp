@@ -7,6 +7,7 @@
 #include "player/options/played_options.h"
 #include "player/world/motion.h"
 #include "proxy/actions/action_handlers.h"
+#include "proxy/messages/state_message.h"
 #include "soccer/geometry.h"
 
 namespace cls::match {
@@ -14,8 +15,6 @@ namespace {
 
 using protos::PlayerAction;
 using soccer::Vec2;
-
-Vec2 point(const protos::RpcVector2D& wire) { return {wire.x(), wire.y()}; }
 
 /// The main action of the list that was executed; null: none.
 const PlayerAction* executed_action(const proxy::Decision& decision) {
@@ -38,7 +37,7 @@ Vec2 target_of(const player::WorldModel& world, const protos::Kick& kick) {
   const double rate = player::kick_rate(world, relative, world.self.body);
   const double direction = world.self.body.degrees() + kick.relative_direction();
   const Vec2 velocity = world.ball.velocity + soccer::polar_degrees(kick.power() * rate, direction);
-  return world.ball.position + velocity / (1.0 - world.server().ball_decay);
+  return player::rest_point(world.ball.position, velocity, world.server().ball_decay);
 }
 
 int option_of_plan(const player::WorldModel& world, const player::OptionTable& table,
@@ -58,11 +57,11 @@ int option_of_action(const PlayerAction& action, const player::WorldModel& world
     case PlayerAction::kKick:
       return option_of_kick(world, table, target_of(world, action.kick()));
     case PlayerAction::kBodySmartKick:
-      return option_of_kick(world, table, point(action.body_smart_kick().target_point()));
+      return option_of_kick(world, table, proxy::vec(action.body_smart_kick().target_point()));
     case PlayerAction::kBodyKickOneStep:
-      return option_of_kick(world, table, point(action.body_kick_one_step().target_point()));
+      return option_of_kick(world, table, proxy::vec(action.body_kick_one_step().target_point()));
     case PlayerAction::kBodyDribble:
-      return option_of_dribble(world, table, point(action.body_dribble().target_point()));
+      return option_of_dribble(world, table, proxy::vec(action.body_dribble().target_point()));
     case PlayerAction::kBodyAdvanceBall:
     case PlayerAction::kBodyClearBall:
     case PlayerAction::kBhvDoForceKick:

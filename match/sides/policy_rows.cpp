@@ -48,21 +48,8 @@ auto find_versioned(const Sets& sets, std::string_view name) {
   return found == sets.end() ? nullptr : *found;
 }
 
-std::vector<int> all_slots(soccer::Side side) {
-  std::vector<int> slots;
-  for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
-    slots.push_back(soccer::slot_of(side, unum));
-  }
-  return slots;
-}
-
 class PolicyRows : public proxy::TensorCodec {
  public:
-  PolicyRows() {
-    everybody_.left = all_slots(soccer::Side::kLeft);
-    everybody_.right = all_slots(soccer::Side::kRight);
-  }
-
   std::shared_ptr<proxy::TensorCodec> clone() const override {
     return std::make_shared<PolicyRows>(*this);
   }
@@ -168,7 +155,7 @@ class PolicyRows : public proxy::TensorCodec {
     return scene_.player(training::seat_of(soccer::side_of_slot(self), slot));
   }
 
-  Cast everybody_;
+  Cast everybody_ = training::everybody();
   Cast cast_;  // of the current row
   training::Scene scene_;
   const training::FeatureSet* features_ = nullptr;

@@ -6,26 +6,14 @@
 
 #include <cstdlib>
 
-#include "gamelog/rcg/rcg_reader.h"
-#include "tests/support/files.h"
+#include "tests/review/recorded_start.h"
 
 namespace cls::review {
 namespace {
 
 using soccer::Side;
 
-class Decisions : public testing::Test {
- protected:
-  Decisions() {
-    auto read = gamelog::read_rcg_file(tests::fixture("gamelog/match-start.rcg.gz").string());
-    EXPECT_TRUE(read);
-    record_ = *std::move(read);
-    statistics_ = analysis::compute_statistics(record_, nullptr);
-  }
-
-  gamelog::MatchRecord record_;
-  analysis::MatchStatistics statistics_;
-};
+using Decisions = RecordedStart;
 
 TEST_F(Decisions, AreOfOneSideAndInOrder) {
   for (const Side side : soccer::kBothSides) {

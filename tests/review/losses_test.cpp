@@ -7,8 +7,7 @@
 #include <cmath>
 
 #include "base/confidence.h"
-#include "gamelog/rcg/rcg_reader.h"
-#include "tests/support/files.h"
+#include "tests/review/recorded_start.h"
 
 namespace cls::review {
 namespace {
@@ -16,18 +15,7 @@ namespace {
 using soccer::Side;
 using testing::HasSubstr;
 
-class Losses : public testing::Test {
- protected:
-  Losses() {
-    auto read = gamelog::read_rcg_file(tests::fixture("gamelog/match-start.rcg.gz").string());
-    EXPECT_TRUE(read);
-    record_ = *std::move(read);
-    statistics_ = analysis::compute_statistics(record_, nullptr);
-  }
-
-  gamelog::MatchRecord record_;
-  analysis::MatchStatistics statistics_;
-};
+using Losses = RecordedStart;
 
 // Between two decisions less than the horizon apart, without a goal, one loss ends where the next
 // begins: their sum is what the value of the moment lost.

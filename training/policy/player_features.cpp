@@ -5,21 +5,8 @@
 #include "training/scene/estimated_scene.h"
 
 namespace cls::training {
-namespace {
-
-std::vector<int> slots_of(Side side) {
-  std::vector<int> slots;
-  for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
-    slots.push_back(soccer::slot_of(side, unum));
-  }
-  return slots;
-}
-
-}  // namespace
 
 PlayerFeatures::PlayerFeatures(const FeatureSet& set) : set_(&set) {
-  everybody_.left = slots_of(Side::kLeft);
-  everybody_.right = slots_of(Side::kRight);
   numbers_.resize(set.columns(soccer::kPlayersPerTeam - 1, soccer::kPlayersPerTeam).size());
 }
 

@@ -1,6 +1,7 @@
 // What a player of a match observes, as the numbers that policies were trained with.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "player/options/options.h"
@@ -17,10 +18,11 @@ class PlayerFeatures {
   /// Of a completed world model and what its player may choose. Valid until the next call. Does not
   /// allocate.
   const std::vector<float>& of(const player::WorldModel& world, const player::OptionTable& table);
+  std::size_t count() const { return numbers_.size(); }
 
  private:
   const FeatureSet* set_;
-  Cast everybody_;
+  Cast everybody_ = everybody();
   Scene scene_;
   std::vector<float> numbers_;
 };

@@ -27,6 +27,16 @@ struct Cast {
   const std::vector<int>& others(Side side) const { return side == Side::kRight ? left : right; }
 };
 
+/// Eleven players a side and no agents, as in matches.
+inline Cast everybody() {
+  Cast cast;
+  for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
+    cast.left.push_back(soccer::slot_of(Side::kLeft, unum));
+    cast.right.push_back(soccer::slot_of(Side::kRight, unum));
+  }
+  return cast;
+}
+
 /// Part of the pitch, in the coordinates of a team, to which HFO's features and targets are scaled.
 struct Stage {
   double left = 0.0;
