@@ -166,7 +166,9 @@ int run_book_make(const BookArguments& arguments) {
   const std::size_t wanted =
       static_cast<std::size_t>(options.count) / options.classes.size() * options.classes.size();
   if (book.situations.size() < wanted) {
-    print_error(0, "--count {}: the rarest class has fewer moments; the book has {}", options.count,
+    const bool single = options.classes.size() == 1;
+    print_error(0, "--count {}: {} fewer moments; the book has {}", options.count,
+                single ? "there are" : "the rarest class has",
                 base::counted(book.situations.size(), "situation"));
   }
 

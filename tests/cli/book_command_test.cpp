@@ -35,6 +35,7 @@ TEST_F(BookCommand, TakesTheClassesThatAreChosen) {
   const json summary = json::parse(made.out);
   EXPECT_GT(summary["situations"], 0);
   EXPECT_EQ(summary["classes"]["build_up"], summary["situations"]);
+  EXPECT_THAT(made.err, HasSubstr("--count 400: there are fewer moments; the book has "));
 
   const CommandResult shown = cls({"book", "show", "one.book"});
   EXPECT_THAT(shown.out, HasSubstr("(build_up "));
