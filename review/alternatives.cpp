@@ -79,6 +79,11 @@ Alternative skill(AlternativeKind kind, std::string name, soccer::Vec2 target) {
   return result;
 }
 
+soccer::Vec2 shot_target(const player::WorldModel& world) {
+  const player::Gap gap = player::widest_gap(world);
+  return gap.degrees > 0.0 ? gap.target : player::kOpponentGoal;
+}
+
 void execute(const Alternative& alternative, ActionContext& context) {
   switch (alternative.kind) {
     case AlternativeKind::kPlanned:
@@ -92,8 +97,9 @@ void execute(const Alternative& alternative, ActionContext& context) {
       return;
     case AlternativeKind::kShoot: {
       const double speed = context.world.server().ball_speed_max;
-      context.neck = {player::NeckPlan::Kind::kPoint, player::kOpponentGoal};
-      smart_kick(context.world, context.slots, player::kOpponentGoal, speed, 0.9 * speed, kKicks);
+      const soccer::Vec2 target = shot_target(context.world);
+      context.neck = {player::NeckPlan::Kind::kPoint, target};
+      smart_kick(context.world, context.slots, target, speed, 0.9 * speed, kKicks);
       return;
     }
   }
@@ -116,7 +122,7 @@ std::vector<Alternative> alternatives_of(const training::MatchPlayer& player, st
   skills.push_back(skill(AlternativeKind::kClear, "clear", world.ball.position));
   skills.front().planned = plan.first_of(plan.best) == 0;
   if (distance(world.ball.position, player::kOpponentGoal) < kShotRange) {
-    skills.push_back(skill(AlternativeKind::kShoot, "shot", player::kOpponentGoal));
+    skills.push_back(skill(AlternativeKind::kShoot, "shot", shot_target(world)));
   }
 
   std::vector<Alternative> all;

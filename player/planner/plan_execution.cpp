@@ -91,29 +91,6 @@ bool shoot_hard(ActionContext& c) {
          kick_one_step(c.world, c.slots, kOpponentGoal, max, true);
 }
 
-/// Widest gap between the posts as seen from the ball: the target by its free angle in degrees.
-Highest<Vec2> widest_gap(const WorldModel& world) {
-  constexpr int kTargets = 13;
-  const double half = world.server().goal_width / 2.0 - 0.7;
-  Highest<Vec2> best{0.0};
-
-  for (int i = 0; i < kTargets; ++i) {
-    const Vec2 target{soccer::kHalfLength, half * (2.0 * i / (kTargets - 1) - 1.0)};
-    const Vec2 way = target - world.ball.position;
-    const AngleDeg direction = AngleDeg::of(way);
-
-    double gap = 90.0;
-    for (const PlayerState& opponent : world.opponents) {
-      if (opponent.pos_count > 10 || opponent.dist_from_ball > way.length()) continue;
-      const double width = math::to_degrees(
-          math::atan2(opponent.goalie ? 1.2 : 0.8, std::max(0.3, opponent.dist_from_ball)));
-      gap = std::min(gap, (opponent.angle_from_ball - direction).abs() - width);
-    }
-    best.offer(gap, target);
-  }
-  return best;
-}
-
 bool opponent_is_at_ball(const WorldModel& world) {
   return world.intercept.first_opponent_steps <= 2;
 }
@@ -163,12 +140,34 @@ bool hold(ActionContext& c) {
 
 }  // namespace
 
+Gap widest_gap(const WorldModel& world) {
+  constexpr int kTargets = 13;
+  const double half = world.server().goal_width / 2.0 - 0.7;
+  Highest<Vec2> best{0.0};
+
+  for (int i = 0; i < kTargets; ++i) {
+    const Vec2 target{soccer::kHalfLength, half * (2.0 * i / (kTargets - 1) - 1.0)};
+    const Vec2 way = target - world.ball.position;
+    const AngleDeg direction = AngleDeg::of(way);
+
+    double gap = 90.0;
+    for (const PlayerState& opponent : world.opponents) {
+      if (opponent.pos_count > 10 || opponent.dist_from_ball > way.length()) continue;
+      const double width = math::to_degrees(
+          math::atan2(opponent.goalie ? 1.2 : 0.8, std::max(0.3, opponent.dist_from_ball)));
+      gap = std::min(gap, (opponent.angle_from_ball - direction).abs() - width);
+    }
+    best.offer(gap, target);
+  }
+  return {best.score, best.value};
+}
+
 std::optional<Gap> gap_in_range(const WorldModel& world) {
   if (distance(world.ball.position, kOpponentGoal) > world.planner->late_shot_range) {
     return std::nullopt;
   }
-  const auto [degrees, target] = widest_gap(world);
-  return degrees > 0.0 ? std::optional(Gap{degrees, target}) : std::nullopt;
+  const Gap gap = widest_gap(world);
+  return gap.degrees > 0.0 ? std::optional(gap) : std::nullopt;
 }
 
 bool shoot_into_gap(ActionContext& c) {

@@ -32,7 +32,9 @@ struct Gap {
   double degrees = 0.0;  ///< free angle around the target
   Vec2 target;
 };
-/// The widest gap between the posts; empty if there is none, or the goal is too far.
+/// The widest gap between the posts as seen from the ball; of 0 degrees if there is none.
+Gap widest_gap(const WorldModel& world);
+/// The same; empty if there is none, or the goal is too far.
 std::optional<Gap> gap_in_range(const WorldModel& world);
 
 // The ways of holding the ball, which hold_kind() chooses among. False without effect if a way is

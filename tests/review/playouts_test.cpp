@@ -4,10 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <vector>
 
+#include "base/index.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "gamelog/rcl/rcl_reader.h"
+#include "review/alternatives.h"
 #include "review/moment.h"
 #include "tests/support/error_of.h"
 #include "tests/support/files.h"
@@ -80,6 +84,33 @@ TEST_F(Playouts, HaveTheAlternativesThatThePlannerSees) {
   EXPECT_THAT(texts, testing::IsSupersetOf({"hold", "clear"}));
   EXPECT_THAT(texts, testing::Contains(testing::StartsWith("pass to ")));
   EXPECT_EQ(planned, 1);
+}
+
+// Between the post and the goalie, where nobody else is in the way.
+TEST_F(Playouts, ShootBesideTheGoalie) {
+  const Decision shot = at(166);
+  training::Start start = start_at(statistics_.flow, shot.frame);
+  for (training::StartFrame& frame : start.frames) {
+    frame.ball = {42.0, 0.0};
+    frame.ball_velocity = {};
+    training::StartPlayer& shooter = frame.players[base::index(shot.slot)];
+    shooter.position = {41.5, 0.0};
+    shooter.velocity = {};
+    shooter.body = 0.0;
+    frame.players[11].position = {51.0, 1.0};
+    for (std::size_t slot = 12; slot < frame.players.size(); ++slot) {
+      frame.players[slot].position.x = std::min(frame.players[slot].position.x, 20.0);
+    }
+  }
+
+  training::Episode episode(setup_);
+  episode.reset_at(1, setup_->options, start);
+  const std::vector<Alternative> alternatives =
+      alternatives_of(*episode.match_player(shot.slot), 9);
+  const auto into_gap = std::ranges::find(alternatives, "shot", &Alternative::text);
+  ASSERT_NE(into_gap, alternatives.end());
+  EXPECT_LT(into_gap->target.y, -4.0);
+  EXPECT_GT(into_gap->target.y, -record_.server.goal_width / 2.0);
 }
 
 // The noise of the server differs, the kick is that of the match.
