@@ -12,13 +12,24 @@ double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 
+namespace {
+
+constexpr double kZ2 = base::kNormal95 * base::kNormal95;
+
+// Wilson's interval, with the variance of the results in place of p (1 - p), which is that of wins
+// and losses: as if z^2 results of the largest variance were there as well.
+Interval wilson(double mean, double variance, double count) {
+  const double center = (mean * count + kZ2 / 2) / (count + kZ2);
+  const double half = base::kNormal95 / (count + kZ2) * std::sqrt(variance * count + kZ2 / 4);
+  return {std::max(0.0, center - half), std::min(1.0, center + half)};
+}
+
+}  // namespace
+
 Interval wilson(double successes, double trials) {
   if (trials <= 0) return {0.0, 1.0};
-  constexpr double z2 = base::kNormal95 * base::kNormal95;
-  const double center = (successes + z2 / 2) / (trials + z2);
-  const double spread = successes * (trials - successes) / trials + z2 / 4;
-  const double half = base::kNormal95 / (trials + z2) * std::sqrt(spread);
-  return {std::max(0.0, center - half), std::min(1.0, center + half)};
+  const double share = successes / trials;
+  return wilson(share, share * (1 - share), trials);
 }
 
 double WinDrawLoss::score() const { return games() == 0 ? 0.5 : (won + drawn / 2.0) / games(); }
@@ -51,7 +62,7 @@ Estimate estimate(double score, double variance, int count) {
   const double min_points = count * std::min(score, 1 - score);
   result.score = score;
   const bool few = count < kMinNormalCount || min_points < kMinNormalPoints;
-  result.score_interval = few ? wilson(score * count, count)
+  result.score_interval = few ? wilson(score, variance, count)
                               : Interval{std::max(0.0, score - base::kNormal95 * error),
                                          std::min(1.0, score + base::kNormal95 * error)};
 
@@ -60,9 +71,9 @@ Estimate estimate(double score, double variance, int count) {
                          elo_from_score(result.score_interval.high)};
 
   if (error > 0) {
-    // Few results do not determine their own variance. Use that of a score of one half, as Wilson's
-    // interval does, so that both agree.
-    const double expected = few ? 0.5 / std::sqrt(count) : error;
+    // Where Wilson's interval excludes 1/2, the likelihood is beyond 97.5 %.
+    const double doubt = kZ2 / (4.0 * count * count);
+    const double expected = few ? std::sqrt(variance / count + doubt) : error;
     result.superiority = normal_cdf((score - 0.5) / expected);
   } else if (score != 0.5) {
     const double doubt = std::pow(0.5, count + 1);

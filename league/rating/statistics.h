@@ -48,9 +48,10 @@ struct Estimate {
 };
 
 /// From mean and variance of independent results within [0, 1], games or pairs. The interval is
-/// normal; with fewer than 30 results, or fewer than 5 points lost or won, Wilson's, which is also
-/// valid for all wins. The likelihood of superiority agrees with the interval. Without variance it
-/// follows from a flat prior: 1 - 2^-(count + 1) for all wins.
+/// normal; with fewer than 30 results, or fewer than 5 points lost or won, Wilson's with the
+/// variance of the results, which is also valid for all wins. The likelihood of superiority agrees
+/// with the interval. Without variance it follows from a flat prior: 1 - 2^-(count + 1) for all
+/// wins.
 Estimate estimate(double score, double variance, int count);
 
 }  // namespace cls::league

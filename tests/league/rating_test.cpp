@@ -1,6 +1,7 @@
 // Ratings: published values, edge cases, and the error rates of the sequential test.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "league/matches/head_to_head.h"
@@ -58,7 +59,7 @@ TEST(Rating, EstimatesAreFiniteInEdgeCases) {
 
   const Estimate all_drawn = estimate(0.5, 0.0, 10);
   EXPECT_EQ(all_drawn.superiority, 0.5);
-  EXPECT_LT(all_drawn.score_interval.low, 0.25) << "ten draws do not prove equality";
+  EXPECT_NEAR(all_drawn.score_interval.low, 0.3612, 1e-4) << "ten draws do not prove equality";
 }
 
 TEST(Rating, IntervalAndSuperiorityAgree) {
@@ -73,6 +74,47 @@ TEST(Rating, IntervalAndSuperiorityAgree) {
         EXPECT_EQ(strength.superiority < 0.025, strength.score_interval.high < 0.5);
       }
     }
+  }
+}
+
+// Values of many sizes are not wins and losses: 27 quartets of a comparison that was *better*.
+TEST(Rating, FewResultsHaveTheirOwnVariance) {
+  const Estimate close = estimate(0.588, 0.0115, 27);
+  EXPECT_NEAR(close.score_interval.low, 0.5054, 1e-4);
+  EXPECT_NEAR(close.score_interval.high, 0.6487, 1e-4);
+  EXPECT_GT(close.superiority, 0.975);
+}
+
+// The share of intervals that have the true mean; Wilson's own of wins and losses waver about 95 %.
+TEST(Rating, IntervalsOfFewResultsCover) {
+  const auto covered = [](int count, double mean, auto draw) {
+    constexpr int kTrials = 4000;
+    soccer::RandomStream random(7, "coverage");
+    int inside = 0;
+    for (int trial = 0; trial < kTrials; ++trial) {
+      double sum = 0.0;
+      double squares = 0.0;
+      for (int i = 0; i < count; ++i) {
+        const double result = draw(random);
+        sum += result;
+        squares += result * result;
+      }
+      const double average = sum / count;
+      const double variance = std::max(0.0, squares / count - average * average);
+      const Interval interval = estimate(average, variance, count).score_interval;
+      inside += interval.low <= mean && mean <= interval.high ? 1 : 0;
+    }
+    return inside / double{kTrials};
+  };
+
+  const auto games = [](soccer::RandomStream& random) {
+    const double u = random.unit();
+    return u < 0.4 ? 1.0 : u < 0.9 ? 0.5 : 0.0;
+  };
+  const auto values = [](soccer::RandomStream& random) { return random.uniform(0.4, 0.7); };
+  for (const int count : {2, 5, 12, 29}) {
+    EXPECT_GT(covered(count, 0.65, games), 0.95) << count << " games";
+    EXPECT_GT(covered(count, 0.55, values), 0.95) << count << " values";
   }
 }
 
