@@ -213,9 +213,10 @@ TEST_F(InNamespaces, EndWithTheirKeeper) {
 
 TEST_F(InNamespaces, CountTheirTime) {
   const auto child =
-      processes_.start(plan_of("sh -c 'ulimit -t 1; while :; do :; done'; echo on; sleep 9"));
+      processes_.start(plan_of("sh -c 'ulimit -t 2; while :; do :; done'; echo on; sleep 9"));
   ASSERT_TRUE(saw_line(*child, "on"));
-  EXPECT_GT(child->cpu_seconds(), 0.9);
+  // The kernel ends the loop by its count of ticks, a tenth earlier on a busy machine.
+  EXPECT_GT(child->cpu_seconds(), 1.5);
 }
 
 constexpr const char* kReceive =
