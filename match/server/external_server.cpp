@@ -315,6 +315,18 @@ bool ExternalServer::is_cut(int cycles, bool over, const std::vector<AgentProgre
   });
 }
 
+// Players that heard the end of the match well before it came: not from the server.
+const AgentProgress* ExternalServer::players_that_left(int cycles,
+                                                       const std::vector<AgentProgress>& agents) {
+  constexpr int kLastCycles = 5;  // in real time the players are some cycles behind
+  for (const AgentProgress& seen : agents) {
+    const MatchProgress& heard = seen.progress.match;
+    const bool over = heard.mode == soccer::PlayMode::kTimeOver;
+    if (over && heard.cycle + kLastCycles < cycles) return &seen;
+  }
+  return nullptr;
+}
+
 void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgress>& agents) const {
   const auto record = gamelog::read_rcg_file((folder_ / kGameLogFile).string());
   if (!record) return report_unknown(result, !agents.empty(), record.error().message);
@@ -331,8 +343,16 @@ void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgre
   if (std::filesystem::exists(folder_ / kTextLogFile, code)) result.rcl = kTextLogFile;
   report_write_error(result);
 
+  const int cycles = last_cycle(*record, summary.cycles);
+  if (const AgentProgress* gone = players_that_left(cycles, agents)) {
+    return report_unknown(result, true,
+                          fmt::format("the players of {} left at cycle {} of {}, because somebody "
+                                      "told them that the match is over",
+                                      gone->team, gone->progress.match.cycle, cycles));
+  }
+
   const bool over = !record->mode.empty() && record->mode.back() == soccer::PlayMode::kTimeOver;
-  if (result.valid() && is_cut(last_cycle(*record, summary.cycles), over, agents)) {
+  if (result.valid() && is_cut(cycles, over, agents)) {
     std::string why = fmt::format("{} ends at cycle {}", kGameLogFile, summary.cycles);
     if (!agents.empty()) why += fmt::format(" of {}", result.cycles);
     if (!result.write_error.empty()) why += fmt::format(" ({})", result.write_error);
@@ -347,7 +367,7 @@ void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgre
     team.penalty_score.reset();
     if (summary.penalties) team.penalty_score = logged.penalty_score;
   }
-  result.cycles = last_cycle(*record, summary.cycles);
+  result.cycles = cycles;
   result.steps = summary.frames;
   warn_of_other_scores(result, agents);
 }

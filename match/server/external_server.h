@@ -72,6 +72,8 @@ class ExternalServer : public Server {
   void look_for_intruder();
   MatchEnd refused(std::string message) const;
   void read_log(MatchResult& result, const std::vector<AgentProgress>& agents) const;
+  static const AgentProgress* players_that_left(int cycles,
+                                                const std::vector<AgentProgress>& agents);
   static void warn_of_other_scores(MatchResult& result, const std::vector<AgentProgress>& agents);
   void report_unknown(MatchResult& result, bool has_agents, const std::string& why) const;
   void report_write_error(MatchResult& result) const;

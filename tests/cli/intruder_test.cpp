@@ -1,5 +1,6 @@
 // Teams that reach for the other side: by its name, its players, its coach, and as monitors.
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include "tests/cli/network_match.h"
 #include "tests/support/command_matchers.h"
@@ -112,7 +113,9 @@ def victims():
     return [(port, peer) for host, port, peer, _ in entries
             if peer and host == '0100007F' and peer not in ports]
 source = struct.pack('=i4s4s', 0, socket.inet_aton('127.0.0.1'), bytes(4))
-seen, until = set(), time.time() + 4
+wait = float(sys.argv.pop(1))
+seen, until = set(), time.time() + wait + 4
+time.sleep(wait)
 while time.time() < until:
     for port, peer in victims():
         seen.add(peer)
@@ -132,7 +135,7 @@ TEST_F(Intruder, ForgesNoMessagesOfTheServer) {
   std::ofstream(folder_.path() / "team/forger.py") << kForger;
   for (const char* message :
        {"(hear 100 referee goal_l_9)", "(hear 101 referee time_over)", "(error no_such_team)"}) {
-    const std::string forger = "/usr/bin/python3 forger.py '" + std::string(message) + "' &\n";
+    const std::string forger = "/usr/bin/python3 forger.py 0 '" + std::string(message) + "' &\n";
     play_embedded(named_team("team", "Forgers", forger, "wait\n"));
     expect_finished();
     EXPECT_THAT(output(), AllOf(HasSubstr("victims 0\n"), Not(ContainsRegex("victims [1-9]"))));
@@ -142,17 +145,45 @@ TEST_F(Intruder, ForgesNoMessagesOfTheServer) {
   }
 }
 
+// Runs a command in a network of its own: the forger reaches all matches of its network.
+const std::vector<std::string>& own_network() {
+  static const std::vector<std::string> words = {"unshare", ::geteuid() == 0 ? "-n" : "-rn",
+                                                 "/usr/bin/python3", "-c", R"(
+import fcntl, os, socket, struct, sys
+SET_FLAGS, UP = 0x8914, 1
+fcntl.ioctl(socket.socket(socket.AF_INET, socket.SOCK_DGRAM), SET_FLAGS, struct.pack('16sh22x', b'lo', UP))
+os.execv(sys.argv[1], sys.argv[1:]))"};
+  return words;
+}
+
 // What the namespaces are for: agents of cls believe the forger, before the match begins. The score
 // that they have heard counts no more than the log.
 TEST_F(Intruder, WinsNothingByForgeryWhereTheSidesShareANetwork) {
+  if (!host_has_namespaces()) GTEST_SKIP() << "this host makes no namespaces";
+  launcher_ = own_network();
   fs::create_directories(folder_.path() / "team");
   std::ofstream(folder_.path() / "team/forger.py") << kForger;
   const std::string forger =
-      "/usr/bin/python3 forger.py '(hear 100 referee goal_l_9)' '(hear 101 referee time_over)' &\n";
+      "/usr/bin/python3 forger.py 0 '(hear 100 referee goal_l_9)' "
+      "'(hear 101 referee time_over)' &\n";
   play_embedded(named_team("team", "Forgers", forger, "wait\n"), {"--sandbox=files"});
   EXPECT_THAT(output(), ContainsRegex("victims [1-9]"));
   EXPECT_EQ(result_["left"]["score"], 0) << played_.err;
   EXPECT_FALSE(result_["valid"].get<bool>() && result_["right"]["score"] != 0) << played_.err;
+}
+
+// Without its agents a side would lose what is left of a match that the server plays on.
+TEST_F(Intruder, WinsNothingWhereThePlayersBelieveThatTheMatchIsOver) {
+  if (!host_has_namespaces()) GTEST_SKIP() << "this host makes no namespaces";
+  launcher_ = own_network();
+  fs::create_directories(folder_.path() / "team");
+  std::ofstream(folder_.path() / "team/forger.py") << kForger;
+  const std::string forger = "/usr/bin/python3 forger.py 5 '(hear 101 referee time_over)' &\n";
+  play(named_team("team", "Forgers", forger, "wait\n"), "embedded",
+       {"--half-time", "10", "--mode", "realtime", "--sandbox=files"});
+  EXPECT_THAT(output(), ContainsRegex("victims [1-9]"));
+  EXPECT_FALSE(result_["valid"].get<bool>());
+  EXPECT_THAT(played_.err, HasSubstr("because somebody told them that the match is over"));
 }
 
 TEST_F(Intruder, PlaysAloneUnderTheNameOfItsOpponent) {

@@ -66,9 +66,11 @@ class NetworkMatch : public testing::Test {
                                      const std::vector<std::string>& more,
                                      const std::vector<std::string>& settings = {
                                          "--set", "server::kick_off_wait=3"}) const {
-    std::vector<std::string> argv = {cls_binary(), "match",    left_,   right,
-                                     "--seed",     "7",        "--dir", match_folder(),
-                                     "--force",    "--server", server};
+    std::vector<std::string> argv = launcher_;
+    const std::vector<std::string> match = {cls_binary(), "match",    left_,   right,
+                                            "--seed",     "7",        "--dir", match_folder(),
+                                            "--force",    "--server", server};
+    argv.insert(argv.end(), match.begin(), match.end());
     argv.insert(argv.end(), settings.begin(), settings.end());
     argv.insert(argv.end(), more.begin(), more.end());
     return argv;
@@ -115,6 +117,7 @@ class NetworkMatch : public testing::Test {
 
   TemporaryFolder folder_;
   const std::string mark_ = new_mark();
+  std::vector<std::string> launcher_;  ///< a program that runs cls
   std::string left_ = "mock:hold";
   CommandResult played_;
   base::Json result_;
