@@ -46,8 +46,8 @@ a.card:hover, a.card:focus-visible { border-color: var(--accent); box-shadow: 0 
 .card .name { display: flex; align-items: center; font-size: clamp(0.75rem, 3.7cqi, 1.7rem); font-weight: 650; line-height: 1.2; overflow-wrap: anywhere; }
 .card .name:first-child { justify-content: end; text-align: right; }
 .card .score { font-size: clamp(1.6rem, 8cqi, 2.8rem); line-height: 1.1; font-weight: 700; font-variant-numeric: tabular-nums; white-space: nowrap; text-align: center; }
-/* Names of fifteen characters fit in half of a card; with the score between them they do not. */
-@container (max-width: 34rem) {
+/* Names of fifteen characters fit in half of a card; with a score of two digits each between them they need more. */
+@container (max-width: 48rem) {
   .card .line { grid-template-columns: minmax(0, 1fr) minmax(0, 1fr); gap: 0.1rem 0.9rem; }
   .card .score { grid-area: 2 / 1 / auto / 3; }
   .card .name:first-child { grid-column: 1; }

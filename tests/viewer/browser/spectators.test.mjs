@@ -52,14 +52,23 @@ function writeCup(folder, count) {
 
 const run = (folder, mode, ...more) => start('tournament', 'run', folder, '--quiet', '--no-preflight', '--concurrency', '2', '--mode', mode, ...more);
 
-/** Names of running matches that stand on more than one line, although they are not as wide as names may be. */
+/** Names of running matches that stand on more than one line, if all are 15 usual letters long and the scores have two digits. */
 function brokenNames(page) {
-  return page.evaluate(() => [...document.querySelectorAll('.card .name')].filter((each) => {
-    const range = document.createRange();
-    range.selectNodeContents(each.lastChild);
-    const lines = new Set([...range.getClientRects()].map((rect) => Math.round(rect.top)));
-    return lines.size > 1 && !each.textContent.startsWith('WWW');
-  }).map((each) => each.textContent));
+  return page.evaluate(() => {
+    const names = [...document.querySelectorAll('.card .name')].map((each) => each.lastChild);
+    const scores = [...document.querySelectorAll('.card .score')];
+    const before = [...names, ...scores].map((each) => each.textContent);
+    for (const name of names) name.textContent = 'Grossroehrsdorf';
+    for (const score of scores) score.textContent = '10 : 12';
+    const broken = names.filter((each) => {
+      const range = document.createRange();
+      range.selectNodeContents(each);
+      return new Set([...range.getClientRects()].map((rect) => Math.round(rect.top))).size > 1;
+    });
+    const shown = broken.map((each) => `${each.textContent} in ${each.parentElement.parentElement.clientWidth} px`);
+    [...names, ...scores].forEach((each, i) => { each.textContent = before[i]; });
+    return shown;
+  });
 }
 
 /** Opens the page at each size in both themes: nothing is wider than the window, and axe finds nothing. */
