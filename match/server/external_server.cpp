@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <thread>
 
-#include "analysis/results/match_summary.h"
 #include "base/system/version.h"
 #include "base/text/printable.h"
 #include "gamelog/rcg/rcg_reader.h"
@@ -315,16 +314,29 @@ bool ExternalServer::is_cut(int cycles, bool over, const std::vector<AgentProgre
   });
 }
 
-// Players that heard the end of the match well before it came: not from the server.
-const AgentProgress* ExternalServer::players_that_left(int cycles,
-                                                       const std::vector<AgentProgress>& agents) {
+// Why the log does not have the result; empty: it has.
+std::string ExternalServer::why_unknown(const MatchResult& result,
+                                        const gamelog::MatchRecord& record,
+                                        const analysis::MatchSummary& summary,
+                                        const std::vector<AgentProgress>& agents) const {
   constexpr int kLastCycles = 5;  // in real time the players are some cycles behind
+  const int cycles = last_cycle(record, summary.cycles);
   for (const AgentProgress& seen : agents) {
     const MatchProgress& heard = seen.progress.match;
-    const bool over = heard.mode == soccer::PlayMode::kTimeOver;
-    if (over && heard.cycle + kLastCycles < cycles) return &seen;
+    const bool left = heard.mode == soccer::PlayMode::kTimeOver;
+    if (!left || heard.cycle + kLastCycles >= cycles) continue;
+    return fmt::format(
+        "the players of {} left at cycle {} of {}, because somebody told them that "
+        "the match is over",
+        seen.team, heard.cycle, cycles);
   }
-  return nullptr;
+
+  const bool over = !record.mode.empty() && record.mode.back() == soccer::PlayMode::kTimeOver;
+  if (!is_cut(cycles, over, agents)) return "";
+  std::string why = fmt::format("{} ends at cycle {}", kGameLogFile, summary.cycles);
+  if (!agents.empty()) why += fmt::format(" of {}", result.cycles);
+  if (!result.write_error.empty()) why += fmt::format(" ({})", result.write_error);
+  return why;
 }
 
 void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgress>& agents) const {
@@ -343,20 +355,9 @@ void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgre
   if (std::filesystem::exists(folder_ / kTextLogFile, code)) result.rcl = kTextLogFile;
   report_write_error(result);
 
-  const int cycles = last_cycle(*record, summary.cycles);
-  if (const AgentProgress* gone = players_that_left(cycles, agents)) {
-    return report_unknown(result, true,
-                          fmt::format("the players of {} left at cycle {} of {}, because somebody "
-                                      "told them that the match is over",
-                                      gone->team, gone->progress.match.cycle, cycles));
-  }
-
-  const bool over = !record->mode.empty() && record->mode.back() == soccer::PlayMode::kTimeOver;
-  if (result.valid() && is_cut(cycles, over, agents)) {
-    std::string why = fmt::format("{} ends at cycle {}", kGameLogFile, summary.cycles);
-    if (!agents.empty()) why += fmt::format(" of {}", result.cycles);
-    if (!result.write_error.empty()) why += fmt::format(" ({})", result.write_error);
-    return report_unknown(result, !agents.empty(), why);
+  if (result.valid()) {
+    const std::string why = why_unknown(result, *record, summary, agents);
+    if (!why.empty()) return report_unknown(result, !agents.empty(), why);
   }
 
   for (const soccer::Side side : soccer::kBothSides) {
@@ -367,7 +368,7 @@ void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgre
     team.penalty_score.reset();
     if (summary.penalties) team.penalty_score = logged.penalty_score;
   }
-  result.cycles = cycles;
+  result.cycles = last_cycle(*record, summary.cycles);
   result.steps = summary.frames;
   warn_of_other_scores(result, agents);
 }

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/results/match_summary.h"
+#include "gamelog/record/match_record.h"
 #include "match/server/game_log_follower.h"
 #include "match/server/match_plan.h"
 #include "match/server/match_server.h"
@@ -72,8 +74,9 @@ class ExternalServer : public Server {
   void look_for_intruder();
   MatchEnd refused(std::string message) const;
   void read_log(MatchResult& result, const std::vector<AgentProgress>& agents) const;
-  static const AgentProgress* players_that_left(int cycles,
-                                                const std::vector<AgentProgress>& agents);
+  std::string why_unknown(const MatchResult& result, const gamelog::MatchRecord& record,
+                          const analysis::MatchSummary& summary,
+                          const std::vector<AgentProgress>& agents) const;
   static void warn_of_other_scores(MatchResult& result, const std::vector<AgentProgress>& agents);
   void report_unknown(MatchResult& result, bool has_agents, const std::string& why) const;
   void report_write_error(MatchResult& result) const;

@@ -17,6 +17,44 @@ using testing::Not;
 
 namespace fs = std::filesystem;
 
+/// After the seconds that it is told, sends messages in the name of the server to all clients of
+/// others: from each port of the server, which the program has on another address of loopback
+/// (IP_PKTINFO).
+constexpr const char* kForger = R"(
+import glob, os, re, socket, struct, sys, time
+def own_inodes():
+    found = set()
+    for link in glob.glob('/proc/[0-9]*/fd/*'):
+        try: found.update(re.findall(r'socket:\[(\d+)\]', os.readlink(link)))
+        except OSError: pass
+    return found
+def sockets():
+    for line in open('/proc/net/udp').readlines()[1:]:
+        words = line.split()
+        local, peer = (word.split(':') for word in words[1:3])
+        yield local[0], int(local[1], 16), int(peer[1], 16), words[9]
+def victims():
+    entries, own = list(sockets()), own_inodes()
+    ports = {port for _, port, _, inode in entries if inode in own}
+    return [(port, peer) for host, port, peer, _ in entries
+            if peer and host == '0100007F' and peer not in ports]
+source = struct.pack('=i4s4s', 0, socket.inet_aton('127.0.0.1'), bytes(4))
+wait = float(sys.argv.pop(1))
+seen, until = set(), time.time() + wait + 4
+time.sleep(wait)
+while time.time() < until:
+    for port, peer in victims():
+        seen.add(peer)
+        forger = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        forger.bind(('127.0.0.2', port))
+        for message in sys.argv[1:]:
+            forger.sendmsg([message.encode()], [(socket.IPPROTO_IP, 8, source)], 0,
+                           ('127.0.0.1', peer))
+        forger.close()
+    print('victims', len(seen), flush=True)
+    time.sleep(0.01)
+)";
+
 class Intruder : public NetworkMatch {
  protected:
   /// A team in a folder of its own, whose script runs `before` and then starts 11 players under a
@@ -35,6 +73,15 @@ class Intruder : public NetworkMatch {
                "  $player --port $port --name " +
                name + " $goalie &\n  sleep 0.02\ndone\n" + after);
     return "team:" + (folder_.path() / folder).string();
+  }
+
+  /// A team whose forger sends the messages, from so many seconds after its start on.
+  std::string forgers(int seconds, const std::vector<std::string>& messages) {
+    fs::create_directories(folder_.path() / "team");
+    std::ofstream(folder_.path() / "team/forger.py") << kForger;
+    std::string forger = "/usr/bin/python3 forger.py " + std::to_string(seconds);
+    for (const std::string& message : messages) forger += " '" + message + "'";
+    return named_team("team", "Forgers", forger + " &\n", "wait\n");
   }
 
   void play_embedded(const std::string& right, const std::vector<std::string>& more = {},
@@ -92,51 +139,11 @@ TEST_F(Intruder, DoesNotPlayForAnotherSideByItsName) {
   EXPECT_THAT(played_.err, HasSubstr("a program of the left side (cls_fake_intrud, process "));
 }
 
-/// Sends a message in the name of the server to all clients of others: from each port of the
-/// server, which the program has on another address of loopback (IP_PKTINFO).
-constexpr const char* kForger = R"(
-import glob, os, re, socket, struct, sys, time
-def own_inodes():
-    found = set()
-    for link in glob.glob('/proc/[0-9]*/fd/*'):
-        try: found.update(re.findall(r'socket:\[(\d+)\]', os.readlink(link)))
-        except OSError: pass
-    return found
-def sockets():
-    for line in open('/proc/net/udp').readlines()[1:]:
-        words = line.split()
-        local, peer = (word.split(':') for word in words[1:3])
-        yield local[0], int(local[1], 16), int(peer[1], 16), words[9]
-def victims():
-    entries, own = list(sockets()), own_inodes()
-    ports = {port for _, port, _, inode in entries if inode in own}
-    return [(port, peer) for host, port, peer, _ in entries
-            if peer and host == '0100007F' and peer not in ports]
-source = struct.pack('=i4s4s', 0, socket.inet_aton('127.0.0.1'), bytes(4))
-wait = float(sys.argv.pop(1))
-seen, until = set(), time.time() + wait + 4
-time.sleep(wait)
-while time.time() < until:
-    for port, peer in victims():
-        seen.add(peer)
-        forger = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        forger.bind(('127.0.0.2', port))
-        for message in sys.argv[1:]:
-            forger.sendmsg([message.encode()], [(socket.IPPROTO_IP, 8, source)], 0,
-                           ('127.0.0.1', peer))
-        forger.close()
-    print('victims', len(seen), flush=True)
-    time.sleep(0.01)
-)";
-
 TEST_F(Intruder, ForgesNoMessagesOfTheServer) {
   if (!host_has_namespaces()) GTEST_SKIP() << "this host makes no namespaces";
-  fs::create_directories(folder_.path() / "team");
-  std::ofstream(folder_.path() / "team/forger.py") << kForger;
   for (const char* message :
        {"(hear 100 referee goal_l_9)", "(hear 101 referee time_over)", "(error no_such_team)"}) {
-    const std::string forger = "/usr/bin/python3 forger.py 0 '" + std::string(message) + "' &\n";
-    play_embedded(named_team("team", "Forgers", forger, "wait\n"));
+    play_embedded(forgers(0, {message}));
     expect_finished();
     EXPECT_THAT(output(), AllOf(HasSubstr("victims 0\n"), Not(ContainsRegex("victims [1-9]"))));
     EXPECT_EQ(result_["left"]["score"], 0);
@@ -161,12 +168,8 @@ os.execv(sys.argv[1], sys.argv[1:]))"};
 TEST_F(Intruder, WinsNothingByForgeryWhereTheSidesShareANetwork) {
   if (!host_has_namespaces()) GTEST_SKIP() << "this host makes no namespaces";
   launcher_ = own_network();
-  fs::create_directories(folder_.path() / "team");
-  std::ofstream(folder_.path() / "team/forger.py") << kForger;
-  const std::string forger =
-      "/usr/bin/python3 forger.py 0 '(hear 100 referee goal_l_9)' "
-      "'(hear 101 referee time_over)' &\n";
-  play_embedded(named_team("team", "Forgers", forger, "wait\n"), {"--sandbox=files"});
+  play_embedded(forgers(0, {"(hear 100 referee goal_l_9)", "(hear 101 referee time_over)"}),
+                {"--sandbox=files"});
   EXPECT_THAT(output(), ContainsRegex("victims [1-9]"));
   EXPECT_EQ(result_["left"]["score"], 0) << played_.err;
   EXPECT_FALSE(result_["valid"].get<bool>() && result_["right"]["score"] != 0) << played_.err;
@@ -176,10 +179,7 @@ TEST_F(Intruder, WinsNothingByForgeryWhereTheSidesShareANetwork) {
 TEST_F(Intruder, WinsNothingWhereThePlayersBelieveThatTheMatchIsOver) {
   if (!host_has_namespaces()) GTEST_SKIP() << "this host makes no namespaces";
   launcher_ = own_network();
-  fs::create_directories(folder_.path() / "team");
-  std::ofstream(folder_.path() / "team/forger.py") << kForger;
-  const std::string forger = "/usr/bin/python3 forger.py 5 '(hear 101 referee time_over)' &\n";
-  play(named_team("team", "Forgers", forger, "wait\n"), "embedded",
+  play(forgers(5, {"(hear 101 referee time_over)"}), "embedded",
        {"--half-time", "10", "--mode", "realtime", "--sandbox=files"});
   EXPECT_THAT(output(), ContainsRegex("victims [1-9]"));
   EXPECT_FALSE(result_["valid"].get<bool>());

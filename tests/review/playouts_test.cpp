@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/index.h"
-#include "gamelog/rcg/rcg_reader.h"
 #include "gamelog/rcl/rcl_reader.h"
 #include "review/alternatives.h"
 #include "review/moment.h"
+#include "tests/review/recorded_start.h"
 #include "tests/support/error_of.h"
 #include "tests/support/files.h"
 
@@ -23,12 +23,10 @@ using soccer::Side;
 using testing::HasSubstr;
 using tests::error_of;
 
-class Playouts : public testing::Test {
+class Playouts : public RecordedStart {
  protected:
   Playouts() {
-    record_ = *gamelog::read_rcg_file(tests::fixture("gamelog/match-start.rcg.gz").string());
     text_ = *gamelog::read_rcl_file(tests::fixture("gamelog/match-start.rcl.gz").string());
-    statistics_ = analysis::compute_statistics(record_, nullptr);
     setup_ = *setup_of(record_, {training::Driver::kPlanner, training::Driver::kPlanner});
     terms_.seeds = 4;
     terms_.cycles = 15;
@@ -49,9 +47,7 @@ class Playouts : public testing::Test {
     return play_again(setup_, statistics_.flow, sent(), decision, terms_);
   }
 
-  gamelog::MatchRecord record_;
   gamelog::RclRecord text_;
-  analysis::MatchStatistics statistics_;
   std::shared_ptr<const training::Setup> setup_;
   PlayoutTerms terms_;
 };
