@@ -272,10 +272,12 @@ TEST(ProcessHost, TreatsFailedScriptAsEndedDespiteWorkers) {
 
 TEST(ProcessHost, TerminatesProgramBeforeDescendantsWhenGentle) {
   MarkedHost processes;
-  // The shell waits for its worker, so a signal to the shell alone leaves the worker.
-  const std::string worker = tests::built("cls_fake_process");
-  const auto child = processes.start(shell_command(
-      "shell", "trap 'echo asked; exit 7' TERM; " + worker + " exit-on-term hang & echo up; wait"));
+  // The shell waits for its worker, so a signal to the shell alone leaves the worker. The worker
+  // says that it is up: between fork and exec it would still have the shell's trap and lose the
+  // signal.
+  const std::string worker = tests::built("cls_fake_process") + " exit-on-term print up hang";
+  const auto child = processes.start(
+      shell_command("shell", "trap 'echo asked; exit 7' TERM; " + worker + " & wait"));
   ASSERT_TRUE(saw_line(*child, "up"));
 
   child->end(5s, true);
