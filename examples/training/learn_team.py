@@ -108,6 +108,13 @@ def save(path: pathlib.Path, **arrays: np.ndarray) -> None:
     part.rename(path)
 
 
+def save_curve(path: pathlib.Path, curve: List[Dict[str, Any]]) -> None:
+    """The file appears when it is complete."""
+    part = path.with_suffix(".part")
+    part.write_text(json.dumps(curve))
+    part.rename(path)
+
+
 def record(options: argparse.Namespace) -> None:
     """Files of `worlds` matches each; those that exist are complete."""
     options.out.mkdir(parents=True, exist_ok=True)
@@ -352,7 +359,7 @@ def clone(options: argparse.Namespace) -> None:
             best = loss
             net.about["training"] = {"choices": len(train[2]), **curve[-1]}
             net.save(options.out)
-    pathlib.Path(options.out).with_suffix(".curve.json").write_text(json.dumps(curve))
+    save_curve(pathlib.Path(options.out).with_suffix(".curve.json"), curve)
 
 
 # ---- improvement
@@ -504,7 +511,7 @@ def improve(options: argparse.Namespace) -> None:
                           "cpu": time.process_time() - began})
             critic.save(critic_file)
             net.save(options.out)
-            curve_file.write_text(json.dumps(curve))
+            save_curve(curve_file, curve)
             print(f"update {update}: goals {goals.mean():+.2f} of drawn choices, moved "
                   f"{moved:.4f}, {curve[-1]['cpu']:.0f} s of CPU", flush=True)
 

@@ -28,6 +28,7 @@ import numpy as np
 from cls_gym._api import AutoresetMode
 from cls_gym._config import ConfigError, plain
 from cls_gym._engine import fingerprint
+from cls_gym._files import replaced
 from cls_gym.adapters._common import check_vector
 from cls_gym.policy import Policy
 from cls_gym.vector import VectorEnv
@@ -109,11 +110,10 @@ class _Episode:
                  "spec": spec, "seed": self.seed, "episode": self.number, "engine": fingerprint(),
                  "status": envs.spec_of_task.statuses[self.status]}
         table = arrow.table(columns).replace_schema_metadata({"cls": json.dumps(about)})
-        partial = folder / f".{self.number:08d}.{os.getpid()}.partial"
-        with arrow.OSFile(str(partial), "wb") as sink, \
+        with replaced(folder / f"{self.number:08d}{_SUFFIX}") as partial, \
+                arrow.OSFile(str(partial), "wb") as sink, \
                 arrow.ipc.new_file(sink, table.schema) as writer:
             writer.write_table(table)
-        os.replace(partial, folder / f"{self.number:08d}{_SUFFIX}")
 
 
 def _column(arrow: Any, values: List[np.ndarray], count: int) -> Any:

@@ -16,6 +16,8 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
+from cls_gym._files import replaced
+
 SCHEMA = "cls.policy/2"
 MAGIC = b"CLSPOL2\n"
 KINDS = ("columns", "norm", "dense", "pool", "concat", "flatten", "gru")
@@ -129,13 +131,14 @@ class Network:
         return np.asarray(scores.argmax(axis=-1))
 
     def save(self, path: Union[str, pathlib.Path]) -> None:
-        """Writes the file."""
+        """Writes the file; it is complete or as it was before."""
         text = json.dumps(dict(self.about, steps=[step.document() for step in self.steps]))
         encoded = text.encode()
         numbers = [np.ascontiguousarray(one, "<f4").tobytes()
                    for step in self.steps for one in step.weights]
-        pathlib.Path(path).write_bytes(
-            MAGIC + struct.pack("<I", len(encoded)) + encoded + b"".join(numbers))
+        content = MAGIC + struct.pack("<I", len(encoded)) + encoded + b"".join(numbers)
+        with replaced(path) as partial:
+            partial.write_bytes(content)
 
     def _run(self, observations: np.ndarray, memory: Optional[Memory],
              product: Product) -> np.ndarray:

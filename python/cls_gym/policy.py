@@ -15,6 +15,7 @@ from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
+from cls_gym._files import replaced
 from cls_gym.network import MAGIC, Network, PolicyError, Step
 
 __all__ = ["Policy", "PolicyError", "describe", "from_torch", "load", "misfit"]
@@ -62,11 +63,11 @@ class Policy:
         return Network(steps, dict(self.about))
 
     def save(self, path: Union[str, pathlib.Path]) -> None:
-        """Writes the file."""
+        """Writes the file; it is complete or as it was before."""
         arrays: Dict[str, Any] = {"about": np.array(json.dumps(self.about))}
         for number, (weight, bias) in enumerate(self.layers):
             arrays[f"weight{number}"], arrays[f"bias{number}"] = weight, bias
-        with open(path, "wb") as out:
+        with replaced(path) as partial, open(partial, "wb") as out:
             np.savez(out, **arrays)
 
 

@@ -2,10 +2,12 @@
 
     python3 gym_network_test.py --write    # the files of fixtures/policies
 """
+import os
 import pathlib
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 from gym_support import differences  # noqa: F401  first: may hide gymnasium
 import numpy as np
@@ -98,6 +100,26 @@ class Networks(unittest.TestCase):
             again = network.load(path)
         np.testing.assert_allclose(again.scores(observations()), plain.scores(observations()),
                                    atol=1e-5)
+
+    def test_interrupted_saves_leave_the_file_as_it_was(self):
+        plain = policy.Policy([(np.ones((FEATURES, 84)), np.ones(84))], about())
+        for saved in (all_kinds(about()), plain):
+            with tempfile.TemporaryDirectory() as folder:
+                file, link = pathlib.Path(folder, "net.policy"), pathlib.Path(folder, "link")
+                file.write_bytes(b"hours of training")
+                link.symlink_to(file)
+                with mock.patch("os.replace", side_effect=KeyboardInterrupt), \
+                        self.assertRaises(KeyboardInterrupt):
+                    saved.save(link)
+                self.assertEqual(file.read_bytes(), b"hours of training")
+                saved.save(link)
+                self.assertTrue(link.is_symlink())
+                self.assertNotEqual(file.read_bytes(), b"hours of training")
+                self.assertEqual(sorted(os.listdir(folder)), ["link", "net.policy"])
+
+    def test_devices_are_written_and_not_replaced(self):
+        all_kinds(about()).save(os.devnull)
+        self.assertFalse(pathlib.Path(os.devnull).is_file())
 
     def test_damaged_files_are_refused(self):
         content = (FIXTURES / "all_kinds.policy").read_bytes()
