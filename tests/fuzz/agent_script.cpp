@@ -49,6 +49,17 @@ struct Answer {
   }
 };
 
+/// Carries text only, as from a server elsewhere: the bytes of values are not checked.
+class TextChannel : public soccer::Channel {
+ public:
+  explicit TextChannel(std::unique_ptr<soccer::Channel> inner) : inner_(std::move(inner)) {}
+  bool send(std::string_view message) override { return inner_->send(message); }
+  bool receive(std::string& message) override { return inner_->receive(message); }
+
+ private:
+  std::unique_ptr<soccer::Channel> inner_;
+};
+
 class Player {
  public:
   Player(std::unique_ptr<soccer::Channel> channel, bool goalie)
@@ -162,7 +173,8 @@ int play(std::string_view script, soccer::Channel& server, Agent& agent) {
 int play_agent_script(std::string_view script) {
   const char who = script.empty() ? 'p' : script.front();
   script.remove_prefix(std::min(script.find('\n'), script.size()));
-  auto [server, client] = soccer::make_memory_channel();
+  auto [server, memory] = soccer::make_memory_channel();
+  auto client = std::make_unique<TextChannel>(std::move(memory));
   if (who == 'c' || who == 't') {
     const auto role = who == 'c' ? soccer::CoachRole::kOnlineCoach : soccer::CoachRole::kTrainer;
     Coach coach(std::move(client), role);
