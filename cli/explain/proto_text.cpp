@@ -31,6 +31,7 @@ std::vector<ProtoBlock> read_proto(std::string_view text) {
   std::vector<ProtoBlock> blocks;
   std::string pending;  // comment lines above the next block or field
   bool inside = false;
+
   std::istringstream lines{std::string(text)};
   for (std::string line; std::getline(lines, line);) {
     std::smatch match;

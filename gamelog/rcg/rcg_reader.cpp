@@ -68,6 +68,7 @@ void read_by_kind(base::InputBuffer& input, RecordBuilder& builder) {
 
   const bool has_array = end != std::string::npos && start.substr(end + 1).starts_with('[');
   std::string_view header;
+
   if (start.starts_with('[') || (has_array && (first == "ULG6" || first == "JSON"))) {
     record.version = RcgVersion::kJson;
     if (!start.starts_with('[')) input.next_line(header);

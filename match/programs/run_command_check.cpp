@@ -45,14 +45,17 @@ std::vector<ShellWord> shell_words(std::string_view command) {
           quote = quote == 0 ? c : 0;
           continue;
         }
+
         if (quote == 0 && c == '\\' && i + 1 < command.size()) {
           word.text += command[++i];
           continue;
         }
+
         if (quote != '\'' && kExpanded.find(c) != std::string_view::npos) word.plain = false;
         word.text += c;
       }
     }
+
     words.push_back(std::move(word));
   }
   return words;

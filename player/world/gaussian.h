@@ -208,6 +208,7 @@ void condition(Gaussian<N>& estimate, std::span<const AnySlab> slabs, int sweeps
     for (const std::size_t i : open) {
       const AnySlab& slab = slabs[i];
       Site& site = sites[i];
+
       const VecN<N> gain = gain_of(estimate, slab);
       const Moments now{along(slab, estimate.mean), along(slab, gain)};
       if (now.variance <= 0.0) continue;
@@ -216,11 +217,13 @@ void condition(Gaussian<N>& estimate, std::span<const AnySlab> slabs, int sweeps
       }
       informative.push_back(i);
       if (site.is_settled(now)) continue;
+
       const Moments after = renew(site, now, slab);
       rank_one_update(estimate, gain, now.variance, after.mean - now.mean,
                       now.variance - after.variance);
       changed = true;
     }
+
     // The first estimate may have been off: all slabs are tested a second time.
     if (sweep > 0) open = informative;
   }

@@ -120,6 +120,7 @@ class Network::Builder {
 
     step.rows = rows_of(input);
     step.width = width_of(input);
+
     switch (plan.kind) {
       case StepKind::kNorm:
         return "";

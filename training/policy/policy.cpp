@@ -112,17 +112,20 @@ Result<void> check_use(const JsonValue& root, Policy& policy) {
     const Result<int> value = root.has(key) ? root[key].integer(0, 1000) : Result<int>(-1);
     return value ? *value : -1;
   };
+
   const ActionSet& options = option_actions();
   if (text("actions") != options.name || number("action_version") != options.version) {
     return root.error(
         fmt::format("needs the actions {}/{}; play others with python3 -m cls_gym.play",
                     options.name, options.version));
   }
+
   const std::string features = fmt::format("{}/{}", text("features"), number("feature_version"));
   policy.features = find_feature_set(features);
   if (policy.features == nullptr || policy.features->needs_openings) {
     return root.error(fmt::format("the features {} cannot be observed in a match", features));
   }
+
   if (text("obs") != "world_model") return root.error("must be trained with obs world_model");
   if (number("teammates") != soccer::kPlayersPerTeam - 1 ||
       number("opponents") != soccer::kPlayersPerTeam) {
