@@ -22,5 +22,9 @@ def replaced(path: Union[str, pathlib.Path]) -> Iterator[pathlib.Path]:
     try:
         yield partial
         os.replace(partial, target)
+    except OSError as error:
+        if error.filename is not None and os.fspath(error.filename) == str(partial):
+            error.filename = os.fspath(path)
+        raise
     finally:
         partial.unlink(missing_ok=True)

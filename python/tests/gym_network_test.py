@@ -117,6 +117,10 @@ class Networks(unittest.TestCase):
                 self.assertNotEqual(file.read_bytes(), b"hours of training")
                 self.assertEqual(sorted(os.listdir(folder)), ["link", "net.policy"])
 
+    def test_failed_saves_name_the_file(self):
+        with self.assertRaisesRegex(OSError, "No such file or directory: '/missing/net.policy'"):
+            all_kinds(about()).save("/missing/net.policy")
+
     def test_devices_are_written_and_not_replaced(self):
         all_kinds(about()).save(os.devnull)
         self.assertFalse(pathlib.Path(os.devnull).is_file())
