@@ -283,11 +283,18 @@ base::Result<std::unique_ptr<UdpClients>> UdpClients::create(const std::string& 
   const base::Result<base::SocketAddress> server = base::resolve_udp(host, port);
   if (!server) return base::Error{"soccer server host '" + host + "': " + server.error().message};
 
-  auto sockets = std::make_shared<Sockets>(*server);
-  if (!sockets->ready) return base::Error{"no file descriptor left for connections"};
+  auto clients = of(*server);
+  if (clients == nullptr) return base::Error{"no file descriptor left for connections"};
+  return clients;
+}
 
+std::unique_ptr<UdpClients> UdpClients::of(const base::SocketAddress& server) {
+  auto sockets = std::make_shared<Sockets>(server);
+  if (!sockets->ready) return nullptr;
   return std::unique_ptr<UdpClients>(new UdpClients(std::move(sockets)));
 }
+
+std::unique_ptr<UdpClients> UdpClients::beside() const { return of(sockets_->server); }
 
 UdpClients::UdpClients(std::shared_ptr<Sockets> sockets) : sockets_(std::move(sockets)) {}
 

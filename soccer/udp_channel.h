@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "base/system/socket_address.h"
 #include "soccer/channel.h"
 
 namespace cls::soccer {
@@ -35,9 +36,14 @@ class UdpClients {
   /// returns true as long as any message waits.
   bool wait_until(std::chrono::steady_clock::time_point deadline);
 
+  /// Channels to the same server whose wait_until() does not see the messages of these. Null if the
+  /// system has no file descriptor left.
+  std::unique_ptr<UdpClients> beside() const;
+
  private:
   struct Sockets;
 
+  static std::unique_ptr<UdpClients> of(const base::SocketAddress& server);
   explicit UdpClients(std::shared_ptr<Sockets> sockets);
 
   std::shared_ptr<Sockets> sockets_;

@@ -24,14 +24,15 @@ constexpr std::chrono::microseconds kReplyTimeout{300};
 
 // True when a server replies at the port. No soccer server knows the command (hello), so each
 // replies with an error and does nothing else. A closed port fails immediately. `keep_waiting` is
-// asked after each request without a reply.
-bool server_replies(soccer::UdpClients& clients, int port, steady_clock::time_point deadline,
+// asked after each request without a reply. Messages of players who have joined wait meanwhile.
+bool server_replies(const soccer::UdpClients& clients, int port, steady_clock::time_point deadline,
                     const ShouldContinue& keep_waiting) {
-  const std::unique_ptr<soccer::Channel> probe = clients.connect(port);
+  const std::unique_ptr<soccer::UdpClients> alone = clients.beside();
+  const std::unique_ptr<soccer::Channel> probe = alone ? alone->connect(port) : nullptr;
   std::string reply;
   while (probe != nullptr && steady_clock::now() < deadline && probe->send("(hello)")) {
     const auto next = std::min(deadline, steady_clock::now() + kProbeInterval);
-    while (steady_clock::now() < next && clients.wait_until(next)) {
+    while (steady_clock::now() < next && alone->wait_until(next)) {
       if (probe->receive(reply)) return true;
     }
     if (!keep_waiting()) break;

@@ -253,9 +253,11 @@ class SocketNetwork : public UdpNetwork {
   }
 
   // To find whose process a sender is takes milliseconds: a flood of requests gets a fifth of the
-  // time, and the rest of it waits in the socket.
+  // time, and the rest of it waits in the socket. A host that stalls meanwhile is not a flood: it
+  // would keep a coach out for good.
   void receive_requests(ListeningSocket& listening) {
     constexpr int kRest = 4;
+    constexpr std::chrono::steady_clock::duration kLongestRest = std::chrono::milliseconds(500);
     const auto begin = std::chrono::steady_clock::now();
     const bool looks_for_owners = listening.network == nullptr && rights_of_;
     if (looks_for_owners && begin < next_requests_) return;
@@ -265,7 +267,7 @@ class SocketNetwork : public UdpNetwork {
       handle_request(listening, strip_nul(incoming_.bytes(k)), incoming_.sender(k));
     }
     const auto end = std::chrono::steady_clock::now();
-    if (looks_for_owners) next_requests_ = end + kRest * (end - begin);
+    if (looks_for_owners) next_requests_ = end + std::min(kRest * (end - begin), kLongestRest);
   }
 
   void handle_request(ListeningSocket& listening, const Datagram& datagram,

@@ -171,6 +171,20 @@ TEST_P(UdpChannelTest, WaitsUntilDeadline) {
   EXPECT_GE(steady_clock::now() - begin, milliseconds(30));
 }
 
+TEST_P(UdpChannelTest, ClientsBesideWaitForTheirOwnMessagesOnly) {
+  const std::unique_ptr<UdpClients> beside = clients_->beside();
+  const std::unique_ptr<Channel> other = beside->connect();
+  reach();
+  answer(listener_, "(init l 1 before_kick_off)");
+  EXPECT_TRUE(clients_->wait_until(steady_clock::now() + std::chrono::seconds(2)));
+  EXPECT_FALSE(beside->wait_until(steady_clock::now() + milliseconds(30)));
+
+  other->send("(hello)");
+  EXPECT_EQ(listener_.receive(), with_nul("(hello)"));
+  answer(listener_, "(error unknown_command)");
+  EXPECT_EQ(next(*beside, *other), "(error unknown_command)");
+}
+
 TEST_P(UdpChannelTest, SeparatesChannelsAndPreservesOrder) {
   constexpr int kClients = 11;
   constexpr int kMessages = 40;

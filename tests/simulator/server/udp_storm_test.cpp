@@ -231,5 +231,25 @@ TEST(UdpStorm, FloodOfRequestsToBecomeAClientDelaysNoClient) {
                 bind_clients);
 }
 
+// As if the host had stalled while the server looked for the sender's process.
+TEST(UdpStorm, AnswersRequestsSoonAfterAStall) {
+  const auto bind_clients = [](UdpServer& server) {
+    const auto stalled = [](const base::SocketAddress&) {
+      std::this_thread::sleep_for(milliseconds(700));
+      return ClientRights{};
+    };
+    server.bind_clients(stalled, {});
+  };
+  const RunningServer running(quick_match(), bind_clients);
+  UdpClient client(running.port);
+  client.send("(hello)");
+  ASSERT_NE(client.wait(), "");
+  const auto begin = std::chrono::steady_clock::now();
+  client.send("(hello)");
+  ASSERT_NE(client.wait(), "");
+  // At most half a second of rest, and another stall; four stalls of rest would be 2.8 s.
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, milliseconds(2500));
+}
+
 }  // namespace
 }  // namespace cls::simulator
