@@ -26,6 +26,7 @@ from __future__ import annotations
 
 import argparse
 import collections
+import contextlib
 import json
 import pathlib
 import subprocess
@@ -100,19 +101,22 @@ def play(envs: cls_gym.VectorEnv, choose: Choose, seed: int,
     return score[:, 0] - score[:, 1]
 
 
-def save(path: pathlib.Path, **arrays: np.ndarray) -> None:
-    """The file appears when it is complete."""
+@contextlib.contextmanager
+def completed(path: pathlib.Path) -> Iterator[pathlib.Path]:
+    """Where to write the file, which appears when it is complete."""
     part = path.with_suffix(".part")
-    with open(part, "wb") as out:
-        np.savez(out, **arrays)  # type: ignore[arg-type]
+    yield part
     part.rename(path)
+
+
+def save(path: pathlib.Path, **arrays: np.ndarray) -> None:
+    with completed(path) as part, open(part, "wb") as out:
+        np.savez(out, **arrays)  # type: ignore[arg-type]
 
 
 def save_curve(path: pathlib.Path, curve: List[Dict[str, Any]]) -> None:
-    """The file appears when it is complete."""
-    part = path.with_suffix(".part")
-    part.write_text(json.dumps(curve))
-    part.rename(path)
+    with completed(path) as part:
+        part.write_text(json.dumps(curve))
 
 
 def record(options: argparse.Namespace) -> None:

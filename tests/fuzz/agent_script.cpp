@@ -21,6 +21,7 @@
 #include "soccer/memory_channel.h"
 #include "tests/fuzz/require.h"
 #include "tests/proxy/playmaker/random_message.h"
+#include "tests/support/text_channel.h"
 
 namespace cls::tests {
 namespace {
@@ -47,17 +48,6 @@ struct Answer {
     if (!parser.ParseFromString(actions, &parsed)) parsed.Clear();
     return parsed;
   }
-};
-
-/// Carries text only, as from a server elsewhere: the bytes of values are not checked.
-class TextChannel : public soccer::Channel {
- public:
-  explicit TextChannel(std::unique_ptr<soccer::Channel> inner) : inner_(std::move(inner)) {}
-  bool send(std::string_view message) override { return inner_->send(message); }
-  bool receive(std::string& message) override { return inner_->receive(message); }
-
- private:
-  std::unique_ptr<soccer::Channel> inner_;
 };
 
 class Player {

@@ -10,15 +10,16 @@
 #include "proxy/agent/player_agent.h"
 #include "simulator/server/lockstep_server.h"
 #include "soccer/messages/values.h"
+#include "tests/support/text_channel.h"
 
 namespace cls::proxy {
 namespace {
 
-/// Counts messages that are values. Carries text only, as over a network, if `text`.
+/// Counts messages that are values.
 class CountingChannel : public soccer::Channel {
  public:
-  CountingChannel(std::unique_ptr<soccer::Channel> inner, bool text, int& count)
-      : inner_(std::move(inner)), text_(text), count_(count) {}
+  CountingChannel(std::unique_ptr<soccer::Channel> inner, int& count)
+      : inner_(std::move(inner)), count_(count) {}
 
   bool send(std::string_view message) override { return inner_->send(message); }
   bool receive(std::string& message) override {
@@ -26,11 +27,10 @@ class CountingChannel : public soccer::Channel {
     count_ += soccer::read_values(message, see_) || soccer::read_values(message, sense_);
     return true;
   }
-  bool ask_for_values() override { return !text_ && inner_->ask_for_values(); }
+  bool ask_for_values() override { return inner_->ask_for_values(); }
 
  private:
   std::unique_ptr<soccer::Channel> inner_;
-  bool text_;
   int& count_;
   soccer::See see_;
   soccer::SenseBody sense_;
@@ -50,7 +50,9 @@ class Players {
       options.team_name = i % 2 == 0 ? "left" : "right";
       options.protocol = version;
       options.goalie = i < 2;
-      auto channel = std::make_unique<CountingChannel>(server_->connect(), text, values_);
+      std::unique_ptr<soccer::Channel> channel = server_->connect();
+      if (text) channel = std::make_unique<tests::TextChannel>(std::move(channel));
+      channel = std::make_unique<CountingChannel>(std::move(channel), values_);
       agents_.push_back(std::make_unique<PlayerAgent>(std::move(channel), options));
       const auto connected = connect_agent(*agents_.back(), [&] {
         server_->accept_clients();

@@ -218,29 +218,26 @@ TEST(UdpStorm, FloodOnListeningPortDelaysNoClient) {
   expect_senses([](UdpClient&) {}, [](UdpClient& stranger) { stranger.send("(dash 100)"); });
 }
 
-// The sender of each request is a process among many.
-TEST(UdpStorm, FloodOfRequestsToBecomeAClientDelaysNoClient) {
-  const auto bind_clients = [](UdpServer& server) {
-    const auto slowly = [](const base::SocketAddress&) {
-      std::this_thread::sleep_for(milliseconds(5));
+/// A server that looks for the process of each sender of a request for so long.
+RunningServer::Prepare looking_for(milliseconds time) {
+  return [time](UdpServer& server) {
+    const auto look = [time](const base::SocketAddress&) {
+      std::this_thread::sleep_for(time);
       return ClientRights{};
     };
-    server.bind_clients(slowly, {});
+    server.bind_clients(look, {});
   };
+}
+
+// The sender of each request is a process among many.
+TEST(UdpStorm, FloodOfRequestsToBecomeAClientDelaysNoClient) {
   expect_senses([](UdpClient&) {}, [](UdpClient& stranger) { stranger.send("(reconnect A 7)"); },
-                bind_clients);
+                looking_for(milliseconds(5)));
 }
 
 // As if the host had stalled while the server looked for the sender's process.
 TEST(UdpStorm, AnswersRequestsSoonAfterAStall) {
-  const auto bind_clients = [](UdpServer& server) {
-    const auto stalled = [](const base::SocketAddress&) {
-      std::this_thread::sleep_for(milliseconds(700));
-      return ClientRights{};
-    };
-    server.bind_clients(stalled, {});
-  };
-  const RunningServer running(quick_match(), bind_clients);
+  const RunningServer running(quick_match(), looking_for(milliseconds(700)));
   UdpClient client(running.port);
   client.send("(hello)");
   ASSERT_NE(client.wait(), "");
